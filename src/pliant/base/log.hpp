@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// How the library speaks: through a callback that the caller gives, and in no other way.
+#pragma once
+
+#include <functional>
+#include <string_view>
+
+namespace pliant {
+
+/// note: something worth knowing that is as it should be ("model 1 of 2 used").
+/// warning: a guess was made or something was left out.
+enum class Severity { note, warning };
+
+/// Receives each message; empty means silence.
+using LogFunction = std::function<void(Severity, std::string_view)>;
+
+/// A log function with the two verbs that call it; cheap to copy and pass by const reference.
+struct Log {
+  LogFunction function = {};
+
+  void note(std::string_view text) const {
+    if (function) function(Severity::note, text);
+  }
+  void warn(std::string_view text) const {
+    if (function) function(Severity::warning, text);
+  }
+};
+
+}  // namespace pliant

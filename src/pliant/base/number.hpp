@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The one strict number parser of every reader: the whole field must be a finite decimal number.
+// It does not follow the locale; it takes no hexadecimal, no nan, no inf and no decimal comma.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string_view>
+
+namespace pliant {
+
+/// `text` without leading and trailing blanks and tabs.
+std::string_view trimmed(std::string_view text);
+
+/// A finite real number that fills `text` (blanks around it are allowed): "1.5", "+.5", "1e-3",
+/// and Fortran's "1.0D+00". Nothing on anything else, on overflow too.
+std::optional<double> parse_real(std::string_view text);
+
+/// A decimal integer that fills `text` (blanks around it are allowed). Nothing on overflow.
+std::optional<std::int64_t> parse_integer(std::string_view text);
+
+}  // namespace pliant

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Frame (snapshot): what a run shows its observers after a step, and what a recorder writes.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+#include "pliant/framework/framework.hpp"
+
+namespace pliant {
+
+/// Why a resolve ended.
+enum class Stop : std::uint8_t {
+  converged,          ///< every bar is within the tolerance
+  max_sweeps,         ///< the limit was reached first
+  not_finite,         ///< a length became infinite or not a number; positions were put back
+  stopped_by_caller,  ///< a callback asked to stop
+};
+
+/// "converged", "max_sweeps", ...
+std::string_view name(Stop stop);
+
+inline constexpr std::int64_t no_joint = -1;
+
+/// One step's result. Spans are valid during the call only.
+struct Frame {
+  std::int64_t step = 0;
+  double time = 0.0;                   ///< ps
+  std::span<const Vec3> positions;     ///< (N) Angstrom, all finite
+  std::int64_t sweeps = 0;             ///< sweeps of the technique's ordering in this step
+  std::int64_t projections = 0;        ///< bars looked at in this step
+  double max_residual = 0.0;           ///< largest |length - rest| / rest
+  double rms_residual = 0.0;           ///< root mean square of it
+  Stop stop = Stop::converged;
+  std::int64_t root_joint = no_joint;  ///< where the technique began; no_joint before any step
+  Vec3 force;                          ///< on root_joint, kJ/(mol Angstrom); 0 if none
+};
+
+}  // namespace pliant

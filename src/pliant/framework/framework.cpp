@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/framework/framework.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "pliant/base/error.hpp"
+
+namespace pliant {
+namespace {
+
+// Beyond these a squared length under- or overflows a double.
+constexpr double shortest_rest_length = 1e-150;
+constexpr double longest_rest_length = 1e150;
+
+std::string number_text(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+}  // namespace
+
+Framework::Framework(FrameworkParts parts)
+    : joint_count_(parts.joint_count),
+      bars_(std::move(parts.bars)),
+      rest_lengths_(std::move(parts.rest_lengths)),
+      atoms_(std::move(parts.atoms)) {
+  if (joint_count_ >= std::numeric_limits<Joint>::max())
+    throw InputError("a framework holds fewer than 2^32 joints");
+  if (rest_lengths_.size() != bars_.size())
+    throw InputError("framework: " + std::to_string(bars_.size()) + " bars but " +
+                     std::to_string(rest_lengths_.size()) + " rest lengths");
+  if (atoms_ && atoms_->size() != joint_count_)
+    throw InputError("framework: " + std::to_string(joint_count_) + " joints but " +
+                     std::to_string(atoms_->size()) + " atom names");
+  take_masses(parts.masses, parts.pinned);
+  check_bars();
+  index_incidences();
+  merge_duplicate_bars();
+}
+
+void Framework::take_masses(const std::vector<double>& masses, const std::vector<Joint>& pinned) {
+  if (!masses.empty() && masses.size() != joint_count_)
+    throw InputError("framework: " + std::to_string(joint_count_) + " joints but " +
+                     std::to_string(masses.size()) + " masses");
+  inverse_masses_.assign(joint_count_, 1.0);
+  for (std::size_t i = 0; i < masses.size(); ++i) {
+    if (!std::isfinite(masses[i]) || masses[i] <= 0.0)
+      throw InputError("mass of " + label(static_cast<Joint>(i)) + " is " +
+                       number_text(masses[i]) + ": must be positive and finite");
+    inverse_masses_[i] = 1.0 / masses[i];
+  }
+  for (Joint joint : pinned) {
+    if (joint >= joint_count_)
+      throw InputError("pinned joint " + std::to_string(joint) + " of " +
+                       std::to_string(joint_count_) + " does not exist");
+    if (inverse_masses_[joint] != 0.0) ++pinned_count_;
+    inverse_masses_[joint] = 0.0;
+  }
+}
+
+void Framework::check_bars() const {
+  for (std::size_t k = 0; k < bars_.size(); ++k) {
+    const Bar bar = bars_[k];
+    if (bar.a >= joint_count_ || bar.b >= joint_count_)
+      throw InputError("bar " + std::to_string(k) + " joins joints " + std::to_string(bar.a) +
+                       " and " + std::to_string(bar.b) + " but there are " +
+                       std::to_string(joint_count_) + " joints");
+    if (bar.a == bar.b)
+      throw InputError("bar " + std::to_string(k) + " joins " + label(bar.a) + " to itself");
+    const double length = rest_lengths_[k];
+    if (!(length >= shortest_rest_length && length <= longest_rest_length))
+      throw InputError("bar " + label(bar) + " has rest length " + number_text(length) +
+                       ": must be from 1e-150 to 1e150 Angstrom");
+  }
+}
+
+void Framework::index_incidences() {
+  first_incidence_.assign(joint_count_ + 1, 0);
+  for (Bar bar : bars_) ++first_incidence_[bar.a + 1], ++first_incidence_[bar.b + 1];
+  for (std::size_t i = 0; i < joint_count_; ++i) first_incidence_[i + 1] += first_incidence_[i];
+  incidences_.resize(2 * bars_.size());
+  std::vector<std::uint32_t> next(first_incidence_.begin(), first_incidence_.end() - 1);
+  for (std::size_t k = 0; k < bars_.size(); ++k) {
+    const auto index = static_cast<BarIndex>(k);
+    incidences_[next[bars_[k].a]++] = {bars_[k].b, index};
+    incidences_[next[bars_[k].b]++] = {bars_[k].a, index};
+  }
+}
+
+/// Duplicates are found in linear time: while the bars of a joint are looked at, `first_bar` tells
+/// which bar reached each other end first.
+void Framework::merge_duplicate_bars() {
+  constexpr auto none = std::numeric_limits<BarIndex>::max();
+  std::vector<BarIndex> first_bar(joint_count_, none);
+  std::vector<bool> drop(bars_.size(), false);
+  for (std::size_t i = 0; i < joint_count_; ++i) {
+    for (const Incidence& at : neighbours(static_cast<Joint>(i))) {
+      BarIndex& first = first_bar[at.joint];
+      if (first == none) {
+        first = at.bar;
+      } else if (rest_lengths_[first] != rest_lengths_[at.bar]) {
+        throw InputError("bar " + label(bars_[first]) + " is given twice, with rest lengths " +
+                         number_text(rest_lengths_[first]) + " and " +
+                         number_text(rest_lengths_[at.bar]) + " Angstrom");
+      } else {
+        drop[at.bar] = true;
+      }
+    }
+    for (const Incidence& at : neighbours(static_cast<Joint>(i))) first_bar[at.joint] = none;
+  }
+  merged_bar_count_ = static_cast<std::size_t>(std::count(drop.begin(), drop.end(), true));
+  if (merged_bar_count_ == 0) return;
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < bars_.size(); ++k) {
+    if (drop[k]) continue;
+    bars_[kept] = bars_[k];
+    rest_lengths_[kept++] = rest_lengths_[k];
+  }
+  bars_.resize(kept);
+  rest_lengths_.resize(kept);
+  index_incidences();
+}
+
+std::string Framework::label(Joint joint) const {
+  return atoms_ ? atoms_->label(joint) : "joint " + std::to_string(joint);
+}
+
+std::string Framework::label(Bar bar) const {
+  if (atoms_) return atoms_->label(bar.a) + " - " + atoms_->label(bar.b);
+  return std::to_string(bar.a) + " - " + std::to_string(bar.b);
+}
+
+}  // namespace pliant

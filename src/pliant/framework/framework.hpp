@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+// Framework (bar-and-joint structure, geometric constraint structure): joints joined by bars of
+// fixed rest length. What never changes during a run; positions are in State.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/base/vec3.hpp"
+#include "pliant/framework/atom_table.hpp"
+
+namespace pliant {
+
+using Joint = std::uint32_t;     ///< index of a joint, from 0
+using BarIndex = std::uint32_t;  ///< index of a bar, from 0
+
+/// Two joints at a fixed distance. `a` is the joint that the input names first.
+struct Bar {
+  Joint a = 0, b = 0;
+  friend bool operator==(Bar, Bar) = default;
+};
+
+/// What a Framework is made of; Framework's constructor checks it.
+struct FrameworkParts {
+  std::size_t joint_count = 0;
+  std::vector<Bar> bars;                    ///< (B) in the order of the input
+  std::vector<double> rest_lengths;         ///< (B) Angstrom
+  std::vector<double> masses;               ///< (N) u; empty: all 1
+  std::vector<Joint> pinned;                ///< joints that never move
+  std::shared_ptr<const AtomTable> atoms;   ///< names of the joints; may be null
+};
+
+/// A joint reached over a bar.
+struct Incidence {
+  Joint joint;
+  BarIndex bar;
+};
+
+/// An immutable, checked bar-and-joint framework: every bar joins two different joints, no two
+/// bars join the same pair, every rest length is finite and in [1e-150, 1e150] Angstrom.
+class Framework {
+ public:
+  /// Takes and checks `parts`: equal duplicate bars are merged (the first is kept).
+  /// Throws InputError naming both joints of a bad bar: self loop, unknown joint, length out of
+  /// range, two bars of one pair with different lengths; a mass that is not positive and finite.
+  explicit Framework(FrameworkParts parts);
+
+  std::size_t joint_count() const { return joint_count_; }
+  std::size_t bar_count() const { return bars_.size(); }
+  std::span<const Bar> bars() const { return bars_; }                    ///< (B)
+  std::span<const double> rest_lengths() const { return rest_lengths_; } ///< (B) Angstrom
+  /// (N) 1/u, 0 for a pinned joint.
+  std::span<const double> inverse_masses() const { return inverse_masses_; }
+  bool is_pinned(Joint joint) const { return inverse_masses_[joint] == 0.0; }
+  bool has_pinned_joints() const { return pinned_count_ > 0; }
+  std::size_t pinned_count() const { return pinned_count_; }
+  /// Bars at `joint` with the joint at their other end, in the order of the bars.
+  std::span<const Incidence> neighbours(Joint joint) const {
+    return {incidences_.data() + first_incidence_[joint],
+            incidences_.data() + first_incidence_[joint + 1]};
+  }
+  const std::shared_ptr<const AtomTable>& atoms() const { return atoms_; }
+
+  std::string label(Joint joint) const;  ///< the atom's name, or "joint 7"
+  std::string label(Bar bar) const;      ///< "CA-CB" made of both labels
+  std::size_t merged_bar_count() const { return merged_bar_count_; }
+
+ private:
+  void take_masses(const std::vector<double>& masses, const std::vector<Joint>& pinned);
+  void check_bars() const;
+  void merge_duplicate_bars();
+  void index_incidences();
+
+  std::size_t joint_count_ = 0;
+  std::vector<Bar> bars_;
+  std::vector<double> rest_lengths_;
+  std::vector<double> inverse_masses_;
+  std::vector<std::uint32_t> first_incidence_;
+  std::vector<Incidence> incidences_;
+  std::shared_ptr<const AtomTable> atoms_;
+  std::size_t pinned_count_ = 0;
+  std::size_t merged_bar_count_ = 0;
+};
+
+/// What changes during a run.
+struct State {
+  std::vector<Vec3> positions;  ///< (N) Angstrom
+  std::vector<Vec3> previous;   ///< (N) positions one step earlier, for Verlet
+  std::int64_t step = 0;        ///< steps done
+  double time = 0.0;            ///< ps
+
+  State() = default;
+  /// At rest: previous = positions.
+  explicit State(std::vector<Vec3> start) : positions(std::move(start)), previous(positions) {}
+};
+
+}  // namespace pliant

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// From chemistry to geometry: which pairs of atoms become bars, and how long they are.
+#pragma once
+
+#include <string>
+
+#include "pliant/base/log.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/molecule/structure.hpp"
+
+namespace pliant {
+
+/// Which pairs become bars: bonds (1-2), or angles (1-2 and 1-3).
+enum class BarKind : std::uint8_t { bonds, angles };
+/// Where rest lengths come from: the file's geometry, or sums of covalent radii (bonds only).
+enum class LengthSource : std::uint8_t { geometry, table };
+
+struct BarChoice { std::string_view name; BarKind kind; std::string_view summary; };
+struct LengthChoice { std::string_view name; LengthSource source; std::string_view summary; };
+inline constexpr BarChoice bar_choices[] = {
+    {"bonds", BarKind::bonds, "a bar for each bond"},
+    {"angles", BarKind::angles, "a bar for each bond and each pair of atoms bonded to one atom"}};
+inline constexpr LengthChoice length_choices[] = {
+    {"geometry", LengthSource::geometry, "the distances in the file"},
+    {"table", LengthSource::table, "standard lengths by element pair and bond order"}};
+
+struct BuildOptions {
+  BarKind bars = BarKind::bonds;
+  LengthSource lengths = LengthSource::geometry;
+  std::string pin = "";     ///< selection of atoms that never move; "": none
+  bool use_masses = true;   ///< give joints their atoms' masses (u)
+  Log log = {};
+};
+
+/// The framework of a structure whose bonds are known.
+/// Throws InputError naming both atoms of a bar of length 0, OptionError on a bad selection.
+Framework build_framework(const Structure& structure, const BuildOptions& options = {});
+
+}  // namespace pliant

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Structure: the chemistry that a file holds. Atoms with names, elements and positions, and the
+// bonds that the file itself states.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pliant/base/vec3.hpp"
+#include "pliant/framework/atom_table.hpp"
+
+namespace pliant {
+
+/// Where a bond is known from, best first.
+enum class BondOrigin : std::uint8_t {
+  file,      ///< the file states it (CONECT, SSBOND, LINK, struct_conn, SDF bond block)
+  residue,   ///< template of a standard residue
+  link,      ///< between consecutive residues of a chain (peptide C-N, O3'-P), or a disulphide
+  distance,  ///< guessed from the distance of two atoms
+};
+inline constexpr std::array<std::string_view, 4> bond_origin_names{"file", "residue", "link",
+                                                                   "distance"};
+
+/// A bond between two atoms, a < b.
+struct Bond {
+  std::uint32_t a = 0, b = 0;
+  BondOrigin origin = BondOrigin::file;
+  std::uint8_t order = 0;  ///< 1, 2, 3; 4 aromatic; 0 not known
+
+  friend bool operator==(const Bond&, const Bond&) = default;
+};
+
+/// One molecule (or crystal, or simulation system) of N atoms at one set of positions.
+struct Structure {
+  std::string title;              ///< the file's own, may be empty
+  std::string source;             ///< name of the file it was read from
+  std::string format;             ///< "pdb", "mmcif", "xyz", "sdf"
+  AtomTable atoms;
+  std::vector<Vec3> positions;    ///< (N) Angstrom
+  std::vector<Bond> bonds;        ///< sorted by (a, b), each pair once
+  std::vector<bool> chain_end;    ///< (R) the chain ends after this residue (TER); empty: not known
+  std::size_t model = 1;          ///< which model or frame this is, from 1
+  std::size_t model_count = 1;    ///< models or frames in the file
+
+  std::size_t size() const { return positions.size(); }
+};
+
+}  // namespace pliant
