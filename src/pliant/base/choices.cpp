@@ -36,8 +36,7 @@ std::string unknown_choice(std::string_view kind, std::string_view word,
   const std::string near = nearest_name(word, names);
   if (!near.empty()) text += " (did you mean \"" + near + "\"?)";
   text += "; known:";
-  for (std::size_t i = 0; i < names.size(); ++i)
-    text.append(i == 0 ? " " : ", ").append(names[i]);
+  for (std::size_t i = 0; i < names.size(); ++i) text.append(i == 0 ? " " : ", ").append(names[i]);
   return text;
 }
 

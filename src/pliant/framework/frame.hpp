@@ -26,12 +26,12 @@ inline constexpr std::int64_t no_joint = -1;
 /// One step's result. Spans are valid during the call only.
 struct Frame {
   std::int64_t step = 0;
-  double time = 0.0;                   ///< ps
-  std::span<const Vec3> positions;     ///< (N) Angstrom, all finite
-  std::int64_t sweeps = 0;             ///< sweeps of the technique's ordering in this step
-  std::int64_t projections = 0;        ///< bars looked at in this step
-  double max_residual = 0.0;           ///< largest |length - rest| / rest
-  double rms_residual = 0.0;           ///< root mean square of it
+  double time = 0.0;                ///< ps
+  std::span<const Vec3> positions;  ///< (N) Angstrom, all finite
+  std::int64_t sweeps = 0;          ///< sweeps of the technique's ordering in this step
+  std::int64_t projections = 0;     ///< bars looked at in this step
+  double max_residual = 0.0;        ///< largest |length - rest| / rest
+  double rms_residual = 0.0;        ///< root mean square of it
   Stop stop = Stop::converged;
   std::int64_t root_joint = no_joint;  ///< where the technique began; no_joint before any step
   Vec3 force;                          ///< on root_joint, kJ/(mol Angstrom); 0 if none

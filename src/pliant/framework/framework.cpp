@@ -49,8 +49,8 @@ void Framework::take_masses(const std::vector<double>& masses, const std::vector
   inverse_masses_.assign(joint_count_, 1.0);
   for (std::size_t i = 0; i < masses.size(); ++i) {
     if (!std::isfinite(masses[i]) || masses[i] <= 0.0)
-      throw InputError("mass of " + label(static_cast<Joint>(i)) + " is " +
-                       number_text(masses[i]) + ": must be positive and finite");
+      throw InputError("mass of " + label(static_cast<Joint>(i)) + " is " + number_text(masses[i]) +
+                       ": must be positive and finite");
     inverse_masses_[i] = 1.0 / masses[i];
   }
   for (Joint joint : pinned) {

@@ -26,11 +26,11 @@ struct Bar {
 /// What a Framework is made of; Framework's constructor checks it.
 struct FrameworkParts {
   std::size_t joint_count = 0;
-  std::vector<Bar> bars;                    ///< (B) in the order of the input
-  std::vector<double> rest_lengths;         ///< (B) Angstrom
-  std::vector<double> masses;               ///< (N) u; empty: all 1
-  std::vector<Joint> pinned;                ///< joints that never move
-  std::shared_ptr<const AtomTable> atoms;   ///< names of the joints; may be null
+  std::vector<Bar> bars;                   ///< (B) in the order of the input
+  std::vector<double> rest_lengths;        ///< (B) Angstrom
+  std::vector<double> masses;              ///< (N) u; empty: all 1
+  std::vector<Joint> pinned;               ///< joints that never move
+  std::shared_ptr<const AtomTable> atoms;  ///< names of the joints; may be null
 };
 
 /// A joint reached over a bar.
@@ -50,8 +50,8 @@ class Framework {
 
   std::size_t joint_count() const { return joint_count_; }
   std::size_t bar_count() const { return bars_.size(); }
-  std::span<const Bar> bars() const { return bars_; }                    ///< (B)
-  std::span<const double> rest_lengths() const { return rest_lengths_; } ///< (B) Angstrom
+  std::span<const Bar> bars() const { return bars_; }                     ///< (B)
+  std::span<const double> rest_lengths() const { return rest_lengths_; }  ///< (B) Angstrom
   /// (N) 1/u, 0 for a pinned joint.
   std::span<const double> inverse_masses() const { return inverse_masses_; }
   bool is_pinned(Joint joint) const { return inverse_masses_[joint] == 0.0; }

@@ -15,8 +15,16 @@ enum class BarKind : std::uint8_t { bonds, angles };
 /// Where rest lengths come from: the file's geometry, or sums of covalent radii (bonds only).
 enum class LengthSource : std::uint8_t { geometry, table };
 
-struct BarChoice { std::string_view name; BarKind kind; std::string_view summary; };
-struct LengthChoice { std::string_view name; LengthSource source; std::string_view summary; };
+struct BarChoice {
+  std::string_view name;
+  BarKind kind;
+  std::string_view summary;
+};
+struct LengthChoice {
+  std::string_view name;
+  LengthSource source;
+  std::string_view summary;
+};
 inline constexpr BarChoice bar_choices[] = {
     {"bonds", BarKind::bonds, "a bar for each bond"},
     {"angles", BarKind::angles, "a bar for each bond and each pair of atoms bonded to one atom"}};
@@ -27,8 +35,8 @@ inline constexpr LengthChoice length_choices[] = {
 struct BuildOptions {
   BarKind bars = BarKind::bonds;
   LengthSource lengths = LengthSource::geometry;
-  std::string pin = "";     ///< selection of atoms that never move; "": none
-  bool use_masses = true;   ///< give joints their atoms' masses (u)
+  std::string pin = "";    ///< selection of atoms that never move; "": none
+  bool use_masses = true;  ///< give joints their atoms' masses (u)
   Log log = {};
 };
 

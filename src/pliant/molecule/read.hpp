@@ -26,10 +26,10 @@ struct SourceText {
 
 /// A format: one row of the table of formats.
 struct Format {
-  std::string_view name;                          ///< "pdb"
-  std::string_view summary;                       ///< one line for help
-  std::span<const std::string_view> extensions;   ///< ".pdb", ".ent"
-  bool (*looks_like)(std::string_view text);      ///< whether the content could be this format
+  std::string_view name;                         ///< "pdb"
+  std::string_view summary;                      ///< one line for help
+  std::span<const std::string_view> extensions;  ///< ".pdb", ".ent"
+  bool (*looks_like)(std::string_view text);     ///< whether the content could be this format
   Structure (*read)(const SourceText& source, const ReadOptions& options);
 };
 

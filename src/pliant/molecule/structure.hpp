@@ -35,15 +35,15 @@ struct Bond {
 
 /// One molecule (or crystal, or simulation system) of N atoms at one set of positions.
 struct Structure {
-  std::string title;              ///< the file's own, may be empty
-  std::string source;             ///< name of the file it was read from
-  std::string format;             ///< "pdb", "mmcif", "xyz", "sdf"
+  std::string title;   ///< the file's own, may be empty
+  std::string source;  ///< name of the file it was read from
+  std::string format;  ///< "pdb", "mmcif", "xyz", "sdf"
   AtomTable atoms;
-  std::vector<Vec3> positions;    ///< (N) Angstrom
-  std::vector<Bond> bonds;        ///< sorted by (a, b), each pair once
-  std::vector<bool> chain_end;    ///< (R) the chain ends after this residue (TER); empty: not known
-  std::size_t model = 1;          ///< which model or frame this is, from 1
-  std::size_t model_count = 1;    ///< models or frames in the file
+  std::vector<Vec3> positions;  ///< (N) Angstrom
+  std::vector<Bond> bonds;      ///< sorted by (a, b), each pair once
+  std::vector<bool> chain_end;  ///< (R) the chain ends after this residue (TER); empty: not known
+  std::size_t model = 1;        ///< which model or frame this is, from 1
+  std::size_t model_count = 1;  ///< models or frames in the file
 
   std::size_t size() const { return positions.size(); }
 };

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// Counter-based random numbers: each draw is a pure function of where it is used, never of what was
+// drawn before, so that threads, shards and techniques all meet the same pushes.
+// Generator: Philox4x64-10 (Salmon, Moraes, Dror, Shaw, "Parallel random numbers: as easy as 1, 2,
+// 3", SC11).
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "pliant/base/vec3.hpp"
+
+namespace pliant {
+
+/// What a random number is for; keeps the draws of one seed apart.
+enum class Domain : std::uint64_t {
+  root_joint = 1,    ///< which joint is pushed
+  force = 2,         ///< direction of a force
+  displacement = 3,  ///< direction of a displacement
+  order = 4,         ///< shuffles and random roots
+  escape = 5,        ///< direction in which coincident joints part
+  generate = 6,      ///< random frameworks
+};
+
+/// Where a random number is used: all of its fields together make the draw.
+struct RandomKey {
+  std::uint64_t seed = 0;
+  Domain domain = Domain::root_joint;
+  std::uint64_t walker = 0;
+  std::uint64_t step = 0;
+  std::uint64_t joint = 0;
+};
+
+/// 256 random bits: Philox4x64-10 of a counter and a key.
+std::array<std::uint64_t, 4> philox4x64(std::array<std::uint64_t, 4> counter,
+                                        std::array<std::uint64_t, 2> key);
+
+/// An endless sequence of draws that belongs to one key; cheap to make.
+class RandomSequence {
+ public:
+  explicit RandomSequence(const RandomKey& key) : key_(key) {}
+
+  std::uint64_t bits();  ///< 64 uniform bits
+  double uniform();      ///< uniform in [0, 1), a multiple of 2^-53
+  /// Uniform in [0, bound), without bias (Lemire 2019); bound > 0.
+  std::uint64_t below(std::uint64_t bound);
+  /// Uniform on the unit sphere (Marsaglia 1972: rejection, then one square root; no trigonometry,
+  /// whose last bits differ between C libraries).
+  Vec3 direction();
+
+ private:
+  RandomKey key_;
+  std::array<std::uint64_t, 4> block_{};
+  std::uint64_t drawn_ = 0;
+};
+
+}  // namespace pliant

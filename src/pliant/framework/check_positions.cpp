@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/framework/check_positions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <string>
+
+#include "pliant/base/error.hpp"
+
+namespace pliant {
+namespace {
+
+double largest_coordinate(const Framework& framework, std::span<const Vec3> positions) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec3 x = positions[i];
+    if (!is_finite(x))
+      throw InputError("position of " + framework.label(static_cast<Joint>(i)) + " is not finite");
+    largest = std::max({largest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  }
+  return largest;
+}
+
+std::string short_number(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2g", value);
+  return text;
+}
+
+}  // namespace
+
+void check_positions(const Framework& framework, std::span<const Vec3> positions,
+                     const Tolerance& tolerance, const Log& log) {
+  if (positions.size() != framework.joint_count())
+    throw InputError("framework: " + std::to_string(framework.joint_count()) + " joints but " +
+                     std::to_string(positions.size()) + " positions");
+  const double largest = largest_coordinate(framework, positions);
+  const auto rests = framework.rest_lengths();
+  if (rests.empty()) return;
+  const double spacing = largest * std::numeric_limits<double>::epsilon();
+  const auto shortest = std::min_element(rests.begin(), rests.end());
+  const std::string bar = framework.label(framework.bars()[std::size_t(shortest - rests.begin())]);
+  if (spacing >= *shortest)
+    throw InputError("coordinates reach " + short_number(largest) +
+                     " Angstrom, where doubles are " + short_number(spacing) +
+                     " apart: too coarse for bar " + bar + "; move the molecule to the origin");
+  if (spacing > tolerance.of(*shortest))
+    log.warn("coordinates reach " + short_number(largest) + " Angstrom, where doubles are " +
+             short_number(spacing) + " apart: the tolerance of bar " + bar + " cannot be met");
+}
+
+}  // namespace pliant

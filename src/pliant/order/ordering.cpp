@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/order/ordering.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "pliant/base/choices.hpp"
+#include "pliant/framework/residual.hpp"
+#include "pliant/order/traversal.hpp"
+
+namespace pliant {
+namespace {
+
+RandomSequence draws_of(const OrderRequest& request) {
+  RandomKey key = request.key;
+  key.domain = Domain::order;
+  key.joint = static_cast<std::uint64_t>(request.sweep);
+  return RandomSequence(key);
+}
+
+void order_input(const OrderRequest& request, OrderScratch&, Ordering& out) {
+  const auto bars = request.framework.bars();
+  out.clear();
+  for (std::size_t k = 0; k < bars.size(); ++k)
+    out.push_back({static_cast<BarIndex>(k), bars[k].a, true});
+}
+
+/// Fisher-Yates over the bars in the order of the input.
+void order_random(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
+  order_input(request, scratch, out);
+  RandomSequence draws = draws_of(request);
+  for (std::size_t left = out.size(); left > 1; --left)
+    std::swap(out[left - 1], out[draws.below(left)]);
+}
+
+void order_bfs_tree(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
+  traverse_breadth_first(request.framework, request.root, false, scratch, out);
+}
+
+void order_dfs_tree(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
+  traverse_depth_first(request.framework, request.root, false, scratch, out);
+}
+
+void order_bfs_cycle(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
+  traverse_breadth_first(request.framework, request.root, true, scratch, out);
+}
+
+void order_dfs_cycle(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
+  traverse_depth_first(request.framework, request.root, true, scratch, out);
+}
+
+/// The near end of the non-tree bar that is furthest off; `otherwise` if there is none.
+Joint near_end_of_worst_non_tree_bar(const OrderRequest& request, const Ordering& ordering,
+                                     Joint otherwise) {
+  double worst = -1.0;
+  for (const OrderedBar& visit : ordering) {
+    if (visit.is_tree) continue;
+    const Bar bar = request.framework.bars()[visit.bar];
+    const double error = std::abs(residual(request.positions[bar.a], request.positions[bar.b],
+                                           request.framework.rest_lengths()[visit.bar]));
+    if (error > worst) worst = error, otherwise = visit.near;
+  }
+  return otherwise;
+}
+
+void order_bfs_adapt(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
+  const Joint root = request.before == nullptr
+                         ? request.root
+                         : near_end_of_worst_non_tree_bar(request, *request.before, request.root);
+  traverse_breadth_first(request.framework, root, true, scratch, out);
+}
+
+void order_bfs_random(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
+  const Joint root =
+      request.sweep == 0
+          ? request.root
+          : static_cast<Joint>(draws_of(request).below(request.framework.joint_count()));
+  traverse_breadth_first(request.framework, root, true, scratch, out);
+}
+
+constexpr OrderingEntry table[] = {
+    {"random", "bars shuffled, and shuffled again before each sweep (Ragdoll physics)",
+     Repeat::reorder, false, order_random},
+    {"bfs_tree", "tree bars breadth first from the pushed joint", Repeat::same, true,
+     order_bfs_tree},
+    {"dfs_tree", "tree bars depth first from the pushed joint", Repeat::same, true, order_dfs_tree},
+    {"bfs_cycle", "all bars breadth first from the pushed joint", Repeat::same, false,
+     order_bfs_cycle},
+    {"dfs_cycle", "all bars depth first from the pushed joint", Repeat::same, false,
+     order_dfs_cycle},
+    {"bfs_reverse", "bfs_cycle, then backwards and forwards in turn", Repeat::reverse, false,
+     order_bfs_cycle},
+    {"dfs_reverse", "dfs_cycle, then backwards and forwards in turn", Repeat::reverse, false,
+     order_dfs_cycle},
+    {"bfs_adapt", "bfs_cycle, begun again at the worst non-tree bar before each sweep",
+     Repeat::reorder, false, order_bfs_adapt},
+    {"bfs_random", "bfs_cycle, begun again at a random joint before each sweep", Repeat::reorder,
+     false, order_bfs_random},
+    {"input", "the order of the bars in the input", Repeat::same, false, order_input},
+};
+
+}  // namespace
+
+std::span<const OrderingEntry> orderings() { return table; }
+
+const OrderingEntry& find_ordering(std::string_view name) {
+  return choose(orderings(), "ordering", name);
+}
+
+}  // namespace pliant

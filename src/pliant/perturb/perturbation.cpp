@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/perturb/perturbation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "pliant/base/choices.hpp"
+#include "pliant/base/error.hpp"
+
+namespace pliant {
+namespace {
+
+/// 1 kJ/(mol Angstrom) / 1 u in Angstrom/ps^2.
+constexpr double acceleration_of_unit_force = 100.0;
+
+RandomSequence draws(const PerturbRequest& request, Domain domain, std::uint64_t joint) {
+  RandomKey key = request.key;
+  key.domain = domain;
+  key.joint = joint;
+  return RandomSequence(key);
+}
+
+Vec3 random_force(const PerturbRequest& request, Joint joint) {
+  return request.options.force * draws(request, Domain::force, joint).direction();
+}
+
+/// A joint that is free to move, each equally likely; no_joint if all are pinned.
+std::int64_t random_free_joint(const PerturbRequest& request) {
+  const Framework& framework = request.framework;
+  if (framework.pinned_count() == framework.joint_count()) return no_joint;
+  RandomSequence sequence = draws(request, Domain::root_joint, 0);
+  for (;;) {
+    const auto joint = static_cast<Joint>(sequence.below(framework.joint_count()));
+    if (!framework.is_pinned(joint)) return joint;
+  }
+}
+
+Vec3 verlet(const PerturbRequest& request, const State& state, const JointForce& push) {
+  const double dt = request.options.timestep;
+  const Vec3 x = state.positions[push.joint];
+  const Vec3 moved = x - state.previous[push.joint];
+  const double gain =
+      acceleration_of_unit_force * request.framework.inverse_masses()[push.joint] * dt * dt;
+  return x + (1.0 - request.options.damping) * moved + gain * push.force;
+}
+
+Push push_one_joint(const PerturbRequest& request, State& state) {
+  const std::int64_t joint = random_free_joint(request);
+  if (joint == no_joint) return apply_forces(request, {}, state);
+  const JointForce force{static_cast<Joint>(joint), random_force(request, Joint(joint))};
+  return apply_forces(request, {&force, 1}, state);
+}
+
+Push push_all_joints(const PerturbRequest& request, State& state) {
+  std::vector<JointForce> forces(request.framework.joint_count());
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    forces[i] = {static_cast<Joint>(i), random_force(request, static_cast<Joint>(i))};
+  return apply_forces(request, forces, state);
+}
+
+/// FRODA's way: no velocities, each joint is moved by a vector of one length and random direction.
+Push displace_all_joints(const PerturbRequest& request, State& state) {
+  std::copy(state.positions.begin(), state.positions.end(), state.previous.begin());
+  for (std::size_t i = 0; i < state.positions.size(); ++i) {
+    if (request.framework.is_pinned(static_cast<Joint>(i))) continue;
+    state.positions[i] +=
+        request.options.displacement * draws(request, Domain::displacement, i).direction();
+  }
+  return {state.positions.empty() ? no_joint : 0, {}};
+}
+
+constexpr PerturbationEntry table[] = {
+    {"force", "a random force on one random joint, moved by Verlet (the thesis)", push_one_joint},
+    {"force_all", "a random force on every joint, all moved by Verlet", push_all_joints},
+    {"displacement", "every joint displaced in a random direction (the way of FRODA)",
+     displace_all_joints},
+};
+
+void require(bool ok, const char* name, double value, const char* range) {
+  if (!ok)
+    throw OptionError(std::string(name) + " = " + std::to_string(value) + ": must be " + range);
+}
+
+}  // namespace
+
+std::span<const PerturbationEntry> perturbations() { return table; }
+
+const PerturbationEntry& find_perturbation(std::string_view name) {
+  return choose(perturbations(), "perturbation", name);
+}
+
+Push apply_forces(const PerturbRequest& request, std::span<const JointForce> forces, State& state) {
+  std::vector<Vec3> moved;
+  moved.reserve(forces.size());
+  for (const JointForce& push : forces) moved.push_back(verlet(request, state, push));
+  std::copy(state.positions.begin(), state.positions.end(), state.previous.begin());
+  for (std::size_t k = 0; k < forces.size(); ++k)
+    if (!request.framework.is_pinned(forces[k].joint)) state.positions[forces[k].joint] = moved[k];
+  if (forces.empty()) return {state.positions.empty() ? no_joint : 0, {}};
+  return {forces[0].joint, forces[0].force};
+}
+
+void check(const PerturbOptions& options) {
+  const auto is_size = [](double value) { return value >= 0.0 && std::isfinite(value); };
+  require(is_size(options.force), "force", options.force, "0 or more and finite");
+  require(options.timestep > 0.0 && std::isfinite(options.timestep), "timestep", options.timestep,
+          "positive and finite");
+  require(options.damping >= 0.0 && options.damping <= 1.0, "damping", options.damping,
+          "from 0 to 1");
+  require(is_size(options.displacement), "displacement", options.displacement,
+          "0 or more and finite");
+}
+
+}  // namespace pliant

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// All of Pliant, in the order in which data flows.
+#pragma once
+
+// base: vectors, errors, messages, random numbers
+#include "pliant/base/choices.hpp"  // tables of named things
+#include "pliant/base/error.hpp"    // Error, InputError, OptionError, FileError
+#include "pliant/base/log.hpp"      // notes and warnings, through a callback
+#include "pliant/base/random.hpp"   // draws as functions of (seed, domain, walker, step, joint)
+#include "pliant/base/vec3.hpp"     // Vec3
+
+// molecule: files to structures, structures to frameworks
+#include "pliant/molecule/bonds.hpp"            // bond perception
+#include "pliant/molecule/build_framework.hpp"  // bonds or angles to bars
+#include "pliant/molecule/elements.hpp"         // symbols, masses, radii
+#include "pliant/molecule/read.hpp"             // PDB, mmCIF, XYZ, SDF
+#include "pliant/molecule/structure.hpp"        // atoms, positions, bonds
+
+// framework: joints, bars and what is known of them
+#include "pliant/framework/atom_table.hpp"       // names of joints
+#include "pliant/framework/check_positions.hpp"  // can these positions carry the framework?
+#include "pliant/framework/frame.hpp"            // what a step shows
+#include "pliant/framework/framework.hpp"        // Framework, State
+#include "pliant/framework/graph.hpp"            // components, cycles, bridges, blocks
+#include "pliant/framework/residual.hpp"         // length errors and tolerances
+
+// order, resolve: the techniques
+#include "pliant/order/check_ordering.hpp"  // validator
+#include "pliant/order/ordering.hpp"        // the table of orderings
+#include "pliant/order/traversal.hpp"       // breadth first, depth first
+#include "pliant/resolve/project_bar.hpp"   // the kernel
+#include "pliant/resolve/resolve.hpp"       // sweeps until whole
+#include "pliant/resolve/technique.hpp"     // ordering + weighting
+
+// perturb, run: the loop
+#include "pliant/perturb/force_file.hpp"    // pushes to replay
+#include "pliant/perturb/perturbation.hpp"  // the table of perturbations
+#include "pliant/run/run.hpp"               // perturb, resolve, show

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+// Projection of one bar: the kernel of every sweep.
+//
+//   delta = x_far - x_near,  d = |delta|,  n = delta / d,  C = d - L
+//   x_near += s_near C n,    x_far -= s_far C n,           s_near + s_far = 1
+//
+// so that the bar has its rest length L afterwards (Jakobsen, "Advanced character physics", GDC
+// 2001; thesis figure 2.4). Where both joints coincide there is no n: `escape` gives one.
+#pragma once
+
+#include <cmath>
+
+#include "pliant/base/vec3.hpp"
+
+namespace pliant {
+
+/// Below this the squared length is too near underflow for a direction.
+inline constexpr double least_squared_length = 1e-300;
+
+/// Moves two joints so that their distance is `rest` (Angstrom). `escape()` gives a unit vector and
+/// is called only if the joints coincide. Shares of two pinned joints are both 0: nothing moves.
+template <class Escape>
+inline void project_bar(Vec3& near, Vec3& far, double rest, double near_share, double far_share,
+                        Escape&& escape) {
+  const Vec3 delta = far - near;
+  const double squared = norm_squared(delta);
+  if (squared < least_squared_length) [[unlikely]] {
+    const Vec3 apart = rest * escape();
+    near -= near_share * apart;
+    far += far_share * apart;
+    return;
+  }
+  const double d = std::sqrt(squared);
+  const Vec3 excess = ((d - rest) / d) * delta;
+  near += near_share * excess;
+  far -= far_share * excess;
+}
+
+}  // namespace pliant

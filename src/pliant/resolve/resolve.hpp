@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+// Resolving broken bars (constraint satisfaction; SHAKE-like nonlinear Gauss-Seidel): sweeps of a
+// technique until every bar has its rest length within the tolerance.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <span>
+#include <string>
+
+#include "pliant/framework/frame.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/framework/residual.hpp"
+#include "pliant/resolve/technique.hpp"
+
+namespace pliant {
+
+/// How hard to try. Checked once, when a Resolver is made.
+struct ResolveOptions {
+  Tolerance tolerance = {};                ///< when a bar counts as whole
+  std::int64_t max_sweeps = 10000;         ///< give up after this many sweeps; from 1
+  std::uint64_t seed = 0;                  ///< for random orderings and coincident joints
+  std::uint64_t walker = 0;                ///< which of several independent runs this is
+  std::function<bool()> should_stop = {};  ///< asked after each sweep; true ends the resolve
+};
+
+/// Throws OptionError "max_sweeps = 0: must be from 1" and the like.
+void check(const ResolveOptions& options);
+
+/// What a resolve did. Numbers start at -1 so that "never ran" is visible.
+struct ResolveSummary {
+  Stop stop = Stop::stopped_by_caller;
+  std::int64_t sweeps = -1;       ///< passes over the ordering in one direction
+  std::int64_t projections = -1;  ///< bars looked at, summed over the sweeps
+  double max_residual = -1.0;     ///< largest |length - rest| / rest at the end
+  double rms_residual = -1.0;     ///< its root mean square at the end
+  BarIndex worst_bar = 0;         ///< the bar of max_residual
+  double seconds = -1.0;          ///< wall time
+
+  bool converged() const { return stop == Stop::converged; }
+  /// "converged: 12 sweeps, 300 projections, worst bar C1 - C2 off by 8.1e-07 of its length".
+  std::string brief(const Framework& framework) const;
+};
+
+/// Resolves again and again with one technique on one framework, without allocating after the
+/// first call. Holds the plan of the last root joint. Not for two threads at once.
+class Resolver {
+ public:
+  /// The framework must outlive the resolver.
+  /// Throws OptionError if the technique or an option is out of range or leaves bars out.
+  Resolver(const Framework& framework, const Technique& technique,
+           const ResolveOptions& options = {});
+  ~Resolver();
+  Resolver(Resolver&&) noexcept;
+
+  /// Moves `positions` (N) until all bars are within the tolerance or a limit is met.
+  /// `root` is the pushed joint, `step` the step number that random draws depend on. If a length
+  /// stops being finite the positions are put back as they were.
+  /// Throws OptionError if the number of positions is wrong or root is no joint.
+  ResolveSummary resolve(std::span<Vec3> positions, Joint root = 0, std::int64_t step = 0);
+
+ private:
+  class Sweeps;
+  std::unique_ptr<Sweeps> sweeps_;
+  std::size_t joint_count_ = 0;
+};
+
+/// Resolves once: Resolver(framework, technique, options).resolve(positions, root).
+ResolveSummary resolve(const Framework& framework, const Technique& technique,
+                       std::span<Vec3> positions, const ResolveOptions& options = {},
+                       Joint root = 0);
+
+}  // namespace pliant

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/technique.hpp"
+
+#include <cmath>
+
+#include "pliant/base/error.hpp"
+#include "pliant/framework/graph.hpp"
+
+namespace pliant {
+
+void check(const Technique& technique) {
+  find_ordering(technique.ordering);
+  if (!(technique.weighting >= 0.0 && technique.weighting <= 1.0))
+    throw OptionError("weighting = " + std::to_string(technique.weighting) +
+                      ": must be from 0 to 1");
+}
+
+void check(const Technique& technique, const Framework& framework) {
+  check(technique);
+  if (!find_ordering(technique.ordering).forests_only) return;
+  const GraphFacts facts = graph_facts(framework);
+  if (facts.is_forest()) return;
+  throw OptionError("ordering = " + technique.ordering +
+                    ": is for trees only, but the framework has " + std::to_string(facts.cycles) +
+                    (facts.cycles == 1 ? " independent cycle" : " independent cycles"));
+}
+
+std::pair<double, double> shares(const Technique& technique, const OrderedBar& visit,
+                                 const Framework& framework) {
+  const Bar bar = framework.bars()[visit.bar];
+  const Joint far_joint = visit.near == bar.a ? bar.b : bar.a;
+  const bool near_pinned = framework.is_pinned(visit.near);
+  const bool far_pinned = framework.is_pinned(far_joint);
+  if (near_pinned || far_pinned)
+    return {near_pinned ? 0.0 : 1.0, far_pinned ? 0.0 : (near_pinned ? 1.0 : 0.0)};
+  double far = visit.is_tree ? technique.weighting : 0.5;
+  double near = 1.0 - far;
+  if (technique.mass_weighted) {
+    near *= framework.inverse_masses()[visit.near];
+    far *= framework.inverse_masses()[far_joint];
+  }
+  return {near / (near + far), far / (near + far)};
+}
+
+}  // namespace pliant

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// The run (motion simulation): perturb, resolve, show the frame to observers, again and again.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "pliant/base/log.hpp"
+#include "pliant/framework/frame.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/perturb/perturbation.hpp"
+#include "pliant/resolve/resolve.hpp"
+
+namespace pliant {
+
+/// What a run does. Checked once, at its start.
+struct RunOptions {
+  Technique technique = {};
+  ResolveOptions resolve = {};    ///< its seed and walker are those of the whole run
+  std::string perturb = "force";  ///< a name in perturbations()
+  PerturbOptions perturb_options = {};
+  std::vector<JointForce> replay = {};  ///< if not empty: these forces, one a step, in place of
+                                        ///< `perturb`; the run ends with the last one
+  std::int64_t steps = 1000;            ///< steps to do; from 0
+  std::int64_t every = 1;               ///< show every so many steps (and step 0); from 1
+  Log log = {};
+};
+
+/// Throws OptionError naming the option, its value and its range.
+void check(const RunOptions& options);
+
+/// Looks at a frame; true asks the run to stop after it.
+using Observer = std::function<bool(const Frame&)>;
+
+/// What a run did.
+struct RunSummary {
+  std::int64_t steps = 0, frames = 0;
+  std::int64_t unconverged_steps = 0;  ///< steps that did not end with Stop::converged
+  std::int64_t first_unconverged_step = -1;
+  std::int64_t sweeps = 0, max_sweeps = 0, projections = 0;  ///< over all steps
+  double worst_residual = 0.0;  ///< largest |length - rest| / rest after any step
+  BarIndex worst_bar = 0;
+  std::int64_t worst_step = 0;
+  bool stopped_by_caller = false;
+  double perturb_seconds = 0.0, resolve_seconds = 0.0, observe_seconds = 0.0, seconds = 0.0;
+
+  double mean_sweeps() const { return steps > 0 ? double(sweeps) / double(steps) : 0.0; }
+  /// Resolve time over projections: nanoseconds a bar and sweep, looks at the residuals included.
+  double ns_per_bar_and_sweep() const {
+    return projections > 0 ? 1e9 * resolve_seconds / double(projections) : 0.0;
+  }
+};
+
+/// Steps `state` on. Step 0 (the start, resolved first if it is broken) is shown too; after that
+/// every `every`-th step and the last. A step that does not converge is shown and counted as such,
+/// and the run goes on.
+/// Throws OptionError, InputError (positions that cannot carry the framework), and whatever an
+/// observer throws.
+RunSummary run(const Framework& framework, State& state, const RunOptions& options,
+               const std::vector<Observer>& observers);
+
+}  // namespace pliant
