@@ -31,7 +31,7 @@ class Resolver::Sweeps {
       : framework_(framework),
         technique_(technique),
         options_(options),
-        entry_(find_ordering(technique.ordering)) {}
+        entry_(find_ordering(technique.name)) {}
 
   ResolveSummary resolve(std::span<Vec3> positions, Joint root, std::int64_t step) {
     const auto start = std::chrono::steady_clock::now();

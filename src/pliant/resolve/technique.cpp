@@ -9,7 +9,7 @@
 namespace pliant {
 
 void check(const Technique& technique) {
-  find_ordering(technique.ordering);
+  find_ordering(technique.name);
   if (!(technique.weighting >= 0.0 && technique.weighting <= 1.0))
     throw OptionError("weighting = " + std::to_string(technique.weighting) +
                       ": must be from 0 to 1");
@@ -17,10 +17,10 @@ void check(const Technique& technique) {
 
 void check(const Technique& technique, const Framework& framework) {
   check(technique);
-  if (!find_ordering(technique.ordering).forests_only) return;
+  if (!find_ordering(technique.name).forests_only) return;
   const GraphFacts facts = graph_facts(framework);
   if (facts.is_forest()) return;
-  throw OptionError("ordering = " + technique.ordering +
+  throw OptionError("technique = " + technique.name +
                     ": is for trees only, but the framework has " + std::to_string(facts.cycles) +
                     (facts.cycles == 1 ? " independent cycle" : " independent cycles"));
 }
