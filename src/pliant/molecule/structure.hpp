@@ -41,6 +41,7 @@ struct Structure {
   AtomTable atoms;
   std::vector<Vec3> positions;  ///< (N) Angstrom
   std::vector<Bond> bonds;      ///< sorted by (a, b), each pair once
+  std::vector<std::int8_t> charges;  ///< (N) formal charges that the file gives; empty: none
   std::vector<bool> chain_end;  ///< (R) the chain ends after this residue (TER); empty: not known
   std::size_t model = 1;        ///< which model or frame this is, from 1
   std::size_t model_count = 1;  ///< models or frames in the file

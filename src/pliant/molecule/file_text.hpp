@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// From a path to text that can be read: bytes in bounded memory, gzip undone, encodings told.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "pliant/molecule/read.hpp"
+
+namespace pliant {
+
+/// Files (and what gzip inflates to) beyond this are refused.
+inline constexpr std::size_t largest_text = std::size_t{4} << 30;
+
+/// All bytes of a regular file, pipe or socket, gzip undone (by its magic bytes).
+/// Throws FileError with the system's reason, for directories and devices too; InputError for more
+/// than largest_text bytes, other compressions and damaged gzip.
+std::string read_bytes(const std::filesystem::path& path);
+
+/// The same text without a UTF-8 byte order mark.
+std::string_view without_byte_order_mark(std::string_view text);
+
+/// Throws InputError for an empty text, UTF-16, UTF-32 and binary bytes (naming the line of the
+/// first); no byte of them gets into the message.
+void check_text(const SourceText& source);
+
+}  // namespace pliant
