@@ -79,10 +79,18 @@ class Run {
     state_.time += options_.perturb_options.timestep;
     const ResolveSummary resolved =
         resolve(push.root_joint == no_joint ? 0 : static_cast<Joint>(push.root_joint));
+    if (resolved.stop == Stop::stopped_by_caller) return undo_step();
     ++summary_.steps;
     note(resolved);
-    if (resolved.stop == Stop::stopped_by_caller) stopping_ = summary_.stopped_by_caller = true;
     if (is_last || stopping_ || state_.step % options_.every == 0) show(resolved, push);
+  }
+
+  /// A step that was cut short leaves no half-resolved positions behind.
+  void undo_step() {
+    state_.positions = state_.previous;
+    --state_.step;
+    state_.time -= options_.perturb_options.timestep;
+    stopping_ = summary_.stopped_by_caller = true;
   }
 
   Push perturb() {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// pliant run: the main job. A molecule in, an H5MD trajectory out.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "command.hpp"
+#include "interrupt.hpp"
+#include "messages.hpp"
+#include "run_report.hpp"
+#include "run_walkers.hpp"
+
+namespace pliant::app {
+namespace {
+
+/// The outputs must be none of the inputs, whatever name or link leads to them.
+void refuse_to_overwrite_inputs(const RunSettings& settings) {
+  std::vector<std::string> outputs{settings.topology};
+  for (std::int64_t walker = 0; walker < settings.walkers; ++walker)
+    outputs.push_back(output_of(settings, walker));
+  for (const std::string& input : {settings.molecule.file, settings.forces})
+    for (const std::string& output : outputs) {
+      std::error_code error;
+      if (!input.empty() && std::filesystem::equivalent(input, output, error))
+        throw OptionError(output + ": is both input and output");
+    }
+}
+
+int exit_code_of(const RunSummary& summary) {
+  if (summary.stopped_by_caller) return exit_interrupted;
+  return summary.unconverged_steps > 0 ? exit_unconverged : exit_ok;
+}
+
+}  // namespace
+
+int command_run(const Arguments& arguments) {
+  CLI::App app{
+      "Pushes a molecule again and again, resolves the bars that break, and writes what\n"
+      "moved to an H5MD trajectory. Every bar of every frame is within the tolerance, or\n"
+      "the frame and the exit code (3) say that it is not.",
+      "pliant run"};
+  prepare(app);
+  RunSettings settings;
+  add_run_options(app, settings);
+  if (const int code = parse(app, arguments); code >= 0) return code;
+  Messages messages(settings.json || settings.quiet);
+  const Molecule molecule = load(settings.molecule, messages.log());
+  complete(app, settings, molecule.framework);
+  refuse_to_overwrite_inputs(settings);
+  settings.record.log = messages.log();
+  watch_for_interrupt();
+  const RunSummary summary = added_up(run_walkers(settings, molecule, messages.log()));
+  if (settings.json) {
+    print_run_json(settings, molecule.framework, summary, messages.warnings());
+  } else if (!settings.quiet) {
+    print_run_table(settings, molecule.framework, summary);
+  }
+  return exit_code_of(summary);
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// A subcommand of pliant: one row of the table in main.cpp, one cmd_*.cpp.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant::app {
+
+/// What a subcommand ends with.
+enum ExitCode {
+  exit_ok = 0,
+  exit_failed = 1,        ///< bad input, a file that cannot be read or written
+  exit_usage = 2,         ///< bad option or argument
+  exit_unconverged = 3,   ///< the work was done, but some step did not converge
+  exit_interrupted = 130  ///< ended early by Ctrl-C; what was written is whole
+};
+
+using Arguments = std::vector<std::string>;
+
+struct Command {
+  std::string_view name;
+  std::string_view summary;
+  int (*run)(const Arguments& arguments);  ///< null: a program pliant-NAME of its own
+};
+
+int command_info(const Arguments& arguments);
+int command_run(const Arguments& arguments);
+int command_techniques(const Arguments& arguments);
+
+}  // namespace pliant::app

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+#include "interrupt.hpp"
+
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+
+#include "command.hpp"
+
+namespace pliant::app {
+namespace {
+
+std::atomic<bool> asked{false};
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void ask(int) {
+  if (asked.exchange(true)) _exit(exit_interrupted);
+}
+
+}  // namespace
+
+void watch_for_interrupt() {
+  std::signal(SIGINT, ask);
+  std::signal(SIGTERM, ask);
+}
+
+bool interrupted() { return asked.load(std::memory_order_relaxed); }
+
+}  // namespace pliant::app

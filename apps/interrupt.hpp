@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// Ctrl-C and SIGTERM: the first asks to stop, so that the output is left whole; a second ends the
+// program at once.
+#pragma once
+
+namespace pliant::app {
+
+void watch_for_interrupt();
+bool interrupted();
+
+}  // namespace pliant::app

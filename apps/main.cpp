@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+// The pliant command: a table of subcommands and what an error ends with.
+#include <csignal>
+#include <cstdio>
+#include <exception>
+
+#include "command.hpp"
+#include "external.hpp"
+#include "pliant/base/choices.hpp"
+
+namespace pliant::app {
+namespace {
+
+constexpr Command commands[] = {
+    {"info", "what a molecule file holds: atoms, bonds, bars, cycles, bridges, blocks",
+     command_info},
+    {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
+    {"techniques", "list techniques, weightings and perturbations", command_techniques},
+    {"check", "check a trajectory against OpenMM", nullptr},
+    {"analyse", "figures, tables and an HTML report of a trajectory", nullptr},
+    {"compare", "compare a trajectory with one of OpenMM or another program", nullptr},
+};
+
+void print_usage(std::FILE* to) {
+  std::fputs(
+      "pliant: molecular flexibility by geometric constraints\n"
+      "\n"
+      "usage: pliant COMMAND [OPTIONS]\n"
+      "\n"
+      "commands:\n",
+      to);
+  for (const Command& command : commands)
+    std::fprintf(to, "  %-12.*s%.*s\n", int(command.name.size()), command.name.data(),
+                 int(command.summary.size()), command.summary.data());
+  std::fputs(
+      "\n"
+      "A program pliant-NAME on PATH is run as pliant NAME.\n"
+      "\n"
+      "examples:\n"
+      "  pliant info molecule.pdb\n"
+      "  pliant run molecule.pdb -o out.h5md --steps 1000\n"
+      "  pliant check out.h5md\n"
+      "  pliant analyse out.h5md\n"
+      "\n"
+      "pliant COMMAND --help tells more of a command.\n",
+      to);
+}
+
+int refuse_unknown(const std::string& name) {
+  std::fprintf(stderr, "pliant: %s\n", unknown_choice("command", name, names_of(commands)).c_str());
+  return exit_usage;
+}
+
+int run_external(const std::string& name, const Arguments& arguments) {
+  const std::string path = find_external(name);
+  for (const Command& command : commands) {
+    if (command.name != name || !path.empty()) continue;
+    std::fprintf(stderr,
+                 "pliant: %s is part of the Python package: install it (pip install pliant), "
+                 "so that pliant-%s is on PATH\n",
+                 name.c_str(), name.c_str());
+    return exit_failed;
+  }
+  if (path.empty()) return refuse_unknown(name);
+  become(path, arguments);
+  std::perror(("pliant: " + path).c_str());
+  return exit_failed;
+}
+
+int dispatch(const Arguments& words) {
+  if (words.empty()) {
+    print_usage(stderr);
+    return exit_usage;
+  }
+  const std::string& name = words[0];
+  if (name == "--help" || name == "-h" || name == "help") {
+    print_usage(stdout);
+    return exit_ok;
+  }
+  if (name == "--version") {
+    std::puts("pliant " PLIANT_VERSION);
+    return exit_ok;
+  }
+  const Arguments rest(words.begin() + 1, words.end());
+  for (const Command& command : commands)
+    if (command.name == name && command.run != nullptr) return command.run(rest);
+  return run_external(name, rest);
+}
+
+int fail_with(int code, const char* message) {
+  std::fprintf(stderr, "pliant: error: %s\n", message);
+  return code;
+}
+
+}  // namespace
+}  // namespace pliant::app
+
+int main(int argc, char** argv) {
+  using namespace pliant;
+  // A closed pipe or a full quota is an error of the write that meets it, not the end of the run.
+  std::signal(SIGPIPE, SIG_IGN);
+  std::signal(SIGXFSZ, SIG_IGN);
+  try {
+    const int code = app::dispatch({argv + 1, argv + argc});
+    if (std::fflush(stdout) != 0) return app::exit_failed;
+    return code;
+  } catch (const OptionError& error) {
+    return app::fail_with(app::exit_usage, error.what());
+  } catch (const std::bad_alloc&) {
+    return app::fail_with(app::exit_failed, "out of memory");
+  } catch (const std::exception& error) {
+    return app::fail_with(app::exit_failed, error.what());
+  }
+}

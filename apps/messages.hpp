@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+// What the command says beside its result: notes, warnings and a progress bar, all on stderr.
+#pragma once
+
+#include <chrono>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pliant/base/log.hpp"
+
+namespace pliant::app {
+
+/// Keeps what the library says and prints it at once unless quiet.
+class Messages {
+ public:
+  explicit Messages(bool quiet) : quiet_(quiet) {}
+  Log log();
+  const std::vector<std::string>& notes() const { return notes_; }
+  const std::vector<std::string>& warnings() const { return warnings_; }
+
+ private:
+  bool quiet_;
+  std::vector<std::string> notes_, warnings_;
+};
+
+/// "[#####-----] 512 / 1000 steps, 3 s left", drawn over itself. Only on a terminal, and only once
+/// the work has taken a second.
+class ProgressBar {
+ public:
+  ProgressBar(std::int64_t total, std::string unit, bool quiet);
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+  void show(std::int64_t done);
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  void draw(std::int64_t done, double seconds);
+
+  std::int64_t total_;
+  std::string unit_;
+  bool enabled_;
+  bool drawn_ = false;
+  Clock::time_point start_ = Clock::now(), last_ = start_;
+};
+
+}  // namespace pliant::app

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: MIT
+#include "molecule_input.hpp"
+
+#include "pliant/base/choices.hpp"
+#include "pliant/molecule/bonds.hpp"
+#include "pliant/molecule/read.hpp"
+
+namespace pliant::app {
+namespace {
+
+constexpr std::int64_t most_models = 1'000'000'000;
+
+}  // namespace
+
+void add_molecule_options(CLI::App& app, MoleculeOptions& options) {
+  app.add_option("input", options.file, "molecule file (PDB, mmCIF, XYZ, SDF; may be gzipped)")
+      ->type_name("FILE")
+      ->required();
+  add_choice(app, "--format", options.format, names_of(formats()),
+             "format of the input, if not by its extension or content")
+      ->default_str("");
+  add_integer(app, "--model", options.model, 1, most_models, "which model, frame or record");
+  add_choice(app, "--bars", options.bars, names_of(bar_choices),
+             "which pairs of atoms become bars");
+  add_choice(app, "--lengths", options.lengths, names_of(length_choices),
+             "where rest lengths come from");
+  app.add_option("--pin", options.pin, "atoms that never move, such as \"chainID A and name CA\"")
+      ->type_name("SELECTION");
+  app.add_flag("!--no-distance-bonds", options.guess_distances, "guess no bond from a distance");
+}
+
+Molecule load(const MoleculeOptions& options, const Log& log) {
+  ReadOptions reading{static_cast<std::size_t>(options.model), options.format, log};
+  Structure structure = read_structure(options.file, reading);
+  BondOptions bonding;
+  bonding.guess_distances = options.guess_distances;
+  bonding.log = log;
+  perceive_bonds(structure, bonding);
+  BuildOptions building;
+  building.bars = choose(bar_choices, "kind of bars", options.bars).kind;
+  building.lengths = choose(length_choices, "source of lengths", options.lengths).source;
+  building.pin = options.pin;
+  building.log = log;
+  Framework framework = build_framework(structure, building);
+  return {std::move(structure), std::move(framework)};
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// The options that every subcommand with a molecule takes, and the molecule that they mean.
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "options.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/molecule/build_framework.hpp"
+#include "pliant/molecule/structure.hpp"
+
+namespace pliant::app {
+
+struct MoleculeOptions {
+  std::string file;
+  std::string format;
+  std::int64_t model = 1;
+  std::string bars = "bonds";
+  std::string lengths = "geometry";
+  std::string pin;
+  bool guess_distances = true;
+};
+
+struct Molecule {
+  Structure structure;
+  Framework framework;
+};
+
+void add_molecule_options(CLI::App& app, MoleculeOptions& options);
+
+/// Reads the file, perceives its bonds, builds its framework. Throws as the library does.
+Molecule load(const MoleculeOptions& options, const Log& log);
+
+}  // namespace pliant::app

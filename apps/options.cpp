@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "options.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <limits>
+
+#include "pliant/base/number.hpp"
+
+namespace pliant::app {
+namespace {
+
+[[noreturn]] void refuse(const std::string& name, const std::string& expected,
+                         const std::string& found) {
+  throw CLI::ValidationError(name, "expected " + expected + ", found " + pliant::quoted(found));
+}
+
+/// An option whose text is parsed by `parse`, which throws on a bad one.
+template <class Parse>
+CLI::Option* add_parsed(CLI::App& app, const std::string& name, const std::string& type,
+                        const std::string& fallback, const std::string& help, Parse parse) {
+  return app.add_option_function<std::string>(name, parse, help)
+      ->type_name(type)
+      ->default_str(fallback);
+}
+
+std::string wording(std::int64_t least, std::int64_t most) {
+  if (most == std::numeric_limits<std::int64_t>::max())
+    return fmt::format("a whole number from {}", least);
+  return fmt::format("a whole number from {} to {}", least, most);
+}
+
+bool is_in(Range range, double value) {
+  switch (range) {
+    case Range::positive:
+      return value > 0.0;
+    case Range::zero_or_more:
+      return value >= 0.0;
+    case Range::zero_to_one:
+      return value >= 0.0 && value <= 1.0;
+  }
+  return false;
+}
+
+std::string wording(Range range) {
+  switch (range) {
+    case Range::positive:
+      return "a number above 0";
+    case Range::zero_or_more:
+      return "a number from 0";
+    case Range::zero_to_one:
+      return "a number from 0 to 1";
+  }
+  return "a number";
+}
+
+/// Numbers fill the whole argument: no blanks around them.
+bool has_blanks(const std::string& text) { return text.find_first_of(" \t") != std::string::npos; }
+
+std::string joined(const std::vector<std::string_view>& names) {
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// "--no-such" with the nearest option that there is.
+std::string unknown_options(const CLI::App& app) {
+  std::vector<std::string> known;
+  for (const CLI::Option* option : app.get_options()) known.push_back(option->get_name());
+  const std::vector<std::string_view> views(known.begin(), known.end());
+  std::string text;
+  for (const std::string& word : app.remaining()) {
+    text += (text.empty() ? "" : "; ") + std::string("unexpected argument ") + pliant::quoted(word);
+    const std::string near = nearest_name(word, views);
+    if (!near.empty()) text += " (did you mean " + near + "?)";
+  }
+  return text;
+}
+
+}  // namespace
+
+CLI::Option* add_integer(CLI::App& app, const std::string& name, std::int64_t& value,
+                         std::int64_t least, std::int64_t most, const std::string& help) {
+  const auto parse = [name, least, most, &value](const std::string& text) {
+    const auto number = parse_integer(text);
+    if (!number || has_blanks(text) || *number < least || *number > most)
+      refuse(name, wording(least, most), text);
+    value = *number;
+  };
+  return add_parsed(app, name, "N", std::to_string(value), help, parse);
+}
+
+CLI::Option* add_seed(CLI::App& app, const std::string& name, std::uint64_t& value,
+                      const std::string& help) {
+  const auto parse = [name, &value](const std::string& text) {
+    const char* end = text.data() + text.size();
+    const auto [stop, code] = std::from_chars(text.data(), end, value);
+    if (text.empty() || stop != end || code != std::errc{})
+      refuse(name, "a whole number from 0 to 18446744073709551615", text);
+  };
+  return add_parsed(app, name, "N", std::to_string(value), help, parse);
+}
+
+CLI::Option* add_real(CLI::App& app, const std::string& name, double& value, Range range,
+                      const std::string& help) {
+  const auto parse = [name, range, &value](const std::string& text) {
+    const auto number = parse_real(text);
+    if (!number || has_blanks(text) || !is_in(range, *number)) refuse(name, wording(range), text);
+    value = *number;
+  };
+  return add_parsed(app, name, "X", fmt::format("{}", value), help, parse);
+}
+
+CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
+                        const std::vector<std::string_view>& names, const std::string& help) {
+  const auto parse = [name, names, &value](const std::string& text) {
+    for (std::string_view known : names)
+      if (known == text) {
+        value = text;
+        return;
+      }
+    throw CLI::ValidationError(name, unknown_choice("choice", text, names));
+  };
+  return add_parsed(app, name, "NAME", value, help + ": " + joined(names), parse);
+}
+
+void prepare(CLI::App& app) {
+  app.get_formatter()->column_width(32);
+  app.option_defaults()->always_capture_default(false);
+  app.set_help_flag("-h,--help", "print this text and exit");
+}
+
+int parse(CLI::App& app, const Arguments& arguments) {
+  Arguments reversed(arguments.rbegin(), arguments.rend());
+  try {
+    app.parse(reversed);
+    return -1;
+  } catch (const CLI::CallForHelp&) {
+    fmt::print("{}", app.help());
+    return exit_ok;
+  } catch (const CLI::ExtrasError&) {
+    fmt::print(stderr, "{}: error: {}\n", app.get_name(), unknown_options(app));
+  } catch (const CLI::ParseError& error) {
+    fmt::print(stderr, "{}: error: {}\n", app.get_name(), error.what());
+  }
+  fmt::print(stderr, "{} --help tells more\n", app.get_name());
+  return exit_usage;
+}
+
+}  // namespace pliant::app

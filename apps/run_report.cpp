@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "run_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+namespace pliant::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::vector<std::string> outputs_of(const RunSettings& settings) {
+  std::vector<std::string> outputs;
+  for (std::int64_t walker = 0; walker < settings.walkers; ++walker)
+    outputs.push_back(output_of(settings, walker));
+  return outputs;
+}
+
+std::string worst_bar_of(const Framework& framework, const RunSummary& summary) {
+  if (framework.bar_count() == 0) return "";
+  return framework.label(framework.bars()[summary.worst_bar]);
+}
+
+double microseconds_per_step(const RunSummary& summary) {
+  return summary.steps > 0 ? 1e6 * summary.seconds / double(summary.steps) : 0.0;
+}
+
+}  // namespace
+
+RunSummary added_up(const std::vector<RunSummary>& summaries) {
+  RunSummary sum = summaries.front();
+  for (std::size_t k = 1; k < summaries.size(); ++k) {
+    const RunSummary& one = summaries[k];
+    sum.steps += one.steps, sum.frames += one.frames;
+    sum.sweeps += one.sweeps, sum.projections += one.projections;
+    sum.unconverged_steps += one.unconverged_steps;
+    if (sum.first_unconverged_step < 0) sum.first_unconverged_step = one.first_unconverged_step;
+    sum.max_sweeps = std::max(sum.max_sweeps, one.max_sweeps);
+    sum.seconds += one.seconds, sum.perturb_seconds += one.perturb_seconds;
+    sum.resolve_seconds += one.resolve_seconds, sum.observe_seconds += one.observe_seconds;
+    sum.stopped_by_caller = sum.stopped_by_caller || one.stopped_by_caller;
+    if (one.worst_residual <= sum.worst_residual) continue;
+    sum.worst_residual = one.worst_residual;
+    sum.worst_bar = one.worst_bar, sum.worst_step = one.worst_step;
+  }
+  return sum;
+}
+
+void print_run_table(const RunSettings& settings, const Framework& framework,
+                     const RunSummary& summary) {
+  const Technique& technique = settings.run.technique;
+  fmt::print("technique       {}, weighting {}\n", technique.name, technique.weighting);
+  fmt::print("frames          {} of {} steps\n", summary.frames, summary.steps);
+  fmt::print("sweeps a step   {:.1f} on average, {} at most\n", summary.mean_sweeps(),
+             summary.max_sweeps);
+  fmt::print("worst bar       {} off by {:.2e} of its length, after step {}\n",
+             worst_bar_of(framework, summary), summary.worst_residual, summary.worst_step);
+  fmt::print("time            {:.2f} s, {:.0f} us a step; resolving {:.1f} ns a bar and sweep\n",
+             summary.seconds, microseconds_per_step(summary), summary.ns_per_bar_and_sweep());
+  if (summary.unconverged_steps > 0)
+    fmt::print("not converged   {} of {} steps, the first is step {}\n", summary.unconverged_steps,
+               summary.steps, summary.first_unconverged_step);
+  if (summary.stopped_by_caller) fmt::print("stopped early; what was recorded is whole\n");
+  if (settings.topology != "none") fmt::print("topology        {}\n", settings.topology);
+  for (const std::string& output : outputs_of(settings)) fmt::print("trajectory      {}\n", output);
+}
+
+void print_run_json(const RunSettings& settings, const Framework& framework,
+                    const RunSummary& summary, const std::vector<std::string>& warnings) {
+  const Json json{{"input", settings.molecule.file},
+                  {"outputs", outputs_of(settings)},
+                  {"topology", settings.topology},
+                  {"technique", settings.run.technique.name},
+                  {"weighting", settings.run.technique.weighting},
+                  {"atoms", framework.joint_count()},
+                  {"bars", framework.bar_count()},
+                  {"steps", summary.steps},
+                  {"frames", summary.frames},
+                  {"sweeps_mean", summary.mean_sweeps()},
+                  {"sweeps_max", summary.max_sweeps},
+                  {"projections", summary.projections},
+                  {"worst_residual", summary.worst_residual},
+                  {"worst_bar", worst_bar_of(framework, summary)},
+                  {"worst_step", summary.worst_step},
+                  {"unconverged_steps", summary.unconverged_steps},
+                  {"stopped_early", summary.stopped_by_caller},
+                  {"seconds", summary.seconds},
+                  {"perturb_seconds", summary.perturb_seconds},
+                  {"resolve_seconds", summary.resolve_seconds},
+                  {"record_seconds", summary.observe_seconds},
+                  {"us_per_step", microseconds_per_step(summary)},
+                  {"ns_per_bar_and_sweep", summary.ns_per_bar_and_sweep()},
+                  {"warnings", warnings}};
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// The summary that pliant run ends with, as a table and as JSON.
+#pragma once
+
+#include <vector>
+
+#include "pliant/run/run.hpp"
+#include "run_settings.hpp"
+
+namespace pliant::app {
+
+/// Sums over walkers; the worst residual is the worst of all.
+RunSummary added_up(const std::vector<RunSummary>& summaries);
+
+void print_run_table(const RunSettings& settings, const Framework& framework,
+                     const RunSummary& summary);
+void print_run_json(const RunSettings& settings, const Framework& framework,
+                    const RunSummary& summary, const std::vector<std::string>& warnings);
+
+}  // namespace pliant::app

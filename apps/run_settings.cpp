@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+#include "run_settings.hpp"
+
+#include <filesystem>
+#include <limits>
+#include <thread>
+
+#include "pliant/perturb/force_file.hpp"
+
+namespace pliant::app {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
+
+void add_technique_options(CLI::App& app, RunOptions& run) {
+  add_choice(app, "--technique", run.technique.name, names_of(orderings()),
+             "how broken bars are resolved");
+  add_real(app, "--weighting", run.technique.weighting, Range::zero_to_one,
+           "share of a correction that the far end of a bar takes");
+  app.add_flag("--mass-weighted", run.technique.mass_weighted,
+               "share corrections by inverse masses too");
+  add_real(app, "--tolerance", run.resolve.tolerance.relative, Range::positive,
+           "largest |length - rest| / rest of a whole bar");
+  add_real(app, "--tolerance-length", run.resolve.tolerance.length, Range::positive,
+           "largest |length - rest| in Angstrom, in place of --tolerance")
+      ->default_str("");
+  add_integer(app, "--max-sweeps", run.resolve.max_sweeps, 1, no_limit,
+              "sweeps after which a step is given up");
+}
+
+void add_perturb_options(CLI::App& app, RunSettings& settings) {
+  RunOptions& run = settings.run;
+  add_choice(app, "--perturb", run.perturb, names_of(perturbations()), "what breaks the bars");
+  add_real(app, "--force", run.perturb_options.force, Range::zero_or_more,
+           "size of a random force, kJ/(mol Angstrom)");
+  add_real(app, "--timestep", run.perturb_options.timestep, Range::positive, "ps");
+  add_real(app, "--damping", run.perturb_options.damping, Range::zero_to_one,
+           "share of its velocity that a pushed joint loses");
+  add_real(app, "--displacement", run.perturb_options.displacement, Range::zero_or_more,
+           "length of a random displacement, Angstrom");
+  app.add_option("--forces", settings.forces,
+                 "replay the pushes of a force file, one a step, in place of --perturb")
+      ->type_name("FILE");
+}
+
+void add_output_options(CLI::App& app, RunSettings& settings) {
+  app.add_option("-o,--output", settings.output,
+                 "H5MD trajectory (default: name of the input with .h5md)")
+      ->type_name("FILE");
+  app.add_option("--topology", settings.topology,
+                 "PDB with names and bonds beside the trajectory, or none (default: name of the "
+                 "output with .pdb)")
+      ->type_name("FILE");
+  app.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
+  app.add_flag("--single", settings.record.single, "positions as 32-bit floats");
+  app.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
+  app.add_flag("--json", settings.json, "print the summary as one JSON object");
+  app.add_flag("--quiet", settings.quiet, "print nothing but errors");
+}
+
+/// A setting of the force file holds where the command line is silent.
+template <class Target, class Value>
+void take(const CLI::App& app, const char* option, const Value& from, Target& to) {
+  if (from && app.count(option) == 0) to = *from;
+}
+
+void take_forces(const CLI::App& app, RunSettings& settings, const Framework& framework) {
+  const ForceFile file = read_force_file(settings.forces, framework);
+  if (file.pushes.empty()) throw InputError(settings.forces + ": holds no push");
+  RunOptions& run = settings.run;
+  take(app, "--timestep", file.timestep, run.perturb_options.timestep);
+  take(app, "--tolerance", file.tolerance, run.resolve.tolerance.relative);
+  if (app.count("--tolerance") == 0)
+    take(app, "--tolerance-length", file.tolerance_length, run.resolve.tolerance.length);
+  take(app, "--max-sweeps", file.max_sweeps, run.resolve.max_sweeps);
+  if (app.count("--steps") == 0) run.steps = static_cast<std::int64_t>(file.pushes.size());
+  if (static_cast<std::size_t>(run.steps) > file.pushes.size())
+    throw OptionError("--steps: expected at most " + std::to_string(file.pushes.size()) +
+                      ", the pushes in " + settings.forces);
+  run.replay = file.pushes;
+}
+
+fs::path stem_of(const fs::path& input) {
+  fs::path name = input.filename();
+  if (name.extension() == ".gz") name = name.stem();
+  return name.stem();
+}
+
+}  // namespace
+
+void add_run_options(CLI::App& app, RunSettings& settings) {
+  add_molecule_options(app, settings.molecule);
+  add_integer(app, "--steps", settings.run.steps, 0, no_limit, "steps to do");
+  add_integer(app, "--every", settings.run.every, 1, no_limit, "record every so many steps");
+  add_seed(app, "--seed", settings.run.resolve.seed, "of all random numbers");
+  add_integer(app, "--walkers", settings.walkers, 1, 1'000'000,
+              "independent runs, each with an output of its own");
+  add_integer(app, "--threads", settings.threads, 1, 4096, "threads that share the walkers")
+      ->default_str("all cores");
+  add_technique_options(app, settings.run);
+  add_perturb_options(app, settings);
+  add_output_options(app, settings);
+}
+
+void complete(const CLI::App& app, RunSettings& settings, const Framework& framework) {
+  if (settings.threads == 0) settings.threads = std::thread::hardware_concurrency();
+  if (!settings.forces.empty()) take_forces(app, settings, framework);
+  if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
+  if (settings.topology.empty())
+    settings.topology = fs::path(settings.output).replace_extension(".pdb").string();
+}
+
+std::string output_of(const RunSettings& settings, std::int64_t walker) {
+  if (settings.walkers == 1) return settings.output;
+  const fs::path path(settings.output);
+  const std::string name =
+      path.stem().string() + "-" + std::to_string(walker) + path.extension().string();
+  return (path.parent_path() / name).string();
+}
+
+std::vector<NamedParameter> parameters_of(const RunSettings& settings, std::int64_t walker) {
+  const RunOptions& run = settings.run;
+  const auto seed =
+      std::to_string(run.resolve.seed);  // 64 bits without sign do not fit a Parameter
+  return {{"input/file", fs::path(settings.molecule.file).filename().string()},
+          {"input/model", settings.molecule.model},
+          {"input/bars", settings.molecule.bars},
+          {"input/lengths", settings.molecule.lengths},
+          {"input/pin", settings.molecule.pin},
+          {"input/distance_bonds", settings.molecule.guess_distances},
+          {"run/technique", run.technique.name},
+          {"run/weighting", run.technique.weighting},
+          {"run/mass_weighted", run.technique.mass_weighted},
+          {"run/tolerance", run.resolve.tolerance.relative},
+          {"run/tolerance_length", run.resolve.tolerance.length},
+          {"run/max_sweeps", run.resolve.max_sweeps},
+          {"run/steps", run.steps},
+          {"run/every", run.every},
+          {"run/seed", seed},
+          {"run/walker", walker},
+          {"run/perturb", run.replay.empty() ? run.perturb : "replay"},
+          {"run/forces", fs::path(settings.forces).filename().string()},
+          {"run/force", run.perturb_options.force},
+          {"run/timestep", run.perturb_options.timestep},
+          {"run/damping", run.perturb_options.damping},
+          {"run/displacement", run.perturb_options.displacement},
+          {"record/single", settings.record.single},
+          {"record/compress", settings.record.compress}};
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// The options of pliant run, what they mean to the library, and how they are recorded.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "molecule_input.hpp"
+#include "pliant/record/h5md_recorder.hpp"
+#include "pliant/run/run.hpp"
+
+namespace pliant::app {
+
+struct RunSettings {
+  MoleculeOptions molecule;
+  RunOptions run;
+  H5mdOptions record;
+  std::string output;    ///< "": the input's name with .h5md, in the current folder
+  std::string topology;  ///< sidecar PDB; "": the output's name with .pdb; "none": none
+  std::string forces;    ///< force file to replay; "": none
+  std::int64_t walkers = 1;
+  std::int64_t threads = 0;  ///< 0: as many as there are cores
+  bool json = false;
+  bool quiet = false;
+};
+
+void add_run_options(CLI::App& app, RunSettings& settings);
+
+/// Fills in what the command line left open: output names, settings of the force file.
+void complete(const CLI::App& app, RunSettings& settings, const Framework& framework);
+
+/// Name of the output of a walker: the output itself if there is but one.
+std::string output_of(const RunSettings& settings, std::int64_t walker);
+
+/// Every option as it is stored below /parameters.
+std::vector<NamedParameter> parameters_of(const RunSettings& settings, std::int64_t walker);
+
+}  // namespace pliant::app

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Runs the walkers of pliant run, each into its own trajectory.
+#pragma once
+
+#include <vector>
+
+#include "pliant/run/run.hpp"
+#include "run_settings.hpp"
+
+namespace pliant::app {
+
+/// Runs all walkers over `settings.threads` threads. What a walker does depends on the seed and its
+/// number alone. Throws what the first failing walker threw, after all have ended.
+std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule& molecule,
+                                    const Log& log);
+
+}  // namespace pliant::app
