@@ -6,7 +6,7 @@
 
 #include "command.hpp"
 #include "options.hpp"
-#include "pliant/order/ordering.hpp"
+#include "pliant/resolve/technique.hpp"
 #include "pliant/perturb/perturbation.hpp"
 
 namespace pliant::app {
@@ -16,7 +16,7 @@ using Json = nlohmann::ordered_json;
 
 Json technique_rows() {
   Json rows = Json::array();
-  for (const OrderingEntry& row : orderings())
+  for (const TechniqueEntry& row : techniques())
     rows.push_back({{"name", row.name},
                     {"summary", row.summary},
                     {"applies_to", row.forests_only ? "trees" : "any"}});
@@ -32,7 +32,7 @@ Json perturbation_rows() {
 
 void print_table() {
   fmt::print("techniques (--technique)\n");
-  for (const OrderingEntry& row : orderings())
+  for (const TechniqueEntry& row : techniques())
     fmt::print("  {:<14}{}{}\n", row.name, row.summary, row.forests_only ? "; trees only" : "");
   fmt::print(
       "\nweighting (--weighting), any number from 0 to 1: the share of a correction that the end\n"

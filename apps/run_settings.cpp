@@ -14,7 +14,7 @@ namespace fs = std::filesystem;
 constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
 
 void add_technique_options(CLI::App& app, RunOptions& run) {
-  add_choice(app, "--technique", run.technique.name, names_of(orderings()),
+  add_choice(app, "--technique", run.technique.name, names_of(techniques()),
              "how broken bars are resolved");
   add_real(app, "--weighting", run.technique.weighting, Range::zero_to_one,
            "share of a correction that the far end of a bar takes");

@@ -105,7 +105,7 @@ constexpr OrderingEntry table[] = {
 std::span<const OrderingEntry> orderings() { return table; }
 
 const OrderingEntry& find_ordering(std::string_view name) {
-  return choose(orderings(), "technique", name);
+  return choose(orderings(), "ordering", name);
 }
 
 }  // namespace pliant

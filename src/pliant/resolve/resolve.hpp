@@ -61,9 +61,8 @@ class Resolver {
   ResolveSummary resolve(std::span<Vec3> positions, Joint root = 0, std::int64_t step = 0);
 
  private:
-  class Sweeps;
-  std::unique_ptr<Sweeps> sweeps_;
-  std::size_t joint_count_ = 0;
+  struct Plan;
+  std::unique_ptr<Plan> plan_;
 };
 
 /// Resolves once: Resolver(framework, technique, options).resolve(positions, root).

@@ -1,15 +1,36 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/technique.hpp"
 
-#include <cmath>
+#include <vector>
 
-#include "pliant/base/error.hpp"
+#include "pliant/base/choices.hpp"
 #include "pliant/framework/graph.hpp"
+#include "pliant/resolve/method.hpp"
+#include "pliant/resolve/sweeps.hpp"
 
 namespace pliant {
+namespace {
+
+std::vector<TechniqueEntry> all_techniques() {
+  std::vector<TechniqueEntry> rows;
+  for (const OrderingEntry& row : orderings())
+    rows.push_back({row.name, row.summary, row.forests_only, true, make_sweeps});
+  return rows;
+}
+
+}  // namespace
+
+std::span<const TechniqueEntry> techniques() {
+  static const std::vector<TechniqueEntry> rows = all_techniques();
+  return rows;
+}
+
+const TechniqueEntry& find_technique(std::string_view name) {
+  return choose(techniques(), "technique", name);
+}
 
 void check(const Technique& technique) {
-  find_ordering(technique.name);
+  find_technique(technique.name);
   if (!(technique.weighting >= 0.0 && technique.weighting <= 1.0))
     throw OptionError("weighting = " + std::to_string(technique.weighting) +
                       ": must be from 0 to 1");
@@ -17,7 +38,7 @@ void check(const Technique& technique) {
 
 void check(const Technique& technique, const Framework& framework) {
   check(technique);
-  if (!find_ordering(technique.name).forests_only) return;
+  if (!find_technique(technique.name).forests_only) return;
   const GraphFacts facts = graph_facts(framework);
   if (facts.is_forest()) return;
   throw OptionError("technique = " + technique.name +

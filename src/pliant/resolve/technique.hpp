@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: MIT
-// A technique: an ordering with a weighting, and the rule by which two joints share a correction.
+// A technique: how broken bars are resolved. An ordering with a weighting and the rule by which two
+// joints share a correction, or a direct method.
 #pragma once
 
+#include <memory>
+#include <span>
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "pliant/framework/framework.hpp"
@@ -12,14 +16,33 @@ namespace pliant {
 
 /// How broken bars are resolved.
 struct Technique {
-  std::string name = "bfs_cycle";  ///< a name in orderings()
+  std::string name = "bfs_cycle";  ///< a name in techniques()
   /// Share of the correction that the far joint of a tree bar takes, in [0, 1]; the near joint
   /// takes the rest. Non-tree bars are always shared half and half. The thesis has 0.5, 0.75, 1.
   double weighting = 0.5;
   bool mass_weighted = false;  ///< multiply shares by inverse masses
 };
 
-/// Throws OptionError if the ordering is unknown or the weighting is not in [0, 1].
+class Method;
+struct ResolveOptions;
+
+/// One row of the table of techniques: every ordering is a row, and every direct method.
+struct TechniqueEntry {
+  std::string_view name;
+  std::string_view summary;
+  bool forests_only = false;  ///< leaves bars out that close a cycle
+  bool has_weighting = true;  ///< Technique::weighting means something
+  /// Makes what resolves; all three outlive it.
+  std::unique_ptr<Method> (*make)(const Framework& framework, const Technique& technique,
+                                  const ResolveOptions& options) = nullptr;
+};
+
+std::span<const TechniqueEntry> techniques();
+
+/// The row of that name. Throws OptionError listing the known names.
+const TechniqueEntry& find_technique(std::string_view name);
+
+/// Throws OptionError if the technique is unknown or the weighting is not in [0, 1].
 void check(const Technique& technique);
 
 /// Throws OptionError if the technique leaves bars of this framework out.

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What every technique is made of on the inside: moves positions until all bars are whole.
+#pragma once
+
+#include <span>
+
+#include "pliant/resolve/resolve.hpp"
+
+namespace pliant {
+
+/// One resolve: the positions to move, the pushed joint, and the key of its random draws.
+struct ResolveCall {
+  std::span<Vec3> positions;  ///< (N) Angstrom
+  Joint root = 0;
+  RandomKey key = {};  ///< seed, walker and step
+};
+
+class Method {
+ public:
+  virtual ~Method() = default;
+  /// Counts sweeps and projections in `summary` (0 at the start) and tells why it stopped. May
+  /// leave positions that are not finite: the caller puts them back.
+  virtual Stop resolve(const ResolveCall& call, ResolveSummary& summary) = 0;
+};
+
+}  // namespace pliant
