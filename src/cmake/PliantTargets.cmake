@@ -6,9 +6,12 @@ add_library(pliant_flags INTERFACE)
 target_compile_features(pliant_flags INTERFACE cxx_std_20)
 target_compile_options(pliant_flags INTERFACE
   # The same input gives the same bits on every build: a fused multiply-add rounds once where
-  # the source rounds twice, so the compiler must not form one by itself.
+  # the source rounds twice, so the compiler must not form one by itself. -ffast-math breaks the
+  # same promise and is refused in pliant/base/vec3.hpp.
   -ffp-contract=off
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  # gcc 12 and 13 see an overlap in std::string's operator+ that is none (their bug 105329).
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,14>>:-Wno-restrict>)
 if(PLIANT_WERROR)
   target_compile_options(pliant_flags INTERFACE -Werror)
 endif()
@@ -16,6 +19,15 @@ if(PLIANT_SANITIZE)
   target_compile_options(pliant_flags INTERFACE
     -fsanitize=${PLIANT_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
   target_link_options(pliant_flags INTERFACE -fsanitize=${PLIANT_SANITIZE})
+endif()
+if(PLIANT_COVERAGE)
+  target_compile_options(pliant_flags INTERFACE --coverage)
+  target_link_options(pliant_flags INTERFACE --coverage)
+endif()
+if(PLIANT_FUZZ)
+  # Every target counts its branches for libFuzzer; only the fuzzers link its main function.
+  target_compile_options(pliant_flags INTERFACE -fsanitize=fuzzer-no-link)
+  target_link_options(pliant_flags INTERFACE -fsanitize=fuzzer-no-link)
 endif()
 
 if(NOT CMAKE_BUILD_TYPE AND NOT CMAKE_CONFIGURATION_TYPES)

@@ -4,6 +4,11 @@
 
 #include <cmath>
 
+#ifdef __FAST_MATH__
+#error "compile without -ffast-math: results must be the same bits on every build, and not finite \
+numbers must be seen"
+#endif
+
 namespace pliant {
 
 /// A point (Angstrom) or a vector.
