@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # The libraries that pliant is linked with. Read by the build and, once installed, by
 # find_package(pliant): a static library hands its own dependencies on to whoever links it.
-# What is header-only (gemmi, Eigen, CLI11, nlohmann-json) is not wanted by the latter.
+# Header-only ones are not wanted by the latter; they are found in CMakeLists.txt.
 include(CMakeFindDependencyMacro)
 
 get_property(pliant_languages GLOBAL PROPERTY ENABLED_LANGUAGES)
