@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: MIT
+"""What the subcommands written in Python share: options, errors, tables, JSON, exit codes."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import json
+import math
+import os
+import sys
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NoReturn, TextIO
+
+import numpy as np
+
+EXIT_OK = 0
+EXIT_FAILED = 1  #: bad input, a file that cannot be read or written, a check that failed
+EXIT_USAGE = 2  #: bad option or argument
+EXIT_INTERRUPTED = 130
+
+
+class InputError(ValueError):
+    """Something is wrong with what the user gave; the message says what, and where."""
+
+
+class Parser(argparse.ArgumentParser):
+    """An argument parser that reads as the subcommands in C++ do: errors in one line, exit 2."""
+
+    def __init__(self, command: str, description: str, epilog: str = "") -> None:
+        super().__init__(
+            prog=f"pliant {command}",
+            description=description,
+            epilog=epilog,
+            formatter_class=argparse.RawDescriptionHelpFormatter,
+            allow_abbrev=False,
+        )
+
+    def error(self, message: str) -> NoReturn:
+        """Prints the one-line error and ends with exit code 2."""
+        message = message.removeprefix("argument ")
+        self.exit(EXIT_USAGE, f"{self.prog}: error: {message}\n{self.prog} --help tells more\n")
+
+
+def whole_number(least: int, *names: str) -> Callable[[str], int | str]:
+    """For ``type=``: a whole number from `least`, or one of `names` as it is."""
+
+    def parse(text: str) -> int | str:
+        if text in names:
+            return text
+        if text.isascii() and text.isdigit() and int(text) >= least:
+            return int(text)
+        wanted = " or ".join([f"a whole number from {least}", *names])
+        raise argparse.ArgumentTypeError(f"expected {wanted}, found '{text}'")
+
+    return parse
+
+
+def positive_number(text: str) -> float:
+    """For ``type=``: a finite number above 0."""
+    try:
+        value = float(text)
+    except ValueError:
+        value = math.nan
+    if not (math.isfinite(value) and value > 0) or "_" in text:
+        raise argparse.ArgumentTypeError(f"expected a number above 0, found '{text}'")
+    return value
+
+
+def run_command(command: str, work: Callable[[], int]) -> int:
+    """Calls `work` and returns its exit code; what the user did wrong becomes one line and 1."""
+    try:
+        code = work()
+        sys.stdout.flush()
+        return code
+    except (InputError, OSError) as error:
+        if isinstance(error, BrokenPipeError):  # the reader of our output has gone
+            os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+            return EXIT_FAILED
+        print(f"pliant {command}: error: {error}", file=sys.stderr)
+        return EXIT_FAILED
+    except KeyboardInterrupt:
+        print(f"pliant {command}: interrupted", file=sys.stderr)
+        return EXIT_INTERRUPTED
+
+
+def plain(value: Any) -> Any:
+    """`value` as JSON has it: arrays are lists, not-a-number and infinities are null."""
+    if isinstance(value, Mapping):
+        return {str(key): plain(item) for key, item in value.items()}
+    if isinstance(value, np.ndarray):
+        return plain(value.tolist())
+    if isinstance(value, (list, tuple)):
+        return [plain(item) for item in value]
+    if isinstance(value, np.generic):
+        return plain(value.item())
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value
+
+
+def print_json(value: Any) -> None:
+    """Prints one JSON object."""
+    print(json.dumps(plain(value), indent=2, allow_nan=False, ensure_ascii=False))
+
+
+@dataclass
+class Table:
+    """Rows of text under a title; the first column is left-aligned, numbers are right-aligned."""
+
+    title: str
+    columns: Sequence[str]
+    rows: list[Sequence[str]] = field(default_factory=list)
+    text_columns: Sequence[int] = (0,)  #: columns that are left-aligned
+
+    def print(self, to: TextIO | None = None) -> None:
+        """Prints with `rich` on a terminal, as plain aligned text elsewhere."""
+        to = to or sys.stdout
+        if to.isatty():
+            self._print_rich(to)
+        else:
+            self._print_plain(to)
+
+    def _print_rich(self, to: TextIO) -> None:
+        import rich.box
+        import rich.console
+        import rich.table
+        import rich.text
+
+        table = rich.table.Table(
+            title=self.title, title_justify="left", box=rich.box.SIMPLE_HEAD, pad_edge=False
+        )
+        for k, name in enumerate(self.columns):
+            left = k in self.text_columns
+            table.add_column(name, justify="left" if left else "right", overflow="fold")
+        for row in self.rows:
+            table.add_row(*(rich.text.Text(cell, style=_style(cell)) for cell in row))
+        rich.console.Console(file=to, highlight=False).print(table)
+
+    def _print_plain(self, to: TextIO) -> None:
+        widths = [max(map(len, column)) for column in zip(self.columns, *self.rows, strict=True)]
+        lines = [self.title] if self.title else []
+        for row in [self.columns, *self.rows]:
+            cells = [
+                cell.ljust(width) if k in self.text_columns else cell.rjust(width)
+                for k, (cell, width) in enumerate(zip(row, widths, strict=True))
+            ]
+            lines.append(("  " + "  ".join(cells)).rstrip())
+        print("\n".join(lines), file=to)
+
+
+def _style(cell: str) -> str:
+    word = cell.split(":")[0].split(" ")[0]
+    return {"passed": "green", "failed": "bold red", "skipped": "yellow"}.get(word, "")
+
+
+def note(text: str) -> None:
+    """Says something beside the result, on stderr."""
+    print(f"note: {text}", file=sys.stderr)
+
+
+def warn(text: str) -> None:
+    """Says that something is not as expected, on stderr."""
+    print(f"warning: {text}", file=sys.stderr)
+
+
+@contextlib.contextmanager
+def progress(what: str, quiet: bool = False) -> Iterator[Callable[[int, int], None]]:
+    """Gives a function (done, total) that draws one line over itself; only on a terminal."""
+    shown = not quiet and sys.stderr.isatty()
+
+    def show(done: int, total: int) -> None:
+        if shown:
+            print(f"\r{what}: {done} / {total}\x1b[K", end="", file=sys.stderr, flush=True)
+
+    try:
+        yield show
+    finally:
+        if shown:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
