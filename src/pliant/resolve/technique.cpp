@@ -5,6 +5,7 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/framework/graph.hpp"
+#include "pliant/resolve/blocks.hpp"
 #include "pliant/resolve/method.hpp"
 #include "pliant/resolve/sweeps.hpp"
 
@@ -15,6 +16,9 @@ std::vector<TechniqueEntry> all_techniques() {
   std::vector<TechniqueEntry> rows;
   for (const OrderingEntry& row : orderings())
     rows.push_back({row.name, row.summary, row.forests_only, true, make_sweeps});
+  rows.push_back({"blocks",
+                  "bridges exact in one outward pass, each ring system alone by Newton's method",
+                  false, false, make_blocks});
   return rows;
 }
 
