@@ -36,3 +36,6 @@
 #include "pliant/perturb/force_file.hpp"    // pushes to replay
 #include "pliant/perturb/perturbation.hpp"  // the table of perturbations
 #include "pliant/run/run.hpp"               // perturb, resolve, show
+
+// record: trajectories
+#include "pliant/record/h5md_recorder.hpp"  // frames to an H5MD file

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// A file of data and metadata blocks whose metadata reaches the disk in commits only, in an order
+// that leaves a readable file behind wherever the writer is killed (ordered, "soft" updates).
+//
+// HDF5 by itself writes metadata in the order of its cache: a writer killed in between leaves
+// chunk trees that point to nowhere. Within a commit of CommittedFile
+//   1. blocks that were never written before come first: nothing refers to them yet;
+//   2. then the superblock, which says how long the file is;
+//   3. then chunk tree nodes in place, parents before children: a split has put the right half
+//      into a new node by 1, and the left half shrinks only when its parent knows the new one;
+//   4. then the other blocks in place, which are object headers with the new extents; those named
+//      to write_last() are the last, in that order.
+// A block that lies within one page of the file is written as a whole or not at all, as the
+// kernel looks for a kill between pages only; the driver aligns tree nodes accordingly, and an
+// extent is eight aligned bytes of its object header.
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <set>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace pliant {
+
+/// What a block of the file holds.
+enum class BlockKind : std::uint8_t { data, superblock, tree_node, other_metadata };
+
+/// Writes to an open file descriptor. Nothing throws: after the first failed write (errno in
+/// failure()) nothing more reaches the disk, but metadata can still be written and read back, so
+/// that the library above can go on and close in peace.
+class CommittedFile {
+ public:
+  /// Does not own `descriptor`, which is open for reading and writing and empty.
+  explicit CommittedFile(int descriptor);
+
+  /// Data goes to the disk at once, metadata with the next commit.
+  void write(BlockKind kind, std::uint64_t address, std::span<const std::byte> bytes);
+  /// What was written, committed or not; zeros beyond.
+  void read(std::uint64_t address, std::span<std::byte> bytes) const;
+
+  /// How long the file is said to be (end of allocated space).
+  void set_end(std::uint64_t end) { end_ = end; }
+  std::uint64_t end() const { return end_; }
+  /// How long the file is, with what waits for a commit.
+  std::uint64_t size() const;
+
+  /// Addresses of the blocks that a commit writes last, in this order.
+  void write_last(std::vector<std::uint64_t> addresses) { last_ = std::move(addresses); }
+  void commit();
+
+  /// errno of the first write that failed, or 0.
+  int failure() const { return failure_; }
+
+ private:
+  struct Block {
+    BlockKind kind;
+    std::vector<std::byte> bytes;
+  };
+  using Blocks = std::map<std::uint64_t, Block>;
+
+  struct Ranked {
+    int rank;
+    const Blocks::value_type* entry;
+  };
+
+  std::vector<Ranked> in_commit_order() const;
+  int rank(const Blocks::value_type& entry) const;
+  bool may_write() const;
+  void write_through(std::uint64_t address, std::span<const std::byte> bytes);
+  void write_blocks(std::span<const Ranked> blocks);
+  void resize(std::uint64_t size);
+
+  int descriptor_;
+  pid_t owner_;  // a forked child holds the same descriptor and must leave the file alone
+  std::uint64_t end_ = 0;
+  std::uint64_t written_end_ = 0;
+  std::uint64_t committed_end_ = 0;
+  Blocks pending_;
+  std::set<std::uint64_t> written_;  // addresses of the metadata blocks on the disk
+  std::vector<std::uint64_t> last_;
+  int failure_ = 0;
+};
+
+}  // namespace pliant

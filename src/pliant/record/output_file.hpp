@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// An output that takes its name only when it is worth it, and that no second run writes to.
+#pragma once
+
+#include <filesystem>
+
+namespace pliant {
+
+/// A new file beside its final name, locked against other writers as long as it is open.
+///
+/// The lock is an open file description lock (fcntl F_OFD_SETLK) far beyond the end of the file,
+/// which neither readers nor HDF5's own locks (flock) meet. Where the file system has no locks
+/// there is none.
+class OutputFile {
+ public:
+  /// Creates the file under a temporary name in the directory of `target`; a symbolic link is
+  /// followed. Throws FileError with the system's reason when that cannot be, or when publish()
+  /// could not succeed: `target` exists and `overwrite` is false, it is not a regular file, or it
+  /// is being written.
+  OutputFile(const std::filesystem::path& target, bool overwrite);
+  /// Deletes the file unless it was published.
+  ~OutputFile();
+  OutputFile(const OutputFile&) = delete;
+  OutputFile& operator=(const OutputFile&) = delete;
+
+  int descriptor() const { return descriptor_; }
+  const std::filesystem::path& target() const { return target_; }
+  /// Gives the file its final name. With `overwrite` it replaces what has that name, at once and
+  /// as a whole. Throws as the constructor does.
+  void publish();
+  void close();
+
+ private:
+  void create();
+  bool replace_existing();
+  bool take_free_name();
+
+  std::filesystem::path target_;
+  std::filesystem::path temporary_;
+  bool overwrite_;
+  bool published_ = false;
+  int descriptor_ = -1;
+};
+
+}  // namespace pliant
