@@ -91,17 +91,6 @@ def test_includes_of_ours_are_quoted_and_whole():
     )
 
 
-def test_includes_name_headers_that_exist():
-    refuse(
-        [
-            f"{place(path, number)}: no {name}"
-            for path in files(*CPP)
-            for number, _, name in includes(path)
-            if name.startswith("pliant/") and not (ROOT / "src" / name).is_file()
-        ]
-    )
-
-
 def test_headers_need_the_standard_library_only():
     refuse(
         [
