@@ -5,7 +5,8 @@
 #include <cmath>
 
 #ifdef __FAST_MATH__
-#error "compile without -ffast-math: it hides not-finite numbers and changes results"
+#error "compile without -ffast-math: results must be the same bits on every build, and not finite \
+numbers must be seen"
 #endif
 
 namespace pliant {

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Small structures written out in a test, and bonds as text.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pliant/molecule/bonds.hpp"
+#include "pliant/molecule/elements.hpp"
+#include "pliant/molecule/structure.hpp"
+
+namespace pliant::testing {
+
+struct MadeAtom {
+  const char* name;
+  const char* element;
+  Vec3 position;
+};
+
+/// Adds one residue with these atoms.
+inline void add_residue(Structure& s, const std::string& name, std::int64_t number,
+                        const std::vector<MadeAtom>& atoms, const std::string& chain = "A") {
+  const auto residue = static_cast<std::uint32_t>(s.atoms.residues.size());
+  s.atoms.residues.push_back({name, number, ' ', chain});
+  for (const MadeAtom& atom : atoms) {
+    s.atoms.names.emplace_back(atom.name);
+    s.atoms.elements.push_back(element_number(atom.element));
+    s.atoms.residue_of.push_back(residue);
+    s.atoms.serials.push_back(static_cast<std::int64_t>(s.atoms.names.size()));
+    s.positions.push_back(atom.position);
+  }
+}
+
+/// A molecule without residues: names are elements.
+inline Structure molecule(const std::vector<std::pair<const char*, Vec3>>& atoms) {
+  Structure s;
+  std::vector<MadeAtom> made;
+  for (const auto& [element, position] : atoms) made.push_back({element, element, position});
+  add_residue(s, "UNK", 1, made, "");
+  return s;
+}
+
+/// "0-1 residue", one a bond.
+inline std::vector<std::string> bond_texts(const Structure& s) {
+  std::vector<std::string> texts;
+  for (const Bond& bond : s.bonds)
+    texts.push_back(std::to_string(bond.a) + "-" + std::to_string(bond.b) + " " +
+                    std::string(bond_origin_names[static_cast<std::size_t>(bond.origin)]));
+  return texts;
+}
+
+/// What perceive_bonds finds, and what it says on the way.
+struct Perceived {
+  std::vector<std::string> bonds, messages;
+};
+
+inline Perceived perceive(Structure s, BondOptions options = {}) {
+  Perceived result;
+  options.log.function = [&](Severity severity, std::string_view text) {
+    result.messages.push_back((severity == Severity::warning ? "warning: " : "note: ") +
+                              std::string(text));
+  };
+  perceive_bonds(s, options);
+  result.bonds = bond_texts(s);
+  return result;
+}
+
+}  // namespace pliant::testing

@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/molecule/selection.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "made_structure.hpp"
+#include "pliant/base/error.hpp"
+
+namespace pliant::testing {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+/// 0-3 ACE, 4-8 ALA -1, 9-11 water 5, 12 chloride 5A, 13-14 adenosine 7.
+AtomTable atoms() {
+  Structure s;
+  add_residue(s, "ACE", -2, {{"CH3", "C", {}}, {"HH31", "H", {}}, {"C", "C", {}}, {"O", "O", {}}});
+  add_residue(s, "ALA", -1,
+              {{"N", "N", {}}, {"CA", "C", {}}, {"CB", "C", {}}, {"C", "C", {}}, {"O", "O", {}}});
+  add_residue(s, "HOH", 5, {{"O", "O", {}}, {"H1", "H", {}}, {"H2", "H", {}}}, "W");
+  add_residue(s, "CL", 5, {{"CL", "Cl", {}}}, "W");
+  s.atoms.residues.back().insertion_code = 'A';
+  add_residue(s, "DA", 7, {{"P", "P", {}}, {"O5'", "O", {}}}, "B1");
+  return s.atoms;
+}
+
+std::vector<std::uint32_t> selected(std::string_view text) { return select_atoms(atoms(), text); }
+
+TEST(Selection, KnowsKindsOfResidues) {
+  EXPECT_EQ(selected("all").size(), 15U);
+  EXPECT_THAT(selected("none"), IsEmpty());
+  EXPECT_THAT(selected("protein"), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
+  EXPECT_THAT(selected("backbone"), ElementsAre(2, 3, 4, 5, 7, 8));
+  EXPECT_THAT(selected("water"), ElementsAre(9, 10, 11));
+  EXPECT_THAT(selected("nucleic"), ElementsAre(13, 14));
+}
+
+TEST(Selection, KnowsNamesWithWildcards) {
+  EXPECT_THAT(selected("name CA CB"), ElementsAre(5, 6));
+  EXPECT_THAT(selected("name C*"), ElementsAre(0, 2, 5, 6, 7, 12));
+  EXPECT_THAT(selected("name C?"), ElementsAre(5, 6, 12));
+  EXPECT_THAT(selected("name *3*1"), ElementsAre(1));
+  EXPECT_THAT(selected("name O5'"), ElementsAre(14));
+  EXPECT_THAT(selected("name ca"), IsEmpty());
+  EXPECT_THAT(selected("element CL h"), ElementsAre(1, 10, 11, 12));
+  EXPECT_THAT(selected("resname D?"), ElementsAre(13, 14));
+  EXPECT_THAT(selected("chainID W"), ElementsAre(9, 10, 11, 12));
+  EXPECT_THAT(selected("segid B*"), ElementsAre(13, 14));
+  EXPECT_THAT(selected("name \\all"), IsEmpty());
+}
+
+TEST(Selection, KnowsNumbersAndRanges) {
+  EXPECT_THAT(selected("resid 5"), ElementsAre(9, 10, 11));
+  EXPECT_THAT(selected("resid 5A"), ElementsAre(12));
+  EXPECT_THAT(selected("resid -1"), ElementsAre(4, 5, 6, 7, 8));
+  EXPECT_THAT(selected("resid -2--1"), ElementsAre(0, 1, 2, 3, 4, 5, 6, 7, 8));
+  EXPECT_THAT(selected("resid -1:5"), ElementsAre(4, 5, 6, 7, 8, 9, 10, 11));
+  EXPECT_THAT(selected("resid 5-5A 7"), ElementsAre(9, 10, 11, 12, 13, 14));
+  EXPECT_THAT(selected("index 0-2 14"), ElementsAre(0, 1, 2, 14));
+  EXPECT_THAT(selected("bynum 1:3"), ElementsAre(0, 1, 2));
+  EXPECT_THAT(selected("index 400"), IsEmpty());
+}
+
+TEST(Selection, CombinesFromLeftToRightWithNotFirst) {
+  EXPECT_THAT(selected("protein and not name C*"), ElementsAre(1, 3, 4, 8));
+  EXPECT_THAT(selected("water or protein and name O"), ElementsAre(3, 8, 9));
+  EXPECT_THAT(selected("water or (protein and name O)"), ElementsAre(3, 8, 9, 10, 11));
+  EXPECT_THAT(selected("not (water or protein) and not element Cl"), ElementsAre(13, 14));
+  EXPECT_THAT(selected("not not water"), ElementsAre(9, 10, 11));
+  EXPECT_THAT(selected(" (name P) "), ElementsAre(13));
+}
+
+TEST(Selection, IsNotDepthLimited) {
+  const std::string deep(200000, '(');
+  EXPECT_THAT(selected(deep + "water" + std::string(200000, ')')), ElementsAre(9, 10, 11));
+}
+
+std::string refusal(std::string_view text) {
+  try {
+    selected(text);
+  } catch (const OptionError& error) {
+    return error.what();
+  }
+  return "nothing refused";
+}
+
+TEST(Selection, SaysWhatItCannotUnderstand) {
+  EXPECT_EQ(refusal(""),
+            "selection \"\": expected a word that selects atoms, found the end at character 1");
+  EXPECT_EQ(refusal("nam CA"),
+            "selection \"nam CA\": expected a word that selects atoms (did you mean \"name\"?), "
+            "found \"nam\" at character 1");
+  EXPECT_EQ(refusal("protein water"),
+            "selection \"protein water\": expected \"and\", \"or\" or the end, found \"water\" at "
+            "character 9");
+  EXPECT_EQ(refusal("name and water"),
+            "selection \"name and water\": \"name\" needs names, found \"and\" at character 6");
+  EXPECT_EQ(
+      refusal("resid"),
+      "selection \"resid\": \"resid\" needs numbers and ranges, found the end at character 6");
+  EXPECT_EQ(refusal("resid 3x-"),
+            "selection \"resid 3x-\": \"resid\" takes numbers and ranges such as 3-8 or 3:8, found "
+            "\"3x-\" at character 7");
+  EXPECT_EQ(refusal("index 1.5"),
+            "selection \"index 1.5\": \"index\" takes numbers and ranges such as 3-8 or 3:8, found "
+            "\"1.5\" at character 7");
+  EXPECT_EQ(refusal("index 8-3"),
+            "selection \"index 8-3\": a range goes from the lower number to the higher, found "
+            "\"8-3\" at character 7");
+  EXPECT_EQ(refusal("name C[AB]"),
+            "selection \"name C[AB]\": a name may hold * and ? but no brackets, found \"C[AB]\" at "
+            "character 6");
+  EXPECT_EQ(refusal("(water"),
+            "selection \"(water\": the parenthesis at character 1 is not closed");
+  EXPECT_EQ(refusal("water)"),
+            "selection \"water)\": no parenthesis is open, found \")\" at character 6");
+  EXPECT_EQ(refusal("not"),
+            "selection \"not\": expected a word that selects atoms, found the end at character 4");
+  EXPECT_EQ(refusal("name \x1b[2J"),
+            "selection \"name \\x1b[2J\": a name may hold * and ? but no brackets, found "
+            "\"\\x1b[2J\" at character 6");
+}
+
+TEST(Selection, ListsItsWords) {
+  for (const SelectionWord& word : selection_words()) {
+    EXPECT_FALSE(word.summary.empty()) << word.name;
+    const std::string values = word.values.empty() ? "" : " 1";
+    EXPECT_NO_THROW(selected(std::string(word.name) + values)) << word.name;
+  }
+}
+
+}  // namespace
+}  // namespace pliant::testing
