@@ -64,4 +64,11 @@ std::optional<std::int64_t> parse_integer(std::string_view text) {
   return value;
 }
 
+std::string number_text(double value, int digits) {
+  std::array<char, 64> text;
+  const auto written = std::to_chars(text.data(), text.data() + text.size(), value,
+                                     std::chars_format::general, std::min(digits, 40));
+  return {text.data(), written.ptr};
+}
+
 }  // namespace pliant

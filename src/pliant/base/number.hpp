@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The one strict number parser of every reader: the whole field must be a finite decimal number.
-// It does not follow the locale; it takes no hexadecimal, no nan, no inf and no decimal comma.
+// It takes no hexadecimal, no nan, no inf and no decimal comma. And the one printer of numbers in
+// messages. Neither follows the locale.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace pliant {
@@ -18,5 +20,9 @@ std::optional<double> parse_real(std::string_view text);
 
 /// A decimal integer that fills `text` (blanks around it are allowed). Nothing on overflow.
 std::optional<std::int64_t> parse_integer(std::string_view text);
+
+/// `value` with at most that many significant digits, as printf's %g writes it in the C locale:
+/// "1.5", "1e-07", "nan".
+std::string number_text(double value, int digits = 10);
 
 }  // namespace pliant

@@ -29,8 +29,11 @@ struct AtomTable {
   std::size_t size() const { return names.size(); }
 
   /// "A:LYS12:CA" where there is a chain, "LYS12:CA" without one, "C1(4)" (name and serial) where
-  /// the molecule is a single unnamed residue.
+  /// the molecule is a single residue. Control and non-ASCII bytes are escaped as \xNN.
   std::string label(std::size_t atom) const;
 };
+
+/// Throws InputError unless all columns have the same length and each atom has a residue.
+void check(const AtomTable& atoms);
 
 }  // namespace pliant

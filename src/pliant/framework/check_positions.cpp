@@ -3,14 +3,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 
 namespace pliant {
 namespace {
+
+// The square of a distance beyond this overflows a double.
+constexpr double furthest_coordinate = 1e150;
 
 double largest_coordinate(const Framework& framework, std::span<const Vec3> positions) {
   double largest = 0.0;
@@ -23,11 +26,7 @@ double largest_coordinate(const Framework& framework, std::span<const Vec3> posi
   return largest;
 }
 
-std::string short_number(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.2g", value);
-  return text;
-}
+std::string short_number(double value) { return number_text(value, 2); }
 
 }  // namespace
 
@@ -39,6 +38,9 @@ void check_positions(const Framework& framework, std::span<const Vec3> positions
   const double largest = largest_coordinate(framework, positions);
   const auto rests = framework.rest_lengths();
   if (rests.empty()) return;
+  if (largest > furthest_coordinate)
+    throw InputError("coordinates reach " + short_number(largest) +
+                     " Angstrom: must be within 1e150 of the origin");
   const double spacing = largest * std::numeric_limits<double>::epsilon();
   const auto shortest = std::min_element(rests.begin(), rests.end());
   const std::string bar = framework.label(framework.bars()[std::size_t(shortest - rests.begin())]);

@@ -2,11 +2,10 @@
 #include "pliant/framework/framework.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
 #include <limits>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 
 namespace pliant {
 namespace {
@@ -14,12 +13,9 @@ namespace {
 // Beyond these a squared length under- or overflows a double.
 constexpr double shortest_rest_length = 1e-150;
 constexpr double longest_rest_length = 1e150;
-
-std::string number_text(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.10g", value);
-  return text;
-}
+// Beyond these a mass or the sum of two inverse masses under- or overflows a double.
+constexpr double least_mass = 1e-150;
+constexpr double largest_mass = 1e150;
 
 }  // namespace
 
@@ -28,18 +24,29 @@ Framework::Framework(FrameworkParts parts)
       bars_(std::move(parts.bars)),
       rest_lengths_(std::move(parts.rest_lengths)),
       atoms_(std::move(parts.atoms)) {
-  if (joint_count_ >= std::numeric_limits<Joint>::max())
-    throw InputError("a framework holds fewer than 2^32 joints");
-  if (rest_lengths_.size() != bars_.size())
-    throw InputError("framework: " + std::to_string(bars_.size()) + " bars but " +
-                     std::to_string(rest_lengths_.size()) + " rest lengths");
-  if (atoms_ && atoms_->size() != joint_count_)
-    throw InputError("framework: " + std::to_string(joint_count_) + " joints but " +
-                     std::to_string(atoms_->size()) + " atom names");
+  check_counts();
   take_masses(parts.masses, parts.pinned);
   check_bars();
   index_incidences();
   merge_duplicate_bars();
+}
+
+void Framework::check_counts() const {
+  if (joint_count_ >= std::numeric_limits<Joint>::max())
+    throw InputError("framework: " + std::to_string(joint_count_) +
+                     " joints, but fewer than 2^32 - 1 can be held");
+  // Each bar has two incidences, and they are counted in 32 bits.
+  if (bars_.size() > std::numeric_limits<BarIndex>::max() / 2)
+    throw InputError("framework: " + std::to_string(bars_.size()) +
+                     " bars, but fewer than 2^31 can be held");
+  if (rest_lengths_.size() != bars_.size())
+    throw InputError("framework: " + std::to_string(bars_.size()) + " bars but " +
+                     std::to_string(rest_lengths_.size()) + " rest lengths");
+  if (!atoms_) return;
+  if (atoms_->size() != joint_count_)
+    throw InputError("framework: " + std::to_string(joint_count_) + " joints but " +
+                     std::to_string(atoms_->size()) + " atom names");
+  check(*atoms_);
 }
 
 void Framework::take_masses(const std::vector<double>& masses, const std::vector<Joint>& pinned) {
@@ -48,9 +55,9 @@ void Framework::take_masses(const std::vector<double>& masses, const std::vector
                      std::to_string(masses.size()) + " masses");
   inverse_masses_.assign(joint_count_, 1.0);
   for (std::size_t i = 0; i < masses.size(); ++i) {
-    if (!std::isfinite(masses[i]) || masses[i] <= 0.0)
+    if (!(masses[i] >= least_mass && masses[i] <= largest_mass))
       throw InputError("mass of " + label(static_cast<Joint>(i)) + " is " + number_text(masses[i]) +
-                       ": must be positive and finite");
+                       ": must be from 1e-150 to 1e150 u");
     inverse_masses_[i] = 1.0 / masses[i];
   }
   for (Joint joint : pinned) {

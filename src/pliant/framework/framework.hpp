@@ -28,7 +28,7 @@ struct FrameworkParts {
   std::size_t joint_count = 0;
   std::vector<Bar> bars;                   ///< (B) in the order of the input
   std::vector<double> rest_lengths;        ///< (B) Angstrom
-  std::vector<double> masses;              ///< (N) u; empty: all 1
+  std::vector<double> masses;              ///< (N) u, in [1e-150, 1e150]; empty: all 1
   std::vector<Joint> pinned;               ///< joints that never move
   std::shared_ptr<const AtomTable> atoms;  ///< names of the joints; may be null
 };
@@ -45,7 +45,8 @@ class Framework {
  public:
   /// Takes and checks `parts`: equal duplicate bars are merged (the first is kept).
   /// Throws InputError naming both joints of a bad bar: self loop, unknown joint, length out of
-  /// range, two bars of one pair with different lengths; a mass that is not positive and finite.
+  /// range, two bars of one pair with different lengths; a mass out of range; columns that differ
+  /// in length.
   explicit Framework(FrameworkParts parts);
 
   std::size_t joint_count() const { return joint_count_; }
@@ -65,10 +66,11 @@ class Framework {
   const std::shared_ptr<const AtomTable>& atoms() const { return atoms_; }
 
   std::string label(Joint joint) const;  ///< the atom's name, or "joint 7"
-  std::string label(Bar bar) const;      ///< "CA-CB" made of both labels
+  std::string label(Bar bar) const;      ///< "LYS12:CA - LYS12:CB", or "3 - 7"
   std::size_t merged_bar_count() const { return merged_bar_count_; }
 
  private:
+  void check_counts() const;
   void take_masses(const std::vector<double>& masses, const std::vector<Joint>& pinned);
   void check_bars() const;
   void merge_duplicate_bars();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/framework/residual.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pliant {
@@ -28,7 +29,10 @@ ResidualSummary measure(const Framework& framework, std::span<const Vec3> positi
       summary.worst_bar = static_cast<BarIndex>(k);
     }
   }
-  if (!bars.empty()) summary.rms_relative = std::sqrt(sum_of_squares / double(bars.size()));
+  // The squares of absurdly long bars overflow; their mean never exceeds the largest one.
+  if (!bars.empty())
+    summary.rms_relative =
+        std::min(std::sqrt(sum_of_squares / double(bars.size())), summary.max_relative);
   return summary;
 }
 

@@ -67,7 +67,9 @@ void step_depth_first(Walk& walk) {
   if (scratch.bar_mark[at.bar] != unseen) return;
   scratch.bar_mark[at.bar] = seen;
   const bool is_tree = scratch.joint_mark[at.joint] == unseen;
-  if (is_tree || walk.with_non_tree_bars) walk.out.push_back({at.bar, joint, is_tree});
+  // A non-tree bar is met from its far end: it leads back to a joint that is still on the stack.
+  if (is_tree || walk.with_non_tree_bars)
+    walk.out.push_back({at.bar, is_tree ? joint : at.joint, is_tree});
   if (is_tree) walk.enter(at.joint, at.bar);
 }
 

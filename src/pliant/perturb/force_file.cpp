@@ -59,8 +59,18 @@ class JointNames {
     fail(place, "joint: no joint is named " + quoted(word));
   }
 
-  bool is_unique(Joint joint) const {
-    return framework_.atoms() && !repeats_.contains(framework_.atoms()->names[joint]);
+  /// A word by which find() finds that joint: its name if it has one of its own, else its index.
+  /// Throws InputError where even the index is the name of other joints.
+  std::string word_for(Joint joint) const {
+    if (framework_.atoms()) {
+      const std::string& name = framework_.atoms()->names[joint];
+      if (!repeats_.contains(name) && split(name) == Words{name}) return name;
+    }
+    const std::string index = std::to_string(joint);
+    if (joints_.contains(index))
+      throw InputError("force file: " + framework_.label(joint) + " has no name of its own, and " +
+                       "its index " + index + " is the name of another joint");
+    return index;
   }
 
  private:
@@ -97,11 +107,11 @@ class Parser {
     } else if (words[0] == "push") {
       take_push(words);
     } else if (words[0] == "timestep") {
-      found_.timestep = positive(words);
+      set(found_.timestep, words, positive(words));
     } else if (words[0] == "tolerance") {
-      found_.tolerance = positive(words);
+      set(found_.tolerance, words, positive(words));
     } else if (words[0] == "tolerance_length") {
-      found_.tolerance_length = positive(words);
+      set(found_.tolerance_length, words, positive(words));
     } else if (words[0] == "max_sweeps") {
       take_max_sweeps(words);
     } else {
@@ -114,6 +124,12 @@ class Parser {
     if (words.size() != count)
       fail(place_, std::string(words[0]) + ": expected " + std::string(what) + ", found " +
                        std::to_string(words.size() - 1) + " fields");
+  }
+
+  template <class Value>
+  void set(std::optional<Value>& setting, const Words& words, Value value) {
+    if (setting) fail(place_, std::string(words[0]) + ": is given twice");
+    setting = value;
   }
 
   double positive(const Words& words) {
@@ -130,7 +146,7 @@ class Parser {
     const auto value = parse_integer(words[1]);
     if (!value || *value < 1)
       fail(place_, "max_sweeps: expected a whole number from 1, found " + quoted(words[1]));
-    found_.max_sweeps = *value;
+    set(found_.max_sweeps, words, *value);
   }
 
   void take_push(const Words& words) {
@@ -188,10 +204,8 @@ std::string write_force_file(const ForceFile& forces, const Framework& framework
   setting("tolerance_length", forces.tolerance_length);
   if (forces.max_sweeps) text += "max_sweeps " + std::to_string(*forces.max_sweeps) + "\n";
   for (const JointForce& push : forces.pushes) {
-    const std::string joint = names.is_unique(push.joint) ? framework.atoms()->names[push.joint]
-                                                          : std::to_string(push.joint);
-    text += "push " + joint + " " + shortest(push.force.x) + " " + shortest(push.force.y) + " " +
-            shortest(push.force.z) + "\n";
+    text += "push " + names.word_for(push.joint) + " " + shortest(push.force.x) + " " +
+            shortest(push.force.y) + " " + shortest(push.force.z) + "\n";
   }
   return text;
 }

@@ -39,7 +39,8 @@ ForceFile read_force_file(const std::filesystem::path& path, const Framework& fr
 ForceFile parse_force_file(std::string_view text, std::string_view file_name,
                            const Framework& framework);
 
-/// The text that parse_force_file reads back to the same bits.
+/// The text that parse_force_file reads back to the same bits. Throws InputError if a joint has no
+/// name of its own and its index is the name of another one.
 std::string write_force_file(const ForceFile& forces, const Framework& framework);
 
 }  // namespace pliant

@@ -7,6 +7,7 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 
 namespace pliant {
 namespace {
@@ -78,8 +79,7 @@ constexpr PerturbationEntry table[] = {
 };
 
 void require(bool ok, const char* name, double value, const char* range) {
-  if (!ok)
-    throw OptionError(std::string(name) + " = " + std::to_string(value) + ": must be " + range);
+  if (!ok) throw OptionError(std::string(name) + " = " + number_text(value) + ": must be " + range);
 }
 
 }  // namespace

@@ -47,6 +47,7 @@ struct PerturbRequest {
 struct PerturbationEntry {
   std::string_view name;
   std::string_view summary;
+  /// Moves state.positions, with state.previous left as the positions before the push.
   Push (*push)(const PerturbRequest& request, State& state);
 };
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <cstdio>
 #include <vector>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/resolve/method.hpp"
 
 namespace pliant {
@@ -74,7 +74,7 @@ ResolveSummary Resolver::resolve(std::span<Vec3> positions, Joint root, std::int
 void check(const ResolveOptions& options) {
   const auto positive = [](const char* name, double value) {
     if (!(value > 0.0 && std::isfinite(value)))
-      throw OptionError(std::string(name) + " = " + std::to_string(value) +
+      throw OptionError(std::string(name) + " = " + number_text(value) +
                         ": must be positive and finite");
   };
   positive("tolerance", options.tolerance.relative);
@@ -87,10 +87,8 @@ std::string ResolveSummary::brief(const Framework& framework) const {
   std::string text = std::string(name(stop)) + ": " + std::to_string(sweeps) + " sweeps, " +
                      std::to_string(projections) + " projections";
   if (framework.bar_count() == 0) return text;
-  char number[32];
-  std::snprintf(number, sizeof number, "%.2g", max_residual);
   return text + ", worst bar " + framework.label(framework.bars()[worst_bar]) + " off by " +
-         number + " of its length";
+         number_text(max_residual, 2) + " of its length";
 }
 
 ResolveSummary resolve(const Framework& framework, const Technique& technique,

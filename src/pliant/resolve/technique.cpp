@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/resolve/blocks.hpp"
 #include "pliant/resolve/method.hpp"
@@ -36,8 +37,7 @@ const TechniqueEntry& find_technique(std::string_view name) {
 void check(const Technique& technique) {
   find_technique(technique.name);
   if (!(technique.weighting >= 0.0 && technique.weighting <= 1.0))
-    throw OptionError("weighting = " + std::to_string(technique.weighting) +
-                      ": must be from 0 to 1");
+    throw OptionError("weighting = " + number_text(technique.weighting) + ": must be from 0 to 1");
 }
 
 void check(const Technique& technique, const Framework& framework) {

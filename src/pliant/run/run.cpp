@@ -5,6 +5,7 @@
 #include <chrono>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/framework/check_positions.hpp"
 
 namespace pliant {
@@ -65,31 +66,34 @@ class Run {
     if (!start.within) {
       options_.log.warn("the start misses its rest lengths, worst bar " +
                         framework_.label(framework_.bars()[start.worst_bar]) + " by " +
-                        std::to_string(start.max_length) + " Angstrom: resolved first");
+                        number_text(start.max_length, 3) + " Angstrom: resolved first");
       resolved = resolve(0);
       state_.previous = state_.positions;
       note(resolved);
     }
+    if (resolved.stop == Stop::stopped_by_caller) stopping_ = summary_.stopped_by_caller = true;
     show(resolved, {});
   }
 
   void step(bool is_last) {
+    const double time_before = state_.time;
     const Push push = perturb();
     ++state_.step;
     state_.time += options_.perturb_options.timestep;
-    const ResolveSummary resolved =
-        resolve(push.root_joint == no_joint ? 0 : static_cast<Joint>(push.root_joint));
-    if (resolved.stop == Stop::stopped_by_caller) return undo_step();
+    const ResolveSummary resolved = resolve_push(push);
+    if (resolved.stop == Stop::stopped_by_caller) return undo_step(time_before);
     ++summary_.steps;
+    summary_.sweeps += resolved.sweeps;
+    summary_.max_sweeps = std::max(summary_.max_sweeps, resolved.sweeps);
     note(resolved);
     if (is_last || stopping_ || state_.step % options_.every == 0) show(resolved, push);
   }
 
   /// A step that was cut short leaves no half-resolved positions behind.
-  void undo_step() {
+  void undo_step(double time_before) {
     state_.positions = state_.previous;
     --state_.step;
-    state_.time -= options_.perturb_options.timestep;
+    state_.time = time_before;
     stopping_ = summary_.stopped_by_caller = true;
   }
 
@@ -102,15 +106,29 @@ class Run {
     return apply_forces(request, {&options_.replay[std::size_t(summary_.steps)], 1}, state_);
   }
 
+  /// A push so hard that a position or a length is no finite number is taken back.
+  ResolveSummary resolve_push(const Push& push) {
+    ResolveSummary resolved;
+    resolved.stop = Stop::not_finite;
+    resolved.sweeps = resolved.projections = 0;
+    if (std::all_of(state_.positions.begin(), state_.positions.end(), is_finite))
+      resolved = resolve(push.root_joint == no_joint ? 0 : static_cast<Joint>(push.root_joint));
+    if (resolved.stop != Stop::not_finite) return resolved;
+    state_.positions = state_.previous;
+    const ResidualSummary back = measure(framework_, state_.positions, options_.resolve.tolerance);
+    resolved.max_residual = back.max_relative;
+    resolved.rms_residual = back.rms_relative;
+    resolved.worst_bar = back.worst_bar;
+    return resolved;
+  }
+
   ResolveSummary resolve(Joint root) {
     const Stopwatch watch(summary_.resolve_seconds);
     return resolver_.resolve(state_.positions, root, state_.step);
   }
 
   void note(const ResolveSummary& resolved) {
-    summary_.sweeps += resolved.sweeps;
     summary_.projections += resolved.projections;
-    summary_.max_sweeps = std::max(summary_.max_sweeps, resolved.sweeps);
     if (!resolved.converged()) {
       if (summary_.unconverged_steps++ == 0) summary_.first_unconverged_step = state_.step;
     }
@@ -145,6 +163,30 @@ class Run {
 
 }  // namespace
 
+namespace {
+
+void check_replay(const Framework& framework, const RunOptions& options) {
+  for (const JointForce& push : options.replay) {
+    if (push.joint >= framework.joint_count())
+      throw OptionError("replay: joint " + std::to_string(push.joint) + " of " +
+                        std::to_string(framework.joint_count()) + " does not exist");
+    if (!is_finite(push.force))
+      throw OptionError("replay: the force on " + framework.label(push.joint) + " is not finite");
+  }
+}
+
+void check_previous(const Framework& framework, const State& state) {
+  if (state.previous.size() != framework.joint_count())
+    throw InputError("framework: " + std::to_string(framework.joint_count()) + " joints but " +
+                     std::to_string(state.previous.size()) + " previous positions");
+  for (std::size_t i = 0; i < state.previous.size(); ++i)
+    if (!is_finite(state.previous[i]))
+      throw InputError("previous position of " + framework.label(static_cast<Joint>(i)) +
+                       " is not finite");
+}
+
+}  // namespace
+
 void check(const RunOptions& options) {
   check(options.technique);
   check(options.resolve);
@@ -160,6 +202,8 @@ RunSummary run(const Framework& framework, State& state, const RunOptions& optio
                const std::vector<Observer>& observers) {
   check(options);
   check_positions(framework, state.positions, options.resolve.tolerance, options.log);
+  check_previous(framework, state);
+  check_replay(framework, options);
   if (framework.joint_count() == 0) throw InputError("nothing to run: no joints");
   return Run(framework, state, options, observers).all();
 }

@@ -39,8 +39,9 @@ struct RunSummary {
   std::int64_t steps = 0, frames = 0;
   std::int64_t unconverged_steps = 0;  ///< steps that did not end with Stop::converged
   std::int64_t first_unconverged_step = -1;
-  std::int64_t sweeps = 0, max_sweeps = 0, projections = 0;  ///< over all steps
-  double worst_residual = 0.0;  ///< largest |length - rest| / rest after any step
+  std::int64_t sweeps = 0, max_sweeps = 0;  ///< over all steps; a broken start's are not among them
+  std::int64_t projections = 0;             ///< over all resolves, as resolve_seconds
+  double worst_residual = 0.0;              ///< largest |length - rest| / rest after any step
   BarIndex worst_bar = 0;
   std::int64_t worst_step = 0;
   bool stopped_by_caller = false;
@@ -55,7 +56,7 @@ struct RunSummary {
 
 /// Steps `state` on. Step 0 (the start, resolved first if it is broken) is shown too; after that
 /// every `every`-th step and the last. A step that does not converge is shown and counted as such,
-/// and the run goes on.
+/// and the run goes on. Of a step with Stop::not_finite the push is taken back.
 /// Throws OptionError, InputError (positions that cannot carry the framework), and whatever an
 /// observer throws.
 RunSummary run(const Framework& framework, State& state, const RunOptions& options,

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: MIT
+// What every ordering promises, for every row of orderings() on every example.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "pliant/framework/examples.hpp"
+#include "pliant/order/check_ordering.hpp"
+#include "pliant/order/ordering.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace {
+
+class OrderLaw : public testing::TestWithParam<OrderingEntry> {};
+
+std::string name_of(const testing::TestParamInfo<OrderingEntry>& row) {
+  return std::string(row.param.name);
+}
+
+/// Calls `look(sweep, ordering)` for the first sweeps of a resolve.
+template <class Look>
+void each_sweep(const OrderingEntry& entry, const Framework& framework,
+                std::span<const Vec3> positions, Joint root, Look look) {
+  OrderScratch scratch;
+  Ordering before, now;
+  for (std::int64_t sweep = 0; sweep < 4; ++sweep) {
+    entry.order({framework, root, sweep, {.seed = 7}, positions, sweep > 0 ? &before : nullptr},
+                scratch, now);
+    look(sweep, now);
+    before.swap(now);
+  }
+}
+
+std::vector<Joint> roots_of(const Framework& framework) {
+  const std::size_t count = framework.joint_count();
+  if (count == 0) return {0};
+  return {0, static_cast<Joint>(count / 2), static_cast<Joint>(count - 1)};
+}
+
+/// Each bar once in each sweep; tree bars form a forest. Orderings that do not traverse call every
+/// bar a tree bar; those that do leave as many non-tree bars as there are independent cycles.
+TEST_P(OrderLaw, EachSweepVisitsEachBarOnce) {
+  for (const Example& example : examples()) {
+    SCOPED_TRACE(example.name);
+    const std::vector<Vec3> positions = test::shake(example.framework, example.positions, 0.1);
+    for (Joint root : roots_of(example.framework)) {
+      each_sweep(GetParam(), example.framework, positions, root, [&](auto, const Ordering& now) {
+        const auto is_tree = [](const OrderedBar& visit) { return visit.is_tree; };
+        const bool traverses = !std::all_of(now.begin(), now.end(), is_tree);
+        const OrderingPromise promise{.all_bars = !GetParam().forests_only,
+                                      .tree_bars = traverses || GetParam().forests_only};
+        EXPECT_EQ(check_ordering(example.framework, now, promise), "");
+        if (GetParam().forests_only) {
+          EXPECT_EQ(now.size(), example.framework.bar_count() - example.facts.cycles);
+        } else if (traverses) {
+          EXPECT_EQ(now.size() - std::size_t(std::count_if(now.begin(), now.end(), is_tree)),
+                    example.facts.cycles);
+        }
+      });
+    }
+  }
+}
+
+/// A tree bar is visited from a joint that the root's component already reached.
+TEST_P(OrderLaw, TheFirstTraversalGrowsFromTheRoot) {
+  for (const Example& example : examples()) {
+    if (example.facts.components != 1 || example.facts.cycles == 0) continue;
+    SCOPED_TRACE(example.name);
+    for (Joint root : roots_of(example.framework)) {
+      OrderScratch scratch;
+      Ordering now;
+      GetParam().order(
+          {.framework = example.framework, .root = root, .positions = example.positions}, scratch,
+          now);
+      const auto non_tree = std::count_if(now.begin(), now.end(),
+                                          [](const OrderedBar& visit) { return !visit.is_tree; });
+      if (non_tree == 0 && !GetParam().forests_only) continue;  // does not traverse
+      std::vector<bool> reached(example.framework.joint_count(), false);
+      reached[root] = true;
+      for (const OrderedBar& visit : now) {
+        const Bar bar = example.framework.bars()[visit.bar];
+        const Joint far = visit.near == bar.a ? bar.b : bar.a;
+        EXPECT_TRUE(reached[visit.near]);
+        EXPECT_EQ(reached[far], !visit.is_tree);
+        reached[far] = true;
+      }
+    }
+  }
+}
+
+/// The order in which the input names the two ends of a bar means nothing to a traversal.
+TEST_P(OrderLaw, SwappingBarEndsChangesOnlyWhatNamesTheFirstJoint) {
+  const bool starts_at_first_joint = GetParam().name == "random" || GetParam().name == "input";
+  for (const Example& example : examples()) {
+    SCOPED_TRACE(example.name);
+    const Framework swapped = test::with_swapped_ends(example.framework);
+    std::vector<Ordering> expected;
+    each_sweep(GetParam(), example.framework, example.positions, 0,
+               [&](auto, const Ordering& now) { expected.push_back(now); });
+    each_sweep(GetParam(), swapped, example.positions, 0, [&](auto sweep, const Ordering& now) {
+      ASSERT_EQ(now.size(), expected[std::size_t(sweep)].size());
+      for (std::size_t k = 0; k < now.size(); ++k) {
+        const OrderedBar was = expected[std::size_t(sweep)][k];
+        EXPECT_EQ(now[k].bar, was.bar);
+        EXPECT_EQ(now[k].is_tree, was.is_tree);
+        EXPECT_EQ(now[k].near == was.near, !starts_at_first_joint);
+      }
+    });
+  }
+}
+
+/// Draws depend on seed, walker, step and sweep alone, never on what was asked before.
+TEST_P(OrderLaw, SameRequestSameOrdering) {
+  for (const Example& example : examples()) {
+    SCOPED_TRACE(example.name);
+    std::vector<Ordering> first, second;
+    for (auto* orderings : {&first, &second})
+      each_sweep(GetParam(), example.framework, example.positions, 0,
+                 [&](auto, const Ordering& now) { orderings->push_back(now); });
+    for (std::size_t sweep = 0; sweep < first.size(); ++sweep)
+      EXPECT_TRUE(std::equal(first[sweep].begin(), first[sweep].end(), second[sweep].begin(),
+                             second[sweep].end(), [](const OrderedBar& a, const OrderedBar& b) {
+                               return a.bar == b.bar && a.near == b.near && a.is_tree == b.is_tree;
+                             }));
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, OrderLaw, testing::ValuesIn(orderings().begin(), orderings().end()),
+                         name_of);
+
+}  // namespace
+}  // namespace pliant

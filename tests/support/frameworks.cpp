@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+#include "support/frameworks.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstring>
+#include <utility>
+
+namespace pliant::test {
+
+FrameworkParts parts_of(const Framework& framework) {
+  FrameworkParts parts;
+  parts.joint_count = framework.joint_count();
+  parts.bars.assign(framework.bars().begin(), framework.bars().end());
+  parts.rest_lengths.assign(framework.rest_lengths().begin(), framework.rest_lengths().end());
+  for (std::size_t i = 0; i < framework.joint_count(); ++i) {
+    const auto joint = static_cast<Joint>(i);
+    if (framework.is_pinned(joint)) parts.pinned.push_back(joint);
+    parts.masses.push_back(framework.is_pinned(joint) ? 1.0 : 1.0 / framework.inverse_masses()[i]);
+  }
+  return parts;
+}
+
+Framework with_masses(const Framework& framework) {
+  constexpr double masses[] = {12, 1, 16, 14, 1.008, 4};
+  FrameworkParts parts = parts_of(framework);
+  for (std::size_t i = 0; i < parts.masses.size(); ++i) parts.masses[i] = masses[i % 6];
+  return Framework(std::move(parts));
+}
+
+Framework with_pinned(const Framework& framework, std::vector<Joint> pinned) {
+  FrameworkParts parts = parts_of(framework);
+  parts.pinned = std::move(pinned);
+  return Framework(std::move(parts));
+}
+
+Framework with_swapped_ends(const Framework& framework) {
+  FrameworkParts parts = parts_of(framework);
+  for (Bar& bar : parts.bars) std::swap(bar.a, bar.b);
+  return Framework(std::move(parts));
+}
+
+double shortest_bar(const Framework& framework) {
+  const auto rests = framework.rest_lengths();
+  return rests.empty() ? 1.0 : *std::min_element(rests.begin(), rests.end());
+}
+
+std::vector<Vec3> shake(const Framework& framework, std::span<const Vec3> positions, double size,
+                        std::uint64_t seed) {
+  std::vector<Vec3> shaken(positions.begin(), positions.end());
+  for (std::size_t i = 0; i < shaken.size(); ++i)
+    if (!framework.is_pinned(static_cast<Joint>(i)))
+      shaken[i] += size * RandomSequence({seed, Domain::generate, 0, 0, i}).direction();
+  return shaken;
+}
+
+std::vector<Vec3> moved_rigidly(std::span<const Vec3> positions) {
+  // A rational rotation: the quaternion (1, 2, 3, 4) / sqrt(30).
+  constexpr Vec3 rows[] = {{-20. / 30., 4. / 30., 22. / 30.},
+                           {20. / 30., -10. / 30., 20. / 30.},
+                           {10. / 30., 28. / 30., 4. / 30.}};
+  std::vector<Vec3> moved;
+  for (Vec3 x : positions)
+    moved.push_back(Vec3{dot(rows[0], x), dot(rows[1], x), dot(rows[2], x)} + Vec3{3, -2, 1});
+  return moved;
+}
+
+double largest_difference(std::span<const Vec3> a, std::span<const Vec3> b) {
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, distance(a[i], b[i]));
+  return largest;
+}
+
+double extent(std::span<const Vec3> positions) {
+  double largest = 1.0;
+  for (Vec3 x : positions)
+    largest = std::max({largest, std::abs(x.x), std::abs(x.y), std::abs(x.z)});
+  return largest;
+}
+
+Vec3 centre_of_mass(const Framework& framework, std::span<const Vec3> positions) {
+  Vec3 sum;
+  double mass = 0.0;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    sum += positions[i] * (1.0 / framework.inverse_masses()[i]);
+    mass += 1.0 / framework.inverse_masses()[i];
+  }
+  return sum * (1.0 / mass);
+}
+
+bool all_finite(std::span<const Vec3> positions) {
+  return std::all_of(positions.begin(), positions.end(), is_finite);
+}
+
+bool same_bits(std::span<const Vec3> a, std::span<const Vec3> b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
+}
+
+std::uint64_t hash_of(std::span<const Vec3> positions, std::uint64_t hash) {
+  for (Vec3 x : positions) {
+    for (double coordinate : {x.x, x.y, x.z}) {
+      auto bits = std::bit_cast<std::uint64_t>(coordinate);
+      for (int byte = 0; byte < 8; ++byte, bits >>= 8)
+        hash = (hash ^ (bits & 0xff)) * 0x100000001b3u;
+    }
+  }
+  return hash;
+}
+
+namespace {
+
+std::size_t rank_of(const Eigen::MatrixXd& matrix) {
+  if (matrix.size() == 0) return 0;
+  const Eigen::VectorXd singular = Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues();
+  return static_cast<std::size_t>((singular.array() > 1e-9).count());
+}
+
+}  // namespace
+
+std::size_t rigidity_rank(const Framework& framework, std::span<const Vec3> positions) {
+  const auto bars = framework.bars();
+  Eigen::MatrixXd matrix =
+      Eigen::MatrixXd::Zero(Eigen::Index(bars.size()), Eigen::Index(3 * positions.size()));
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    const Vec3 along = positions[bars[k].b] - positions[bars[k].a];
+    const Eigen::RowVector3d unit = Eigen::RowVector3d(along.x, along.y, along.z) / norm(along);
+    matrix.block<1, 3>(Eigen::Index(k), 3 * Eigen::Index(bars[k].a)) = -unit;
+    matrix.block<1, 3>(Eigen::Index(k), 3 * Eigen::Index(bars[k].b)) = unit;
+  }
+  return rank_of(matrix);
+}
+
+std::size_t rigid_motions(std::span<const Vec3> positions) {
+  Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(6, Eigen::Index(3 * positions.size()));
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec3 x = positions[i];
+    const auto at = 3 * Eigen::Index(i);
+    motions.block<3, 3>(0, at).setIdentity();
+    motions.block<3, 3>(3, at) << 0, -x.z, x.y, x.z, 0, -x.x, -x.y, x.x, 0;
+  }
+  return rank_of(motions);
+}
+
+}  // namespace pliant::test
