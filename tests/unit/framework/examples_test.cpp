@@ -52,13 +52,16 @@ TEST(Examples, RankAndRigidMotionsAreAsKnown) {
   for (const Example& example : examples()) {
     SCOPED_TRACE(example.name);
     const auto& facts = example.facts;
-    if (facts.rank)
+    if (facts.rank) {
       EXPECT_EQ(test::rigidity_rank(example.framework, example.positions), *facts.rank);
-    if (facts.rigid_motions)
+    }
+    if (facts.rigid_motions) {
       EXPECT_EQ(test::rigid_motions(example.positions), *facts.rigid_motions);
+    }
     // Independent bars: the configuration space is smooth there, and counting is exact.
-    if (facts.rank == example.framework.bar_count() && facts.flexes && facts.rigid_motions == 6)
+    if (facts.rank == example.framework.bar_count() && facts.flexes && facts.rigid_motions == 6) {
       EXPECT_EQ(*facts.flexes, 3 * example.framework.joint_count() - *facts.rank - 6);
+    }
   }
 }
 
