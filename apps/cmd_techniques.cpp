@@ -6,8 +6,8 @@
 
 #include "command.hpp"
 #include "options.hpp"
-#include "pliant/resolve/technique.hpp"
 #include "pliant/perturb/perturbation.hpp"
+#include "pliant/resolve/technique.hpp"
 
 namespace pliant::app {
 namespace {

@@ -5,8 +5,7 @@
 #include <cmath>
 
 #ifdef __FAST_MATH__
-#error "compile without -ffast-math: results must be the same bits on every build, and not finite \
-numbers must be seen"
+#error "compile without -ffast-math: it hides not-finite numbers and changes results"
 #endif
 
 namespace pliant {

@@ -39,8 +39,8 @@ struct Structure {
   std::string source;  ///< name of the file it was read from
   std::string format;  ///< "pdb", "mmcif", "xyz", "sdf"
   AtomTable atoms;
-  std::vector<Vec3> positions;  ///< (N) Angstrom
-  std::vector<Bond> bonds;      ///< sorted by (a, b), each pair once
+  std::vector<Vec3> positions;       ///< (N) Angstrom
+  std::vector<Bond> bonds;           ///< sorted by (a, b), each pair once
   std::vector<std::int8_t> charges;  ///< (N) formal charges that the file gives; empty: none
   std::vector<bool> chain_end;  ///< (R) the chain ends after this residue (TER); empty: not known
   std::size_t model = 1;        ///< which model or frame this is, from 1

@@ -17,8 +17,9 @@ TEST(ParseReal, TakesWholeFiniteDecimalFields) {
 }
 
 TEST(ParseReal, RefusesEverythingElse) {
-  for (const char* text : {"", " ", "nan", "-nan", "inf", "-inf", "1,5", "1.4x8", "0x10", "1e400",
-                           "********", "+-1", "++1", "--1", "1 2", ".", "-", "+", "1e", "1.0D"})
+  for (const char* text :
+       {"",         " ",   "nan", "-nan", "inf", "-inf", "1,5", "1.4x8", "0x10", "1e400",
+        "********", "+-1", "++1", "--1",  "1 2", ".",    "-",   "+",     "1e",   "1.0D"})
     EXPECT_EQ(parse_real(text), std::nullopt) << text;
 }
 

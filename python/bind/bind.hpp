@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// The parts of the extension module: one function for each folder of the library.
+#pragma once
+
+#include <nanobind/nanobind.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
+
+namespace pliant::python {
+
+namespace nb = nanobind;
+using namespace nb::literals;
+
+void bind_base(nb::module_& module);
+void bind_framework(nb::module_& module);
+void bind_order(nb::module_& module);
+void bind_resolve(nb::module_& module);
+void bind_perturb(nb::module_& module);
+void bind_run(nb::module_& module);
+
+}  // namespace pliant::python

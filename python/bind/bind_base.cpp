@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Errors, warnings and notes.
+#include "bind.hpp"
+#include "messages.hpp"
+#include "pliant/base/error.hpp"
+
+namespace pliant::python {
+namespace {
+
+constexpr const char* warning_doc =
+    "A guess was made or something was left out; see the warnings module for what to do with it.";
+
+nb::object& warning_class() {
+  // Kept for the life of the process, as the classes of exceptions are: no order of destruction.
+  static auto* kept = new nb::object;
+  return *kept;
+}
+
+void describe(nb::handle type, const char* text) { type.attr("__doc__") = text; }
+
+void warn(std::string_view text, int stacklevel) {
+  const std::string copy(text);
+  if (PyErr_WarnEx(warning_class().ptr(), copy.c_str(), stacklevel) != 0) throw nb::python_error();
+}
+
+void note(std::string_view text) {
+  nb::module_::import_("logging").attr("getLogger")("pliant").attr("info")(
+      "%s", nb::str(text.data(), text.size()));
+}
+
+}  // namespace
+
+Log python_log(int stacklevel) {
+  return {[stacklevel](Severity severity, std::string_view text) {
+    const nb::gil_scoped_acquire gil;
+    if (severity == Severity::warning) {
+      warn(text, stacklevel);
+    } else {
+      note(text);
+    }
+  }};
+}
+
+void bind_base(nb::module_& module) {
+  const nb::exception<Error> error(module, "Error");
+  describe(error, "Anything that Pliant raises by itself.");
+  const nb::handle value_error(PyExc_ValueError), os_error(PyExc_OSError);
+  const nb::exception<InputError> input(module, "InputError", nb::make_tuple(error, value_error));
+  describe(input,
+           "The input is wrong: the message names file, line and field, what was expected and "
+           "found.");
+  const nb::exception<OptionError> option(module, "OptionError",
+                                          nb::make_tuple(error, value_error));
+  describe(option, "An option is out of its range or names no known choice.");
+  const nb::exception<FileError> file(module, "FileError", nb::make_tuple(error, os_error));
+  describe(file,
+           "A file could not be opened, read or written; the message ends with the system's "
+           "reason.");
+  warning_class() = nb::steal(PyErr_NewExceptionWithDoc("pliant._core.PliantWarning", warning_doc,
+                                                        PyExc_UserWarning, nullptr));
+  module.attr("PliantWarning") = warning_class();
+}
+
+}  // namespace pliant::python

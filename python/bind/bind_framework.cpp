@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+// Framework, State, graph facts and residuals.
+#include "arrays.hpp"
+#include "checks.hpp"
+#include "frame.hpp"
+#include "options.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/framework/graph.hpp"
+#include "pliant/framework/residual.hpp"
+
+namespace pliant::python {
+namespace {
+
+using OptionalArray = std::optional<ArrayLike>;
+
+std::shared_ptr<const AtomTable> table_of_names(std::vector<std::string> names) {
+  auto atoms = std::make_shared<AtomTable>();
+  atoms->names = std::move(names);
+  atoms->elements.assign(atoms->size(), 0);
+  atoms->residue_of.assign(atoms->size(), 0);
+  atoms->residues.push_back({"UNK", 1, ' ', ""});
+  for (std::size_t i = 0; i < atoms->size(); ++i)
+    atoms->serials.push_back(static_cast<std::int64_t>(i));
+  return atoms;
+}
+
+std::vector<double> lengths_at(const std::vector<Vec3>& positions, const std::vector<Bar>& bars) {
+  std::vector<double> lengths;
+  for (const Bar& bar : bars) lengths.push_back(distance(positions[bar.a], positions[bar.b]));
+  return lengths;
+}
+
+std::size_t count_joints(const ArrayLike& bars, std::optional<std::int64_t> joint_count,
+                         const std::optional<std::vector<Vec3>>& positions) {
+  if (joint_count && *joint_count < 0)
+    throw InputError("joint_count = " + std::to_string(*joint_count) + ": must be from 0");
+  if (joint_count && positions && static_cast<std::uint64_t>(*joint_count) != positions->size())
+    throw InputError("positions: " + std::to_string(positions->size()) + " for " +
+                     std::to_string(*joint_count) + " joints");
+  if (joint_count) return static_cast<std::size_t>(*joint_count);
+  return positions ? positions->size() : joints_named_in(bars, "bars");
+}
+
+void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray& rest_lengths,
+                    std::optional<std::int64_t> joint_count, const OptionalArray& positions,
+                    const OptionalArray& masses, const OptionalArray& pinned,
+                    std::optional<std::vector<std::string>> names) {
+  std::optional<std::vector<Vec3>> start;
+  if (positions) start = positions_from(*positions);
+  FrameworkParts parts;
+  parts.joint_count = count_joints(bars, joint_count, start);
+  parts.bars = pairs_from(bars, "bars", parts.joint_count);
+  if (rest_lengths) {
+    parts.rest_lengths = reals_from(*rest_lengths, "rest_lengths");
+  } else if (start) {
+    parts.rest_lengths = lengths_at(*start, parts.bars);
+  } else {
+    throw nb::type_error("Framework: either rest_lengths or positions must be given");
+  }
+  if (masses) parts.masses = reals_from(*masses, "masses");
+  if (pinned) parts.pinned = joints_from(*pinned, "pinned", parts.joint_count);
+  if (names) parts.atoms = table_of_names(std::move(*names));
+  const nb::gil_scoped_release no_gil;
+  new (self) Framework(std::move(parts));
+}
+
+Array2<const std::uint32_t> bars_view(nb::handle_t<Framework> self) {
+  static_assert(sizeof(Bar) == 2 * sizeof(std::uint32_t));
+  const auto bars = nb::cast<const Framework&>(self).bars();
+  return Array2<const std::uint32_t>(reinterpret_cast<const std::uint32_t*>(bars.data()),
+                                     {bars.size(), 2}, self);
+}
+
+std::vector<Joint> pinned_joints(const Framework& framework) {
+  std::vector<Joint> pinned;
+  for (std::size_t i = 0; i < framework.joint_count(); ++i)
+    if (framework.is_pinned(static_cast<Joint>(i))) pinned.push_back(static_cast<Joint>(i));
+  return pinned;
+}
+
+std::string count_of(std::size_t count, const char* noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+std::string framework_repr(const Framework& framework) {
+  std::string text = "<pliant.Framework: " + count_of(framework.joint_count(), "joint") + ", " +
+                     count_of(framework.bar_count(), "bar");
+  if (framework.has_pinned_joints())
+    text += ", " + std::to_string(framework.pinned_count()) + " pinned";
+  return text + ">";
+}
+
+void bind_graph_facts(nb::module_& module) {
+  nb::class_<GraphFacts>(module, "GraphFacts", "What is known of the graph under a framework.")
+      .def_ro("joints", &GraphFacts::joints, "Number of joints.")
+      .def_ro("bars", &GraphFacts::bars, "Number of bars.")
+      .def_ro("components", &GraphFacts::components, "Number of connected components.")
+      .def_ro("cycles", &GraphFacts::cycles,
+              "Number of independent cycles: bars - joints + components.")
+      .def_ro("bridges", &GraphFacts::bridges, "Number of bars that are on no cycle.")
+      .def_ro("blocks", &GraphFacts::blocks,
+              "Number of blocks of two or more bars: rings and ring systems.")
+      .def_ro("largest_block", &GraphFacts::largest_block, "Bars in the largest of them.")
+      .def_ro("bars_in_blocks", &GraphFacts::bars_in_blocks, "Number of bars on some cycle.")
+      .def_prop_ro("is_forest", &GraphFacts::is_forest, "True if there is no cycle.")
+      .def("__repr__", [](const GraphFacts& facts) {
+        return "<pliant.GraphFacts: " + count_of(facts.joints, "joint") + ", " +
+               count_of(facts.bars, "bar") + ", " + count_of(facts.components, "component") + ", " +
+               count_of(facts.cycles, "cycle") + ", " + count_of(facts.bridges, "bridge") + ", " +
+               count_of(facts.blocks, "block") + ">";
+      });
+}
+
+constexpr const char* framework_doc = R"(Joints joined by bars of fixed rest length; never changes.
+
+Parameters
+----------
+bars : (B, 2) integers
+    The two joints of each bar, from 0.
+rest_lengths : (B,) Angstrom, optional
+    Default: the distances at ``positions``.
+joint_count : int, optional
+    Default: the number of ``positions``, else one more than the largest joint in ``bars``.
+positions : (N, 3) Angstrom, optional
+    Only looked at for ``joint_count`` and ``rest_lengths``; not kept.
+masses : (N,) u, optional
+    Default: 1 each.
+pinned : joints or (N,) truth values, optional
+    Joints that never move.
+names : N strings, optional
+    What messages call the joints.
+
+Raises
+------
+InputError
+    A bar joins a joint to itself, names an unknown joint, has a length out of range (1e-150 to
+    1e150), or is given twice with different lengths; shapes do not fit. Equal duplicates are merged.
+TypeError
+    An argument is no array of numbers (of integers, for ``bars``).
+)";
+
+void bind_framework_graph(nb::class_<Framework>& framework) {
+  framework
+      .def("graph_facts", &graph_facts, nb::call_guard<nb::gil_scoped_release>(),
+           "Counts of components, independent cycles, bridges and blocks; linear in time.")
+      .def(
+          "components",
+          [](const Framework& self) { return array_of(find_components(self).of_joint); },
+          "(N,) uint32: the connected component of each joint, numbered by their lowest joint.")
+      .def(
+          "blocks", [](const Framework& self) { return array_of(find_blocks(self).of_bar); },
+          "(B,) uint32: the block (biconnected component) of each bar; a bridge is one alone.\n\n"
+          "Hopcroft and Tarjan, Commun. ACM 16 (1973) 372.")
+      .def(
+          "bridges", [](const Framework& self) { return mask_of(find_blocks(self).is_bridge); },
+          "(B,) bool: whether each bar is a bridge, that is on no cycle.");
+}
+
+void bind_framework_class(nb::module_& module) {
+  nb::class_<Framework> framework(module, "Framework", framework_doc);
+  framework
+      .def("__init__", &make_framework, "bars"_a, "rest_lengths"_a = nb::none(),
+           "joint_count"_a = nb::none(), nb::kw_only(), "positions"_a = nb::none(),
+           "masses"_a = nb::none(), "pinned"_a = nb::none(), "names"_a = nb::none())
+      .def_prop_ro("joint_count", &Framework::joint_count, "Number N of joints.")
+      .def_prop_ro("bar_count", &Framework::bar_count, "Number B of bars.")
+      .def_prop_ro("bars", &bars_view, "(B, 2) uint32, read-only view: the joints of each bar.")
+      .def_prop_ro(
+          "rest_lengths",
+          [](nb::handle_t<Framework> self) {
+            return const_view_of(nb::cast<const Framework&>(self).rest_lengths(), self);
+          },
+          "(B,) float64, read-only view: rest lengths in Angstrom.")
+      .def_prop_ro(
+          "inverse_masses",
+          [](nb::handle_t<Framework> self) {
+            return const_view_of(nb::cast<const Framework&>(self).inverse_masses(), self);
+          },
+          "(N,) float64, read-only view: 1/u, 0 for a pinned joint.")
+      .def_prop_ro(
+          "pinned", [](const Framework& self) { return array_of(pinned_joints(self)); },
+          nb::rv_policy::reference, "uint32 indices of the joints that never move, ascending.")
+      .def_prop_ro("merged_bar_count", &Framework::merged_bar_count,
+                   "How many bars were given twice and merged.")
+      .def(
+          "label",
+          [](const Framework& self, std::int64_t joint) {
+            return self.label(joint_at(self, joint));
+          },
+          "joint"_a, "What messages call a joint: \"A:LYS12:CA\", or \"joint 7\".")
+      .def(
+          "bar_label",
+          [](const Framework& self, std::int64_t bar) { return self.label(bar_at(self, bar)); },
+          "bar"_a, "What messages call a bar: \"CA - CB\".")
+      .def("__repr__", &framework_repr);
+  bind_framework_graph(framework);
+}
+
+void set_positions(std::vector<Vec3>& to, const ArrayLike& values) {
+  const std::vector<Vec3> from = positions_from(values, to.size());
+  std::copy(from.begin(), from.end(), to.begin());  // in place: views stay views
+}
+
+void bind_state(nb::module_& module) {
+  nb::class_<State>(module, "State",
+                    "What changes during a run: positions, and those of one step earlier.\n\n"
+                    "Both arrays are writeable views of the memory that runs work on. While a run\n"
+                    "goes on in another thread their contents change; their number never does.")
+      .def(
+          "__init__",
+          [](State* self, const ArrayLike& positions) {
+            new (self) State(positions_from(positions));
+          },
+          "positions"_a, "At rest at a copy of ``positions``, (N, 3) Angstrom.")
+      .def_prop_rw(
+          "positions",
+          [](nb::handle_t<State> self) { return view_of(nb::cast<State&>(self).positions, self); },
+          [](State& self, const ArrayLike& values) { set_positions(self.positions, values); },
+          "(N, 3) float64 view, Angstrom. Assigning copies into the same memory.")
+      .def_prop_rw(
+          "previous",
+          [](nb::handle_t<State> self) { return view_of(nb::cast<State&>(self).previous, self); },
+          [](State& self, const ArrayLike& values) { set_positions(self.previous, values); },
+          "(N, 3) float64 view, Angstrom: positions one step earlier, for Verlet.")
+      .def_rw("step", &State::step, "Steps done.")
+      .def_rw("time", &State::time, "ps.")
+      .def("__repr__", [](const State& self) {
+        return "<pliant.State: " + count_of(self.positions.size(), "joint") + ", step " +
+               std::to_string(self.step) + ">";
+      });
+}
+
+void bind_residuals(nb::module_& module) {
+  nb::class_<ResidualSummary>(module, "ResidualSummary",
+                              "How far a framework is from its rest lengths.")
+      .def_ro("max_relative", &ResidualSummary::max_relative, "Largest |length - rest| / rest.")
+      .def_ro("rms_relative", &ResidualSummary::rms_relative, "Root of the mean of its square.")
+      .def_ro("max_length", &ResidualSummary::max_length, "Largest |length - rest| in Angstrom.")
+      .def_ro("worst_bar", &ResidualSummary::worst_bar, "The bar of max_relative.")
+      .def_ro("within", &ResidualSummary::within, "Every bar is within the tolerance.")
+      .def_ro("finite", &ResidualSummary::finite, "Every length is a finite number.");
+  module.def(
+      "measure",
+      [](const Framework& framework, const ArrayLike& positions, double tolerance,
+         std::optional<double> tolerance_length) {
+        const std::vector<Vec3> points = positions_from(positions, framework.joint_count());
+        const Tolerance within = tolerance_from(tolerance, tolerance_length);
+        const nb::gil_scoped_release no_gil;
+        return measure(framework, points, within);
+      },
+      "framework"_a, "positions"_a, nb::kw_only(), "tolerance"_a = Tolerance{}.relative,
+      "tolerance_length"_a = nb::none(),
+      "Measures all bars at ``positions``, (N, 3) Angstrom, which need not be finite.");
+  module.def(
+      "residuals",
+      [](const Framework& framework, const ArrayLike& positions) {
+        const std::vector<Vec3> points = positions_from(positions, framework.joint_count());
+        std::vector<double> residuals;
+        for (std::size_t k = 0; k < framework.bar_count(); ++k) {
+          const Bar bar = framework.bars()[k];
+          residuals.push_back(residual(points[bar.a], points[bar.b], framework.rest_lengths()[k]));
+        }
+        return array_of(std::move(residuals));
+      },
+      "framework"_a, "positions"_a,
+      "(B,) float64: length - rest of each bar at ``positions``, (N, 3); both in Angstrom.");
+}
+
+}  // namespace
+
+void bind_framework(nb::module_& module) {
+  bind_graph_facts(module);
+  bind_framework_class(module);
+  bind_state(module);
+  bind_residuals(module);
+  bind_frame(module);
+}
+
+}  // namespace pliant::python

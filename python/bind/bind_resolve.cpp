@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// Resolving: techniques, resolve() in place on numpy memory, Resolver for repeated calls.
+#include <mutex>
+
+#include "arrays.hpp"
+#include "checks.hpp"
+#include "interrupt.hpp"
+#include "options.hpp"
+#include "tables.hpp"
+
+namespace pliant::python {
+namespace {
+
+/// A Resolver that several Python threads may share: one after another.
+class SharedResolver {
+ public:
+  SharedResolver(const Framework& framework, const ResolveArguments& arguments)
+      : framework_(framework), resolver_(framework, arguments.chosen(), options_of(arguments)) {}
+
+  /// Needs the GIL, which it gives up while it works.
+  ResolveSummary resolve(const PositionsInPlace& positions, std::int64_t root, std::int64_t step) {
+    const PositionsLease lease(positions);
+    const Joint root_joint = root_at(framework_, root);
+    ResolveSummary summary;
+    std::exception_ptr raised;
+    {
+      const nb::gil_scoped_release no_gil;
+      const std::lock_guard one_at_a_time(mutex_);
+      watch_ = InterruptWatch();
+      summary = resolver_.resolve(lease.span(), root_joint, step);
+      raised = watch_.raised();
+    }
+    if (raised) std::rethrow_exception(raised);
+    return summary;
+  }
+
+ private:
+  ResolveOptions options_of(const ResolveArguments& arguments) {
+    ResolveOptions options = arguments.options();
+    options.should_stop = [this] { return watch_(); };
+    return options;
+  }
+
+  const Framework& framework_;
+  InterruptWatch watch_;
+  std::mutex mutex_;
+  Resolver resolver_;
+};
+
+ResolveSummary resolve_once(const Framework& framework, const PositionsInPlace& positions,
+                            const std::string& technique, double weighting, bool mass_weighted,
+                            double tolerance, std::optional<double> tolerance_length,
+                            std::int64_t max_sweeps, std::uint64_t seed, std::uint64_t walker,
+                            std::int64_t root, std::int64_t step) {
+  SharedResolver resolver(framework, {technique, weighting, mass_weighted, tolerance,
+                                      tolerance_length, max_sweeps, seed, walker});
+  return resolver.resolve(positions, root, step);
+}
+
+void make_resolver(SharedResolver* self, const Framework& framework, const std::string& technique,
+                   double weighting, bool mass_weighted, double tolerance,
+                   std::optional<double> tolerance_length, std::int64_t max_sweeps,
+                   std::uint64_t seed, std::uint64_t walker) {
+  new (self) SharedResolver(framework, {technique, weighting, mass_weighted, tolerance,
+                                        tolerance_length, max_sweeps, seed, walker});
+}
+
+constexpr const char* resolve_doc =
+    R"(Moves ``positions`` in place until every bar has its rest length within the tolerance.
+
+Nonlinear Gauss-Seidel (SHAKE-like): sweeps of one-bar projections in the sequence of an ordering
+(Jakobsen, "Advanced character physics", GDC 2001; thesis "Motion Simulation of Geometric Constraint
+Structures"), or a direct method. Not converging is an outcome: look at ``stop`` or ``converged`` of
+what is returned. Other Python threads run meanwhile; Ctrl-C ends the call after a sweep.
+
+Parameters
+----------
+framework : Framework
+positions : (N, 3) float64, Angstrom
+    C-contiguous and writeable; this very memory is changed. If a length stops being finite it is
+    put back as it was.
+technique : str
+    A name in ``techniques()``.
+weighting : float
+    Share of a correction that the far joint of a tree bar takes, 0 to 1; the near joint takes the
+    rest. Bars that close a cycle are shared half and half.
+mass_weighted : bool
+    Multiply shares by inverse masses.
+tolerance : float
+    Largest |length - rest| / rest of a whole bar.
+tolerance_length : float, optional
+    Largest |length - rest| in Angstrom, in place of ``tolerance``.
+max_sweeps : int
+    Give up after so many.
+seed, walker, step : int
+    What random orderings and the parting of coincident joints depend on.
+root : int
+    The joint where the ordering begins.
+
+Raises
+------
+TypeError
+    ``positions`` is no such array.
+OptionError
+    An option is out of range, or the technique leaves bars of this framework out.
+IndexError
+    ``root`` is no joint.
+)";
+
+void bind_summary(nb::module_& module) {
+  nb::class_<ResolveSummary>(module, "ResolveSummary", "What a resolve did.")
+      .def_ro("stop", &ResolveSummary::stop, "Why it ended.")
+      .def_prop_ro("converged", &ResolveSummary::converged, "Every bar is within the tolerance.")
+      .def_ro("sweeps", &ResolveSummary::sweeps, "Passes over the ordering in one direction.")
+      .def_ro("projections", &ResolveSummary::projections,
+              "Bars looked at, summed over the sweeps.")
+      .def_ro("max_residual", &ResolveSummary::max_residual,
+              "Largest |length - rest| / rest at the end.")
+      .def_ro("rms_residual", &ResolveSummary::rms_residual, "Its root mean square at the end.")
+      .def_ro("worst_bar", &ResolveSummary::worst_bar, "The bar of max_residual.")
+      .def_ro("seconds", &ResolveSummary::seconds, "Wall time.")
+      .def("brief", &ResolveSummary::brief, "framework"_a, "The summary as one line of text.")
+      .def("__repr__", [](const ResolveSummary& self) {
+        return "<pliant.ResolveSummary: " + std::string(name(self.stop)) + ", " +
+               std::to_string(self.sweeps) + " sweeps>";
+      });
+}
+
+void bind_techniques(nb::module_& module) {
+  bind_row<TechniqueEntry>(module, "TechniqueEntry",
+                           "One row of the table of techniques: every ordering is one.")
+      .def_ro("forests_only", &TechniqueEntry::forests_only,
+              "Leaves bars out that close a cycle, so that only forests are resolved by it.")
+      .def_ro("has_weighting", &TechniqueEntry::has_weighting, "``weighting`` means something.");
+  module.def(
+      "techniques", [] { return rows_of(techniques()); }, nb::rv_policy::reference,
+      "The table of techniques: orderings and direct methods.");
+}
+
+void bind_resolver(nb::module_& module) {
+  const Technique technique;
+  const ResolveOptions options;
+  nb::class_<SharedResolver>(module, "Resolver",
+                             "Resolves again and again with one technique on one framework.\n\n"
+                             "Keeps its plan and memory between calls. Threads that share one wait "
+                             "for each other. Parameters are those of ``resolve``.")
+      .def("__init__", &make_resolver, nb::keep_alive<1, 2>(), "framework"_a,
+           "technique"_a = technique.name, "weighting"_a = technique.weighting, nb::kw_only(),
+           "mass_weighted"_a = technique.mass_weighted, "tolerance"_a = options.tolerance.relative,
+           "tolerance_length"_a = nb::none(), "max_sweeps"_a = options.max_sweeps,
+           "seed"_a = options.seed, "walker"_a = options.walker)
+      .def("resolve", &SharedResolver::resolve, "positions"_a, "root"_a = 0, nb::kw_only(),
+           "step"_a = 0, "Moves ``positions`` in place, as the function ``resolve`` does.");
+  module.def("resolve", &resolve_once, "framework"_a, "positions"_a, "technique"_a = technique.name,
+             "weighting"_a = technique.weighting, nb::kw_only(),
+             "mass_weighted"_a = technique.mass_weighted,
+             "tolerance"_a = options.tolerance.relative, "tolerance_length"_a = nb::none(),
+             "max_sweeps"_a = options.max_sweeps, "seed"_a = options.seed,
+             "walker"_a = options.walker, "root"_a = 0, "step"_a = 0, resolve_doc);
+}
+
+}  // namespace
+
+void bind_resolve(nb::module_& module) {
+  bind_summary(module);
+  bind_techniques(module);
+  bind_resolver(module);
+}
+
+}  // namespace pliant::python

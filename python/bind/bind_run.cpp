@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+// The run: its options, its summary, and the loop with Python observers.
+#include "pliant/run/run.hpp"
+
+#include "arrays.hpp"
+#include "frame.hpp"
+#include "interrupt.hpp"
+#include "messages.hpp"
+#include "options.hpp"
+
+namespace pliant::python {
+namespace {
+
+/// An observer that calls a Python object with a frame of `state`; any true answer stops the run.
+Observer python_observer(nb::handle callable, nb::handle state) {
+  return [callable, state](const Frame& frame) {
+    const nb::gil_scoped_acquire gil;
+    const nb::object answer = callable(OwnedFrame{frame, nb::borrow(state)});
+    if (answer.is_none()) return false;
+    const int truth = PyObject_IsTrue(answer.ptr());
+    if (truth < 0) throw nb::python_error();
+    return truth == 1;
+  };
+}
+
+RunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunOptions options,
+                     const std::vector<nb::object>& observers, int stacklevel) {
+  InterruptWatch watch;
+  options.log = python_log(stacklevel);
+  options.resolve.should_stop = [&watch] { return watch(); };
+  std::vector<Observer> all;
+  for (const nb::object& observer : observers) all.push_back(python_observer(observer, state));
+  all.push_back([&watch](const Frame&) { return watch(); });
+  RunSummary summary;
+  {
+    State& moved = nb::cast<State&>(state);
+    const nb::gil_scoped_release no_gil;
+    summary = run(framework, moved, options, all);
+  }
+  if (watch.raised()) std::rethrow_exception(watch.raised());
+  return summary;
+}
+
+/// An attribute of RunOptions that lies deeper in the library's struct.
+template <auto Outer, auto Inner>
+void def_nested(nb::class_<RunOptions>& options, const char* name, const char* doc) {
+  using Value = std::remove_cvref_t<decltype((std::declval<RunOptions&>().*Outer).*Inner)>;
+  options.def_prop_rw(
+      name, [](const RunOptions& self) { return (self.*Outer).*Inner; },
+      [](RunOptions& self, Value value) { (self.*Outer).*Inner = std::move(value); }, doc);
+}
+
+void bind_technique_options(nb::class_<RunOptions>& options) {
+  def_nested<&RunOptions::technique, &Technique::name>(options, "technique",
+                                                       "A name in ``techniques()``.");
+  def_nested<&RunOptions::technique, &Technique::weighting>(
+      options, "weighting", "Share of a correction that the far joint of a tree bar takes.");
+  def_nested<&RunOptions::technique, &Technique::mass_weighted>(
+      options, "mass_weighted", "Multiply shares by inverse masses.");
+  def_nested<&RunOptions::resolve, &ResolveOptions::max_sweeps>(
+      options, "max_sweeps", "Sweeps after which a step is given up.");
+  def_nested<&RunOptions::resolve, &ResolveOptions::seed>(options, "seed",
+                                                          "Of all random numbers.");
+  def_nested<&RunOptions::resolve, &ResolveOptions::walker>(
+      options, "walker", "Which of several independent runs this is.");
+  options.def_prop_rw(
+      "tolerance", [](const RunOptions& self) { return self.resolve.tolerance.relative; },
+      [](RunOptions& self, double value) { self.resolve.tolerance.relative = value; },
+      "Largest |length - rest| / rest of a whole bar.");
+  options.def_prop_rw(
+      "tolerance_length", [](const RunOptions& self) { return self.resolve.tolerance.length; },
+      [](RunOptions& self, double value) { self.resolve.tolerance.length = value; },
+      "Largest |length - rest| in Angstrom, in place of tolerance; 0: not used.");
+}
+
+void bind_perturb_options(nb::class_<RunOptions>& options) {
+  def_nested<&RunOptions::perturb_options, &PerturbOptions::force>(
+      options, "force", "Size of a random force, kJ/(mol Angstrom).");
+  def_nested<&RunOptions::perturb_options, &PerturbOptions::timestep>(options, "timestep", "ps.");
+  def_nested<&RunOptions::perturb_options, &PerturbOptions::damping>(
+      options, "damping", "Share of its velocity that a pushed joint loses a step, 0 to 1.");
+  def_nested<&RunOptions::perturb_options, &PerturbOptions::displacement>(
+      options, "displacement", "Length of a random displacement, Angstrom.");
+}
+
+void bind_options(nb::module_& module) {
+  nb::class_<RunOptions> options(module, "RunOptions", "What a run does; checked at its start.");
+  options.def(nb::init<>())
+      .def_rw("perturb", &RunOptions::perturb, "A name in ``perturbations()``.")
+      .def_rw("steps", &RunOptions::steps, "Steps to do.")
+      .def_rw("every", &RunOptions::every, "Show every so many steps, and step 0.");
+  bind_technique_options(options);
+  bind_perturb_options(options);
+}
+
+void bind_run_summary(nb::module_& module) {
+  nb::class_<RunSummary>(module, "RunSummary", "What a run did.")
+      .def_ro("steps", &RunSummary::steps, "Steps done.")
+      .def_ro("frames", &RunSummary::frames, "Frames shown to observers.")
+      .def_ro("unconverged_steps", &RunSummary::unconverged_steps,
+              "Steps after which some bar missed the tolerance.")
+      .def_ro("first_unconverged_step", &RunSummary::first_unconverged_step,
+              "The first of them; -1 if none.")
+      .def_ro("sweeps", &RunSummary::sweeps, "Sweeps of all steps.")
+      .def_ro("max_sweeps", &RunSummary::max_sweeps, "Sweeps of the step that needed most.")
+      .def_ro("projections", &RunSummary::projections, "Bars looked at in all steps.")
+      .def_ro("worst_residual", &RunSummary::worst_residual,
+              "Largest |length - rest| / rest after any step.")
+      .def_ro("worst_bar", &RunSummary::worst_bar, "Its bar.")
+      .def_ro("worst_step", &RunSummary::worst_step, "Its step.")
+      .def_ro("stopped_by_caller", &RunSummary::stopped_by_caller, "An observer asked to stop.")
+      .def_ro("perturb_seconds", &RunSummary::perturb_seconds, "Wall time of perturbing.")
+      .def_ro("resolve_seconds", &RunSummary::resolve_seconds, "Wall time of resolving.")
+      .def_ro("observe_seconds", &RunSummary::observe_seconds, "Wall time of the observers.")
+      .def_ro("seconds", &RunSummary::seconds, "Wall time of it all.")
+      .def_prop_ro(
+          "converged", [](const RunSummary& self) { return self.unconverged_steps == 0; },
+          "Every bar was within the tolerance after every step.")
+      .def_prop_ro("mean_sweeps", &RunSummary::mean_sweeps, "Sweeps a step.")
+      .def_prop_ro("ns_per_bar_and_sweep", &RunSummary::ns_per_bar_and_sweep,
+                   "Resolve time over projections, nanoseconds.")
+      .def("__repr__", [](const RunSummary& self) {
+        return "<pliant.RunSummary: " + std::to_string(self.steps) + " steps, " +
+               std::to_string(self.frames) + " frames, " + std::to_string(self.unconverged_steps) +
+               " unconverged>";
+      });
+}
+
+}  // namespace
+
+void bind_run(nb::module_& module) {
+  bind_options(module);
+  bind_run_summary(module);
+  module.def("run_steps", &run_steps, "framework"_a, "state"_a, "options"_a, "observers"_a,
+             "stacklevel"_a = 1,
+             "Steps ``state`` on and shows frames to observers; the function ``run`` says more.");
+}
+
+}  // namespace pliant::python

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// Options that several calls share, as keyword arguments with the library's own defaults.
+#pragma once
+
+#include <optional>
+
+#include "bind.hpp"
+#include "pliant/resolve/resolve.hpp"
+
+namespace pliant::python {
+
+inline Tolerance tolerance_from(double relative, std::optional<double> length) {
+  return {relative, length.value_or(0.0)};
+}
+
+/// The keyword arguments by which a technique and its limits are chosen, in this order.
+struct ResolveArguments {
+  std::string technique;
+  double weighting;
+  bool mass_weighted;
+  double tolerance;
+  std::optional<double> tolerance_length;
+  std::int64_t max_sweeps;
+  std::uint64_t seed;
+  std::uint64_t walker;
+
+  Technique chosen() const { return {technique, weighting, mass_weighted}; }
+  ResolveOptions options() const {
+    ResolveOptions options;
+    options.tolerance = tolerance_from(tolerance, tolerance_length);
+    options.max_sweeps = max_sweeps;
+    options.seed = seed;
+    options.walker = walker;
+    return options;
+  }
+};
+
+}  // namespace pliant::python

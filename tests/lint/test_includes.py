@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""Which folder may include which, and what a public header may need."""
+
+import re
+import shutil
+import subprocess
+from collections.abc import Iterator
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import pytest
+from sources import CPP, ROOT, files, numbered_lines, place, refuse
+
+# The folders of src/pliant, and which of the others each may include.
+MAY_INCLUDE = {
+    "base": (),
+    "framework": ("base",),
+    "molecule": ("base", "framework"),
+    "generate": ("base", "framework"),
+    "order": ("base", "framework"),
+    "perturb": ("base", "framework"),
+    "resolve": ("base", "framework", "order"),
+    "run": ("base", "framework", "order", "resolve", "perturb"),
+    "record": ("base", "framework"),
+}
+
+# Libraries that stay behind .cpp files, so that users of our headers need not have them.
+PRIVATE_LIBRARIES = re.compile(
+    r"(hdf5|H5\w+)\.h|(gemmi|Eigen|fmt|nlohmann|CLI|nanobind|gtest|gmock|rapidcheck)/|pugi\w+\.hpp|"
+    r"zlib\.h|CLI11?\.hpp"
+)
+
+INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')
+LIBRARY = ROOT / "src" / "pliant"
+
+
+def includes(path: Path) -> Iterator[tuple[int, str, str]]:
+    """Line, kind of quote and name of each include of a file."""
+    for number, line in numbered_lines(path):
+        if found := INCLUDE.match(line):
+            yield number, found[1], found[2]
+
+
+def folder_of(path: Path) -> str:
+    """The folder of src/pliant that a file is in; `` for src/pliant itself."""
+    parts = path.relative_to(LIBRARY).parts
+    return parts[0] if len(parts) > 1 else ""
+
+
+def wrong_directions(path: Path) -> Iterator[str]:
+    """One text for each include that goes against MAY_INCLUDE."""
+    folder = folder_of(path)
+    allowed = (folder, *MAY_INCLUDE.get(folder, ()))
+    for number, _, name in includes(path):
+        if name.startswith("pliant/") and name.split("/")[1] not in allowed:
+            yield f"{place(path, number)}: {folder} may not include {name}"
+
+
+def test_every_folder_is_in_the_table():
+    folders = {path.name for path in LIBRARY.iterdir() if path.is_dir()}
+    assert folders <= set(MAY_INCLUDE)
+
+
+def test_the_table_has_no_cycle():
+    done: set[str] = set()
+    while len(done) < len(MAY_INCLUDE):
+        ready = {name for name, needs in MAY_INCLUDE.items() if done.issuperset(needs)} - done
+        assert ready, f"a cycle among {sorted(set(MAY_INCLUDE) - done)}"
+        done |= ready
+
+
+def test_includes_go_one_way():
+    refuse(
+        [
+            text
+            for path in files(*CPP, folders=("src",))
+            if folder_of(path)
+            for text in wrong_directions(path)
+        ]
+    )
+
+
+def test_includes_of_ours_are_quoted_and_whole():
+    refuse(
+        [
+            f'{place(path, number)}: write #include "pliant/...", not {quote}{name}'
+            for path in files(*CPP, folders=("src",))
+            for number, quote, name in includes(path)
+            if (quote == '"') != name.startswith("pliant/")
+        ]
+    )
+
+
+def test_headers_need_the_standard_library_only():
+    refuse(
+        [
+            f"{place(path, number)}: {name} in a header that is installed"
+            for path in files(".hpp", folders=("src",))
+            if not path.stem.endswith("_internal")
+            for number, _, name in includes(path)
+            if PRIVATE_LIBRARIES.match(name)
+        ]
+    )
+
+
+def compile_alone(header: Path) -> str:
+    """What the compiler says of a header that is included first and alone; empty if nothing."""
+    name = header.relative_to(ROOT / "src").as_posix()
+    command = ["g++", "-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-I", "src", "-x", "c++"]
+    result = subprocess.run(
+        [*command, "-"],
+        cwd=ROOT,
+        text=True,
+        capture_output=True,
+        input=f'#include "{name}"\n',
+        check=False,
+    )
+    return result.stderr and f"{name}:\n{result.stderr}"
+
+
+@pytest.mark.skipif(not shutil.which("g++"), reason="g++ is not installed")
+def test_headers_compile_alone():
+    with ThreadPoolExecutor(max_workers=2) as pool:
+        refuse([text for text in pool.map(compile_alone, files(".hpp", folders=("src",))) if text])
