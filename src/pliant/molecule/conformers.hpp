@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// The choice between alternate locations (altlocs, conformers) of one residue.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+/// One listed atom of a residue that has alternate locations.
+struct ConformerAtom {
+  std::string_view name;
+  char conformer;  ///< ' ' for none
+  float occupancy;
+};
+
+/// Whether each atom stays. Conformers that share no atom name do not compete: both can stay. An
+/// atom without a conformer stays unless a chosen conformer has its name. O(N log N) for a number
+/// of conformers that is bounded by the number of characters.
+std::vector<bool> choose_conformers(const std::vector<ConformerAtom>& atoms);
+
+}  // namespace pliant

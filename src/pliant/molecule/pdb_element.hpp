@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Elements of PDB atoms: from columns 77-78, else from the padded atom name and the residue.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+
+#include "pliant/molecule/pdb_columns.hpp"
+
+namespace pliant {
+
+/// Amino acids, nucleotides, caps and water under their usual names: their atoms are of the
+/// elements H, C, N, O, P, S only (and Se in MSE).
+bool is_standard_residue(std::string_view name);
+
+/// Names of four letters that begin like a standard residue: "TIP3", "NALA".
+bool is_long_residue_name(std::string_view name);
+
+/// The element of an ATOM or HETATM record in residue `residue_name`. Warns once of each: columns
+/// that are blank, no element, or a name that tells none.
+std::uint8_t pdb_element(const PdbLine& line, std::string_view residue_name, Remarks& remarks);
+
+/// The element that an atom name (columns 13-16, with its blanks) stands for: " CA " is carbon,
+/// "CA  " calcium unless the residue is standard; 0 where it tells none.
+std::uint8_t element_of_pdb_name(std::string_view padded_name, std::string_view residue_name);
+
+}  // namespace pliant
