@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+"""The command's face is under version control: --help texts are committed beside this file.
+
+After a change that is meant: PLIANT_UPDATE_HELP=1 pytest tests/cli/test_help.py, and read the diff.
+"""
+
+import os
+from pathlib import Path
+
+import pytest
+
+PAGES = {
+    "pliant": ["--help"],
+    "pliant-info": ["info", "--help"],
+    "pliant-run": ["run", "--help"],
+    "pliant-techniques": ["techniques", "--help"],
+    "pliant-check": ["check", "--help"],
+    "pliant-analyse": ["analyse", "--help"],
+    "pliant-compare": ["compare", "--help"],
+}
+
+
+@pytest.mark.parametrize("page", PAGES)
+def test_help_is_as_committed(page, pliant):
+    ended = pliant(*PAGES[page], env={**os.environ, "COLUMNS": "100", "NO_COLOR": "1"})
+    assert ended.code == 0
+    assert ended.err == ""
+    path = Path(__file__).parent / f"{page}.help.txt"
+    if os.environ.get("PLIANT_UPDATE_HELP"):
+        path.write_text(ended.out)
+    assert ended.out == path.read_text()

@@ -1,0 +1,42 @@
+# SPDX-License-Identifier: MIT
+import json
+
+
+def test_info_counts_as_json(pliant, ethanol):
+    ended = pliant("info", ethanol, "--json")
+    assert (ended.code, ended.err) == (0, "")
+    facts = json.loads(ended.out)
+    counts = {key: facts[key] for key in ("atoms", "bonds", "bars", "components", "cycles")}
+    assert counts == {"atoms": 9, "bonds": 8, "bars": 8, "components": 1, "cycles": 0}
+    assert (facts["bridges"], facts["blocks"]) == (8, 0)
+    assert facts["elements"] == {"H": 6, "C": 2, "O": 1}
+
+
+def test_info_with_angles(pliant, ethanol):
+    facts = json.loads(pliant("info", ethanol, "--bars", "angles", "--json").out)
+    # 1-3 pairs: 6 at each carbon, 1 at the oxygen
+    assert facts["bars"] == 8 + 13
+    assert facts["blocks"] == 1
+
+
+def test_info_as_a_table(pliant, ethanol):
+    ended = pliant("info", ethanol)
+    assert ended.code == 0
+    assert "bonds                8   from distance 8" in ended.out
+    assert "cycles               0   independent: bars - atoms + components" in ended.out
+
+
+def test_a_missing_file_is_one_line(pliant):
+    ended = pliant("info", "nowhere.pdb")
+    assert (ended.code, ended.out) == (1, "")
+    assert ended.err.count("\n") == 1
+    assert "nowhere.pdb" in ended.err
+    assert "No such file or directory" in ended.err
+
+
+def test_a_bad_line_is_named(pliant, ethanol):
+    ethanol.write_text(ethanol.read_text().replace("-0.5116", "-0,5116"))
+    ended = pliant("info", ethanol)
+    assert (ended.code, ended.out) == (1, "")
+    assert "ethanol.xyz:4: " in ended.err
+    assert '"-0,5116"' in ended.err

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+import json
+import signal
+import subprocess
+import time
+
+import h5py
+import numpy as np
+import pytest
+from conftest import COMMAND
+
+
+def contents(path):
+    """Every dataset of a file by name."""
+    found = {}
+    with h5py.File(path) as file:
+        file.visititems(
+            lambda name, item: found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None
+        )
+    return found
+
+
+def test_run_says_what_it_did(pliant, ethanol, tmp_path):
+    ended = pliant("run", ethanol, "--steps", 20, "--json")
+    assert (ended.code, ended.err) == (0, "")
+    summary = json.loads(ended.out)
+    assert summary["steps"] == 20
+    assert summary["frames"] == 21
+    assert summary["unconverged_steps"] == 0
+    assert 0 < summary["worst_residual"] <= 1e-6
+    assert (tmp_path / "ethanol.h5md").exists()
+    assert "CONECT" in (tmp_path / "ethanol.pdb").read_text()
+
+
+def test_every_records_fewer_frames_and_the_last(pliant, ethanol, tmp_path):
+    assert pliant("run", ethanol, "--steps", 25, "--every", 10, "-o", "o.h5md").code == 0
+    with h5py.File(tmp_path / "o.h5md") as file:
+        assert file["particles/trajectory/position/step"][:].tolist() == [0, 10, 20, 25]
+
+
+def test_every_option_is_recorded(pliant, ethanol, tmp_path):
+    pliant("run", ethanol, "-o", "o.h5md", "--steps", 3, "--weighting", 0.75, "--seed", 7)
+    with h5py.File(tmp_path / "o.h5md") as file:
+        options = file["parameters/run"]
+        assert options["weighting"][()] == 0.75
+        assert options["seed"].asstr()[()] == "7"
+        assert options["technique"].asstr()[()] == "bfs_cycle"
+
+
+def test_an_unconverged_step_is_recorded_and_told(pliant, ethanol, tmp_path):
+    ended = pliant("run", ethanol, "-o", "o.h5md", "--steps", 5, "--max-sweeps", 1)
+    assert ended.code == 3
+    assert "not converged" in ended.out
+    with h5py.File(tmp_path / "o.h5md") as file:
+        converged = file["observables/converged/value"][:]
+        residual = file["observables/max_residual/value"][:]
+    assert not converged.all()
+    assert ((residual <= 1e-6) == converged.astype(bool)).all()
+
+
+def test_outputs_are_not_replaced_unless_asked(pliant, ethanol, tmp_path):
+    assert pliant("run", ethanol, "--steps", 2).code == 0
+    before = (tmp_path / "ethanol.h5md").read_bytes()
+    ended = pliant("run", ethanol, "--steps", 3)
+    assert ended.code == 1
+    assert "ethanol.h5md" in ended.err
+    assert "--overwrite" in ended.err or "exists" in ended.err
+    assert (tmp_path / "ethanol.h5md").read_bytes() == before
+    assert pliant("run", ethanol, "--steps", 3, "--overwrite").code == 0
+
+
+def test_the_input_is_never_an_output(pliant, ethanol, tmp_path):
+    (tmp_path / "link.xyz").hardlink_to(ethanol)
+    ended = pliant("run", ethanol, "-o", "link.xyz", "--overwrite")
+    assert ended.code == 2
+    assert "is both input and output" in ended.err
+    assert ethanol.read_text().startswith("9\n")
+
+
+@pytest.mark.parametrize("output", ["missing/o.h5md", "/dev/full"])
+def test_an_output_that_cannot_be_written_is_told(pliant, ethanol, output):
+    ended = pliant("run", ethanol, "-o", output, "--topology", "none")
+    assert ended.code == 1
+    assert output in ended.err
+
+
+def test_forces_are_replayed(pliant, ethanol, tmp_path):
+    (tmp_path / "pushes.txt").write_text(
+        "pliant-forces 1\ntimestep 0.005\npush 2 100 0 0\npush 0 0 50 0\n"
+    )
+    assert pliant("run", ethanol, "-o", "o.h5md", "--forces", "pushes.txt").code == 0
+    with h5py.File(tmp_path / "o.h5md") as file:
+        assert file["observables/root_joint/value"][:].tolist() == [-1, 2, 0]
+        assert file["particles/trajectory/position/time"][:].tolist() == [0.0, 0.005, 0.01]
+
+
+def test_more_steps_than_pushes_is_refused(pliant, ethanol, tmp_path):
+    (tmp_path / "pushes.txt").write_text("pliant-forces 1\npush 2 100 0 0\n")
+    ended = pliant("run", ethanol, "--forces", "pushes.txt", "--steps", 2)
+    assert ended.code == 2
+    assert "--steps: expected at most 1, the pushes in pushes.txt" in ended.err
+
+
+def test_walkers_do_not_depend_on_threads(pliant, ethanol, tmp_path):
+    for threads in (1, 2):
+        ended = pliant(
+            "run", ethanol, "-o", f"t{threads}.h5md", "--walkers", 3, "--threads", threads,
+            "--steps", 30, "--topology", "none",
+        )
+        assert ended.code == 0
+    for walker in range(3):
+        one = contents(tmp_path / f"t1-{walker}.h5md")
+        two = contents(tmp_path / f"t2-{walker}.h5md")
+        assert one.keys() == two.keys()
+        for name, values in one.items():
+            np.testing.assert_array_equal(values, two[name], err_msg=name)
+    first = contents(tmp_path / "t1-0.h5md")["particles/trajectory/position/value"]
+    second = contents(tmp_path / "t1-1.h5md")["particles/trajectory/position/value"]
+    assert not np.array_equal(first, second)
+
+
+def test_pinned_atoms_stay(pliant, ethanol, tmp_path):
+    ended = pliant("run", ethanol, "-o", "o.h5md", "--pin", "index 0", "--steps", 20)
+    assert ended.code == 0
+    with h5py.File(tmp_path / "o.h5md") as file:
+        x = file["particles/trajectory/position/value"][:]
+    assert np.ptp(x[:, 0], axis=0).max() == 0
+    assert np.ptp(x[:, 1], axis=0).max() > 0
+
+
+def test_interrupt_leaves_a_readable_file(ethanol, tmp_path):
+    running = subprocess.Popen(
+        [COMMAND, "run", ethanol, "-o", "o.h5md", "--steps", "1000000000"],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    while not (tmp_path / "o.h5md").exists():
+        time.sleep(0.02)
+    time.sleep(0.5)
+    running.send_signal(signal.SIGINT)
+    out, _ = running.communicate(timeout=20)
+    assert running.returncode == 130
+    assert "stopped early" in out
+    with h5py.File(tmp_path / "o.h5md") as file:
+        position = file["particles/trajectory/position"]
+        assert len(position["value"]) == len(position["step"]) > 1
+        assert np.isfinite(position["value"][-1]).all()

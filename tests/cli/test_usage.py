@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: MIT
+"""Wrong calls: one line that names the option and what was expected, exit code 2, no output."""
+
+import os
+import stat
+
+import pytest
+
+
+def test_no_command_prints_usage_and_fails(pliant):
+    ended = pliant()
+    assert ended.code == 2
+    assert ended.out == ""
+    assert ended.err.startswith("pliant: molecular flexibility")
+
+
+def test_version(pliant):
+    ended = pliant("--version")
+    assert (ended.code, ended.err) == (0, "")
+    assert ended.out.startswith("pliant 0.")
+
+
+def test_unknown_command_suggests_the_nearest(pliant):
+    ended = pliant("inof")
+    assert ended.code == 2
+    assert ended.err == (
+        'pliant: no command named "inof" (did you mean "info"?); '
+        "known: info, run, techniques, check, analyse, compare\n"
+    )
+
+
+def test_a_program_on_path_is_a_command(pliant, tmp_path):
+    program = tmp_path / "pliant-hello"
+    program.write_text('#!/bin/sh\necho "hello $1"\nexit 7\n')
+    program.chmod(program.stat().st_mode | stat.S_IXUSR)
+    path = f"{tmp_path}:{os.environ['PATH']}"
+    ended = pliant("hello", "there", env={**os.environ, "PATH": path})
+    assert (ended.code, ended.out) == (7, "hello there\n")
+
+
+def test_unknown_option_suggests_the_nearest(pliant, ethanol):
+    ended = pliant("run", ethanol, "--step", "3")
+    assert ended.code == 2
+    assert 'unexpected argument "--step" (did you mean --steps?)' in ended.err
+
+
+@pytest.mark.parametrize("value", ["-5", "1e3", "3.7", "99999999999999999999", "", "0x10", "10 "])
+def test_steps_take_whole_numbers_only(pliant, ethanol, value):
+    ended = pliant("run", ethanol, "--steps", value)
+    assert ended.code == 2
+    assert f'--steps: expected a whole number from 0, found "{value}"' in ended.err
+    assert not ethanol.with_suffix(".h5md").exists()
+
+
+@pytest.mark.parametrize("value", ["0", "-1", "nan", "inf", "1e-400", "1,5"])
+def test_tolerance_is_a_positive_number(pliant, ethanol, value):
+    ended = pliant("run", ethanol, "--tolerance", value)
+    assert ended.code == 2
+    assert f'--tolerance: expected a number above 0, found "{value}"' in ended.err
+
+
+def test_seed_is_64_bits(pliant, ethanol):
+    assert pliant("run", ethanol, "--steps", 1, "--seed", 2**64 - 1).code == 0
+    ended = pliant("run", ethanol, "--steps", 1, "--overwrite", "--seed", 2**64)
+    assert ended.code == 2
+    assert "--seed: expected a whole number from 0 to 18446744073709551615" in ended.err
+
+
+@pytest.mark.parametrize("value", ["0", "-1", "100000"])
+def test_threads_have_a_range(pliant, ethanol, value):
+    ended = pliant("run", ethanol, "--threads", value)
+    assert ended.code == 2
+    assert "--threads: expected a whole number from 1 to 4096" in ended.err
+
+
+def test_an_option_given_twice_is_refused(pliant, ethanol):
+    ended = pliant("run", ethanol, "--steps", "10", "--steps", "20")
+    assert ended.code == 2
+    assert "--steps" in ended.err
+
+
+@pytest.mark.parametrize(
+    ("option", "nearest"),
+    [("--technique", "bfs_cycle"), ("--perturb", "force"), ("--bars", "bonds")],
+)
+def test_choices_suggest_the_nearest(pliant, ethanol, option, nearest):
+    ended = pliant("run", ethanol, option, nearest[:-1])
+    assert ended.code == 2
+    assert f'did you mean "{nearest}"?' in ended.err
