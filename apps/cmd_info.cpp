@@ -78,6 +78,15 @@ void print_row(std::string_view label, const Json& value, std::string_view comme
   fmt::print("{:<12}{:>10}{}{}\n", label, value.dump(), comment.empty() ? "" : "   ", comment);
 }
 
+/// Warnings tell of other guesses; they are on stderr by now.
+void print_guesses(const Json& facts) {
+  const Json& by_distance = facts["bonds_by_origin"]["distance"];
+  if (by_distance != 0)
+    fmt::print("guessed: {} bonds, from distances and covalent radii\n", by_distance.dump());
+  else if (facts["warnings"].empty())
+    fmt::print("nothing was guessed\n");
+}
+
 void print_table(const Json& facts) {
   fmt::print("{} ({}, model {} of {})\n", facts["file"].get<std::string>(),
              facts["format"].get<std::string>(), facts["model"].dump(), facts["models"].dump());
@@ -94,7 +103,7 @@ void print_table(const Json& facts) {
   print_row("blocks", facts["blocks"],
             fmt::format("ring systems, with {} bars in all, {} in the largest",
                         facts["bars_in_blocks"].dump(), facts["largest_block"].dump()));
-  if (facts["warnings"].empty()) fmt::print("nothing was guessed\n");
+  print_guesses(facts);
 }
 
 }  // namespace

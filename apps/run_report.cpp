@@ -52,7 +52,8 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
                      const RunSummary& summary) {
   const Technique& technique = settings.run.technique;
   fmt::print("technique       {}, weighting {}\n", technique.name, technique.weighting);
-  fmt::print("frames          {} of {} steps\n", summary.frames, summary.steps);
+  fmt::print("steps           {}, of which {} frames are recorded (the start is one)\n",
+             summary.steps, summary.frames);
   fmt::print("sweeps a step   {:.1f} on average, {} at most\n", summary.mean_sweeps(),
              summary.max_sweeps);
   fmt::print("worst bar       {} off by {:.2e} of its length, after step {}\n",

@@ -9,7 +9,6 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/molecule/elements.hpp"
-#include "pliant/record/topology_pdb.hpp"
 
 namespace pliant::app {
 namespace {
@@ -46,20 +45,11 @@ struct Shared {
   std::vector<RunSummary> summaries = {};
 };
 
-void write_sidecar(const RunSettings& settings, const Molecule& molecule, std::int64_t walker) {
-  if (walker != 0 || settings.topology == "none") return;
-  TopologyPdbOptions options;
-  options.overwrite = settings.record.overwrite;
-  write_topology_pdb(settings.topology, molecule.structure.atoms, molecule.structure.positions,
-                     recorded_bonds(molecule.structure), options);
-}
-
 RunSummary run_walker(Shared& shared, std::int64_t walker) {
   std::unique_lock lock(shared.hdf5);
   H5mdRecorder recorder(output_of(shared.settings, walker), shared.molecule.framework,
                         header_of(shared.settings, shared.molecule, walker),
                         shared.settings.record);
-  write_sidecar(shared.settings, shared.molecule, walker);
   lock.unlock();
   RunOptions options = shared.settings.run;
   options.resolve.walker = static_cast<std::uint64_t>(walker);
