@@ -10,6 +10,8 @@
 namespace pliant {
 namespace {
 
+constexpr std::uint64_t page_size = 4096;
+
 // Ranks of blocks within a commit. Tree nodes lie between, by falling level.
 constexpr int new_rank = 0;
 constexpr int superblock_rank = 1;
@@ -89,7 +91,8 @@ void CommittedFile::commit() {
   const std::vector<Ranked> order = in_commit_order();
   const auto in_place = std::find_if(order.begin(), order.end(),
                                      [](const Ranked& block) { return block.rank != new_rank; });
-  write_blocks({order.begin(), in_place});
+  for (auto at = order.begin(); at != in_place; ++at)
+    write_through(at->entry->first, at->entry->second.bytes);
   if (written_end_ < end_) resize(end_);  // the superblock must not promise more than there is
   if (failure_ != 0) {
     // The file is still as the last commit left it: what lies beyond only takes space.
@@ -97,7 +100,8 @@ void CommittedFile::commit() {
         ::ftruncate(descriptor_, static_cast<off_t>(committed_end_));
     return;
   }
-  write_blocks({in_place, order.end()});
+  for (auto at = in_place; at != order.end(); ++at)
+    write_backwards(at->entry->first, at->entry->second.bytes);
   if (written_end_ > end_) resize(end_);
   if (failure_ != 0) return;
   for (const auto& [address, block] : pending_) written_.insert(address);
@@ -105,8 +109,13 @@ void CommittedFile::commit() {
   committed_end_ = end_;
 }
 
-void CommittedFile::write_blocks(std::span<const Ranked> blocks) {
-  for (const Ranked& block : blocks) write_through(block.entry->first, block.entry->second.bytes);
+void CommittedFile::write_backwards(std::uint64_t address, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const std::uint64_t last_page = (address + bytes.size() - 1) / page_size * page_size;
+    const std::uint64_t start = std::max(address, last_page);
+    write_through(start, bytes.subspan(start - address));
+    bytes = bytes.first(start - address);
+  }
 }
 
 void CommittedFile::resize(std::uint64_t size) {

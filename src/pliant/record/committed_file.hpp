@@ -10,9 +10,9 @@
 //      into a new node by 1, and the left half shrinks only when its parent knows the new one;
 //   4. then the other blocks in place, which are object headers with the new extents; those named
 //      to write_last() are the last, in that order.
-// A block that lies within one page of the file is written as a whole or not at all, as the
-// kernel looks for a kill between pages only; the driver aligns tree nodes accordingly, and an
-// extent is eight aligned bytes of its object header.
+// A kill stops a write between two pages of the file, never within one. Tree nodes lie within one
+// page (the driver aligns them); what lies in two is written from its end, because an object header
+// has its extents before the address of its chunk tree.
 #pragma once
 
 #include <sys/types.h>
@@ -72,7 +72,7 @@ class CommittedFile {
   int rank(const Blocks::value_type& entry) const;
   bool may_write() const;
   void write_through(std::uint64_t address, std::span<const std::byte> bytes);
-  void write_blocks(std::span<const Ranked> blocks);
+  void write_backwards(std::uint64_t address, std::span<const std::byte> bytes);
   void resize(std::uint64_t size);
 
   int descriptor_;

@@ -36,6 +36,11 @@ const H5mdOptions& checked_options(const H5mdOptions& options) {
   return options;
 }
 
+/// False for what is not a number, too.
+bool is_within(Vec3 p, double most) {
+  return std::abs(p.x) <= most && std::abs(p.y) <= most && std::abs(p.z) <= most;
+}
+
 std::size_t checked_joint_count(const Framework& framework) {
   if (framework.joint_count() == 0)
     throw InputError("a framework without joints has no trajectory");
@@ -164,8 +169,10 @@ void H5mdRecorder::Writer::check_frame(const Frame& frame) const {
                      std::to_string(joint_count_) + " joints");
   if (frames_ > 0 && frame.step <= last_step_)
     throw InputError(where + " comes after that of step " + std::to_string(last_step_));
+  const double most = options_.single ? double(std::numeric_limits<float>::max())
+                                      : std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < joint_count_; ++i)
-    if (!is_finite(frame.positions[i]))
+    if (!is_within(frame.positions[i], most))
       throw InputError(where + ": position of " + joint_label(i) + " is not finite");
 }
 

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: MIT
+// What is left of a file when its writer dies, at every write there is, or when a write fails.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/uio.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+
+#include "pliant/base/error.hpp"
+#include "pliant/record/h5md_reader.hpp"
+#include "pliant/record/h5md_recorder.hpp"
+#include "unit/record/samples.hpp"
+#include "unit/record/write_calls.hpp"
+
+namespace pliant {
+namespace {
+
+using namespace test;
+
+constexpr std::size_t page = 4096;
+
+/// Applies writes to a file as the kernel does, which a kill can stop between pages. It uses calls
+/// that are not watched.
+class Replay {
+ public:
+  explicit Replay(const std::filesystem::path& path)
+      : path_(path), descriptor_(::open(path.c_str(), O_RDWR | O_CREAT, 0600)) {}
+  ~Replay() { ::close(descriptor_); }
+
+  template <class Look>
+  void apply(const WriteCall& call, Look look_at_torn_state) {
+    if (call.truncates) {
+      std::filesystem::resize_file(path_, static_cast<std::uintmax_t>(call.offset));
+      return;
+    }
+    std::size_t done = 0;
+    while (done < call.bytes.size()) {
+      if (done > 0) look_at_torn_state();
+      const std::size_t to_page = page - (static_cast<std::size_t>(call.offset) + done) % page;
+      const std::size_t count = std::min(to_page, call.bytes.size() - done);
+      const iovec part{const_cast<std::byte*>(call.bytes.data() + done), count};
+      ASSERT_EQ(::pwritev(descriptor_, &part, 1, call.offset + static_cast<off_t>(done)),
+                static_cast<ssize_t>(count));
+      done += count;
+    }
+  }
+
+ private:
+  std::filesystem::path path_;
+  int descriptor_;
+};
+
+void expect_frame(const H5mdReader& reader, std::int64_t frame) {
+  const auto positions = reader.positions(frame);
+  for (const std::size_t joint : {std::size_t{0}, positions.size() - 1})
+    ASSERT_EQ(positions[joint].y, coordinate(frame, joint, 1)) << "frame " << frame;
+  ASSERT_EQ(reader.step(frame), 5 * frame);
+}
+
+/// The file must open, have at least `committed` frames, all readable and right, and all of
+/// their observables.
+void expect_intact(const std::filesystem::path& path, std::int64_t committed,
+                   std::int64_t look_from) {
+  const H5mdReader reader(path);
+  ASSERT_GE(reader.frames(), committed);
+  for (std::int64_t f = look_from; f < reader.frames(); ++f) expect_frame(reader, f);
+  for (const char* name : {"sweeps", "stop", "force_z"}) {
+    const auto values = reader.observable(name);
+    ASSERT_EQ(std::int64_t(values.size()), reader.frames()) << name;
+  }
+  if (reader.frames() > 0) {
+    ASSERT_EQ(reader.observable("sweeps").back(), double(reader.frames()));
+  }
+}
+
+struct KillCase {
+  const char* name;
+  std::size_t joints;
+  bool compress;
+  std::int64_t first, last;  // every write of these frames is a moment of death
+};
+
+class KillTest : public ::testing::TestWithParam<KillCase> {};
+
+/// Dies before every write, and within every write at each page boundary.
+TEST_P(KillTest, LeavesAllCommittedFrames) {
+  const KillCase& kill = GetParam();
+  const TempDirectory directory;
+  WriteWatch watch;
+  watch.keep = true;
+  H5mdRecorder recorder(directory / "run.h5md", chain(kill.joints), {},
+                        {.compress = kill.compress, .flush_seconds = 1e9});
+  Replay replay(directory / "left.h5md");
+  const auto catch_up = [&](auto look) {
+    for (const WriteCall& call : watch.calls) {
+      replay.apply(call, look);
+      look();
+    }
+    watch.calls.clear();
+  };
+  catch_up([] {});
+  long deaths = 0;
+  for (std::int64_t f = 0; f <= kill.last; ++f) {
+    recorder.record(sample_frame(f, kill.joints).frame);
+    if (f < kill.first - 1) continue;
+    recorder.flush();
+    catch_up([&] {
+      if (f < kill.first) return;
+      ++deaths;
+      expect_intact(directory / "left.h5md", f, std::max<std::int64_t>(0, f - 70));
+    });
+    ASSERT_FALSE(HasFatalFailure()) << "frame " << f << ", death " << deaths;
+  }
+  recorder.close();
+  catch_up([&] {
+    ++deaths;
+    expect_intact(directory / "left.h5md", kill.last + 1, 0);
+  });
+  EXPECT_GT(deaths, 100);
+}
+
+// A node of a chunk tree holds 64 chunks, and keeps 57 when it is split: at frame 64 of one frame a
+// chunk the root gets children, at 121 they become three, at 3655 they become too many for one
+// root.
+INSTANTIATE_TEST_SUITE_P(
+    Frames, KillTest,
+    ::testing::Values(KillCase{"first_frames", 5, false, 0, 3},
+                      KillCase{"new_chunks_of_numbers", 5, false, 255, 257},
+                      KillCase{"first_split", 1400, false, 63, 65},
+                      KillCase{"second_split", 3, true, 120, 122},
+                      KillCase{"split_of_a_root_with_children", 3, true, 3654, 3656},
+                      KillCase{"split_of_the_numbers", 3, false, 64 * 256 - 1, 64 * 256 + 1}),
+    [](const auto& kill) { return kill.param.name; });
+
+struct Outcome {
+  std::string message;
+  std::int64_t committed = 0;
+};
+
+Outcome record_until_failure(const std::filesystem::path& path, std::size_t joints,
+                             std::int64_t frames) {
+  H5mdRecorder recorder(path, chain(joints), {}, {.overwrite = true, .flush_seconds = 0.0});
+  Outcome outcome;
+  outcome.message = message_of<FileError>([&] {
+    for (std::int64_t f = 0; f < frames; ++f) recorder.record(sample_frame(f, joints).frame);
+    recorder.close();
+  });
+  outcome.committed = recorder.committed_frames();
+  if (!outcome.message.empty()) {
+    EXPECT_EQ(message_of<FileError>([&] { recorder.flush(); }), outcome.message);
+    EXPECT_EQ(message_of<FileError>([&] { recorder.record(sample_frame(99, joints).frame); }),
+              outcome.message);
+    recorder.close();
+  }
+  return outcome;
+}
+
+/// The disk is full from the k-th write on, for every k.
+TEST(FullDisk, KeepsWhatWasCommittedAndSaysSo) {
+  const TempDirectory directory;
+  const auto path = directory / "run.h5md";
+  long failures = 0;
+  for (long k = 0;; k += k < 60 ? 1 : 7) {
+    WriteWatch watch;
+    watch.fail_at = k;
+    watch.error = ENOSPC;
+    watch.half = k % 2 == 1;
+    Outcome outcome;
+    const std::string at_start =
+        message_of<FileError>([&] { outcome = record_until_failure(path, 200, 4); });
+    if (at_start.empty() && outcome.message.empty()) break;
+    ++failures;
+    if (!at_start.empty()) {
+      EXPECT_EQ(at_start, path.string() + ": cannot write: No space left on device");
+      EXPECT_FALSE(std::filesystem::exists(path)) << "k = " << k;
+      continue;
+    }
+    const std::string reason = path.string() + ": cannot write: No space left on device";
+    EXPECT_EQ(outcome.message.substr(0, reason.size()), reason);
+    if (outcome.committed > 0) {
+      EXPECT_EQ(outcome.message, reason + "; the file holds the first " +
+                                     std::to_string(outcome.committed) + " frames");
+    }
+    expect_intact(path, outcome.committed, 0);
+    std::filesystem::remove(path);
+  }
+  EXPECT_GT(failures, 60);
+}
+
+/// A process with a file size limit and the signal's default action, which is death.
+int record_with_limit(const std::filesystem::path& path) {
+  std::signal(SIGXFSZ, SIG_DFL);
+  const rlimit limit{400'000, 400'000};
+  ::setrlimit(RLIMIT_FSIZE, &limit);
+  const Outcome outcome = record_until_failure(path, 200, 1000);
+  const bool told =
+      outcome.message.find("File too large; the file holds the first ") != std::string::npos;
+  return told && outcome.committed > 10 ? 0 : 1;
+}
+
+TEST(FileSizeLimit, IsAnErrorAndNoDeath) {
+  const TempDirectory directory;
+  const pid_t child = ::fork();
+  if (child == 0) ::_exit(record_with_limit(directory / "run.h5md"));
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status)) << "killed by signal " << WTERMSIG(status);
+  EXPECT_EQ(WEXITSTATUS(status), 0);
+  expect_intact(directory / "run.h5md", 11, 0);
+}
+
+TEST(SilentEnd, ExitWithoutDestructorLeavesTheCommittedFrames) {
+  const TempDirectory directory;
+  const pid_t child = ::fork();
+  if (child == 0) {
+    auto* leaked = new H5mdRecorder(directory / "run.h5md", chain(5), {}, {.flush_seconds = 0.0});
+    for (std::int64_t f = 0; f < 3; ++f) leaked->record(sample_frame(f, 5).frame);
+    std::exit(0);  // HDF5's exit handler closes the file
+  }
+  int status = -1;
+  ::waitpid(child, &status, 0);
+  ASSERT_TRUE(WIFEXITED(status));
+  expect_intact(directory / "run.h5md", 3, 0);
+}
+
+}  // namespace
+}  // namespace pliant

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+// A small named framework and frames with known contents, for tests of the record folder.
+#pragma once
+
+#include <unistd.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pliant/framework/frame.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/record/h5md_recorder.hpp"
+
+namespace pliant::test {
+
+/// A directory that goes away with the test.
+class TempDirectory {
+ public:
+  TempDirectory() {
+    std::string name = (std::filesystem::temp_directory_path() / "pliant-XXXXXX").string();
+    path_ = ::mkdtemp(name.data());
+  }
+  ~TempDirectory() {
+    std::error_code ignored;
+    std::filesystem::remove_all(path_, ignored);
+  }
+  TempDirectory(const TempDirectory&) = delete;
+  TempDirectory& operator=(const TempDirectory&) = delete;
+
+  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+/// N joints in a chain, two residues, the first joint pinned.
+inline Framework chain(std::size_t count) {
+  FrameworkParts parts;
+  parts.joint_count = count;
+  auto atoms = std::make_shared<AtomTable>();
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i > 0) {
+      parts.bars.push_back({static_cast<Joint>(i - 1), static_cast<Joint>(i)});
+      parts.rest_lengths.push_back(1.0 + 0.25 * double(i));
+    }
+    parts.masses.push_back(12.0 + double(i));
+    atoms->names.push_back(i % 2 == 0 ? "CA" : "HB11");
+    atoms->elements.push_back(i % 2 == 0 ? 6 : 1);
+    atoms->residue_of.push_back(i < count / 2 ? 0 : 1);
+    atoms->serials.push_back(static_cast<std::int64_t>(i) + 100);
+  }
+  atoms->residues = {{"ALA", -3, ' ', "A"}, {"LYS", -3, 'B', "A"}};
+  parts.pinned = {0};
+  parts.atoms = atoms;
+  return Framework(std::move(parts));
+}
+
+/// N joints without names or bars.
+inline Framework bare(std::size_t count) {
+  FrameworkParts parts;
+  parts.joint_count = count;
+  return Framework(std::move(parts));
+}
+
+inline double coordinate(std::int64_t frame, std::size_t joint, int axis) {
+  return std::sin(double(frame) * 0.7 + double(joint) + 0.1 * axis) + double(joint);
+}
+
+/// A frame and the positions it shows.
+struct SampleFrame {
+  std::vector<Vec3> positions;
+  Frame frame;
+};
+
+inline SampleFrame sample_frame(std::int64_t number, std::size_t joints) {
+  SampleFrame sample;
+  for (std::size_t i = 0; i < joints; ++i)
+    sample.positions.push_back(
+        {coordinate(number, i, 0), coordinate(number, i, 1), coordinate(number, i, 2)});
+  Frame& frame = sample.frame;
+  frame.positions = sample.positions;  // the buffer stays where it is when the sample is moved
+  frame.step = 5 * number;
+  frame.time = 0.25 * double(number);
+  frame.sweeps = number + 1;
+  frame.projections = 10 * number;
+  frame.max_residual = 1e-6 * double(number);
+  frame.rms_residual = 1e-7 * double(number);
+  frame.stop = number % 3 == 2 ? Stop::max_sweeps : Stop::converged;
+  frame.root_joint = number == 0 ? no_joint : number % std::int64_t(joints);
+  frame.force = {1.0 * double(number), 0.5, -2.0};
+  return sample;
+}
+
+inline std::string text_of(const std::exception& error) { return error.what(); }
+
+/// The message of the exception that `call` throws, or "".
+template <class Exception, class Call>
+std::string message_of(Call call) {
+  try {
+    call();
+  } catch (const Exception& error) {
+    return error.what();
+  }
+  return "";
+}
+
+}  // namespace pliant::test
