@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ostream>
 
 #include "pliant/framework/examples.hpp"
 #include "pliant/order/check_ordering.hpp"
@@ -10,6 +11,9 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
+
+void PrintTo(const OrderingEntry& row, std::ostream* out) { *out << row.name; }
+
 namespace {
 
 class OrderLaw : public testing::TestWithParam<OrderingEntry> {};

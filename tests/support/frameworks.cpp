@@ -117,9 +117,7 @@ std::size_t rank_of(const Eigen::MatrixXd& matrix) {
   return static_cast<std::size_t>((singular.array() > 1e-9).count());
 }
 
-}  // namespace
-
-std::size_t rigidity_rank(const Framework& framework, std::span<const Vec3> positions) {
+Eigen::MatrixXd rigidity_matrix(const Framework& framework, std::span<const Vec3> positions) {
   const auto bars = framework.bars();
   Eigen::MatrixXd matrix =
       Eigen::MatrixXd::Zero(Eigen::Index(bars.size()), Eigen::Index(3 * positions.size()));
@@ -129,7 +127,20 @@ std::size_t rigidity_rank(const Framework& framework, std::span<const Vec3> posi
     matrix.block<1, 3>(Eigen::Index(k), 3 * Eigen::Index(bars[k].a)) = -unit;
     matrix.block<1, 3>(Eigen::Index(k), 3 * Eigen::Index(bars[k].b)) = unit;
   }
-  return rank_of(matrix);
+  return matrix;
+}
+
+}  // namespace
+
+std::size_t rigidity_rank(const Framework& framework, std::span<const Vec3> positions) {
+  return rank_of(rigidity_matrix(framework, positions));
+}
+
+double least_singular_value(const Framework& framework, std::span<const Vec3> positions) {
+  const Eigen::MatrixXd matrix = rigidity_matrix(framework, positions);
+  if (matrix.rows() == 0) return 1.0;
+  if (matrix.rows() > matrix.cols()) return 0.0;
+  return Eigen::JacobiSVD<Eigen::MatrixXd>(matrix).singularValues().minCoeff();
 }
 
 std::size_t rigid_motions(std::span<const Vec3> positions) {

@@ -50,6 +50,10 @@ void order_dfs_cycle(const OrderRequest& request, OrderScratch& scratch, Orderin
   traverse_depth_first(request.framework, request.root, true, scratch, out);
 }
 
+/// A sweep leaves some non-tree bars whole but for rounding: of those, as of bars equally far off,
+/// the first counts, so that rounding decides nothing.
+constexpr double rounding = 1e-12;
+
 /// The near end of the non-tree bar that is furthest off; `otherwise` if there is none.
 Joint near_end_of_worst_non_tree_bar(const OrderRequest& request, const Ordering& ordering,
                                      Joint otherwise) {
@@ -57,9 +61,10 @@ Joint near_end_of_worst_non_tree_bar(const OrderRequest& request, const Ordering
   for (const OrderedBar& visit : ordering) {
     if (visit.is_tree) continue;
     const Bar bar = request.framework.bars()[visit.bar];
-    const double error = std::abs(residual(request.positions[bar.a], request.positions[bar.b],
-                                           request.framework.rest_lengths()[visit.bar]));
-    if (error > worst) worst = error, otherwise = visit.near;
+    const double rest = request.framework.rest_lengths()[visit.bar];
+    const double error =
+        std::abs(residual(request.positions[bar.a], request.positions[bar.b], rest));
+    if (error > worst + rounding * rest) worst = error, otherwise = visit.near;
   }
   return otherwise;
 }
