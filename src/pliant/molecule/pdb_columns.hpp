@@ -9,19 +9,10 @@
 
 #include "pliant/base/vec3.hpp"
 #include "pliant/framework/atom_table.hpp"
+#include "pliant/molecule/fixed_columns.hpp"
 #include "pliant/molecule/remarks.hpp"
 
 namespace pliant {
-
-/// Columns `first` to `last`, counted from 1; shorter where the line ends before.
-constexpr std::string_view columns(std::string_view line, std::size_t first, std::size_t last) {
-  return line.size() < first ? std::string_view() : line.substr(first - 1, last - first + 1);
-}
-
-/// One column; ' ' where the line ends before.
-constexpr char column(std::string_view line, std::size_t at) {
-  return line.size() < at ? ' ' : line[at - 1];
-}
 
 /// A line and its number.
 struct PdbLine {
