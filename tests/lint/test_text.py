@@ -68,13 +68,18 @@ OPENING = re.compile(
 
 
 def cpp_functions(path: Path) -> Iterator[Function]:
-    """Definitions that take more than one line; told by the indentation that the format gives."""
+    """Definitions that take more than one line; told by the indentation that the format gives.
+
+    One that is nothing but `return {` and rows is a table, and may be as long as it needs.
+    """
     opened = None
     for number, line in numbered_lines(path):
         indent = len(line) - len(line.lstrip())
         if opened is None:
             if OPENING.match(line) and indent <= 6:
                 opened = (number, line.strip(), indent)
+        elif line == "  return {" and number == opened[0] + 1:
+            opened = None
         elif line.startswith("}") or (line.strip() == "}" and indent < 4 and indent <= opened[2]):
             start, name, _ = opened
             yield Function(path, start, name, number - start + 1)
