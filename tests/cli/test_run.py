@@ -15,7 +15,9 @@ def contents(path):
     found = {}
     with h5py.File(path) as file:
         file.visititems(
-            lambda name, item: found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None
+            lambda name, item: (
+                found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None
+            )
         )
     return found
 
@@ -104,8 +106,18 @@ def test_more_steps_than_pushes_is_refused(pliant, ethanol, tmp_path):
 def test_walkers_do_not_depend_on_threads(pliant, ethanol, tmp_path):
     for threads in (1, 2):
         ended = pliant(
-            "run", ethanol, "-o", f"t{threads}.h5md", "--walkers", 3, "--threads", threads,
-            "--steps", 30, "--topology", "none",
+            "run",
+            ethanol,
+            "-o",
+            f"t{threads}.h5md",
+            "--walkers",
+            3,
+            "--threads",
+            threads,
+            "--steps",
+            30,
+            "--topology",
+            "none",
         )
         assert ended.code == 0
     for walker in range(3):
