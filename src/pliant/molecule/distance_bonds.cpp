@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 #include "pliant/base/cell_list.hpp"
 #include "pliant/molecule/elements.hpp"
@@ -12,6 +13,9 @@ namespace {
 
 // A cube as wide as a bond's cut-off, 2 to 4 Angstrom, holds less than 20 atoms of matter.
 constexpr std::size_t most_in_a_cell = 100;
+
+// No three-membered ring has an angle above this, 80 degrees; four-membered rings are just above.
+constexpr double widest_ring_angle_cosine = 0.17364817766693033;
 
 constexpr std::uint8_t hydrogen = 1;
 
@@ -42,6 +46,33 @@ struct Candidate {
   auto operator<=>(const Candidate&) const = default;
 };
 
+/// The atoms around each atom, over bonds and candidates.
+class Neighbours {
+ public:
+  Neighbours(std::size_t atom_count, const std::vector<Bond>& bonds,
+             const std::vector<Candidate>& candidates)
+      : first_(atom_count + 1, 0), atoms_(2 * (bonds.size() + candidates.size())) {
+    for (const Bond& bond : bonds) ++first_[bond.a + 1], ++first_[bond.b + 1];
+    for (const Candidate& pair : candidates) ++first_[pair.a + 1], ++first_[pair.b + 1];
+    for (std::size_t i = 0; i < atom_count; ++i) first_[i + 1] += first_[i];
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+      atoms_[next[a]++] = b;
+      atoms_[next[b]++] = a;
+    };
+    for (const Bond& bond : bonds) join(bond.a, bond.b);
+    for (const Candidate& pair : candidates) join(pair.a, pair.b);
+  }
+
+  std::span<const std::uint32_t> of(std::uint32_t atom) const {
+    return {atoms_.data() + first_[atom], atoms_.data() + first_[atom + 1]};
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> atoms_;
+};
+
 class DistanceStep {
  public:
   explicit DistanceStep(Perception& perception)
@@ -52,6 +83,7 @@ class DistanceStep {
     if (!anything_open_) return;
     count_known_bonds();
     collect_candidates();
+    drop_ends_of_angles();
     accept(heavy_);
     // Two hydrogens are a molecule only when neither has anything else to be bonded to.
     accept(hydrogen_pairs_);
@@ -146,6 +178,27 @@ class DistanceStep {
       const bool hydrogens = elements_[a] == hydrogen && elements_[b] == hydrogen;
       (hydrogens ? hydrogen_pairs_ : heavy_).push_back({length / radii, a, b});
     });
+  }
+
+  /// Drops pairs that only look bonded because both are bonded to a third atom, as across the rings
+  /// of cyclobutadiene, 1,3-dithietane and cyclodisiloxane.
+  void drop_ends_of_angles() {
+    const Neighbours neighbours(p_.structure.size(), p_.bonds, heavy_);
+    std::erase_if(heavy_, [&](const Candidate& c) {
+      const double length = p_.length(c.a, c.b);
+      const auto around_b = neighbours.of(c.b);
+      return std::ranges::any_of(neighbours.of(c.a), [&](std::uint32_t centre) {
+        return elements_[centre] != hydrogen &&
+               std::ranges::find(around_b, centre) != around_b.end() &&
+               subtends_wide_angle(length, p_.length(centre, c.a), p_.length(centre, c.b));
+      });
+    });
+  }
+
+  static bool subtends_wide_angle(double across, double leg, double other) {
+    if (across <= std::max(leg, other)) return false;
+    return leg * leg + other * other - across * across <
+           2.0 * leg * other * widest_ring_angle_cosine;
   }
 
   bool has_room(std::uint32_t atom, const std::vector<std::uint32_t>& counts) const {

@@ -198,6 +198,48 @@ TEST(DistanceBonds, BeyondTheValenceGoLongestFirst) {
                           "1-2 distance", "1-3 distance", "1-4 distance", "1-6 distance"));
 }
 
+TEST(DistanceBonds, AreNotMadeAcrossFourMemberedRings) {
+  // Tetrafluorocyclobutadiene and dithietane as force fields draw them, cyclodisiloxane as it is.
+  EXPECT_EQ(perceive(molecule({{"C", {0.7, 0.67, 0}},
+                               {"C", {-0.7, 0.67, 0}},
+                               {"C", {-0.7, -0.67, 0}},
+                               {"C", {0.7, -0.67, 0}}}))
+                .bonds.size(),
+            4U);
+  EXPECT_EQ(
+      perceive(
+          molecule(
+              {{"S", {1.27, 0, 0}}, {"C", {0, 1.3, 0}}, {"S", {-1.27, 0, 0}}, {"C", {0, -1.3, 0}}}))
+          .bonds.size(),
+      4U);
+  EXPECT_EQ(perceive(molecule({{"Si", {1.2, 0, 0}},
+                               {"O", {0, 1.18, 0}},
+                               {"Si", {-1.2, 0, 0}},
+                               {"O", {0, -1.18, 0}}}))
+                .bonds.size(),
+            4U);
+}
+
+TEST(DistanceBonds, AreMadeInThreeMemberedRings) {
+  // Cyclopropane, and the longest known bond of its kind: O-O of difluorodioxirane.
+  EXPECT_EQ(
+      perceive(molecule({{"C", {}}, {"C", {1.51, 0, 0}}, {"C", {0.755, 1.31, 0}}})).bonds.size(),
+      3U);
+  EXPECT_EQ(perceive(molecule({{"O", {0.789, 0, 0}}, {"O", {-0.789, 0, 0}}, {"C", {0, 1.09, 0}}}))
+                .bonds.size(),
+            3U);
+}
+
+TEST(DistanceBonds, GiveSulphurSixNeighbours) {
+  std::vector<std::pair<const char*, Vec3>> atoms{{"S", {}}};
+  for (double x : {1.56, -1.56}) {
+    atoms.push_back({"F", {x, 0, 0}});
+    atoms.push_back({"F", {0, x, 0}});
+    atoms.push_back({"F", {0, 0, x}});
+  }
+  EXPECT_EQ(perceive(molecule(atoms)).bonds.size(), 6U);
+}
+
 TEST(DistanceBonds, SkipMetalsIonsAndNobleGases) {
   EXPECT_THAT(perceive(molecule({{"Zn", {}}, {"S", {2.3, 0, 0}}})).bonds, IsEmpty());
   EXPECT_THAT(perceive(molecule({{"Ar", {}}, {"C", {1.5, 0, 0}}})).bonds, IsEmpty());
