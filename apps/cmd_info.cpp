@@ -117,6 +117,7 @@ int command_info(const Arguments& arguments) {
   MoleculeOptions options;
   bool as_json = false;
   add_molecule_options(app, options);
+  start_group(app, "Output");
   app.add_flag("--json", as_json, "print one JSON object");
   if (const int code = parse(app, arguments); code >= 0) return code;
   Messages messages(as_json);

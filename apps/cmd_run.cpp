@@ -40,6 +40,13 @@ int command_run(const Arguments& arguments) {
       "the frame and the exit code (3) say that it is not.",
       "pliant run"};
   prepare(app);
+  app.footer(
+      "Examples:\n"
+      "  pliant run caffeine.sdf\n"
+      "  pliant run protein.pdb -o out.h5md --steps 10000 --every 10 --technique blocks\n"
+      "  pliant run protein.pdb --perturb displacement --pin \"chainID A\" --walkers 8\n"
+      "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge,\n"
+      "130 ended early by Ctrl-C with whole frames.");
   RunSettings settings;
   add_run_options(app, settings);
   if (const int code = parse(app, arguments); code >= 0) return code;

@@ -49,6 +49,7 @@ int command_techniques(const Arguments& arguments) {
   CLI::App app{"Lists techniques, weightings and perturbations.", "pliant techniques"};
   prepare(app);
   bool as_json = false;
+  start_group(app, "Output");
   app.add_flag("--json", as_json, "print one JSON object");
   if (const int code = parse(app, arguments); code >= 0) return code;
   if (as_json) {

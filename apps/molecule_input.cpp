@@ -13,20 +13,23 @@ constexpr std::int64_t most_models = 1'000'000'000;
 }  // namespace
 
 void add_molecule_options(CLI::App& app, MoleculeOptions& options) {
+  start_group(app, "Molecule");
   app.add_option("input", options.file, "molecule file (PDB, mmCIF, XYZ, SDF; may be gzipped)")
       ->type_name("FILE")
       ->required();
   add_choice(app, "--format", options.format, names_of(formats()),
-             "format of the input, if not by its extension or content")
+             "pdb, mmcif, xyz or sdf, if not told by extension or content")
       ->default_str("");
   add_integer(app, "--model", options.model, 1, most_models, "which model, frame or record");
   add_choice(app, "--bars", options.bars, names_of(bar_choices),
-             "which pairs of atoms become bars");
+             "bonds, or angles: bonds and 1-3 pairs");
   add_choice(app, "--lengths", options.lengths, names_of(length_choices),
-             "where rest lengths come from");
+             "rest lengths from the geometry or a table of bonds");
   app.add_option("--pin", options.pin, "atoms that never move, such as \"chainID A and name CA\"")
       ->type_name("SELECTION");
-  app.add_flag("!--no-distance-bonds", options.guess_distances, "guess no bond from a distance");
+  app.add_flag_callback(
+      "--no-distance-bonds", [&options] { options.guess_distances = false; },
+      "guess no bond from a distance");
 }
 
 Molecule load(const MoleculeOptions& options, const Log& log) {

@@ -58,10 +58,6 @@ std::string wording(Range range) {
 /// Numbers fill the whole argument: no blanks around them.
 bool has_blanks(const std::string& text) { return text.find_first_of(" \t") != std::string::npos; }
 
-std::string joined(const std::vector<std::string_view>& names) {
-  return fmt::format("{}", fmt::join(names, ", "));
-}
-
 /// "--no-such" with the nearest option that there is.
 std::string unknown_options(const CLI::App& app) {
   std::vector<std::string> known;
@@ -73,6 +69,13 @@ std::string unknown_options(const CLI::App& app) {
     const std::string near = nearest_name(word, views);
     if (!near.empty()) text += " (did you mean " + near + "?)";
   }
+  return text;
+}
+
+/// Never two empty lines in a row.
+std::string single_spaced(std::string text) {
+  for (auto at = text.find("\n\n\n"); at != std::string::npos; at = text.find("\n\n\n", at))
+    text.erase(at, 1);
   return text;
 }
 
@@ -120,7 +123,7 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
       }
     throw CLI::ValidationError(name, unknown_choice("choice", text, names));
   };
-  return add_parsed(app, name, "NAME", value, help + ": " + joined(names), parse);
+  return add_parsed(app, name, "NAME", value, help, parse);
 }
 
 void prepare(CLI::App& app) {
@@ -129,13 +132,17 @@ void prepare(CLI::App& app) {
   app.set_help_flag("-h,--help", "print this text and exit");
 }
 
+void start_group(CLI::App& app, const std::string& heading) {
+  app.option_defaults()->group(heading);
+}
+
 int parse(CLI::App& app, const Arguments& arguments) {
   Arguments reversed(arguments.rbegin(), arguments.rend());
   try {
     app.parse(reversed);
     return -1;
   } catch (const CLI::CallForHelp&) {
-    fmt::print("{}", app.help());
+    fmt::print("{}", single_spaced(app.help()));
     return exit_ok;
   } catch (const CLI::ExtrasError&) {
     fmt::print(stderr, "{}: error: {}\n", app.get_name(), unknown_options(app));

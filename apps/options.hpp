@@ -35,6 +35,9 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
 /// An app whose help and errors read as all of ours do.
 void prepare(CLI::App& app);
 
+/// Options added from here on stand under this heading in the help.
+void start_group(CLI::App& app, const std::string& heading);
+
 /// Parses. Returns -1 to go on, else the exit code to end with (help was printed, or the error).
 int parse(CLI::App& app, const Arguments& arguments);
 

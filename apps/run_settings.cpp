@@ -14,8 +14,9 @@ namespace fs = std::filesystem;
 constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
 
 void add_technique_options(CLI::App& app, RunOptions& run) {
+  start_group(app, "Technique");
   add_choice(app, "--technique", run.technique.name, names_of(techniques()),
-             "how broken bars are resolved");
+             "how broken bars are resolved: see pliant techniques");
   add_real(app, "--weighting", run.technique.weighting, Range::zero_to_one,
            "share of a correction that the far end of a bar takes");
   app.add_flag("--mass-weighted", run.technique.mass_weighted,
@@ -31,26 +32,27 @@ void add_technique_options(CLI::App& app, RunOptions& run) {
 
 void add_perturb_options(CLI::App& app, RunSettings& settings) {
   RunOptions& run = settings.run;
-  add_choice(app, "--perturb", run.perturb, names_of(perturbations()), "what breaks the bars");
+  start_group(app, "Perturbation");
+  add_choice(app, "--perturb", run.perturb, names_of(perturbations()),
+             "what breaks the bars: force, force_all, displacement");
   add_real(app, "--force", run.perturb_options.force, Range::zero_or_more,
            "size of a random force, kJ/(mol Angstrom)");
-  add_real(app, "--timestep", run.perturb_options.timestep, Range::positive, "ps");
+  add_real(app, "--timestep", run.perturb_options.timestep, Range::positive, "of a step, ps");
   add_real(app, "--damping", run.perturb_options.damping, Range::zero_to_one,
            "share of its velocity that a pushed joint loses");
   add_real(app, "--displacement", run.perturb_options.displacement, Range::zero_or_more,
            "length of a random displacement, Angstrom");
   app.add_option("--forces", settings.forces,
-                 "replay the pushes of a force file, one a step, in place of --perturb")
+                 "replay a force file, one push a step, in place of --perturb")
       ->type_name("FILE");
 }
 
 void add_output_options(CLI::App& app, RunSettings& settings) {
-  app.add_option("-o,--output", settings.output,
-                 "H5MD trajectory (default: name of the input with .h5md)")
+  start_group(app, "Output");
+  app.add_option("-o,--output", settings.output, "H5MD trajectory (default: INPUT's name.h5md)")
       ->type_name("FILE");
   app.add_option("--topology", settings.topology,
-                 "PDB with names and bonds beside the trajectory, or none (default: name of the "
-                 "output with .pdb)")
+                 "PDB with names and bonds, or none (default: OUTPUT's name.pdb)")
       ->type_name("FILE");
   app.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
   app.add_flag("--single", settings.record.single, "positions as 32-bit floats");
@@ -91,6 +93,7 @@ fs::path stem_of(const fs::path& input) {
 
 void add_run_options(CLI::App& app, RunSettings& settings) {
   add_molecule_options(app, settings.molecule);
+  start_group(app, "Run");
   add_integer(app, "--steps", settings.run.steps, 0, no_limit, "steps to do");
   add_integer(app, "--every", settings.run.every, 1, no_limit, "record every so many steps");
   add_seed(app, "--seed", settings.run.resolve.seed, "of all random numbers");
