@@ -93,6 +93,8 @@ void FrameReader::open_positions() {
   if (!has_object(file_, position_ + "/value"))
     throw InputError("no positions: " + position_ + "/value is missing");
   value_.emplace(file_, position_ + "/value");
+  if (value_->value_class() >= ValueClass::text)
+    throw InputError(value_->path() + " has no numbers");
   const auto& extents = value_->extents();
   if (extents.size() != 3 || extents[2] != 3)
     throw InputError(value_->path() + " has shape " + value_->shape() +

@@ -30,7 +30,9 @@ class InsideLinks {
   }
   operator std::int64_t() const { return properties_; }
 
-  /// Throws the error for a call that came back negative.
+  /// Whether a link wanted to; HDF5 may call its object absent then.
+  bool refused() const { return !refused_.empty(); }
+  /// Throws the error for a call that came back negative or was refused.
   [[noreturn]] void fail(const std::string& path) const {
     if (refused_.empty()) throw_hdf5_error("open " + pliant::quoted(path, 200));
     throw FileError(pliant::quoted(path, 200) + " leads to the file " +
@@ -43,7 +45,7 @@ class InsideLinks {
 };
 
 std::string open_failure(const std::string& reason) {
-  if (reason.find("lock") != std::string::npos)
+  if (reason.find("unable to lock") != std::string::npos)
     return "is in use by another program (" + reason + ")";
   if (reason.find("h5clear") != std::string::npos)
     return "was not closed by the program that wrote it, or is still being written; "
@@ -122,7 +124,7 @@ bool has_object(std::int64_t location, const std::string& path) {
     if (!link_exists(location, path.substr(0, end), links)) return false;
   if (!link_exists(location, path, links)) return false;
   const htri_t exists = H5Oexists_by_name(location, path.c_str(), links);
-  if (exists < 0) links.fail(path);
+  if (exists < 0 || links.refused()) links.fail(path);
   return exists > 0;
 }
 
