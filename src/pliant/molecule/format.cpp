@@ -5,7 +5,7 @@
 #include <string>
 
 #include "pliant/base/choices.hpp"
-#include "pliant/molecule/file_text.hpp"
+#include "pliant/base/file_text.hpp"
 #include "pliant/molecule/read.hpp"
 #include "pliant/molecule/readers.hpp"
 

@@ -7,9 +7,9 @@
 #include <string_view>
 #include <vector>
 
+#include "pliant/base/text_lines.hpp"
 #include "pliant/molecule/remarks.hpp"
 #include "pliant/molecule/structure.hpp"
-#include "pliant/molecule/text_lines.hpp"
 
 namespace pliant {
 

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "pliant/base/number.hpp"
+#include "pliant/base/text_lines.hpp"
 #include "pliant/molecule/atom_sites.hpp"
 #include "pliant/molecule/elements.hpp"
 #include "pliant/molecule/hybrid36.hpp"
@@ -19,7 +20,6 @@
 #include "pliant/molecule/pdb_serials.hpp"
 #include "pliant/molecule/readers.hpp"
 #include "pliant/molecule/reading.hpp"
-#include "pliant/molecule/text_lines.hpp"
 
 namespace pliant {
 namespace {

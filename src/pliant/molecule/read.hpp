@@ -6,6 +6,7 @@
 #include <span>
 #include <string_view>
 
+#include "pliant/base/file_text.hpp"
 #include "pliant/base/log.hpp"
 #include "pliant/molecule/structure.hpp"
 
@@ -16,12 +17,6 @@ struct ReadOptions {
   std::size_t model = 1;    ///< which model, frame or record, from 1
   std::string format = "";  ///< a name in formats(); "": by extension, then by content
   Log log = {};             ///< where notes and warnings go
-};
-
-/// The text of a file and how to speak of it.
-struct SourceText {
-  std::string_view name;  ///< file name for messages
-  std::string_view text;  ///< all of it, without a UTF-8 byte order mark
 };
 
 /// A format: one row of the table of formats.

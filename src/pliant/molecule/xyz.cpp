@@ -6,11 +6,11 @@
 #include <string>
 
 #include "pliant/base/number.hpp"
+#include "pliant/base/text_lines.hpp"
 #include "pliant/molecule/atom_label.hpp"
 #include "pliant/molecule/elements.hpp"
 #include "pliant/molecule/readers.hpp"
 #include "pliant/molecule/reading.hpp"
-#include "pliant/molecule/text_lines.hpp"
 #include "pliant/molecule/xyz_columns.hpp"
 
 namespace pliant {

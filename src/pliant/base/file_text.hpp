@@ -7,9 +7,13 @@
 #include <string>
 #include <string_view>
 
-#include "pliant/molecule/read.hpp"
-
 namespace pliant {
+
+/// The text of a file and how to speak of it.
+struct SourceText {
+  std::string_view name;  ///< file name for messages
+  std::string_view text;  ///< all of it, without a UTF-8 byte order mark
+};
 
 /// Files (and what gzip inflates to) beyond this are refused.
 inline constexpr std::size_t largest_text = std::size_t{4} << 30;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/molecule/gzip.hpp"
+#include "pliant/base/gzip.hpp"
 
 #include <zlib.h>
 
@@ -8,7 +8,7 @@
 #include <limits>
 
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/file_text.hpp"
+#include "pliant/base/file_text.hpp"
 
 namespace pliant {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/molecule/file_text.hpp"
+#include "pliant/base/file_text.hpp"
 
 #include <fcntl.h>
 #include <sys/stat.h>
@@ -11,7 +11,7 @@
 #include <system_error>
 
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/gzip.hpp"
+#include "pliant/base/gzip.hpp"
 
 namespace pliant {
 namespace {
