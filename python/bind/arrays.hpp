@@ -7,6 +7,7 @@
 #include <nanobind/ndarray.h>
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,8 @@ namespace pliant::python {
 struct ArrayLike {
   nb::object object;
 };
+
+using OptionalArray = std::optional<ArrayLike>;
 
 /// An argument whose memory is used as it is, and changed.
 struct PositionsInPlace {

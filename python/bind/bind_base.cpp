@@ -18,9 +18,26 @@ nb::object& warning_class() {
 
 void describe(nb::handle type, const char* text) { type.attr("__doc__") = text; }
 
-void warn(std::string_view text, int stacklevel) {
+bool is_ours(nb::handle frame) {
+  const auto name = nb::cast<std::string>(nb::str(frame.attr("f_globals")["__name__"]));
+  return name == "pliant" || name.starts_with("pliant.");
+}
+
+/// How many Python frames up the caller is: functions of the package stand between.
+int level_of_caller() {
+  nb::object frame = nb::module_::import_("sys").attr("_getframe")(0);
+  int level = 1;
+  while (!frame.is_none() && is_ours(frame)) {
+    frame = frame.attr("f_back");
+    ++level;
+  }
+  return level;
+}
+
+void warn(std::string_view text) {
   const std::string copy(text);
-  if (PyErr_WarnEx(warning_class().ptr(), copy.c_str(), stacklevel) != 0) throw nb::python_error();
+  if (PyErr_WarnEx(warning_class().ptr(), copy.c_str(), level_of_caller()) != 0)
+    throw nb::python_error();
 }
 
 void note(std::string_view text) {
@@ -30,13 +47,25 @@ void note(std::string_view text) {
 
 }  // namespace
 
-Log python_log(int stacklevel) {
-  return {[stacklevel](Severity severity, std::string_view text) {
+Log python_log() {
+  return {[](Severity severity, std::string_view text) {
     const nb::gil_scoped_acquire gil;
     if (severity == Severity::warning) {
-      warn(text, stacklevel);
+      warn(text);
     } else {
       note(text);
+    }
+  }};
+}
+
+Log unraisable_python_log() {
+  return {[log = python_log()](Severity severity, std::string_view text) {
+    const nb::gil_scoped_acquire gil;
+    try {
+      log.function(severity, text);
+    } catch (nb::python_error& error) {
+      error.restore();
+      PyErr_WriteUnraisable(Py_None);
     }
   }};
 }

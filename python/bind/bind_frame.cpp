@@ -2,9 +2,31 @@
 // Frame and Stop: what observers are shown.
 #include "arrays.hpp"
 #include "frame.hpp"
+#include "pushes.hpp"
 
 namespace pliant::python {
 namespace {
+
+/// A frame with a copy of `positions` that is its own.
+void make_frame(OwnedFrame* self, std::int64_t step, double time, const ArrayLike& positions,
+                std::int64_t sweeps, std::int64_t projections, double max_residual,
+                double rms_residual, Stop stop, std::optional<std::int64_t> root_joint,
+                const PythonForce& force) {
+  nb::object state = nb::cast(State(positions_from(positions)));
+  const auto [x, y, z] = force;
+  const std::span<const Vec3> own = nb::cast<const State&>(state).positions;
+  new (self) OwnedFrame{{step,
+                         time,
+                         own,
+                         sweeps,
+                         projections,
+                         max_residual,
+                         rms_residual,
+                         stop,
+                         root_joint.value_or(no_joint),
+                         {x, y, z}},
+                        std::move(state)};
+}
 
 nb::object root_joint_of(const OwnedFrame& self) {
   if (self.frame.root_joint == no_joint) return nb::none();
@@ -34,10 +56,16 @@ auto frame_field() {
 
 void bind_frame(nb::module_& module) {
   bind_stop(module);
-  nb::class_<OwnedFrame>(module, "Frame",
-                         "One step's result, as observers see it.\n\n"
-                         "``positions`` is a view of the state that the run goes on to change:\n"
-                         "copy what is to be kept.")
+  nb::class_<OwnedFrame>(
+      module, "Frame",
+      "One step's result, as observers see it.\n\n"
+      "``positions`` is a view of the state that the run goes on to change:\n"
+      "copy what is to be kept. A frame that you make yourself, for a recorder,\n"
+      "holds a copy.")
+      .def("__init__", &make_frame, "step"_a, "time"_a, "positions"_a, nb::kw_only(),
+           "sweeps"_a = 0, "projections"_a = 0, "max_residual"_a = 0.0, "rms_residual"_a = 0.0,
+           "stop"_a = Stop::converged, "root_joint"_a = nb::none(),
+           "force"_a = PythonForce{0.0, 0.0, 0.0})
       .def_prop_ro("step", frame_field<&Frame::step>(), "Steps done.")
       .def_prop_ro("time", frame_field<&Frame::time>(), "ps.")
       .def_prop_ro(

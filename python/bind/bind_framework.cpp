@@ -8,11 +8,10 @@
 #include "pliant/framework/framework.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/residual.hpp"
+#include "pliant/molecule/structure.hpp"
 
 namespace pliant::python {
 namespace {
-
-using OptionalArray = std::optional<ArrayLike>;
 
 std::shared_ptr<const AtomTable> table_of_names(std::vector<std::string> names) {
   auto atoms = std::make_shared<AtomTable>();
@@ -45,7 +44,7 @@ std::size_t count_joints(const ArrayLike& bars, std::optional<std::int64_t> join
 void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray& rest_lengths,
                     std::optional<std::int64_t> joint_count, const OptionalArray& positions,
                     const OptionalArray& masses, const OptionalArray& pinned,
-                    std::optional<std::vector<std::string>> names) {
+                    std::optional<std::vector<std::string>> names, const Structure* structure) {
   std::optional<std::vector<Vec3>> start;
   if (positions) start = positions_from(*positions);
   FrameworkParts parts;
@@ -60,7 +59,9 @@ void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray&
   }
   if (masses) parts.masses = reals_from(*masses, "masses");
   if (pinned) parts.pinned = joints_from(*pinned, "pinned", parts.joint_count);
+  if (names && structure) throw nb::type_error("Framework: give names or a structure, not both");
   if (names) parts.atoms = table_of_names(std::move(*names));
+  if (structure) parts.atoms = std::make_shared<const AtomTable>(structure->atoms);
   const nb::gil_scoped_release no_gil;
   new (self) Framework(std::move(parts));
 }
@@ -130,6 +131,8 @@ pinned : joints or (N,) truth values, optional
     Joints that never move.
 names : N strings, optional
     What messages call the joints.
+structure : Structure, optional
+    Whose atoms the joints are: messages and files call them so.
 
 Raises
 ------
@@ -162,7 +165,8 @@ void bind_framework_class(nb::module_& module) {
   framework
       .def("__init__", &make_framework, "bars"_a, "rest_lengths"_a = nb::none(),
            "joint_count"_a = nb::none(), nb::kw_only(), "positions"_a = nb::none(),
-           "masses"_a = nb::none(), "pinned"_a = nb::none(), "names"_a = nb::none())
+           "masses"_a = nb::none(), "pinned"_a = nb::none(), "names"_a = nb::none(),
+           "structure"_a = nb::none())
       .def_prop_ro("joint_count", &Framework::joint_count, "Number N of joints.")
       .def_prop_ro("bar_count", &Framework::bar_count, "Number B of bars.")
       .def_prop_ro("bars", &bars_view, "(B, 2) uint32, read-only view: the joints of each bar.")

@@ -7,6 +7,8 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "options.hpp"
+#include "pushes.hpp"
+#include "recorder.hpp"
 
 namespace pliant::python {
 namespace {
@@ -23,13 +25,29 @@ Observer python_observer(nb::handle callable, nb::handle state) {
   };
 }
 
-RunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunOptions options,
-                     const std::vector<nb::object>& observers, int stacklevel) {
+/// A recorder needs no GIL, any other observer is a Python object.
+Observer observer_of(nb::handle object, nb::handle state) {
+  if (!nb::isinstance<SharedRecorder>(object)) return python_observer(object, state);
+  SharedRecorder& shared = nb::cast<SharedRecorder&>(object);
+  return [&shared](const Frame& frame) {
+    shared.with([&](H5mdRecorder& recorder) { recorder.record(frame); });
+    return false;
+  };
+}
+
+/// What a run did, and the state that it ended in.
+struct OwnedRunSummary : RunSummary {
+  nb::object state;
+};
+
+OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunOptions options,
+                          const std::vector<nb::object>& observers) {
+  check_pushes(framework, options.replay);
   InterruptWatch watch;
-  options.log = python_log(stacklevel);
+  options.log = python_log();
   options.resolve.should_stop = [&watch] { return watch(); };
   std::vector<Observer> all;
-  for (const nb::object& observer : observers) all.push_back(python_observer(observer, state));
+  for (const nb::object& observer : observers) all.push_back(observer_of(observer, state));
   all.push_back([&watch](const Frame&) { return watch(); });
   RunSummary summary;
   {
@@ -38,7 +56,7 @@ RunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunO
     summary = run(framework, moved, options, all);
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
-  return summary;
+  return {summary, nb::borrow(state)};
 }
 
 /// An attribute of RunOptions that lies deeper in the library's struct.
@@ -83,18 +101,31 @@ void bind_perturb_options(nb::class_<RunOptions>& options) {
       options, "displacement", "Length of a random displacement, Angstrom.");
 }
 
+void bind_replay(nb::class_<RunOptions>& options) {
+  options.def_prop_rw(
+      "replay", [](const RunOptions& self) { return pushes_to_python(self.replay); },
+      [](RunOptions& self, const PythonPushes& pushes) { self.replay = pushes_from(pushes); },
+      "Forces in place of ``perturb``: (joint, (x, y, z)) in kJ/(mol Angstrom), one a step.");
+}
+
 void bind_options(nb::module_& module) {
   nb::class_<RunOptions> options(module, "RunOptions", "What a run does; checked at its start.");
   options.def(nb::init<>())
+      .def(
+          "check", [](const RunOptions& self) { check(self); },
+          "Raises OptionError naming the option, its value and its range.")
       .def_rw("perturb", &RunOptions::perturb, "A name in ``perturbations()``.")
       .def_rw("steps", &RunOptions::steps, "Steps to do.")
       .def_rw("every", &RunOptions::every, "Show every so many steps, and step 0.");
   bind_technique_options(options);
   bind_perturb_options(options);
+  bind_replay(options);
 }
 
 void bind_run_summary(nb::module_& module) {
-  nb::class_<RunSummary>(module, "RunSummary", "What a run did.")
+  nb::class_<OwnedRunSummary>(module, "RunSummary", "What a run did.")
+      .def_ro("state", &OwnedRunSummary::state, nb::sig("def state(self) -> State"),
+              "What the run moved: its last positions.")
       .def_ro("steps", &RunSummary::steps, "Steps done.")
       .def_ro("frames", &RunSummary::frames, "Frames shown to observers.")
       .def_ro("unconverged_steps", &RunSummary::unconverged_steps,
@@ -114,12 +145,16 @@ void bind_run_summary(nb::module_& module) {
       .def_ro("observe_seconds", &RunSummary::observe_seconds, "Wall time of the observers.")
       .def_ro("seconds", &RunSummary::seconds, "Wall time of it all.")
       .def_prop_ro(
-          "converged", [](const RunSummary& self) { return self.unconverged_steps == 0; },
+          "converged", [](const OwnedRunSummary& self) { return self.unconverged_steps == 0; },
           "Every bar was within the tolerance after every step.")
-      .def_prop_ro("mean_sweeps", &RunSummary::mean_sweeps, "Sweeps a step.")
-      .def_prop_ro("ns_per_bar_and_sweep", &RunSummary::ns_per_bar_and_sweep,
-                   "Resolve time over projections, nanoseconds.")
-      .def("__repr__", [](const RunSummary& self) {
+      .def_prop_ro(
+          "mean_sweeps", [](const OwnedRunSummary& self) { return self.mean_sweeps(); },
+          "Sweeps a step.")
+      .def_prop_ro(
+          "ns_per_bar_and_sweep",
+          [](const OwnedRunSummary& self) { return self.ns_per_bar_and_sweep(); },
+          "Resolve time over projections, nanoseconds.")
+      .def("__repr__", [](const OwnedRunSummary& self) {
         return "<pliant.RunSummary: " + std::to_string(self.steps) + " steps, " +
                std::to_string(self.frames) + " frames, " + std::to_string(self.unconverged_steps) +
                " unconverged>";
@@ -132,7 +167,6 @@ void bind_run(nb::module_& module) {
   bind_options(module);
   bind_run_summary(module);
   module.def("run_steps", &run_steps, "framework"_a, "state"_a, "options"_a, "observers"_a,
-             "stacklevel"_a = 1,
              "Steps ``state`` on and shows frames to observers; the function ``run`` says more.");
 }
 

@@ -8,7 +8,10 @@
 
 namespace pliant::python {
 
-/// A log whose warnings point `stacklevel` Python frames up: 1 is the caller of the extension.
-Log python_log(int stacklevel = 1);
+/// A log whose warnings point to the line of the caller that is outside of the package.
+Log python_log();
+
+/// The same for what may speak in a destructor: where warnings are errors, they are printed.
+Log unraisable_python_log();
 
 }  // namespace pliant::python

@@ -9,8 +9,10 @@ NB_MODULE(_core, module) {
   module.attr("__version__") = nb::str(pliant::version().data(), pliant::version().size());
   bind_base(module);
   bind_framework(module);
+  bind_molecule(module);
   bind_order(module);
   bind_resolve(module);
   bind_perturb(module);
+  bind_record(module);
   bind_run(module);
 }

@@ -3,21 +3,28 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
 from pliant import _core
 
+#: What an observer is: it looks at a frame, and anything true that it returns ends the run.
+Observer = Callable[[_core.Frame], object]
 
-def _state_from(state: _core.State | npt.ArrayLike) -> _core.State:
-    return state if isinstance(state, _core.State) else _core.State(np.asarray(state))
+#: A force on a joint during one step: joint, (x, y, z) in kJ/(mol Angstrom).
+Push = tuple[int, tuple[float, float, float]]
+
+Value = bool | int | float | str
 
 
 def run(
-    framework: _core.Framework,
-    state: _core.State | npt.ArrayLike,
+    framework: _core.Framework | _core.Structure,
+    state: _core.State | npt.ArrayLike | None = None,
+    output: str | os.PathLike[str] | None = None,
     *,
     steps: int = 1000,
     every: int = 1,
@@ -32,25 +39,167 @@ def run(
     timestep: float = 0.01,
     damping: float = 0.0,
     displacement: float = 0.1,
+    replay: Sequence[Push] | None = None,
     seed: int = 0,
     walker: int = 0,
-    observers: Iterable[Callable[[_core.Frame], bool | None]] = (),
+    bars: str = "bonds",
+    lengths: str = "geometry",
+    pin: str = "",
+    structure: _core.Structure | None = None,
+    observers: Iterable[Observer] = (),
+    parameters: Mapping[str, Value] | None = None,
+    overwrite: bool = False,
+    single: bool = False,
+    compress: bool = False,
+    flush_seconds: float = 1.0,
 ) -> _core.RunSummary:
-    """Push a framework again and again, resolve the bars that break, show what moved."""
+    """Push a framework again and again, resolve the bars that break, show and record what moved.
+
+    Each step breaks bars by a perturbation (position Verlet: Verlet, Phys. Rev. 159 (1967) 98; or
+    random displacements, as FRODA) and makes them whole by a technique, as `resolve` does. Step 0
+    is the start, resolved first if it is broken. The same arguments give the same bits. Other
+    Python threads run meanwhile. Ctrl-C ends the run after a sweep: the file is closed in good
+    order, then KeyboardInterrupt is raised.
+
+    Parameters
+    ----------
+    framework : Framework or Structure
+        Of a structure, the framework is built with `bars`, `lengths` and `pin`.
+    state : State or (N, 3) Angstrom, optional
+        Where to start. A State is moved itself; positions are copied. Default: the structure's.
+    output : str or path, optional
+        H5MD file to write.
+    steps, every : int
+        Steps to do; observers see step 0, each `every`-th step and the last.
+    technique, weighting, mass_weighted, tolerance, tolerance_length, max_sweeps
+        As of `resolve`.
+    perturb : str
+        A name in `perturbations()`.
+    force, timestep, damping, displacement : float
+        Size of a random force, kJ/(mol Angstrom); ps; share of its velocity that a pushed joint
+        loses a step, 0 to 1; length of a random displacement, Angstrom.
+    replay : sequence of (joint, (x, y, z)), optional
+        Forces in kJ/(mol Angstrom), one a step, in place of `perturb`; the run ends with the last.
+    seed, walker : int
+        All random numbers are functions of these, the step and the joint.
+    bars, lengths, pin : str
+        As of `Structure.framework`; only looked at for a structure.
+    structure : Structure, optional
+        Whose bonds and masses are recorded beside a framework of your own making.
+    observers : callables
+        Each is called with a `Frame`; returning something true ends the run after it, None and
+        False do not. What one raises ends the run.
+    parameters : dict, optional
+        More values for /parameters of the file, by path.
+    overwrite, single, compress, flush_seconds
+        As of `H5mdRecorder`.
+
+    Returns
+    -------
+    RunSummary
+        Its `state` is what was moved. A step that did not converge is counted, not raised.
+
+    Raises
+    ------
+    OptionError
+        An option is out of range; the message names it.
+    InputError
+        Positions that cannot carry the framework: not finite, or too far from the origin.
+    FileError
+        The file exists (and `overwrite` is false) or cannot be written.
+    """
+    built: dict[str, Value] = {}
+    if isinstance(framework, _core.Structure):
+        if structure is not None:
+            raise TypeError("run: structure is given twice")
+        structure, framework = framework, framework.framework(bars, lengths, pin)
+        built = {"input/bars": bars, "input/lengths": lengths, "input/pin": pin}
+    options = _options(
+        replay,
+        steps=steps,
+        every=every,
+        technique=technique,
+        weighting=weighting,
+        mass_weighted=mass_weighted,
+        tolerance=tolerance,
+        tolerance_length=0.0 if tolerance_length is None else tolerance_length,
+        max_sweeps=max_sweeps,
+        perturb=perturb,
+        force=force,
+        timestep=timestep,
+        damping=damping,
+        displacement=displacement,
+        seed=seed,
+        walker=walker,
+    )
+    start = _start(state, structure)
+    if output is None:
+        return _core.run_steps(framework, start, options, list(observers))
+    recorder = _core.H5mdRecorder(
+        output,
+        framework,
+        structure=structure,
+        parameters=_parameters(structure, options, single, compress) | built | (parameters or {}),
+        overwrite=overwrite,
+        single=single,
+        compress=compress,
+        flush_seconds=flush_seconds,
+    )
+    with recorder:
+        return _core.run_steps(framework, start, options, [recorder, *observers])
+
+
+#: Options of a run that are recorded, as `pliant run` records them.
+_RECORDED = (
+    "technique",
+    "weighting",
+    "mass_weighted",
+    "tolerance",
+    "tolerance_length",
+    "max_sweeps",
+    "steps",
+    "every",
+    "perturb",
+    "force",
+    "timestep",
+    "damping",
+    "displacement",
+)
+
+
+def _options(replay: Sequence[Push] | None, **values: Value) -> _core.RunOptions:
     options = _core.RunOptions()
-    options.steps = steps
-    options.every = every
-    options.technique = technique
-    options.weighting = weighting
-    options.mass_weighted = mass_weighted
-    options.tolerance = tolerance
-    options.tolerance_length = tolerance_length or 0.0
-    options.max_sweeps = max_sweeps
-    options.perturb = perturb
-    options.force = force
-    options.timestep = timestep
-    options.damping = damping
-    options.displacement = displacement
-    options.seed = seed
-    options.walker = walker
-    return _core.run_steps(framework, _state_from(state), options, list(observers), 2)
+    for name, value in values.items():
+        setattr(options, name, value)
+    if replay is not None:
+        if len(replay) == 0:
+            raise _core.InputError("replay: holds no push")
+        options.replay = replay
+    options.check()
+    return options
+
+
+def _start(
+    state: _core.State | npt.ArrayLike | None, structure: _core.Structure | None
+) -> _core.State:
+    if isinstance(state, _core.State):
+        return state
+    if state is not None:
+        return _core.State(np.asarray(state))
+    if structure is None:
+        raise TypeError("run: a framework has no positions: give state")
+    return _core.State(structure.positions)
+
+
+def _parameters(
+    structure: _core.Structure | None, options: _core.RunOptions, single: bool, compress: bool
+) -> dict[str, Value]:
+    values: dict[str, Value] = {"record/single": single, "record/compress": compress}
+    if structure is not None and structure.source:
+        values |= {"input/file": Path(structure.source).name, "input/model": structure.model}
+    values |= {f"run/{name}": getattr(options, name) for name in _RECORDED}
+    values["run/seed"] = str(options.seed)  # 64 bits without sign do not fit an HDF5 integer
+    values["run/walker"] = options.walker
+    if options.replay:
+        values["run/perturb"] = "replay"
+    return values

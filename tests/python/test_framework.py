@@ -87,7 +87,7 @@ def test_names_are_used_in_messages():
         (
             ([[0, 1]], [1]),
             {"masses": [1, 0]},
-            "mass of joint 1 is 0: must be positive and finite",
+            "mass of joint 1 is 0: must be from 1e-150 to 1e150 u",
         ),
         (([[0, 1]], [1]), {"pinned": [2]}, "pinned: joint 2 of 2 does not exist"),
         (([[0, 1]], [1]), {"pinned": [True]}, "pinned: expected shape (2,), found (1,)"),

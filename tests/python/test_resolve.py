@@ -61,9 +61,9 @@ def test_refuses_an_unaligned_array():
 
 def test_refuses_options_by_name():
     for options, message in [
-        ({"weighting": 1.5}, "weighting = 1.500000: must be from 0 to 1"),
+        ({"weighting": 1.5}, "weighting = 1.5: must be from 0 to 1"),
         ({"max_sweeps": 0}, "max_sweeps = 0: must be from 1"),
-        ({"tolerance": 0.0}, "tolerance = 0.000000: must be positive and finite"),
+        ({"tolerance": 0.0}, "tolerance = 0: must be positive and finite"),
     ]:
         with pytest.raises(pliant.OptionError) as caught:
             pliant.resolve(TRIANGLE, broken(3), **options)
@@ -142,7 +142,9 @@ def test_ends_near_the_nearest_whole_positions(technique):
     nearest = nearest_whole_positions(framework, start)
     assert np.abs(pliant.residuals(framework, nearest)).max() <= 1e-12
     moved, least = np.linalg.norm(positions - start), np.linalg.norm(nearest - start)
-    assert least <= moved <= 1.1 * least
+    # Sharing each correction half and half stays near; an outward pass carries all to the leaves.
+    sweeps = technique in {ordering.name for ordering in pliant.orderings()}
+    assert least <= moved <= (1.1 if sweeps else 1.5) * least
 
 
 def test_a_resolver_does_what_the_function_does():

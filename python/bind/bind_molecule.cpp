@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+// Structures: reading files, bond perception, frameworks of molecules.
+#include <nanobind/stl/filesystem.h>
+
+#include "arrays.hpp"
+#include "messages.hpp"
+#include "pliant/base/choices.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/molecule/bonds.hpp"
+#include "pliant/molecule/build_framework.hpp"
+#include "pliant/molecule/elements.hpp"
+#include "pliant/molecule/read.hpp"
+#include "structure.hpp"
+#include "tables.hpp"
+
+namespace pliant::python {
+namespace {
+
+void perceive(Structure& structure, double slack, double shortest, bool guess_distances) {
+  const BondOptions options{slack, shortest, guess_distances, python_log()};
+  const nb::gil_scoped_release no_gil;
+  perceive_bonds(structure, options);
+}
+
+ReadOptions read_options(std::int64_t model, const std::optional<std::string>& format) {
+  if (model < 0) throw OptionError("model is " + std::to_string(model) + ": must be from 1");
+  return {static_cast<std::size_t>(model), format.value_or(""), python_log()};
+}
+
+Structure read(const std::filesystem::path& path, std::int64_t model,
+               const std::optional<std::string>& format, bool perceive_bonds) {
+  const ReadOptions options = read_options(model, format);
+  const nb::gil_scoped_release no_gil;
+  Structure structure = read_structure(path, options);
+  BondOptions bonding;
+  bonding.log = options.log;
+  if (perceive_bonds) pliant::perceive_bonds(structure, bonding);
+  return structure;
+}
+
+Structure read_text(std::string_view text, std::string_view name, std::int64_t model,
+                    const std::optional<std::string>& format, bool perceive_bonds) {
+  const ReadOptions options = read_options(model, format);
+  const nb::gil_scoped_release no_gil;
+  Structure structure = read_structure(SourceText{name, text}, options);
+  BondOptions bonding;
+  bonding.log = options.log;
+  if (perceive_bonds) pliant::perceive_bonds(structure, bonding);
+  return structure;
+}
+
+Framework framework_of(const Structure& structure, const std::string& bars,
+                       const std::string& lengths, const std::string& pin, bool use_masses) {
+  const BuildOptions options{choose(bar_choices, "kind of bars", bars).kind,
+                             choose(length_choices, "source of lengths", lengths).source, pin,
+                             use_masses, python_log()};
+  const nb::gil_scoped_release no_gil;
+  return build_framework(structure, options);
+}
+
+constexpr const char* framework_doc = R"(The framework whose joints are the atoms.
+
+Parameters
+----------
+bars : str
+    ``bonds``: a bar for each bond; ``angles``: and for each pair of atoms bonded to one atom.
+lengths : str
+    ``geometry``: the distances at ``positions``; ``table``: standard lengths by elements and order.
+pin : str
+    Selection of atoms that never move, in the words of MDAnalysis: ``"resid 3-8 and name CA"``.
+use_masses : bool
+    Give joints the masses of their atoms.
+
+Raises
+------
+InputError
+    A bar would have no length.
+OptionError
+    An unknown choice, or a selection that cannot be understood.
+)";
+
+constexpr const char* read_doc =
+    R"(Reads one model of a molecule file: PDB, mmCIF, XYZ, SDF, also gzipped.
+
+Parameters
+----------
+path : str or path
+model : int
+    Which model, frame or record, from 1.
+format : str, optional
+    A name in ``formats()``; default: by extension, then by content.
+perceive_bonds : bool
+    Add bonds that the file does not state: residue templates, links, distances.
+
+Raises
+------
+InputError
+    Names file, line and field, what was expected and what was found.
+FileError
+    The file cannot be read.
+OptionError
+    No such format or model.
+
+Warns
+-----
+PliantWarning
+    For each kind of guess, once. What is as it should be goes to the logger ``pliant``.
+)";
+
+void bind_formats(nb::module_& module) {
+  bind_row<Format>(module, "Format", "One row of the table of formats.")
+      .def_prop_ro(
+          "extensions",
+          [](const Format& self) {
+            return std::vector<std::string>(self.extensions.begin(), self.extensions.end());
+          },
+          "File name extensions: \".pdb\".");
+  module.def(
+      "formats", [] { return rows_of(formats()); }, nb::rv_policy::reference,
+      "The table of formats that ``read`` knows.");
+}
+
+}  // namespace
+
+void bind_molecule(nb::module_& module) {
+  const BondOptions bonding;
+  bind_formats(module);
+  bind_structure(module)
+      .def("perceive_bonds", &perceive, nb::kw_only(), "slack"_a = bonding.slack,
+           "shortest"_a = bonding.shortest, "guess_distances"_a = bonding.guess_distances,
+           "Adds the bonds that residue templates, links and distances tell; bonds that are there "
+           "stay.\n\nslack: Angstrom added to the sum of two covalent radii (Cordero et al.,\n"
+           "Dalton Trans. 2008, 2832); shortest: closer atoms are not bonded.")
+      .def("framework", &framework_of, "bars"_a = "bonds", "lengths"_a = "geometry", "pin"_a = "",
+           nb::kw_only(), "use_masses"_a = true, framework_doc);
+  module.def("read", &read, "path"_a, "model"_a = 1, "format"_a = nb::none(), nb::kw_only(),
+             "perceive_bonds"_a = true, read_doc);
+  module.def("read_text", &read_text, "text"_a, "name"_a = "text", "model"_a = 1,
+             "format"_a = nb::none(), nb::kw_only(), "perceive_bonds"_a = true,
+             "The same for text in memory; ``name`` stands in messages and gives the extension.");
+}
+
+}  // namespace pliant::python

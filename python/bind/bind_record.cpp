@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+// Recording: frames to H5MD files.
+#include <nanobind/stl/filesystem.h>
+
+#include "frame.hpp"
+#include "messages.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/base/version.hpp"
+#include "pliant/molecule/elements.hpp"
+#include "pliant/molecule/structure.hpp"
+#include "recorder.hpp"
+
+namespace pliant::python {
+namespace {
+
+std::vector<RecordedBond> bonds_of(const Structure& structure) {
+  std::vector<RecordedBond> bonds;
+  bonds.reserve(structure.bonds.size());
+  for (const Bond& bond : structure.bonds)
+    bonds.push_back({bond.a, bond.b, static_cast<std::uint8_t>(bond.origin), bond.order});
+  return bonds;
+}
+
+H5mdHeader header_of(const Structure* structure) {
+  H5mdHeader header;
+  header.creator_version = version();
+  if (structure == nullptr) return header;
+  header.bonds = bonds_of(*structure);
+  header.bond_origin_names.assign(bond_origin_names.begin(), bond_origin_names.end());
+  for (std::uint8_t element : structure->atoms.elements)
+    header.masses.push_back(element_mass(element));
+  return header;
+}
+
+/// True and False are integers to Python, so they come first.
+Parameter parameter_from(const std::string& path, nb::handle value) {
+  if (nb::isinstance<nb::bool_>(value)) return nb::cast<bool>(value);
+  if (nb::isinstance<nb::int_>(value)) return nb::cast<std::int64_t>(value);
+  if (nb::isinstance<nb::float_>(value)) return nb::cast<double>(value);
+  if (nb::isinstance<nb::str>(value)) return nb::cast<std::string>(value);
+  throw nb::type_error(
+      ("parameters[\"" + path + "\"]: expected a bool, int, float or str").c_str());
+}
+
+std::vector<NamedParameter> parameters_from(const nb::dict& values) {
+  std::vector<NamedParameter> parameters;
+  for (const auto& [key, value] : values) {
+    const auto path = nb::cast<std::string>(key);
+    parameters.emplace_back(path, parameter_from(path, value));
+  }
+  return parameters;
+}
+
+void make_recorder(SharedRecorder* self, const std::filesystem::path& path,
+                   const Framework& framework, const Structure* structure,
+                   const nb::dict& parameters, bool single, bool compress, bool overwrite,
+                   double flush_seconds) {
+  H5mdHeader header = header_of(structure);
+  header.parameters = parameters_from(parameters);
+  const H5mdOptions options{single, compress, overwrite, flush_seconds, unraisable_python_log()};
+  const nb::gil_scoped_release no_gil;
+  new (self) SharedRecorder(path, framework, header, options);
+}
+
+void record(SharedRecorder& self, const OwnedFrame& frame) {
+  const nb::gil_scoped_release no_gil;
+  self.with([&](H5mdRecorder& recorder) { recorder.record(frame.frame); });
+}
+
+void flush(SharedRecorder& self) {
+  const nb::gil_scoped_release no_gil;
+  self.with([](H5mdRecorder& recorder) { recorder.flush(); });
+}
+
+void close(SharedRecorder& self) {
+  const nb::gil_scoped_release no_gil;
+  self.with([](H5mdRecorder& recorder) { recorder.close(); });
+}
+
+constexpr const char* recorder_doc =
+    R"(Writes frames to an H5MD 1.1 file (de Buyl, Colberg, Hoefling, Comput. Phys. Commun. 185 (2014) 1546).
+
+The file opens in MDAnalysis, h5py and every other HDF5 program, while it is written and after its
+writer was killed, with every frame committed until then. An observer of ``run``, and a context
+manager that closes itself.
+
+Parameters
+----------
+path : str or path
+    Appears when it is complete but for the frames.
+framework : Framework
+    Its bars, rest lengths and atom names are recorded.
+structure : Structure, optional
+    Its bonds and masses are recorded too.
+parameters : dict of str to bool, int, float or str
+    Values below /parameters, by path: ``{"run/seed": 5}``.
+single : bool
+    Positions as 32-bit floats.
+compress : bool
+    Shuffle and gzip positions.
+overwrite : bool
+    Replace an existing file.
+flush_seconds : float
+    Frames are committed this often; 0: each frame.
+
+Raises
+------
+FileError
+    The file exists, cannot be written, or is being written by another recorder.
+OptionError
+    A bad option or path of a parameter.
+)";
+
+}  // namespace
+
+void bind_record(nb::module_& module) {
+  nb::class_<SharedRecorder>(module, "H5mdRecorder", recorder_doc)
+      .def("__init__", &make_recorder, "path"_a, "framework"_a, nb::kw_only(),
+           "structure"_a = nb::none(), "parameters"_a = nb::dict(), "single"_a = false,
+           "compress"_a = false, "overwrite"_a = false, "flush_seconds"_a = 1.0)
+      .def("record", &record, "frame"_a,
+           "Adds a frame, which must come after the last one and have finite positions.")
+      .def("__call__", &record, "frame"_a, "The same, so that it is an observer.")
+      .def("flush", &flush, "Commits what was recorded: it survives this process.")
+      .def("close", &close, "Commits and closes; further calls do nothing.")
+      .def_prop_ro(
+          "frames",
+          [](SharedRecorder& self) {
+            const nb::gil_scoped_release no_gil;
+            return self.with([](H5mdRecorder& recorder) { return recorder.frames(); });
+          },
+          "Frames recorded.")
+      .def_prop_ro(
+          "committed_frames",
+          [](SharedRecorder& self) {
+            const nb::gil_scoped_release no_gil;
+            return self.with([](H5mdRecorder& recorder) { return recorder.committed_frames(); });
+          },
+          "Frames recorded and certain to be in the file.")
+      .def_prop_ro(
+          "path",
+          [](SharedRecorder& self) {
+            return self.with([](H5mdRecorder& recorder) { return recorder.path(); });
+          },
+          "Where the file is.")
+      .def(
+          "__enter__", [](nb::handle_t<SharedRecorder> self) { return nb::borrow(self); },
+          nb::sig("def __enter__(self) -> H5mdRecorder"))
+      .def(
+          "__exit__", [](SharedRecorder& self, const nb::args&) { close(self); },
+          nb::sig("def __exit__(self, *exception: object) -> None"));
+}
+
+}  // namespace pliant::python

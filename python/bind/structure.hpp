@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: MIT
+// The class Structure: its columns as arrays, and how it is made from arrays.
+#pragma once
+
+#include "bind.hpp"
+#include "pliant/molecule/structure.hpp"
+
+namespace pliant::python {
+
+nb::class_<Structure> bind_structure(nb::module_& module);
+
+}  // namespace pliant::python

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+"""Structures from and for other packages; each is imported only when its adapter is called."""
+
+from pliant.adapters.mdanalysis import from_mdanalysis, to_mdanalysis
+from pliant.adapters.openmm import constraints_from_openmm, from_openmm
+from pliant.adapters.rdkit import from_rdkit
+
+__all__ = [
+    "constraints_from_openmm",
+    "from_mdanalysis",
+    "from_openmm",
+    "from_rdkit",
+    "to_mdanalysis",
+]

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: MIT
+"""MDAnalysis: atoms of a universe as a structure, and a universe of a structure or framework."""
+
+from __future__ import annotations
+
+import warnings
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from pliant._core import Framework, InputError, PliantWarning, Structure
+
+if TYPE_CHECKING:
+    import MDAnalysis
+
+#: What MDAnalysis and the formats it reads call an aromatic bond.
+_AROMATIC = {"ar", "aromatic", "1.5"}
+
+
+def from_mdanalysis(
+    atoms: MDAnalysis.Universe | MDAnalysis.AtomGroup, *, perceive_bonds: bool | None = None
+) -> Structure:
+    """Give the atoms of a universe or group, at the current frame, as a structure.
+
+    Parameters
+    ----------
+    atoms : Universe or AtomGroup
+        Angstrom, as MDAnalysis has it; its positions are 32-bit floats.
+    perceive_bonds : bool, optional
+        Add bonds by residue templates, links and distances. Default: only if the universe has
+        no bonds at all.
+
+    Warns
+    -----
+    PliantWarning
+        The universe has no elements: they are guessed from names, as MDAnalysis does.
+    """
+    group = atoms.atoms
+    bonds, orders = _bonds_within(group)
+    structure = Structure(
+        group.positions,
+        elements=_elements(group),
+        names=_texts(group, "names"),
+        residue_names=_texts(group, "resnames"),
+        residue_ids=group.resids if hasattr(group, "resids") else None,
+        insertion_codes=_texts(group, "icodes"),
+        chains=_chains(group),
+        serials=group.ids if hasattr(group, "ids") else None,
+        bonds=bonds,
+        bond_orders=orders,
+    )
+    if perceive_bonds or (perceive_bonds is None and bonds is None):
+        structure.perceive_bonds()
+    return structure
+
+
+def to_mdanalysis(
+    source: Structure | Framework, positions: npt.ArrayLike | None = None, *, timestep: float = 1.0
+) -> MDAnalysis.Universe:
+    """Give a universe with names, residues and bonds; of a framework, with bars as bonds.
+
+    Parameters
+    ----------
+    source : Structure or Framework
+    positions : (N, 3) or (F, N, 3) Angstrom, optional
+        One frame or several, kept in memory. Default: the structure's own.
+    timestep : float
+        Time between frames in ps.
+    """
+    if positions is None:
+        if isinstance(source, Framework):
+            raise TypeError("to_mdanalysis: a framework has no positions: give them")
+        positions = source.positions
+    count = len(source) if isinstance(source, Structure) else source.joint_count
+    frames = _frames(positions, count)
+    universe = (
+        _universe_of_structure(source)
+        if isinstance(source, Structure)
+        else _universe_of_framework(source)
+    )
+    from MDAnalysis.coordinates.memory import MemoryReader
+
+    universe.load_new(frames, format=MemoryReader, order="fac", dt=timestep)
+    return universe
+
+
+def _texts(group: Any, name: str) -> list[str] | None:
+    return [str(text) for text in getattr(group, name)] if hasattr(group, name) else None
+
+
+def _chains(group: Any) -> list[str] | None:
+    chains = _texts(group, "chainIDs")
+    if chains is not None and any(chains):
+        return chains
+    segments = _texts(group, "segids")
+    return segments and ["" if name == "SYSTEM" else name for name in segments]
+
+
+def _elements(group: Any) -> list[str] | None:
+    elements = _texts(group, "elements")
+    if elements is not None and any(elements):
+        return elements
+    names = _texts(group, "names") or _texts(group, "types")
+    if names is None:
+        return None
+    guessed = [_guessed_element(name) for name in names]
+    warnings.warn("the universe has no elements: guessed from names", PliantWarning, stacklevel=3)
+    return guessed
+
+
+def _guessed_element(name: str) -> str:
+    from MDAnalysis.topology.guessers import guess_atom_element
+
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", DeprecationWarning)
+        guess = guess_atom_element(name)
+    return guess if guess.upper() not in {"", "DUMMY"} else ""
+
+
+def _bonds_within(group: Any) -> tuple[npt.NDArray[np.int64] | None, list[int] | None]:
+    """Bonds between atoms of the group as pairs of places in it; None if no bonds are known."""
+    from MDAnalysis.exceptions import NoDataError
+
+    try:
+        bonds = group.bonds
+    except (AttributeError, NoDataError):
+        return None, None
+    place = np.full(len(group.universe.atoms), -1)
+    place[group.indices] = np.arange(len(group))
+    pairs = place[np.asarray(bonds.indices).reshape(-1, 2)]
+    inside = (pairs >= 0).all(axis=1)
+    orders = [_order(bond.order) for bond in bonds] if len(bonds) and bonds[0].order else None
+    if orders is not None:
+        orders = [order for order, kept in zip(orders, inside, strict=True) if kept]
+    return pairs[inside], orders
+
+
+def _order(order: object) -> int:
+    text = str(order).lower()
+    if text in _AROMATIC:
+        return 4
+    return int(float(text)) if text in {"1", "2", "3", "1.0", "2.0", "3.0"} else 0
+
+
+def _frames(positions: npt.ArrayLike, count: int) -> npt.NDArray[np.float64]:
+    frames = np.asarray(positions, dtype=np.float64)
+    if frames.ndim == 2:
+        frames = frames[np.newaxis]
+    if frames.ndim != 3 or frames.shape[1:] != (count, 3):
+        raise InputError(
+            f"positions: expected shape ({count}, 3) or (F, {count}, 3), "
+            f"found {np.shape(positions)}"
+        )
+    return frames.copy()
+
+
+def _universe_of_framework(framework: Framework) -> MDAnalysis.Universe:
+    import MDAnalysis
+
+    count = framework.joint_count
+    universe = MDAnalysis.Universe.empty(count, trajectory=True)
+    universe.add_TopologyAttr("names", [framework.label(i) for i in range(count)])
+    inverse = framework.inverse_masses
+    masses = np.divide(1.0, inverse, out=np.zeros(count), where=inverse > 0)
+    universe.add_TopologyAttr("masses", masses)
+    universe.add_TopologyAttr("bonds", framework.bars.astype(np.int64))
+    return universe
+
+
+def _universe_of_structure(structure: Structure) -> MDAnalysis.Universe:
+    import MDAnalysis
+
+    residue_of = structure.residue_of
+    first = np.searchsorted(residue_of, np.arange(structure.residue_count))
+    chains = structure.chains
+    segments, segment_of = np.unique(chains[first], return_inverse=True)
+    universe = MDAnalysis.Universe.empty(
+        len(structure),
+        n_residues=structure.residue_count,
+        atom_resindex=residue_of.astype(np.int64),
+        n_segments=len(segments),
+        residue_segindex=segment_of,
+        trajectory=True,
+    )
+    symbols = np.where(structure.elements == 0, "", structure.symbols)
+    for name, values in {
+        "names": structure.names,
+        "types": symbols,
+        "elements": symbols,
+        "masses": structure.masses,
+        "ids": structure.serials,
+        "chainIDs": chains,
+        "resnames": structure.residue_names[first],
+        "resids": structure.residue_ids[first],
+        "icodes": structure.insertion_codes[first],
+        "segids": segments,
+    }.items():
+        universe.add_TopologyAttr(
+            name, values.astype(object) if values.dtype.kind == "U" else values
+        )
+    orders = [int(order) or None for order in structure.bond_orders]
+    universe.add_bonds(structure.bonds.astype(np.int64), order=orders)
+    return universe
