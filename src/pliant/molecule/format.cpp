@@ -14,12 +14,14 @@ namespace {
 
 constexpr std::array<std::string_view, 2> pdb_extensions{".pdb", ".ent"};
 constexpr std::array<std::string_view, 4> sdf_extensions{".sdf", ".sd", ".mol", ".mdl"};
+constexpr std::array<std::string_view, 3> mmcif_extensions{".cif", ".mmcif", ".mcif"};
 constexpr std::array<std::string_view, 2> xyz_extensions{".xyz", ".extxyz"};
 
 // Looked through by content in this order: XYZ last, as a number on the first line says least.
-const std::array<Format, 3> table{{
-    {"sdf", "MDL molfile and SDF, V2000 and V3000", sdf_extensions, looks_like_sdf, read_sdf},
+const std::array<Format, 4> table{{
     {"pdb", "Protein Data Bank, fixed columns", pdb_extensions, looks_like_pdb, read_pdb},
+    {"mmcif", "PDBx/mmCIF", mmcif_extensions, looks_like_mmcif, read_mmcif},
+    {"sdf", "MDL molfile and SDF, V2000 and V3000", sdf_extensions, looks_like_sdf, read_sdf},
     {"xyz", "XYZ and extended XYZ", xyz_extensions, looks_like_xyz, read_xyz},
 }};
 

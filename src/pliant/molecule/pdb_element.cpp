@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <optional>
 #include <string>
 
 #include "pliant/base/number.hpp"
@@ -87,6 +88,26 @@ std::uint8_t element_of_padded_name(std::string_view padded) {
   return pair != 0 ? pair : element_number(padded.substr(0, 1));
 }
 
+using PaddedName = std::array<char, 4>;
+
+PaddedName upper_padded(std::string_view name) {
+  PaddedName padded{' ', ' ', ' ', ' '};
+  std::copy_n(name.begin(), std::min(padded.size(), name.size()), padded.begin());
+  std::transform(padded.begin(), padded.end(), padded.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+  return padded;
+}
+
+/// What the residue says whatever the padding: 0 for a dummy site of water. Nothing where it says
+/// nothing.
+std::optional<std::uint8_t> element_by_residue(std::string_view name, std::string_view residue) {
+  const bool terminal = is_long_residue_name(residue) && !is_standard_residue(residue);
+  if (terminal) residue.remove_prefix(1);
+  if (is_standard_residue(residue)) return element_in_standard_residue(name, residue);
+  if (const std::uint8_t ion = element_of_ion(name, residue)) return ion;
+  return std::nullopt;
+}
+
 }  // namespace
 
 bool is_standard_residue(std::string_view name) { return contains(standard_residues, name); }
@@ -98,17 +119,20 @@ bool is_long_residue_name(std::string_view name) {
 }
 
 std::uint8_t element_of_pdb_name(std::string_view padded_name, std::string_view residue_name) {
-  std::array<char, 4> padded{' ', ' ', ' ', ' '};
-  std::copy_n(padded_name.begin(), std::min<std::size_t>(4, padded_name.size()), padded.begin());
-  std::transform(padded.begin(), padded.end(), padded.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
-  const std::string_view name = trimmed({padded.data(), padded.size()});
+  const PaddedName padded = upper_padded(padded_name);
+  const std::string_view text(padded.data(), padded.size());
+  if (trimmed(text).empty()) return 0;
+  if (const auto element = element_by_residue(trimmed(text), residue_name)) return *element;
+  return element_of_padded_name(text);
+}
+
+std::uint8_t element_of_bare_name(std::string_view name, std::string_view residue_name) {
+  name = trimmed(name);
   if (name.empty()) return 0;
-  const bool terminal = is_long_residue_name(residue_name) && !is_standard_residue(residue_name);
-  if (terminal) residue_name.remove_prefix(1);
-  if (is_standard_residue(residue_name)) return element_in_standard_residue(name, residue_name);
-  if (const std::uint8_t ion = element_of_ion(name, residue_name)) return ion;
-  return element_of_padded_name({padded.data(), padded.size()});
+  if (const auto element = element_by_residue(name, residue_name)) return *element;
+  const std::string_view letters = without_leading_digits(name);
+  if (letters.size() < 2) return element_number(letters);
+  return element_of_capitals(letters[0], letters[1]);
 }
 
 std::uint8_t pdb_element(const PdbLine& line, std::string_view residue_name, Remarks& remarks) {

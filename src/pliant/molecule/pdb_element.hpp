@@ -24,4 +24,7 @@ std::uint8_t pdb_element(const PdbLine& line, std::string_view residue_name, Rem
 /// "CA  " calcium unless the residue is standard; 0 where it tells none.
 std::uint8_t element_of_pdb_name(std::string_view padded_name, std::string_view residue_name);
 
+/// The same for a name without its blanks, as mmCIF has it.
+std::uint8_t element_of_bare_name(std::string_view name, std::string_view residue_name);
+
 }  // namespace pliant

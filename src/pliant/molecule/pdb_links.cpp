@@ -32,7 +32,8 @@ std::optional<LinkEnd> end_of(std::string_view line, const EndColumns& at) {
   end.address.insertion_code = column(line, at.number + 4);
   end.address.name = at.name == 0 ? "SG" : trimmed(columns(line, at.name, at.name + 3));
   end.conformer = at.conformer == 0 ? ' ' : column(line, at.conformer);
-  end.symmetry = trimmed(columns(line, at.symmetry, at.symmetry + 5));
+  const std::string_view symmetry = trimmed(columns(line, at.symmetry, at.symmetry + 5));
+  if (symmetry != "1555") end.symmetry = symmetry;
   return end;
 }
 

@@ -25,6 +25,12 @@ class Remarks {
     if (!seen_before(kind)) add(kind, Severity::warning, at({file_, line}, text()));
   }
 
+  /// The same for what is as it should be.
+  template <class Text>
+  void note(std::string_view kind, std::size_t line, Text&& text) {
+    if (!seen_before(kind)) add(kind, Severity::note, at({file_, line}, text()));
+  }
+
   void note(std::string_view message) { add("", Severity::note, at({file_}, message)); }
 
   std::string_view file() const { return file_; }

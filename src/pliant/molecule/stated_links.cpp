@@ -17,15 +17,6 @@ std::string text_of(const AtomAddress& address) {
   return quoted(text.append(":").append(address.name));
 }
 
-/// Ends in one copy of the molecule: neither is moved, or both are by the same operator.
-bool in_one_copy(const StatedLink& link) {
-  constexpr std::string_view identity = "1555";
-  const auto operation = [&](const LinkEnd& end) {
-    return end.symmetry.empty() ? identity : end.symmetry;
-  };
-  return operation(link.ends[0]) == operation(link.ends[1]);
-}
-
 /// Makes bonds of links, one after the other.
 class LinkReader {
  public:
@@ -73,7 +64,7 @@ bool LinkReader::uses_metal(const StatedLink& link, const std::array<std::uint32
 }
 
 void LinkReader::take(const StatedLink& link) {
-  if (!in_one_copy(link)) {
+  if (link.ends[0].symmetry != link.ends[1].symmetry) {
     remarks_.warn("link by symmetry", link.line, [&] {
       return std::string(link.record) + " leads to a copy by symmetry: bond left out";
     });

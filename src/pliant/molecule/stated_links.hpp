@@ -16,7 +16,7 @@ namespace pliant {
 struct LinkEnd {
   AtomAddress address;
   char conformer = ' ';       ///< alternate location that is meant; ' ' for any
-  std::string_view symmetry;  ///< operator ("1555"); "" for the identity
+  std::string_view symmetry;  ///< operator; "" for the identity
 };
 
 /// A stated link.
