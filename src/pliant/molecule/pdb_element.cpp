@@ -9,6 +9,7 @@
 #include "pliant/base/number.hpp"
 #include "pliant/molecule/atom_label.hpp"
 #include "pliant/molecule/elements.hpp"
+#include "pliant/molecule/residue_templates.hpp"
 
 namespace pliant {
 namespace {
@@ -110,7 +111,9 @@ std::optional<std::uint8_t> element_by_residue(std::string_view name, std::strin
 
 }  // namespace
 
-bool is_standard_residue(std::string_view name) { return contains(standard_residues, name); }
+bool is_standard_residue(std::string_view name) {
+  return contains(standard_residues, name) || find_residue_template(name) != nullptr;
+}
 
 bool is_long_residue_name(std::string_view name) {
   if (name.size() != 4) return false;
