@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Claim T1 of the thesis: a tree resolved breadth or depth first with weighting 1 takes exactly one
+// sweep. It holds for every tree, root and break: each bar is projected after the bar that moves
+// its near joint, and only its far joint moves.
+#include <gtest/gtest.h>
+
+#include "pliant/framework/examples.hpp"
+#include "pliant/framework/graph.hpp"
+#include "pliant/resolve/resolve.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace {
+
+/// A random forest: each joint but the first hangs on a random earlier one, or (one in sixteen)
+/// begins a tree of its own. Bars are in a random order, with random first ends.
+Sketch random_forest(std::uint64_t seed) {
+  RandomSequence draws({seed, Domain::generate});
+  Sketch sketch;
+  const std::size_t count = 2 + draws.below(30);
+  for (std::size_t i = 0; i < count; ++i) {
+    sketch.positions.push_back(10.0 * draws.uniform() * draws.direction());
+    if (i == 0 || draws.below(16) == 0) continue;
+    const auto here = static_cast<Joint>(i), there = static_cast<Joint>(draws.below(i));
+    sketch.bars.push_back(draws.below(2) == 0 ? Bar{here, there} : Bar{there, here});
+  }
+  for (std::size_t left = sketch.bars.size(); left > 1; --left)
+    std::swap(sketch.bars[left - 1], sketch.bars[draws.below(left)]);
+  return sketch;
+}
+
+class TreeLaw : public testing::TestWithParam<const char*> {};
+
+TEST_P(TreeLaw, AnyForestAnyBreakExactlyOneSweep) {
+  constexpr double sizes[] = {1e-3, 0.1, 3.0};
+  std::size_t tried = 0;
+  for (std::uint64_t seed = 0; tried < 10000; ++seed) {
+    const Sketch sketch = random_forest(seed);
+    if (sketch.bars.empty()) continue;
+    ++tried;
+    const Framework framework = framework_of(sketch);
+    ASSERT_TRUE(graph_facts(framework).is_forest());
+    std::vector<Vec3> x = test::shake(framework, sketch.positions, sizes[seed % 3], seed);
+    ResolveOptions options;
+    options.tolerance.relative = 1e-11;
+    const auto root = static_cast<Joint>(seed % sketch.positions.size());
+    const Vec3 root_before = x[root];
+    const ResolveSummary summary = resolve(framework, {GetParam(), 1.0}, x, options, root);
+    ASSERT_EQ(summary.stop, Stop::converged) << "seed " << seed << summary.brief(framework);
+    ASSERT_EQ(summary.sweeps, 1) << "seed " << seed;
+    ASSERT_EQ(summary.projections, std::int64_t(sketch.bars.size()));
+    ASSERT_EQ(x[root], root_before) << "the pushed joint stays where it was pushed to";
+  }
+}
+
+/// The push of the thesis: only the root is moved.
+TEST_P(TreeLaw, APushedRootTakesOneSweepOnEveryTree) {
+  for (const Example& example : examples()) {
+    if (example.facts.cycles > 0 || !example.facts.whole || example.framework.bar_count() == 0)
+      continue;
+    SCOPED_TRACE(example.name);
+    for (Joint root = 0; root < example.framework.joint_count(); ++root) {
+      if (example.framework.neighbours(root).empty()) continue;
+      std::vector<Vec3> x = example.positions;
+      x[root] += Vec3{0.2, -0.1, 0.3};
+      const ResolveSummary summary = resolve(example.framework, {GetParam(), 1.0}, x, {}, root);
+      EXPECT_TRUE(summary.converged());
+      EXPECT_EQ(summary.sweeps, 1);
+    }
+  }
+}
+
+TEST_P(TreeLaw, CyclesAreRefusedByTheTreeOrderings) {
+  if (!find_ordering(GetParam()).forests_only) GTEST_SKIP();
+  std::vector<Vec3> x = ring(4).positions;
+  EXPECT_EQ(test::error_text<OptionError>([&] {
+              resolve(framework_of(ring(4)), {GetParam(), 1.0}, x);
+            }),
+            "technique = " + std::string(GetParam()) +
+                ": is for trees only, but the framework has 1 independent cycle");
+}
+
+// The _cycle orderings are the _tree ones where there is no cycle.
+INSTANTIATE_TEST_SUITE_P(Orderings, TreeLaw,
+                         testing::Values("bfs_tree", "dfs_tree", "bfs_cycle", "dfs_cycle"),
+                         [](const auto& row) { return std::string(row.param); });
+
+}  // namespace
+}  // namespace pliant
