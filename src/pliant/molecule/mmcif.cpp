@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <string>
 
+#include "pliant/base/text_lines.hpp"
 #include "pliant/molecule/cif_document.hpp"
 #include "pliant/molecule/mmcif_atoms.hpp"
 #include "pliant/molecule/mmcif_bonds.hpp"
 #include "pliant/molecule/readers.hpp"
 #include "pliant/molecule/reading.hpp"
-#include "pliant/molecule/text_lines.hpp"
 
 namespace pliant {
 namespace {
@@ -42,8 +42,8 @@ const CifBlock& choose_block(const CifDocument& document, Remarks& remarks) {
                                  : "no atom_site category: no atoms");
   }
   if (blocks.size() > 1)
-    remarks.note("data block " + pliant::quoted(found->name) + " of " + std::to_string(blocks.size()) +
-                 " used");
+    remarks.note("data block " + pliant::quoted(found->name) + " of " +
+                 std::to_string(blocks.size()) + " used");
   return *found;
 }
 
