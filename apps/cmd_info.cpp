@@ -9,8 +9,8 @@
 #include "command.hpp"
 #include "messages.hpp"
 #include "molecule_input.hpp"
+#include "pliant/base/elements.hpp"
 #include "pliant/framework/graph.hpp"
-#include "pliant/molecule/elements.hpp"
 
 namespace pliant::app {
 namespace {

@@ -8,7 +8,7 @@
 
 #include "interrupt.hpp"
 #include "messages.hpp"
-#include "pliant/molecule/elements.hpp"
+#include "pliant/base/elements.hpp"
 
 namespace pliant::app {
 namespace {

@@ -3,16 +3,16 @@
 #pragma once
 
 // base: vectors, errors, messages, random numbers
-#include "pliant/base/choices.hpp"  // tables of named things
-#include "pliant/base/error.hpp"    // Error, InputError, OptionError, FileError
-#include "pliant/base/log.hpp"      // notes and warnings, through a callback
-#include "pliant/base/random.hpp"   // draws as functions of (seed, domain, walker, step, joint)
-#include "pliant/base/vec3.hpp"     // Vec3
+#include "pliant/base/choices.hpp"   // tables of named things
+#include "pliant/base/elements.hpp"  // symbols, masses, radii
+#include "pliant/base/error.hpp"     // Error, InputError, OptionError, FileError
+#include "pliant/base/log.hpp"       // notes and warnings, through a callback
+#include "pliant/base/random.hpp"    // draws as functions of (seed, domain, walker, step, joint)
+#include "pliant/base/vec3.hpp"      // Vec3
 
 // molecule: files to structures, structures to frameworks
 #include "pliant/molecule/bonds.hpp"            // bond perception
 #include "pliant/molecule/build_framework.hpp"  // bonds or angles to bars
-#include "pliant/molecule/elements.hpp"         // symbols, masses, radii
 #include "pliant/molecule/read.hpp"             // PDB, mmCIF, XYZ, SDF
 #include "pliant/molecule/structure.hpp"        // atoms, positions, bonds
 
@@ -38,4 +38,5 @@
 #include "pliant/run/run.hpp"               // perturb, resolve, show
 
 // record: trajectories
+#include "pliant/record/h5md_reader.hpp"    // frames of any H5MD file
 #include "pliant/record/h5md_recorder.hpp"  // frames to an H5MD file

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/molecule/elements.hpp"
 
 namespace pliant {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/elements.hpp"
 #include "pliant/molecule/perception.hpp"
 
 namespace pliant {

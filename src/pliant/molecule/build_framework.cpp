@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/bond_lengths.hpp"
-#include "pliant/molecule/elements.hpp"
 #include "pliant/molecule/selection.hpp"
 
 namespace pliant {

@@ -5,7 +5,7 @@
 #include <span>
 
 #include "pliant/base/cell_list.hpp"
-#include "pliant/molecule/elements.hpp"
+#include "pliant/base/elements.hpp"
 #include "pliant/molecule/perception.hpp"
 
 namespace pliant::perception {

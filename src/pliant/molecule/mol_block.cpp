@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <string>
 
-#include "pliant/molecule/elements.hpp"
+#include "pliant/base/elements.hpp"
 #include "pliant/molecule/reading.hpp"
 
 namespace pliant {

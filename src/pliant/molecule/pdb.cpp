@@ -7,10 +7,10 @@
 #include <set>
 #include <string>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/base/text_lines.hpp"
 #include "pliant/molecule/atom_sites.hpp"
-#include "pliant/molecule/elements.hpp"
 #include "pliant/molecule/hybrid36.hpp"
 #include "pliant/molecule/pdb_columns.hpp"
 #include "pliant/molecule/pdb_conect.hpp"

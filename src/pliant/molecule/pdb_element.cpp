@@ -6,9 +6,9 @@
 #include <optional>
 #include <string>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/molecule/atom_label.hpp"
-#include "pliant/molecule/elements.hpp"
 #include "pliant/molecule/residue_templates.hpp"
 
 namespace pliant {

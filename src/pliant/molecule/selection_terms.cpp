@@ -3,7 +3,7 @@
 
 #include <cctype>
 
-#include "pliant/molecule/elements.hpp"
+#include "pliant/base/elements.hpp"
 
 namespace pliant {
 namespace selection {

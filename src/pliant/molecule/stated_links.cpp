@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "pliant/molecule/elements.hpp"
+#include "pliant/base/elements.hpp"
 
 namespace pliant {
 namespace {

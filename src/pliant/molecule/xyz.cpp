@@ -5,10 +5,10 @@
 #include <optional>
 #include <string>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/base/text_lines.hpp"
 #include "pliant/molecule/atom_label.hpp"
-#include "pliant/molecule/elements.hpp"
 #include "pliant/molecule/readers.hpp"
 #include "pliant/molecule/reading.hpp"
 #include "pliant/molecule/xyz_columns.hpp"

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/molecule/bonds.hpp"
-#include "pliant/molecule/elements.hpp"
 #include "pliant/molecule/structure.hpp"
 
 namespace pliant::testing {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/molecule/elements.hpp"
+#include "pliant/base/elements.hpp"
 
 #include <array>
 
