@@ -1,20 +1,46 @@
 // SPDX-License-Identifier: MIT
 #include "molecule_input.hpp"
 
+#include <algorithm>
+#include <filesystem>
+
 #include "pliant/base/choices.hpp"
 #include "pliant/molecule/bonds.hpp"
 #include "pliant/molecule/read.hpp"
+#include "pliant/record/graph_xml.hpp"
 
 namespace pliant::app {
 namespace {
 
 constexpr std::int64_t most_models = 1'000'000'000;
 
+/// A graph XML file: its joints and bars as they stand, each bar shown as a bond of the file.
+Molecule load_graph(const MoleculeOptions& options, const Log& log) {
+  if (!options.pin.empty() || options.bars != "bonds" || options.lengths != "geometry")
+    throw OptionError(
+        "--pin, --bars and --lengths are for molecules: a graph XML file says itself "
+        "what is pinned, its bars and their lengths");
+  Graph graph = read_graph_xml(options.file, log);
+  Structure structure;
+  structure.source = options.file;
+  structure.format = "graph";
+  structure.atoms = *graph.framework.atoms();
+  structure.positions = std::move(graph.positions);
+  for (Bar bar : graph.framework.bars())
+    structure.bonds.push_back(
+        {std::min(bar.a, bar.b), std::max(bar.a, bar.b), BondOrigin::file, 0});
+  return {std::move(structure), std::move(graph.framework)};
+}
+
+bool is_graph(const MoleculeOptions& options) {
+  return options.format.empty() && std::filesystem::path(options.file).extension() == ".xml";
+}
+
 }  // namespace
 
 void add_molecule_options(CLI::App& app, MoleculeOptions& options) {
   start_group(app, "Molecule");
-  app.add_option("input", options.file, "molecule file (PDB, mmCIF, XYZ, SDF; may be gzipped)")
+  app.add_option("input", options.file, "PDB, mmCIF, XYZ, SDF (may be gzipped), or a graph (.xml)")
       ->type_name("FILE")
       ->required();
   add_choice(app, "--format", options.format, names_of(formats()),
@@ -33,6 +59,7 @@ void add_molecule_options(CLI::App& app, MoleculeOptions& options) {
 }
 
 Molecule load(const MoleculeOptions& options, const Log& log) {
+  if (is_graph(options)) return load_graph(options, log);
   ReadOptions reading{static_cast<std::size_t>(options.model), options.format, log};
   Structure structure = read_structure(options.file, reading);
   BondOptions bonding;

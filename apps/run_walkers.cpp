@@ -25,8 +25,9 @@ H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std:
   H5mdHeader header;
   header.bonds = recorded_bonds(molecule.structure);
   header.bond_origin_names.assign(bond_origin_names.begin(), bond_origin_names.end());
-  for (std::uint8_t element : molecule.structure.atoms.elements)
-    header.masses.push_back(element_mass(element));
+  if (molecule.structure.format != "graph")
+    for (std::uint8_t element : molecule.structure.atoms.elements)
+      header.masses.push_back(element_mass(element));
   header.creator_version = PLIANT_VERSION;
   header.parameters = parameters_of(settings, walker);
   return header;

@@ -24,6 +24,7 @@ void check_column(std::string_view name, std::size_t size, std::size_t atoms) {
 
 std::string AtomTable::label(std::size_t atom) const {
   const Residue& residue = residues[residue_of[atom]];
+  if (residues.size() == 1 && residue.name.empty()) return printable(names[atom]);
   if (residues.size() == 1)
     return printable(names[atom]) + "(" + std::to_string(serials[atom]) + ")";
   std::string text = residue.chain.empty() ? "" : printable(residue.chain) + ":";

@@ -10,7 +10,7 @@ namespace pliant {
 
 /// One residue of a macromolecule, or the whole of a small molecule.
 struct Residue {
-  std::string name;           ///< "LYS"; "UNK" where the file gives none
+  std::string name;           ///< "LYS"; "UNK" where a molecule file gives none; "" of graphs
   std::int64_t number = 1;    ///< author's number; may be negative
   char insertion_code = ' ';  ///< ' ' for none
   std::string chain;          ///< author's chain name; "" for none
@@ -29,7 +29,7 @@ struct AtomTable {
   std::size_t size() const { return names.size(); }
 
   /// "A:LYS12:CA" where there is a chain, "LYS12:CA" without one, "C1(4)" (name and serial) where
-  /// the molecule is a single residue. Control and non-ASCII bytes are escaped as \xNN.
+  /// the molecule is a single residue, "a" where that has no name. Control and non-ASCII bytes are escaped as \xNN.
   std::string label(std::size_t atom) const;
 };
 
