@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""What every analysis here has in common: it goes over frames, alone or in several processes."""
+
+from __future__ import annotations
+
+import numpy as np
+from MDAnalysis.analysis.base import AnalysisBase
+
+try:
+    from MDAnalysis.analysis.results import ResultsGroup
+except ImportError:  # MDAnalysis < 2.8 runs serially only
+    ResultsGroup = None
+
+
+def joined(arrays):
+    """Rows of the first process, then those of the second, and so on."""
+    return np.concatenate(arrays)
+
+
+def summed(arrays):
+    """Element by element sum over the processes."""
+    return np.sum(arrays, axis=0)
+
+
+def largest(arrays):
+    """Element by element maximum over the processes; not a number if any is."""
+    return np.max(arrays, axis=0)
+
+
+class FrameAnalysis(AnalysisBase):
+    """An analysis whose frames are independent of each other.
+
+    ``run()`` goes over the frames in this process;
+    ``run(backend="multiprocessing", n_workers=4)`` deals them out to processes (MDAnalysis 2.8
+    and later). Subclasses name what they collect, and how it is merged, in ``_merge``.
+    """
+
+    _analysis_algorithm_is_parallelizable = True
+
+    #: name of a result that ``_single_frame`` fills -> how the parts of the processes are merged
+    _merge: dict = {}
+
+    @classmethod
+    def get_supported_backends(cls):
+        """Names that ``run(backend=...)`` takes."""
+        return ("serial", "multiprocessing", "dask")
+
+    def _get_aggregator(self):
+        return ResultsGroup(lookup=dict(self._merge))
+
+    def _allocate(self, name, *shape, dtype=np.float64):
+        """Makes ``results.name``, one row of the given shape for each frame."""
+        self.results[name] = np.zeros((self.n_frames, *shape), dtype=dtype)
+
+
+def reference_positions(atomgroup, frame=0):
+    """Positions (n, 3) of the atoms in a frame, Angstrom, float64; the trajectory stays put."""
+    trajectory = atomgroup.universe.trajectory
+    current = trajectory.ts.frame
+    try:
+        trajectory[frame]
+        return atomgroup.positions.astype(np.float64)
+    finally:
+        trajectory[current]
+
+
+def weights_of(atomgroup, weights):
+    """Weights (n,) of atoms: None or "none" means equal, "mass" the masses, or an array.
+
+    Raises ValueError when they are not n finite numbers >= 0 with a sum > 0.
+    """
+    if weights is None or (isinstance(weights, str) and weights == "none"):
+        return np.ones(len(atomgroup))
+    if isinstance(weights, str):
+        if weights != "mass":
+            raise ValueError(f"weights: expected None, 'mass' or an array, got {weights!r}")
+        weights = atomgroup.masses
+    weights = np.asarray(weights, dtype=np.float64)
+    if weights.shape != (len(atomgroup),):
+        raise ValueError(f"weights: expected shape ({len(atomgroup)},), got {weights.shape}")
+    if not np.all(np.isfinite(weights)) or np.any(weights < 0) or weights.sum() <= 0:
+        raise ValueError("weights: expected finite numbers >= 0 that are not all 0")
+    return weights

@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: MIT
+"""Principal component analysis (PCA, essential dynamics): the directions of the largest motions."""
+
+from __future__ import annotations
+
+import numpy as np
+from MDAnalysis.analysis.pca import cosine_content
+
+from pliant.analysis.frames import FrameAnalysis, joined, weights_of
+from pliant.analysis.rmsf import Rmsf
+from pliant.analysis.superposition import Superposition
+
+
+class PrincipalComponents(FrameAnalysis):
+    """PCA of atom positions superposed on their average (found by iteration, see Rmsf).
+
+    The covariance <(q - <q>)(q - <q>)^T> (divided by F - 1) of q, the coordinates or, with
+    `mass_weighted`, the coordinates times the root of the masses, is diagonalised through the
+    singular values of the centred F x 3n table, so that nothing of size 3n x 3n is made.
+    Memory: 24 F n bytes, a few times.
+
+    `MDAnalysis.analysis.pca.PCA` fits to the first frame only, has no masses, makes the 3n x 3n
+    covariance and runs in one process; with ``align=False`` on superposed coordinates both agree.
+
+    Parameters
+    ----------
+    atomgroup : MDAnalysis.AtomGroup
+        The n atoms.
+    superpose : bool
+        False: take the coordinates as they are.
+    mass_weighted : bool
+        Also in the fit.
+    n_components : int, optional
+        K components are kept; default: all that have variance, min(F - 1, 3n) at most.
+
+    Attributes
+    ----------
+    results.average : (n, 3)
+        Angstrom.
+    results.eigenvalues : (K,)
+        Variance along each component, falling; Angstrom^2, u Angstrom^2 if mass-weighted.
+    results.explained : (K,)
+        Share of the total variance, which also counts components that are not kept.
+    results.components : (K, 3n)
+        Unit vectors, x y z of the first atom first; the largest element is positive.
+    results.projections : (F, K)
+        Each frame along each component; Angstrom, sqrt(u) Angstrom if mass-weighted.
+    results.cosine_content : (up to 5,)
+        How much the first projections look like half cosines, 0 to 1: near 1 they are those of a
+        random walk, which has not visited its states repeatedly (B. Hess, Phys. Rev. E 65 (2002)
+        031910). Empty with fewer than 3 frames.
+    """
+
+    _merge = {"coordinates": joined}
+
+    def __init__(self, atomgroup, superpose=True, mass_weighted=False, n_components=None, **kwargs):
+        super().__init__(atomgroup.universe.trajectory, **kwargs)
+        self._atoms = atomgroup
+        self._superpose = superpose
+        self._weights = weights_of(atomgroup, "mass" if mass_weighted else None)
+        self._scale = np.repeat(np.sqrt(self._weights), 3)
+        self._n_components = n_components
+
+    def run(self, start=None, stop=None, step=None, frames=None, **kwargs):
+        """Finds the average, then the components; arguments as for AnalysisBase.run."""
+        selected = {"start": start, "stop": stop, "step": step, "frames": frames}
+        average = Rmsf(self._atoms, weights=self._weights, superpose=self._superpose)
+        average.run(**selected, **kwargs)
+        self._reference = average.results.average
+        return super().run(**selected, **kwargs)
+
+    def _prepare(self):
+        self._allocate("coordinates", 3 * len(self._atoms))
+        self._superposition = Superposition(self._reference, self._weights)
+
+    def _single_frame(self):
+        positions = self._atoms.positions.astype(np.float64)
+        if self._superpose:
+            positions = self._superposition.apply(positions)
+        self.results.coordinates[self._frame_index] = (positions - self._reference).ravel()
+
+    def _conclude(self):
+        table = self.results.pop("coordinates")
+        mean = table.mean(axis=0)
+        self.results.average = self._reference + mean.reshape(-1, 3)
+        table = (table - mean) * self._scale
+        _, singular, components = np.linalg.svd(table, full_matrices=False)
+        kept = self._kept(singular, len(table))
+        components = components[:kept]
+        largest = np.argmax(np.abs(components), axis=1)
+        components *= np.sign(components[np.arange(len(components)), largest])[:, None]
+        self.results.components = components
+        self.results.eigenvalues = singular[:kept] ** 2 / max(len(table) - 1, 1)
+        total = np.sum(singular**2)
+        self.results.explained = singular[:kept] ** 2 / total if total > 0 else np.zeros(kept)
+        self.results.projections = table @ components.T
+        self.results.cosine_content = _cosine_contents(self.results.projections)
+
+    def _kept(self, singular, n_frames):
+        """Components with variance, at most as many as asked for."""
+        noise = singular[0] * 1e-12 if len(singular) else 0.0
+        kept = min(int(np.count_nonzero(singular > noise)), n_frames - 1)
+        return kept if self._n_components is None else min(kept, self._n_components)
+
+
+def _cosine_contents(projections):
+    if len(projections) < 3:
+        return np.zeros(0)
+    count = min(5, projections.shape[1])
+    return np.array([cosine_content(projections, i) for i in range(count)])

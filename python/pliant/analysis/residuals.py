@@ -1,0 +1,157 @@
+# SPDX-License-Identifier: MIT
+"""Bar residuals (length errors) frame by frame, measured anew from the stored coordinates."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pliant.analysis.frames import FrameAnalysis, joined, largest
+from pliant.analysis.record import DEFAULT_TOLERANCE, read_record
+from pliant.analysis.stored import StoredPositions
+
+
+class BarResiduals(FrameAnalysis):
+    """How far each bar is from its rest length: largest, root mean square and worst bar.
+
+    The relative residual of a bar is (length - rest) / rest. Coordinates come from the file in
+    the precision in which they are stored (see :class:`~pliant.analysis.stored.StoredPositions`);
+    bars, rest lengths and tolerance from the file too, unless given.
+
+    Parameters
+    ----------
+    universe : MDAnalysis.Universe
+    bars : (B, 2) integers, optional
+        Atom indices from 0. Default: /connectivity/bars of the H5MD file.
+    rest_lengths : (B,) floats, optional
+        Angstrom. Default: /parameters/framework/rest_length of the H5MD file.
+    tolerance : float, optional
+        Largest |relative residual| of a whole bar. Default: that of the run, or 1e-6.
+    tolerance_length : float, optional
+        Largest |length - rest| in Angstrom; if > 0 it holds in place of `tolerance`.
+
+    Attributes
+    ----------
+    results.max_relative, results.rms_relative : (F,)
+        Largest and root mean square |relative residual| of a frame.
+    results.max_length : (F,)
+        Largest |length - rest|, Angstrom.
+    results.worst_bar : (F,)
+        Index of the bar with the largest |relative residual|.
+    results.within : (F,) bool
+        Every bar of the frame is within the tolerance.
+    results.bar_max_relative : (B,)
+        Largest |relative residual| of a bar over the frames.
+    precision : str
+        "float64" or "float32": what the residuals were computed from. A 32-bit coordinate of
+        50 Angstrom is known to 4e-6 Angstrom only.
+
+    Raises
+    ------
+    ValueError
+        When there are no bars, or bars and lengths do not fit each other or the atoms.
+    """
+
+    _merge = {
+        "max_relative": joined,
+        "rms_relative": joined,
+        "max_length": joined,
+        "worst_bar": joined,
+        "within": joined,
+        "bar_max_relative": largest,
+    }
+
+    def __init__(
+        self,
+        universe,
+        bars=None,
+        rest_lengths=None,
+        *,
+        tolerance=None,
+        tolerance_length=None,
+        **kwargs,
+    ):
+        super().__init__(universe.trajectory, **kwargs)
+        if (bars is None) != (rest_lengths is None):
+            raise ValueError("bars and rest_lengths: expected both or neither")
+        record = _record_of(universe) if bars is None or tolerance is None else None
+        if bars is None:
+            if record is None or record.bars is None:
+                raise ValueError("the trajectory holds no bars with rest lengths: give them")
+            bars, rest_lengths = record.bars, record.rest_lengths
+        self.bars, self.rest_lengths = _checked(bars, rest_lengths, len(universe.atoms))
+        self.tolerance, self.tolerance_length = _tolerances(record, tolerance, tolerance_length)
+        self._positions = StoredPositions(universe.trajectory)
+        self.precision = self._positions.precision
+
+    @property
+    def accepted(self):
+        """(B,) largest |length - rest| that is within the tolerance, Angstrom."""
+        if self.tolerance_length > 0:
+            return np.full(len(self.bars), self.tolerance_length)
+        return self.tolerance * self.rest_lengths
+
+    def _prepare(self):
+        for name in ("max_relative", "rms_relative", "max_length"):
+            self._allocate(name)
+        self._allocate("worst_bar", dtype=np.int64)
+        self._allocate("within", dtype=bool)
+        self.results.bar_max_relative = np.zeros(len(self.bars))
+
+    def _single_frame(self):
+        positions = self._positions.at(self._ts)
+        ends = positions[self.bars]
+        error = np.abs(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) - self.rest_lengths)
+        relative = error / self.rest_lengths
+        k = self._frame_index
+        worst = int(np.argmax(relative))
+        self.results.worst_bar[k] = worst
+        self.results.max_relative[k] = relative[worst]
+        self.results.rms_relative[k] = np.sqrt(np.mean(relative**2))
+        self.results.max_length[k] = error.max()
+        self.results.within[k] = bool(np.all(error <= self.accepted))
+        np.maximum(self.results.bar_max_relative, relative, out=self.results.bar_max_relative)
+
+    def _conclude(self):
+        self._positions.close()
+
+
+def bar_residuals(positions, bars, rest_lengths):
+    """Signed relative residuals (B,) of the bars (B, 2) at positions (N, 3), Angstrom."""
+    ends = np.asarray(positions, dtype=np.float64)[bars]
+    return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / rest_lengths - 1.0
+
+
+def _record_of(universe):
+    filename = universe.trajectory.filename
+    if not isinstance(filename, (str, bytes)) and not hasattr(filename, "__fspath__"):
+        return None
+    try:
+        return read_record(filename)
+    except OSError:
+        return None
+
+
+def _tolerances(record, tolerance, tolerance_length):
+    if tolerance_length is None:
+        from_run = record is not None and tolerance is None
+        tolerance_length = record.tolerance_length if from_run else 0.0
+    if tolerance is None:
+        tolerance = record.tolerance if record is not None else DEFAULT_TOLERANCE
+    return float(tolerance), float(tolerance_length)
+
+
+def _checked(bars, rest_lengths, n_atoms):
+    bars = np.asarray(bars, dtype=np.int64)
+    rest_lengths = np.asarray(rest_lengths, dtype=np.float64)
+    if bars.ndim != 2 or bars.shape[1:] != (2,) or rest_lengths.shape != bars.shape[:1]:
+        raise ValueError(
+            "bars and rest_lengths: expected shapes (B, 2) and (B,), "
+            f"got {bars.shape} and {rest_lengths.shape}"
+        )
+    if len(bars) == 0:
+        raise ValueError("bars: expected at least one")
+    if bars.min() < 0 or bars.max() >= n_atoms:
+        raise ValueError(f"bars: expected atom indices from 0 to {n_atoms - 1}")
+    if not np.all(np.isfinite(rest_lengths)) or rest_lengths.min() <= 0:
+        raise ValueError("rest_lengths: expected finite numbers > 0")
+    return bars, rest_lengths

@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: MIT
+"""Root mean square fluctuation (RMSF, mobility) of atoms and residues about their average."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from pliant.analysis.frames import FrameAnalysis, reference_positions, summed, weights_of
+from pliant.analysis.superposition import Superposition
+
+#: the average structure is final when an iteration moves it by less (RMS over the atoms, Angstrom)
+AVERAGE_TOLERANCE = 1e-5
+
+
+class Rmsf(FrameAnalysis):
+    """RMSF of each atom: sqrt(<|x_i - <x_i>|^2>) over frames superposed on their average.
+
+    The average is found by iteration: the frames are superposed on the first of them, averaged,
+    superposed on that average, and so on until the average rests. Each iteration is a pass over
+    the trajectory; three or four are usual.
+
+    Parameters
+    ----------
+    atomgroup : MDAnalysis.AtomGroup
+        The n atoms whose fluctuation is measured.
+    superpose_on : MDAnalysis.AtomGroup, optional
+        The m atoms that are fitted. Default: those measured.
+    weights : None, "mass" or (m,) array
+        Weights of the fit.
+    superpose : bool
+        False: take the coordinates as they are, in one pass.
+    max_iterations : int
+        Passes over the trajectory at most.
+
+    Attributes
+    ----------
+    results.rmsf : (n,)
+        Angstrom.
+    results.residue_rmsf : (R,)
+        Angstrom; root of the mean of rmsf^2 over the atoms of a residue that are in `atomgroup`.
+    results.residues : (R,)
+        Their resindices, rising.
+    results.average : (n, 3)
+        Average structure, Angstrom.
+    results.fitted_average : (m, 3)
+        That of the fitted atoms; a reference to superpose on.
+    results.iterations : int
+        Passes done.
+    results.average_converged : bool
+        The last pass moved the average by less than 1e-5 Angstrom.
+    """
+
+    _merge = {"count": summed, "shift": summed, "square": summed}
+
+    def __init__(
+        self,
+        atomgroup,
+        superpose_on=None,
+        weights=None,
+        superpose=True,
+        max_iterations=20,
+        **kwargs,
+    ):
+        super().__init__(atomgroup.universe.trajectory, **kwargs)
+        if max_iterations < 1:
+            raise ValueError(f"max_iterations: expected at least 1, got {max_iterations}")
+        self._atoms = atomgroup
+        self._fitted = atomgroup if superpose_on is None else superpose_on
+        self._weights = weights_of(self._fitted, weights)
+        self._superpose = superpose
+        self._max_iterations = max_iterations
+
+    def run(self, start=None, stop=None, step=None, frames=None, **kwargs):
+        """Runs the passes; arguments as for AnalysisBase.run."""
+        first = _first_frame(self._trajectory, start, stop, step, frames)
+        self._reference = np.concatenate(
+            [reference_positions(self._atoms, first), reference_positions(self._fitted, first)]
+        )
+        converged = False
+        for iteration in range(1, self._max_iterations + 1):
+            super().run(start=start, stop=stop, step=step, frames=frames, **kwargs)
+            moved = self._average[len(self._atoms) :] - self._reference[len(self._atoms) :]
+            converged = not self._superpose or _rms(moved) < AVERAGE_TOLERANCE
+            self._reference = self._average
+            if converged:
+                break
+        self.results.iterations = iteration
+        self.results.average_converged = converged
+        return self
+
+    def _prepare(self):
+        n = len(self._reference)
+        self.results.count = np.zeros(())
+        self.results.shift = np.zeros((n, 3))
+        self.results.square = np.zeros((n, 3))
+        self._superposition = Superposition(self._reference[len(self._atoms) :], self._weights)
+
+    def _single_frame(self):
+        fitted = self._fitted.positions.astype(np.float64)
+        positions = np.concatenate([self._atoms.positions.astype(np.float64), fitted])
+        if self._superpose:
+            positions = self._superposition.apply(positions, fitted)
+        # Sums of deviations from a point near the mean keep all digits of the variance.
+        deviation = positions - self._reference
+        self.results.count += 1.0
+        self.results.shift += deviation
+        self.results.square += deviation**2
+
+    def _conclude(self):
+        n = len(self._atoms)
+        mean = self.results.shift / self.results.count
+        self._average = self._reference + mean
+        variance = np.maximum(self.results.square / self.results.count - mean**2, 0.0)
+        self.results.average = self._average[:n]
+        self.results.fitted_average = self._average[n:]
+        self.results.rmsf = np.sqrt(variance[:n].sum(axis=1))
+        self.results.residues, self.results.residue_rmsf = per_residue(
+            self._atoms.resindices, self.results.rmsf
+        )
+
+
+def per_residue(resindices, rmsf):
+    """Residues (R,) in rising order and the root mean square (R,) of their atoms' `rmsf` (n,)."""
+    residues, place = np.unique(resindices, return_inverse=True)
+    squares = np.bincount(place, weights=np.asarray(rmsf) ** 2)
+    return residues, np.sqrt(squares / np.bincount(place))
+
+
+def _rms(shift):
+    return float(np.sqrt(np.mean(np.sum(shift**2, axis=1))))
+
+
+def _first_frame(trajectory, start, stop, step, frames):
+    if frames is not None:
+        frames = np.asarray(frames)
+        chosen = np.flatnonzero(frames) if frames.dtype == bool else frames
+    else:
+        chosen = range(*trajectory.check_slice_indices(start, stop, step))
+    if len(chosen) == 0:
+        raise ValueError("no frames to average")
+    return int(chosen[0])

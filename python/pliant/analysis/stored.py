@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""Positions as they are stored: in double precision from H5MD files, which MDAnalysis rounds."""
+
+from __future__ import annotations
+
+import os
+
+import h5py
+import numpy as np
+from MDAnalysis import units
+from MDAnalysis.coordinates.H5MD import H5MDReader
+
+
+class StoredPositions:
+    """Reads positions of a trajectory with all the digits that its file has.
+
+    MDAnalysis holds positions as 32-bit floats: 4e-6 Angstrom at 50 Angstrom, too coarse to judge
+    a bar of 1 Angstrom to one part in a million. For H5MD files the dataset is therefore read with
+    h5py, as stored: transformations added to the reader do not act on it. For everything else the
+    rounded positions are what there is, and `precision` says so.
+
+    Can be copied to another process; the file is opened there when it is first read.
+    """
+
+    def __init__(self, trajectory):
+        self._file = None
+        self._path = None
+        self.precision = "float32"  #: of the numbers read: "float64" or "float32"
+        if isinstance(trajectory, H5MDReader) and isinstance(
+            trajectory.filename, (str, os.PathLike)
+        ):
+            self._use(os.fspath(trajectory.filename))
+
+    def _use(self, path):
+        with h5py.File(path, "r") as file:
+            group = next(iter(file["particles"]))
+            value = file.get(f"particles/{group}/position/value")
+            if not isinstance(value, h5py.Dataset):
+                return
+            self._path = path
+            self._dataset = value.name
+            unit = H5MDReader._unit_translation["length"].get(value.attrs.get("unit"), "Angstrom")
+            self._to_angstrom = units.get_conversion_factor("length", unit, "Angstrom")
+            self.precision = "float64" if value.dtype.itemsize >= 8 else "float32"
+
+    def __getstate__(self):
+        return {**self.__dict__, "_file": None}
+
+    def at(self, timestep):
+        """Positions (N, 3) of an MDAnalysis timestep, Angstrom, float64."""
+        if self._path is None:
+            return timestep.positions.astype(np.float64)
+        if self._file is None:
+            self._file = h5py.File(self._path, "r")
+        return self._file[self._dataset][timestep.frame].astype(np.float64) * self._to_angstrom
+
+    def close(self):
+        """Closes the file; the next read opens it again."""
+        if self._file is not None:
+            self._file.close()
+            self._file = None
