@@ -3,8 +3,10 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
-from MDAnalysis.analysis.base import AnalysisBase
+from MDAnalysis.analysis.base import AnalysisBase, Results
 
 try:
     from MDAnalysis.analysis.results import ResultsGroup
@@ -38,12 +40,17 @@ class FrameAnalysis(AnalysisBase):
     _analysis_algorithm_is_parallelizable = True
 
     #: name of a result that ``_single_frame`` fills -> how the parts of the processes are merged
-    _merge: dict = {}
+    _merge: ClassVar = {}
 
     @classmethod
     def get_supported_backends(cls):
         """Names that ``run(backend=...)`` takes."""
         return ("serial", "multiprocessing", "dask")
+
+    def run(self, *args, **kwargs):
+        """Runs over the frames; arguments as for AnalysisBase.run. A second run starts afresh."""
+        self.results = Results()
+        return super().run(*args, **kwargs)
 
     def _get_aggregator(self):
         return ResultsGroup(lookup=dict(self._merge))

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
 
 from pliant.analysis.frames import FrameAnalysis, joined, weights_of
@@ -24,7 +26,7 @@ class RadiusOfGyration(FrameAnalysis):
         Angstrom.
     """
 
-    _merge = {"radius": joined}
+    _merge: ClassVar = {"radius": joined}
 
     def __init__(self, atomgroup, weights="mass", **kwargs):
         super().__init__(atomgroup.universe.trajectory, **kwargs)

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
 from MDAnalysis.analysis.pca import cosine_content
 
@@ -51,7 +53,7 @@ class PrincipalComponents(FrameAnalysis):
         031910). Empty with fewer than 3 frames.
     """
 
-    _merge = {"coordinates": joined}
+    _merge: ClassVar = {"coordinates": joined}
 
     def __init__(self, atomgroup, superpose=True, mass_weighted=False, n_components=None, **kwargs):
         super().__init__(atomgroup.universe.trajectory, **kwargs)

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
 
 from pliant.analysis.frames import FrameAnalysis, joined, largest
@@ -51,7 +53,7 @@ class BarResiduals(FrameAnalysis):
         When there are no bars, or bars and lengths do not fit each other or the atoms.
     """
 
-    _merge = {
+    _merge: ClassVar = {
         "max_relative": joined,
         "rms_relative": joined,
         "max_length": joined,

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
 
 from pliant.analysis.frames import FrameAnalysis, joined, reference_positions, weights_of
@@ -31,7 +33,7 @@ class RmsdToStart(FrameAnalysis):
         Angstrom.
     """
 
-    _merge = {"rmsd": joined}
+    _merge: ClassVar = {"rmsd": joined}
 
     def __init__(self, atomgroup, superpose_on=None, weights=None, reference_frame=0, **kwargs):
         super().__init__(atomgroup.universe.trajectory, **kwargs)

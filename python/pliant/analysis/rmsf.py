@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
 
 from pliant.analysis.frames import FrameAnalysis, reference_positions, summed, weights_of
@@ -50,7 +52,7 @@ class Rmsf(FrameAnalysis):
         The last pass moved the average by less than 1e-5 Angstrom.
     """
 
-    _merge = {"count": summed, "shift": summed, "square": summed}
+    _merge: ClassVar = {"count": summed, "shift": summed, "square": summed}
 
     def __init__(
         self,
@@ -77,14 +79,14 @@ class Rmsf(FrameAnalysis):
             [reference_positions(self._atoms, first), reference_positions(self._fitted, first)]
         )
         converged = False
-        for iteration in range(1, self._max_iterations + 1):
+        iterations = 0
+        while not converged and iterations < self._max_iterations:
+            iterations += 1
             super().run(start=start, stop=stop, step=step, frames=frames, **kwargs)
             moved = self._average[len(self._atoms) :] - self._reference[len(self._atoms) :]
             converged = not self._superpose or _rms(moved) < AVERAGE_TOLERANCE
             self._reference = self._average
-            if converged:
-                break
-        self.results.iterations = iteration
+        self.results.iterations = iterations
         self.results.average_converged = converged
         return self
 

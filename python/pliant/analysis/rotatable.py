@@ -130,6 +130,7 @@ class _Namer:
         self._masses = atoms.masses if hasattr(atoms, "masses") else np.zeros(len(atoms))
         self._resindices = atoms.resindices
         self._residues = atoms.universe.residues
+        self._several_chains = len(atoms.universe.segments) > 1
         self._amino_acids = set(self._resindices[np.isin(self._names, ("CA",))].tolist())
 
     def torsion(self, j, k):
@@ -165,6 +166,6 @@ class _Namer:
         if len(self._residues) == 1:
             return what
         owner = self._residues[residue]
-        chain = str(getattr(owner, "chainID", "") or getattr(owner, "segid", ""))
-        prefix = f"{chain}:" if chain not in ("", "SYSTEM") else ""
+        chain = str(getattr(owner, "segid", ""))
+        prefix = f"{chain}:" if chain and self._several_chains else ""
         return f"{prefix}{getattr(owner, 'resname', '')}{owner.resid} {what}"

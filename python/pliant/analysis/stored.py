@@ -46,13 +46,20 @@ class StoredPositions:
     def __getstate__(self):
         return {**self.__dict__, "_file": None}
 
+    @property
+    def in_file(self):
+        """Whether positions are read from an H5MD file, by the number of the frame."""
+        return self._path is not None
+
     def at(self, timestep):
         """Positions (N, 3) of an MDAnalysis timestep, Angstrom, float64."""
-        if self._path is None:
-            return timestep.positions.astype(np.float64)
+        return self.read(timestep.frame) if self.in_file else timestep.positions.astype(np.float64)
+
+    def read(self, frame):
+        """Positions (N, 3) of a frame of an H5MD file, Angstrom, float64."""
         if self._file is None:
             self._file = h5py.File(self._path, "r")
-        return self._file[self._dataset][timestep.frame].astype(np.float64) * self._to_angstrom
+        return self._file[self._dataset][frame].astype(np.float64) * self._to_angstrom
 
     def close(self):
         """Closes the file; the next read opens it again."""

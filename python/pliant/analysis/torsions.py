@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from typing import ClassVar
+
 import numpy as np
 from MDAnalysis.lib.distances import calc_dihedrals
 
@@ -46,7 +48,7 @@ class TorsionDistributions(FrameAnalysis):
         exceeds 180 where the angle takes all values alike; at most 360 is given.
     """
 
-    _merge = {"angles": joined}
+    _merge: ClassVar = {"angles": joined}
 
     def __init__(self, atomgroup, torsions=None, bonds=None, heavy_only=True, bins=36, **kwargs):
         super().__init__(atomgroup.universe.trajectory, **kwargs)

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: MIT
+"""Writes all results of a study into a folder."""
+
+from __future__ import annotations
+
+from pliant.console import InputError
+from pliant.report.figures import save_figures
+from pliant.report.page import write_page
+from pliant.report.summary import summary
+from pliant.report.tables import save_tables
+
+
+def write_report(study, folder, dpi=200):
+    """Writes figures, tables and report.html; returns the summary with the paths of all.
+
+    The folder is made where there is none; files of an earlier report are replaced.
+    """
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"{folder}: is a file, expected a folder for the results")
+    folder.mkdir(parents=True, exist_ok=True)
+    figures = save_figures(study, folder, dpi)
+    tables = save_tables(study, folder)
+    report = folder / "report.html"
+    pictures = [path for _, path in figures]
+    write_page(study, figures, [*tables, *pictures], report)
+    outputs = {
+        "report": str(report),
+        "figures": [str(path) for path in pictures],
+        "tables": [str(path) for path in tables],
+    }
+    return summary(study, outputs)

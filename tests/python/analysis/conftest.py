@@ -1,0 +1,165 @@
+# SPDX-License-Identifier: MIT
+"""Molecules that turn about their bonds, written as pliant run writes them."""
+
+import h5py
+import numpy as np
+import pytest
+
+STOPS = {"converged": 0, "max_sweeps": 1, "not_finite": 2, "stopped_by_caller": 3}
+SYMBOLS = {1: "H", 6: "C", 7: "N", 8: "O"}
+
+
+class Molecule:
+    """A molecule as the tests need it: atoms, bonds and frames whose bonds keep their lengths."""
+
+    def __init__(self, elements, bonds, positions, names=None, residues=None):
+        self.elements = np.asarray(elements)
+        self.bonds = np.asarray(bonds)
+        self.positions = np.asarray(positions, dtype=float)
+        counts = np.arange(1, len(self.elements) + 1)
+        self.names = names or [f"{SYMBOLS[e]}{k}" for e, k in zip(self.elements, counts, strict=True)]
+        self.residues = residues or [("UNK", 1, "", range(len(self.elements)))]
+
+    @property
+    def rest_lengths(self):
+        ends = self.positions[self.bonds]
+        return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
+
+    def side(self, j, k):
+        """The atoms on k's side of the bond j-k, which is in no ring."""
+        found, waiting = {k}, [k]
+        while waiting:
+            atom = waiting.pop()
+            for a, b in self.bonds:
+                for one, other in ((a, b), (b, a)):
+                    if one == atom and other not in found and (one, other) != (k, j):
+                        found.add(int(other))
+                        waiting.append(int(other))
+        return sorted(found)
+
+    def turned(self, positions, j, k, degrees):
+        """Positions after k's side of the bond j-k was turned about it."""
+        axis = positions[k] - positions[j]
+        moved = positions.copy()
+        side = self.side(j, k)
+        moved[side] = rotated(positions[side] - positions[k], axis, degrees) + positions[k]
+        return moved
+
+
+def rotated(vectors, axis, degrees):
+    """Rodrigues' formula: vectors (n, 3) turned about an axis through the origin."""
+    axis = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
+    c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
+    return (
+        vectors * c + np.cross(axis, vectors) * s + np.outer(vectors @ axis, axis) * (1 - c)
+    )
+
+
+def zigzag(n):
+    """n carbons in an all-trans chain, 1.54 Angstrom apart, angles 111 degrees."""
+    half = np.radians(111 / 2)
+    k = np.arange(n)
+    return np.stack([1.54 * np.sin(half) * k, 1.54 * np.cos(half) * (k % 2), 0.0 * k], axis=1)
+
+
+@pytest.fixture
+def pentane():
+    """Five carbons in a chain: two rotatable bonds, 1-2 and 2-3."""
+    return Molecule([6] * 5, [(0, 1), (1, 2), (2, 3), (3, 4)], zigzag(5))
+
+
+@pytest.fixture
+def wander():
+    """Function (molecule, turns, frames, seed) -> (F, N, 3): random turns about the bonds."""
+
+    def make(molecule, bonds, frames, seed=1, degrees=30.0):
+        random = np.random.default_rng(seed)
+        positions = molecule.positions.copy()
+        trajectory = [positions.copy()]
+        for _ in range(frames - 1):
+            j, k = bonds[random.integers(len(bonds))]
+            positions = molecule.turned(positions, j, k, degrees * random.standard_normal())
+            turn, shift = random.standard_normal(3), random.standard_normal(3)
+            positions = rotated(positions, turn, 5.0) + 0.1 * shift
+            trajectory.append(positions.copy())
+        return np.array(trajectory)
+
+    return make
+
+
+@pytest.fixture
+def write_run():
+    """Function that writes an H5MD file as pliant run does; see `write`."""
+    return write
+
+
+def write(path, molecule, trajectory, *, tolerance=1e-6, converged=None, single=False, bars=True):
+    """Writes the file. Observables are what a run would have measured."""
+    trajectory = np.asarray(trajectory)
+    frames = len(trajectory)
+    with h5py.File(path, "w", libver=("earliest", "v108")) as file:
+        file.create_group("h5md").attrs["version"] = np.array([1, 1], dtype=np.int32)
+        creator = file.create_group("h5md/creator")
+        creator.attrs["name"], creator.attrs["version"] = "pliant", "0.1.0"
+        box = file.create_group("particles/trajectory/box")
+        box.attrs["dimension"] = np.int32(3)
+        box.attrs["boundary"] = ["none", "none", "none"]
+        position = file.create_group("particles/trajectory/position")
+        dtype = np.float32 if single else np.float64
+        position.create_dataset("value", data=trajectory.astype(dtype)).attrs["unit"] = "Angstrom"
+        position.create_dataset("time", data=0.001 * np.arange(frames)).attrs["unit"] = "ps"
+        position.create_dataset("step", data=10 * np.arange(frames))
+        _write_observables(file, molecule, trajectory, converged)
+        if bars:
+            file["connectivity/bars"] = molecule.bonds.astype(np.uint32)
+            file["parameters/framework/rest_length"] = molecule.rest_lengths
+        file["connectivity/bonds"] = molecule.bonds.astype(np.uint32)
+        _write_topology(file, molecule)
+        for name, value in {"tolerance": tolerance, "technique": "bfs_cycle", "weighting": 0.5}.items():
+            file[f"parameters/run/{name}"] = value
+    return path
+
+
+def _write_observables(file, molecule, trajectory, converged):
+    ends = trajectory[:, molecule.bonds]
+    lengths = np.linalg.norm(ends[:, :, 1] - ends[:, :, 0], axis=2)
+    relative = np.abs(lengths / molecule.rest_lengths - 1)
+    frames = len(trajectory)
+    flags = np.ones(frames, dtype=bool) if converged is None else np.asarray(converged)
+    truth = h5py.enum_dtype({"FALSE": 0, "TRUE": 1}, np.int8)
+    columns = {
+        "sweeps": 5 + np.arange(frames) % 3,
+        "projections": (5 + np.arange(frames) % 3) * len(molecule.bonds),
+        "max_residual": relative.max(axis=1),
+        "rms_residual": np.sqrt((relative**2).mean(axis=1)),
+        "root_joint": np.zeros(frames, dtype=np.int64),
+    }
+    for name, values in columns.items():
+        file[f"observables/{name}/value"] = values
+    file.create_dataset("observables/converged/value", data=flags.astype(np.int8), dtype=truth)
+    stops = np.where(flags, STOPS["converged"], STOPS["max_sweeps"]).astype(np.uint8)
+    file.create_dataset("observables/stop/value", data=stops, dtype=h5py.enum_dtype(STOPS, np.uint8))
+    for name in file["observables"]:
+        for part in ("time", "step"):
+            file[f"observables/{name}/{part}"] = file[f"particles/trajectory/position/{part}"]
+
+
+def _write_topology(file, molecule):
+    group = file.create_group("parameters/topology")
+    group["atom_name"] = np.array(molecule.names, dtype="S4")
+    group["atomic_number"] = molecule.elements.astype(np.uint8)
+    group["atom_serial"] = np.arange(1, len(molecule.elements) + 1)
+    residue_of = np.zeros(len(molecule.elements), dtype=np.uint32)
+    for k, (*_, atoms) in enumerate(molecule.residues):
+        residue_of[list(atoms)] = k
+    group["residue_of"] = residue_of
+    group["residue_name"] = np.array([r[0] for r in molecule.residues], dtype="S4")
+    group["residue_number"] = np.array([r[1] for r in molecule.residues])
+    group["chain"] = np.array([r[2] for r in molecule.residues], dtype="S4")
+    group["insertion_code"] = np.array(["" for _ in molecule.residues], dtype="S1")
+    group["bond_order"] = np.ones(len(molecule.bonds), dtype=np.uint8)
+    group["bond_origin"] = np.zeros(len(molecule.bonds), dtype=np.uint8)
+    table = np.array([12.011 if e == 6 else 14.007 if e == 7 else 15.999 if e == 8 else 1.008
+                      for e in molecule.elements])
+    file["particles/trajectory/mass"] = table
+    file["particles/trajectory/species"] = molecule.elements.astype(np.uint8)
