@@ -126,15 +126,15 @@ def _figure(kind, png):
 
 
 def _table(caption, headers, rows):
-    last = len(headers) - 1
-    cell = lambda tag, k, text: (
-        f"<{tag}{' class=n' if 0 < k <= last else ''}>{escape(text)}</{tag}>"
-    )  # noqa: E731
-    line = lambda tag, texts: (
-        "<tr>" + "".join(cell(tag, k, t) for k, t in enumerate(texts)) + "</tr>"
-    )  # noqa: E731
-    body = "".join(line("td", row) for row in rows)
-    return f'<div class="table card"><table><caption>{escape(caption)}</caption>{line("th", headers)}{body}</table></div>'
+    title = f"<caption>{escape(caption)}</caption>" if caption else ""
+    body = _row("th", headers) + "".join(_row("td", row) for row in rows)
+    return f'<div class="table card"><table>{title}{body}</table></div>'
+
+
+def _row(tag, texts):
+    first, *others = (escape(text) for text in texts)
+    numbers = "".join(f'<{tag} class="n">{text}</{tag}>' for text in others)
+    return f"<tr><{tag}>{first}</{tag}>{numbers}</tr>"
 
 
 def _notes(study, shown):

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 
 from pliant.report.figures.torsion_figures import most_mobile
-from pliant.report.names import bar_labels, residue_labels
+from pliant.report.names import bar_labels, greek, residue_labels
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,8 @@ def verdict(study):
     if broken is None:
         return Verdict("bad", f"{count} have a bar beyond tolerance.", details)
     if broken.any():
-        sentence = f"{count} have a bar beyond tolerance, {np.count_nonzero(broken)} of which the run calls converged."
+        called = f"{np.count_nonzero(broken)} of which the run calls converged"
+        sentence = f"{count} have a bar beyond tolerance, {called}."
         return Verdict("bad", sentence, details)
     sentence = f"{count} have a bar beyond tolerance; the run says so of each."
     return Verdict("mixed", sentence, details)
@@ -208,8 +209,6 @@ def _residue_table(study):
 
 
 def _torsion_table(study):
-    from pliant.report.names import greek
-
     found = study.torsions.results
     rows = [
         (

@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 STOPS = {"converged": 0, "max_sweeps": 1, "not_finite": 2, "stopped_by_caller": 3}
-SYMBOLS = {1: "H", 6: "C", 7: "N", 8: "O"}
+SYMBOLS = {1: "H", 6: "C", 7: "N", 8: "O", 16: "S"}
+MASSES = {1: 1.008, 6: 12.011, 7: 14.007, 8: 15.999, 16: 32.06}
 
 
 class Molecule:
@@ -17,7 +18,9 @@ class Molecule:
         self.bonds = np.asarray(bonds)
         self.positions = np.asarray(positions, dtype=float)
         counts = np.arange(1, len(self.elements) + 1)
-        self.names = names or [f"{SYMBOLS[e]}{k}" for e, k in zip(self.elements, counts, strict=True)]
+        self.names = names or [
+            f"{SYMBOLS[e]}{k}" for e, k in zip(self.elements, counts, strict=True)
+        ]
         self.residues = residues or [("UNK", 1, "", range(len(self.elements)))]
 
     @property
@@ -50,9 +53,7 @@ def rotated(vectors, axis, degrees):
     """Rodrigues' formula: vectors (n, 3) turned about an axis through the origin."""
     axis = np.asarray(axis, dtype=float) / np.linalg.norm(axis)
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-    return (
-        vectors * c + np.cross(axis, vectors) * s + np.outer(vectors @ axis, axis) * (1 - c)
-    )
+    return vectors * c + np.cross(axis, vectors) * s + np.outer(vectors @ axis, axis) * (1 - c)
 
 
 def zigzag(n):
@@ -115,7 +116,11 @@ def write(path, molecule, trajectory, *, tolerance=1e-6, converged=None, single=
             file["parameters/framework/rest_length"] = molecule.rest_lengths
         file["connectivity/bonds"] = molecule.bonds.astype(np.uint32)
         _write_topology(file, molecule)
-        for name, value in {"tolerance": tolerance, "technique": "bfs_cycle", "weighting": 0.5}.items():
+        for name, value in {
+            "tolerance": tolerance,
+            "technique": "bfs_cycle",
+            "weighting": 0.5,
+        }.items():
             file[f"parameters/run/{name}"] = value
     return path
 
@@ -138,7 +143,9 @@ def _write_observables(file, molecule, trajectory, converged):
         file[f"observables/{name}/value"] = values
     file.create_dataset("observables/converged/value", data=flags.astype(np.int8), dtype=truth)
     stops = np.where(flags, STOPS["converged"], STOPS["max_sweeps"]).astype(np.uint8)
-    file.create_dataset("observables/stop/value", data=stops, dtype=h5py.enum_dtype(STOPS, np.uint8))
+    file.create_dataset(
+        "observables/stop/value", data=stops, dtype=h5py.enum_dtype(STOPS, np.uint8)
+    )
     for name in file["observables"]:
         for part in ("time", "step"):
             file[f"observables/{name}/{part}"] = file[f"particles/trajectory/position/{part}"]
@@ -159,7 +166,6 @@ def _write_topology(file, molecule):
     group["insertion_code"] = np.array(["" for _ in molecule.residues], dtype="S1")
     group["bond_order"] = np.ones(len(molecule.bonds), dtype=np.uint8)
     group["bond_origin"] = np.zeros(len(molecule.bonds), dtype=np.uint8)
-    table = np.array([12.011 if e == 6 else 14.007 if e == 7 else 15.999 if e == 8 else 1.008
-                      for e in molecule.elements])
+    table = np.array([MASSES[element] for element in molecule.elements])
     file["particles/trajectory/mass"] = table
     file["particles/trajectory/species"] = molecule.elements.astype(np.uint8)
