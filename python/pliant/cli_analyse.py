@@ -37,55 +37,50 @@ def main(arguments=None):
 
 def _parser():
     parser = Parser("analyse", DESCRIPTION, EPILOG)
-    parser.add_argument(
-        "file", metavar="FILE", help="trajectory: OUT.h5md of pliant run, or another"
-    )
     add = parser.add_argument
+    add("file", metavar="FILE", help="trajectory: OUT.h5md of pliant run, or another")
     add(
-        "-o",
-        "--output",
-        metavar="DIR",
+        "-o", "--output", metavar="DIR",
         help="folder for the results (default: FILE's name with -report)",
-    )
+    )  # fmt: skip
     add(
-        "--topology",
-        metavar="FILE",
+        "--topology", metavar="FILE",
         help="atoms and bonds, where FILE holds none (PDB, GRO, PSF ...)",
-    )
-    atoms = parser.add_argument_group("atoms")
-    atoms.add_argument(
-        "--select", metavar="SELECTION", default="all", help="atoms to analyse (default: all)"
-    )
-    atoms.add_argument(
+    )  # fmt: skip
+    _add_choice_of_atoms(parser.add_argument_group("atoms").add_argument)
+    _add_choice_of_frames(parser.add_argument_group("frames").add_argument)
+    _add_output(parser.add_argument_group("output").add_argument)
+    return parser
+
+
+def _add_choice_of_atoms(add):
+    add("--select", metavar="SELECTION", default="all", help="atoms to analyse (default: all)")
+    add(
         "--superpose", metavar="SELECTION",
         help="atoms to superpose, also those of the PCA (default: CA and P atoms where there is a "
         "chain of them, else all but hydrogens)",
     )  # fmt: skip
-    atoms.add_argument(
-        "--hydrogens", action="store_true", help="also torsions that turn hydrogens only"
-    )
-    atoms.add_argument("--mass-weighted", action="store_true", help="weigh the PCA by masses")
-    frames = parser.add_argument_group("frames")
-    frames.add_argument(
-        "--start", type=int, metavar="N", help="first frame, from 0 (negative: from the end)"
-    )
-    frames.add_argument("--stop", type=int, metavar="N", help="frame before which to stop")
-    frames.add_argument("--step", type=whole_number(1), metavar="N", help="take every N-th frame")
-    other = parser.add_argument_group("other")
-    other.add_argument(
+    add("--hydrogens", action="store_true", help="also torsions that turn hydrogens only")
+    add("--mass-weighted", action="store_true", help="weigh the PCA by masses")
+
+
+def _add_choice_of_frames(add):
+    add("--start", type=int, metavar="N", help="first frame, from 0 (negative: from the end)")
+    add("--stop", type=int, metavar="N", help="frame before which to stop")
+    add("--step", type=whole_number(1), metavar="N", help="take every N-th frame")
+    add(
         "--workers", type=whole_number(1), default=1, metavar="N",
         help="processes; pays for trajectories of gigabytes only (default: 1)",
     )  # fmt: skip
-    other.add_argument(
-        "--dpi",
-        type=whole_number(50),
-        default=200,
-        metavar="N",
-        help="of the figures (default: 200)",
-    )
-    other.add_argument("--json", action="store_true", help="print the results as one JSON object")
-    other.add_argument("--quiet", action="store_true", help="print nothing but errors")
-    return parser
+
+
+def _add_output(add):
+    add(
+        "--dpi", type=whole_number(50), default=200, metavar="N",
+        help="resolution of the figures (default: 200)",
+    )  # fmt: skip
+    add("--json", action="store_true", help="print the results as one JSON object")
+    add("--quiet", action="store_true", help="print nothing but errors")
 
 
 def _analyse(options):
