@@ -177,6 +177,13 @@ PositionsView view_of(std::vector<Vec3>& positions, nb::handle owner) {
   return PositionsView(reinterpret_cast<double*>(positions.data()), {positions.size(), 3}, owner);
 }
 
+PositionsView new_positions(std::vector<Vec3> positions) {
+  auto* kept = new std::vector<Vec3>(std::move(positions));
+  const nb::capsule owner(kept,
+                          [](void* p) noexcept { delete static_cast<std::vector<Vec3>*>(p); });
+  return view_of(*kept, owner);
+}
+
 PositionsConstView const_view_of(std::span<const Vec3> positions, nb::handle owner) {
   return PositionsConstView(reinterpret_cast<const double*>(positions.data()),
                             {positions.size(), 3}, owner);

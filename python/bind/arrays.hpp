@@ -71,6 +71,9 @@ std::vector<Joint> joints_from(const ArrayLike& argument, const char* name,
 PositionsView view_of(std::vector<Vec3>& positions, nb::handle owner);
 PositionsConstView const_view_of(std::span<const Vec3> positions, nb::handle owner);
 
+/// Gives `positions` to a new array.
+PositionsView new_positions(std::vector<Vec3> positions);
+
 template <class T>
 using Array1 = nb::ndarray<nb::numpy, T, nb::shape<-1>, nb::c_contig>;
 template <class T>

@@ -3,14 +3,17 @@
 #include <nanobind/stl/filesystem.h>
 
 #include "frame.hpp"
+#include "locked.hpp"
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/version.hpp"
 #include "pliant/molecule/elements.hpp"
 #include "pliant/molecule/structure.hpp"
-#include "recorder.hpp"
 
 namespace pliant::python {
+
+void bind_h5md_reader(nb::module_& module);
+
 namespace {
 
 std::vector<RecordedBond> bonds_of(const Structure& structure) {
@@ -51,7 +54,7 @@ std::vector<NamedParameter> parameters_from(const nb::dict& values) {
   return parameters;
 }
 
-void make_recorder(SharedRecorder* self, const std::filesystem::path& path,
+void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
                    const Framework& framework, const Structure* structure,
                    const nb::dict& parameters, bool single, bool compress, bool overwrite,
                    double flush_seconds) {
@@ -59,22 +62,19 @@ void make_recorder(SharedRecorder* self, const std::filesystem::path& path,
   header.parameters = parameters_from(parameters);
   const H5mdOptions options{single, compress, overwrite, flush_seconds, unraisable_python_log()};
   const nb::gil_scoped_release no_gil;
-  new (self) SharedRecorder(path, framework, header, options);
+  new (self) LockedRecorder(path, framework, header, options);
 }
 
-void record(SharedRecorder& self, const OwnedFrame& frame) {
-  const nb::gil_scoped_release no_gil;
-  self.with([&](H5mdRecorder& recorder) { recorder.record(frame.frame); });
+void record(LockedRecorder& self, const OwnedFrame& frame) {
+  self.call([&](H5mdRecorder& recorder) { recorder.record(frame.frame); });
 }
 
-void flush(SharedRecorder& self) {
-  const nb::gil_scoped_release no_gil;
-  self.with([](H5mdRecorder& recorder) { recorder.flush(); });
-}
-
-void close(SharedRecorder& self) {
-  const nb::gil_scoped_release no_gil;
-  self.with([](H5mdRecorder& recorder) { recorder.close(); });
+/// The void or const member function `call` as a function of the locked object.
+template <auto Call>
+auto locked() {
+  return [](LockedRecorder& self) {
+    return self.call([](H5mdRecorder& recorder) { return (recorder.*Call)(); });
+  };
 }
 
 constexpr const char* recorder_doc =
@@ -114,40 +114,32 @@ OptionError
 }  // namespace
 
 void bind_record(nb::module_& module) {
-  nb::class_<SharedRecorder>(module, "H5mdRecorder", recorder_doc)
+  bind_h5md_reader(module);
+  nb::class_<LockedRecorder>(module, "H5mdRecorder", recorder_doc)
       .def("__init__", &make_recorder, "path"_a, "framework"_a, nb::kw_only(),
            "structure"_a = nb::none(), "parameters"_a = nb::dict(), "single"_a = false,
            "compress"_a = false, "overwrite"_a = false, "flush_seconds"_a = 1.0)
       .def("record", &record, "frame"_a,
            "Adds a frame, which must come after the last one and have finite positions.")
       .def("__call__", &record, "frame"_a, "The same, so that it is an observer.")
-      .def("flush", &flush, "Commits what was recorded: it survives this process.")
-      .def("close", &close, "Commits and closes; further calls do nothing.")
-      .def_prop_ro(
-          "frames",
-          [](SharedRecorder& self) {
-            const nb::gil_scoped_release no_gil;
-            return self.with([](H5mdRecorder& recorder) { return recorder.frames(); });
-          },
-          "Frames recorded.")
-      .def_prop_ro(
-          "committed_frames",
-          [](SharedRecorder& self) {
-            const nb::gil_scoped_release no_gil;
-            return self.with([](H5mdRecorder& recorder) { return recorder.committed_frames(); });
-          },
-          "Frames recorded and certain to be in the file.")
+      .def("flush", locked<&H5mdRecorder::flush>(),
+           "Commits what was recorded: it survives this process.")
+      .def("close", locked<&H5mdRecorder::close>(), "Commits and closes; further calls do nothing.")
+      .def_prop_ro("frames", locked<&H5mdRecorder::frames>(), "Frames recorded.")
+      .def_prop_ro("committed_frames", locked<&H5mdRecorder::committed_frames>(),
+                   "Frames recorded and certain to be in the file.")
       .def_prop_ro(
           "path",
-          [](SharedRecorder& self) {
-            return self.with([](H5mdRecorder& recorder) { return recorder.path(); });
+          [](LockedRecorder& self) {
+            return self.call([](H5mdRecorder& recorder) { return recorder.path(); });
           },
           "Where the file is.")
       .def(
-          "__enter__", [](nb::handle_t<SharedRecorder> self) { return nb::borrow(self); },
+          "__enter__", [](nb::handle_t<LockedRecorder> self) { return nb::borrow(self); },
           nb::sig("def __enter__(self) -> H5mdRecorder"))
       .def(
-          "__exit__", [](SharedRecorder& self, const nb::args&) { close(self); },
+          "__exit__",
+          [](LockedRecorder& self, const nb::args&) { locked<&H5mdRecorder::close>()(self); },
           nb::sig("def __exit__(self, *exception: object) -> None"));
 }
 

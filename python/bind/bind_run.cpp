@@ -5,10 +5,10 @@
 #include "arrays.hpp"
 #include "frame.hpp"
 #include "interrupt.hpp"
+#include "locked.hpp"
 #include "messages.hpp"
 #include "options.hpp"
 #include "pushes.hpp"
-#include "recorder.hpp"
 
 namespace pliant::python {
 namespace {
@@ -27,10 +27,10 @@ Observer python_observer(nb::handle callable, nb::handle state) {
 
 /// A recorder needs no GIL, any other observer is a Python object.
 Observer observer_of(nb::handle object, nb::handle state) {
-  if (!nb::isinstance<SharedRecorder>(object)) return python_observer(object, state);
-  SharedRecorder& shared = nb::cast<SharedRecorder&>(object);
+  if (!nb::isinstance<LockedRecorder>(object)) return python_observer(object, state);
+  LockedRecorder& shared = nb::cast<LockedRecorder&>(object);
   return [&shared](const Frame& frame) {
-    shared.with([&](H5mdRecorder& recorder) { recorder.record(frame); });
+    shared.use([&](H5mdRecorder& recorder) { recorder.record(frame); });
     return false;
   };
 }

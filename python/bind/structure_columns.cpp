@@ -106,22 +106,12 @@ std::vector<Bond> bonds_from(const ArrayLike& pairs, const OptionalArray& orders
     if (pair.a == pair.b)
       throw InputError("bonds[" + std::to_string(bonds.size()) + "] joins atom " +
                        std::to_string(pair.a) + " to itself");
-    bonds.push_back({std::min(pair.a, pair.b), std::max(pair.a, pair.b), BondOrigin::file, 0});
+    bonds.push_back({pair.a, pair.b, BondOrigin::file, 0});
   }
   if (!orders) return bonds;
   const std::vector<std::int64_t> values = integers_from(*orders, "bond_orders");
   check_length("bond_orders", values, bonds.size(), "bonds");
   for (std::size_t k = 0; k < bonds.size(); ++k) bonds[k].order = order_from(values[k], k);
-  return bonds;
-}
-
-/// Sorted by (a, b), each pair once: of several orders the highest.
-std::vector<Bond> sorted(std::vector<Bond> bonds) {
-  const auto key = [](const Bond& bond) { return std::tuple(bond.a, bond.b, -int(bond.order)); };
-  std::sort(bonds.begin(), bonds.end(),
-            [&](const Bond& a, const Bond& b) { return key(a) < key(b); });
-  const auto same = [](const Bond& a, const Bond& b) { return a.a == b.a && a.b == b.b; };
-  bonds.erase(std::unique(bonds.begin(), bonds.end(), same), bonds.end());
   return bonds;
 }
 
@@ -138,6 +128,17 @@ std::vector<std::int64_t> one_to(std::size_t count) {
 }
 
 }  // namespace
+
+std::vector<Bond> canonical(std::vector<Bond> bonds) {
+  for (Bond& bond : bonds)
+    if (bond.a > bond.b) std::swap(bond.a, bond.b);
+  const auto key = [](const Bond& bond) { return std::tuple(bond.a, bond.b, -int(bond.order)); };
+  std::sort(bonds.begin(), bonds.end(),
+            [&](const Bond& a, const Bond& b) { return key(a) < key(b); });
+  const auto same = [](const Bond& a, const Bond& b) { return a.a == b.a && a.b == b.b; };
+  bonds.erase(std::unique(bonds.begin(), bonds.end(), same), bonds.end());
+  return bonds;
+}
 
 void make_structure(Structure* self, const ArrayLike& positions, const OptionalArray& elements,
                     const Texts& names, const Texts& residue_names,
@@ -158,7 +159,7 @@ void make_structure(Structure* self, const ArrayLike& positions, const OptionalA
   ResidueColumns columns{residue_names, std::nullopt, insertion_codes, chains};
   if (residue_ids) columns.ids = integers_from(*residue_ids, "residue_ids");
   take_residues(made.atoms, columns, count);
-  if (bonds) made.bonds = sorted(bonds_from(*bonds, bond_orders, count));
+  if (bonds) made.bonds = canonical(bonds_from(*bonds, bond_orders, count));
   new (self) Structure(std::move(made));
 }
 

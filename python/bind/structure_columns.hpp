@@ -16,4 +16,7 @@ void make_structure(Structure* self, const ArrayLike& positions, const OptionalA
                     const Texts& chains, const OptionalArray& serials, const OptionalArray& bonds,
                     const OptionalArray& bond_orders, const std::string& title);
 
+/// The bonds with a < b, sorted by (a, b), each pair once: of several orders the highest.
+std::vector<Bond> canonical(std::vector<Bond> bonds);
+
 }  // namespace pliant::python

@@ -1,0 +1,210 @@
+# SPDX-License-Identifier: MIT
+"""Recording: what run() and H5mdRecorder leave in a file, whatever ends them."""
+
+import os
+import signal
+import subprocess
+import sys
+import threading
+
+import h5py
+import numpy as np
+import pytest
+
+import pliant
+
+WATER = pliant.read_text("3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n", "water.xyz")
+
+
+def positions_in(path):
+    with h5py.File(path) as file:
+        return file["particles/trajectory/position/value"][:]
+
+
+def test_a_run_is_recorded(tmp_path):
+    path = tmp_path / "out.h5md"
+    frames = []
+    summary = pliant.run(
+        WATER, output=path, steps=20, every=4, seed=3,
+        observers=[lambda frame: frames.append(frame.positions.copy())],
+        parameters={"note/why": "test", "note/times": 2, "note/yes": True, "note/half": 0.5},
+    )  # fmt: skip
+    assert (summary.frames, summary.converged) == (6, True)
+    assert np.array_equal(positions_in(path), frames)
+    assert np.array_equal(frames[-1], summary.state.positions)
+    with h5py.File(path) as file:
+        bars = file["connectivity/bars"][:]
+        rests = file["parameters/framework/rest_length"][:]
+        run = file["parameters/run"]
+        assert run["technique"][()] == b"bfs_cycle"
+        assert run["seed"][()] == b"3"
+        assert (run["steps"][()], run["weighting"][()]) == (20, 0.5)
+        assert file["parameters/input/file"][()] == b"water.xyz"
+        assert file["parameters/input/bars"][()] == b"bonds"
+        note = file["parameters/note"]
+        assert (note["why"][()], note["times"][()]) == (b"test", 2)
+        assert (bool(note["yes"][()]), note["half"][()]) == (True, 0.5)
+        assert file["connectivity/bonds"].shape == (2, 2)
+    lengths = np.linalg.norm(np.diff(np.asarray(frames)[:, bars], axis=2)[:, :, 0], axis=-1)
+    assert (np.abs(lengths - rests) / rests).max() <= 1e-6
+
+
+def test_the_same_run_gives_the_same_file(tmp_path):
+    contents = []
+    for name in ("a.h5md", "b.h5md"):
+        pliant.run(WATER, output=tmp_path / name, steps=30, technique="random")
+        contents.append(positions_in(tmp_path / name).tobytes())
+    assert contents[0] == contents[1]
+
+
+def test_two_threads_record_what_one_does(tmp_path):
+    def record(name, walker):
+        pliant.run(WATER, output=tmp_path / name, steps=200, walker=walker, flush_seconds=0)
+
+    for walker in range(2):
+        record(f"serial-{walker}", walker)
+    threads = [
+        threading.Thread(target=record, args=(f"parallel-{walker}", walker)) for walker in range(2)
+    ]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    for walker in range(2):
+        serial = positions_in(tmp_path / f"serial-{walker}")
+        assert serial.tobytes() == positions_in(tmp_path / f"parallel-{walker}").tobytes()
+    assert serial.tobytes() != positions_in(tmp_path / "serial-0").tobytes()
+
+
+def test_an_existing_file_is_kept(tmp_path):
+    path = tmp_path / "out.h5md"
+    path.write_text("precious")
+    with pytest.raises(pliant.FileError, match="exists already"):
+        pliant.run(WATER, output=path, steps=1)
+    with pytest.raises(pliant.OptionError, match="steps = -1"):
+        pliant.run(WATER, output=path, steps=-1, overwrite=True)
+    assert path.read_text() == "precious"
+    pliant.run(WATER, output=path, steps=1, overwrite=True)
+    assert len(positions_in(path)) == 2
+
+
+def test_what_was_recorded_outlives_an_observer_that_raises(tmp_path):
+    path = tmp_path / "out.h5md"
+
+    def refuse(frame):
+        if frame.step == 5:
+            raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        pliant.run(WATER, output=path, steps=100, observers=[refuse])
+    assert len(positions_in(path)) == 6
+
+
+def test_ctrl_c_leaves_a_readable_file(tmp_path):
+    path = tmp_path / "out.h5md"
+    timer = threading.Timer(0.3, os.kill, (os.getpid(), signal.SIGINT))
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        pliant.run(WATER, output=path, steps=10**12, every=100)
+    positions = positions_in(path)
+    assert len(positions) > 1
+    assert np.isfinite(positions).all()
+
+
+def test_a_recorder_of_ones_own(tmp_path):
+    framework = WATER.framework()
+    with pliant.H5mdRecorder(tmp_path / "out.h5md", framework, structure=WATER) as recorder:
+        recorder.record(pliant.Frame(0, 0.0, WATER.positions))
+        recorder(pliant.Frame(5, 0.5, WATER.positions + 1, max_residual=0.25, root_joint=2,
+                              stop=pliant.Stop.max_sweeps, force=(1, 2, 3)))  # fmt: skip
+        recorder.flush()
+        assert (recorder.frames, recorder.committed_frames) == (2, 2)
+        assert recorder.path == tmp_path / "out.h5md"
+        with pytest.raises(pliant.InputError, match="comes after that of step 5"):
+            recorder.record(pliant.Frame(5, 0.5, WATER.positions))
+        with pytest.raises(pliant.InputError, match="has 2 positions for 3 joints"):
+            recorder.record(pliant.Frame(6, 0.5, WATER.positions[:2]))
+    with h5py.File(tmp_path / "out.h5md") as file:
+        assert file["particles/trajectory/position/step"][:].tolist() == [0, 5]
+        assert file["observables/max_residual/value"][:].tolist() == [0, 0.25]
+        assert file["observables/force_y/value"][:].tolist() == [0, 2]
+        assert file["observables/converged/value"][:].astype(bool).tolist() == [True, False]
+
+
+def test_parameters_are_numbers_or_text(tmp_path):
+    with pytest.raises(TypeError, match=r'^parameters\["run/x"\]: expected a bool, int, float'):
+        pliant.H5mdRecorder(tmp_path / "o", WATER.framework(), parameters={"run/x": [1]})
+
+
+def test_reads_back_what_was_recorded(tmp_path):
+    path = tmp_path / "out.h5md"
+    framework = WATER.framework("angles", pin="name O")
+    summary = pliant.run(framework, WATER.positions, path, steps=6, every=2, structure=WATER)
+    reader = pliant.H5mdReader(path)
+    assert (len(reader), reader.joint_count) == (4, 3)
+    assert np.array_equal(reader.positions(-1), summary.state.positions)
+    assert (reader.step(2), reader.time(2)) == (4, pytest.approx(0.04))
+    assert reader.observable("sweeps").shape == (4,)
+    assert "max_residual" in reader.observables
+    assert reader.parameters()["run/steps"] == 6
+    again = reader.framework()
+    assert again.bars.tolist() == framework.bars.tolist()
+    assert again.rest_lengths.tolist() == framework.rest_lengths.tolist()
+    assert again.pinned.tolist() == [0]
+    assert again.label(0) == "O(1)"
+    structure = reader.structure()
+    assert structure.symbols.tolist() == ["O", "H", "H"]
+    assert structure.bonds.tolist() == WATER.bonds.tolist()
+    assert structure.bond_origins.tolist() == ["distance", "distance"]
+    assert np.array_equal(structure.positions, WATER.positions)
+    with pytest.raises(IndexError, match=r"^frame 4 of 4 does not exist$"):
+        reader.positions(4)
+    with pytest.raises(pliant.FileError):
+        pliant.H5mdReader(tmp_path / "none.h5md")
+
+
+def test_replays_a_force_file(tmp_path):
+    framework = WATER.framework()
+    path = tmp_path / "pushes.txt"
+    path.write_text(
+        "pliant-forces 1\ntimestep 0.02\ntolerance 1e-7\nmax_sweeps 50\n"
+        "push 1 30 -3 0.25\npush 2 0 40 0\n"
+    )
+    forces = pliant.read_force_file(path, framework)
+    assert (forces.timestep, forces.tolerance, forces.max_sweeps) == (0.02, 1e-7, 50)
+    assert forces.tolerance_length is None
+    assert forces.pushes == [(1, (30.0, -3.0, 0.25)), (2, (0.0, 40.0, 0.0))]
+    seen = []
+    pliant.run(
+        framework, WATER.positions, replay=forces.pushes, timestep=forces.timestep,
+        observers=[lambda frame: seen.append((frame.root_joint, frame.force))],
+    )  # fmt: skip
+    assert seen == [(None, (0.0, 0.0, 0.0)), *forces.pushes]
+    path.write_text(forces.text(framework))
+    assert pliant.read_force_file(path, framework).pushes == forces.pushes
+    with pytest.raises(IndexError, match=r"^joint 9 of 3 does not exist$"):
+        pliant.run(framework, WATER.positions, replay=[(9, (1, 0, 0))])
+    with pytest.raises(pliant.InputError, match=r"^replay: force on H\(2\) is not finite$"):
+        pliant.run(framework, WATER.positions, replay=[(1, (np.inf, 0, 0))])
+    with pytest.raises(pliant.InputError, match=r"^replay: holds no push$"):
+        pliant.run(framework, WATER.positions, replay=[])
+
+
+def test_a_failed_write_is_raised(tmp_path):
+    script = (
+        "import pliant, resource, signal, sys\n"
+        "signal.signal(signal.SIGXFSZ, signal.SIG_IGN)\n"
+        "resource.setrlimit(resource.RLIMIT_FSIZE, (200_000, 200_000))\n"
+        "water = pliant.read_text('3\\n\\nO 0 0 0\\nH 0.96 0 0\\nH -0.24 0.93 0\\n', 'w.xyz')\n"
+        "try:\n"
+        "    pliant.run(water, output=sys.argv[1], steps=100_000, flush_seconds=0.01)\n"
+        "except pliant.FileError as error:\n"
+        "    print(error)\n"
+    )
+    path = tmp_path / "out.h5md"
+    done = subprocess.run(
+        [sys.executable, "-c", script, path], capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert "File too large" in done.stdout
+    assert np.isfinite(positions_in(path)).all()
