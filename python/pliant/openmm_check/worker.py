@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+"""What runs OpenMM, in a process of its own, because OpenMM may abort it.
+
+Run as ``python worker.py FOLDER FIRST``: does the jobs of FOLDER/jobs.json from number FIRST on,
+and appends one line to FOLDER/journal.jsonl when a job begins and one when it ends, so that the
+parent knows which job ended this process. Knows OpenMM, numpy and nothing of Pliant; units are
+OpenMM's: nm, u, kJ/mol.
+"""
+
+from __future__ import annotations
+
+import json
+import pathlib
+import sys
+import time
+
+import numpy as np
+import openmm
+
+
+def make_system(job, angles=None):
+    """A System of the job's masses with its bars as constraints.
+
+    `angles` (A,) are those of the job's triples, as harmonic terms of force constant 0: CCMA looks
+    at them to know how bars that share an atom are coupled.
+    """
+    system = openmm.System()
+    for mass in job["masses"].tolist():
+        system.addParticle(mass)
+    bars = zip(job["bars"].tolist(), job["rest_lengths"].tolist(), strict=True)
+    for (a, b), length in bars:
+        system.addConstraint(a, b, length)
+    if angles is not None:
+        force = openmm.HarmonicAngleForce()
+        for (i, j, k), angle in zip(job["triples"].tolist(), angles.tolist(), strict=True):
+            force.addAngle(i, j, k, angle, 0.0)
+        system.addForce(force)
+    return system
+
+
+def make_context(system, integrator, platform):
+    """A Context and the seconds that its making took."""
+    start = time.perf_counter()
+    chosen = openmm.Platform.getPlatformByName(platform)
+    context = openmm.Context(system, integrator, chosen)
+    return context, time.perf_counter() - start
+
+
+def positions_of(context):
+    """(N, 3) nm."""
+    state = context.getState(getPositions=True)
+    return np.asarray(state.getPositions(asNumpy=True)._value, dtype=np.float64)
+
+
+def repair_all(job, make_integrator, repair):
+    """Repairs the broken structures, each as often as the job says; medians of the times.
+
+    One Context serves all of them, unless the job has angles for each structure: these are built
+    into the Context.
+    """
+    begun, context, results = time.perf_counter(), None, []
+    for k in range(len(job["broken"])):
+        if context is None or "angles" in job:
+            angles = job["angles"][k] if "angles" in job else None
+            integrator = make_integrator()
+            made = make_context(make_system(job, angles), integrator, job["platform"])
+            context, ready = made
+        seconds = []
+        while len(seconds) < job["repeats"]:
+            seconds.append(repair(context, integrator, k))
+            if time.perf_counter() - begun > job["budget_seconds"]:
+                break
+        results.append((positions_of(context), np.median(seconds), ready))
+        if time.perf_counter() - begun > job["budget_seconds"]:
+            break
+    names = ("positions", "seconds", "ready_seconds")
+    return dict(zip(names, map(np.array, zip(*results, strict=True)), strict=True))
+
+
+def apply_constraints(job):
+    """Context.applyConstraints on broken structures: directions are those of the broken bars."""
+    tolerance = float(job["tolerance"])
+
+    def repair(context, _, k):
+        context.setPositions(job["broken"][k])
+        start = time.perf_counter()
+        context.applyConstraints(tolerance)
+        return time.perf_counter() - start
+
+    return repair_all(job, lambda: openmm.VerletIntegrator(0.001), repair)
+
+
+def constrain_step(job):
+    """One step as in dynamics: directions of the bars are those before the step, unbroken."""
+
+    def make_integrator():
+        integrator = openmm.CustomIntegrator(0.001)
+        integrator.addPerDofVariable("push", 0.0)
+        integrator.addComputePerDof("x", "x + push")
+        integrator.addConstrainPositions()
+        integrator.setConstraintTolerance(float(job["tolerance"]))
+        return integrator
+
+    def repair(context, integrator, k):
+        context.setPositions(job["intact"][k])
+        integrator.setPerDofVariableByName("push", job["broken"][k] - job["intact"][k])
+        start = time.perf_counter()
+        integrator.step(1)
+        return time.perf_counter() - start
+
+    return repair_all(job, make_integrator, repair)
+
+
+def bond_energies(job):
+    """Energies of structures under a HarmonicBondForce with a bond for each bar."""
+    system = openmm.System()
+    for mass in job["masses"].tolist():
+        system.addParticle(mass)
+    force = openmm.HarmonicBondForce()
+    columns = (job["bars"].tolist(), job["rest_lengths"].tolist(), job["constants"].tolist())
+    for (a, b), length, constant in zip(*columns, strict=True):
+        force.addBond(a, b, length, constant)
+    system.addForce(force)
+    context, _ = make_context(system, openmm.VerletIntegrator(0.001), job["platform"])
+    energies = []
+    for positions in job["structures"]:
+        context.setPositions(positions)
+        energies.append(context.getState(getEnergy=True).getPotentialEnergy()._value)
+    return {"energies": np.array(energies)}
+
+
+KINDS = {
+    "apply_constraints": apply_constraints,
+    "constrain_step": constrain_step,
+    "bond_energies": bond_energies,
+}
+
+
+def load_job(folder, job):
+    """The job's arrays; those of files that several jobs share are read from there."""
+    arrays = {name: np.load(folder / file) for name, file in job["arrays"].items()}
+    return {**job["values"], **arrays}
+
+
+def do_job(folder, number, job):
+    """Does one job, saves its arrays, and returns what the journal says of it."""
+    try:
+        result = KINDS[job["kind"]](load_job(folder, job))
+    except Exception as error:
+        return {"event": "raised", "message": str(error)}
+    files = {}
+    for name, values in result.items():
+        files[name] = f"result-{number}-{name}.npy"
+        np.save(folder / files[name], values)
+    return {"event": "done", "files": files}
+
+
+def main(folder, first):
+    """Does the jobs from number `first` on."""
+    jobs = json.loads((folder / "jobs.json").read_text())
+    with open(folder / "journal.jsonl", "a", encoding="utf-8") as journal:
+
+        def say(**line):
+            print(json.dumps(line), file=journal, flush=True)
+
+        say(event="ready", version=openmm.version.version)
+        for number in range(first, len(jobs)):
+            say(event="started", job=number)
+            say(job=number, **do_job(folder, number, jobs[number]))
+
+
+if __name__ == "__main__":
+    main(pathlib.Path(sys.argv[1]), int(sys.argv[2]))
