@@ -4,6 +4,11 @@
 Units everywhere: length Angstrom, time ps, mass u, force kJ/(mol Angstrom), energy kJ/mol.
 """
 
+from __future__ import annotations
+
+import importlib
+from typing import TYPE_CHECKING
+
 from pliant import _core
 from pliant._core import (
     Error,
@@ -52,6 +57,9 @@ from pliant.adapters import (
     to_mdanalysis,
 )
 
+if TYPE_CHECKING:
+    from pliant.openmm_check import check
+
 __all__ = [
     "Error",
     "FileError",
@@ -78,6 +86,7 @@ __all__ = [
     "Structure",
     "TechniqueEntry",
     "__version__",
+    "check",
     "constraints_from_openmm",
     "formats",
     "from_mdanalysis",
@@ -102,3 +111,16 @@ for _name in __all__:
     if isinstance(getattr(_core, _name, None), type):
         getattr(_core, _name).__module__ = "pliant"
 del _name
+
+# What needs OpenMM, MDAnalysis or matplotlib is imported when it is first asked for.
+_LATE = {"check": "pliant.openmm_check"}
+
+
+def __getattr__(name: str) -> object:
+    if name not in _LATE:
+        raise AttributeError(f"module 'pliant' has no attribute '{name}'")
+    return getattr(importlib.import_module(_LATE[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted({*globals(), *_LATE})

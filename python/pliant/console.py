@@ -15,14 +15,12 @@ from typing import Any, NoReturn, TextIO
 
 import numpy as np
 
+from pliant import Error, OptionError
+
 EXIT_OK = 0
 EXIT_FAILED = 1  #: bad input, a file that cannot be read or written, a check that failed
 EXIT_USAGE = 2  #: bad option or argument
 EXIT_INTERRUPTED = 130
-
-
-class InputError(ValueError):
-    """Something is wrong with what the user gave; the message says what, and where."""
 
 
 class Parser(argparse.ArgumentParser):
@@ -74,7 +72,10 @@ def run_command(command: str, work: Callable[[], int]) -> int:
         code = work()
         sys.stdout.flush()
         return code
-    except (InputError, OSError) as error:
+    except OptionError as error:
+        print(f"pliant {command}: error: {error}", file=sys.stderr)
+        return EXIT_USAGE
+    except (Error, OSError) as error:
         if isinstance(error, BrokenPipeError):  # the reader of our output has gone
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             return EXIT_FAILED

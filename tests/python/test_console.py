@@ -7,6 +7,7 @@ import json
 import numpy as np
 import pytest
 
+import pliant
 from pliant import console
 
 
@@ -43,10 +44,18 @@ def test_a_bad_option_is_one_line_and_exit_code_2(words, error, capsys):
 
 def test_errors_of_the_user_end_with_1_and_no_traceback(capsys):
     def work():
-        raise console.InputError("out.h5md: no frames")
+        raise pliant.InputError("out.h5md: no frames")
 
     assert console.run_command("check", work) == 1
     assert capsys.readouterr().err == "pliant check: error: out.h5md: no frames\n"
+
+
+def test_a_bad_option_of_the_library_ends_with_2(capsys):
+    def work():
+        raise pliant.OptionError("frames = 0: must be from 1")
+
+    assert console.run_command("check", work) == 2
+    assert capsys.readouterr().err == "pliant check: error: frames = 0: must be from 1\n"
 
 
 def test_a_fault_of_ours_is_not_hidden():

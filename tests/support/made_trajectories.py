@@ -130,7 +130,8 @@ def conformer(smiles):
 
 def moved(framework, start, frames, tolerance=1e-6, seed=0, displacement=0.1):
     """(frames, N, 3): a run in which every joint is displaced, resolved and shown."""
-    shown = []
+    shown, start = [], start.copy()
+    pliant.resolve(framework, start, tolerance=tolerance / 2)
     pliant.run(
         framework,
         start,

@@ -26,6 +26,13 @@ class Remeasured:
     rounding: np.ndarray  #: (F,) how much storing may have changed a residual
     pinned_move: float = 0.0  #: furthest that a pinned joint is from where it began, Angstrom
 
+    def worst_frame(self, among: np.ndarray) -> int | None:
+        """The frame that exceeds its tolerance most, or comes closest; `among` (F,) bool."""
+        candidates = np.flatnonzero(among & self.finite)
+        if len(candidates) == 0:
+            return None
+        return int(candidates[np.argmax(self.excess[candidates])])
+
 
 def remeasure(
     recording: Recording, progress: Callable[[int, int], None] = lambda *_: None

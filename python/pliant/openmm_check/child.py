@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pliant.console import InputError
+from pliant import InputError
 
 WORKER = pathlib.Path(__file__).with_name("worker.py")
 TIME_LIMIT = 300.0  #: seconds for one job

@@ -151,7 +151,7 @@ def _draw_left(axes: Axes, report: CheckReport) -> None:
     )
     axes.set_ylim(min(axes.get_ylim()[0], report.tolerance / 10), 10.0 * LOST)
     axes.axhspan(LOST, 10.0 * LOST, color=GREY, alpha=0.25, linewidth=0)
-    axes.annotate("diverged, or no number", (0.01, LOST), (0, 3), fontsize="small",
+    axes.annotate("diverged, or no number", (0.01, LOST), (0, -11), fontsize="small",
         xycoords=("axes fraction", "data"), textcoords="offset points")  # fmt: skip
     _draw_tolerance(axes, report.tolerance)
     _tick_at_displacements(axes, report.methods)

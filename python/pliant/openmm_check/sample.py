@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pliant.console import InputError
+from pliant import InputError
 from pliant.openmm_check import measure
 from pliant.openmm_check.child import Job
 from pliant.openmm_check.recording import Recording
@@ -61,14 +61,13 @@ def choose_frames(count: int, wanted: int | str, always: int | None = None) -> n
     return np.unique(chosen)
 
 
-def take_sample(recording: Recording, wanted: int | str) -> Sample:
-    """Reads `wanted` frames (or "all"), with the one whose recorded residual is largest.
+def take_sample(recording: Recording, wanted: int | str, worst: int | None = None) -> Sample:
+    """Reads `wanted` frames (or "all"), frame number `worst` among them.
 
-    Raises InputError when they would take more memory than they should.
+    Raises InputError when they would take more memory than they should, or none has finite
+    coordinates.
     """
-    worst = recording.observables.get("max_residual")
-    always = None if worst is None or not len(worst) else int(np.argmax(worst))
-    frames = choose_frames(recording.frame_count, wanted, always)
+    frames = choose_frames(recording.frame_count, wanted, worst)
     size = 24 * len(frames) * recording.joint_count
     if size > MOST_BYTES:
         raise InputError(

@@ -116,7 +116,7 @@ def check(
     recording = read_recording(path)
     with progress("measuring frames", quiet) as show:
         remeasured = remeasure(recording, show)
-    sample = take_sample(recording, frames)
+    sample = take_sample(recording, frames, remeasured.worst_frame(recording.converged))
     report = _ask_openmm(recording, sample, displacements, seed, time_limit, quiet)
     report.remeasured = remeasured
     report.findings.insert(0, check_record(recording, remeasured))
