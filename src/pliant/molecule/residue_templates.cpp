@@ -21,8 +21,8 @@ struct Row {
 };
 
 constexpr std::string_view backbone =
-    "N-CA CA-C C=O C=O1 C=OT1 C=OC1 C-OXT C-O2 C-OT2 C-OC2 C-OT OXT-HXT OXT-HO OXT-HOXT "
-    "N+H N+HN N+HT CA+HA ";
+    "N-CA CA-C C=O C=O1 C=OT1 C=OC1 C=OCT1 C-OXT C-O2 C-OT2 C-OC2 C-OCT2 C-OT "
+    "OXT-HXT OXT-HO OXT-HO2 OXT-HOXT N+H N+HN N+HT CA+HA ";
 
 constexpr std::string_view sugar_and_phosphate =
     "P=OP1 P=O1P P-OP2 P-O2P P-OP3 P-O3P P-O5T P-O5' OP2-HOP2 OP3-HOP3 O2P-HOP2 O3P-HOP3 "
@@ -90,9 +90,9 @@ constexpr Row rows[] = {
     {amino, "ORN", "CA-CB CB-CG CG-CD CD-NE CB+HB CG+HG CD+HD NE+HE"},
     {amino, "PCA", "CA-CB CB-CG CG-CD CD=OE CD-N CB+HB CG+HG"},
 
-    {cap, "ACE", "CH3-C CA-C C=O CH3+H CH3+HH3 CH3+HA CA+HA"},
-    {cap, "FOR", "C=O C-H"},
-    {cap, "NME NMA", "N-C N-CH3 N-CA N-H N-HN C-H1 C-H2 C-H3 CH3+HH3 CA+HA"},
+    {cap, "ACE", "CH3-C CA-C C=O C-H CH3-H1 CH3-H2 CH3-H3 CH3+HH3 CH3+HA CA+HA"},
+    {cap, "FOR", "C=O C+H"},
+    {cap, "NME NMA", "N-C N-CH3 N-CA N-H N+HN C-H1 C-H2 C-H3 CH3+HH3 CA+HA"},
     {cap, "NH2 NHE", "N+H N+HN"},
 
     {nucleotide, "DA DA5 DA3 DAN A A5 A3 AN RA RA5 RA3 RAN", adenine, sugar_hydrogens},

@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""Bonds against the topologies (PSF, TPR) with which simulations were run."""
+
+from pathlib import Path
+
+import bond_tool
+import pytest
+
+MDAnalysis = pytest.importorskip("MDAnalysis")
+tests_of_mdanalysis = pytest.importorskip("MDAnalysisTests")
+
+MDA = Path(tests_of_mdanalysis.__file__).parent / "data"
+
+# Topology and coordinates; CHARMM and OPLS names.
+SYSTEMS = {
+    "adk, a frame of a trajectory": ("adk.psf", "adk_dims.dcd"),
+    "adk, open": ("adk.psf", "adk_open.pdb"),
+    "ion channel": ("2r9r-1b.psf", "2r9r-1b.xyz"),
+    "peptide with a modified residue": ("namd_cgenff.psf", "namd_cgenff.pdb"),
+    "cobrotoxin in water": ("cobrotoxin.tpr", "cobrotoxin.pdb"),
+    "water box": ("tip125_tric_C36.psf", "tip125_tric_C36.dcd"),
+    "adk in a box that cuts it": ("adk_oplsaa.tpr", "adk_oplsaa.gro"),
+}
+
+
+@pytest.fixture(scope="module")
+def compared(tmp_path_factory):
+    """{name: (universe, our answer)}, from PDB files without CONECT."""
+    folder = tmp_path_factory.mktemp("pdb")
+    universes, files = [], []
+    for number, (topology, coordinates) in enumerate(SYSTEMS.values()):
+        universes.append(MDAnalysis.Universe(MDA / topology, MDA / coordinates))
+        files.append(folder / f"{number}.pdb")
+        universes[-1].atoms.write(files[-1], bonds=None)
+    answers = bond_tool.bonds(files)
+    return dict(zip(SYSTEMS, zip(universes, answers, strict=True), strict=True))
+
+
+@pytest.mark.filterwarnings("ignore")
+@pytest.mark.parametrize("name", SYSTEMS)
+def test_bonds_equal_the_topologys(name, compared):
+    universe, answer = compared[name]
+    theirs = set()
+    for (a, b), length in zip(universe.bonds.indices, universe.bonds.values(), strict=True):
+        ends = universe.atoms[[a, b]]
+        # Rigid water models have a bar between the hydrogens, which is no bond; and a molecule cut
+        # by the box has bonds as long as the box.
+        if all(name.startswith("H") for name in ends.names) or length > 3.0:
+            continue
+        theirs.add((min(int(a), int(b)), max(int(a), int(b))))
+    assert len(theirs) > 100
+    assert bond_tool.differences(answer["labels"], answer["pairs"], theirs) == []
+
+
+def test_bonds_cut_by_the_box_are_said_once(compared):
+    _, answer = compared["adk in a box that cuts it"]
+    said = [message for message in answer["messages"] if "periodic" in message]
+    assert said == [
+        "16 bonds (first: X:GLU44:CG - X:GLU44:CD, 78.61) of residue templates too long to be "
+        "true: left out (is the molecule cut by a periodic box?)"
+    ]
