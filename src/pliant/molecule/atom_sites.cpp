@@ -95,8 +95,7 @@ void warn_of_repeat(const AtomSites& sites, std::uint32_t atom, bool same_place,
     });
   } else {
     remarks.warn("repeated name", sites.lines[atom], [&] {
-      return "atom name " + label +
-             " is given twice in its residue, at different points: both kept";
+      return "atom " + label + " is given twice, at different points: both kept";
     });
   }
 }

@@ -52,7 +52,8 @@ std::string title_of(const CifDocument& document, const CifBlock& block) {
   if (table == nullptr || table->rows() == 0) return {};
   const auto column = table->column("title");
   if (!column) return {};
-  std::string title(document.word(table->at(0, *column)));
+  const std::string_view words = document.word(table->at(0, *column));
+  std::string title(words.substr(std::min(words.find_first_not_of(" \t\r\n"), words.size())));
   std::replace_if(
       title.begin(), title.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
   return title;

@@ -37,7 +37,7 @@ void PdbModels::close(Border border) {
 void PdbModels::on_model(const PdbLine& line, Remarks& remarks) {
   if (open_)
     remarks.warn("model not ended", line.number, [&] {
-      return "MODEL begins before the model before it has ended with ENDMDL: taken as ended";
+      return "MODEL begins where the model before has no ENDMDL: taken as ended";
     });
   close(Border::model);
   const auto number = parse_integer(columns(line.text, 7, 80));

@@ -72,6 +72,7 @@ std::optional<Frame> find_frame(Lines lines, std::size_t wanted, std::size_t& fr
                                 Remarks& remarks) {
   std::optional<Frame> found;
   frame_count = 0;
+  std::size_t first_count = 0;
   while (next_text(lines)) {
     if (frame_count == 0 && lines.number() > 1)
       remarks.warn("blank before count", 1, [] { return "blank line before the atom count"; });
@@ -79,6 +80,12 @@ std::optional<Frame> find_frame(Lines lines, std::size_t wanted, std::size_t& fr
     const std::size_t line = lines.number();
     if (!lines.next() && count > 0) fail_short(count, 0, line + 1, remarks);
     if (++frame_count == wanted) found = Frame{count, line, lines};
+    if (frame_count == 1) first_count = count;
+    if (count != first_count)
+      remarks.note("unequal frames", line, [&] {
+        return "frame " + std::to_string(frame_count) + " has " + std::to_string(count) +
+               " atoms, frame 1 has " + std::to_string(first_count);
+      });
     skip_atoms(lines, count, remarks);
   }
   return found;

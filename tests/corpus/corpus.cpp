@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: MIT
+#include "corpus/corpus.hpp"
+
+#include <fstream>
+#include <iterator>
+#include <sstream>
+
+namespace pliant {
+
+std::filesystem::path corpus_folder(const std::string& name) {
+  return std::filesystem::path(PLIANT_SOURCE_DIR) / "tests" / "corpus" / name;
+}
+
+std::vector<CorpusCase> corpus_cases(const std::string& folder) {
+  std::ifstream in(corpus_folder(folder) / "expected.txt");
+  std::vector<CorpusCase> cases;
+  for (std::string line; std::getline(in, line);) {
+    if (line.starts_with("== ")) {
+      std::istringstream words(line.substr(3));
+      CorpusCase next{folder, "", 1, ""};
+      std::string word;
+      words >> next.file;
+      if (words >> word) words >> next.model;
+      cases.push_back(next);
+    } else if (!cases.empty() && !line.starts_with("#") && !line.empty()) {
+      cases.back().expected += line + "\n";
+    }
+  }
+  return cases;
+}
+
+std::string file_bytes(const std::filesystem::path& path) {
+  std::ifstream in(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace pliant
