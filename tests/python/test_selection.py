@@ -16,8 +16,8 @@ pytestmark = pytest.mark.filterwarnings("ignore")
 
 MDA = Path(MDAnalysisTests.__file__).parent / "data"
 
-# A complex with water, ions and ligands; a peptide with insertion codes; hydrogens.
-FILES = ["1a28.pdb.gz", "dssp/3e8mA.pdb.gz", "unordered_res.pdb", "cobrotoxin.pdb", "1hvr.pdb"]
+# Complexes with water and ligands, simulations with hydrogens, a peptide with insertion codes.
+FILES = ["1a28.pdb.gz", "1hvr.pdb", "adk_closed.pdb", "cobrotoxin.pdb", "unordered_res.pdb"]
 
 TERMS = [
     "all",
