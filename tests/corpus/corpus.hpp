@@ -16,7 +16,7 @@ struct CorpusCase {
   std::string expected;   ///< lines as reading_as_text gives them
 };
 
-inline const char* const corpus_folders[] = {"pdb", "xyz", "sdf", "cif"};
+inline const char* const corpus_folders[] = {"pdb", "xyz", "sdf", "mmcif"};
 
 std::filesystem::path corpus_folder(const std::string& name);
 
