@@ -40,3 +40,4 @@
 // record: trajectories
 #include "pliant/record/h5md_reader.hpp"    // frames of any H5MD file
 #include "pliant/record/h5md_recorder.hpp"  // frames to an H5MD file
+#include "pliant/record/topology_pdb.hpp"   // names and bonds for other programs

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/record/topology_pdb.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+#include "pliant/base/error.hpp"
+#include "pliant/molecule/read.hpp"
+#include "unit/record/samples.hpp"
+
+namespace pliant {
+namespace {
+
+using namespace test;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+AtomTable one_residue(std::size_t count) {
+  AtomTable atoms;
+  for (std::size_t i = 0; i < count; ++i) {
+    atoms.names.push_back("C" + std::to_string(i + 1));
+    atoms.elements.push_back(6);
+    atoms.residue_of.push_back(0);
+    atoms.serials.push_back(1);
+  }
+  atoms.residues = {{"UNL", 1, ' ', ""}};
+  return atoms;
+}
+
+class TopologyPdbTest : public ::testing::Test {
+ protected:
+  std::string write(const AtomTable& atoms, const std::vector<Vec3>& positions,
+                    const std::vector<RecordedBond>& bonds, TopologyPdbOptions options = {}) {
+    options.overwrite = true;
+    options.log.function = [this](Severity, std::string_view text) {
+      messages_.emplace_back(text);
+    };
+    write_topology_pdb(path_, atoms, positions, bonds, options);
+    std::ifstream file(path_);
+    return {std::istreambuf_iterator<char>(file), {}};
+  }
+
+  TempDirectory directory_;
+  std::filesystem::path path_ = directory_ / "top.pdb";
+  std::vector<std::string> messages_;
+};
+
+TEST_F(TopologyPdbTest, WritesTheColumnsOfTheFormat) {
+  AtomTable atoms;
+  atoms.names = {"CA", "CA", "HB11", "N", "FE"};
+  atoms.elements = {6, 20, 1, 7, 26};
+  atoms.residue_of = {0, 1, 2, 3, 3};
+  atoms.serials = {7, 8, 9, 10, 11};
+  atoms.residues = {
+      {"ALA", -12, ' ', "A"}, {"CA", 10000, 'B', "A"}, {"TIP3", 3, ' ', "B"}, {"HEM", 1, ' ', ""}};
+  const std::string text =
+      write(atoms, {{0, 1.5, -2.25}, {9999.999, -999.999, 0}, {1, 2, 3}, {0, 0, -1e-9}, {4, 5, 6}},
+            {{0, 1, 0, 1}, {3, 4, 0, 2}}, {.title = "two\nlines"});
+  // clang-format off
+  EXPECT_EQ(text,
+      "TITLE     two_lines\n"
+      "ATOM      1  CA  ALA A -12       0.000   1.500  -2.250  1.00  0.00           C\n"
+      "HETATM    2 CA    CA AA000B   9999.999-999.999   0.000  1.00  0.00          CA\n"
+      "TER\n"
+      "HETATM    3 HB11 TIP3B   3       1.000   2.000   3.000  1.00  0.00           H\n"
+      "TER\n"
+      "HETATM    4  N   HEM     1       0.000   0.000  -0.000  1.00  0.00           N\n"
+      "HETATM    5 FE   HEM     1       4.000   5.000   6.000  1.00  0.00          FE\n"
+      "CONECT    1    2\n"
+      "CONECT    2    1\n"
+      "CONECT    4    5    5\n"
+      "CONECT    5    4    4\n"
+      "END\n");
+  // clang-format on
+  EXPECT_TRUE(messages_.empty());
+}
+
+TEST_F(TopologyPdbTest, ListsFourBondsARecord) {
+  std::vector<RecordedBond> bonds;
+  for (Joint other = 5; other > 0; --other) bonds.push_back({0, other, 0, 1});
+  EXPECT_THAT(write(one_residue(6), std::vector<Vec3>(6), bonds),
+              HasSubstr("CONECT    1    2    3    4    5\nCONECT    1    6\nCONECT    2    1\n"));
+}
+
+// Known values: cci.lbl.gov/hybrid_36.
+TEST(Hybrid36, ContinuesDecimals) {
+  EXPECT_EQ(hybrid36(0, 5), "    0");
+  EXPECT_EQ(hybrid36(-9999, 5), "-9999");
+  EXPECT_EQ(hybrid36(99999, 5), "99999");
+  EXPECT_EQ(hybrid36(100000, 5), "A0000");
+  EXPECT_EQ(hybrid36(100035, 5), "A000Z");
+  EXPECT_EQ(hybrid36(43770015, 5), "ZZZZZ");
+  EXPECT_EQ(hybrid36(43770016, 5), "a0000");
+  EXPECT_EQ(hybrid36(87440031, 5), "zzzzz");
+  EXPECT_EQ(hybrid36(9999, 4), "9999");
+  EXPECT_EQ(hybrid36(10000, 4), "A000");
+  EXPECT_EQ(hybrid36(1223055, 4), "ZZZZ");
+  EXPECT_EQ(hybrid36(2436111, 4), "zzzz");
+  EXPECT_EQ(message_of<InputError>([] { hybrid36(87440032, 5); }),
+            "87440032 does not fit 5 columns");
+  EXPECT_EQ(message_of<InputError>([] { hybrid36(-1000, 4); }), "-1000 does not fit 4 columns");
+}
+
+TEST_F(TopologyPdbTest, OurReaderReadsItBack) {
+  const std::size_t count = 100'010;
+  AtomTable atoms = one_residue(count);
+  std::vector<Vec3> positions;
+  std::vector<RecordedBond> bonds;
+  for (std::size_t i = 0; i < count; ++i) {
+    atoms.names[i] = i % 2 ? "C1" : "C2";
+    atoms.residue_of[i] = static_cast<std::uint32_t>(i / 9);
+    positions.push_back({double(i % 1000), double(i / 1000), 0.125});
+    if (i > 0) bonds.push_back({Joint(i - 1), Joint(i), 0, 1});
+  }
+  atoms.residues.clear();
+  for (std::int64_t r = 0; r <= std::int64_t(count / 9); ++r)
+    atoms.residues.push_back({"UNL", r + 1, ' ', "X"});
+  write(atoms, positions, bonds, {.hybrid36_bonds = true});
+  const Structure read = read_structure(path_);
+  ASSERT_EQ(read.size(), count);
+  EXPECT_EQ(read.atoms.names, atoms.names);
+  EXPECT_EQ(read.atoms.elements, atoms.elements);
+  EXPECT_EQ(read.atoms.residues, atoms.residues);
+  EXPECT_EQ(read.atoms.serials.back(), std::int64_t(count));
+  EXPECT_EQ(read.positions.back(), positions.back());
+  ASSERT_EQ(read.bonds.size(), bonds.size());
+  EXPECT_EQ(read.bonds.back().b, count - 1);
+}
+
+TEST_F(TopologyPdbTest, LeavesOutBondsThatMDAnalysisStopsAt) {
+  const std::size_t count = 100'001;
+  const std::string text = write(one_residue(count), std::vector<Vec3>(count),
+                                 {{0, 1, 0, 1}, {99'998, 99'999, 0, 1}, {5, 100'000, 0, 1}});
+  EXPECT_THAT(text, HasSubstr("HETATMA0001 "));
+  EXPECT_THAT(text, HasSubstr("CONECT    1    2\nCONECT    2    1\nEND\n"));
+  EXPECT_THAT(
+      messages_,
+      ElementsAre(path_.string() + ": atom names cut to four characters: 99002",
+                  path_.string() +
+                      ": bonds of atoms past 99,999 left out, as MDAnalysis stops at them: 2"));
+}
+
+TEST_F(TopologyPdbTest, CutsNamesAndSaysSoOnce) {
+  AtomTable atoms = one_residue(2);
+  atoms.names = {"C12345", "O 1\n"};
+  atoms.residues = {{"LIGAND", 1, ' ', "AXP"}};
+  const std::string text = write(atoms, std::vector<Vec3>(2), {});
+  EXPECT_THAT(text, HasSubstr("HETATM    1 C123 LIGAA   1       0.000   0.000   0.000  1.00  0.00"
+                              "      AXP  C\n"));
+  EXPECT_THAT(text, HasSubstr("HETATM    2 O_1_ LIGA"));
+  const std::string name = path_.string();
+  EXPECT_THAT(messages_,
+              ElementsAre(name + ": atom names cut to four characters: 1",
+                          name + ": residue names cut to four characters: 2",
+                          name + ": chain names cut to one character, and to four as segments: 2"));
+}
+
+TEST_F(TopologyPdbTest, RefusesWhatDoesNotFit) {
+  std::ofstream(path_) << "precious";
+  AtomTable atoms = one_residue(1);
+  const auto message = [&](Vec3 position) {
+    return message_of<InputError>([&] { write(atoms, {position}, {}); });
+  };
+  const std::string end = " does not fit the columns of a PDB file (-999.999 to 9999.999 Angstrom)";
+  EXPECT_EQ(message({9999.9996, 0, 0}), "position of C1(1) (10000, 0, 0)" + end);
+  EXPECT_EQ(message({0, -1000, 0}), "position of C1(1) (0, -1000, 0)" + end);
+  EXPECT_EQ(message({0, 0, std::numeric_limits<double>::infinity()}),
+            "position of C1(1) (0, 0, inf)" + end);
+  EXPECT_EQ(message_of<InputError>([&] {
+              write(atoms, {{}}, {{0, 1, 0, 1}});
+            }),
+            "bond of atoms 0 and 1, of 1 atoms");
+  EXPECT_EQ(message_of<InputError>([&] { write(atoms, {}, {}); }), "0 positions for 1 atoms");
+  atoms.residues[0].number = 2436112;
+  EXPECT_EQ(message({}),
+            "residue number of C1(1) does not fit the columns of a PDB file "
+            "(-999 to 2436111)");
+  std::ifstream file(path_);
+  EXPECT_EQ(std::string(std::istreambuf_iterator<char>(file), {}), "precious");
+  EXPECT_EQ(message_of<FileError>(
+                [&] { write_topology_pdb(path_, one_residue(1), std::vector<Vec3>(1), {}); }),
+            path_.string() + ": exists already, and was not to be overwritten");
+}
+
+}  // namespace
+}  // namespace pliant
