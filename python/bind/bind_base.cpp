@@ -3,6 +3,7 @@
 #include "bind.hpp"
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/version.hpp"
 
 namespace pliant::python {
 namespace {
@@ -71,6 +72,7 @@ Log unraisable_python_log() {
 }
 
 void bind_base(nb::module_& module) {
+  module.def("version", &version, "Version of the library.");
   const nb::exception<Error> error(module, "Error");
   describe(error, "Anything that Pliant raises by itself.");
   const nb::handle value_error(PyExc_ValueError), os_error(PyExc_OSError);
@@ -85,8 +87,10 @@ void bind_base(nb::module_& module) {
   describe(file,
            "A file could not be opened, read or written; the message ends with the system's "
            "reason.");
-  warning_class() = nb::steal(PyErr_NewExceptionWithDoc("pliant._core.PliantWarning", warning_doc,
-                                                        PyExc_UserWarning, nullptr));
+  const std::string warning_name =
+      nb::cast<std::string>(module.attr("__name__")) + ".PliantWarning";
+  warning_class() = nb::steal(
+      PyErr_NewExceptionWithDoc(warning_name.c_str(), warning_doc, PyExc_UserWarning, nullptr));
   module.attr("PliantWarning") = warning_class();
 }
 

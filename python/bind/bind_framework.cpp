@@ -207,10 +207,11 @@ void set_positions(std::vector<Vec3>& to, const ArrayLike& values) {
 }
 
 void bind_state(nb::module_& module) {
-  nb::class_<State>(module, "State",
-                    "What changes during a run: positions, and those of one step earlier.\n\n"
-                    "Both arrays are writeable views of the memory that runs work on. While a run\n"
-                    "goes on in another thread their contents change; their number never does.")
+  nb::class_<State>(
+      module, "State",
+      "What changes during a run: positions, and those of one step earlier.\n\n"
+      "Both (N, 3) arrays are writeable views of the memory that runs work on. While a run\n"
+      "goes on in another thread their contents change; their number never does.")
       .def(
           "__init__",
           [](State* self, const ArrayLike& positions) {

@@ -92,10 +92,12 @@ tolerance_length : float, optional
     Largest |length - rest| in Angstrom, in place of ``tolerance``.
 max_sweeps : int
     Give up after so many.
-seed, walker, step : int
+seed, walker : int
     What random orderings and the parting of coincident joints depend on.
 root : int
     The joint where the ordering begins.
+step : int
+    Another number that random draws depend on.
 
 Raises
 ------

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The extension module pliant._core: calls one bind function for each folder of the library.
 #include "bind.hpp"
-#include "pliant/base/version.hpp"
 
 NB_MODULE(_core, module) {
   using namespace pliant::python;
   module.doc() = "Compiled part of Pliant; use the names that the package pliant gives.";
-  module.attr("__version__") = nb::str(pliant::version().data(), pliant::version().size());
   bind_base(module);
   bind_framework(module);
   bind_molecule(module);

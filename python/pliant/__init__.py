@@ -35,7 +35,6 @@ from pliant._core import (
     Stop,
     Structure,
     TechniqueEntry,
-    __version__,
     formats,
     measure,
     order,
@@ -105,6 +104,8 @@ __all__ = [
     "techniques",
     "to_mdanalysis",
 ]
+
+__version__ = _core.version()
 
 # Messages and help call things by the name under which users find them.
 for _name in __all__:

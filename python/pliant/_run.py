@@ -139,7 +139,9 @@ def run(
         output,
         framework,
         structure=structure,
-        parameters=_parameters(structure, options, single, compress) | built | (parameters or {}),
+        parameters=_parameters(structure, options, single, compress)
+        | built
+        | dict(parameters or {}),
         overwrite=overwrite,
         single=single,
         compress=compress,

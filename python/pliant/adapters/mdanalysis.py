@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import warnings
+from collections.abc import Callable
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -104,18 +105,21 @@ def _elements(group: Any) -> list[str] | None:
     names = _texts(group, "names") or _texts(group, "types")
     if names is None:
         return None
-    guessed = [_guessed_element(name) for name in names]
+    guess = _guesser()
+    guessed = ["" if element == "DUMMY" else element for element in map(guess, names)]
     warnings.warn("the universe has no elements: guessed from names", PliantWarning, stacklevel=3)
     return guessed
 
 
-def _guessed_element(name: str) -> str:
-    from MDAnalysis.topology.guessers import guess_atom_element
+def _guesser() -> Callable[[str], str]:
+    """MDAnalysis' own guess of an element from an atom's name."""
+    try:
+        from MDAnalysis.guesser.default_guesser import DefaultGuesser
+    except ImportError:  # before 2.8
+        from MDAnalysis.topology.guessers import guess_atom_element
 
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore", DeprecationWarning)
-        guess = guess_atom_element(name)
-    return guess if guess.upper() not in {"", "DUMMY"} else ""
+        return guess_atom_element
+    return DefaultGuesser(None).guess_atom_element
 
 
 def _bonds_within(group: Any) -> tuple[npt.NDArray[np.int64] | None, list[int] | None]:
