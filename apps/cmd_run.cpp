@@ -13,17 +13,32 @@
 namespace pliant::app {
 namespace {
 
-/// The outputs must be none of the inputs, whatever name or link leads to them.
-void refuse_to_overwrite_inputs(const RunSettings& settings) {
-  std::vector<std::string> outputs{settings.topology};
+std::vector<std::string> outputs_of(const RunSettings& settings) {
+  std::vector<std::string> outputs;
+  if (settings.topology != "none") outputs.push_back(settings.topology);
   for (std::int64_t walker = 0; walker < settings.walkers; ++walker)
     outputs.push_back(output_of(settings, walker));
+  return outputs;
+}
+
+/// The outputs must be none of the inputs, whatever name or link leads to them.
+void refuse_to_overwrite_inputs(const RunSettings& settings) {
   for (const std::string& input : {settings.molecule.file, settings.forces})
-    for (const std::string& output : outputs) {
+    for (const std::string& output : outputs_of(settings)) {
       std::error_code error;
       if (!input.empty() && std::filesystem::equivalent(input, output, error))
         throw OptionError(output + ": is both input and output");
     }
+}
+
+/// Asked of all outputs before the first is made, so that none is left behind alone.
+void refuse_to_replace(const RunSettings& settings) {
+  if (settings.record.overwrite) return;
+  for (const std::string& output : outputs_of(settings)) {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(output, error))
+      throw FileError(output + ": exists; --overwrite replaces it");
+  }
 }
 
 int exit_code_of(const RunSummary& summary) {
@@ -54,6 +69,7 @@ int command_run(const Arguments& arguments) {
   const Molecule molecule = load(settings.molecule, messages.log());
   complete(app, settings, molecule.framework);
   refuse_to_overwrite_inputs(settings);
+  refuse_to_replace(settings);
   settings.record.log = messages.log();
   watch_for_interrupt();
   const RunSummary summary = added_up(run_walkers(settings, molecule, messages.log()));

@@ -9,6 +9,7 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/base/elements.hpp"
+#include "pliant/record/topology_pdb.hpp"
 
 namespace pliant::app {
 namespace {
@@ -46,11 +47,23 @@ struct Shared {
   std::vector<RunSummary> summaries = {};
 };
 
+/// One sidecar serves all walkers.
+void write_sidecar(const Shared& shared) {
+  if (shared.settings.topology == "none") return;
+  TopologyPdbOptions options;
+  options.overwrite = shared.settings.record.overwrite;
+  options.log = shared.log;
+  const Structure& structure = shared.molecule.structure;
+  write_topology_pdb(shared.settings.topology, structure.atoms, structure.positions,
+                     recorded_bonds(structure), options);
+}
+
 RunSummary run_walker(Shared& shared, std::int64_t walker) {
   std::unique_lock lock(shared.hdf5);
   H5mdRecorder recorder(output_of(shared.settings, walker), shared.molecule.framework,
                         header_of(shared.settings, shared.molecule, walker),
                         shared.settings.record);
+  if (walker == 0) write_sidecar(shared);
   lock.unlock();
   RunOptions options = shared.settings.run;
   options.resolve.walker = static_cast<std::uint64_t>(walker);

@@ -19,10 +19,15 @@
 // framework: joints, bars and what is known of them
 #include "pliant/framework/atom_table.hpp"       // names of joints
 #include "pliant/framework/check_positions.hpp"  // can these positions carry the framework?
+#include "pliant/framework/feasibility.hpp"      // bars that cannot hold together
 #include "pliant/framework/frame.hpp"            // what a step shows
 #include "pliant/framework/framework.hpp"        // Framework, State
 #include "pliant/framework/graph.hpp"            // components, cycles, bridges, blocks
 #include "pliant/framework/residual.hpp"         // length errors and tolerances
+
+// generate: random frameworks
+#include "pliant/generate/fundamental_cycles.hpp"  // one cycle for each non-tree bar
+#include "pliant/generate/random_graphs.hpp"       // trees, 1-, 2- and n-cycles
 
 // order, resolve: the techniques
 #include "pliant/order/check_ordering.hpp"  // validator
@@ -37,7 +42,8 @@
 #include "pliant/perturb/perturbation.hpp"  // the table of perturbations
 #include "pliant/run/run.hpp"               // perturb, resolve, show
 
-// record: trajectories
+// record: trajectories and graphs
+#include "pliant/record/graph_xml.hpp"      // frameworks as XML
 #include "pliant/record/h5md_reader.hpp"    // frames of any H5MD file
 #include "pliant/record/h5md_recorder.hpp"  // frames to an H5MD file
 #include "pliant/record/topology_pdb.hpp"   // names and bonds for other programs
