@@ -33,6 +33,12 @@ class Ended:
 
 
 @pytest.fixture
+def command():
+    """Path of the installed command."""
+    return COMMAND
+
+
+@pytest.fixture
 def pliant(tmp_path):
     """Runs pliant in an empty folder; pliant("info", "x.xyz") gives code, out, err."""
 

@@ -21,10 +21,10 @@ def test_version(pliant):
 
 
 def test_unknown_command_suggests_the_nearest(pliant):
-    ended = pliant("inof")
+    ended = pliant("inffo")
     assert ended.code == 2
     assert ended.err == (
-        'pliant: no command named "inof" (did you mean "info"?); '
+        'pliant: no command named "inffo" (did you mean "info"?); '
         "known: info, run, techniques, check, analyse, compare\n"
     )
 
