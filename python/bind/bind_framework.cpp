@@ -11,6 +11,9 @@
 #include "pliant/molecule/structure.hpp"
 
 namespace pliant::python {
+
+void bind_examples(nb::module_& module);
+
 namespace {
 
 std::shared_ptr<const AtomTable> table_of_names(std::vector<std::string> names) {
@@ -18,7 +21,7 @@ std::shared_ptr<const AtomTable> table_of_names(std::vector<std::string> names) 
   atoms->names = std::move(names);
   atoms->elements.assign(atoms->size(), 0);
   atoms->residue_of.assign(atoms->size(), 0);
-  atoms->residues.push_back({"UNK", 1, ' ', ""});
+  atoms->residues.push_back({"", 1, ' ', ""});
   for (std::size_t i = 0; i < atoms->size(); ++i)
     atoms->serials.push_back(static_cast<std::int64_t>(i));
   return atoms;
@@ -280,6 +283,7 @@ void bind_framework(nb::module_& module) {
   bind_state(module);
   bind_residuals(module);
   bind_frame(module);
+  bind_examples(module);
 }
 
 }  // namespace pliant::python

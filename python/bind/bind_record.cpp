@@ -9,26 +9,20 @@
 #include "pliant/base/version.hpp"
 #include "pliant/molecule/elements.hpp"
 #include "pliant/molecule/structure.hpp"
+#include "recorded_bonds.hpp"
 
 namespace pliant::python {
 
 void bind_h5md_reader(nb::module_& module);
+void bind_topology(nb::module_& module);
 
 namespace {
-
-std::vector<RecordedBond> bonds_of(const Structure& structure) {
-  std::vector<RecordedBond> bonds;
-  bonds.reserve(structure.bonds.size());
-  for (const Bond& bond : structure.bonds)
-    bonds.push_back({bond.a, bond.b, static_cast<std::uint8_t>(bond.origin), bond.order});
-  return bonds;
-}
 
 H5mdHeader header_of(const Structure* structure) {
   H5mdHeader header;
   header.creator_version = version();
   if (structure == nullptr) return header;
-  header.bonds = bonds_of(*structure);
+  header.bonds = recorded_bonds(*structure);
   header.bond_origin_names.assign(bond_origin_names.begin(), bond_origin_names.end());
   for (std::uint8_t element : structure->atoms.elements)
     header.masses.push_back(element_mass(element));
@@ -115,6 +109,7 @@ OptionError
 
 void bind_record(nb::module_& module) {
   bind_h5md_reader(module);
+  bind_topology(module);
   nb::class_<LockedRecorder>(module, "H5mdRecorder", recorder_doc)
       .def("__init__", &make_recorder, "path"_a, "framework"_a, nb::kw_only(),
            "structure"_a = nb::none(), "parameters"_a = nb::dict(), "single"_a = false,

@@ -12,11 +12,14 @@ from typing import TYPE_CHECKING
 from pliant import _core
 from pliant._core import (
     Error,
+    Example,
+    ExampleFacts,
     FileError,
     ForceFile,
     Format,
     Frame,
     Framework,
+    Graph,
     GraphFacts,
     H5mdReader,
     H5mdRecorder,
@@ -35,6 +38,7 @@ from pliant._core import (
     Stop,
     Structure,
     TechniqueEntry,
+    examples,
     formats,
     measure,
     order,
@@ -42,10 +46,12 @@ from pliant._core import (
     perturbations,
     read,
     read_force_file,
+    read_graph_xml,
     read_text,
     residuals,
     resolve,
     techniques,
+    write_topology_pdb,
 )
 from pliant._run import run
 from pliant.adapters import (
@@ -61,11 +67,14 @@ if TYPE_CHECKING:
 
 __all__ = [
     "Error",
+    "Example",
+    "ExampleFacts",
     "FileError",
     "ForceFile",
     "Format",
     "Frame",
     "Framework",
+    "Graph",
     "GraphFacts",
     "H5mdReader",
     "H5mdRecorder",
@@ -87,6 +96,7 @@ __all__ = [
     "__version__",
     "check",
     "constraints_from_openmm",
+    "examples",
     "formats",
     "from_mdanalysis",
     "from_openmm",
@@ -97,12 +107,14 @@ __all__ = [
     "perturbations",
     "read",
     "read_force_file",
+    "read_graph_xml",
     "read_text",
     "residuals",
     "resolve",
     "run",
     "techniques",
     "to_mdanalysis",
+    "write_topology_pdb",
 ]
 
 __version__ = _core.version()

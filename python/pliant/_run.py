@@ -26,6 +26,7 @@ def run(
     state: _core.State | npt.ArrayLike | None = None,
     output: str | os.PathLike[str] | None = None,
     *,
+    topology: str | os.PathLike[str] | None = None,
     steps: int = 1000,
     every: int = 1,
     technique: str = "bfs_cycle",
@@ -69,6 +70,8 @@ def run(
         Where to start. A State is moved itself; positions are copied. Default: the structure's.
     output : str or path, optional
         H5MD file to write.
+    topology : str or path, optional
+        PDB file to write beside it, with names and bonds of the structure.
     steps, every : int
         Steps to do; observers see step 0, each `every`-th step and the last.
     technique, weighting, mass_weighted, tolerance, tolerance_length, max_sweeps
@@ -91,7 +94,9 @@ def run(
         False do not. What one raises ends the run.
     parameters : dict, optional
         More values for /parameters of the file, by path.
-    overwrite, single, compress, flush_seconds
+    overwrite : bool
+        Replace existing outputs, but never the file that the structure was read from.
+    single, compress, flush_seconds
         As of `H5mdRecorder`.
 
     Returns
@@ -133,6 +138,13 @@ def run(
         walker=walker,
     )
     start = _start(state, structure)
+    _refuse_to_overwrite(structure, output, topology)
+    if topology is not None:
+        if structure is None:
+            raise TypeError("run: a topology needs a structure")
+        _core.write_topology_pdb(
+            topology, structure, positions=start.positions, overwrite=overwrite
+        )
     if output is None:
         return _core.run_steps(framework, start, options, list(observers))
     recorder = _core.H5mdRecorder(
@@ -149,6 +161,16 @@ def run(
     )
     with recorder:
         return _core.run_steps(framework, start, options, [recorder, *observers])
+
+
+def _refuse_to_overwrite(
+    structure: _core.Structure | None, *outputs: str | os.PathLike[str] | None
+) -> None:
+    if structure is None or not os.path.exists(structure.source):
+        return
+    for output in outputs:
+        if output and os.path.exists(output) and os.path.samefile(output, structure.source):
+            raise _core.OptionError(f"{os.fspath(output)}: is both input and output")
 
 
 #: Options of a run that are recorded, as `pliant run` records them.

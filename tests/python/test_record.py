@@ -49,6 +49,40 @@ def test_a_run_is_recorded(tmp_path):
     assert (np.abs(lengths - rests) / rests).max() <= 1e-6
 
 
+@pytest.mark.filterwarnings("ignore:.*atom UNK1.H is given twice")
+def test_a_topology_beside_the_trajectory(tmp_path):
+    sidecar = tmp_path / "out.pdb"
+    pliant.run(WATER, output=tmp_path / "out.h5md", topology=sidecar, steps=1)
+    again = pliant.read(sidecar)
+    assert again.names.tolist() == WATER.names.tolist()
+    assert again.bonds.tolist() == WATER.bonds.tolist()
+    np.testing.assert_allclose(again.positions, WATER.positions, atol=5e-4)
+    with pytest.raises(pliant.FileError, match="exists already"):
+        pliant.write_topology_pdb(sidecar, WATER)
+    pliant.write_topology_pdb(sidecar, WATER, positions=WATER.positions + 5, overwrite=True)
+    assert pliant.read(sidecar).positions.min() > 4
+    with pytest.raises(TypeError, match="a topology needs a structure"):
+        pliant.run(WATER.framework(), WATER.positions, topology=sidecar)
+
+
+@pytest.mark.filterwarnings("ignore:.*atom UNK1.H is given twice")
+def test_the_input_is_never_overwritten(tmp_path):
+    path = tmp_path / "water.pdb"
+    pliant.write_topology_pdb(path, WATER)
+    before = path.read_bytes()
+    structure = pliant.read(path)
+    (tmp_path / "link.h5md").symlink_to(path)
+    for outputs in (
+        {"output": path},
+        {"output": tmp_path / "link.h5md"},
+        {"output": tmp_path / "out.h5md", "topology": path},
+    ):
+        with pytest.raises(pliant.OptionError, match="is both input and output"):
+            pliant.run(structure, steps=1, overwrite=True, **outputs)
+    assert path.read_bytes() == before
+    assert not (tmp_path / "out.h5md").exists()
+
+
 def test_the_same_run_gives_the_same_file(tmp_path):
     contents = []
     for name in ("a.h5md", "b.h5md"):

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""The table of examples and random graphs against numpy and networkx, which know nothing of us."""
+
+import networkx as nx
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import pliant
+
+NAMES = [example.name for example in pliant.examples()]
+
+
+def named(name):
+    return next(example for example in pliant.examples() if example.name == name)
+
+
+def rigidity_matrix(framework, positions):
+    rows = np.zeros((framework.bar_count, framework.joint_count, 3))
+    for k, (i, j) in enumerate(framework.bars):
+        delta = positions[j] - positions[i]
+        rows[k, i], rows[k, j] = -delta, delta
+    return rows.reshape(framework.bar_count, 3 * framework.joint_count)
+
+
+def relative_residuals(framework, positions):
+    i, j = framework.bars.T
+    lengths = np.linalg.norm(positions[j] - positions[i], axis=1)
+    return np.abs(lengths - framework.rest_lengths) / framework.rest_lengths
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_facts_of_examples(name):
+    example = named(name)
+    facts, found = example.facts, example.framework.graph_facts()
+    assert (found.components, found.cycles) == (facts.components, facts.cycles)
+    assert (found.bridges, found.blocks) == (facts.bridges, facts.blocks)
+    assert example.source
+    if facts.rank is not None:
+        matrix = rigidity_matrix(example.framework, example.positions)
+        rank = np.linalg.matrix_rank(matrix, tol=1e-9) if matrix.size else 0
+        assert rank == facts.rank
+    worst = relative_residuals(example.framework, example.positions).max(initial=0)
+    assert (worst < 1e-9) == facts.whole
+
+
+@pytest.mark.parametrize("technique", [row.name for row in pliant.techniques()])
+@pytest.mark.parametrize("name", NAMES)
+def test_converged_means_whole(name, technique):
+    example = named(name)
+    framework, positions = example.framework, example.positions
+    positions += np.random.default_rng(4).normal(scale=0.05, size=positions.shape)
+    try:
+        summary = pliant.resolve(framework, positions, technique, max_sweeps=500)
+    except pliant.OptionError as error:
+        assert "is for trees only" in str(error)
+        assert example.facts.cycles > 0
+        return
+    assert np.isfinite(positions).all()
+    worst = relative_residuals(framework, positions).max(initial=0)
+    assert summary.max_residual == pytest.approx(worst, rel=1e-6, abs=1e-15)
+    assert summary.converged == (worst <= 1e-6)
+    if not example.facts.feasible:
+        assert not summary.converged
+
+
+@st.composite
+def graphs(draw):
+    count = draw(st.integers(1, 12))
+    joint = st.integers(0, count - 1)
+    pairs = draw(st.lists(st.tuples(joint, joint), max_size=25))
+    return count, sorted({(min(a, b), max(a, b)) for a, b in pairs if a != b})
+
+
+@given(graphs())
+@settings(max_examples=200, deadline=None)
+def test_components_bridges_and_blocks_are_those_of_networkx(graph):
+    count, bars = graph
+    framework = pliant.Framework(bars, np.ones(len(bars)), count)
+    theirs = nx.Graph(bars)
+    theirs.add_nodes_from(range(count))
+    components = framework.components()
+    assert len(set(components)) == nx.number_connected_components(theirs)
+    for component in nx.connected_components(theirs):
+        assert len({components[joint] for joint in component}) == 1
+    bridges = {bar for bar, is_bridge in zip(bars, framework.bridges(), strict=True) if is_bridge}
+    assert bridges == {tuple(sorted(bar)) for bar in nx.bridges(theirs)}
+    blocks = {}
+    for bar, block in zip(bars, framework.blocks(), strict=True):
+        blocks.setdefault(block, set()).add(bar)
+    expected = {
+        frozenset(tuple(sorted(bar)) for bar in block)
+        for block in nx.biconnected_component_edges(theirs)
+    }
+    assert {frozenset(block) for block in blocks.values()} == expected
+    facts = framework.graph_facts()
+    assert facts.cycles == len(bars) - count + facts.components
+    assert facts.is_forest == nx.is_forest(theirs)
+
+
+@given(graphs(), st.data())
+@settings(max_examples=100, deadline=None)
+def test_orderings_visit_each_bar_from_one_of_its_ends(graph, data):
+    count, bars = graph
+    framework = pliant.Framework(bars, np.ones(len(bars)), count)
+    root = data.draw(st.integers(0, count - 1))
+    for row in pliant.orderings():
+        bar, near, is_tree = pliant.order(framework, row.name, root, seed=3)
+        assert len(set(bar)) == len(bar)
+        assert all(joint in bars[k] for k, joint in zip(bar, near, strict=True))
+        if row.name.startswith(("bfs", "dfs")):
+            tree = nx.Graph([bars[k] for k, tree in zip(bar, is_tree, strict=True) if tree])
+            assert not tree or nx.is_forest(tree)
+            assert is_tree.sum() == count - framework.graph_facts().components
+        assert row.forests_only or len(bar) == len(bars)
+
+
+def test_an_example_as_graph_xml(tmp_path):
+    for example in pliant.examples():
+        path = tmp_path / "example.xml"
+        graph = pliant.Graph(example.framework, example.positions)
+        path.write_text(graph.text())
+        if not example.facts.feasible or example.framework.joint_count == 0:
+            continue
+        again = pliant.read_graph_xml(path)
+        assert np.array_equal(again.positions, example.positions)
+        assert np.array_equal(again.framework.rest_lengths, example.framework.rest_lengths)
+        assert np.array_equal(again.framework.bars, example.framework.bars)
+    with pytest.raises(IndexError, match=r"^joint 99 of 5 does not exist$"):
+        pliant.Graph(named(NAMES[0]).framework, named(NAMES[0]).positions, [[0, 99]])
+    path.write_text('<graph dimension="3"><joint id="a" x="0" y="0" z="zero"/></graph>')
+    with pytest.raises(pliant.InputError, match=r"example\.xml:1: "):
+        pliant.read_graph_xml(path)
