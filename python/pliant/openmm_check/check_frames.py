@@ -35,7 +35,9 @@ def frame_jobs(sample: Sample, broken: np.ndarray) -> list[Job]:
     """Jobs for check_frames: the frames, then their broken copies."""
     tolerance = sample.openmm_tolerance(sample.positions)
     return [
-        constraint_job(sample.recording, "apply_constraints", tolerance, broken=structures * NM)
+        constraint_job(
+            sample.recording, "apply_constraints", tolerance, broken=structures[None] * NM
+        )
         for structures in (sample.positions, broken)
     ]
 
@@ -65,7 +67,7 @@ _MOVE = "OpenMM moves a copy with one bar broken"
 
 def _moves(structures: np.ndarray, outcome: Outcome) -> np.ndarray:
     """(S,) furthest move of an atom, Angstrom; of the structures that OpenMM got to."""
-    after = outcome.arrays.get("positions", np.empty((0,)))
+    after = outcome.arrays["positions"][0] if outcome.done else []
     return np.array(
         [measure.furthest_move(a, x * NM) / NM for a, x in zip(after, structures, strict=False)]
     )
@@ -127,7 +129,7 @@ def _check_moved(sample: Sample, moves: np.ndarray, outcome: Outcome) -> Finding
     if not outcome.done:
         return Finding("broken_copies_move", _MOVE, CANNOT, measured=outcome.brief())
     noticed = ~(moves == 0)  # not a number is a move too
-    after = outcome.arrays["positions"] / NM
+    after = outcome.arrays["positions"][0] / NM
     tolerance = sample.openmm_tolerance(sample.positions)
     repaired = int(np.sum(sample.residuals(after) <= tolerance + 2 * measure.FLOAT_ROUNDING))
     finding = Finding(

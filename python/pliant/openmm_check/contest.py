@@ -54,7 +54,7 @@ class Contest:
     tolerance: float  #: relative
     displacements: Sequence[float]
     intact: np.ndarray  #: (S, N, 3) Angstrom
-    broken: list[np.ndarray]  #: for each displacement (S, N, 3)
+    broken: np.ndarray  #: (D, S, N, 3) Angstrom, by each displacement
     note: str = ""
 
 
@@ -62,7 +62,9 @@ def prepare_contest(sample: Sample, displacements: Sequence[float], seed: int) -
     """Breaks some of the sampled frames, whole ones if there are, by each displacement."""
     pool = sample.positions[sample.converged] if sample.converged.any() else sample.positions
     intact = pool[choose_frames(len(pool), MOST_STRUCTURES)]
-    broken = [measure.displaced(intact, size, seed + k) for k, size in enumerate(displacements)]
+    broken = np.array(
+        [measure.displaced(intact, size, seed + k) for k, size in enumerate(displacements)]
+    )
     return Contest(
         sample, sample.openmm_tolerance(sample.positions), tuple(displacements), intact, broken
     )

@@ -53,36 +53,40 @@ def positions_of(context):
 
 
 def repair_all(job, make_integrator, repair):
-    """Repairs the broken structures, each as often as the job says; medians of the times.
+    """Repairs the broken structures (D, S, N, 3), each as often as the job says.
 
-    One Context serves all of them, unless the job has angles for each structure: these are built
-    into the Context.
+    Returns positions (D, S, N, 3), seconds (D, S), each a median, and ready_seconds (S) of the
+    Contexts. One Context serves all structures, unless the job has angles for each of the S: these
+    are built into the Context. S is less than was asked for if the time is up.
     """
-    begun, context, results = time.perf_counter(), None, []
-    for k in range(len(job["broken"])):
+    begun, context, results, ready_seconds = time.perf_counter(), None, [], []
+    for s in range(job["broken"].shape[1]):
         if context is None or "angles" in job:
-            angles = job["angles"][k] if "angles" in job else None
+            angles = job["angles"][s] if "angles" in job else None
             integrator = make_integrator()
             made = make_context(make_system(job, angles), integrator, job["platform"])
             context, ready = made
-        seconds = []
-        while len(seconds) < job["repeats"]:
-            seconds.append(repair(context, integrator, k))
-            if time.perf_counter() - begun > job["budget_seconds"]:
-                break
-        results.append((positions_of(context), np.median(seconds), ready))
+            ready_seconds.append(ready)
+        column = []
+        for d in range(len(job["broken"])):
+            seconds = [repair(context, integrator, d, s) for _ in range(int(job["repeats"]))]
+            column.append((positions_of(context), np.median(seconds)))
+        results.append(column)
         if time.perf_counter() - begun > job["budget_seconds"]:
             break
-    names = ("positions", "seconds", "ready_seconds")
-    return dict(zip(names, map(np.array, zip(*results, strict=True)), strict=True))
+    return {
+        "positions": np.array([[x for x, _ in column] for column in results]).swapaxes(0, 1),
+        "seconds": np.array([[t for _, t in column] for column in results]).T,
+        "ready_seconds": np.array(ready_seconds),
+    }
 
 
 def apply_constraints(job):
     """Context.applyConstraints on broken structures: directions are those of the broken bars."""
     tolerance = float(job["tolerance"])
 
-    def repair(context, _, k):
-        context.setPositions(job["broken"][k])
+    def repair(context, _, d, s):
+        context.setPositions(job["broken"][d, s])
         start = time.perf_counter()
         context.applyConstraints(tolerance)
         return time.perf_counter() - start
@@ -101,9 +105,9 @@ def constrain_step(job):
         integrator.setConstraintTolerance(float(job["tolerance"]))
         return integrator
 
-    def repair(context, integrator, k):
-        context.setPositions(job["intact"][k])
-        integrator.setPerDofVariableByName("push", job["broken"][k] - job["intact"][k])
+    def repair(context, integrator, d, s):
+        context.setPositions(job["intact"][s])
+        integrator.setPerDofVariableByName("push", job["broken"][d, s] - job["intact"][s])
         start = time.perf_counter()
         integrator.step(1)
         return time.perf_counter() - start

@@ -15,7 +15,7 @@ def chain(**more):
         "masses": np.full(3, 12.0),
         "bars": np.array([[0, 1], [1, 2]]),
         "rest_lengths": np.array([0.1, 0.1]),
-        "broken": np.array([[[-0.101, 0, 0], [0, 0, 0], [0, 0.1, 0]]]),
+        "broken": np.array([[[[-0.101, 0, 0], [0, 0, 0], [0, 0.1, 0]]]]),
     }
     values = {"platform": "Reference", "tolerance": 1e-6, "repeats": 2, "budget_seconds": 9.0}
     for name, value in more.items():
@@ -26,7 +26,7 @@ def chain(**more):
 def test_a_job_is_done():
     (outcome,), version = run_jobs([chain()])
     assert outcome.done and outcome.brief() == "done"
-    positions = outcome.arrays["positions"][0]
+    positions = outcome.arrays["positions"][0, 0]
     assert np.linalg.norm(positions[1] - positions[0]) == pytest.approx(0.1, rel=1e-6)
     assert version
 
