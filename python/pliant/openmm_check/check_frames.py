@@ -31,26 +31,27 @@ def broken_copies(sample: Sample) -> np.ndarray:
     return np.array(copies)
 
 
-def frame_jobs(sample: Sample, broken: np.ndarray) -> list[Job]:
-    """Jobs for check_frames: the frames, then their broken copies."""
+def frame_job(sample: Sample, broken: np.ndarray) -> Job:
+    """The job for check_frames: a frame, its broken copy, the next frame, and so on."""
     tolerance = sample.openmm_tolerance(sample.positions)
-    return [
-        constraint_job(
-            sample.recording, "apply_constraints", tolerance, broken=structures[None] * NM
-        )
-        for structures in (sample.positions, broken)
-    ]
+    pairs = np.stack([sample.positions, broken], axis=1)
+    structures = pairs.reshape(1, -1, *pairs.shape[2:]) * NM
+    return constraint_job(sample.recording, "apply_constraints", tolerance, broken=structures)
 
 
-def check_frames(
-    sample: Sample, broken: np.ndarray, outcomes: list[Outcome]
-) -> tuple[Finding, Finding]:
+def check_frames(sample: Sample, broken: np.ndarray, outcome: Outcome) -> tuple[Finding, Finding]:
     """The two findings: frames stay, broken copies move."""
     if len(sample.recording.bars) == 0:
         return _without_bars()
+    if not outcome.done:
+        return (
+            Finding("frames_stay", _STAY, CANNOT, measured=outcome.brief()),
+            Finding("broken_copies_move", _MOVE, CANNOT, measured=outcome.brief()),
+        )
+    after = outcome.arrays["positions"][0]
     return (
-        _check_stay(sample, _moves(sample.positions, outcomes[0]), outcomes[0]),
-        _check_moved(sample, _moves(broken, outcomes[1]), outcomes[1]),
+        _check_stay(sample, _moves(after[0::2], sample.positions)),
+        _check_moved(sample, after[1::2], _moves(after[1::2], broken)),
     )
 
 
@@ -65,17 +66,16 @@ _STAY = "OpenMM leaves our frames where they are"
 _MOVE = "OpenMM moves a copy with one bar broken"
 
 
-def _moves(structures: np.ndarray, outcome: Outcome) -> np.ndarray:
-    """(S,) furthest move of an atom, Angstrom; of the structures that OpenMM got to."""
-    after = outcome.arrays["positions"][0] if outcome.done else []
-    return np.array(
-        [measure.furthest_move(a, x * NM) / NM for a, x in zip(after, structures, strict=False)]
-    )
+def _moves(after: np.ndarray, before: np.ndarray) -> np.ndarray:
+    """(S,) furthest move of an atom, Angstrom; `after` in nm, of the structures OpenMM got to.
+
+    Compared in nm, as OpenMM was given them: 0 means that each bit is as it was.
+    """
+    pairs = zip(after, before, strict=False)
+    return np.array([measure.furthest_move(a, b * NM) / NM for a, b in pairs])
 
 
-def _check_stay(sample: Sample, moves: np.ndarray, outcome: Outcome) -> Finding:
-    if not outcome.done:
-        return Finding("frames_stay", _STAY, CANNOT, measured=outcome.brief())
+def _check_stay(sample: Sample, moves: np.ndarray) -> Finding:
     recording, whole = sample.recording, sample.converged[: len(moves)]
     tolerance = np.full(len(recording.bars), sample.openmm_tolerance(sample.positions))
     allowed = [
@@ -125,13 +125,13 @@ def _notes_on_stay(
     return notes
 
 
-def _check_moved(sample: Sample, moves: np.ndarray, outcome: Outcome) -> Finding:
-    if not outcome.done:
-        return Finding("broken_copies_move", _MOVE, CANNOT, measured=outcome.brief())
+def _check_moved(sample: Sample, after: np.ndarray, moves: np.ndarray) -> Finding:
+    if len(moves) == 0:
+        return Finding("broken_copies_move", _MOVE, SKIPPED, notes=["OpenMM did not get to one"])
     noticed = ~(moves == 0)  # not a number is a move too
-    after = outcome.arrays["positions"][0] / NM
     tolerance = sample.openmm_tolerance(sample.positions)
-    repaired = int(np.sum(sample.residuals(after) <= tolerance + 2 * measure.FLOAT_ROUNDING))
+    floor = tolerance + 2 * measure.FLOAT_ROUNDING
+    repaired = int(np.sum(sample.residuals(after / NM) <= floor))
     finding = Finding(
         "broken_copies_move",
         _MOVE,

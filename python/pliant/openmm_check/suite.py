@@ -14,7 +14,7 @@ from pliant.console import progress
 from pliant.openmm_check import contest as side_by_side
 from pliant.openmm_check import measure, ours, theirs
 from pliant.openmm_check.check_energy import check_energy, energy_job
-from pliant.openmm_check.check_frames import broken_copies, check_frames, frame_jobs
+from pliant.openmm_check.check_frames import broken_copies, check_frames, frame_job
 from pliant.openmm_check.check_record import Remeasured, check_record, remeasure
 from pliant.openmm_check.child import TIME_LIMIT, Outcome, run_jobs
 from pliant.openmm_check.contest import DISPLACEMENTS, Contest, Method
@@ -140,7 +140,7 @@ def _ask_openmm(
     report.notes += _notes_on(recording)
     if len(recording.bars) == 0:
         report.findings += [
-            *check_frames(sample, None, []),
+            *check_frames(sample, None, None),
             *check_energy(sample, None, None, None),
         ]
         return report
@@ -148,19 +148,24 @@ def _ask_openmm(
     shaken = measure.displaced(sample.positions[:MOST_ENERGIES], ENERGY_DISPLACEMENT, seed)
     arena = side_by_side.prepare_contest(sample, displacements, seed + 1)
     resolved = ours.resolved_copies(recording, shaken, arena.tolerance)
-    jobs = frame_jobs(sample, broken)
-    jobs.append(energy_job(recording, np.concatenate([sample.positions, shaken, resolved])))
-    jobs += theirs.contest_jobs(arena)
+    ways = theirs.ways_for(arena)
+    jobs = [
+        frame_job(sample, broken),
+        energy_job(recording, np.concatenate([sample.positions, shaken, resolved])),
+        *theirs.contest_jobs(arena, ways),
+    ]
     with progress("OpenMM jobs", quiet) as show:
         outcomes, report.openmm_version = run_jobs(jobs, time_limit, show)
-    report.findings += check_frames(sample, broken, outcomes[:2])
-    report.findings += check_energy(sample, shaken, resolved, outcomes[2])
-    _hold_contest(report, arena, outcomes[3:])
+    report.findings += check_frames(sample, broken, outcomes[0])
+    report.findings += check_energy(sample, shaken, resolved, outcomes[1])
+    _hold_contest(report, arena, ways, outcomes[2:])
     return report
 
 
-def _hold_contest(report: CheckReport, arena: Contest, outcomes: list[Outcome]) -> None:
-    report.methods = ours.our_methods(arena) + theirs.their_methods(arena, outcomes)
+def _hold_contest(
+    report: CheckReport, arena: Contest, ways: Sequence[theirs.Way], outcomes: list[Outcome]
+) -> None:
+    report.methods = ours.our_methods(arena) + theirs.their_methods(arena, ways, outcomes)
     report.tolerance = arena.tolerance
     report.findings.append(side_by_side.check_honesty(report.methods))
     report.notes += [note for note in (arena.note, theirs.cpu_note(outcomes)) if note]

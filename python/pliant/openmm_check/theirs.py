@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -20,68 +21,91 @@ from pliant.openmm_check.contest import (
 from pliant.openmm_check.sample import NM, constraint_job
 
 MOST_ANGLES_PER_BAR = 20  #: with more, as of a star of bars, angles are left out
+MOST_BARS_WITH_ANGLES = 30_000  #: CCMA needs time that grows as the square of the bars to get ready
 
-#: name, kind of job, told the angles between bars?, description
-CCMA_WAYS = (
-    (
+
+@dataclass(frozen=True)
+class Way:
+    """A way of having OpenMM repair broken bars."""
+
+    name: str
+    kind: str  #: of job
+    told_angles: bool
+    description: str
+
+
+ALL_WAYS = (
+    Way(
         "OpenMM, as in dynamics",
         "constrain_step",
         True,
         "CCMA told the bars' directions before the break and the angles of the very frame",
     ),
-    (
+    Way(
         "OpenMM, applyConstraints",
         "apply_constraints",
         True,
         "CCMA told the angles of the very frame, directions are the broken bars'",
     ),
-    (
+    Way(
         "OpenMM, no angles",
         "apply_constraints",
         False,
         "CCMA told no angle, directions are the broken bars'",
     ),
 )
-APPLIED = 1  #: of these, the one that is tried on the CPU platform as well
 
 
-def contest_jobs(contest: Contest) -> list[Job]:
-    """Jobs for OpenMM: each way, and applyConstraints on the CPU platform for one structure."""
-    recording = contest.sample.recording
+def ways_for(contest: Contest) -> tuple[Way, ...]:
+    """The ways that are worth trying on this framework; says in contest.note why one is not."""
+    bars = contest.sample.recording.bars
+    degree = np.bincount(bars.ravel())
+    if len(bars) > MOST_BARS_WITH_ANGLES:
+        contest.note = (
+            f"OpenMM is told no angles: making a Context for more than {MOST_BARS_WITH_ANGLES} "
+            "bars takes minutes, and each frame with angles needs one of its own"
+        )
+    elif np.sum(degree * (degree - 1) // 2) > MOST_ANGLES_PER_BAR * len(bars):
+        contest.note = "OpenMM is told no angles: too many bars share a joint"
+    else:
+        return ALL_WAYS
+    return tuple(way for way in ALL_WAYS if not way.told_angles)
+
+
+def contest_jobs(contest: Contest, ways: Sequence[Way]) -> list[Job]:
+    """Jobs for OpenMM: each way, and the last of them on the CPU platform for one structure."""
     broken = contest.broken * NM
-    angles = _angles_for(contest)
-    settings = {"repeats": REPEATS, "budget_seconds": BUDGET_SECONDS}
+    shared = {"repeats": REPEATS, "budget_seconds": BUDGET_SECONDS}
+    angles = _angles_of(contest) if any(way.told_angles for way in ways) else {}
     jobs = []
-    for _, kind, told_angles, _ in CCMA_WAYS:
-        more = {"broken": broken} | (angles if told_angles else {}) | settings
-        more |= {"intact": contest.intact * NM} if kind == "constrain_step" else {}
-        jobs.append(constraint_job(recording, kind, contest.tolerance, **more))
-    more = {"broken": broken[:, :1], "platform": "CPU"} | angles | settings
-    jobs.append(constraint_job(recording, "apply_constraints", contest.tolerance, **more))
+    for way in ways:
+        more = shared | {"broken": broken} | (angles if way.told_angles else {})
+        more |= {"intact": contest.intact * NM} if way.kind == "constrain_step" else {}
+        jobs.append(constraint_job(contest.sample.recording, way.kind, contest.tolerance, **more))
+    values = {**jobs[-1].values, "platform": "CPU"}
+    jobs.append(Job(jobs[-1].kind, values, {**jobs[-1].arrays, "broken": broken[:, :1]}))
     return jobs
 
 
-def _angles_for(contest: Contest) -> dict[str, np.ndarray]:
-    bars = contest.sample.recording.bars
-    degree = np.bincount(bars.ravel())
-    if np.sum(degree * (degree - 1) // 2) > MOST_ANGLES_PER_BAR * len(bars):
-        contest.note = "too many bars share a joint for OpenMM to be told all angles between them"
-        return {}
-    triples = measure.bar_pairs(bars, contest.intact.shape[1])
+def _angles_of(contest: Contest) -> dict[str, np.ndarray]:
+    triples = measure.bar_pairs(contest.sample.recording.bars, contest.intact.shape[1])
     angles = [measure.angles_between(x, triples) for x in contest.intact]
     return {"triples": triples, "angles": np.array(angles)}
 
 
-def their_methods(contest: Contest, outcomes: Sequence[Outcome]) -> list[Method]:
-    """What OpenMM did in each of its ways."""
+def their_methods(
+    contest: Contest, ways: Sequence[Way], outcomes: Sequence[Outcome]
+) -> list[Method]:
+    """What OpenMM did in each way; the outcomes are those of contest_jobs."""
+    displacements = range(len(contest.displacements))
     return [
         Method(
-            name,
+            way.name,
             "openmm",
-            description,
-            [_their_result(contest, d, outcome) for d in range(len(contest.displacements))],
+            way.description,
+            [_their_result(contest, d, outcome) for d in displacements],
         )
-        for (name, _, _, description), outcome in zip(CCMA_WAYS, outcomes, strict=False)
+        for way, outcome in zip(ways, outcomes[:-1], strict=True)
     ]
 
 
@@ -98,9 +122,8 @@ def _their_result(contest: Contest, d: int, outcome: Outcome) -> Result:
 
 
 def cpu_note(outcomes: Sequence[Outcome]) -> str:
-    """Whether the CPU platform gives what the Reference platform gives."""
-    reference = outcomes[APPLIED]
-    cpu = outcomes[-1]
+    """Whether the CPU platform, in the last job, gives what the Reference platform gives."""
+    reference, cpu = outcomes[-2:]
     if not (reference.done and cpu.done):
         if reference.brief() == cpu.brief():
             return "the CPU platform does the same as the Reference platform"
