@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: MIT
+"""Draws data/pictures/pliant.png, the README's picture, from runs that it makes itself.
+
+Usage: .venv/bin/python data/make_pictures.py
+"""
+
+import json
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import h5py
+import matplotlib as mpl
+import numpy as np
+
+mpl.use("Agg")
+import matplotlib.pyplot as plt
+from MDAnalysisTests import datafiles
+from matplotlib.collections import LineCollection
+
+HERE = Path(__file__).parent
+PLIANT = Path(sys.executable).parent / "pliant"
+INK, PLIANT_BLUE, OPENMM_ORANGE = "#22313f", "#0072b2", "#d55e00"
+
+
+def pliant(*arguments):
+    """Runs the command quietly; what it prints."""
+    done = subprocess.run(
+        [PLIANT, *map(str, arguments)], check=True, capture_output=True, text=True
+    )
+    return done.stdout
+
+
+def superposed(frames):
+    """Frames (F, N, 3) moved onto the first (Kabsch, Acta Cryst. A32 (1976) 922)."""
+    reference = frames[0] - frames[0].mean(axis=0)
+    moved = []
+    for frame in frames:
+        centred = frame - frame.mean(axis=0)
+        u, _, vt = np.linalg.svd(centred.T @ reference)
+        turn = u @ np.diag([1.0, 1.0, np.sign(np.linalg.det(u @ vt))]) @ vt
+        moved.append(centred @ turn)
+    return np.array(moved)
+
+
+def flat_view(points):
+    """Points turned so that their longest axes lie along x and z."""
+    _, _, axes = np.linalg.svd(points[0] - points[0].mean(axis=0), full_matrices=False)
+    return points @ axes[[0, 2, 1]].T
+
+
+def draw_ensemble(figure, place, trajectory, title):
+    """All frames over one another, coloured by how far each bond's atoms move."""
+    with h5py.File(trajectory) as file:
+        frames = flat_view(superposed(file["particles/trajectory/position/value"][:]))
+        bonds = file["connectivity/bonds"][:]
+    rmsf = np.sqrt(((frames - frames.mean(axis=0)) ** 2).sum(axis=-1).mean(axis=0))
+    values = rmsf[bonds].mean(axis=1)
+    axes = figure.add_axes(place)
+    for k, frame in enumerate(frames[::-1]):
+        is_start = k == len(frames) - 1
+        lines = LineCollection(
+            frame[bonds][:, :, [0, 2]], array=values, cmap="viridis",
+            linewidths=2.6 if is_start else 0.9, alpha=1.0 if is_start else 0.3, capstyle="round",
+        )  # fmt: skip
+        lines.set_clim(0, values.max())
+        axes.add_collection(lines)
+    axes.autoscale()
+    axes.set_aspect("equal")
+    axes.set_axis_off()
+    figure.text(place[0] + place[2] / 2, 0.93, title, ha="center", color=INK, fontsize=12)
+    bar = figure.add_axes([place[0] + place[2] * 0.3, 0.12, place[2] * 0.4, 0.025])
+    figure.colorbar(lines, cax=bar, orientation="horizontal")
+    bar.set_xlabel("RMSF of an atom (Å)", color=INK, fontsize=9)
+    bar.tick_params(labelsize=8)
+
+
+SERIES = {
+    "Pliant, quickest here": ("Pliant, technique blocks", PLIANT_BLUE, "o-"),
+    "Pliant, default": ("Pliant, the thesis' bfs_cycle", "#56b4e9", "s-"),
+    "OpenMM, as in dynamics": ("OpenMM's CCMA, as in dynamics", OPENMM_ORANGE, "D--"),
+}
+
+
+def draw_series(axes, row):
+    """One method's time over the displacement; a cross where it did not repair all."""
+    label, colour, style = SERIES[row["name"]]
+    whole = [r for r in row["results"] if r["outcome"] == "whole"]
+    axes.loglog([r["displacement"] for r in whole], [1e6 * r["seconds"] for r in whole], style,
+                color=colour, label=label, markersize=7, linewidth=2)  # fmt: skip
+    failed = [r["displacement"] for r in row["results"] if r["outcome"] != "whole"]
+    if failed:
+        top = [1e6 * max(r["seconds"] for r in whole)] * len(failed)
+        axes.loglog(failed, top, "X", color=colour, markersize=11, label="no number comes back")
+
+
+def draw_times(figure, place, rows):
+    """Time to make a broken protein whole, beside OpenMM's."""
+    axes = figure.add_axes(place)
+    for row in rows:
+        if row["name"] in SERIES:
+            draw_series(axes, row)
+    axes.set_xlabel("every atom displaced by (Å, standard deviation)", color=INK)
+    axes.set_ylabel("time to make 3365 bars whole (µs)", color=INK)
+    axes.set_ylim(20, 20000)
+    axes.set_xticks([0.01, 0.03, 0.1, 0.3], ["0.01", "0.03", "0.1", "0.3"])
+    axes.minorticks_off()
+    axes.grid(alpha=0.25)
+    axes.spines[["top", "right"]].set_visible(False)
+    axes.legend(frameon=False, fontsize=9, loc="upper left", ncols=1)
+    figure.text(place[0] + place[2] / 2, 0.93, "3341 atoms made whole to 1e-6",
+                ha="center", color=INK, fontsize=12)  # fmt: skip
+
+
+def main():
+    """Makes the runs and the picture."""
+    with tempfile.TemporaryDirectory() as folder:
+        peptide, protein = Path(folder) / "peptide.h5md", Path(folder) / "adk.h5md"
+        pliant("run", HERE / "molecules" / "peptide_20.pdb", "-o", peptide, "--steps", 200,
+               "--every", 10, "--perturb", "displacement", "--technique", "blocks")  # fmt: skip
+        pliant("run", datafiles.PDB_small, "-o", protein, "--steps", 20,
+               "--perturb", "displacement", "--technique", "blocks")  # fmt: skip
+        check = json.loads(pliant("check", protein, "--no-picture", "--json"))
+        figure = plt.figure(figsize=(11, 4.6), facecolor="white")
+        draw_ensemble(figure, [0.02, 0.18, 0.58, 0.74], peptide, "a peptide in motion, every bond at its length")
+        draw_times(figure, [0.67, 0.17, 0.31, 0.7], check["side_by_side"])
+        figure.savefig(HERE / "pictures" / "pliant.png", dpi=130)
+
+
+if __name__ == "__main__":
+    main()
