@@ -5,6 +5,7 @@
 #include <string>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/base/error.hpp"
 #include "pliant/base/file_text.hpp"
 #include "pliant/molecule/read.hpp"
 #include "pliant/molecule/readers.hpp"
@@ -70,6 +71,16 @@ void check(const ReadOptions& options) {
   if (!options.format.empty()) choose(table, "format", options.format);
 }
 
+/// A file whose extension speaks of another format than its content fails in a way that says
+/// little: the content may say more.
+[[noreturn]] void fail_with_hint(const InputError& error, const SourceText& source,
+                                 const Format& format) {
+  const Format* other = format_by_content(source.text);
+  if (other == nullptr || other == &format || format.looks_like(source.text)) throw error;
+  throw InputError(std::string(error.what()) + " (read as " + std::string(format.name) +
+                   "; the content looks like " + std::string(other->name) + ")");
+}
+
 }  // namespace
 
 std::span<const Format> formats() { return table; }
@@ -85,7 +96,12 @@ Structure read_structure(const SourceText& source, const ReadOptions& options) {
   check(options);
   const SourceText plain{source.name, without_byte_order_mark(source.text)};
   check_text(plain);
-  return format_of(plain, options.format).read(plain, options);
+  const Format& format = format_of(plain, options.format);
+  try {
+    return format.read(plain, options);
+  } catch (const InputError& error) {
+    fail_with_hint(error, plain, format);
+  }
 }
 
 }  // namespace pliant
