@@ -29,7 +29,8 @@ struct AtomTable {
   std::size_t size() const { return names.size(); }
 
   /// "A:LYS12:CA" where there is a chain, "LYS12:CA" without one, "C1(4)" (name and serial) where
-  /// the molecule is a single residue, "a" where that has no name. Control and non-ASCII bytes are escaped as \xNN.
+  /// the molecule is a single residue, "a" where that has no name. Control and non-ASCII bytes are
+  /// escaped as \xNN.
   std::string label(std::size_t atom) const;
 };
 

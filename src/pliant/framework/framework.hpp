@@ -26,11 +26,11 @@ struct Bar {
 /// What a Framework is made of; Framework's constructor checks it.
 struct FrameworkParts {
   std::size_t joint_count = 0;
-  std::vector<Bar> bars;                   ///< (B) in the order of the input
-  std::vector<double> rest_lengths;        ///< (B) Angstrom
-  std::vector<double> masses;              ///< (N) u, in [1e-150, 1e150]; empty: all 1
-  std::vector<Joint> pinned;               ///< joints that never move
-  std::shared_ptr<const AtomTable> atoms;  ///< names of the joints; may be null
+  std::vector<Bar> bars = {};                   ///< (B) in the order of the input
+  std::vector<double> rest_lengths = {};        ///< (B) Angstrom
+  std::vector<double> masses = {};              ///< (N) u, in [1e-150, 1e150]; empty: all 1
+  std::vector<Joint> pinned = {};               ///< joints that never move
+  std::shared_ptr<const AtomTable> atoms = {};  ///< names of the joints; may be null
 };
 
 /// A joint reached over a bar.

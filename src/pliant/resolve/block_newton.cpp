@@ -13,6 +13,9 @@ namespace {
 
 /// Up to this many bars a dense factorization beats a sparse one.
 constexpr std::size_t most_dense_bars = 24;
+/// Beyond so many pairs of bars that share a joint, a bar, memory and time would no longer be
+/// linear in the bars: hubs of thousands of bars, complete graphs. Molecules have up to about 15.
+constexpr std::size_t most_couplings_a_bar = 32;
 /// What is added to a pivot or a diagonal that redundancy has made vanish, relative to its size.
 constexpr double regularisation = 1e-9;
 constexpr double vanishing = 1e-12;
@@ -108,6 +111,20 @@ class BlockNewton::SparseFactor final : public Factor {
   Eigen::SparseMatrix<double> matrix_;
   Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> solver_;
 };
+
+bool BlockNewton::can_hold(const Framework& framework, std::span<const BarIndex> bars) {
+  std::vector<Joint> ends;
+  for (BarIndex bar : bars) {
+    ends.push_back(framework.bars()[bar].a);
+    ends.push_back(framework.bars()[bar].b);
+  }
+  std::sort(ends.begin(), ends.end());
+  std::size_t couplings = 0;
+  for (std::size_t first = 0, next = 0; first < ends.size(); first = next) {
+    while (next < ends.size() && ends[next] == ends[first]) couplings += next++ - first;
+  }
+  return couplings <= most_couplings_a_bar * bars.size();
+}
 
 BlockNewton::BlockNewton(const Framework& framework, std::vector<BarIndex> bars,
                          std::span<const double> weights, const Tolerance& tolerance)

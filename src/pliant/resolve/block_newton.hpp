@@ -23,6 +23,8 @@ namespace pliant {
 /// The bars of one block, and what their equations share whatever the positions are.
 class BlockNewton {
  public:
+  /// Whether pairs of bars that share a joint are few enough for linear memory and time.
+  static bool can_hold(const Framework& framework, std::span<const BarIndex> bars);
   /// `bars` are those of the block. `weights` (N) are inverse masses or ones, 0 for joints that
   /// never move.
   BlockNewton(const Framework& framework, std::vector<BarIndex> bars,

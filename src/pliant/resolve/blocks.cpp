@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <vector>
 
 #include "pliant/resolve/block_newton.hpp"
@@ -35,7 +36,10 @@ class BlockPass final : public Method {
     if (!technique.mass_weighted)
       for (double& weight : weights) weight = weight > 0.0 ? 1.0 : 0.0;
     for (const auto& bars : planner_.blocks())
-      solvers_.emplace_back(framework, bars, weights, options.tolerance);
+      solvers_.push_back(
+          BlockNewton::can_hold(framework, bars)
+              ? std::make_unique<BlockNewton>(framework, bars, weights, options.tolerance)
+              : nullptr);
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
@@ -97,7 +101,8 @@ class BlockPass final : public Method {
   }
 
   bool solve_block(const ResolveCall& call, const PassStep& step, ResolveSummary& summary) {
-    BlockNewton& solver = solvers_[step.block];
+    if (!solvers_[step.block]) return false;
+    BlockNewton& solver = *solvers_[step.block];
     std::int64_t iterations = 0;
     const auto outcome =
         solver.solve(call.positions, step.near, most_newton_iterations, iterations);
@@ -116,7 +121,7 @@ class BlockPass final : public Method {
   ResolveOptions options_;
   OutwardPlanner planner_;
   Technique finish_by_sweeps_;
-  std::vector<BlockNewton> solvers_;
+  std::vector<std::unique_ptr<BlockNewton>> solvers_;  ///< null: too entangled, left to sweeps
   std::vector<OutwardStep> outward_;
   std::vector<PassStep> steps_;
   std::unique_ptr<Method> sweeps_;

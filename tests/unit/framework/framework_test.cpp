@@ -1,0 +1,236 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/framework/framework.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "support/error_text.hpp"
+
+namespace pliant {
+namespace {
+
+std::shared_ptr<const AtomTable> three_atoms() {
+  return std::make_shared<AtomTable>(
+      AtomTable{{"N", "CA", "C"}, {7, 6, 6}, {0, 0, 0}, {{"LYS", 12, ' ', "A"}}, {1, 2, 5}});
+}
+
+/// A path of three joints, to be spoiled.
+FrameworkParts path() {
+  FrameworkParts parts;
+  parts.joint_count = 3;
+  parts.bars = {{0, 1}, {2, 1}};
+  parts.rest_lengths = {1.5, 2.5};
+  return parts;
+}
+
+template <class Spoil>
+std::string refusal(Spoil spoil) {
+  FrameworkParts parts = path();
+  spoil(parts);
+  return test::error_text<InputError>([&] { Framework(std::move(parts)); });
+}
+
+TEST(Framework, KeepsWhatItIsGiven) {
+  FrameworkParts parts = path();
+  parts.masses = {2, 4, 8};
+  parts.pinned = {1, 1};
+  const Framework framework(std::move(parts));
+  EXPECT_EQ(framework.joint_count(), 3u);
+  EXPECT_EQ(framework.bar_count(), 2u);
+  EXPECT_EQ(framework.bars()[1], (Bar{2, 1}));
+  EXPECT_EQ(framework.rest_lengths()[1], 2.5);
+  EXPECT_EQ(framework.inverse_masses()[0], 0.5);
+  EXPECT_EQ(framework.inverse_masses()[2], 0.125);
+  EXPECT_TRUE(framework.is_pinned(1));
+  EXPECT_FALSE(framework.is_pinned(0));
+  EXPECT_EQ(framework.pinned_count(), 1u);
+  EXPECT_EQ(framework.merged_bar_count(), 0u);
+}
+
+TEST(Framework, NeighboursComeInTheOrderOfTheBars) {
+  FrameworkParts parts;
+  parts.joint_count = 5;
+  parts.bars = {{3, 1}, {1, 0}, {2, 1}, {0, 3}};
+  parts.rest_lengths.assign(4, 1.0);
+  const Framework framework(std::move(parts));
+  const auto around = framework.neighbours(1);
+  ASSERT_EQ(around.size(), 3u);
+  const Joint joints[] = {3, 0, 2};
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(around[k].joint, joints[k]);
+    EXPECT_EQ(around[k].bar, k);
+  }
+  EXPECT_TRUE(framework.neighbours(4).empty());
+}
+
+TEST(Framework, NothingAndOneJointAreFrameworks) {
+  EXPECT_EQ(Framework({}).bar_count(), 0u);
+  EXPECT_EQ(Framework({.joint_count = 1}).neighbours(0).size(), 0u);
+}
+
+TEST(Framework, MergesEqualBarsAndKeepsTheFirst) {
+  FrameworkParts parts;
+  parts.joint_count = 3;
+  parts.bars = {{0, 1}, {1, 2}, {1, 0}, {0, 1}};
+  parts.rest_lengths = {1, 2, 1, 1};
+  const Framework framework(std::move(parts));
+  EXPECT_EQ(framework.bar_count(), 2u);
+  EXPECT_EQ(framework.merged_bar_count(), 2u);
+  EXPECT_EQ(framework.bars()[0], (Bar{0, 1}));
+  EXPECT_EQ(framework.bars()[1], (Bar{1, 2}));
+  EXPECT_EQ(framework.rest_lengths()[1], 2.0);
+  EXPECT_EQ(framework.neighbours(0).size(), 1u);
+  EXPECT_EQ(framework.neighbours(1)[1].bar, 1u);
+}
+
+TEST(Framework, RefusesTwoLengthsForOnePair) {
+  EXPECT_EQ(refusal([](auto& parts) {
+              parts.bars.push_back({1, 0});
+              parts.rest_lengths.push_back(1.25);
+            }),
+            "bar 0 - 1 is given twice, with rest lengths 1.5 and 1.25 Angstrom");
+  EXPECT_EQ(refusal([](auto& parts) {
+              parts.atoms = three_atoms();
+              parts.bars.push_back({0, 1});
+              parts.rest_lengths.push_back(1.5000000000000002);
+            }),
+            "bar N(1) - CA(2) is given twice, with rest lengths 1.5 and 1.5 Angstrom");
+}
+
+TEST(Framework, RefusesABarFromAJointToItself) {
+  EXPECT_EQ(refusal([](auto& parts) { parts.bars[1] = {2, 2}; }), "bar 1 joins joint 2 to itself");
+}
+
+TEST(Framework, RefusesUnknownJoints) {
+  EXPECT_EQ(refusal([](auto& parts) {
+              parts.bars[1] = {2, 3};
+            }),
+            "bar 1 joins joints 2 and 3 but there are 3 joints");
+  EXPECT_EQ(refusal([](auto& parts) {
+              parts.bars[0] = {4294967295u, 0};
+            }),
+            "bar 0 joins joints 4294967295 and 0 but there are 3 joints");
+  EXPECT_EQ(refusal([](auto& parts) { parts.pinned = {3}; }), "pinned joint 3 of 3 does not exist");
+}
+
+TEST(Framework, RefusesLengthsThatAreNone) {
+  const std::string range = ": must be from 1e-150 to 1e150 Angstrom";
+  const std::pair<double, const char*> lengths[] = {{0, "0"},
+                                                    {-1, "-1"},
+                                                    {std::nan(""), "nan"},
+                                                    {HUGE_VAL, "inf"},
+                                                    {1e-310, "1e-310"},
+                                                    {9.9e-151, "9.9e-151"},
+                                                    {1.1e150, "1.1e+150"}};
+  for (const auto& [length, text] : lengths)
+    EXPECT_EQ(refusal([&](auto& parts) { parts.rest_lengths[1] = length; }),
+              "bar 2 - 1 has rest length " + std::string(text) + range);
+  for (double length : {1e-150, 1e150})
+    EXPECT_EQ(refusal([&](auto& parts) { parts.rest_lengths[1] = length; }),
+              "(nothing was thrown)");
+}
+
+TEST(Framework, RefusesMassesThatAreNone) {
+  const std::pair<double, const char*> masses[] = {
+      {0, "0"},          {-12, "-12"},       {std::nan(""), "nan"},
+      {HUGE_VAL, "inf"}, {1e-309, "1e-309"}, {1e200, "1e+200"}};
+  for (const auto& [mass, text] : masses)
+    EXPECT_EQ(refusal([&](auto& parts) {
+                parts.masses = {1, mass, 1};
+              }),
+              "mass of joint 1 is " + std::string(text) + ": must be from 1e-150 to 1e150 u");
+  EXPECT_EQ(refusal([](auto& parts) {
+              parts.atoms = three_atoms();
+              parts.masses = {1, 1, 0};
+            }),
+            "mass of C(5) is 0: must be from 1e-150 to 1e150 u");
+}
+
+TEST(Framework, RefusesColumnsOfDifferentLengths) {
+  EXPECT_EQ(refusal([](auto& parts) { parts.rest_lengths.pop_back(); }),
+            "framework: 2 bars but 1 rest lengths");
+  EXPECT_EQ(refusal([](auto& parts) {
+              parts.masses = {1, 1};
+            }),
+            "framework: 3 joints but 2 masses");
+  EXPECT_EQ(refusal([](auto& parts) {
+              parts.joint_count = 4;
+              parts.atoms = three_atoms();
+            }),
+            "framework: 4 joints but 3 atom names");
+}
+
+TEST(Framework, RefusesMoreJointsThanItCanCount) {
+  EXPECT_EQ(refusal([](auto& parts) {
+              parts = {};
+              parts.joint_count = std::numeric_limits<std::uint32_t>::max();
+            }),
+            "framework: 4294967295 joints, but fewer than 2^32 - 1 can be held");
+}
+
+TEST(Framework, RefusesAnAtomTableThatIsNotOne) {
+  const auto with_atoms = [](auto spoil) {
+    AtomTable atoms = *three_atoms();
+    spoil(atoms);
+    return refusal(
+        [&](auto& parts) { parts.atoms = std::make_shared<AtomTable>(std::move(atoms)); });
+  };
+  EXPECT_EQ(with_atoms([](auto& atoms) { atoms.elements.pop_back(); }),
+            "atom table: 3 names but 2 elements");
+  EXPECT_EQ(with_atoms([](auto& atoms) { atoms.residue_of.push_back(0); }),
+            "atom table: 3 names but 4 residue indices");
+  EXPECT_EQ(with_atoms([](auto& atoms) { atoms.serials.clear(); }),
+            "atom table: 3 names but 0 serials");
+  EXPECT_EQ(with_atoms([](auto& atoms) { atoms.residue_of[1] = 1; }),
+            "atom table: atom 1 is in residue 1 of 1");
+}
+
+TEST(Framework, LabelsJointsAndBars) {
+  const Framework plain(path());
+  EXPECT_EQ(plain.label(Joint{2}), "joint 2");
+  EXPECT_EQ(plain.label(Bar{2, 1}), "2 - 1");
+  FrameworkParts parts = path();
+  parts.atoms = three_atoms();
+  const Framework named(std::move(parts));
+  EXPECT_EQ(named.label(Joint{1}), "CA(2)");
+  EXPECT_EQ(named.label(Bar{0, 2}), "N(1) - C(5)");
+  EXPECT_EQ(named.atoms()->size(), 3u);
+}
+
+TEST(State, BeginsAtRest) {
+  const State state({{1, 2, 3}, {4, 5, 6}});
+  EXPECT_EQ(state.previous, state.positions);
+  EXPECT_EQ(state.step, 0);
+  EXPECT_EQ(state.time, 0.0);
+}
+
+TEST(AtomTable, LabelsTellResiduesApart) {
+  const AtomTable atoms{{"CA", "CA", "O", "O"},
+                        {6, 6, 8, 8},
+                        {0, 1, 2, 3},
+                        {{"LYS", 12, ' ', "A"},
+                         {"LYS", 12, 'B', "A"},
+                         {"HOH", -3, ' ', ""},
+                         {"A\x1b", 1, ' ', "\xff"}},
+                        {1, 2, 3, 4}};
+  EXPECT_EQ(atoms.label(0), "A:LYS12:CA");
+  EXPECT_EQ(atoms.label(1), "A:LYS12B:CA");
+  EXPECT_EQ(atoms.label(2), "HOH-3:O");
+  EXPECT_EQ(atoms.label(3), "\\xff:A\\x1b1:O");
+}
+
+TEST(AtomTable, LabelsOfAMoleculeAreNameAndSerial) {
+  const AtomTable atoms{{"C1", "\x07"}, {6, 0}, {0, 0}, {{"UNK", 1, ' ', ""}}, {4, 9}};
+  EXPECT_EQ(atoms.label(0), "C1(4)");
+  EXPECT_EQ(atoms.label(1), "\\x07(9)");
+}
+
+TEST(AtomTable, LabelsOfAGraphAreNames) {
+  const AtomTable atoms{{"a", "b"}, {0, 0}, {0, 0}, {{}}, {1, 2}};
+  EXPECT_EQ(atoms.label(1), "b");
+}
+
+}  // namespace
+}  // namespace pliant
