@@ -168,4 +168,5 @@ class _Namer:
         owner = self._residues[residue]
         chain = str(getattr(owner, "segid", ""))
         prefix = f"{chain}:" if chain and self._several_chains else ""
-        return f"{prefix}{getattr(owner, 'resname', '')}{owner.resid} {what}"
+        number = getattr(owner, "resid", residue + 1)
+        return f"{prefix}{getattr(owner, 'resname', '')}{number} {what}"

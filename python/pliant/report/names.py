@@ -22,7 +22,7 @@ def residue_labels(residues):
     names = getattr(residues, "resnames", [""] * len(residues))
     return [
         f"{chain}:{name}{number}" if several and chain else f"{name}{number}"
-        for chain, name, number in zip(chains, names, residues.resids, strict=True)
+        for chain, name, number in zip(chains, names, numbers_of(residues), strict=True)
     ]
 
 
@@ -30,6 +30,11 @@ def chains_of(residues):
     """Chain of each residue as an array of text; "" where there is none."""
     chains = np.array([str(s) for s in getattr(residues, "segids", [""] * len(residues))])
     return np.where(chains == "SYSTEM", "", chains)
+
+
+def numbers_of(group):
+    """Residue numbers of residues or atoms; counted from 1 where there are none."""
+    return np.asarray(getattr(group, "resids", group.resindices + 1), dtype=np.int64)
 
 
 def bar_labels(atoms, bars):

@@ -12,6 +12,7 @@ from pathlib import Path
 from string import Template
 
 from pliant.console import plain
+from pliant.report.figures.style import WIDE
 from pliant.report.scene import scene
 from pliant.report.summary import facts, tables, title, verdict
 
@@ -41,13 +42,13 @@ METHODS = (
 )  # fmt: skip
 
 
-def write_page(study, figures, files, path):
-    """Writes the page. figures: [(FigureKind, PNG path)]; files: other outputs, to link to."""
-    text = page(study, figures, files)
+def write_page(study, figures, files, path, dpi):
+    """Writes the page. figures: [(FigureKind, PNG path)]; files: outputs to link to."""
+    text = page(study, figures, files, dpi)
     Path(path).write_text(text, encoding="utf-8")
 
 
-def page(study, figures, files):
+def page(study, figures, files, dpi):
     """The page as text."""
     judged = verdict(study)
     javascript = viewer_script()
@@ -66,7 +67,7 @@ def page(study, figures, files):
         else f'<div class="viewer card notes">{escape(MISSING_VIEWER)}</div>',
         facts="\n".join(_fact(*row) for row in facts(study)),
         notes=_notes(study, shown),
-        figures="\n".join(_figure(kind, png) for kind, png in figures),
+        figures="\n".join(_figure(kind, png, dpi) for kind, png in figures),
         tables="\n".join(_table(*table) for table in tables(study)),
         details=_details(study, files),
         footer=escape(f"pliant {_version()} · MDAnalysis {metadata.version('MDAnalysis')}"),
@@ -116,11 +117,15 @@ def _fact(number, unit, meaning):
     )
 
 
-def _figure(kind, png):
-    data = base64.b64encode(Path(png).read_bytes()).decode("ascii")
-    tall = ' class="card tall"' if kind.tall else ' class="card"'
+def _figure(kind, png, dpi):
+    content = Path(png).read_bytes()
+    width, height = (int.from_bytes(content[k : k + 4], "big") for k in (16, 20))  # of the PNG
+    tall = ' class="card tall"' if height > 0.9 * width else ' class="card"'
+    style = f"max-width:{min(100, 100 * width / dpi / WIDE[0]):.0f}%"
+    data = base64.b64encode(content).decode("ascii")
     return (
-        f'<figure{tall}><img alt="{escape(kind.caption)}" src="data:image/png;base64,{data}">'
+        f'<figure{tall}><img alt="{escape(kind.caption)}" style="{style}" '
+        f'src="data:image/png;base64,{data}">'
         f"<figcaption>{escape(kind.caption)}</figcaption></figure>"
     )
 

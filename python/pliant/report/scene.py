@@ -14,7 +14,7 @@ from pliant.analysis.frames import weights_of
 from pliant.analysis.residuals import bar_residuals
 from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.superposition import Superposition
-from pliant.report.names import chains_of
+from pliant.report.names import chains_of, numbers_of
 
 #: atoms that a browser draws fluently
 MAX_ATOMS = 12_000
@@ -141,7 +141,7 @@ def _atom_columns(atoms, study):
         "names": [str(name) for name in getattr(atoms, "names", [""] * len(atoms))],
         "elements": _elements(atoms),
         "residues": [str(name) for name in getattr(atoms, "resnames", [""] * len(atoms))],
-        "numbers": [int(number) for number in atoms.resids],
+        "numbers": numbers_of(atoms).tolist(),
         "chains": chains_of(atoms).tolist(),
         "cartoon": _secondary_structure(atoms, study),
     }

@@ -48,7 +48,16 @@ def tolerance_text(study):
     """The tolerance with its unit."""
     if study.residuals.tolerance_length > 0:
         return f"{study.residuals.tolerance_length:g} Å"
-    return f"{study.residuals.tolerance:g}"
+    return scientific(study.residuals.tolerance, 0)
+
+
+def scientific(value, digits=2):
+    """A small number for readers: 9.97 × 10⁻⁷; for 10⁻⁶ sharp only the power."""
+    mantissa, exponent = f"{value:.{digits}e}".split("e")
+    power = "10" + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    if value == 0:
+        return "0"
+    return power if mantissa == "1" else f"{mantissa} × {power}"
 
 
 def _worst(study):
@@ -60,7 +69,7 @@ def _worst(study):
     if study.steps is not None:
         where += f" (step {study.steps[k]})"
     return (
-        f"The worst is off by {found.max_relative[k]:.2g} of its length (tolerance "
+        f"The worst is off by {scientific(found.max_relative[k])} of its length (tolerance "
         f"{tolerance_text(study)}): bar {name} in {where}. Computed anew from the "
         f"{'double' if study.residuals.precision == 'float64' else 'single'} precision "
         "coordinates in the file."
@@ -143,7 +152,7 @@ def facts(study):
     if study.residuals is not None:
         worst = study.residuals.results.max_relative.max()
         rows.append(
-            (f"{worst:.1e}", "", f"largest relative residual; tolerance {tolerance_text(study)}")
+            (scientific(worst), "", f"largest relative residual; tolerance {tolerance_text(study)}")
         )
     sweeps = study.observable("sweeps")
     if sweeps is not None:
@@ -194,7 +203,7 @@ def _bar_table(study):
     names = bar_labels(study.universe.atoms, study.residuals.bars[chosen])
     lengths = study.residuals.rest_lengths[chosen]
     rows = [
-        (n, f"{length:.4f}", f"{values[k]:.2e}")
+        (n, f"{length:.4f}", scientific(values[k]))
         for n, length, k in zip(names, lengths, chosen, strict=True)
     ]
     return "Bars that were furthest off", ("bar", "rest length (Å)", "largest residual"), rows

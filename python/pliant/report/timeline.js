@@ -22,7 +22,8 @@ window.pliantTimeline = (function () {
     const measure = series.log ? Math.log10 : (value) => value;
     const values = series.values.concat(series.limit ? [series.limit] : []).map(measure);
     let low = Math.min(...values), high = Math.max(...values);
-    if (series.log) [low, high] = [low - 0.3, high + 0.3];
+    // The start of a run is exact to the last bit: it would squeeze all the rest.
+    if (series.log) [low, high] = [Math.max(low, high - 6) - 0.3, high + 0.3];
     else if (low >= 0 && low < 0.5 * high) low = 0;
     if (high - low < 1e-12) [low, high] = [low - 1, high + 1];
     return [measure, low, high];
@@ -83,8 +84,10 @@ window.pliantTimeline = (function () {
     if (!series) return;
     const [context, width, height] = size();
     const [measure, low, high] = range(series);
-    const up = (value) =>
-      height - margin.bottom - ((measure(value) - low) / (high - low)) * (height - margin.top - margin.bottom);
+    const up = (value) => {
+      const share = Math.max(0, (measure(value) - low) / (high - low));
+      return height - margin.bottom - share * (height - margin.top - margin.bottom);
+    };
     context.clearRect(0, 0, width, height);
     axis(context, series, width, low, high, up);
     curve(context, series, width, up);

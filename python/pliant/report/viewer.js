@@ -8,13 +8,12 @@ function startViewer() {
   const atomCount = scene.atoms.names.length;
   const barCount = scene.bars.length / 2;
 
-  // Okabe and Ito's colours for elements and bars, cividis for mobility.
+  // The usual colours of the elements, softened; blue to orange, which all eyes tell apart.
   const elementColours = {
-    H: "#dfe3e7", C: "#5b6670", N: "#0072b2", O: "#d55e00", S: "#e69f00", P: "#cc79a7",
-    F: "#009e73", Cl: "#009e73", Br: "#8c4a2f", I: "#7b4fa3",
+    H: "#f1f3f5", C: "#6f7983", N: "#3d6fd6", O: "#e2483d", S: "#e9bd2c", P: "#e88a2c",
+    F: "#63b96a", Cl: "#3fa34d", Br: "#a0522d", I: "#7b4fa3", Se: "#d9992b",
   };
-  const cividis = ["#00224e", "#123570", "#3b496c", "#575d6d", "#707173", "#8a8678", "#a59c74",
-    "#c3b369", "#e1cc55", "#fee838"];
+  const ramp = [[47, 103, 153], [127, 165, 196], [222, 226, 228], [238, 180, 110], [213, 94, 0]];
   const resting = [213, 219, 225], strained = [0, 114, 178], broken = "#d55e00";
 
   const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
@@ -23,7 +22,11 @@ function startViewer() {
 
   const hex = (rgb) => "#" + rgb.map((v) => Math.round(v).toString(16).padStart(2, "0")).join("");
   const mix = (a, b, t) => a.map((v, k) => v + (b[k] - v) * t);
-  const cividisAt = (t) => cividis[Math.round(Math.min(1, Math.max(0, t)) * (cividis.length - 1))];
+  function rampAt(t) {
+    const place = Math.min(1, Math.max(0, t)) * (ramp.length - 1);
+    const k = Math.min(ramp.length - 2, Math.floor(place));
+    return hex(mix(ramp[k], ramp[k + 1], place - k));
+  }
 
   // A residual's code is 0 to 255 on a logarithmic scale; at the tolerance the logarithm is 0.
   const barColours = Array.from({ length: 256 }, (_, code) => {
@@ -35,7 +38,7 @@ function startViewer() {
     const { elements, rmsf } = scene.atoms;
     if (kind === "mobility") {
       const top = rmsf.slice().sort((a, b) => a - b)[Math.floor(0.98 * (rmsf.length - 1))] || 1;
-      return rmsf.map((value) => cividisAt(value / top));
+      return rmsf.map((value) => rampAt(value / top));
     }
     if (kind === "residual") return elements.map(() => hex(resting));
     return elements.map((element) => elementColours[element] || "#8a929b");
@@ -140,7 +143,7 @@ function startViewer() {
     box.hidden = state.colour === "element";
     if (state.colour === "mobility") {
       [left.textContent, right.textContent] = ["still", "mobile (RMSF)"];
-      strip.style.background = `linear-gradient(90deg, ${cividis.join(",")})`;
+      strip.style.background = `linear-gradient(90deg, ${ramp.map(hex).join(",")})`;
     } else if (state.colour === "residual") {
       [left.textContent, right.textContent] = ["bar at rest", "at tolerance, beyond"];
       strip.style.background = `linear-gradient(90deg, ${hex(resting)}, ${hex(strained)} 78%, ${broken} 78%)`;

@@ -22,7 +22,7 @@ def write_report(study, folder, dpi=200):
     tables = save_tables(study, folder)
     report = folder / "report.html"
     pictures = [path for _, path in figures]
-    write_page(study, figures, [*tables, *pictures], report)
+    write_page(study, figures, [*tables, *pictures], report, dpi)
     outputs = {
         "report": str(report),
         "figures": [str(path) for path in pictures],

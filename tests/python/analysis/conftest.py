@@ -70,6 +70,48 @@ def pentane():
 
 
 @pytest.fixture
+def peptide():
+    """Four alanines without hydrogens, built from internal coordinates."""
+    names, elements, bonds, residues, atoms = [], [], [], [], []
+    for k in range(4):
+        first = len(names)
+        names += ["N", "CA", "C", "O", "CB"]
+        elements += [7, 6, 6, 8, 6]
+        bonds += [(first, first + 1), (first + 1, first + 2), (first + 2, first + 3)]
+        bonds += [(first + 1, first + 4)]
+        if k:
+            bonds.append((first - 3, first))
+            n = placed(*(atoms[first - 5 + i] for i in (0, 1, 2)), 1.33, 117, 140)
+        else:
+            n = np.zeros(3)
+        atoms += _alanine(n, atoms[-4:-2] if k else None)
+        residues.append(("ALA", k + 1, "A", range(first, first + 5)))
+    molecule = Molecule(elements, bonds, atoms, names, residues)
+    molecule.rotatable = [(a, b) for a, b in bonds if names[b] not in ("O", "CB")]
+    return molecule
+
+
+def _alanine(n, before):
+    """N, CA, C, O, CB; `before` are CA and C of the residue before."""
+    if before is None:
+        ca, c = np.array([1.46, 0, 0]), np.array([2.0, 1.43, 0])
+    else:
+        ca = placed(*before, n, 1.46, 122, 180)
+        c = placed(before[1], n, ca, 1.53, 111, -70)
+    return [n, ca, c, placed(n, ca, c, 1.23, 120, -40), placed(c, n, ca, 1.53, 110, 120)]
+
+
+def placed(a, b, c, length, angle, torsion):
+    """A point at `length` from c, with angle b-c-point and torsion a-b-c-point (degrees)."""
+    angle, torsion = np.radians(angle), np.radians(torsion)
+    along = (c - b) / np.linalg.norm(c - b)
+    normal = np.cross(b - a, along)
+    normal /= np.linalg.norm(normal)
+    local = [-np.cos(angle), np.sin(angle) * np.cos(torsion), np.sin(angle) * np.sin(torsion)]
+    return c + length * np.array(local) @ np.array([along, np.cross(normal, along), normal])
+
+
+@pytest.fixture
 def wander():
     """Function (molecule, turns, frames, seed) -> (F, N, 3): random turns about the bonds."""
 

@@ -19,7 +19,6 @@ class FigureKind:
     draw: Callable
     applies: Callable  #: of a study: has what is drawn
     caption: str  #: what it shows, for the page
-    tall: bool = False  #: takes two rows of the page
 
 
 def _has(*attributes):
@@ -57,7 +56,6 @@ FIGURES = (
         "torsions", torsion_figures.torsions, _has("torsions"),
         "How often each angle was taken: areas are shares of the frames, the red line is the "
         "first frame.",
-        tall=True,
     ),
     FigureKind(
         "ramachandran", torsion_figures.ramachandran,

@@ -16,11 +16,12 @@ from pliant.report.figures.style import (
     MAP,
     ORANGE,
     SKY,
+    WIDE,
     line_width,
     mark_size,
     new_figure,
 )
-from pliant.report.names import atom_labels, chains_of
+from pliant.report.names import atom_labels, chains_of, numbers_of, residue_labels
 
 #: up to this many bars are drawn one by one, each with its name
 NAMED_BARS = 40
@@ -53,11 +54,11 @@ def rmsf_residues(study):
     chains = chains_of(residues)
     figure, axes = new_figure()
     if len(residues) <= NAMED_BARS:
-        names = [f"{r.resname}{r.resid}" for r in residues]
+        names = residue_labels(residues)
         _named_bars(axes, names, found.residue_rmsf, BLUE)
         axes.set_xlabel("residue")
     else:
-        _chain_lines(axes, residues.resids, chains, found.residue_rmsf)
+        _chain_lines(axes, numbers_of(residues), chains, found.residue_rmsf)
     axes.set(ylabel="RMSF (Å)", title="Mobility of the residues")
     axes.set_ylim(bottom=0)
     return figure
@@ -110,7 +111,8 @@ def principal_components(study):
     found = study.pca.results
     count = min(10, len(found.explained))
     x, label = study.axis
-    figure, (plane, scree) = new_figure((7.2, 3.4), 1, 2, width_ratios=[1.25, 1])
+    figure, (plane, scree) = new_figure((WIDE[0], 3.1), 1, 2, width_ratios=[1.3, 1])
+    figure.get_layout_engine().set(w_pad=0.1)
     _projection(figure, plane, found, x[:: study.pca_stride], label)
     numbers = np.arange(1, count + 1)
     scree.bar(numbers, 100 * found.explained[:count], color=BLUE, width=0.7, label="each")

@@ -20,7 +20,7 @@ FAINT = "#E3E7EB"
 #: perceptually even and readable without colour (J. Nunez et al., PLoS ONE 13 (2018) e0199239)
 MAP = "cividis"
 
-WIDE = (7.2, 2.9)  #: inches: a series along the run
+WIDE = (6.4, 2.75)  #: inches: a series along the run
 SQUARE = (4.6, 4.2)
 
 _SETTINGS = {

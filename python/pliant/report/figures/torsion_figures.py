@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pliant.report.figures.style import BLUE, GREY, INK, MAP, VERMILION, new_figure
+from pliant.report.figures.style import BLUE, GREY, INK, MAP, VERMILION, WIDE, new_figure
 from pliant.report.names import greek, phi_psi_pairs
 
 #: roses drawn at most; tables have all torsions
@@ -21,11 +21,10 @@ def most_mobile(torsions, count=ROSES):
 def torsions(study):
     """A rose (circular histogram) for each of the most mobile torsions."""
     chosen = most_mobile(study.torsions)
-    columns = min(4, len(chosen))
+    columns = min(3, len(chosen))
     rows = -(-len(chosen) // columns)
-    figure, axes = new_figure(
-        (7.2, 2.15 * rows + 0.45), rows, columns, squeeze=False, subplot_kw={"projection": "polar"}
-    )
+    polar = {"squeeze": False, "subplot_kw": {"projection": "polar"}}
+    figure, axes = new_figure((WIDE[0], 2.1 * rows + 0.4), rows, columns, **polar)
     for place, rose in enumerate(axes.flat):
         if place < len(chosen):
             _rose(rose, study.torsions, chosen[place])
@@ -66,7 +65,7 @@ def ramachandran(study):
     """All phi, psi of a protein in all frames, and where the first frame has them."""
     phi, psi = phi_psi_pairs(study.torsions.torsions)
     angles = study.torsions.results.angles
-    figure, axes = new_figure((4.9, 4.3))
+    figure, axes = new_figure((4.7, 4.1))
     counts, *_ = np.histogram2d(
         angles[:, phi].ravel(), angles[:, psi].ravel(), bins=72, range=[[-180, 180]] * 2
     )
