@@ -95,7 +95,8 @@ def rotatable_torsions(atomgroup, bonds=None, heavy_only=True):
     A bond is rotatable when it is in no ring and neither end is terminal, that is, each end has
     another neighbour. With `heavy_only` hydrogens count as absent, so that no methyl group turns.
     Of the neighbours the torsion takes backbone atoms (names N, CA, C) first, then the heaviest,
-    then the lowest index, which makes phi, psi, omega and chi of a protein what they usually are.
+    then in amino acids the first name, then the lowest index, which makes phi, psi, omega and chi
+    of a protein what they usually are.
 
     bonds: (B, 2) atom indices of the universe, default those of its topology.
     Raises ValueError when there are no bonds.
@@ -149,7 +150,9 @@ class _Namer:
         return min((c for c in choices if c != other), key=self._preference)
 
     def _preference(self, atom):
-        return (self._names[atom] not in BACKBONE, -float(self._masses[atom]), atom)
+        name = self._names[atom]
+        branch = name if self._resindices[atom] in self._amino_acids else ""  # CG1 before CG2
+        return (name not in BACKBONE, -float(self._masses[atom]), branch, atom)
 
     def _kind(self, j, k):
         """What the torsion about the bond j-k is called when it is written in this direction."""

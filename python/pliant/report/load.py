@@ -10,7 +10,7 @@ from pathlib import Path
 import h5py
 import MDAnalysis
 
-from pliant.console import InputError
+from pliant import InputError
 
 with contextlib.suppress(ImportError):
     import pliant.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds from our files)

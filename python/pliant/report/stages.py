@@ -6,6 +6,7 @@ from __future__ import annotations
 import numpy as np
 from MDAnalysis.exceptions import NoDataError, SelectionError
 
+from pliant import InputError, OptionError
 from pliant.analysis import (
     BarResiduals,
     PrincipalComponents,
@@ -18,7 +19,6 @@ from pliant.analysis import (
 from pliant.analysis.frame_index import FrameIndex
 from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.stored import StoredPositions
-from pliant.console import InputError
 from pliant.report.load import open_universe
 from pliant.report.study import Study
 
@@ -32,7 +32,8 @@ PCA_BYTES = 1 << 29
 def study_trajectory(options, on_stage=lambda name: None):
     """Opens the trajectory and runs everything on it; `on_stage` is told what is under way.
 
-    Raises InputError (one line) when the file, the selections or the frames cannot be used.
+    Raises InputError (one line) when the file cannot be used, OptionError when the choice of atoms
+    or frames is wrong or empty.
     """
     on_stage("reading")
     universe = open_universe(options.path, options.topology)
@@ -108,9 +109,9 @@ def _select(universe, selection, option):
     try:
         atoms = universe.select_atoms(selection)
     except (SelectionError, NoDataError, AttributeError, ValueError, TypeError) as error:
-        raise InputError(f"{option} '{selection}': {' '.join(str(error).split())}") from error
+        raise OptionError(f"{option} '{selection}': {' '.join(str(error).split())}") from error
     if len(atoms) == 0:
-        raise InputError(f"{option} '{selection}': selects no atoms")
+        raise OptionError(f"{option} '{selection}': selects no atoms")
     return atoms
 
 
@@ -132,7 +133,7 @@ def _index_frames(study):
     chosen = np.arange(n_frames)[slice(options.start, options.stop, options.step)]
     chosen = np.sort(chosen[chosen < whole])
     if len(chosen) == 0:
-        raise InputError(f"{options.path}: none of its {n_frames} frames was chosen")
+        raise OptionError(f"--start, --stop, --step: choose none of the {n_frames} frames")
     index = FrameIndex(study.universe.atoms)
     good = index.run(frames=chosen).results.finite
     if not good.any():

@@ -3,21 +3,26 @@
 
 from __future__ import annotations
 
-from pliant.console import InputError
+from pliant import InputError
 from pliant.report.figures import save_figures
 from pliant.report.page import write_page
 from pliant.report.summary import summary
 from pliant.report.tables import save_tables
 
 
-def write_report(study, folder, dpi=200):
-    """Writes figures, tables and report.html; returns the summary with the paths of all.
-
-    The folder is made where there is none; files of an earlier report are replaced.
-    """
+def make_folder(folder):
+    """Makes the folder for the results where there is none."""
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder}: is a file, expected a folder for the results")
     folder.mkdir(parents=True, exist_ok=True)
+
+
+def write_report(study, folder, dpi=200):
+    """Writes figures, tables and report.html; returns the summary with the paths of all.
+
+    Files of an earlier report are replaced.
+    """
+    make_folder(folder)
     figures = save_figures(study, folder, dpi)
     tables = save_tables(study, folder)
     report = folder / "report.html"

@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Molecules that turn about their bonds, written as pliant run writes them."""
 
+import sys
+from pathlib import Path
+
 import h5py
 import numpy as np
 import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))  # so that tests can import what lies beside them
 
 STOPS = {"converged": 0, "max_sweeps": 1, "not_finite": 2, "stopped_by_caller": 3}
 SYMBOLS = {1: "H", 6: "C", 7: "N", 8: "O", 16: "S"}
@@ -197,6 +202,7 @@ def _write_topology(file, molecule):
     group = file.create_group("parameters/topology")
     group["atom_name"] = np.array(molecule.names, dtype="S4")
     group["atomic_number"] = molecule.elements.astype(np.uint8)
+    group["element"] = np.array([SYMBOLS[element] for element in molecule.elements], dtype="S2")
     group["atom_serial"] = np.arange(1, len(molecule.elements) + 1)
     residue_of = np.zeros(len(molecule.elements), dtype=np.uint32)
     for k, (*_, atoms) in enumerate(molecule.residues):
@@ -207,7 +213,8 @@ def _write_topology(file, molecule):
     group["chain"] = np.array([r[2] for r in molecule.residues], dtype="S4")
     group["insertion_code"] = np.array(["" for _ in molecule.residues], dtype="S1")
     group["bond_order"] = np.ones(len(molecule.bonds), dtype=np.uint8)
-    group["bond_origin"] = np.zeros(len(molecule.bonds), dtype=np.uint8)
+    origin = h5py.enum_dtype({"file": 0, "residue": 1, "link": 2, "distance": 3}, np.uint8)
+    group.create_dataset("bond_origin", data=np.zeros(len(molecule.bonds), np.uint8), dtype=origin)
     table = np.array([MASSES[element] for element in molecule.elements])
     file["particles/trajectory/mass"] = table
     file["particles/trajectory/species"] = molecule.elements.astype(np.uint8)
