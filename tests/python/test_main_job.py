@@ -14,7 +14,7 @@ COMMAND = Path(sys.executable).parent / "pliant"
 MOLECULES = sorted(
     path
     for path in (Path(__file__).parents[2] / "data" / "molecules").iterdir()
-    if path.suffix in {".pdb", ".xyz", ".sdf", ".cif"}
+    if path.suffix in {".pdb", ".xyz", ".sdf", ".mol", ".cif"}
 )
 TOLERANCE = 1e-6
 
