@@ -194,6 +194,7 @@ void BlockNewton::gather(std::span<const Vec3> positions, Joint entry) {
 /// have no direction: they count as infinitely wrong, which leaves them to the sweeps.
 double BlockNewton::measure_bars() {
   double worst = 0.0;
+  relative_error_ = 0.0;
   for (std::size_t k = 0; k < block_bars_.size(); ++k) {
     const BlockBar& bar = block_bars_[k];
     const Vec3 delta = x_[bar.b] - x_[bar.a];
@@ -203,14 +204,15 @@ double BlockNewton::measure_bars() {
     directions_[k] = (1.0 / d) * delta;
     errors_[k] = d - bar.rest;
     worst = std::max(worst, std::abs(errors_[k]) / bar.allowed);
+    relative_error_ = std::max(relative_error_, std::abs(errors_[k]) / bar.rest);
   }
   return worst;
 }
 
-void BlockNewton::assemble() {
+void BlockNewton::assemble(double damping) {
   factor_->clear();
   for (std::size_t k = 0; k < block_bars_.size(); ++k)
-    factor_->add(k, k, moving_[block_bars_[k].a] + moving_[block_bars_[k].b]);
+    factor_->add(k, k, (1.0 + damping) * (moving_[block_bars_[k].a] + moving_[block_bars_[k].b]));
   for (const Coupling& c : couplings_)
     factor_->add(c.row, c.column,
                  c.sign * moving_[c.joint] * dot(directions_[c.row], directions_[c.column]));
@@ -232,28 +234,60 @@ void BlockNewton::scatter(std::span<Vec3> positions) const {
 BlockNewton::Outcome BlockNewton::solve(std::span<Vec3> positions, Joint entry,
                                         std::int64_t most_iterations, std::int64_t& iterations) {
   gather(positions, entry);
-  double best = measure_bars();
-  if (best <= 1.0) return Outcome::whole;
+  const double error = measure_bars();
+  if (error <= 1.0) return Outcome::whole;
+  if (!std::isfinite(error)) return Outcome::not_finite;
   best_ = x_;
+  const double best = is_overbraced() ? iterate_damped(error, most_iterations, iterations)
+                                      : iterate(error, most_iterations, iterations);
+  scatter(positions);
+  return best <= 1.0 ? Outcome::whole : Outcome::stalled;
+}
+
+/// Rings and cages of bonds have one to one and a half bars a joint; with 1-3 bars there are two
+/// and more, and where centres are planar some depend on others.
+bool BlockNewton::is_overbraced() const { return bars_.size() >= 2 * joints_.size(); }
+
+double BlockNewton::iterate(double error, std::int64_t most_iterations, std::int64_t& iterations) {
   // Newton may take a step or two to come near; after that each must pay.
   constexpr int most_bad_steps = 3;
+  double best = error;
   int bad_steps = 0;
-  double error = best;
-  for (std::int64_t i = 0; i < most_iterations && std::isfinite(error); ++i) {
-    assemble();
+  for (std::int64_t i = 0; i < most_iterations && std::isfinite(error) && best > 1.0; ++i) {
+    assemble(0.0);
     if (!factor_->solve(errors_)) break;
     move();
     ++iterations;
     error = measure_bars();
-    if (!(error < 0.9 * best)) {
-      if (++bad_steps > most_bad_steps) break;
-    }
+    if (!(error < 0.9 * best) && ++bad_steps > most_bad_steps) break;
     if (error < best) best = error, best_ = x_;
-    if (best <= 1.0) break;
   }
-  if (!std::isfinite(best)) return Outcome::not_finite;
-  scatter(positions);
-  return best <= 1.0 ? Outcome::whole : Outcome::stalled;
+  return best;
+}
+
+/// Levenberg and Marquardt's way: a step that does not pay is taken back and tried again shorter.
+/// The damping falls with the error, so that it costs no digits at the end (Yamashita, Fukushima,
+/// Computing Suppl. 15 (2001) 239).
+double BlockNewton::iterate_damped(double error, std::int64_t most_iterations,
+                                   std::int64_t& iterations) {
+  constexpr double most_damping = 1e6;
+  double best = error, damping = 0.1;
+  for (std::int64_t i = 0; i < most_iterations && best > 1.0 && damping < most_damping; ++i) {
+    assemble(damping * std::min(1.0, relative_error_));
+    if (!factor_->solve(errors_)) break;
+    move();
+    ++iterations;
+    error = measure_bars();
+    if (error < best) {
+      best = error, best_ = x_;
+      damping = std::max(1e-3, 0.3 * damping);
+    } else {
+      x_ = best_;
+      measure_bars();
+      damping *= 4.0;
+    }
+  }
+  return best;
 }
 
 }  // namespace pliant

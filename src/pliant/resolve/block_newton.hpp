@@ -7,8 +7,9 @@
 //
 // Each iteration is the smallest weighted move that satisfies the linearised bars, so the error
 // squares from one to the next. J W J^T has an entry for each pair of bars that share a moving
-// joint. It is singular where bars are redundant; then a small multiple of its diagonal is added,
-// which costs iterations but not accuracy, for redundant bars ask for nothing that others forbid.
+// joint. It is singular where bars are redundant, as around planar centres; then its diagonal is
+// raised in proportion to the error left (Levenberg, Marquardt), which costs iterations but no
+// accuracy, for redundant bars ask for nothing that others forbid.
 #pragma once
 
 #include <memory>
@@ -61,9 +62,12 @@ class BlockNewton {
   void couple_bars();
   void gather(std::span<const Vec3> positions, Joint entry);
   double measure_bars();
-  void assemble();
+  void assemble(double damping);
   void move();
   void scatter(std::span<Vec3> positions) const;
+  bool is_overbraced() const;
+  double iterate(double error, std::int64_t most_iterations, std::int64_t& iterations);
+  double iterate_damped(double error, std::int64_t most_iterations, std::int64_t& iterations);
 
   std::vector<BarIndex> bars_;
   std::vector<Joint> joints_;
@@ -74,6 +78,7 @@ class BlockNewton {
   std::vector<Vec3> x_, best_;    ///< of joints_
   std::vector<Vec3> directions_;  ///< of bars
   std::vector<double> errors_;    ///< C, then lambda
+  double relative_error_ = 0.0;   ///< largest |C| / rest of the last measurement
   std::unique_ptr<Factor> factor_;
 };
 

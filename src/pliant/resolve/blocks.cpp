@@ -22,7 +22,7 @@ struct PassStep {
   std::uint32_t block;
 };
 
-constexpr std::int64_t most_newton_iterations = 50;
+constexpr std::int64_t most_newton_iterations = 500;
 
 class BlockPass final : public Method {
  public:

@@ -71,6 +71,20 @@ TEST_P(BlocksOfRings, ResolvesInOnePassToRounding) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, BlocksOfRings, testing::Values(3, 4, 5, 6, 7, 8, 12, 24, 25, 60));
 
+/// A planar centre with three neighbours: six bars that are rigid to second order only, where sweeps
+/// crawl and plain Newton has nothing to divide by.
+TEST(Blocks, ResolvesAPlanarCentreWhoseBarsAreRedundant) {
+  const double h = std::sqrt(3.0) / 2.0;
+  const std::vector<Vec3> x{{0, 0, 0}, {1, 0, 0}, {-0.5, h, 0}, {-0.5, -h, 0}};
+  const Framework framework = framework_at(x, {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}});
+  for (const double by : {0.01, 0.1, 0.3}) {
+    std::vector<Vec3> y = shaken(x, by);
+    const ResolveSummary summary = resolve(framework, {"blocks"}, y, {{1e-8}});
+    EXPECT_EQ(summary.stop, Stop::converged) << by;
+    EXPECT_EQ(summary.sweeps, 1) << by;
+  }
+}
+
 TEST(Blocks, PinnedJointsStayAndTheBarsBetweenThemAreSwept) {
   const std::vector<Vec3> x{{0, 0, 0}, {1, 0.2, 0}, {2, 0, 0}, {3, 0.3, 0}, {4, 0, 0}};
   const Framework framework = framework_at(x, {{0, 1}, {1, 2}, {2, 3}, {3, 4}}, {0, 4});
