@@ -89,6 +89,14 @@ fs::path stem_of(const fs::path& input) {
   return name.stem();
 }
 
+/// Beside the output and of its name; "mol-topology.pdb" where mol.pdb is the input.
+std::string default_topology(const RunSettings& settings) {
+  const fs::path beside = fs::path(settings.output).replace_extension(".pdb");
+  std::error_code error;
+  if (!fs::equivalent(beside, settings.molecule.file, error)) return beside.string();
+  return (beside.parent_path() / (beside.stem().string() + "-topology.pdb")).string();
+}
+
 }  // namespace
 
 void add_run_options(CLI::App& app, RunSettings& settings) {
@@ -110,8 +118,7 @@ void complete(const CLI::App& app, RunSettings& settings, const Framework& frame
   if (settings.threads == 0) settings.threads = std::thread::hardware_concurrency();
   if (!settings.forces.empty()) take_forces(app, settings, framework);
   if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
-  if (settings.topology.empty())
-    settings.topology = fs::path(settings.output).replace_extension(".pdb").string();
+  if (settings.topology.empty()) settings.topology = default_topology(settings);
 }
 
 std::string output_of(const RunSettings& settings, std::int64_t walker) {

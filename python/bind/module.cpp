@@ -12,5 +12,6 @@ NB_MODULE(_core, module) {
   bind_resolve(module);
   bind_perturb(module);
   bind_record(module);
+  bind_generate(module);
   bind_run(module);
 }

@@ -77,6 +77,16 @@ def test_the_input_is_never_an_output(pliant, ethanol, tmp_path):
     assert ethanol.read_text().startswith("9\n")
 
 
+def test_a_pdb_file_runs_where_it_lies(pliant, ethanol, tmp_path):
+    assert pliant("run", ethanol, "--steps", 1).code == 0
+    (tmp_path / "ethanol.pdb").rename(tmp_path / "molecule.pdb")
+    before = (tmp_path / "molecule.pdb").read_bytes()
+    assert pliant("run", "molecule.pdb", "--steps", 1).code == 0
+    assert (tmp_path / "molecule.h5md").exists()
+    assert "CONECT" in (tmp_path / "molecule-topology.pdb").read_text()
+    assert (tmp_path / "molecule.pdb").read_bytes() == before
+
+
 @pytest.mark.parametrize("output", ["missing/o.h5md", "/dev/full"])
 def test_an_output_that_cannot_be_written_is_told(pliant, ethanol, output):
     ended = pliant("run", ethanol, "-o", output, "--topology", "none")

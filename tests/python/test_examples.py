@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The table of examples and random graphs against numpy and networkx, which know nothing of us."""
 
+import itertools
+
 import networkx as nx
 import numpy as np
 import pytest
@@ -114,6 +116,25 @@ def test_orderings_visit_each_bar_from_one_of_its_ends(graph, data):
             assert not tree or nx.is_forest(tree)
             assert is_tree.sum() == count - framework.graph_facts().components
         assert row.forests_only or len(bar) == len(bars)
+
+
+@pytest.mark.parametrize("kind", [row.name for row in pliant.graph_classes()])
+def test_generated_graphs_are_of_their_class(kind):
+    family = next(row.family for row in pliant.graph_classes() if row.name == kind)
+    expected = {"tree": 0, "1-cycle": 1, "2-cycle": 2, "n-cycle": 5}[family]
+    for number in range(20):
+        graph = pliant.generate(kind, 3, number, cycles=5)
+        theirs = nx.Graph(graph.framework.bars.tolist())
+        assert nx.is_connected(theirs)
+        assert len(graph.cycles) == expected
+        assert theirs.number_of_edges() - theirs.number_of_nodes() + 1 == expected
+        for cycle in graph.cycles:
+            assert all(theirs.has_edge(a, b) for a, b in itertools.pairwise(cycle))
+            assert theirs.has_edge(cycle[-1], cycle[0])
+        assert relative_residuals(graph.framework, graph.positions).max() < 1e-12
+        again = pliant.generate(kind, 3, number, cycles=5)
+        assert again.positions.tobytes() == graph.positions.tobytes()
+    assert pliant.generate(kind, 4).positions.tobytes() != again.positions.tobytes()
 
 
 def test_an_example_as_graph_xml(tmp_path):
