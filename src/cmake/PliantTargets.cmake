@@ -40,3 +40,8 @@ find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND PROJECT_IS_TOP_LEVEL)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
 endif()
+
+# For targets that are called, not waited for: their own code is not worth the time that -O3 takes
+# to compile it. The library is always optimized whole.
+add_library(pliant_quick_compile INTERFACE)
+target_compile_options(pliant_quick_compile INTERFACE $<$<CONFIG:Release>:-O1>)

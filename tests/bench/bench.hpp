@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// What is timed: molecules, and everything that is done with one.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "pliant/framework/framework.hpp"
+#include "pliant/molecule/structure.hpp"
+
+namespace pliant::bench {
+
+/// A molecule file, read and ready.
+struct Molecule {
+  std::string name;     ///< of the file, without folder and extension
+  std::string file;     ///< path
+  Structure structure;  ///< with all bonds
+  Framework framework;  ///< a bar for each bond
+};
+
+using SharedMolecule = std::shared_ptr<const Molecule>;
+
+/// Registers the reading of a file and the perception of its bonds.
+void add_molecule_benchmarks(const SharedMolecule& molecule);
+
+/// Registers every row of techniques() that applies, on the molecule displaced by 0.1 Angstrom.
+void add_resolve_benchmarks(const SharedMolecule& molecule);
+
+}  // namespace pliant::bench
