@@ -12,7 +12,7 @@ import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
 OPTIMIZED = Path(sys.executable).parent / "pliant"
-PLAIN = Path(os.environ.get("PLIANT_DEBUG_COMMAND", ROOT / "build/dev/apps/pliant"))
+PLAIN = Path(os.environ.get("PLIANT_DEBUG_COMMAND", ROOT / "build/debug/apps/pliant"))
 SETTINGS = [
     ["--technique", "bfs_cycle"],
     ["--technique", "blocks", "--perturb", "displacement", "--displacement", "0.1"],
@@ -48,7 +48,7 @@ def run(command: Path, folder: Path, molecule: Path, settings: list[str]) -> dic
     return datasets(folder / "out.h5md")
 
 
-@pytest.mark.skipif(not PLAIN.exists(), reason="no debug build: cmake --preset dev")
+@pytest.mark.skipif(not PLAIN.exists(), reason="./dev test builds build/debug")
 @pytest.mark.parametrize("settings", SETTINGS, ids=" ".join)
 @pytest.mark.parametrize("name", ["caffeine", "cyclohexane_chair", "peptide_20"])
 def test_debug_and_release_builds_write_the_same_bits(name, settings, tmp_path):

@@ -170,8 +170,8 @@ class GraphParser {
     for (std::size_t k = 0; k < cycle.size(); ++k) {
       const Joint from = cycle[k], to = cycle[(k + 1) % cycle.size()];
       if (cycle.size() < 3 || !given_.contains(std::minmax(from, to)))
-        fail(place_of(node), "cycle: no bar joins " + pliant::quoted(atoms_->names[from]) + " and " +
-                                 pliant::quoted(atoms_->names[to]));
+        fail(place_of(node), "cycle: no bar joins " + pliant::quoted(atoms_->names[from]) +
+                                 " and " + pliant::quoted(atoms_->names[to]));
     }
     cycles_.push_back(std::move(cycle));
   }
