@@ -56,6 +56,7 @@ from pliant._core import (
     techniques,
     write_topology_pdb,
 )
+from pliant._late import import_after
 from pliant._run import run
 from pliant.adapters import (
     constraints_from_openmm,
@@ -130,6 +131,9 @@ for _name in __all__:
     if isinstance(getattr(_core, _name, None), type):
         getattr(_core, _name).__module__ = "pliant"
 del _name
+
+# MDAnalysis.Universe("out.h5md") has names and bonds wherever both are imported.
+import_after("MDAnalysis", "pliant.h5md_parser")
 
 # What needs OpenMM, MDAnalysis or matplotlib is imported when it is first asked for.
 _LATE = {"check": "pliant.openmm_check"}

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <set>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/record/hdf5_write.hpp"
 
@@ -97,9 +98,19 @@ void write_residues(std::int64_t file, const std::vector<Residue>& residues) {
   write_texts(file, group + "/chain", chains);
 }
 
+/// "" where there is none.
+std::vector<std::string> symbols_of(const std::vector<std::uint8_t>& elements) {
+  std::vector<std::string> symbols;
+  symbols.reserve(elements.size());
+  for (const std::uint8_t element : elements)
+    symbols.emplace_back(element == 0 ? "" : element_symbol(element));
+  return symbols;
+}
+
 void write_atoms(std::int64_t file, const AtomTable& atoms) {
   const std::string group = h5md::topology;
   write_texts(file, group + "/atom_name", atoms.names);
+  write_texts(file, group + "/element", symbols_of(atoms.elements));
   write_numbers(file, group + "/atomic_number", atoms.elements);
   write_numbers(file, group + "/atom_serial", atoms.serials);
   write_numbers(file, group + "/residue_of", atoms.residue_of);
