@@ -67,6 +67,7 @@ from pliant.adapters import (
 )
 
 if TYPE_CHECKING:
+    from pliant.comparison import compare
     from pliant.openmm_check import check
 
 __all__ = [
@@ -136,7 +137,7 @@ del _name
 import_after("MDAnalysis", "pliant.h5md_parser")
 
 # What needs OpenMM, MDAnalysis or matplotlib is imported when it is first asked for.
-_LATE = {"check": "pliant.openmm_check"}
+_LATE = {"check": "pliant.openmm_check", "compare": "pliant.comparison"}
 
 
 def __getattr__(name: str) -> object:

@@ -168,7 +168,7 @@ def _hold_contest(
     report.methods = ours.our_methods(arena) + theirs.their_methods(arena, ways, outcomes)
     report.tolerance = arena.tolerance
     report.findings.append(side_by_side.check_honesty(report.methods))
-    report.notes += [note for note in (arena.note, theirs.cpu_note(outcomes)) if note]
+    report.notes += [note for note in (arena.note, theirs.cpu_note(len(ways), outcomes)) if note]
 
 
 def _notes_on(recording: Recording) -> list[str]:
