@@ -16,12 +16,11 @@ import argparse
 import pathlib
 import sys
 
-import numpy as np
 import openmm
 from openmm import app, unit
+from pliant.comparison.report import print_report
 
 import pliant
-from pliant.comparison.report import print_report
 
 FORCE_FIELD = ("amber14-all.xml", "implicit/gbn2.xml")
 
@@ -62,7 +61,7 @@ def write_start(simulation: app.Simulation, path: str) -> None:
 def run_pliant(start: str, output: str, steps: int, seed: int) -> None:
     """The same structure, pushed and resolved."""
     structure = pliant.read(start)
-    pliant.run(structure, steps=steps, seed=seed, record=output, overwrite=True)
+    pliant.run(structure, output=output, steps=steps, seed=seed, overwrite=True)
 
 
 def parse(words: list[str] | None = None) -> argparse.Namespace:

@@ -101,6 +101,7 @@ __all__ = [
     "TechniqueEntry",
     "__version__",
     "check",
+    "compare",
     "constraints_from_openmm",
     "examples",
     "formats",

@@ -46,7 +46,7 @@ def figure(
         plot = Figure(figsize=(width, height + 0.5 * bool(title)), layout="constrained")
         FigureCanvasAgg(plot)
         if title:
-            plot.suptitle(textwrap.fill(title, int(13 * width)), fontsize=11)
+            plot.suptitle(textwrap.fill(title, int(10 * width)), fontsize=11)
         yield plot, plot.subplots(rows, columns, squeeze=False)
 
 

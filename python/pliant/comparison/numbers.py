@@ -11,6 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 MOST_ITERATIONS = 50
+LEAST_VARIANCE = 1e-12  #: Angstrom^2; less is the rounding of 32-bit coordinates
 SETTLED = 1e-7  #: Angstrom, RMS change of an average structure that counts as none
 
 
@@ -70,7 +71,7 @@ def principal_modes(fitted: np.ndarray, most: int) -> Modes:
     table = (fitted - fitted.mean(axis=0)).reshape(len(fitted), -1)
     _, singular, vectors = np.linalg.svd(table, full_matrices=False)
     variances = singular**2 / max(len(fitted) - 1, 1)
-    with_variance = variances > 1e-12 * variances[:1].sum()
+    with_variance = variances > max(LEAST_VARIANCE, 1e-12 * variances.max(initial=0.0))
     kept = min(most, int(with_variance.sum()))
     return Modes(vectors[:kept], variances[:kept], float(variances.sum()))
 

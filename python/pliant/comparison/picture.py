@@ -7,6 +7,7 @@ import pathlib
 from typing import TYPE_CHECKING
 
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 
 from pliant.plotting import BLUE, VERMILION, figure, save
 
@@ -114,6 +115,7 @@ def _draw_bars(axes: Axes, report: ComparisonReport) -> None:
         ylabel="standard deviation of the length (Å)",
         title="Lengths of bars",
     )
+    axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.legend(frameon=False)
 
 
