@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Bonds of PDB files against OpenMM's, which come from its residue templates and CONECT."""
+"""Bonds of PDB and mmCIF files against OpenMM's, which come from its templates and CONECT."""
 
 import gzip
 import os
@@ -37,6 +37,11 @@ STRUCTURES = [
     "capping/nma.pdb",
     "capping/maestro_aaqaa_capped.pdb",
     "fullerene.pdb.gz",
+    "4x8u.pdbx",
+    "mmcif/1YJP.cif.gz",
+    "mmcif/3KPR.cif.gz",
+    "mmcif/3PWP.cif.gz",
+    "mmcif/7ETN.cif.gz",
     *sorted(f"dssp/{name}" for name in os.listdir(MDA / "dssp") if name.endswith("A.pdb.gz")),
 ]
 
@@ -45,6 +50,7 @@ BOX = "the molecule is cut by the periodic box: OpenMM's bonds are as long as th
 UNKNOWN = "OpenMM has no template for this residue and the file no CONECT"
 METAL = "CONECT states it; OpenMM leaves metals out"
 CHARMM = "CHARMM's names: OpenMM takes H2' for the hydrogen of C2'; in RNA it is the hydroxyl's"
+DEUTERIUM = "OpenMM's templates have no names for deuterium"
 EXTRA = "the residue has a third hydrogen on CB, which OpenMM's names do not foresee"
 
 # {file: {reason: number of differences}}. Each difference must be one that its reason explains.
@@ -53,6 +59,8 @@ KNOWN_DIFFERENCES = {
     "5a7u.pdb": {METAL: 2, EXTRA: 1},
     "6msm.pdb.bz2": {METAL: 4, GAP: 4},
     "mmcif/1BD2.pdb.gz": {GAP: 2},
+    "mmcif/1BD2.cif.gz": {GAP: 2},
+    "mmcif/5PTI.cif.gz": {DEUTERIUM: 103},
     "1grm_single.pdb": {UNKNOWN: 8},
     "elements.pdb": {UNKNOWN: 6},
     "adk_oplsaa.pdb": {BOX: 19},
@@ -60,12 +68,16 @@ KNOWN_DIFFERENCES = {
 }
 
 
+def is_mmcif(path):
+    return not {".cif", ".pdbx"}.isdisjoint(path.suffixes)
+
+
 class Comparison:
     """Ours and OpenMM's bonds of one file."""
 
     def __init__(self, path, answer):
         with gzip.open(path, "rt") if path.suffix == ".gz" else open(path) as file:
-            model = app.PDBFile(file)
+            model = (app.PDBxFile if is_mmcif(path) else app.PDBFile)(file)
         self.atoms = list(model.topology.atoms())
         self.positions = model.getPositions(asNumpy=True)._value * 10
         self.labels = answer["labels"]
@@ -93,6 +105,7 @@ class Comparison:
             METAL: bool(elements & {"Fe", "Zn", "Mg"}) and length < 3.0,
             UNKNOWN: bool({one.residue.name, other.residue.name} & {"ETA", "DMS"}) and length < 2.0,
             CHARMM: length < 1.2 and "H" in elements,
+            DEUTERIUM: length < 1.2 and "D" in {one.name[0], other.name[0]},
             EXTRA: length < 1.2 and one.name == "CB" and "H" in elements,
         }.get(reason, False)
 

@@ -89,6 +89,35 @@ TEST(Links, JoinModifiedResiduesOfAPeptide) {
                           "5-6 distance", "6-7 distance"));
 }
 
+TEST(Links, LeaveTwoUnknownResiduesToDistances) {
+  Structure s;
+  add_residue(s, "XYZ", 1, glycine({}));
+  add_residue(s, "XYZ", 2, glycine({3.2, 1.2, 0}));
+  EXPECT_THAT(perceive(s).bonds,
+              ElementsAre("0-1 distance", "1-2 distance", "2-3 distance", "2-4 distance",
+                          "4-5 distance", "5-6 distance", "6-7 distance"));
+}
+
+TEST(Links, DoNotBeginAtAMethylGroupNorJoinCoincidentAtoms) {
+  Structure s;
+  add_residue(s, "NME", 1, {{"N", "N", {}}, {"C", "C", {1.45, 0, 0}}});
+  add_residue(s, "ALA", 2, {{"N", "N", {2.8, 0, 0}}});
+  EXPECT_THAT(perceive(s).bonds, ElementsAre("0-1 residue"));
+  s = {};
+  add_residue(s, "ALA", 1, {{"C", "C", {}}});
+  add_residue(s, "ALA", 2, {{"N", "N", {0.2, 0, 0}}});
+  EXPECT_THAT(perceive(s).bonds, IsEmpty());
+}
+
+TEST(Links, CloseNoRingThatEndsWithACarboxylGroup) {
+  Structure s;
+  add_residue(s, "GLY", 1, {{"N", "N", {}}, {"CA", "C", {1.46, 0, 0}}, {"C", "C", {2, 1.4, 0}}});
+  add_residue(s, "GLY", 2,
+              {{"N", "N", {1.4, 2.6, 0}}, {"C", "C", {-0.5, 1.2, 0}}, {"OXT", "O", {-1.7, 1, 0}}});
+  EXPECT_THAT(perceive(s).bonds,
+              ElementsAre("0-1 residue", "1-2 residue", "2-3 link", "4-5 residue"));
+}
+
 TEST(Links, CloseCyclicPeptides) {
   Structure s;
   add_residue(s, "GLY", 1, {{"N", "N", {}}, {"CA", "C", {1.46, 0, 0}}, {"C", "C", {2, 1.4, 0}}});
@@ -146,6 +175,12 @@ TEST(ResidueBonds, GiveWayToDistancesWhereANameMeansAnotherAtom) {
   EXPECT_THAT(perceive(s).bonds, ElementsAre("1-2 distance"));
 }
 
+TEST(ResidueBonds, GiveWayToDistancesBetweenAtomsWithTemplatesToo) {
+  Structure s;
+  add_residue(s, "ALA", 1, {{"N", "N", {}}, {"C", "C", {6, 0, 0}}, {"HT1", "H", {6, 1.09, 0}}});
+  EXPECT_THAT(perceive(s).bonds, ElementsAre("1-2 distance"));
+}
+
 TEST(ResidueBonds, AreNotMadeToAtomsOnTopOfEachOther) {
   Structure s;
   std::vector<MadeAtom> atoms = glycine({});
@@ -155,6 +190,9 @@ TEST(ResidueBonds, AreNotMadeToAtomsOnTopOfEachOther) {
   EXPECT_THAT(found.bonds, ElementsAre("0-1 residue", "1-2 residue", "2-3 residue"));
   EXPECT_THAT(found.messages, ElementsAre("warning: 1 atom (first: CA(5)) on top of an atom of the "
                                           "same name: no bonds perceived there"));
+  add_residue(s, "LIG", 2, {{"C1", "C", {1.46, -1.5, 0}}});
+  EXPECT_THAT(perceive(s).bonds,
+              ElementsAre("0-1 residue", "1-2 residue", "1-5 distance", "2-3 residue"));
 }
 
 // --- distances -----------------------------------------------------------------------------------
@@ -253,8 +291,9 @@ TEST(DistanceBonds, AreNeitherMadeBetweenWatersNorFromThem) {
   Structure s;
   add_residue(s, "HOH", 1, water({0, 0, 0}));
   add_residue(s, "HOH", 2, {{"O", "O", {1.3, 0, 0}}, {"X1", "H", {2.2, 0, 0}}});
-  add_residue(s, "LIG", 3, {{"C1", "C", {0, -1.5, 0}}});
-  EXPECT_THAT(perceive(s).bonds, ElementsAre("0-1 residue", "0-2 residue", "3-4 distance"));
+  add_residue(s, "LIG", 3, {{"C1", "C", {0, -1.5, 0}}, {"C2", "C", {1.3, -1.45, 0}}});
+  EXPECT_THAT(perceive(s).bonds,
+              ElementsAre("0-1 residue", "0-2 residue", "3-4 distance", "5-6 distance"));
 }
 
 TEST(DistanceBonds, JoinLigandsToResiduesButNotSettledAtomsToEachOther) {
@@ -288,6 +327,14 @@ TEST(FileBonds, TakeTheOrderOfTheTemplateWhereTheyHaveNone) {
   perceive_bonds(s);
   EXPECT_THAT(bond_texts(s), ElementsAre("0-1 residue", "1-2 residue", "2-3 file"));
   EXPECT_EQ(s.bonds[2].order, 2);
+}
+
+TEST(FileBonds, GivenTwiceKeepTheBestOriginAndTheKnownOrder) {
+  Structure s = molecule({{"C", {}}, {"C", {1.3, 0, 0}}});
+  s.bonds = {{0, 1, BondOrigin::distance, 2}, {0, 1, BondOrigin::file, 0}};
+  perceive_bonds(s);
+  EXPECT_THAT(bond_texts(s), ElementsAre("0-1 file"));
+  EXPECT_EQ(s.bonds[0].order, 2);
 }
 
 TEST(FileBonds, OfAnSdfFileAreAll) {

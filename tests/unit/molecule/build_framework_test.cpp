@@ -86,6 +86,7 @@ TEST(BuildFramework, MergesABondGivenTwice) {
   const Framework f = build_framework(s);
   EXPECT_EQ(f.bar_count(), 1U);
   EXPECT_EQ(f.merged_bar_count(), 1U);
+  EXPECT_EQ(build_framework(s, {.bars = BarKind::angles}).bar_count(), 1U);
 }
 
 TEST(BuildFramework, TakesNoBondsAndNoAtoms) {
