@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pliant/molecule/read.hpp"
+#include "pliant/base/file_text.hpp"
 
 namespace pliant {
 
