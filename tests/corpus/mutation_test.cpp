@@ -68,8 +68,9 @@ class Mutation : public testing::TestWithParam<const char*> {
     for (std::size_t i = 0; i < count; ++i) {
       ASSERT_TRUE(is_finite(structure.positions[i])) << text;
       ASSERT_LT(structure.atoms.residue_of[i], structure.atoms.residues.size());
-      if (i > 0)
+      if (i > 0) {
         ASSERT_LE(structure.atoms.residue_of[i - 1], structure.atoms.residue_of[i]) << text;
+      }
     }
     for (const Bond& bond : structure.bonds) {
       ASSERT_LT(bond.a, bond.b) << text;
@@ -88,7 +89,7 @@ TEST_P(Mutation, IsReadOrRefused) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, Mutation, testing::ValuesIn(corpus_folders),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& row) { return std::string(row.param); });
 
 }  // namespace
 }  // namespace pliant
