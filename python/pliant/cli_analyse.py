@@ -86,9 +86,10 @@ def _add_output(add):
 def _analyse(options):
     # Imported here, so that --help and errors of usage are immediate.
     from pliant.report import StudyOptions, study_trajectory
-    from pliant.report.write import write_report
+    from pliant.report.write import make_folder, write_report
 
     folder = Path(options.output or f"{Path(options.file).stem}-report")
+    make_folder(folder)
     chosen = StudyOptions(
         path=options.file,
         topology=options.topology,

@@ -30,6 +30,8 @@ class BarResiduals(FrameAnalysis):
         Largest |relative residual| of a whole bar. Default: that of the run, or 1e-6.
     tolerance_length : float, optional
         Largest |length - rest| in Angstrom; if > 0 it holds in place of `tolerance`.
+    positions : StoredPositions, optional
+        Where coordinates come from; default: the file of the universe's trajectory.
 
     Attributes
     ----------
@@ -70,6 +72,7 @@ class BarResiduals(FrameAnalysis):
         *,
         tolerance=None,
         tolerance_length=None,
+        positions=None,
         **kwargs,
     ):
         super().__init__(universe.trajectory, **kwargs)
@@ -82,7 +85,7 @@ class BarResiduals(FrameAnalysis):
             bars, rest_lengths = record.bars, record.rest_lengths
         self.bars, self.rest_lengths = _checked(bars, rest_lengths, len(universe.atoms))
         self.tolerance, self.tolerance_length = _tolerances(record, tolerance, tolerance_length)
-        self._positions = StoredPositions(universe.trajectory)
+        self._positions = positions or StoredPositions(universe.trajectory)
         self.precision = self._positions.precision
 
     @property

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import copy
 import os
 
 import h5py
@@ -25,6 +26,7 @@ class StoredPositions:
     def __init__(self, trajectory):
         self._file = None
         self._path = None
+        self._numbers = None
         self.precision = "float32"  #: of the numbers read: "float64" or "float32"
         if isinstance(trajectory, H5MDReader) and isinstance(
             trajectory.filename, (str, os.PathLike)
@@ -53,13 +55,31 @@ class StoredPositions:
 
     def at(self, timestep):
         """Positions (N, 3) of an MDAnalysis timestep, Angstrom, float64."""
-        return self.read(timestep.frame) if self.in_file else timestep.positions.astype(np.float64)
+        if not self.in_file:
+            return timestep.positions.astype(np.float64)
+        return self.read(timestep.frame if self._numbers is None else self._numbers[timestep.frame])
 
-    def read(self, frame):
-        """Positions (N, 3) of a frame of an H5MD file, Angstrom, float64."""
+    def read(self, frames):
+        """Positions (N, 3) of a frame of an H5MD file, (f, N, 3) of a slice; Angstrom, float64."""
+        return self._open()[self._dataset][frames].astype(np.float64) * self._to_angstrom
+
+    def times_and_steps(self):
+        """Times (F,), ps, and steps (F,) of all frames of an H5MD file; None if it has no steps."""
+        group = self._open()[self._dataset].parent
+        unit = H5MDReader._unit_translation["time"].get(group["time"].attrs.get("unit"), "ps")
+        times = group["time"][()] * units.get_conversion_factor("time", unit, "ps")
+        return times, group["step"][()] if "step" in group else None
+
+    def renumbered(self, frames):
+        """The same file for a universe that holds only some frames: its k-th is `frames[k]`."""
+        other = copy.copy(self)
+        other._file, other._numbers = None, np.asarray(frames)
+        return other
+
+    def _open(self):
         if self._file is None:
             self._file = h5py.File(self._path, "r")
-        return self._file[self._dataset][frame].astype(np.float64) * self._to_angstrom
+        return self._file
 
     def close(self):
         """Closes the file; the next read opens it again."""

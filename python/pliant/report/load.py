@@ -10,10 +10,8 @@ from pathlib import Path
 import h5py
 import MDAnalysis
 
+import pliant.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds from our files)
 from pliant import InputError
-
-with contextlib.suppress(ImportError):
-    import pliant.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds from our files)
 
 
 def open_universe(path, topology=None):

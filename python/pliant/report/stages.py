@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from MDAnalysis.exceptions import NoDataError, SelectionError
 
-from pliant import InputError, OptionError
+from pliant import OptionError
 from pliant.analysis import (
     BarResiduals,
     PrincipalComponents,
@@ -16,14 +16,11 @@ from pliant.analysis import (
     TorsionDistributions,
     read_record,
 )
-from pliant.analysis.frame_index import FrameIndex
 from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.stored import StoredPositions
+from pliant.report.frames_held import choose_frames
 from pliant.report.load import open_universe
 from pliant.report.study import Study
-
-#: positions up to this size are held in memory, so that the file is read once
-MEMORY_BYTES = 1 << 30
 
 #: the table of coordinates that the PCA makes may be this large
 PCA_BYTES = 1 << 29
@@ -41,7 +38,7 @@ def study_trajectory(options, on_stage=lambda name: None):
     study.atoms = _select(universe, options.select, "--select")
     study.fitted, study.fitted_name = _fitted(study)
     study.stored = StoredPositions(universe.trajectory)
-    _index_frames(study)
+    choose_frames(study)
     runner = Runner(study)
     for name, stage in STAGES.items():
         on_stage(name)
@@ -69,8 +66,7 @@ class Runner:
     """Runs analyses over the frames of a study, in as many processes as were asked for."""
 
     def __init__(self, study):
-        self._study = study
-        self._frames = study.frames
+        self._frames = np.arange(len(study.frames)) if study.held else study.frames
         self._backend = {}
         if study.options.workers > 1:
             self._backend = {"backend": "multiprocessing", "n_workers": study.options.workers}
@@ -79,18 +75,6 @@ class Runner:
         """`analysis` after its run over the frames of the study, or every `stride`-th."""
         analysis.run(frames=self._frames[::stride], **self._backend)
         return analysis.results
-
-    def hold_in_memory(self):
-        """Reads the positions once and for all, if they fit and no process needs them sent."""
-        universe, frames = self._study.universe, self._frames
-        size = len(frames) * len(universe.atoms) * 12
-        steps = np.unique(np.diff(frames))
-        if self._backend or size > MEMORY_BYTES or len(steps) > 1:
-            return
-        step = int(steps[0]) if len(steps) else 1
-        universe.transfer_to_memory(int(frames[0]), int(frames[-1]) + 1, step)
-        self._study.held = True
-        self._frames = np.arange(len(frames))
 
     @property
     def first(self):
@@ -122,33 +106,8 @@ def _fitted(study):
     return _select(study.universe, selection, "--superpose"), f"atoms '{selection}'"
 
 
-def _index_frames(study):
-    """Finds the frames to analyse: whole and with finite coordinates."""
-    options, trajectory = study.options, study.universe.trajectory
-    n_frames, whole = len(trajectory), len(trajectory)
-    if study.record is not None and study.record.complete_frames:
-        whole = min(whole, study.record.complete_frames)
-    if whole < n_frames:
-        study.notes.append(f"the last {n_frames - whole} frames are not complete: left out")
-    chosen = np.arange(n_frames)[slice(options.start, options.stop, options.step)]
-    chosen = np.sort(chosen[chosen < whole])
-    if len(chosen) == 0:
-        raise OptionError(f"--start, --stop, --step: choose none of the {n_frames} frames")
-    index = FrameIndex(study.universe.atoms)
-    good = index.run(frames=chosen).results.finite
-    if not good.any():
-        raise InputError(f"{options.path}: no frame has finite coordinates")
-    if not good.all():
-        study.notes.append(
-            f"{np.count_nonzero(~good)} frames hold coordinates that are not finite: left out"
-        )
-    study.frames, study.times = chosen[good], index.times[good]
-    steps = index.results.step[good]
-    study.steps = steps if np.all(steps >= 0) else None
-
-
 def _bar_residuals(study, runner):
-    residuals = BarResiduals(study.universe)
+    residuals = _bar_residuals_of(study)
     runner.run(residuals)
     study.residuals = residuals
     if residuals.precision == "float32" and residuals.tolerance < 1e-5:
@@ -157,8 +116,21 @@ def _bar_residuals(study, runner):
         )
 
 
+def _bar_residuals_of(study):
+    record = study.record
+    if record is None or record.bars is None:
+        raise ValueError("the trajectory holds no bars with rest lengths")
+    return BarResiduals(
+        study.universe,
+        record.bars,
+        record.rest_lengths,
+        tolerance=record.tolerance,
+        tolerance_length=record.tolerance_length,
+        positions=study.stored.renumbered(study.frames) if study.held else study.stored,
+    )
+
+
 def _sweeps(study, runner):
-    runner.hold_in_memory()
     if study.observable("sweeps") is None:
         raise ValueError("the file holds no /observables/sweeps")
 

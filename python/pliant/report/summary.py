@@ -235,7 +235,7 @@ def _component_table(study):
     rows = []
     for k, share in enumerate(found.explained[:5]):
         cosine = f"{found.cosine_content[k]:.2f}" if k < len(found.cosine_content) else "–"
-        rows.append((f"PC{k + 1}", f"{found.eigenvalues[k]:.3g}", f"{100 * share:.1f} %", cosine))
+        rows.append((f"PC{k + 1}", f"{found.eigenvalues[k]:.4g}", f"{100 * share:.1f} %", cosine))
     unit = "u Å²" if study.options.mass_weighted else "Å²"
     return "Principal components", ("", f"variance ({unit})", "share", "cosine content"), rows
 

@@ -51,7 +51,7 @@ def _mark_frames(axes, x, largest, study):
     given_up = ~study.converged if study.converged is not None else np.zeros_like(beyond)
     size = mark_size(np.count_nonzero(beyond | given_up)) + 14
     groups = (
-        (given_up, "x", ORANGE, "not converged, as the run says"),
+        (given_up, "x", ORANGE, "not converged"),
         (beyond & ~given_up, "o", VERMILION, "beyond tolerance"),
     )
     for chosen, marker, colour, label in groups:
