@@ -168,7 +168,7 @@ def facts(study):
         )
     if study.radius is not None:
         rows.append(
-            (f"{study.radius.mean():.2f}", "Å", f"radius of gyration, ± {study.radius.std():.2f} Å")
+            (f"{study.radius.mean():.2f}", "Å", f"radius of gyration, ± {study.radius.std():.2g} Å")
         )
     if study.torsions is not None:
         rows.append((str(len(study.torsions.torsions)), "", "rotatable bonds"))

@@ -132,7 +132,7 @@ def radius_of_gyration(study):
     mean, spread = study.radius.mean(), study.radius.std()
     figure, axes = new_figure()
     axes.axhspan(mean - spread, mean + spread, color=FAINT, lw=0, zorder=0.5)
-    axes.axhline(mean, color=GREY, lw=1, zorder=1, label=f"mean {mean:.2f} ± {spread:.2f} Å")
+    axes.axhline(mean, color=GREY, lw=1, zorder=1, label=f"mean {mean:.2f} ± {spread:.2g} Å")
     axes.plot(x, study.radius, color=GREEN, lw=line_width(len(x)))
     what = "mass-weighted" if study.radius_weights == "mass" else "equal weights"
     axes.set(xlabel=label, ylabel="radius of gyration (Å)", title=f"Size ({what})")
