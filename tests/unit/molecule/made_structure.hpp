@@ -40,6 +40,21 @@ inline Structure molecule(const std::vector<std::pair<const char*, Vec3>>& atoms
   return s;
 }
 
+/// The heavy atoms of glycine, N first.
+inline std::vector<MadeAtom> glycine(Vec3 at) {
+  return {{"N", "N", at},
+          {"CA", "C", at + Vec3{1.46, 0, 0}},
+          {"C", "C", at + Vec3{2.0, 1.42, 0}},
+          {"O", "O", at + Vec3{1.3, 2.42, 0}}};
+}
+
+/// A water molecule, oxygen first.
+inline std::vector<MadeAtom> water(Vec3 at) {
+  return {{"OW", "O", at},
+          {"HW1", "H", at + Vec3{0.96, 0, 0}},
+          {"HW2", "H", at + Vec3{-0.24, 0.93, 0}}};
+}
+
 /// "0-1 residue", one a bond.
 inline std::vector<std::string> bond_texts(const Structure& s) {
   std::vector<std::string> texts;
