@@ -34,11 +34,11 @@ struct OrderScratch {
 /// What an ordering may look at.
 struct OrderRequest {
   const Framework& framework;
-  Joint root = 0;                    ///< the pushed joint, where traversals begin
-  std::int64_t sweep = 0;            ///< 0 for the first sweep of a resolve
-  RandomKey key = {};                ///< seed, walker and step
-  std::span<const Vec3> positions;   ///< (N) Angstrom, at this moment
-  const Ordering* before = nullptr;  ///< the last sweep's ordering; null in the first sweep
+  Joint root = 0;                        ///< the pushed joint, where traversals begin
+  std::int64_t sweep = 0;                ///< 0 for the first sweep of a resolve
+  RandomKey key = {};                    ///< seed, walker and step
+  std::span<const Vec3> positions = {};  ///< (N) Angstrom, at this moment
+  const Ordering* before = nullptr;      ///< the last sweep's ordering; null in the first sweep
 };
 
 /// What happens after the first sweep of a resolve.

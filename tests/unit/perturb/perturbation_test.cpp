@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/perturb/perturbation.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+#include "pliant/framework/examples.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+
+void PrintTo(const PerturbationEntry& row, std::ostream* out) { *out << row.name; }
+
+namespace {
+
+/// What each row of the table promises.
+class PerturbationLaw : public testing::TestWithParam<PerturbationEntry> {
+ protected:
+  static Push push(const Framework& framework, State& state, std::uint64_t step,
+                   const PerturbOptions& options = {}) {
+    return GetParam().push({framework, options, {.seed = 9, .step = step}}, state);
+  }
+};
+
+TEST_P(PerturbationLaw, RemembersWhereAllJointsWere) {
+  const Framework framework = test::with_masses(framework_of(chain(6)));
+  State state(chain(6).positions);
+  for (std::uint64_t step = 1; step < 5; ++step) {
+    const std::vector<Vec3> before = state.positions;
+    const Push pushed = push(framework, state, step);
+    EXPECT_TRUE(test::same_bits(state.previous, before));
+    EXPECT_FALSE(test::same_bits(state.positions, before));
+    EXPECT_GE(pushed.root_joint, 0);
+    EXPECT_LT(pushed.root_joint, 6);
+    EXPECT_TRUE(is_finite(pushed.force));
+  }
+}
+
+TEST_P(PerturbationLaw, LeavesPinnedJoints) {
+  const Framework framework = test::with_pinned(framework_of(chain(6)), {0, 3});
+  State state(chain(6).positions);
+  const std::vector<Vec3> start = state.positions;
+  for (std::uint64_t step = 0; step < 50; ++step) push(framework, state, step);
+  EXPECT_EQ(state.positions[0], start[0]);
+  EXPECT_EQ(state.positions[3], start[3]);
+  EXPECT_NE(state.positions[1], start[1]);
+}
+
+TEST_P(PerturbationLaw, LeavesAllJointsIfAllArePinned) {
+  const Framework framework = test::with_pinned(framework_of(chain(3)), {0, 1, 2});
+  State state(chain(3).positions);
+  push(framework, state, 0);
+  EXPECT_EQ(state.positions, chain(3).positions);
+}
+
+TEST_P(PerturbationLaw, TakesAFrameworkWithoutJoints) {
+  State state;
+  EXPECT_EQ(push(Framework({}), state, 0).root_joint, no_joint);
+}
+
+/// The push is a function of seed, walker and step, not of what was pushed before.
+TEST_P(PerturbationLaw, DependsOnItsKeyAlone) {
+  const Framework framework = framework_of(chain(6));
+  const PerturbOptions options;
+  std::set<std::uint64_t> hashes;
+  for (const RandomKey& key :
+       {RandomKey{.seed = 1}, {.seed = 2}, {.seed = 1, .walker = 1}, {.seed = 1, .step = 1}}) {
+    State first(chain(6).positions), second(chain(6).positions), other(chain(6).positions);
+    GetParam().push({framework, options, key}, first);
+    push(framework, other, 77);
+    GetParam().push({framework, options, key}, second);
+    EXPECT_TRUE(test::same_bits(first.positions, second.positions));
+    hashes.insert(test::hash_of(first.positions));
+  }
+  EXPECT_EQ(hashes.size(), 4u);
+}
+
+INSTANTIATE_TEST_SUITE_P(Table, PerturbationLaw,
+                         testing::ValuesIn(perturbations().begin(), perturbations().end()),
+                         [](const auto& row) { return std::string(row.param.name); });
+
+TEST(Perturbations, AreFoundByName) {
+  for (const PerturbationEntry& row : perturbations())
+    EXPECT_EQ(&find_perturbation(row.name), &row);
+  EXPECT_EQ(test::error_text<OptionError>([] { find_perturbation("forces"); }),
+            "no perturbation named \"forces\" (did you mean \"force\"?); known: force, force_all, "
+            "displacement");
+}
+
+/// One joint at rest: x + 100 F / m dt^2.
+TEST(Force, PushesOneJointByVerlet) {
+  const Framework framework = test::with_masses(framework_of(chain(5)));
+  const PerturbOptions options{.force = 30.0, .timestep = 0.02};
+  std::set<std::int64_t> pushed;
+  for (std::uint64_t step = 0; step < 100; ++step) {
+    State state(chain(5).positions);
+    const Push push = find_perturbation("force").push({framework, options, {.step = step}}, state);
+    const auto root = static_cast<std::size_t>(push.root_joint);
+    EXPECT_NEAR(norm(push.force), 30.0, 1e-13);
+    const Vec3 expected = chain(5).positions[root] +
+                          (100.0 * framework.inverse_masses()[root] * 0.02 * 0.02) * push.force;
+    for (std::size_t i = 0; i < 5; ++i)
+      EXPECT_LT(distance(state.positions[i], i == root ? expected : chain(5).positions[i]), 1e-14);
+    pushed.insert(push.root_joint);
+  }
+  EXPECT_EQ(pushed.size(), 5u) << "each joint has its turn";
+}
+
+TEST(Force, ChoosesFreeJointsEvenly) {
+  const Framework framework = test::with_pinned(framework_of(chain(5)), {1, 2});
+  int hits[5] = {};
+  for (std::uint64_t step = 0; step < 3000; ++step) {
+    State state(chain(5).positions);
+    ++hits[find_perturbation("force").push({framework, {}, {.step = step}}, state).root_joint];
+  }
+  EXPECT_EQ(hits[1] + hits[2], 0);
+  for (int joint : {0, 3, 4}) EXPECT_NEAR(hits[joint], 1000, 130);
+}
+
+TEST(Displacement, MovesEachJointByOneLength) {
+  const Framework framework = framework_of(chain(5));
+  State state(chain(5).positions);
+  const PerturbOptions options{.displacement = 0.25};
+  find_perturbation("displacement").push({framework, options, {}}, state);
+  for (std::size_t i = 0; i < 5; ++i)
+    EXPECT_NEAR(distance(state.positions[i], chain(5).positions[i]), 0.25, 1e-15);
+}
+
+/// A free joint under a constant force: Verlet's recursion is exact for a parabola,
+/// x_k = a dt^2 k (k + 1) / 2 from rest.
+TEST(ApplyForces, FollowsTheParabolaOfAConstantForce) {
+  FrameworkParts parts;
+  parts.joint_count = 1;
+  parts.masses = {4};
+  const Framework framework(std::move(parts));
+  const PerturbOptions options{.timestep = 0.125};
+  State state(std::vector<Vec3>(1));
+  const JointForce force{0, {2, 0, -1}};
+  for (int k = 1; k <= 20; ++k) {
+    apply_forces({framework, options, {}}, {&force, 1}, state);
+    const double distance_gone = 100.0 / 4.0 * 0.125 * 0.125 * k * (k + 1) / 2.0;
+    EXPECT_NEAR(state.positions[0].x, 2.0 * distance_gone, 1e-11);
+    EXPECT_NEAR(state.positions[0].z, -1.0 * distance_gone, 1e-11);
+  }
+}
+
+/// Damping c: each step keeps 1 - c of the last move.
+TEST(ApplyForces, DampsTheVelocity) {
+  const Framework framework = [] {
+    FrameworkParts parts;
+    parts.joint_count = 1;
+    return Framework(std::move(parts));
+  }();
+  const JointForce no_force{0, {}};
+  for (double damping : {0.0, 0.25, 1.0}) {
+    State state({{1, 0, 0}});
+    state.previous = {{0, 0, 0}};
+    apply_forces({framework, {.damping = damping}, {}}, {&no_force, 1}, state);
+    EXPECT_EQ(state.positions[0].x, 2.0 - damping);
+  }
+}
+
+TEST(ApplyForces, WithoutForcesMovesNothing) {
+  const Framework framework = framework_of(chain(2));
+  State state(chain(2).positions);
+  const Push push = apply_forces({framework, {}, {}}, {}, state);
+  EXPECT_EQ(push.root_joint, 0);
+  EXPECT_EQ(push.force, (Vec3{}));
+  EXPECT_EQ(state.positions, chain(2).positions);
+}
+
+TEST(CheckPerturbOptions, NamesOptionValueAndRange) {
+  EXPECT_NO_THROW(check(PerturbOptions{}));
+  const auto refusal = [](const PerturbOptions& options) {
+    return test::error_text<OptionError>([&] { check(options); });
+  };
+  EXPECT_EQ(refusal({.force = -1}), "force = -1: must be 0 or more and finite");
+  EXPECT_EQ(refusal({.force = HUGE_VAL}), "force = inf: must be 0 or more and finite");
+  EXPECT_EQ(refusal({.timestep = 0}), "timestep = 0: must be positive and finite");
+  EXPECT_EQ(refusal({.timestep = std::nan("")}), "timestep = nan: must be positive and finite");
+  EXPECT_EQ(refusal({.damping = 1.5}), "damping = 1.5: must be from 0 to 1");
+  EXPECT_EQ(refusal({.damping = -1e-9}), "damping = -1e-09: must be from 0 to 1");
+  EXPECT_EQ(refusal({.displacement = -0.1}), "displacement = -0.1: must be 0 or more and finite");
+}
+
+}  // namespace
+}  // namespace pliant

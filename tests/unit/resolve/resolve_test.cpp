@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/resolve.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "pliant/framework/examples.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace {
+
+std::string refusal(const ResolveOptions& options) {
+  return test::error_text<OptionError>([&] { check(options); });
+}
+
+TEST(CheckResolveOptions, NamesOptionValueAndRange) {
+  EXPECT_NO_THROW(check(ResolveOptions{}));
+  const std::pair<double, const char*> bad[] = {
+      {0.0, "0"}, {-1e-30, "-1e-30"}, {std::nan(""), "nan"}, {HUGE_VAL, "inf"}};
+  for (const auto& [value, text] : bad)
+    EXPECT_EQ(refusal({.tolerance = {.relative = value}}),
+              "tolerance = " + std::string(text) + ": must be positive and finite");
+  EXPECT_EQ(refusal({.tolerance = {.length = -0.5}}),
+            "tolerance_length = -0.5: must be positive and finite");
+  EXPECT_EQ(refusal({.tolerance = {.length = std::nan("")}}),
+            "tolerance_length = nan: must be positive and finite");
+  EXPECT_EQ(refusal({.max_sweeps = 0}), "max_sweeps = 0: must be from 1");
+  EXPECT_EQ(refusal({.max_sweeps = -3}), "max_sweeps = -3: must be from 1");
+}
+
+TEST(Resolver, ChecksItsOptionsAtTheDoor) {
+  const Framework framework = framework_of(ring(4));
+  EXPECT_THROW(Resolver(framework, {"bfs_tree"}), OptionError);
+  EXPECT_THROW(Resolver(framework, {"none"}), OptionError);
+  EXPECT_THROW(Resolver(framework, {}, {.max_sweeps = 0}), OptionError);
+}
+
+TEST(Resolver, ChecksPositionsAndRoot) {
+  const Framework framework = framework_of(ring(4));
+  Resolver resolver(framework, {});
+  std::vector<Vec3> x(3);
+  EXPECT_EQ(test::error_text<OptionError>([&] { resolver.resolve(x); }),
+            "positions: 3 for 4 joints");
+  x.resize(4);
+  EXPECT_EQ(test::error_text<OptionError>([&] { resolver.resolve(x, 4); }),
+            "root joint 4 of 4 does not exist");
+}
+
+TEST(Resolver, ResolvesNothing) {
+  std::vector<Vec3> none;
+  const ResolveSummary summary = resolve(Framework({}), {}, none);
+  EXPECT_TRUE(summary.converged());
+  EXPECT_EQ(summary.max_residual, 0.0);
+  EXPECT_EQ(summary.brief(Framework({})), "converged: 0 sweeps, 0 projections");
+}
+
+TEST(ResolveSummary, ShowsThatNothingRan) {
+  const ResolveSummary summary;
+  EXPECT_FALSE(summary.converged());
+  EXPECT_EQ(summary.sweeps, -1);
+  EXPECT_EQ(summary.max_residual, -1.0);
+}
+
+TEST(ResolveSummary, BriefNamesTheWorstBar) {
+  const Example& example = find_example("pinned_pair_wrong_distance");
+  std::vector<Vec3> x = example.positions;
+  const ResolveSummary summary = resolve(example.framework, {"input"}, x, {.max_sweeps = 5});
+  EXPECT_EQ(summary.brief(example.framework),
+            "max_sweeps: 5 sweeps, 5 projections, worst bar 0 - 1 off by 1 of its length");
+}
+
+/// The absolute tolerance is that of the thesis: a long bar may be off by as much as a short one.
+TEST(Resolve, KeepsAToleranceInAngstrom) {
+  FrameworkParts parts;
+  parts.joint_count = 3;
+  parts.bars = {{0, 1}, {1, 2}};
+  parts.rest_lengths = {1000.0, 1.0};
+  const Framework framework(std::move(parts));
+  std::vector<Vec3> x{{0, 0, 0}, {1000.02, 0, 0}, {1000.02, 1, 0}};
+  EXPECT_EQ(resolve(framework, {}, x, {.tolerance = {.relative = 1e-4}}).sweeps, 0);
+  EXPECT_EQ(resolve(framework, {}, x, {.tolerance = {.length = 0.03}}).sweeps, 0);
+  EXPECT_GT(resolve(framework, {}, x, {.tolerance = {.length = 0.01}}).sweeps, 0);
+}
+
+/// reverse: forwards, then backwards. After two sweeps of a chain the first bar is whole last.
+TEST(Resolve, ReverseTechniquesTurnRound) {
+  const Sketch sketch = straight_chain(4);
+  const Framework framework = framework_of(sketch);
+  std::vector<Vec3> x = sketch.positions;
+  x[0].x -= 0.3;
+  const auto error_of = [&](std::size_t k) { return std::abs(distance(x[k], x[k + 1]) - 1.0); };
+  Resolver one(framework, {"bfs_reverse", 0.5}, {.max_sweeps = 1});
+  std::vector<Vec3> start = x;
+  one.resolve(x);
+  EXPECT_LT(error_of(2), 1e-15);
+  EXPECT_GT(error_of(0), 1e-3);
+  x = start;
+  Resolver two(framework, {"bfs_reverse", 0.5}, {.max_sweeps = 2});
+  two.resolve(x);
+  EXPECT_LT(error_of(0), 1e-15);
+  EXPECT_GT(error_of(2), 1e-3);
+}
+
+/// should_stop is asked after each sweep that left work to do.
+TEST(Resolve, AsksTheCallerAfterEachSweep) {
+  int asked = 0;
+  const Framework framework = framework_of(straight_chain(6));
+  std::vector<Vec3> x = straight_chain(6).positions;
+  x[0].x -= 0.1;
+  ResolveOptions options;
+  options.should_stop = [&] { return ++asked, false; };
+  const ResolveSummary summary = resolve(framework, {"input", 0.5}, x, options);
+  EXPECT_TRUE(summary.converged());
+  EXPECT_EQ(asked, summary.sweeps - 1);
+}
+
+TEST(Resolve, AMovedResolverResolves) {
+  const Sketch sketch = ring(5);
+  const Framework framework = framework_of(sketch);
+  Resolver first(framework, {});
+  Resolver second = std::move(first);
+  std::vector<Vec3> x = test::shake(framework, sketch.positions, 0.1);
+  EXPECT_TRUE(second.resolve(x).converged());
+}
+
+}  // namespace
+}  // namespace pliant

@@ -1,0 +1,271 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/run/run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "pliant/framework/examples.hpp"
+#include "pliant/framework/residual.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace {
+
+/// A frame whose positions outlive the call.
+struct Shown {
+  Frame frame;
+  std::vector<Vec3> positions;
+};
+
+struct Story {
+  RunSummary summary;
+  std::vector<Shown> frames;
+  State state;
+  std::string said;
+};
+
+Story tell(const Framework& framework, State state, RunOptions options, const Observer& also = {}) {
+  Story story;
+  options.log = {[&](Severity, std::string_view text) { story.said += text; }};
+  const Observer keep = [&](const Frame& frame) {
+    story.frames.push_back({frame, {frame.positions.begin(), frame.positions.end()}});
+    return false;
+  };
+  std::vector<Observer> observers{keep};
+  if (also) observers.push_back(also);
+  story.summary = run(framework, state, options, observers);
+  story.state = std::move(state);
+  return story;
+}
+
+RunOptions displacing(std::int64_t steps) {
+  RunOptions options;
+  options.perturb = "displacement";
+  options.steps = steps;
+  return options;
+}
+
+TEST(Run, ShowsTheStartEachStepAndTrueNumbers) {
+  const Framework framework = framework_of(ring(6));
+  const Story story = tell(framework, State(ring(6).positions), displacing(30));
+  ASSERT_EQ(story.frames.size(), 31u);
+  EXPECT_EQ(story.summary.frames, 31);
+  EXPECT_EQ(story.summary.steps, 30);
+  EXPECT_EQ(story.summary.unconverged_steps, 0);
+  EXPECT_EQ(story.summary.first_unconverged_step, -1);
+  EXPECT_FALSE(story.summary.stopped_by_caller);
+  EXPECT_EQ(story.frames[0].frame.root_joint, no_joint);
+  EXPECT_EQ(story.frames[0].positions, ring(6).positions);
+  std::int64_t sweeps = 0, most = 0, projections = 0;
+  double worst = 0.0;
+  for (std::size_t k = 0; k < story.frames.size(); ++k) {
+    const auto& [frame, positions] = story.frames[k];
+    const ResidualSummary found = measure(framework, positions);
+    EXPECT_EQ(frame.step, std::int64_t(k));
+    EXPECT_NEAR(frame.time, 0.01 * double(k), 1e-12);
+    EXPECT_EQ(frame.stop, Stop::converged);
+    EXPECT_EQ(frame.max_residual, found.max_relative);
+    EXPECT_EQ(frame.rms_residual, found.rms_relative);
+    EXPECT_LE(frame.max_residual, 1e-6);
+    sweeps += frame.sweeps, projections += frame.projections;
+    most = std::max(most, frame.sweeps);
+    worst = std::max(worst, frame.max_residual);
+  }
+  EXPECT_EQ(story.summary.sweeps, sweeps);
+  EXPECT_EQ(story.summary.max_sweeps, most);
+  EXPECT_EQ(story.summary.projections, projections);
+  EXPECT_EQ(story.summary.worst_residual, worst);
+  EXPECT_DOUBLE_EQ(story.summary.mean_sweeps(), double(sweeps) / 30.0);
+  EXPECT_GT(story.summary.ns_per_bar_and_sweep(), 0.0);
+  EXPECT_EQ(story.state.positions, story.frames.back().positions);
+}
+
+TEST(Run, ShowsEverySoManyStepsAndTheLast) {
+  RunOptions options = displacing(10);
+  options.every = 4;
+  const Story story = tell(framework_of(ring(5)), State(ring(5).positions), options);
+  std::vector<std::int64_t> steps;
+  for (const Shown& shown : story.frames) steps.push_back(shown.frame.step);
+  EXPECT_EQ(steps, (std::vector<std::int64_t>{0, 4, 8, 10}));
+}
+
+TEST(Run, NoStepsShowTheStart) {
+  const Story story = tell(framework_of(ring(5)), State(ring(5).positions), displacing(0));
+  EXPECT_EQ(story.frames.size(), 1u);
+  EXPECT_EQ(story.summary.mean_sweeps(), 0.0);
+  EXPECT_EQ(story.summary.ns_per_bar_and_sweep(), 0.0);
+}
+
+/// A broken start is resolved first, told, and its sweeps are no step's.
+TEST(Run, ResolvesABrokenStart) {
+  const Framework framework = framework_of(ring(5));
+  State state(ring(5).positions);
+  state.positions[2] += Vec3{0, 0, 0.5};
+  const Story story = tell(framework, state, displacing(0));
+  EXPECT_EQ(story.said,
+            "the start misses its rest lengths, worst bar 1 - 2 by 0.118 Angstrom: resolved "
+            "first");
+  EXPECT_LE(story.frames[0].frame.max_residual, 1e-6);
+  EXPECT_GT(story.frames[0].frame.sweeps, 0);
+  EXPECT_EQ(story.summary.sweeps, 0);
+  EXPECT_EQ(story.state.previous, story.state.positions) << "and is at rest";
+}
+
+/// Two runs of ten steps are one of twenty.
+TEST(Run, GoesOnWhereItStopped) {
+  const Framework framework = framework_of(ring(7));
+  RunOptions options;
+  options.steps = 20;
+  const Story whole = tell(framework, State(ring(7).positions), options);
+  options.steps = 10;
+  const Story first = tell(framework, State(ring(7).positions), options);
+  const Story second = tell(framework, first.state, options);
+  EXPECT_TRUE(test::same_bits(whole.state.positions, second.state.positions));
+  EXPECT_EQ(whole.state.step, second.state.step);
+  EXPECT_EQ(whole.state.time, second.state.time);
+}
+
+TEST(Run, WalkersGoTheirOwnWays) {
+  RunOptions options = displacing(3);
+  const Framework framework = framework_of(ring(7));
+  const Story one = tell(framework, State(ring(7).positions), options);
+  options.resolve.walker = 1;
+  const Story other = tell(framework, State(ring(7).positions), options);
+  EXPECT_FALSE(test::same_bits(one.state.positions, other.state.positions));
+}
+
+TEST(Run, CountsStepsThatDoNotConvergeAndGoesOn) {
+  RunOptions options = displacing(5);
+  options.resolve.max_sweeps = 1;
+  const Story story = tell(framework_of(ring(9)), State(ring(9).positions), options);
+  EXPECT_EQ(story.summary.steps, 5);
+  EXPECT_EQ(story.summary.unconverged_steps, 5);
+  EXPECT_EQ(story.summary.first_unconverged_step, 1);
+  EXPECT_EQ(story.frames[3].frame.stop, Stop::max_sweeps);
+  EXPECT_GT(story.frames[3].frame.max_residual, 1e-6);
+}
+
+/// A push that overflows is taken back: no frame ever holds what is not a number.
+TEST(Run, TakesBackPushesThatOverflow) {
+  for (const char* perturbation : {"force", "force_all"}) {
+    for (double force : {1e160, 1e300, 1.7e308}) {
+      RunOptions options;
+      options.perturb = perturbation;
+      options.perturb_options = {.force = force, .timestep = 1.0};
+      options.steps = 3;
+      FrameworkParts parts = test::parts_of(framework_of(ring(5)));
+      parts.joint_count = 6;  // one joint without bars
+      parts.masses.clear();
+      std::vector<Vec3> start = ring(5).positions;
+      start.push_back({3, 3, 3});
+      const Story story = tell(Framework(std::move(parts)), State(start), options);
+      EXPECT_EQ(story.frames.size(), 4u);
+      EXPECT_EQ(story.summary.unconverged_steps, 3);
+      for (const auto& [frame, positions] : story.frames) {
+        EXPECT_EQ(frame.stop, frame.step == 0 ? Stop::converged : Stop::not_finite);
+        EXPECT_EQ(positions, start) << perturbation << force;
+        EXPECT_LE(frame.max_residual, 1e-6);
+      }
+    }
+  }
+}
+
+TEST(Run, ReplaysForcesOneAStep) {
+  const Framework framework = framework_of(ring(5));
+  RunOptions options;
+  options.replay = {{2, {1, 0, 0}}, {4, {0, 2, 0}}, {0, {0, 0, 3}}};
+  const Story story = tell(framework, State(ring(5).positions), options);
+  ASSERT_EQ(story.frames.size(), 4u) << "the run ends with the last force";
+  for (std::size_t k = 0; k < 3; ++k) {
+    EXPECT_EQ(story.frames[k + 1].frame.root_joint, std::int64_t(options.replay[k].joint));
+    EXPECT_EQ(story.frames[k + 1].frame.force, options.replay[k].force);
+  }
+  options.steps = 2;
+  EXPECT_EQ(tell(framework, State(ring(5).positions), options).frames.size(), 3u);
+}
+
+TEST(Run, ObserversCanStopIt) {
+  const Story story = tell(framework_of(ring(5)), State(ring(5).positions), displacing(100),
+                           [](const Frame& frame) { return frame.step == 7; });
+  EXPECT_EQ(story.summary.steps, 7);
+  EXPECT_EQ(story.frames.back().frame.step, 7);
+  EXPECT_TRUE(story.summary.stopped_by_caller);
+}
+
+TEST(Run, ErrorsOfObserversPassThrough) {
+  State state(ring(5).positions);
+  EXPECT_THROW(run(framework_of(ring(5)), state, displacing(3),
+                   {[](const Frame&) -> bool { throw FileError("full"); }}),
+               FileError);
+}
+
+/// A step that is stopped in its sweeps leaves the state of the step before.
+TEST(Run, AStepCutShortIsUndone) {
+  const Framework framework = framework_of(ring(9));
+  RunOptions options = displacing(10);
+  int asked = 0;
+  options.resolve.should_stop = [&] { return ++asked == 20; };
+  const Story story = tell(framework, State(ring(9).positions), options);
+  EXPECT_TRUE(story.summary.stopped_by_caller);
+  EXPECT_LT(story.summary.steps, 10);
+  EXPECT_EQ(story.summary.unconverged_steps, 0);
+  EXPECT_EQ(story.frames.back().frame.step, story.state.step);
+  EXPECT_EQ(story.frames.back().frame.time, story.state.time);
+  EXPECT_TRUE(test::same_bits(story.frames.back().positions, story.state.positions));
+}
+
+TEST(Run, AStartThatIsCutShortIsTheLastFrame) {
+  const Example& example = find_example("pinned_ends_taut_10");
+  RunOptions options = displacing(10);
+  options.resolve.should_stop = [] { return true; };
+  const Story story = tell(example.framework, State(example.positions), options);
+  EXPECT_EQ(story.summary.steps, 0);
+  EXPECT_TRUE(story.summary.stopped_by_caller);
+  EXPECT_EQ(story.frames.size(), 1u);
+  EXPECT_EQ(story.frames[0].frame.stop, Stop::stopped_by_caller);
+}
+
+std::string refusal(const RunOptions& options) {
+  State state(chain(3).positions);
+  return test::error_text<OptionError>([&] { run(framework_of(chain(3)), state, options, {}); });
+}
+
+TEST(CheckRunOptions, NamesOptionValueAndRange) {
+  EXPECT_NO_THROW(check(RunOptions{}));
+  EXPECT_EQ(refusal({.steps = -5}), "steps = -5: must be from 0");
+  EXPECT_EQ(refusal({.every = 0}), "every = 0: must be from 1");
+  EXPECT_EQ(refusal({.resolve = {.max_sweeps = 0}}), "max_sweeps = 0: must be from 1");
+  EXPECT_EQ(refusal({.perturb_options = {.timestep = -1}}),
+            "timestep = -1: must be positive and finite");
+  EXPECT_EQ(refusal({.technique = {"bfs_cycle", 2.0}}), "weighting = 2: must be from 0 to 1");
+  EXPECT_EQ(refusal({.perturb = "displace"}),
+            "no perturbation named \"displace\"; known: force, force_all, displacement");
+  EXPECT_EQ(refusal({.replay = {{3, {}}}}), "replay: joint 3 of 3 does not exist");
+  EXPECT_EQ(refusal({.replay = {{1, {0, std::nan(""), 0}}}}),
+            "replay: the force on joint 1 is not finite");
+}
+
+TEST(Run, RefusesStatesThatCannotCarryTheFramework) {
+  const Framework framework = framework_of(chain(3));
+  const auto refusal_of = [&](State state) {
+    return test::error_text<InputError>([&] { run(framework, state, {}, {}); });
+  };
+  EXPECT_EQ(refusal_of(State(chain(2).positions)), "framework: 3 joints but 2 positions");
+  State state(chain(3).positions);
+  state.previous.clear();
+  EXPECT_EQ(refusal_of(state), "framework: 3 joints but 0 previous positions");
+  state = State(chain(3).positions);
+  state.previous[1].y = HUGE_VAL;
+  EXPECT_EQ(refusal_of(state), "previous position of joint 1 is not finite");
+  state = State(chain(3).positions);
+  state.positions[2].x = std::nan("");
+  EXPECT_EQ(refusal_of(state), "position of joint 2 is not finite");
+  State nothing;
+  EXPECT_EQ(test::error_text<InputError>([&] { run(Framework({}), nothing, {}, {}); }),
+            "nothing to run: no joints");
+}
+
+}  // namespace
+}  // namespace pliant
