@@ -71,8 +71,8 @@ TEST_P(BlocksOfRings, ResolvesInOnePassToRounding) {
 
 INSTANTIATE_TEST_SUITE_P(Sizes, BlocksOfRings, testing::Values(3, 4, 5, 6, 7, 8, 12, 24, 25, 60));
 
-/// A planar centre with three neighbours: six bars that are rigid to second order only, where sweeps
-/// crawl and plain Newton has nothing to divide by.
+/// A planar centre with three neighbours: six bars that are rigid to second order only, where
+/// sweeps crawl and plain Newton has nothing to divide by.
 TEST(Blocks, ResolvesAPlanarCentreWhoseBarsAreRedundant) {
   const double h = std::sqrt(3.0) / 2.0;
   const std::vector<Vec3> x{{0, 0, 0}, {1, 0, 0}, {-0.5, h, 0}, {-0.5, -h, 0}};
