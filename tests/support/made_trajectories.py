@@ -87,6 +87,7 @@ class Made:
         starts = [k for k in range(len(names)) if k == 0 or residues[k] != residues[k - 1]]
         text = h5py.string_dtype("utf-8")
         group.create_dataset("atom_name", data=names, dtype=text)
+        group.create_dataset("element", data=self.elements, dtype=text)
         group["atomic_number"] = [ELEMENTS[e][0] for e in self.elements]
         group["atom_serial"] = np.arange(1, len(names) + 1)
         group["residue_of"] = np.searchsorted(starts, np.arange(len(names)), side="right") - 1
