@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Open questions of the thesis: one module each, with TITLE, ORDER and answer()."""
