@@ -21,7 +21,8 @@ void ask(int) {
 }  // namespace
 
 void watch_for_interrupt() {
-  std::signal(SIGINT, ask);
+  // A shell starts background jobs with Ctrl-C ignored: it is meant for the job in front.
+  if (std::signal(SIGINT, ask) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
   std::signal(SIGTERM, ask);
 }
 
