@@ -7,7 +7,9 @@
 #include <numeric>
 #include <string>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/molecule/conformers.hpp"
+#include "pliant/molecule/pdb_element.hpp"
 
 namespace pliant {
 namespace {
@@ -87,13 +89,21 @@ std::string full_label(const AtomTable& atoms, std::size_t atom) {
   return text + ":" + atoms.names[atom];
 }
 
+/// Whether the atom has no name but its element, as molecules of XYZ files: nobody would look it up
+/// by that. In a standard residue "C" is a name.
+bool is_bare_symbol(const AtomTable& atoms, std::size_t atom) {
+  return element_number(atoms.names[atom]) == atoms.elements[atom] &&
+         !is_standard_residue(atoms.residues[atoms.residue_of[atom]].name);
+}
+
 void warn_of_repeat(const AtomSites& sites, std::uint32_t atom, bool same_place, Remarks& remarks) {
-  const std::string label = full_label(sites.structure.atoms, atom);
+  const AtomTable& atoms = sites.structure.atoms;
+  const std::string label = full_label(atoms, atom);
   if (same_place) {
     remarks.warn("repeated atom", sites.lines[atom], [&] {
       return "atom " + label + " is given twice at one point: left out the second time";
     });
-  } else {
+  } else if (!is_bare_symbol(atoms, atom)) {
     remarks.warn("repeated name", sites.lines[atom], [&] {
       return "atom " + label + " is given twice, at different points: both kept";
     });

@@ -78,17 +78,12 @@ std::optional<LinkEnd> StructConnReader::end_of(std::size_t row, const std::stri
 
 bool StructConnReader::is_bond(std::size_t row) {
   const std::string type = lower(word(row, {"conn_type_id"}));
-  if (type.starts_with("covale") || type == "disulf" || type == "modres") return true;
+  if (type.starts_with("covale") || type == "disulf" || type == "modres" || type == "metalc")
+    return true;
   const auto text = [&] {
     return "struct_conn of type " + pliant::quoted(type) + " is no bond: left out";
   };
-  if (type == "metalc") {
-    remarks_.warn("metalc", line_, text);
-  } else if (type == "hydrog") {
-    remarks_.note("hydrog", line_, text);
-  } else {
-    remarks_.note("other struct_conn", line_, text);
-  }
+  remarks_.note(type == "hydrog" ? "hydrog" : "other struct_conn", line_, text);
   return false;
 }
 

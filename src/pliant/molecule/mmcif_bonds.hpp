@@ -9,8 +9,9 @@
 
 namespace pliant {
 
-/// The links of a struct_conn table that are bonds: types covale, covale_..., disulf and modres.
-/// Metal coordination (metalc), hydrogen bonds and the rest are no bars; each type is told once.
+/// The links of a struct_conn table that are bonds: types covale, covale_..., disulf, modres, and
+/// metalc, which a PDB file states by LINK and CONECT. Hydrogen bonds and the rest are none; each
+/// type is told once.
 std::vector<StatedLink> struct_conn_links(const CifDocument& document, const CifTable& table,
                                           Remarks& remarks);
 

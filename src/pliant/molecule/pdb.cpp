@@ -61,6 +61,7 @@ class PdbReader {
   Remarks& remarks_;
   PdbModels models_;
   PdbSerials serials_;
+  PdbElements elements_;
   AtomSites sites_;
   std::string_view residue_columns_;  // of the atom before: the same bytes are the same residue
   std::string first_name_;            // of the residue
@@ -116,7 +117,7 @@ void PdbReader::take_atom(const PdbLine& line) {
   take_residue(line);
   atoms.serials.push_back(serials_.next(line, remarks_));
   serial_given_.push_back(serials_.last_was_given());
-  atoms.elements.push_back(pdb_element(line, atoms.residues.back().name, remarks_));
+  atoms.elements.push_back(elements_.next(line, atoms.residues.back().name, remarks_));
   sites_.conformers.push_back(column(line.text, 17));
   sites_.occupancies.push_back(pdb_occupancy(line, remarks_));
   sites_.lines.push_back(static_cast<std::uint32_t>(line.number));

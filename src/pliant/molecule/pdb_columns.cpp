@@ -150,6 +150,7 @@ std::int8_t pdb_charge(const PdbLine& line, Remarks& remarks) {
   char digit = column(line.text, 79), sign = column(line.text, 80);
   if (digit == ' ' && sign == ' ') return 0;
   if (is_digit(sign)) std::swap(digit, sign);
+  if (digit == '0') return 0;
   if (is_digit(digit) && (sign == '+' || sign == '-'))
     return static_cast<std::int8_t>(sign == '-' ? '0' - digit : digit - '0');
   remarks.warn("charge", line.number, [&] {

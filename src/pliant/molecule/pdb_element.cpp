@@ -73,11 +73,31 @@ std::uint8_t element_in_standard_residue(std::string_view name, std::string_view
                                                              : element_number(letters.substr(0, 1));
 }
 
-std::uint8_t element_of_ion(std::string_view name, std::string_view residue) {
-  if (without_charge(name) != without_charge(residue)) return 0;
+std::string upper(std::string_view text) {
+  std::string copy(text);
+  std::transform(copy.begin(), copy.end(), copy.begin(),
+                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+  return copy;
+}
+
+/// "Cl-" -> "CL", "SOD" -> "NA".
+std::string ion_symbol(std::string_view name) {
+  const std::string letters = upper(without_charge(name));
   for (const NamedIon& ion : named_ions)
-    if (ion.name == name) return element_number(ion.symbol);
-  return element_number(without_charge(name));
+    if (ion.name == letters) return std::string(ion.symbol);
+  return letters;
+}
+
+/// An atom named like its residue is an ion, however it is padded and spelt; 0 where it is not.
+std::uint8_t element_of_ion(std::string_view name, std::string_view residue) {
+  const std::string symbol = ion_symbol(name);
+  return symbol == ion_symbol(residue) ? element_number(symbol) : std::uint8_t{0};
+}
+
+/// "Cl1" and "Br" wherever they stand, which capitals tell only by their padding.
+std::uint8_t element_of_spelt_halogen(std::string_view name) {
+  const bool halogen = name.starts_with("Cl") || name.starts_with("Br");
+  return halogen ? element_number(name.substr(0, 2)) : std::uint8_t{0};
 }
 
 /// A name of four letters fills column 13 whatever its element: "HG11", "CL12", "C10A".
@@ -93,9 +113,8 @@ using PaddedName = std::array<char, 4>;
 
 PaddedName upper_padded(std::string_view name) {
   PaddedName padded{' ', ' ', ' ', ' '};
-  std::copy_n(name.begin(), std::min(padded.size(), name.size()), padded.begin());
-  std::transform(padded.begin(), padded.end(), padded.begin(),
-                 [](char c) { return c >= 'a' && c <= 'z' ? static_cast<char>(c - 32) : c; });
+  const std::string letters = upper(name.substr(0, padded.size()));
+  std::copy(letters.begin(), letters.end(), padded.begin());
   return padded;
 }
 
@@ -104,8 +123,9 @@ PaddedName upper_padded(std::string_view name) {
 std::optional<std::uint8_t> element_by_residue(std::string_view name, std::string_view residue) {
   const bool terminal = is_long_residue_name(residue) && !is_standard_residue(residue);
   if (terminal) residue.remove_prefix(1);
-  if (is_standard_residue(residue)) return element_in_standard_residue(name, residue);
+  if (is_standard_residue(residue)) return element_in_standard_residue(upper(name), residue);
   if (const std::uint8_t ion = element_of_ion(name, residue)) return ion;
+  if (const std::uint8_t halogen = element_of_spelt_halogen(name)) return halogen;
   return std::nullopt;
 }
 
@@ -125,7 +145,7 @@ std::uint8_t element_of_pdb_name(std::string_view padded_name, std::string_view 
   const PaddedName padded = upper_padded(padded_name);
   const std::string_view text(padded.data(), padded.size());
   if (trimmed(text).empty()) return 0;
-  if (const auto element = element_by_residue(trimmed(text), residue_name)) return *element;
+  if (const auto element = element_by_residue(trimmed(padded_name), residue_name)) return *element;
   return element_of_padded_name(text);
 }
 
@@ -133,12 +153,26 @@ std::uint8_t element_of_bare_name(std::string_view name, std::string_view residu
   name = trimmed(name);
   if (name.empty()) return 0;
   if (const auto element = element_by_residue(name, residue_name)) return *element;
-  const std::string_view letters = without_leading_digits(name);
+  const std::string capitals = upper(name);
+  const std::string_view letters = without_leading_digits(capitals);
   if (letters.size() < 2) return element_number(letters);
   return element_of_capitals(letters[0], letters[1]);
 }
 
-std::uint8_t pdb_element(const PdbLine& line, std::string_view residue_name, Remarks& remarks) {
+/// Padding puts a heavy atom of a standard residue into column 14: one in column 13 shows that the
+/// program that wrote the file does not pad.
+std::uint8_t PdbElements::guess(std::string_view name, std::string_view residue_name) {
+  if (left_justified_) return element_of_bare_name(name, residue_name);
+  const std::uint8_t element = element_of_pdb_name(name, residue_name);
+  const std::string_view letters = element_symbol(element);
+  const bool heavy = letters == "C" || letters == "N" || letters == "O" || letters == "S";
+  left_justified_ = heavy && name.size() == 4 && name[0] == letters[0] && name[3] == ' ' &&
+                    is_standard_residue(residue_name);
+  return element;
+}
+
+std::uint8_t PdbElements::next(const PdbLine& line, std::string_view residue_name,
+                               Remarks& remarks) {
   const std::string_view field = trimmed(columns(line.text, 77, 78));
   const std::string_view name = columns(line.text, 13, 16);
   if (const std::uint8_t element = element_number(field)) return element;
@@ -149,11 +183,11 @@ std::uint8_t pdb_element(const PdbLine& line, std::string_view residue_name, Rem
     });
     return 0;
   }
-  const std::uint8_t guess = element_of_pdb_name(name, residue_name);
-  if (guess != 0) {
+  const std::uint8_t element = guess(name, residue_name);
+  if (element != 0) {
     remarks.warn("element from name", line.number, [&] {
       return "no element in columns 77-78: taken from the atom name, " + quoted(name) + " as " +
-             std::string(element_symbol(guess));
+             std::string(element_symbol(element));
     });
   } else {
     remarks.warn("no element", line.number, [&] {
@@ -161,7 +195,7 @@ std::uint8_t pdb_element(const PdbLine& line, std::string_view residue_name, Rem
              " has no element: a dummy site, or unknown";
     });
   }
-  return guess;
+  return element;
 }
 
 }  // namespace pliant

@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <array>
 
-#include "pliant/base/elements.hpp"
-
 namespace pliant {
 namespace {
 
@@ -27,7 +25,6 @@ class LinkReader {
 
  private:
   bool find(const StatedLink& link, std::array<std::uint32_t, 2>& atoms);
-  bool uses_metal(const StatedLink& link, const std::array<std::uint32_t, 2>& atoms);
 
   AtomSites& sites_;
   Remarks& remarks_;
@@ -53,16 +50,6 @@ bool LinkReader::find(const StatedLink& link, std::array<std::uint32_t, 2>& atom
   return true;
 }
 
-bool LinkReader::uses_metal(const StatedLink& link, const std::array<std::uint32_t, 2>& atoms) {
-  const AtomTable& table = sites_.structure.atoms;
-  if (!is_metal(table.elements[atoms[0]]) && !is_metal(table.elements[atoms[1]])) return false;
-  remarks_.warn("metal link", link.line, [&] {
-    return std::string(link.record) + " of a metal is no bond: " + table.label(atoms[0]) + " - " +
-           table.label(atoms[1]) + " left out";
-  });
-  return true;
-}
-
 void LinkReader::take(const StatedLink& link) {
   if (link.ends[0].symmetry != link.ends[1].symmetry) {
     remarks_.warn("link by symmetry", link.line, [&] {
@@ -71,7 +58,7 @@ void LinkReader::take(const StatedLink& link) {
     return;
   }
   std::array<std::uint32_t, 2> atoms{};
-  if (!find(link, atoms) || uses_metal(link, atoms)) return;
+  if (!find(link, atoms)) return;
   if (atoms[0] == atoms[1]) {
     remarks_.warn("link to itself", link.line,
                   [&] { return std::string(link.record) + " bonds an atom to itself: left out"; });

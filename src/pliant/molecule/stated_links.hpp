@@ -27,9 +27,10 @@ struct StatedLink {
   std::uint8_t order = 0;
 };
 
-/// Adds the bonds of `links` to `sites.structure.bonds`. Left out, each said once: links to copies
-/// by symmetry, links of a metal (coordination is no bar of fixed length), and links of atoms that
-/// are not there; silently, those of alternate locations that are not used.
+/// Adds the bonds of `links` to `sites.structure.bonds`. A bond of a metal is one, as in CONECT:
+/// what the file states is kept, so that a metal stays in its site and the PDB and the mmCIF file
+/// of one entry agree. Left out, each said once: links to copies by symmetry and of atoms that are
+/// not there; silently, those of alternate locations that are not used.
 void add_stated_links(AtomSites& sites, const std::vector<StatedLink>& links, Remarks& remarks);
 
 }  // namespace pliant
