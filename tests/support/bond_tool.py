@@ -2,36 +2,15 @@
 """Asks the C++ library, through pliant_print_bonds, what it makes of molecule files."""
 
 import json
-import os
-import subprocess
-from pathlib import Path
 
-ROOT = Path(__file__).resolve().parents[2]
+from support_program import ROOT, answers
 
-
-def program() -> Path:
-    """The newest build of pliant_print_bonds; PLIANT_BUILD names another build folder."""
-    folders = [os.environ["PLIANT_BUILD"]] if "PLIANT_BUILD" in os.environ else ["build", "build/*"]
-    found = [
-        path
-        for folder in folders
-        for path in ROOT.glob(f"{folder}/tests/support/pliant_print_bonds")
-    ]
-    if not found:
-        raise FileNotFoundError("pliant_print_bonds is not built: ./dev test builds it")
-    return max(found, key=lambda path: path.stat().st_mtime)
+__all__ = ["ROOT", "ask", "bonds", "differences"]
 
 
 def ask(words: list[str], questions: list) -> list[dict]:
     """One answer for each question, from one run of the program."""
-    run = subprocess.run(
-        [str(program()), *map(str, words)],
-        input="".join(f"{question}\n" for question in questions),
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    return [json.loads(line) for line in run.stdout.splitlines()]
+    return [json.loads(line) for line in answers("pliant_print_bonds", words, questions)]
 
 
 def bonds(files: list) -> list[dict]:
