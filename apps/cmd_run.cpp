@@ -16,19 +16,18 @@ namespace {
 std::vector<std::string> outputs_of(const RunSettings& settings) {
   std::vector<std::string> outputs;
   if (settings.topology != "none") outputs.push_back(settings.topology);
-  for (std::int64_t walker = 0; walker < settings.walkers; ++walker)
+  for (std::int64_t walker = 0; walker < settings.walkers; ++walker) {
     outputs.push_back(output_of(settings, walker));
+    if (!settings.record_forces.empty())
+      outputs.push_back(of_walker(settings, settings.record_forces, walker));
+  }
   return outputs;
 }
 
 /// The outputs must be none of the inputs, whatever name or link leads to them.
 void refuse_to_overwrite_inputs(const RunSettings& settings) {
-  for (const std::string& input : {settings.molecule.file, settings.forces})
-    for (const std::string& output : outputs_of(settings)) {
-      std::error_code error;
-      if (!input.empty() && std::filesystem::equivalent(input, output, error))
-        throw OptionError(output + ": is both input and output");
-    }
+  for (const std::string& input : {settings.molecule.file, settings.forces, settings.ordering})
+    for (const std::string& output : outputs_of(settings)) refuse_same_file(input, output);
 }
 
 /// Asked of all outputs before the first is made, so that none is left behind alone.

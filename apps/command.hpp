@@ -25,7 +25,9 @@ struct Command {
   int (*run)(const Arguments& arguments);  ///< null: a program pliant-NAME of its own
 };
 
+int command_forcegen(const Arguments& arguments);
 int command_info(const Arguments& arguments);
+int command_order(const Arguments& arguments);
 int command_run(const Arguments& arguments);
 int command_techniques(const Arguments& arguments);
 

@@ -15,6 +15,8 @@ constexpr Command commands[] = {
     {"info", "what a molecule file holds: atoms, bonds, bars, cycles, bridges, blocks",
      command_info},
     {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
+    {"forcegen", "write a force file of random pushes", command_forcegen},
+    {"order", "write the sequence in which a technique visits the bars", command_order},
     {"techniques", "list techniques, weightings and perturbations", command_techniques},
     {"check", "check a trajectory against OpenMM", nullptr},
     {"analyse", "figures, tables and an HTML report of a trajectory", nullptr},

@@ -75,4 +75,10 @@ Molecule load(const MoleculeOptions& options, const Log& log) {
   return {std::move(structure), std::move(framework)};
 }
 
+void refuse_same_file(const std::string& input, const std::string& output) {
+  std::error_code error;
+  if (!input.empty() && std::filesystem::equivalent(input, output, error))
+    throw OptionError(output + ": is both input and output");
+}
+
 }  // namespace pliant::app

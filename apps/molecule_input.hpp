@@ -32,4 +32,7 @@ void add_molecule_options(CLI::App& app, MoleculeOptions& options);
 /// Reads the file, perceives its bonds, builds its framework. Throws as the library does.
 Molecule load(const MoleculeOptions& options, const Log& log);
 
+/// Throws OptionError if both names lead to one file, whatever links there are.
+void refuse_same_file(const std::string& input, const std::string& output);
+
 }  // namespace pliant::app

@@ -5,6 +5,7 @@
 #include <limits>
 #include <thread>
 
+#include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_file.hpp"
 
 namespace pliant::app {
@@ -13,10 +14,14 @@ namespace {
 namespace fs = std::filesystem;
 constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
 
-void add_technique_options(CLI::App& app, RunOptions& run) {
+void add_technique_options(CLI::App& app, RunSettings& settings) {
+  RunOptions& run = settings.run;
   start_group(app, "Technique");
   add_choice(app, "--technique", run.technique.name, names_of(techniques()),
              "how broken bars are resolved: see pliant techniques");
+  app.add_option("--ordering", settings.ordering,
+                 "visit the bars as an ordering file says, in place of --technique")
+      ->type_name("FILE");
   add_real(app, "--weighting", run.technique.weighting, Range::zero_to_one,
            "share of a correction that the far end of a bar takes");
   app.add_flag("--mass-weighted", run.technique.mass_weighted,
@@ -44,6 +49,9 @@ void add_perturb_options(CLI::App& app, RunSettings& settings) {
            "length of a random displacement, Angstrom");
   app.add_option("--forces", settings.forces,
                  "replay a force file, one push a step, in place of --perturb")
+      ->type_name("FILE");
+  app.add_option("--record-forces", settings.record_forces,
+                 "write each step's push to a force file, to be replayed with --forces")
       ->type_name("FILE");
 }
 
@@ -83,6 +91,23 @@ void take_forces(const CLI::App& app, RunSettings& settings, const Framework& fr
   run.replay = file.pushes;
 }
 
+/// The ordering of a file is the technique `input` with another input.
+void take_ordering(const CLI::App& app, RunSettings& settings, const Framework& framework) {
+  Technique& technique = settings.run.technique;
+  if (app.count("--technique") == 0) technique.name = "input";
+  if (technique.name != "input")
+    throw OptionError("--ordering: goes with --technique input or none, not with " +
+                      technique.name);
+  technique.ordering = std::make_shared<Ordering>(read_ordering_file(settings.ordering, framework));
+}
+
+void check_record_forces(const RunSettings& settings) {
+  if (settings.record_forces.empty() || !settings.forces.empty()) return;
+  if (settings.run.perturb != "force")
+    throw OptionError("--record-forces: a force file holds one force on one joint a step, which " +
+                      settings.run.perturb + " is not; use --perturb force");
+}
+
 fs::path stem_of(const fs::path& input) {
   fs::path name = input.filename();
   if (name.extension() == ".gz") name = name.stem();
@@ -109,24 +134,30 @@ void add_run_options(CLI::App& app, RunSettings& settings) {
               "independent runs, each with an output of its own");
   add_integer(app, "--threads", settings.threads, 1, 4096, "threads that share the walkers")
       ->default_str("all cores");
-  add_technique_options(app, settings.run);
+  add_technique_options(app, settings);
   add_perturb_options(app, settings);
   add_output_options(app, settings);
 }
 
 void complete(const CLI::App& app, RunSettings& settings, const Framework& framework) {
   if (settings.threads == 0) settings.threads = std::thread::hardware_concurrency();
+  check_record_forces(settings);
   if (!settings.forces.empty()) take_forces(app, settings, framework);
+  if (!settings.ordering.empty()) take_ordering(app, settings, framework);
   if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
   if (settings.topology.empty()) settings.topology = default_topology(settings);
 }
 
-std::string output_of(const RunSettings& settings, std::int64_t walker) {
-  if (settings.walkers == 1) return settings.output;
-  const fs::path path(settings.output);
-  const std::string name =
+std::string of_walker(const RunSettings& settings, const std::string& name, std::int64_t walker) {
+  if (settings.walkers == 1) return name;
+  const fs::path path(name);
+  const std::string numbered =
       path.stem().string() + "-" + std::to_string(walker) + path.extension().string();
-  return (path.parent_path() / name).string();
+  return (path.parent_path() / numbered).string();
+}
+
+std::string output_of(const RunSettings& settings, std::int64_t walker) {
+  return of_walker(settings, settings.output, walker);
 }
 
 std::vector<NamedParameter> parameters_of(const RunSettings& settings, std::int64_t walker) {
@@ -140,6 +171,7 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, std::int6
           {"input/pin", settings.molecule.pin},
           {"input/distance_bonds", settings.molecule.guess_distances},
           {"run/technique", run.technique.name},
+          {"run/ordering", fs::path(settings.ordering).filename().string()},
           {"run/weighting", run.technique.weighting},
           {"run/mass_weighted", run.technique.mass_weighted},
           {"run/tolerance", run.resolve.tolerance.relative},

@@ -15,9 +15,11 @@ struct RunSettings {
   MoleculeOptions molecule;
   RunOptions run;
   H5mdOptions record;
-  std::string output;    ///< "": the input's name with .h5md, in the current folder
-  std::string topology;  ///< sidecar PDB; "": the output's name with .pdb; "none": none
-  std::string forces;    ///< force file to replay; "": none
+  std::string output;         ///< "": the input's name with .h5md, in the current folder
+  std::string topology;       ///< sidecar PDB; "": the output's name with .pdb; "none": none
+  std::string forces;         ///< force file to replay; "": none
+  std::string record_forces;  ///< force file to write; "": none
+  std::string ordering;       ///< ordering file in place of a technique's ordering; "": none
   std::int64_t walkers = 1;
   std::int64_t threads = 0;  ///< 0: as many as there are cores
   bool json = false;
@@ -26,10 +28,12 @@ struct RunSettings {
 
 void add_run_options(CLI::App& app, RunSettings& settings);
 
-/// Fills in what the command line left open: output names, settings of the force file.
+/// Fills in what the command line left open: output names, settings of the force file, the
+/// ordering.
 void complete(const CLI::App& app, RunSettings& settings, const Framework& framework);
 
-/// Name of the output of a walker: the output itself if there is but one.
+/// Name of the output of a walker: `name` itself if there is but one walker.
+std::string of_walker(const RunSettings& settings, const std::string& name, std::int64_t walker);
 std::string output_of(const RunSettings& settings, std::int64_t walker);
 
 /// Every option as it is stored below /parameters.

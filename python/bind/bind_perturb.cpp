@@ -4,12 +4,32 @@
 
 #include <nanobind/stl/filesystem.h>
 
+#include "options.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pushes.hpp"
 #include "tables.hpp"
 
 namespace pliant::python {
 namespace {
+
+ForceFile random_force_file(const Framework& framework, std::int64_t count, double force,
+                            std::uint64_t seed, std::uint64_t walker, double timestep,
+                            double tolerance, std::optional<double> tolerance_length,
+                            std::int64_t max_sweeps) {
+  PerturbOptions options;
+  options.force = force;
+  options.timestep = timestep;
+  RandomKey key;
+  key.seed = seed;
+  key.walker = walker;
+  const Tolerance within = tolerance_from(tolerance, tolerance_length);
+  ResolveOptions resolve;
+  resolve.tolerance = within;
+  resolve.max_sweeps = max_sweeps;
+  check(resolve);
+  const nb::gil_scoped_release no_gil;
+  return make_force_file(framework, options, within, max_sweeps, key, count);
+}
 
 void bind_force_file(nb::module_& module) {
   nb::class_<ForceFile>(module, "ForceFile",
@@ -31,6 +51,17 @@ void bind_force_file(nb::module_& module) {
             return write_force_file(self, framework);
           },
           "framework"_a, "The file's text, which reads back to the same bits.");
+  const PerturbOptions perturb;
+  const ResolveOptions resolve;
+  module.def(
+      "make_force_file", &random_force_file, "framework"_a, "count"_a = 50, nb::kw_only(),
+      "force"_a = perturb.force, "seed"_a = 0, "walker"_a = 0, "timestep"_a = perturb.timestep,
+      "tolerance"_a = resolve.tolerance.relative, "tolerance_length"_a = nb::none(),
+      "max_sweeps"_a = resolve.max_sweeps,
+      "Random pushes: those that ``run`` meets with the same force, seed and walker.\n\n"
+      "Each is a force of size ``force``, kJ/(mol Angstrom), in a random direction on a\n"
+      "random joint that is not pinned. The other arguments are noted in the file; they are\n"
+      "as of ``run``. Raises OptionError if all joints are pinned.");
   module.def("read_force_file", &read_force_file, "path"_a, "framework"_a,
              nb::call_guard<nb::gil_scoped_release>(),
              "Reads a force file; joints are named as the framework names them, or by index.");

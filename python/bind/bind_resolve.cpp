@@ -51,18 +51,20 @@ ResolveSummary resolve_once(const Framework& framework, const PositionsInPlace& 
                             const std::string& technique, double weighting, bool mass_weighted,
                             double tolerance, std::optional<double> tolerance_length,
                             std::int64_t max_sweeps, std::uint64_t seed, std::uint64_t walker,
-                            std::int64_t root, std::int64_t step) {
+                            std::int64_t root, std::int64_t step,
+                            const std::optional<OrderingColumns>& ordering) {
   SharedResolver resolver(framework, {technique, weighting, mass_weighted, tolerance,
-                                      tolerance_length, max_sweeps, seed, walker});
+                                      tolerance_length, max_sweeps, seed, walker, ordering});
   return resolver.resolve(positions, root, step);
 }
 
 void make_resolver(SharedResolver* self, const Framework& framework, const std::string& technique,
                    double weighting, bool mass_weighted, double tolerance,
                    std::optional<double> tolerance_length, std::int64_t max_sweeps,
-                   std::uint64_t seed, std::uint64_t walker) {
+                   std::uint64_t seed, std::uint64_t walker,
+                   const std::optional<OrderingColumns>& ordering) {
   new (self) SharedResolver(framework, {technique, weighting, mass_weighted, tolerance,
-                                        tolerance_length, max_sweeps, seed, walker});
+                                        tolerance_length, max_sweeps, seed, walker, ordering});
 }
 
 constexpr const char* resolve_doc =
@@ -98,13 +100,17 @@ root : int
     The joint where the ordering begins.
 step : int
     Another number that random draws depend on.
+ordering : (bar, near, is_tree), each (B,), optional
+    With technique "input" alone: visit the bars in this sequence, each once, as ``order`` and
+    ``read_ordering_file`` give it.
 
 Raises
 ------
 TypeError
     ``positions`` is no such array.
 OptionError
-    An option is out of range, or the technique leaves bars of this framework out.
+    An option is out of range, the technique leaves bars of this framework out, or the ordering is
+    none of this framework.
 IndexError
     ``root`` is no joint.
 )";
@@ -150,7 +156,7 @@ void bind_resolver(nb::module_& module) {
            "technique"_a = technique.name, "weighting"_a = technique.weighting, nb::kw_only(),
            "mass_weighted"_a = technique.mass_weighted, "tolerance"_a = options.tolerance.relative,
            "tolerance_length"_a = nb::none(), "max_sweeps"_a = options.max_sweeps,
-           "seed"_a = options.seed, "walker"_a = options.walker)
+           "seed"_a = options.seed, "walker"_a = options.walker, "ordering"_a = nb::none())
       .def("resolve", &SharedResolver::resolve, "positions"_a, "root"_a = 0, nb::kw_only(),
            "step"_a = 0, "Moves ``positions`` in place, as the function ``resolve`` does.");
   module.def("resolve", &resolve_once, "framework"_a, "positions"_a, "technique"_a = technique.name,
@@ -158,7 +164,8 @@ void bind_resolver(nb::module_& module) {
              "mass_weighted"_a = technique.mass_weighted,
              "tolerance"_a = options.tolerance.relative, "tolerance_length"_a = nb::none(),
              "max_sweeps"_a = options.max_sweeps, "seed"_a = options.seed,
-             "walker"_a = options.walker, "root"_a = 0, "step"_a = 0, resolve_doc);
+             "walker"_a = options.walker, "root"_a = 0, "step"_a = 0, "ordering"_a = nb::none(),
+             resolve_doc);
 }
 
 }  // namespace

@@ -75,6 +75,20 @@ void bind_technique_options(nb::class_<RunOptions>& options) {
       options, "weighting", "Share of a correction that the far joint of a tree bar takes.");
   def_nested<&RunOptions::technique, &Technique::mass_weighted>(
       options, "mass_weighted", "Multiply shares by inverse masses.");
+  options.def_prop_rw(
+      "ordering",
+      [](const RunOptions& self) -> nb::object {
+        if (!self.technique.ordering) return nb::none();
+        return ordering_to_python(*self.technique.ordering);
+      },
+      [](RunOptions& self, const std::optional<OrderingColumns>& columns) {
+        self.technique.ordering = technique_ordering(columns);
+      },
+      nb::for_getter(nb::sig("def ordering(self) -> tuple[numpy.typing.NDArray[numpy.uint32], "
+                             "numpy.typing.NDArray[numpy.uint32], "
+                             "numpy.typing.NDArray[numpy.bool_]] | None")),
+      nb::arg().none(),
+      "What technique \"input\" visits in place of the bars' own order: (bar, near, is_tree).");
   def_nested<&RunOptions::resolve, &ResolveOptions::max_sweeps>(
       options, "max_sweeps", "Sweeps after which a step is given up.");
   def_nested<&RunOptions::resolve, &ResolveOptions::seed>(options, "seed",

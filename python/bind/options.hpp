@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "bind.hpp"
+#include "orderings.hpp"
 #include "pliant/resolve/resolve.hpp"
 
 namespace pliant::python {
@@ -23,8 +24,11 @@ struct ResolveArguments {
   std::int64_t max_sweeps;
   std::uint64_t seed;
   std::uint64_t walker;
+  std::optional<OrderingColumns> ordering;
 
-  Technique chosen() const { return {technique, weighting, mass_weighted}; }
+  Technique chosen() const {
+    return {technique, weighting, mass_weighted, technique_ordering(ordering)};
+  }
   ResolveOptions options() const {
     ResolveOptions options;
     options.tolerance = tolerance_from(tolerance, tolerance_length);

@@ -18,6 +18,9 @@ Observer = Callable[[_core.Frame], object]
 #: A force on a joint during one step: joint, (x, y, z) in kJ/(mol Angstrom).
 Push = tuple[int, tuple[float, float, float]]
 
+#: Bars in the sequence of a sweep: (bar, near, is_tree), each (B,), as `order` gives them.
+Ordering = tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
+
 Value = bool | int | float | str
 
 
@@ -32,6 +35,7 @@ def run(
     technique: str = "bfs_cycle",
     weighting: float = 0.5,
     mass_weighted: bool = False,
+    ordering: Ordering | None = None,
     tolerance: float = 1e-6,
     tolerance_length: float | None = None,
     max_sweeps: int = 10000,
@@ -74,7 +78,7 @@ def run(
         PDB file to write beside it, with names and bonds of the structure.
     steps, every : int
         Steps to do; observers see step 0, each `every`-th step and the last.
-    technique, weighting, mass_weighted, tolerance, tolerance_length, max_sweeps
+    technique, weighting, mass_weighted, ordering, tolerance, tolerance_length, max_sweeps
         As of `resolve`.
     perturb : str
         A name in `perturbations()`.
@@ -121,6 +125,7 @@ def run(
         built = {"input/bars": bars, "input/lengths": lengths, "input/pin": pin}
     options = _options(
         replay,
+        ordering,
         steps=steps,
         every=every,
         technique=technique,
@@ -191,8 +196,11 @@ _RECORDED = (
 )
 
 
-def _options(replay: Sequence[Push] | None, **values: Value) -> _core.RunOptions:
+def _options(
+    replay: Sequence[Push] | None, ordering: Ordering | None, **values: Value
+) -> _core.RunOptions:
     options = _core.RunOptions()
+    options.ordering = ordering
     for name, value in values.items():
         setattr(options, name, value)
     if replay is not None:

@@ -23,6 +23,7 @@
 #include "pliant/framework/frame.hpp"            // what a step shows
 #include "pliant/framework/framework.hpp"        // Framework, State
 #include "pliant/framework/graph.hpp"            // components, cycles, bridges, blocks
+#include "pliant/framework/joint_names.hpp"      // how text files speak of joints
 #include "pliant/framework/residual.hpp"         // length errors and tolerances
 
 // generate: random frameworks
@@ -32,6 +33,7 @@
 // order, resolve: the techniques
 #include "pliant/order/check_ordering.hpp"  // validator
 #include "pliant/order/ordering.hpp"        // the table of orderings
+#include "pliant/order/ordering_file.hpp"   // an ordering stated bar by bar
 #include "pliant/order/traversal.hpp"       // breadth first, depth first
 #include "pliant/resolve/project_bar.hpp"   // the kernel
 #include "pliant/resolve/resolve.hpp"       // sweeps until whole

@@ -13,6 +13,8 @@ PAGES = {
     "pliant": ["--help"],
     "pliant-info": ["info", "--help"],
     "pliant-run": ["run", "--help"],
+    "pliant-forcegen": ["forcegen", "--help"],
+    "pliant-order": ["order", "--help"],
     "pliant-techniques": ["techniques", "--help"],
     "pliant-check": ["check", "--help"],
     "pliant-analyse": ["analyse", "--help"],

@@ -7,6 +7,7 @@
 
 #include "pliant/framework/examples.hpp"
 #include "pliant/order/ordering.hpp"
+#include "pliant/order/ordering_file.hpp"
 
 namespace pliant {
 namespace {
@@ -91,6 +92,35 @@ TEST(PrintedOrderings, BfsAdaptTakesTheWorstNonTreeBar) {
       {.framework = example.framework, .sweep = 1, .positions = positions, .before = &first},
       scratch, second);
   EXPECT_EQ(printed(example.framework, second), "ca cb cd *ab df *bd fe");
+}
+
+/// As a file and back: the same bars, near joints and stars.
+TEST(PrintedOrderings, SurviveAnOrderingFile) {
+  const std::pair<const char*, const char*> printed_whole[] = {
+      {"thesis_figure_5_2", "bfs_cycle"},   {"thesis_figure_5_2", "dfs_cycle"},
+      {"thesis_figure_5_5", "bfs_reverse"}, {"thesis_figure_5_5", "dfs_reverse"},
+      {"thesis_figure_5_5", "bfs_adapt"},   {"thesis_figure_5_10", "bfs_random"},
+      {"thesis_figure_3_5", "bfs_tree"},    {"thesis_figure_3_5", "dfs_tree"}};
+  for (const auto& [figure, name] : printed_whole) {
+    const Framework& framework = find_example(figure).framework;
+    OrderScratch scratch;
+    Ordering ordering;
+    find_ordering(name).order({.framework = framework}, scratch, ordering);
+    const std::string text = write_ordering_file(ordering, framework);
+    const Ordering back = parse_ordering_file({"o.txt", text}, framework);
+    EXPECT_EQ(printed(framework, back), first_sweep(figure, name));
+    EXPECT_EQ(write_ordering_file(back, framework), text);
+  }
+}
+
+TEST(PrintedOrderings, Figure5_2AsAFile) {
+  const Framework& framework = find_example("thesis_figure_5_2").framework;
+  const Ordering stated = parse_ordering_file(
+      {"figure 5.2",
+       "pliant-ordering 1\nbar 0 1 tree\nbar 0 2 tree\nbar 0 5 tree\nbar 1 3 tree\n"
+       "bar 2 4 tree\nbar 5 6 tree\nbar 3 4 non_tree\nbar 4 6 non_tree\n"},
+      framework);
+  EXPECT_EQ(printed(framework, stated), "ab ac af bd ce fg *de *eg");
 }
 
 }  // namespace

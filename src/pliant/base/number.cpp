@@ -71,4 +71,9 @@ std::string number_text(double value, int digits) {
   return {text.data(), written.ptr};
 }
 
+std::string shortest_text(double value) {
+  std::array<char, 32> text;
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
 }  // namespace pliant

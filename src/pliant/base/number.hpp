@@ -25,4 +25,7 @@ std::optional<std::int64_t> parse_integer(std::string_view text);
 /// "1.5", "1e-07", "nan".
 std::string number_text(double value, int digits = 10);
 
+/// The fewest digits that parse_real reads back to the same bits: "0.1", "1e-300", "-0".
+std::string shortest_text(double value);
+
 }  // namespace pliant

@@ -19,16 +19,21 @@ RandomSequence draws_of(const OrderRequest& request) {
   return RandomSequence(key);
 }
 
-void order_input(const OrderRequest& request, OrderScratch&, Ordering& out) {
-  const auto bars = request.framework.bars();
+void list_bars(const Framework& framework, Ordering& out) {
+  const auto bars = framework.bars();
   out.clear();
   for (std::size_t k = 0; k < bars.size(); ++k)
     out.push_back({static_cast<BarIndex>(k), bars[k].a, true});
 }
 
+void order_input(const OrderRequest& request, OrderScratch&, Ordering& out) {
+  if (request.given == nullptr) return list_bars(request.framework, out);
+  out = *request.given;
+}
+
 /// Fisher-Yates over the bars in the order of the input.
-void order_random(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
-  order_input(request, scratch, out);
+void order_random(const OrderRequest& request, OrderScratch&, Ordering& out) {
+  list_bars(request.framework, out);
   RandomSequence draws = draws_of(request);
   for (std::size_t left = out.size(); left > 1; --left)
     std::swap(out[left - 1], out[draws.below(left)]);
@@ -102,7 +107,8 @@ constexpr OrderingEntry table[] = {
      Repeat::reorder, false, order_bfs_adapt},
     {"bfs_random", "bfs_cycle, begun again at a random joint before each sweep", Repeat::reorder,
      false, order_bfs_random},
-    {"input", "the order of the bars in the input", Repeat::same, false, order_input},
+    {"input", "the order of the bars in the input, or of an ordering file", Repeat::same, false,
+     order_input},
 };
 
 }  // namespace

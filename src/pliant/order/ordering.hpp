@@ -39,6 +39,7 @@ struct OrderRequest {
   RandomKey key = {};                    ///< seed, walker and step
   std::span<const Vec3> positions = {};  ///< (N) Angstrom, at this moment
   const Ordering* before = nullptr;      ///< the last sweep's ordering; null in the first sweep
+  const Ordering* given = nullptr;       ///< what `input` takes in place of the bars' own order
 };
 
 /// What happens after the first sweep of a resolve.

@@ -2,13 +2,13 @@
 #include "pliant/perturb/force_file.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <unordered_map>
 
 #include "pliant/base/number.hpp"
+#include "pliant/base/words.hpp"
+#include "pliant/framework/joint_names.hpp"
 
 namespace pliant {
 namespace {
@@ -17,79 +17,16 @@ constexpr std::string_view heading = "pliant-forces 1";
 /// The square of a larger force overflows on its way to a length.
 constexpr double largest_force = 1e100;
 
-using Words = std::vector<std::string_view>;
-
-Words split(std::string_view line) {
-  Words words;
-  line = line.substr(0, line.find('#'));
-  for (std::size_t i = 0; i < line.size();) {
-    const std::size_t start = line.find_first_not_of(" \t\r", i);
-    if (start == std::string_view::npos) break;
-    i = std::min(line.find_first_of(" \t\r", start), line.size());
-    words.push_back(line.substr(start, i - start));
-  }
-  return words;
-}
-
-std::string shortest(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
-
-/// Names that belong to exactly one joint.
-class JointNames {
- public:
-  explicit JointNames(const Framework& framework) : framework_(framework) {
-    if (!framework.atoms()) return;
-    const auto& names = framework.atoms()->names;
-    for (std::size_t i = 0; i < names.size(); ++i) {
-      const auto [at, is_new] = joints_.emplace(names[i], static_cast<Joint>(i));
-      if (!is_new) ++repeats_[names[i]];
-    }
-  }
-
-  Joint find(std::string_view word, const Place& place) const {
-    if (repeats_.contains(word))
-      fail(place, "joint: " + quoted(word) + " is the name of " +
-                      std::to_string(repeats_.at(word) + 1) + " joints, use an index from 0");
-    if (const auto at = joints_.find(word); at != joints_.end()) return at->second;
-    const auto index = parse_integer(word);
-    if (index && *index >= 0 && static_cast<std::size_t>(*index) < framework_.joint_count())
-      return static_cast<Joint>(*index);
-    fail(place, "joint: no joint is named " + quoted(word));
-  }
-
-  /// A word by which find() finds that joint: its name if it has one of its own, else its index.
-  /// Throws InputError where even the index is the name of other joints.
-  std::string word_for(Joint joint) const {
-    if (framework_.atoms()) {
-      const std::string& name = framework_.atoms()->names[joint];
-      if (!repeats_.contains(name) && split(name) == Words{name}) return name;
-    }
-    const std::string index = std::to_string(joint);
-    if (joints_.contains(index))
-      throw InputError("force file: " + framework_.label(joint) + " has no name of its own, and " +
-                       "its index " + index + " is the name of another joint");
-    return index;
-  }
-
- private:
-  const Framework& framework_;
-  std::unordered_map<std::string_view, Joint> joints_;
-  std::unordered_map<std::string_view, std::size_t> repeats_;
-};
-
 /// Reads a force file line by line.
 class Parser {
  public:
-  Parser(std::string_view file, const Framework& framework)
-      : place_{file, 0}, framework_(framework), names_(framework) {}
+  Parser(std::string_view file, const Framework& framework) : place_{file, 0}, names_(framework) {}
 
   ForceFile parse(std::string_view text) {
     for (std::size_t i = 0; i <= text.size();) {
       const std::size_t end = std::min(text.find('\n', i), text.size());
       ++place_.line;
-      take(split(text.substr(i, end - i)), text.substr(i, end - i));
+      take(words_of(text.substr(i, end - i)), text.substr(i, end - i));
       i = end + 1;
     }
     place_.line = 0;
@@ -165,7 +102,6 @@ class Parser {
   }
 
   Place place_;
-  const Framework& framework_;
   JointNames names_;
   bool headed_ = false;
   ForceFile found_;
@@ -173,8 +109,20 @@ class Parser {
 
 }  // namespace
 
-Joint joint_named(const Framework& framework, std::string_view word, const Place& place) {
-  return JointNames(framework).find(word, place);
+void ForceFile::set(const PerturbOptions& options, Tolerance within, std::int64_t most_sweeps) {
+  timestep = options.timestep;
+  tolerance = within.length == 0.0 ? std::optional(within.relative) : std::nullopt;
+  tolerance_length = within.length != 0.0 ? std::optional(within.length) : std::nullopt;
+  max_sweeps = most_sweeps;
+}
+
+ForceFile make_force_file(const Framework& framework, const PerturbOptions& options,
+                          Tolerance tolerance, std::int64_t max_sweeps, const RandomKey& key,
+                          std::int64_t count) {
+  ForceFile file;
+  file.set(options, tolerance, max_sweeps);
+  file.pushes = random_pushes(framework, options, key, count);
+  return file;
 }
 
 ForceFile parse_force_file(std::string_view text, std::string_view file_name,
@@ -197,15 +145,15 @@ std::string write_force_file(const ForceFile& forces, const Framework& framework
   const JointNames names(framework);
   std::string text = std::string(heading) + "\n";
   const auto setting = [&](const char* name, const std::optional<double>& value) {
-    if (value) text += std::string(name) + " " + shortest(*value) + "\n";
+    if (value) text += std::string(name) + " " + shortest_text(*value) + "\n";
   };
   setting("timestep", forces.timestep);
   setting("tolerance", forces.tolerance);
   setting("tolerance_length", forces.tolerance_length);
   if (forces.max_sweeps) text += "max_sweeps " + std::to_string(*forces.max_sweeps) + "\n";
   for (const JointForce& push : forces.pushes) {
-    text += "push " + names.word_for(push.joint) + " " + shortest(push.force.x) + " " +
-            shortest(push.force.y) + " " + shortest(push.force.z) + "\n";
+    text += "push " + names.word_for(push.joint, "force file") + " " + shortest_text(push.force.x) +
+            " " + shortest_text(push.force.y) + " " + shortest_text(push.force.z) + "\n";
   }
   return text;
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Force files: pushes to be replayed, one a step, with the settings that they were made for. The
-// format is described in data/README.md.
+// Force files: pushes to be replayed, one a step, with the settings that they were made for.
 //
 //   pliant-forces 1
 //   timestep 0.01            # ps
@@ -15,29 +14,33 @@
 #include <string_view>
 #include <vector>
 
-#include "pliant/base/error.hpp"
+#include "pliant/framework/residual.hpp"
 #include "pliant/perturb/perturbation.hpp"
 
 namespace pliant {
 
-/// What a force file holds. Settings that it leaves out must come from somewhere else.
+/// What a force file holds; JointNames says how it speaks of joints. Settings that it leaves out
+/// must come from somewhere else.
 struct ForceFile {
   std::optional<double> timestep;          ///< ps
   std::optional<double> tolerance;         ///< relative
   std::optional<double> tolerance_length;  ///< Angstrom
   std::optional<std::int64_t> max_sweeps;
   std::vector<JointForce> pushes;  ///< one a step
-};
 
-/// The joint that a force file means by `word`: the one whose name is `word`, else, if `word` is a
-/// number, the joint of that index, from 0. Throws InputError at `place` if there is none or if
-/// several joints have the name.
-Joint joint_named(const Framework& framework, std::string_view word, const Place& place);
+  /// Takes timestep, tolerance (the one that counts) and max_sweeps.
+  void set(const PerturbOptions& options, Tolerance within, std::int64_t most_sweeps);
+};
 
 /// Throws InputError naming file, line and what was expected; FileError if it cannot be read.
 ForceFile read_force_file(const std::filesystem::path& path, const Framework& framework);
 ForceFile parse_force_file(std::string_view text, std::string_view file_name,
                            const Framework& framework);
+
+/// A force file of random_pushes() with the settings that they are meant for.
+ForceFile make_force_file(const Framework& framework, const PerturbOptions& options,
+                          Tolerance tolerance, std::int64_t max_sweeps, const RandomKey& key,
+                          std::int64_t count);
 
 /// The text that parse_force_file reads back to the same bits. Throws InputError if a joint has no
 /// name of its own and its index is the name of another one.

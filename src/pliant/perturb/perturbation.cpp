@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "pliant/base/choices.hpp"
@@ -46,11 +47,17 @@ Vec3 verlet(const PerturbRequest& request, const State& state, const JointForce&
   return x + (1.0 - request.options.damping) * moved + gain * push.force;
 }
 
-Push push_one_joint(const PerturbRequest& request, State& state) {
+/// Nothing if all joints are pinned.
+std::optional<JointForce> random_push(const PerturbRequest& request) {
   const std::int64_t joint = random_free_joint(request);
-  if (joint == no_joint) return apply_forces(request, {}, state);
-  const JointForce force{static_cast<Joint>(joint), random_force(request, Joint(joint))};
-  return apply_forces(request, {&force, 1}, state);
+  if (joint == no_joint) return std::nullopt;
+  return JointForce{static_cast<Joint>(joint), random_force(request, Joint(joint))};
+}
+
+Push push_one_joint(const PerturbRequest& request, State& state) {
+  const std::optional<JointForce> push = random_push(request);
+  if (!push) return apply_forces(request, {}, state);
+  return apply_forces(request, {&*push, 1}, state);
 }
 
 Push push_all_joints(const PerturbRequest& request, State& state) {
@@ -88,6 +95,19 @@ std::span<const PerturbationEntry> perturbations() { return table; }
 
 const PerturbationEntry& find_perturbation(std::string_view name) {
   return choose(perturbations(), "perturbation", name);
+}
+
+std::vector<JointForce> random_pushes(const Framework& framework, const PerturbOptions& options,
+                                      RandomKey key, std::int64_t count) {
+  check(options);
+  std::vector<JointForce> pushes;
+  for (std::int64_t k = 0; k < count; ++k) {
+    ++key.step;
+    const std::optional<JointForce> push = random_push({framework, options, key});
+    if (!push) throw OptionError("no joint is free to be pushed: all are pinned");
+    pushes.push_back(*push);
+  }
+  return pushes;
 }
 
 Push apply_forces(const PerturbRequest& request, std::span<const JointForce> forces, State& state) {

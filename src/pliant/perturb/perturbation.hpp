@@ -56,6 +56,12 @@ std::span<const PerturbationEntry> perturbations();
 /// The row of that name. Throws OptionError listing the known names.
 const PerturbationEntry& find_perturbation(std::string_view name);
 
+/// The forces that the perturbation `force` meets in `count` steps after step key.step: each of
+/// size options.force, in a random direction, on a random joint that is free to move (ForceGen).
+/// Throws OptionError if every joint is pinned, or as check() does.
+std::vector<JointForce> random_pushes(const Framework& framework, const PerturbOptions& options,
+                                      RandomKey key, std::int64_t count);
+
 /// Moves joints by position Verlet under forces, and notes where all joints were:
 ///   x_new = x + (1 - damping) (x - x_old) + a dt^2,   a [Angstrom/ps^2] = 100 F / m
 /// (Verlet, Phys. Rev. 159 (1967) 98; thesis appendix A). Other joints stay. Pinned joints stay.

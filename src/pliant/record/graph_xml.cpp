@@ -2,7 +2,6 @@
 #include "pliant/record/graph_xml.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 #include <optional>
 #include <pugixml.hpp>
@@ -154,7 +153,7 @@ class GraphParser {
     const std::string first = " is given twice, first in line " + std::to_string(at->second.line);
     if (at->second.length != length)
       fail(place_of(node), "bar " + name + first + ": with the lengths " +
-                               shortest(at->second.length) + " and " + shortest(length));
+                               shortest_text(at->second.length) + " and " + shortest_text(length));
     log_.warn(pliant::at(place_of(node), "bar " + name + first + ": merged"));
     return true;
   }
@@ -192,11 +191,6 @@ class GraphParser {
     } catch (const InputError& error) {
       fail({source_.name}, error.what());
     }
-  }
-
-  static std::string shortest(double value) {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value).ptr};
   }
 
   const SourceText& source_;

@@ -128,6 +128,15 @@ void OutputFile::create() {
   lock_for_writing(descriptor_);
 }
 
+void OutputFile::write(std::string_view text) const {
+  while (!text.empty()) {
+    const ssize_t count = ::write(descriptor_, text.data(), text.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) fail_with(target_, "cannot write", count < 0 ? errno : ENOSPC);
+    text.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
 void OutputFile::publish() {
   // Another run may take or replace the name between two calls: look again.
   for (int attempt = 0; attempt < 100 && !published_; ++attempt)
@@ -168,6 +177,12 @@ void OutputFile::close() {
   if (!published_) ::unlink(temporary_.c_str());
   ::close(descriptor_);
   descriptor_ = -1;
+}
+
+void write_text_file(const fs::path& path, std::string_view text, bool overwrite) {
+  OutputFile file(path, overwrite);
+  file.write(text);
+  file.publish();
 }
 
 }  // namespace pliant

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string_view>
 
 namespace pliant {
 
@@ -24,6 +25,8 @@ class OutputFile {
   OutputFile& operator=(const OutputFile&) = delete;
 
   int descriptor() const { return descriptor_; }
+  /// Appends all of `text`. Throws FileError with the system's reason.
+  void write(std::string_view text) const;
   const std::filesystem::path& target() const { return target_; }
   /// Gives the file its final name. With `overwrite` it replaces what has that name, at once and
   /// as a whole. Throws as the constructor does.
@@ -41,5 +44,8 @@ class OutputFile {
   bool published_ = false;
   int descriptor_ = -1;
 };
+
+/// Writes a file that is there as a whole or not at all. Throws as OutputFile does.
+void write_text_file(const std::filesystem::path& path, std::string_view text, bool overwrite);
 
 }  // namespace pliant

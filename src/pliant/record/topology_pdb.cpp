@@ -2,14 +2,10 @@
 #include "pliant/record/topology_pdb.hpp"
 
 #include <fmt/format.h>
-#include <sys/types.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <string_view>
 
 #include "pliant/base/elements.hpp"
@@ -202,16 +198,6 @@ void PdbText::add_conect(std::size_t atom, std::span<const std::uint32_t> others
   }
 }
 
-void write_all(const OutputFile& file, std::string_view text) {
-  while (!text.empty()) {
-    const ssize_t count = ::write(file.descriptor(), text.data(), text.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0)
-      throw FileError(file.target().string() + ": cannot write: " + std::strerror(errno));
-    text.remove_prefix(static_cast<std::size_t>(count));
-  }
-}
-
 }  // namespace
 
 std::string hybrid36(std::int64_t number, std::size_t width) {
@@ -235,7 +221,7 @@ void write_topology_pdb(const std::filesystem::path& path, const AtomTable& atom
   pdb.add_bonds(bonds);
   pdb.add_end();
   OutputFile file(path, options.overwrite);
-  write_all(file, pdb.text());
+  file.write(pdb.text());
   file.publish();
   pdb.cuts().tell(file.target().string(), options.log);
 }

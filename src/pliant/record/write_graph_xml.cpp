@@ -1,17 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <charconv>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/record/graph_xml.hpp"
 
 namespace pliant {
 namespace {
-
-std::string shortest(double value) {
-  char text[32];
-  return {text, std::to_chars(text, text + sizeof text, value).ptr};
-}
 
 std::string escaped(std::string_view text) {
   std::string out;
@@ -51,13 +46,13 @@ std::vector<std::string> ids_of(const Framework& framework) {
 }
 
 std::string joint_element(const Framework& framework, Joint joint, Vec3 at, std::string_view id) {
-  std::string text = "  <joint id=\"" + escaped(id) + "\" x=\"" + shortest(at.x) + "\" y=\"" +
-                     shortest(at.y) + "\" z=\"" + shortest(at.z) + "\"";
+  std::string text = "  <joint id=\"" + escaped(id) + "\" x=\"" + shortest_text(at.x) + "\" y=\"" +
+                     shortest_text(at.y) + "\" z=\"" + shortest_text(at.z) + "\"";
   const double inverse_mass = framework.inverse_masses()[joint];
   if (inverse_mass == 0.0) {
     text += " pinned=\"true\"";
   } else if (inverse_mass != 1.0) {
-    text += " mass=\"" + shortest(1.0 / inverse_mass) + "\"";
+    text += " mass=\"" + shortest_text(1.0 / inverse_mass) + "\"";
   }
   return text + "/>\n";
 }
@@ -76,7 +71,7 @@ std::string write_graph_xml(const Framework& framework, std::span<const Vec3> po
   for (std::size_t k = 0; k < framework.bar_count(); ++k) {
     const Bar bar = framework.bars()[k];
     text += "  <bar a=\"" + escaped(ids[bar.a]) + "\" b=\"" + escaped(ids[bar.b]) + "\" length=\"" +
-            shortest(framework.rest_lengths()[k]) + "\"/>\n";
+            shortest_text(framework.rest_lengths()[k]) + "\"/>\n";
   }
   for (const std::vector<Joint>& cycle : cycles) {
     text += "  <cycle joints=\"";

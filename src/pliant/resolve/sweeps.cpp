@@ -67,7 +67,8 @@ class Sweeps final : public Method {
 
   void plan_sweep(std::span<const Vec3> positions, Joint root, std::int64_t sweep) {
     std::swap(ordering_, last_ordering_);
-    entry_.order({framework_, root, sweep, key_, positions, sweep > 0 ? &last_ordering_ : nullptr},
+    entry_.order({framework_, root, sweep, key_, positions, sweep > 0 ? &last_ordering_ : nullptr,
+                  technique_.ordering.get()},
                  scratch_, ordering_);
     plan_.clear();
     for (const OrderedBar& visit : ordering_) plan_.push_back(planned(visit));

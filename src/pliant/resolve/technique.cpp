@@ -6,6 +6,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/framework/graph.hpp"
+#include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/blocks.hpp"
 #include "pliant/resolve/method.hpp"
 #include "pliant/resolve/sweeps.hpp"
@@ -23,6 +24,12 @@ std::vector<TechniqueEntry> all_techniques() {
   return rows;
 }
 
+void check_given_ordering(const Technique& technique, const Framework& framework) {
+  if (!technique.ordering) return;
+  const std::string fault = check_ordering(framework, *technique.ordering, {.tree_bars = false});
+  if (!fault.empty()) throw OptionError("ordering: " + fault);
+}
+
 }  // namespace
 
 std::span<const TechniqueEntry> techniques() {
@@ -38,10 +45,13 @@ void check(const Technique& technique) {
   find_technique(technique.name);
   if (!(technique.weighting >= 0.0 && technique.weighting <= 1.0))
     throw OptionError("weighting = " + number_text(technique.weighting) + ": must be from 0 to 1");
+  if (technique.ordering && technique.name != "input")
+    throw OptionError("ordering: goes with the technique input, not with " + technique.name);
 }
 
 void check(const Technique& technique, const Framework& framework) {
   check(technique);
+  check_given_ordering(technique, framework);
   if (!find_technique(technique.name).forests_only) return;
   const GraphFacts facts = graph_facts(framework);
   if (facts.is_forest()) return;

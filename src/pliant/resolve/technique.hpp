@@ -21,6 +21,8 @@ struct Technique {
   /// takes the rest. Non-tree bars are always shared half and half. The thesis has 0.5, 0.75, 1.
   double weighting = 0.5;
   bool mass_weighted = false;  ///< multiply shares by inverse masses
+  /// For `input` alone: this ordering, each bar once, in place of the bars' own. Null: none.
+  std::shared_ptr<const Ordering> ordering = {};
 };
 
 class Method;
@@ -42,10 +44,12 @@ std::span<const TechniqueEntry> techniques();
 /// The row of that name. Throws OptionError listing the known names.
 const TechniqueEntry& find_technique(std::string_view name);
 
-/// Throws OptionError if the technique is unknown or the weighting is not in [0, 1].
+/// Throws OptionError if the technique is unknown, the weighting is not in [0, 1], or an ordering
+/// goes with another technique than `input`.
 void check(const Technique& technique);
 
-/// Throws OptionError if the technique leaves bars of this framework out.
+/// Throws OptionError if the technique leaves bars of this framework out, or if its ordering is
+/// none of this framework.
 void check(const Technique& technique, const Framework& framework);
 
 /// Shares (near, far) of a correction. They sum to 1; both are 0 when both joints are pinned. A

@@ -83,6 +83,7 @@ class Run {
     const ResolveSummary resolved = resolve_push(push);
     if (resolved.stop == Stop::stopped_by_caller) return undo_step(time_before);
     ++summary_.steps;
+    if (options_.on_push) options_.on_push(push);
     summary_.sweeps += resolved.sweeps;
     summary_.max_sweeps = std::max(summary_.max_sweeps, resolved.sweeps);
     note(resolved);

@@ -25,6 +25,7 @@ struct RunOptions {
                                         ///< `perturb`; the run ends with the last one
   std::int64_t steps = 1000;            ///< steps to do; from 0
   std::int64_t every = 1;               ///< show every so many steps (and step 0); from 1
+  std::function<void(const Push&)> on_push = {};  ///< told the push of each step once it is done
   Log log = {};
 };
 

@@ -5,7 +5,6 @@
 
 #include <fstream>
 
-#include "pliant/framework/examples.hpp"
 #include "support/error_text.hpp"
 
 namespace pliant {
@@ -185,13 +184,14 @@ TEST(ForceFile, RefusesToWriteWhatWouldMeanAnotherJoint) {
             "joint");
 }
 
-TEST(JointNamed, TakesIndicesWhereThereAreNoNames) {
-  const Framework plain_framework = framework_of(chain(3));
-  EXPECT_EQ(joint_named(plain_framework, "2", {"f.txt", 1}), 2u);
-  EXPECT_EQ(test::error_text<InputError>([&] {
-              joint_named(plain_framework, "3", {"f.txt", 1});
-            }),
-            "f.txt:1: joint: no joint is named \"3\"");
+TEST(ForceFile, HoldsTheToleranceThatCounts) {
+  ForceFile file;
+  file.set({.timestep = 0.5}, {.relative = 1e-3, .length = 0.25}, 7);
+  EXPECT_EQ(write_force_file(file, butane()),
+            "pliant-forces 1\ntimestep 0.5\ntolerance_length 0.25\nmax_sweeps 7\n");
+  file.set({.timestep = 0.5}, {.relative = 1e-3}, 7);
+  EXPECT_EQ(write_force_file(file, butane()),
+            "pliant-forces 1\ntimestep 0.5\ntolerance 0.001\nmax_sweeps 7\n");
 }
 
 TEST(ReadForceFile, ReadsFilesAndNamesThemInErrors) {

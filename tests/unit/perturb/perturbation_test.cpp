@@ -186,5 +186,29 @@ TEST(CheckPerturbOptions, NamesOptionValueAndRange) {
   EXPECT_EQ(refusal({.displacement = -0.1}), "displacement = -0.1: must be 0 or more and finite");
 }
 
+/// ForceGen: what a run meets, so that a force file replays it.
+TEST(RandomPushes, AreThoseOfThePerturbationForce) {
+  const Framework framework = test::with_pinned(framework_of(chain(6)), {0, 3});
+  const RandomKey key{.seed = 9, .walker = 4, .step = 10};
+  const PerturbOptions options{.force = 7.0};
+  const std::vector<JointForce> pushes = random_pushes(framework, options, key, 20);
+  ASSERT_EQ(pushes.size(), 20u);
+  State state(chain(6).positions);
+  for (std::uint64_t k = 0; k < 20; ++k) {
+    const Push push = find_perturbation("force").push(
+        {framework, options, {.seed = 9, .walker = 4, .step = 11 + k}}, state);
+    EXPECT_EQ(push.root_joint, pushes[k].joint);
+    EXPECT_EQ(push.force, pushes[k].force);
+    EXPECT_NEAR(norm(pushes[k].force), 7.0, 1e-12);
+  }
+}
+
+TEST(RandomPushes, NeedAFreeJoint) {
+  const Framework framework = test::with_pinned(framework_of(chain(2)), {0, 1});
+  EXPECT_EQ(test::error_text<OptionError>([&] { random_pushes(framework, {}, {}, 1); }),
+            "no joint is free to be pushed: all are pinned");
+  EXPECT_TRUE(random_pushes(framework, {}, {}, 0).empty());
+}
+
 }  // namespace
 }  // namespace pliant

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "pliant/framework/examples.hpp"
+#include "pliant/resolve/resolve.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 
@@ -44,6 +45,40 @@ TEST(CheckTechnique, RefusesWhatLeavesBarsOut) {
       "technique = bfs_tree: is for trees only, but the framework has 4 independent cycles");
   EXPECT_NO_THROW(check(Technique{"bfs_tree"}, framework_of(star(3))));
   EXPECT_NO_THROW(check(Technique{"bfs_cycle"}, framework_of(grid(2, 2))));
+}
+
+TEST(CheckTechnique, TakesAnOrderingForInputAlone) {
+  const Framework framework = framework_of(ring(3));
+  const auto refusal = [&](std::string name, Ordering ordering) {
+    Technique technique{std::move(name)};
+    technique.ordering = std::make_shared<Ordering>(std::move(ordering));
+    return test::error_text<OptionError>([&] { check(technique, framework); });
+  };
+  const Ordering whole{{2, 0, true}, {0, 1, true}, {1, 2, true}};
+  EXPECT_EQ(refusal("bfs_cycle", whole),
+            "ordering: goes with the technique input, not with bfs_cycle");
+  EXPECT_EQ(refusal("input", {whole[0], whole[1]}), "ordering: bar 1 - 2 is missing");
+  Technique technique{"input"};
+  technique.ordering = std::make_shared<Ordering>(whole);
+  EXPECT_NO_THROW(check(technique, framework));
+}
+
+/// A technique's ordering, stated bar by bar, resolves as the technique does.
+TEST(GivenOrdering, ResolvesAsTheTechniqueThatItWasTakenFrom) {
+  const Example& example = find_example("thesis_figure_5_2");
+  OrderScratch scratch;
+  Ordering ordering;
+  find_ordering("dfs_cycle").order({.framework = example.framework, .root = 2}, scratch, ordering);
+  Technique given{"input", 0.75};
+  given.ordering = std::make_shared<Ordering>(ordering);
+  std::vector<Vec3> one = example.positions, two;
+  one[2] += Vec3{0.3, 0.2, -0.1};
+  two = one;
+  const ResolveSummary first = resolve(example.framework, {"dfs_cycle", 0.75}, one, {}, 2);
+  const ResolveSummary second = resolve(example.framework, given, two);
+  EXPECT_TRUE(first.converged());
+  EXPECT_EQ(first.sweeps, second.sweeps);
+  EXPECT_TRUE(test::same_bits(one, two));
 }
 
 /// Joints 0 (12 u), 1 (1 u) and 2, pinned or not.

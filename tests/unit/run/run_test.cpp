@@ -267,5 +267,38 @@ TEST(Run, RefusesStatesThatCannotCarryTheFramework) {
             "nothing to run: no joints");
 }
 
+/// Every push is told, whether its frame is shown or not, and replaying them gives the same bits.
+TEST(Run, TellsThePushesThatReplayIt) {
+  const Framework framework = framework_of(ring(6));
+  RunOptions options;
+  options.steps = 12;
+  options.every = 5;
+  options.technique.name = "random";
+  std::vector<JointForce> pushes;
+  options.on_push = [&](const Push& push) {
+    pushes.push_back({static_cast<Joint>(push.root_joint), push.force});
+  };
+  const Story first = tell(framework, State(ring(6).positions), options);
+  ASSERT_EQ(pushes.size(), 12u);
+  options.on_push = {};
+  options.replay = pushes;
+  const Story second = tell(framework, State(ring(6).positions), options);
+  EXPECT_TRUE(test::same_bits(first.state.positions, second.state.positions));
+  EXPECT_EQ(first.summary.sweeps, second.summary.sweeps);
+}
+
+/// A step that was cut short is undone, so its push is none of the run's.
+TEST(Run, DoesNotTellThePushOfAStepThatWasCutShort) {
+  const Framework framework = framework_of(ring(6));
+  RunOptions options;
+  options.steps = 5;
+  int asked = 0, told = 0;
+  options.resolve.should_stop = [&] { return ++asked > 3; };
+  options.on_push = [&](const Push&) { ++told; };
+  const Story story = tell(framework, State(ring(6).positions), options);
+  EXPECT_TRUE(story.summary.stopped_by_caller);
+  EXPECT_EQ(told, story.summary.steps);
+}
+
 }  // namespace
 }  // namespace pliant

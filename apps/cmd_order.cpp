@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// pliant order: the ordering file (the thesis' constraint file) of a technique's first sweep.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "messages.hpp"
+#include "molecule_input.hpp"
+#include "pliant/framework/joint_names.hpp"
+#include "pliant/order/ordering_file.hpp"
+#include "pliant/record/output_file.hpp"
+
+namespace pliant::app {
+namespace {
+
+struct OrderSettings {
+  MoleculeOptions molecule;
+  std::string ordering = "bfs_cycle", root = "0", output;
+  std::uint64_t seed = 0;
+  bool overwrite = false, json = false;
+};
+
+void add_options(CLI::App& app, OrderSettings& settings) {
+  add_molecule_options(app, settings.molecule);
+  start_group(app, "Ordering");
+  add_choice(app, "--ordering", settings.ordering, names_of(orderings()),
+             "which: see pliant techniques");
+  app.add_option("--root", settings.root, "joint where it begins: its name, or index from 0")
+      ->type_name("JOINT");
+  add_seed(app, "--seed", settings.seed, "of random orderings");
+  start_group(app, "Output");
+  app.add_option("-o,--output", settings.output, "ordering file (default: print it)")
+      ->type_name("FILE");
+  app.add_flag("--overwrite", settings.overwrite, "replace an existing file");
+  app.add_flag("--json", settings.json, "print one JSON object");
+}
+
+Ordering ordering_of(const OrderSettings& settings, const Framework& framework) {
+  const OrderingEntry& entry = find_ordering(settings.ordering);
+  const Joint root = JointNames(framework).find(settings.root, {"--root"});
+  OrderScratch scratch;
+  Ordering ordering;
+  const RandomKey key{settings.seed, Domain::order, 0, 0, 0};
+  entry.order({.framework = framework, .root = root, .key = key}, scratch, ordering);
+  return ordering;
+}
+
+void print_json(const OrderSettings& settings, const Framework& framework,
+                const Ordering& ordering) {
+  using Json = nlohmann::ordered_json;
+  Json bars = Json::array();
+  for (const OrderedBar& visit : ordering) {
+    const Bar bar = framework.bars()[visit.bar];
+    const Joint far = visit.near == bar.a ? bar.b : bar.a;
+    bars.push_back({{"near", visit.near}, {"far", far}, {"is_tree", visit.is_tree}});
+  }
+  const Json json{{"input", settings.molecule.file},
+                  {"ordering", settings.ordering},
+                  {"output", settings.output},
+                  {"bars", bars}};
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace
+
+int command_order(const Arguments& arguments) {
+  CLI::App app{
+      "Writes the sequence in which the first sweep of a technique visits the bars, one bar\n"
+      "a line: near joint, far joint, tree or non_tree (closes a cycle). pliant run takes\n"
+      "such a file, edited or not, with --ordering.",
+      "pliant order"};
+  prepare(app);
+  app.footer(
+      "Examples:\n"
+      "  pliant order graph.xml --ordering dfs_cycle --root a\n"
+      "  pliant order graph.xml -o ordering.txt && pliant run graph.xml --ordering ordering.txt");
+  OrderSettings settings;
+  add_options(app, settings);
+  if (const int code = parse(app, arguments); code >= 0) return code;
+  Messages messages(settings.json);
+  const Molecule molecule = load(settings.molecule, messages.log());
+  const Ordering ordering = ordering_of(settings, molecule.framework);
+  const std::string text = write_ordering_file(ordering, molecule.framework);
+  refuse_same_file(settings.molecule.file, settings.output);
+  if (!settings.output.empty()) write_text_file(settings.output, text, settings.overwrite);
+  if (settings.json) {
+    print_json(settings, molecule.framework, ordering);
+  } else if (settings.output.empty()) {
+    fmt::print("{}", text);
+  } else {
+    fmt::print("{} bars in {}\n", ordering.size(), settings.output);
+  }
+  return exit_ok;
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: MIT
+"""The thesis laboratory at the command line: forces, orderings, graphs and test sets."""
+
+import json
+
+import h5py
+import numpy as np
+import pytest
+
+TRIANGLE = """<graph>
+<joint id="a" x="0" y="0" z="0"/><joint id="b" x="1" y="0" z="0"/>
+<joint id="c" x="0" y="1" z="0"/><joint id="d" x="0" y="1" z="1"/>
+<bar a="a" b="b"/><bar a="b" b="c"/><bar a="c" b="a"/><bar a="c" b="d"/>
+</graph>
+"""
+
+
+@pytest.fixture
+def triangle(tmp_path):
+    """A triangle with a tail, in the folder where pliant runs."""
+    path = tmp_path / "triangle.xml"
+    path.write_text(TRIANGLE)
+    return path
+
+
+def moved(path):
+    """What a trajectory holds below /particles and /observables."""
+    found = {}
+    with h5py.File(path) as file:
+        for group in ("particles", "observables"):
+            file[group].visititems(
+                lambda name, item: (
+                    found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None
+                )
+            )
+    return found
+
+
+def assert_same(one, two):
+    assert one.keys() == two.keys()
+    for name, values in one.items():
+        np.testing.assert_array_equal(values, two[name], err_msg=name)
+
+
+@pytest.mark.parametrize("technique", ["bfs_cycle", "random", "blocks"])
+def test_recorded_forces_replay_to_the_same_bits(pliant, ethanol, tmp_path, technique):
+    run = ("run", ethanol, "--technique", technique, "--seed", 4, "--every", 3)
+    first = pliant(*run, "--steps", 20, "-o", "1.h5md", "--record-forces", "f.txt")
+    assert first.code == 0
+    again = pliant(*run, "-o", "2.h5md", "--forces", "f.txt", "--record-forces", "g.txt")
+    assert again.code == 0
+    assert_same(moved(tmp_path / "1.h5md"), moved(tmp_path / "2.h5md"))
+    assert (tmp_path / "f.txt").read_text() == (tmp_path / "g.txt").read_text()
+
+
+def test_recorded_forces_hold_the_settings_of_the_run(pliant, ethanol, tmp_path):
+    pliant(
+        "run", ethanol, "--steps", 1, "--timestep", 0.005, "--tolerance-length", 0.001,
+        "--max-sweeps", 77, "--record-forces", "f.txt",
+    )  # fmt: skip
+    lines = (tmp_path / "f.txt").read_text().splitlines()
+    assert lines[:4] == [
+        "pliant-forces 1", "timestep 0.005", "tolerance_length 0.001", "max_sweeps 77",
+    ]  # fmt: skip
+    assert lines[4].startswith("push ")
+    assert len(lines) == 5
+
+
+@pytest.mark.parametrize("perturb", ["force_all", "displacement"])
+def test_what_is_not_one_force_on_one_joint_is_not_recorded(pliant, ethanol, tmp_path, perturb):
+    ended = pliant("run", ethanol, "--perturb", perturb, "--record-forces", "f.txt")
+    assert ended.code == 2
+    assert ended.err == (
+        "pliant: error: --record-forces: a force file holds one force on one joint a step, which "
+        f"{perturb} is not; use --perturb force\n"
+    )
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["ethanol.xyz"]
+
+
+def test_each_walker_records_its_own_forces(pliant, ethanol, tmp_path):
+    ended = pliant("run", ethanol, "--walkers", 2, "--steps", 3, "--record-forces", "f.txt")
+    assert ended.code == 0
+    assert (tmp_path / "f-0.txt").read_text() != (tmp_path / "f-1.txt").read_text()
+
+
+def test_recorded_forces_replace_nothing_unless_asked(pliant, ethanol, tmp_path):
+    (tmp_path / "f.txt").write_text("mine")
+    ended = pliant("run", ethanol, "--steps", 1, "--record-forces", "f.txt")
+    assert (ended.code, ended.err) == (
+        1, "pliant: error: f.txt: exists; --overwrite replaces it\n",
+    )  # fmt: skip
+    assert (tmp_path / "f.txt").read_text() == "mine"
+    ended = pliant("run", ethanol, "--forces", "f.txt", "--record-forces", "f.txt", "--overwrite")
+    assert ended.code in (1, 2)
+    assert (tmp_path / "f.txt").read_text() == "mine"
+
+
+def test_generated_forces_are_those_of_a_run(pliant, ethanol, tmp_path):
+    ended = pliant("forcegen", ethanol, "--count", 20, "--force", 80, "--seed", 4)
+    assert (ended.code, ended.out) == (0, "20 pushes in ethanol-forces.txt\n")
+    run = ("run", ethanol, "--seed", 4, "--force", 80)
+    assert pliant(*run, "--steps", 20, "-o", "1.h5md").code == 0
+    assert pliant(*run, "--forces", "ethanol-forces.txt", "-o", "2.h5md").code == 0
+    assert_same(moved(tmp_path / "1.h5md"), moved(tmp_path / "2.h5md"))
+
+
+def test_generated_forces_as_json(pliant, ethanol):
+    told = json.loads(pliant("forcegen", ethanol, "-o", "f.txt", "--json").out)
+    assert told == {
+        "input": str(ethanol), "output": "f.txt", "pushes": 50, "force": 50.0, "seed": 0,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("command", ["forcegen", "order"])
+def test_files_are_not_replaced_unless_asked(pliant, ethanol, tmp_path, command):
+    (tmp_path / "out.txt").write_text("mine")
+    ended = pliant(command, ethanol, "-o", "out.txt")
+    assert ended.code == 1
+    assert "out.txt: exists already" in ended.err
+    assert (tmp_path / "out.txt").read_text() == "mine"
+    assert pliant(command, ethanol, "-o", "out.txt", "--overwrite").code == 0
+    assert (tmp_path / "out.txt").read_text().startswith("pliant-")
+    assert "is both input and output" in pliant(command, ethanol, "-o", ethanol).err
+
+
+def test_an_ordering_is_printed_bar_by_bar(pliant, triangle):
+    ended = pliant("order", triangle, "--ordering", "dfs_cycle", "--root", "b")
+    assert ended.out == (
+        "pliant-ordering 1\nbar b a tree\nbar a c tree\nbar b c non_tree\nbar c d tree\n"
+    )
+    bars = json.loads(pliant("order", triangle, "--ordering", "input", "--json").out)["bars"]
+    assert [(bar["near"], bar["far"], bar["is_tree"]) for bar in bars] == [
+        (0, 1, True), (1, 2, True), (2, 0, True), (2, 3, True),
+    ]  # fmt: skip
+
+
+def test_an_ordering_that_leaves_bars_out_is_refused(pliant, triangle):
+    ended = pliant("order", triangle, "--ordering", "bfs_tree")
+    assert (ended.code, ended.err) == (
+        1, "pliant: error: ordering file: bar b - c is missing\n",
+    )  # fmt: skip
+
+
+def test_a_run_with_an_ordering_file_is_that_of_its_technique(pliant, triangle, tmp_path):
+    """One push on the root from which the file was made, so that both see the same ordering."""
+    (tmp_path / "f.txt").write_text("pliant-forces 1\npush c 40 0 30\n")
+    assert pliant("order", triangle, "--root", "c", "-o", "o.txt").code == 0
+    run = ("run", triangle, "--forces", "f.txt", "--weighting", 0.75)
+    assert pliant(*run, "--ordering", "o.txt", "-o", "1.h5md").code == 0
+    assert pliant(*run, "--technique", "bfs_cycle", "-o", "2.h5md").code == 0
+    one, two = moved(tmp_path / "1.h5md"), moved(tmp_path / "2.h5md")
+    assert one["sweeps/value"][1] > 1
+    assert_same(one, two)
+    with h5py.File(tmp_path / "1.h5md") as file:
+        assert file["parameters/run/technique"].asstr()[()] == "input"
+        assert file["parameters/run/ordering"].asstr()[()] == "o.txt"
+
+
+@pytest.mark.parametrize(
+    ("lines", "message"),
+    [
+        ("bar a zz tree", "o.txt:2: joint: no joint is named \"zz\""),
+        ("bar a d tree", "o.txt:2: bar \"a\" - \"d\": the framework has no such bar"),
+        ("bar a b tree", "o.txt: bar b - c is missing: expected 4 bars, found 1"),
+    ],
+)  # fmt: skip
+def test_a_bad_ordering_file_is_named(pliant, triangle, tmp_path, lines, message):
+    (tmp_path / "o.txt").write_text(f"pliant-ordering 1\n{lines}\n")
+    ended = pliant("run", triangle, "--ordering", "o.txt")
+    assert (ended.code, ended.err) == (1, f"pliant: error: {message}\n")
+
+
+def test_an_ordering_file_goes_with_no_other_technique(pliant, triangle, tmp_path):
+    (tmp_path / "o.txt").write_text("")
+    ended = pliant("run", triangle, "--ordering", "o.txt", "--technique", "blocks")
+    assert ended.code == 2
+    assert "--ordering: goes with --technique input or none, not with blocks" in ended.err

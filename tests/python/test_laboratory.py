@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+"""Orderings and forces as files: between Python, the text and the resolver."""
+
+import numpy as np
+import pytest
+
+import pliant
+
+FIGURE = next(row for row in pliant.examples() if row.name == "thesis_figure_5_2")
+
+
+def broken():
+    positions = FIGURE.positions.copy()
+    positions[3] += [0.4, -0.2, 0.3]
+    return positions
+
+
+def test_an_ordering_resolves_as_the_technique_it_was_taken_from():
+    one, two, three = broken(), broken(), broken()
+    ordering = pliant.order(FIGURE.framework, "dfs_cycle", root=3)
+    by_name = pliant.resolve(FIGURE.framework, one, "dfs_cycle", 0.75, root=3)
+    given = pliant.resolve(FIGURE.framework, two, "input", 0.75, ordering=ordering)
+    kept = pliant.Resolver(FIGURE.framework, "input", 0.75, ordering=ordering).resolve(three)
+    assert by_name.sweeps == given.sweeps == kept.sweeps > 1
+    np.testing.assert_array_equal(one, two)
+    np.testing.assert_array_equal(one, three)
+
+
+def test_a_run_takes_an_ordering():
+    replay = [(3, (40.0, 0.0, 10.0))]
+    ordering = pliant.order(FIGURE.framework, "bfs_cycle", root=3)
+    one, two = (
+        pliant.run(FIGURE.framework, FIGURE.positions, replay=replay, **options)
+        for options in ({"technique": "bfs_cycle"}, {"technique": "input", "ordering": ordering})
+    )
+    np.testing.assert_array_equal(one.state.positions, two.state.positions)
+    assert one.sweeps == two.sweeps > 1
+
+
+def test_ordering_text_is_read_back(tmp_path):
+    ordering = pliant.order(FIGURE.framework, "dfs_cycle", root=2)
+    path = tmp_path / "ordering.txt"
+    path.write_text(pliant.ordering_text(FIGURE.framework, ordering))
+    for column, back in zip(
+        ordering, pliant.read_ordering_file(path, FIGURE.framework), strict=True
+    ):
+        np.testing.assert_array_equal(column, back)
+
+
+def test_lists_are_an_ordering_too():
+    pair = pliant.Framework([[0, 1], [1, 2]], [1.0, 1.0])
+    text = pliant.ordering_text(pair, ([1, 0], [2, 1], [True, False]))
+    assert text == "pliant-ordering 1\nbar 2 1 tree\nbar 1 0 non_tree\n"
+
+
+@pytest.mark.parametrize(
+    ("ordering", "error", "message"),
+    [
+        (([0], [0], [True]), pliant.OptionError, "ordering: bar 1 - 2 is missing"),
+        (([0, 1], [0], [True]), pliant.InputError,
+         "ordering: expected three columns of one length, found 2, 1 and 1"),
+        (([0, 1], [0, 0], [True, True]), pliant.OptionError,
+         "ordering: bar 1 - 2 has a near joint that is not its end"),
+        (([0, 0], [0, 0], [True, True]), pliant.OptionError, "ordering: bar 0 - 1 appears twice"),
+        (([0, 1], [0, 1], [1, 1]), TypeError, "ordering: is_tree must hold truth values"),
+        (([0, -1], [0, 1], [True, True]), IndexError, "bar -1 of 4294967295 does not exist"),
+    ],
+)  # fmt: skip
+def test_what_is_no_ordering_is_refused(ordering, error, message):
+    pair = pliant.Framework([[0, 1], [1, 2]], [1.0, 1.0])
+    with pytest.raises(error) as caught:
+        pliant.resolve(pair, np.zeros((3, 3)), "input", ordering=ordering)
+    assert str(caught.value) == message
+
+
+def test_an_ordering_goes_with_input_alone():
+    with pytest.raises(pliant.OptionError, match="goes with the technique input, not with bfs_"):
+        pliant.resolve(
+            FIGURE.framework, broken(), "bfs_cycle", ordering=pliant.order(FIGURE.framework)
+        )
+
+
+def test_made_forces_are_those_of_a_run():
+    forces = pliant.make_force_file(FIGURE.framework, 25, force=30.0, seed=6, walker=2)
+    assert (forces.timestep, forces.tolerance, forces.max_sweeps) == (0.01, 1e-6, 10000)
+    seen = []
+    pliant.run(
+        FIGURE.framework,
+        FIGURE.positions,
+        steps=25,
+        force=30.0,
+        seed=6,
+        walker=2,
+        observers=[lambda frame: seen.append((frame.root_joint, tuple(frame.force)))],
+    )
+    assert forces.pushes == seen[1:]
+    assert forces.text(FIGURE.framework).count("push ") == 25
+
+
+def test_forces_need_a_joint_that_is_free():
+    pinned = pliant.Framework([[0, 1]], [1.0], pinned=[0, 1])
+    with pytest.raises(pliant.OptionError, match="no joint is free to be pushed"):
+        pliant.make_force_file(pinned)
+    with pytest.raises(pliant.OptionError, match="max_sweeps = 0: must be from 1"):
+        pliant.make_force_file(FIGURE.framework, max_sweeps=0)

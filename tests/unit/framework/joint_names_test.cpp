@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/framework/joint_names.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pliant/framework/examples.hpp"
+#include "support/error_text.hpp"
+
+namespace pliant {
+namespace {
+
+TEST(JointNames, AreIndicesWhereThereAreNone) {
+  const Framework framework = framework_of(chain(3));
+  const JointNames names(framework);
+  EXPECT_EQ(names.find("2", {"f.txt", 1}), 2u);
+  EXPECT_EQ(names.word_for(1, "force file"), "1");
+  EXPECT_EQ(test::error_text<InputError>([&] {
+              names.find("3", {"f.txt", 1});
+            }),
+            "f.txt:1: joint: no joint is named \"3\"");
+  EXPECT_EQ(test::error_text<InputError>([&] {
+              names.find("-0x1", {"f.txt", 1});
+            }),
+            "f.txt:1: joint: no joint is named \"-0x1\"");
+}
+
+}  // namespace
+}  // namespace pliant
