@@ -19,6 +19,10 @@ PAGES = {
     "pliant-check": ["check", "--help"],
     "pliant-analyse": ["analyse", "--help"],
     "pliant-compare": ["compare", "--help"],
+    "pliant-bench": ["bench", "--help"],
+    "pliant-bench-work-precision": ["bench", "work-precision", "--help"],
+    "pliant-bench-scaling": ["bench", "scaling", "--help"],
+    "pliant-bench-throughput": ["bench", "throughput", "--help"],
 }
 
 

@@ -11,9 +11,9 @@ import numpy as np
 
 from pliant import InputError
 from pliant.comparison.pairing import Pairing
-from pliant.openmm_check.measure import lengths
 from pliant.openmm_check.recording import Recording
 from pliant.openmm_check.sample import choose_frames
+from pliant.peers.measure import lengths
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup

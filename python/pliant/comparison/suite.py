@@ -13,8 +13,8 @@ from pliant import InputError
 from pliant.comparison import numbers
 from pliant.comparison.ensembles import Ensembles, alpha_carbons, fit_atoms, read_ensembles
 from pliant.comparison.pairing import choose, open_theirs, open_universe, pair
-from pliant.openmm_check.measure import lengths
 from pliant.openmm_check.recording import read_recording
+from pliant.peers.measure import lengths
 
 FRAMES = 2000
 MODES = 10

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 
-from pliant.openmm_check import measure
-from pliant.openmm_check.child import Job, Outcome
 from pliant.openmm_check.findings import CANNOT, SKIPPED, Finding, verdict
 from pliant.openmm_check.recording import Recording
 from pliant.openmm_check.sample import NM, Sample
+from pliant.peers import measure
+from pliant.peers.child import Job, Outcome
 
 AGREEMENT = 1e-10  #: relative difference accepted of two energies
 _TITLE = "HarmonicBondForce has our energy"

@@ -12,10 +12,10 @@ from __future__ import annotations
 
 import numpy as np
 
-from pliant.openmm_check import measure
-from pliant.openmm_check.child import Job, Outcome
 from pliant.openmm_check.findings import CANNOT, SKIPPED, Finding, verdict
 from pliant.openmm_check.sample import NM, Sample, constraint_job
+from pliant.peers import measure
+from pliant.peers.child import Job, Outcome
 
 STRETCH = 10.0  #: tolerances by which the one bar of a broken copy is too long
 

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pliant.openmm_check import measure
 from pliant.openmm_check.findings import Finding, verdict
 from pliant.openmm_check.recording import Recording
+from pliant.peers import measure
 
 MOST_NAMED = 3  #: frames that a message names
 

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from pliant.openmm_check import measure
 from pliant.openmm_check.findings import SKIPPED, Finding, verdict
 from pliant.openmm_check.sample import Sample, choose_frames
+from pliant.peers import measure
 
 DISPLACEMENTS = (0.01, 0.03, 0.1, 0.3)  #: Angstrom, standard deviation of each coordinate
 MOST_STRUCTURES = 5

@@ -8,9 +8,9 @@ from dataclasses import dataclass
 import numpy as np
 
 from pliant import InputError
-from pliant.openmm_check import measure
-from pliant.openmm_check.child import Job
 from pliant.openmm_check.recording import Recording
+from pliant.peers import measure
+from pliant.peers.child import Job
 
 NM = 0.1  #: nanometres in an Angstrom
 MOST_BYTES = 2 << 30  #: of sampled positions

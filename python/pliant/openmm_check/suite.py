@@ -12,15 +12,16 @@ import numpy as np
 
 from pliant.console import progress
 from pliant.openmm_check import contest as side_by_side
-from pliant.openmm_check import measure, ours, theirs
+from pliant.openmm_check import ours, theirs
 from pliant.openmm_check.check_energy import check_energy, energy_job
 from pliant.openmm_check.check_frames import broken_copies, check_frames, frame_job
 from pliant.openmm_check.check_record import Remeasured, check_record, remeasure
-from pliant.openmm_check.child import TIME_LIMIT, Outcome, run_jobs
 from pliant.openmm_check.contest import DISPLACEMENTS, Contest, Method
 from pliant.openmm_check.findings import FAILED, Finding
 from pliant.openmm_check.recording import Recording, read_recording
 from pliant.openmm_check.sample import Sample, take_sample
+from pliant.peers import measure
+from pliant.peers.child import TIME_LIMIT, Outcome, run_jobs
 
 FRAMES = 20
 ENERGY_DISPLACEMENT = 0.1  #: Angstrom; of the copies whose energies are compared

@@ -8,8 +8,6 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pliant.openmm_check import measure
-from pliant.openmm_check.child import Job, Outcome
 from pliant.openmm_check.contest import (
     BUDGET_SECONDS,
     REPEATS,
@@ -19,9 +17,8 @@ from pliant.openmm_check.contest import (
     describe,
 )
 from pliant.openmm_check.sample import NM, constraint_job
-
-MOST_ANGLES_PER_BAR = 20  #: with more, as of a star of bars, angles are left out
-MOST_BARS_WITH_ANGLES = 30_000  #: CCMA needs time that grows as the square of the bars to get ready
+from pliant.peers import ccma, measure
+from pliant.peers.child import Job, Outcome
 
 
 @dataclass(frozen=True)
@@ -58,16 +55,8 @@ ALL_WAYS = (
 
 def ways_for(contest: Contest) -> tuple[Way, ...]:
     """The ways that are worth trying on this framework; says in contest.note why one is not."""
-    bars = contest.sample.recording.bars
-    degree = np.bincount(bars.ravel())
-    if len(bars) > MOST_BARS_WITH_ANGLES:
-        contest.note = (
-            f"OpenMM is told no angles: making a Context for more than {MOST_BARS_WITH_ANGLES} "
-            "bars takes minutes, and each frame with angles needs one of its own"
-        )
-    elif np.sum(degree * (degree - 1) // 2) > MOST_ANGLES_PER_BAR * len(bars):
-        contest.note = "OpenMM is told no angles: too many bars share a joint"
-    else:
+    contest.note = ccma.why_no_angles(contest.sample.recording.bars)
+    if not contest.note:
         return ALL_WAYS
     return tuple(way for way in ALL_WAYS if not way.told_angles)
 
@@ -85,7 +74,7 @@ def contest_jobs(contest: Contest, ways: Sequence[Way]) -> list[Job]:
         more = shared | {"broken": broken} | (angles if way.told_angles else {})
         more |= {"intact": contest.intact * NM} if way.kind == "constrain_step" else {}
         jobs.append(constraint_job(contest.sample.recording, way.kind, contest.tolerance, **more))
-    if len(contest.sample.recording.bars) > MOST_BARS_WITH_ANGLES:
+    if len(contest.sample.recording.bars) > ccma.MOST_BARS_WITH_ANGLES:
         return jobs
     values = {**jobs[-1].values, "platform": "CPU"}
     jobs.append(Job(jobs[-1].kind, values, {**jobs[-1].arrays, "broken": broken[:, :1]}))

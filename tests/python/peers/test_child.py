@@ -3,8 +3,8 @@
 
 import numpy as np
 import pytest
-from pliant.openmm_check import child
-from pliant.openmm_check.child import Job, run_jobs
+from pliant.peers import child
+from pliant.peers.child import Job, run_jobs
 
 import pliant
 

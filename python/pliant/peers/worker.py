@@ -148,10 +148,10 @@ def load_job(folder, job):
     return {**job["values"], **arrays}
 
 
-def do_job(folder, number, job):
+def do_job(folder, number, job, kinds):
     """Does one job, saves its arrays, and returns what the journal says of it."""
     try:
-        result = KINDS[job["kind"]](load_job(folder, job))
+        result = kinds[job["kind"]](load_job(folder, job))
     except Exception as error:
         return {"event": "raised", "message": str(error)}
     files = {}
@@ -161,8 +161,8 @@ def do_job(folder, number, job):
     return {"event": "done", "files": files}
 
 
-def main(folder, first):
-    """Does the jobs from number `first` on."""
+def main(folder, first, kinds=KINDS):
+    """Does the jobs from number `first` on; `kinds` are functions by the name of a job's kind."""
     jobs = json.loads((folder / "jobs.json").read_text())
     with open(folder / "journal.jsonl", "a", encoding="utf-8") as journal:
 
@@ -172,7 +172,7 @@ def main(folder, first):
         say(event="ready", version=openmm.version.version)
         for number in range(first, len(jobs)):
             say(event="started", job=number)
-            say(job=number, **do_job(folder, number, jobs[number]))
+            say(job=number, **do_job(folder, number, jobs[number], kinds))
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs OpenMM jobs in child processes: an abort or a hang of OpenMM is a result like any other."""
+"""Runs jobs in child processes: an abort or a hang there is a result like any other."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ TIME_LIMIT = 300.0  #: seconds for one job
 
 @dataclass
 class Job:
-    """Something for OpenMM to do: a name in worker.KINDS, and what it works on."""
+    """Something to do: a name in the KINDS of the worker, and what it works on."""
 
     kind: str
     values: Mapping[str, float | int | str]
@@ -54,19 +54,22 @@ def run_jobs(
     jobs: Sequence[Job],
     time_limit: float = TIME_LIMIT,
     progress: Callable[[int, int], None] = lambda *_: None,
+    worker: pathlib.Path | None = None,
 ) -> tuple[list[Outcome], str]:
     """Does the jobs, each `time_limit` seconds at most; outcomes, and the version of OpenMM.
 
     A job that ends its process or takes too long costs no other job anything: a new process goes
-    on with the next. Raises InputError when OpenMM cannot be imported at all.
+    on with the next. `worker` is the script that does them (default: WORKER, OpenMM's jobs).
+    Raises InputError when OpenMM cannot be imported at all.
     """
-    with tempfile.TemporaryDirectory(prefix="pliant-check-") as name:
+    script = worker or WORKER
+    with tempfile.TemporaryDirectory(prefix="pliant-jobs-") as name:
         folder = pathlib.Path(name)
         _write_jobs(folder, jobs)
         outcomes: list[Outcome] = []
         version = ""
         while len(outcomes) < len(jobs):
-            version = _run_from(folder, len(jobs), time_limit, outcomes, progress)
+            version = _run_from(script, folder, len(jobs), time_limit, outcomes, progress)
         return outcomes, version
 
 
@@ -91,6 +94,7 @@ def _write_jobs(folder: pathlib.Path, jobs: Sequence[Job]) -> None:
 
 
 def _run_from(
+    script: pathlib.Path,
     folder: pathlib.Path,
     count: int,
     time_limit: float,
@@ -101,7 +105,7 @@ def _run_from(
     first = len(outcomes)
     journal = folder / "journal.jsonl"
     journal.write_text("")
-    command = [sys.executable, str(WORKER), str(folder), str(first)]
+    command = [sys.executable, str(script), str(folder), str(first)]
     errors = folder / "stderr.txt"
     with open(errors, "wb") as stderr:
         child = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=stderr)

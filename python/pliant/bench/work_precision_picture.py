@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""Run time against error, drawn: a few contenders by name, all others as a grey background."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+import pliant
+from pliant.bench.work_precision import WHOLE, Row, WorkPrecision
+from pliant.bench.work_precision_report import LABELS, entries, label, reached
+from pliant.plotting import BLUE, DASHED, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, figure, save
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    Entry = tuple[str, float | None]
+
+OURS = (BLUE, GREEN, SKY, PURPLE, "black", "#F0E442")
+MARKERS = "osD^vP"
+THEIRS = {"ccma": (VERMILION, "X"), "ccma_dynamics": (ORANGE, "d")}
+MOST_NAMED = 5  #: of our techniques
+
+
+def draw(found: WorkPrecision, path: str | os.PathLike) -> None:
+    """Writes the diagram as a PNG."""
+    with figure(1, 1, panel=(7.2, 4.6)) as (plot, axes):
+        draw_on(axes[0][0], found)
+        save(plot, path)
+
+
+def draw_on(axes: Axes, found: WorkPrecision) -> None:
+    """The diagram on axes of the caller's."""
+    grouped = entries(found.rows)
+    named = _named(grouped)
+    for entry, rows in grouped.items():
+        if entry not in named and entry[0] not in LABELS:
+            axes.plot(*reached(rows), color=GREY, alpha=0.35, linewidth=0.8)
+    axes.plot([], [], color=GREY, alpha=0.6, linewidth=0.8, label="every other technique")
+    for k, entry in enumerate(named):
+        style = {"color": OURS[k % len(OURS)], "marker": MARKERS[k % len(MARKERS)]}
+        _line(axes, entry, grouped[entry], linestyle="-", **style)
+    for method, (colour, marker) in THEIRS.items():
+        if (method, None) in grouped:
+            rows = grouped[method, None]
+            _line(axes, (method, None), rows, linestyle=DASHED, color=colour, marker=marker)
+    axes.set(
+        xscale="log",
+        yscale="log",
+        xlabel="error left: largest |length - rest| / rest, measured anew",
+        ylabel="time for one bar (ns)",
+        title=_title(found),
+    )
+    axes.invert_xaxis()
+    axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
+    _legend_below(axes)
+
+
+def _line(axes: Axes, entry: Entry, rows: Sequence[Row], **style: object) -> None:
+    axes.plot(*reached(rows), label=label(*entry), markersize=5, **style)
+
+
+def _legend_below(axes: Axes) -> None:
+    axes.legend(frameon=False, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.14))
+
+
+def _title(found: WorkPrecision) -> str:
+    return (
+        f"{len(found.target.bars)} broken bars made whole (coordinates off by "
+        f"{found.displacement:g} Å): run time against error"
+    )
+
+
+def _named(grouped: dict[Entry, list[Row]]) -> list[Entry]:
+    """Direct methods, the default technique, then the quickest of the others, to MOST_NAMED."""
+    weighted = {row.name for row in pliant.techniques() if row.has_weighting}
+    ours = [entry for entry in grouped if entry[0] not in LABELS]
+    finished = sorted((e for e in ours if _whole(grouped[e])), key=lambda e: _cost(grouped[e]))
+    direct = [e for e in finished if e[0] not in weighted]
+    default = [e for e in finished if e == ("bfs_cycle", 0.5)]
+    others = [e for e in finished if e not in direct and e not in default]
+    best_of: dict[str, Entry] = {}
+    for entry in others:
+        best_of.setdefault(entry[0], entry)
+    chosen = direct[: MOST_NAMED - 1] + default
+    return chosen + list(best_of.values())[: max(0, MOST_NAMED - len(chosen))]
+
+
+def _whole(rows: Sequence[Row]) -> int:
+    return sum(row.outcome == WHOLE for row in rows)
+
+
+def _cost(rows: Sequence[Row]) -> float:
+    return float(np.median([row.ns_per_bar for row in rows if row.outcome == WHOLE])) / _whole(rows)

@@ -1,0 +1,115 @@
+# SPDX-License-Identifier: MIT
+"""Work against precision as a table, as CSV and as a picture."""
+
+from __future__ import annotations
+
+import csv
+import math
+import os
+from collections.abc import Sequence
+from dataclasses import asdict, fields
+
+import numpy as np
+
+from pliant import console
+from pliant.bench.work_precision import WHOLE, Row, WorkPrecision
+
+SHOWN = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)  #: tolerances that the table has columns for
+RATIOS = (1e-6, 1e-10)
+LABELS = {"ccma": "OpenMM CCMA", "ccma_dynamics": "OpenMM CCMA, as in dynamics"}
+
+
+def entries(rows: Sequence[Row]) -> dict[tuple[str, float | None], list[Row]]:
+    """Rows by method and weighting, in the order in which they came."""
+    grouped: dict[tuple[str, float | None], list[Row]] = {}
+    for row in rows:
+        grouped.setdefault((row.method, row.weighting), []).append(row)
+    return grouped
+
+
+def label(method: str, weighting: float | None) -> str:
+    """How tables and pictures call an entry."""
+    name = LABELS.get(method, method)
+    return name if weighting is None else f"{name} {weighting:g}"
+
+
+def at(rows: Sequence[Row], tolerance: float) -> Row | None:
+    """The row of that tolerance."""
+    return next((r for r in rows if math.isclose(r.tolerance, tolerance, rel_tol=1e-6)), None)
+
+
+def write_csv(found: WorkPrecision, path: str | os.PathLike) -> None:
+    """All rows as CSV; what is not known is empty."""
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow([field.name for field in fields(Row)])
+        for row in found.rows:
+            writer.writerow([_cell(value) for value in asdict(row).values()])
+
+
+def _cell(value: object) -> object:
+    unknown = value is None or (isinstance(value, float) and not math.isfinite(value))
+    return "" if unknown else value
+
+
+def print_report(found: WorkPrecision) -> None:
+    """The table for people: quickest at the tightest tolerance first."""
+    target = found.target
+    print(
+        f"{target.name}: {len(target.positions)} joints, {len(target.bars)} bars of {found.bars}, "
+        f"each coordinate off by {found.displacement:g} A (standard deviation), worst bar by "
+        f"{100 * found.initial_residual:.0f} %"
+    )
+    shown = [t for t in SHOWN if any(math.isclose(t, known) for known in found.tolerances)]
+    columns = ["ns per bar to", *(f"{t:.0e}" for t in shown), "moved"]
+    columns += [f"OpenMM / it at {t:.0e}" for t in RATIOS if t in shown]
+    table = console.Table("", columns)
+    for (method, weighting), rows in _sorted(found.rows):
+        cells = [_time(at(rows, t)) for t in shown]
+        ratios = [_ratio(at(rows, t)) for t in RATIOS if t in shown]
+        table.rows.append([label(method, weighting), *cells, _moved(rows), *ratios])
+    table.print()
+    print(
+        "moved: rms distance moved over that to the nearest whole structure"
+        + (f" ({found.nearest_displacement:.4f} A)" if found.nearest_displacement > 0 else "")
+        + "\nOpenMM / it: time of CCMA over this one to the same error, (of CCMA as in dynamics)"
+    )
+    for note in found.notes:
+        console.note(note)
+
+
+def _sorted(rows: Sequence[Row]) -> list[tuple[tuple[str, float | None], list[Row]]]:
+    def key(item: tuple[object, list[Row]]) -> tuple[int, float]:
+        whole = [r for r in item[1] if r.outcome == WHOLE]
+        return (-len(whole), whole[-1].ns_per_bar if whole else math.inf)
+
+    return sorted(entries(rows).items(), key=key)
+
+
+def _time(row: Row | None) -> str:
+    if row is None:
+        return ""
+    return f"{row.ns_per_bar:.1f}" if row.outcome == WHOLE else row.outcome
+
+
+def _ratio(row: Row | None) -> str:
+    if row is None or math.isnan(row.ratio_to_openmm):
+        return ""
+    return f"{_times(row.ratio_to_openmm)} ({_times(row.ratio_to_openmm_in_dynamics)})"
+
+
+def _times(ratio: float) -> str:
+    return f"{ratio:.1f}x" if math.isfinite(ratio) else "never"
+
+
+def _moved(rows: Sequence[Row]) -> str:
+    whole = [r for r in rows if r.outcome == WHOLE and math.isfinite(r.displacement_ratio)]
+    return f"{whole[-1].displacement_ratio:.3f}" if whole else ""
+
+
+def reached(rows: Sequence[Row]) -> tuple[np.ndarray, np.ndarray]:
+    """Errors reached and ns per bar of the rows that are whole."""
+    whole = [r for r in rows if r.outcome == WHOLE]
+    return np.array([max(r.max_residual, 1e-16) for r in whole]), np.array(
+        [r.ns_per_bar for r in whole]
+    )
