@@ -59,26 +59,32 @@ void order_dfs_cycle(const OrderRequest& request, OrderScratch& scratch, Orderin
 /// the first counts, so that rounding decides nothing.
 constexpr double rounding = 1e-12;
 
-/// The near end of the non-tree bar that is furthest off; `otherwise` if there is none.
-Joint near_end_of_worst_non_tree_bar(const OrderRequest& request, const Ordering& ordering,
-                                     Joint otherwise) {
+enum class Among { all_bars, non_tree_bars };
+
+/// The near end of the bar that is furthest off; the root in the first sweep and if there is none.
+Joint near_end_of_worst_bar(const OrderRequest& request, Among among) {
+  Joint near = request.root;
+  if (request.before == nullptr) return near;
   double worst = -1.0;
-  for (const OrderedBar& visit : ordering) {
-    if (visit.is_tree) continue;
+  for (const OrderedBar& visit : *request.before) {
+    if (visit.is_tree && among == Among::non_tree_bars) continue;
     const Bar bar = request.framework.bars()[visit.bar];
     const double rest = request.framework.rest_lengths()[visit.bar];
     const double error =
         std::abs(residual(request.positions[bar.a], request.positions[bar.b], rest));
-    if (error > worst + rounding * rest) worst = error, otherwise = visit.near;
+    if (error > worst + rounding * rest) worst = error, near = visit.near;
   }
-  return otherwise;
+  return near;
 }
 
 void order_bfs_adapt(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
-  const Joint root = request.before == nullptr
-                         ? request.root
-                         : near_end_of_worst_non_tree_bar(request, *request.before, request.root);
-  traverse_breadth_first(request.framework, root, true, scratch, out);
+  traverse_breadth_first(request.framework, near_end_of_worst_bar(request, Among::non_tree_bars),
+                         true, scratch, out);
+}
+
+void order_bfs_worst(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
+  traverse_breadth_first(request.framework, near_end_of_worst_bar(request, Among::all_bars), true,
+                         scratch, out);
 }
 
 void order_bfs_random(const OrderRequest& request, OrderScratch& scratch, Ordering& out) {
@@ -109,6 +115,8 @@ constexpr OrderingEntry table[] = {
      false, order_bfs_random},
     {"input", "the order of the bars in the input, or of an ordering file", Repeat::same, false,
      order_input},
+    {"bfs_worst", "bfs_cycle, begun again at the worst bar before each sweep", Repeat::reorder,
+     false, order_bfs_worst},
 };
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/blocks.hpp"
 #include "pliant/resolve/method.hpp"
+#include "pliant/resolve/ring_sweeps.hpp"
 #include "pliant/resolve/sweeps.hpp"
 
 namespace pliant {
@@ -21,6 +22,13 @@ std::vector<TechniqueEntry> all_techniques() {
   rows.push_back({"blocks",
                   "bridges exact in one outward pass, each ring system alone by Newton's method",
                   false, false, make_blocks});
+  rows.push_back({"anderson", "bfs_cycle with Anderson acceleration from sweep to sweep", false,
+                  true, make_anderson});
+  rows.push_back({"rings_first",
+                  "each ring system alone by bfs_cycle, then bridges in one outward pass", false,
+                  false, make_rings_first});
+  rows.push_back({"rings_anderson", "rings_first with Anderson acceleration in each ring system",
+                  false, false, make_rings_anderson});
   return rows;
 }
 
