@@ -4,15 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
-#include "pliant/resolve/block_newton.hpp"
+#include "pliant/resolve/bar_newton.hpp"
 #include "pliant/resolve/outward_plan.hpp"
 #include "pliant/resolve/project_bar.hpp"
 #include "pliant/resolve/sweeps.hpp"
 
 namespace pliant {
 namespace {
+
+std::vector<double> weights_of(const Framework& framework, const Technique& technique) {
+  const auto masses = framework.inverse_masses();
+  std::vector<double> weights(masses.begin(), masses.end());
+  if (!technique.mass_weighted)
+    for (double& weight : weights) weight = weight > 0.0 ? 1.0 : 0.0;
+  return weights;
+}
 
 /// A step of the pass with what the kernel needs beside it in memory.
 struct PassStep {
@@ -30,16 +39,10 @@ class BlockPass final : public Method {
       : framework_(framework),
         options_(options),
         planner_(framework),
-        finish_by_sweeps_({"bfs_reverse", 0.5, technique.mass_weighted}) {
-    const auto masses = framework.inverse_masses();
-    std::vector<double> weights(masses.begin(), masses.end());
-    if (!technique.mass_weighted)
-      for (double& weight : weights) weight = weight > 0.0 ? 1.0 : 0.0;
-    for (const auto& bars : planner_.blocks())
-      solvers_.push_back(
-          BlockNewton::can_hold(framework, bars)
-              ? std::make_unique<BlockNewton>(framework, bars, weights, options.tolerance)
-              : nullptr);
+        finish_by_sweeps_({"bfs_reverse", 0.5, technique.mass_weighted}),
+        equations_(framework, weights_of(framework, technique), options.tolerance),
+        newton_(equations_) {
+    for (const auto& bars : planner_.blocks()) parts_.push_back(equations_.append(bars));
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
@@ -101,13 +104,15 @@ class BlockPass final : public Method {
   }
 
   bool solve_block(const ResolveCall& call, const PassStep& step, ResolveSummary& summary) {
-    if (!solvers_[step.block]) return false;
-    BlockNewton& solver = *solvers_[step.block];
-    std::int64_t iterations = 0;
-    const auto outcome =
-        solver.solve(call.positions, step.near, most_newton_iterations, iterations);
-    summary.projections += (iterations + 1) * static_cast<std::int64_t>(solver.bars().size());
-    return outcome == BlockNewton::Outcome::whole;
+    if (!parts_[step.block]) return false;
+    const BarEquations::Part part = *parts_[step.block];
+    equations_.hold(part, step.near);
+    equations_.gather(part, call.positions);
+    std::int64_t left = most_newton_iterations;
+    const BarNewton::Outcome outcome = newton_.make_whole(part, [&] { return left-- > 0; });
+    equations_.scatter(part, call.positions);
+    summary.projections += (outcome.iterations + 1) * std::int64_t(part.bars.size());
+    return outcome.whole;
   }
 
   /// What Newton could not finish (redundant bars far from whole, coincident joints, impossible
@@ -121,7 +126,9 @@ class BlockPass final : public Method {
   ResolveOptions options_;
   OutwardPlanner planner_;
   Technique finish_by_sweeps_;
-  std::vector<std::unique_ptr<BlockNewton>> solvers_;  ///< null: too entangled, left to sweeps
+  BarEquations equations_;
+  std::vector<std::optional<BarEquations::Part>> parts_;  ///< none: entangled, left to sweeps
+  BarNewton newton_;
   std::vector<OutwardStep> outward_;
   std::vector<PassStep> steps_;
   std::unique_ptr<Method> sweeps_;

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// Newton's method on the bars of one part of BarEquations, all at once. Each iteration is the
+// smallest weighted move that satisfies the bars to first order, so the error squares from one to
+// the next.
+//
+// Where bars are redundant (planar centres, cages with angles) J W J^T is singular or nearly so.
+// Then its diagonal is raised in proportion to the error left (Levenberg, Marquardt), which costs
+// iterations but no accuracy, for redundant bars ask for nothing that others forbid.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "pliant/resolve/bar_equations.hpp"
+
+namespace pliant {
+
+/// Scratch for making parts of `equations` whole. Appending parts afterwards is allowed.
+class BarNewton {
+ public:
+  explicit BarNewton(BarEquations& equations) : equations_(equations) {}
+
+  /// Asked after each iteration; false ends it.
+  using MayGoOn = std::function<bool()>;
+
+  struct Outcome {
+    bool whole = false;
+    std::int64_t iterations = 0;
+    std::int64_t dropped_bars = 0;  ///< dependent bars left out of the last matrix
+  };
+
+  /// Moves equations.positions() of the part until its bars are within the tolerance, or the error
+  /// stops falling: the positions are then as good as they got. Coincident joints and lengths that
+  /// are not finite are left as they are.
+  Outcome make_whole(BarEquations::Part part, const MayGoOn& may_go_on);
+
+ private:
+  using Part = BarEquations::Part;
+
+  bool is_overbraced(Part part) const;
+  double iterate(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome);
+  double iterate_damped(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome);
+  double step(Part part, double damping, Outcome& outcome);
+  void keep(Part part);
+  void take_back(Part part);
+
+  BarEquations& equations_;
+  std::vector<Vec3> best_;  ///< of the joints of the equations
+};
+
+}  // namespace pliant
