@@ -18,8 +18,11 @@ class SharedResolver {
       : framework_(framework), resolver_(framework, arguments.chosen(), options_of(arguments)) {}
 
   /// Needs the GIL, which it gives up while it works.
-  ResolveSummary resolve(const PositionsInPlace& positions, std::int64_t root, std::int64_t step) {
+  ResolveSummary resolve(const PositionsInPlace& positions, std::int64_t root, std::int64_t step,
+                         const OptionalArray& reference) {
     const PositionsLease lease(positions);
+    std::vector<Vec3> before;
+    if (reference) before = positions_from(*reference, "reference");
     const Joint root_joint = root_at(framework_, root);
     ResolveSummary summary;
     std::exception_ptr raised;
@@ -27,7 +30,7 @@ class SharedResolver {
       const nb::gil_scoped_release no_gil;
       const std::lock_guard one_at_a_time(mutex_);
       watch_ = InterruptWatch();
-      summary = resolver_.resolve(lease.span(), root_joint, step);
+      summary = resolver_.resolve(lease.span(), root_joint, step, before);
       raised = watch_.raised();
     }
     if (raised) std::rethrow_exception(raised);
@@ -52,10 +55,11 @@ ResolveSummary resolve_once(const Framework& framework, const PositionsInPlace& 
                             double tolerance, std::optional<double> tolerance_length,
                             std::int64_t max_sweeps, std::uint64_t seed, std::uint64_t walker,
                             std::int64_t root, std::int64_t step,
-                            const std::optional<OrderingColumns>& ordering) {
+                            const std::optional<OrderingColumns>& ordering,
+                            const OptionalArray& reference) {
   SharedResolver resolver(framework, {technique, weighting, mass_weighted, tolerance,
                                       tolerance_length, max_sweeps, seed, walker, ordering});
-  return resolver.resolve(positions, root, step);
+  return resolver.resolve(positions, root, step, reference);
 }
 
 void make_resolver(SharedResolver* self, const Framework& framework, const std::string& technique,
@@ -103,14 +107,17 @@ step : int
 ordering : (bar, near, is_tree), each (B,), optional
     With technique "input" alone: visit the bars in this sequence, each once, as ``order`` and
     ``read_ordering_file`` give it.
+reference : (N, 3) array-like, optional
+    Whole positions before the push, Angstrom: ``shake`` moves joints along the bars as they are
+    there, as SHAKE, LINCS and CCMA do in dynamics. Without it, along the broken bars.
 
 Raises
 ------
 TypeError
     ``positions`` is no such array.
 OptionError
-    An option is out of range, the technique leaves bars of this framework out, or the ordering is
-    none of this framework.
+    An option is out of range, the technique leaves bars of this framework out, the ordering is
+    none of this framework, or ``reference`` has another number of joints.
 IndexError
     ``root`` is no joint.
 )";
@@ -127,6 +134,13 @@ void bind_summary(nb::module_& module) {
       .def_ro("rms_residual", &ResolveSummary::rms_residual, "Its root mean square at the end.")
       .def_ro("worst_bar", &ResolveSummary::worst_bar, "The bar of max_residual.")
       .def_ro("seconds", &ResolveSummary::seconds, "Wall time.")
+      .def_ro("dropped_bars", &ResolveSummary::dropped_bars,
+              "Direct methods: bars left out of the last equations as they depend on others.")
+      .def_ro("finishing_sweeps", &ResolveSummary::finishing_sweeps,
+              "Direct methods: sweeps, among ``sweeps``, that finished what the method could not.")
+      .def_ro("off_nearest", &ResolveSummary::off_nearest,
+              "``newton``: the largest move towards the nearest whole positions that was still "
+              "asked for at the last look, in Angstrom; -1 for other techniques.")
       .def("brief", &ResolveSummary::brief, "framework"_a, "The summary as one line of text.")
       .def("__repr__", [](const ResolveSummary& self) {
         return "<pliant.ResolveSummary: " + std::string(name(self.stop)) + ", " +
@@ -158,14 +172,15 @@ void bind_resolver(nb::module_& module) {
            "tolerance_length"_a = nb::none(), "max_sweeps"_a = options.max_sweeps,
            "seed"_a = options.seed, "walker"_a = options.walker, "ordering"_a = nb::none())
       .def("resolve", &SharedResolver::resolve, "positions"_a, "root"_a = 0, nb::kw_only(),
-           "step"_a = 0, "Moves ``positions`` in place, as the function ``resolve`` does.");
+           "step"_a = 0, "reference"_a = nb::none(),
+           "Moves ``positions`` in place, as the function ``resolve`` does.");
   module.def("resolve", &resolve_once, "framework"_a, "positions"_a, "technique"_a = technique.name,
              "weighting"_a = technique.weighting, nb::kw_only(),
              "mass_weighted"_a = technique.mass_weighted,
              "tolerance"_a = options.tolerance.relative, "tolerance_length"_a = nb::none(),
              "max_sweeps"_a = options.max_sweeps, "seed"_a = options.seed,
              "walker"_a = options.walker, "root"_a = 0, "step"_a = 0, "ordering"_a = nb::none(),
-             resolve_doc);
+             "reference"_a = nb::none(), resolve_doc);
 }
 
 }  // namespace

@@ -7,7 +7,8 @@
 namespace pliant {
 namespace {
 
-/// How many bars are left at a joint, and the exclusive or of their numbers: with one left, its own.
+/// How many bars are left at a joint, and the exclusive or of their numbers: with one left, its
+/// own.
 struct BarsLeft {
   std::uint32_t count = 0, mixed = 0;
 };
@@ -17,7 +18,8 @@ std::vector<bool> peel_trees(std::span<const EquationEnds> ends, std::size_t joi
                              std::vector<std::uint32_t>& order) {
   std::vector<BarsLeft> at(joint_count);
   for (std::uint32_t k = 0; k < ends.size(); ++k)
-    for (const std::uint32_t joint : {ends[k].a, ends[k].b}) ++at[joint].count, at[joint].mixed ^= k;
+    for (const std::uint32_t joint : {ends[k].a, ends[k].b})
+      ++at[joint].count, at[joint].mixed ^= k;
   std::vector<std::uint32_t> leaves;
   for (std::uint32_t joint = 0; joint < joint_count; ++joint)
     if (at[joint].count == 1) leaves.push_back(joint);

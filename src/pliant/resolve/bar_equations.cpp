@@ -180,7 +180,7 @@ BarEquations::Errors BarEquations::measure(Part part) {
 }
 
 bool BarEquations::is_coincident(std::uint32_t k) const {
-  return !(norm_squared(d_[k]) >= least_squared_length);
+  return !(norm_squared(x_[ends_[k].b] - x_[ends_[k].a]) >= least_squared_length);
 }
 
 double BarEquations::relative_error(Part part) const {
@@ -190,22 +190,30 @@ double BarEquations::relative_error(Part part) const {
   return worst;
 }
 
-std::int64_t BarEquations::factor(Part part, double damping) {
+std::int64_t BarEquations::factor(Part part, std::span<const Vec3> directions, double damping) {
   const std::span<double> diagonal = ldl_.diagonal(), lower = ldl_.lower();
   for (std::uint32_t k = part.bars.begin; k < part.bars.end; ++k) {
-    diagonal[k] = (1.0 + damping) * (diagonal_weights_[k] * norm_squared(d_[k]));
+    const Vec3 d = directions[k];
+    diagonal[k] = (1.0 + damping) * (diagonal_weights_[k] * norm_squared(d));
     const Range entries = ldl_.column(k);
     for (std::uint32_t p = entries.begin; p < entries.end; ++p)
-      lower[p] = couplings_[p] * dot(d_[k], d_[ldl_.row(p)]);
+      lower[p] = couplings_[p] * dot(d, directions[ldl_.row(p)]);
   }
   return ldl_.factor(part.bars);
 }
 
-void BarEquations::move(Part part, std::span<const double> lambda) {
+void BarEquations::stretch(Part part, std::span<const Vec3> directions, std::span<const Vec3> v,
+                           std::span<double> out) const {
+  for (std::uint32_t k = part.bars.begin; k < part.bars.end; ++k)
+    out[k] = dot(directions[k], v[ends_[k].b] - v[ends_[k].a]);
+}
+
+void BarEquations::pull(Part part, std::span<const Vec3> directions, std::span<const double> lambda,
+                        std::span<Vec3> v) const {
   for (std::uint32_t k = part.bars.begin; k < part.bars.end; ++k) {
-    const Vec3 pull = lambda[k] * d_[k];
-    x_[ends_[k].a] += weights_[ends_[k].a] * pull;
-    x_[ends_[k].b] -= weights_[ends_[k].b] * pull;
+    const Vec3 pull = lambda[k] * directions[k];
+    v[ends_[k].a] += weights_[ends_[k].a] * pull;
+    v[ends_[k].b] -= weights_[ends_[k].b] * pull;
   }
 }
 

@@ -41,8 +41,7 @@ class BarEquations {
   };
 
   /// `weights` (N) are inverse masses or ones, 0 for joints that never move.
-  BarEquations(const Framework& framework, std::vector<double> weights,
-               const Tolerance& tolerance);
+  BarEquations(const Framework& framework, std::vector<double> weights, const Tolerance& tolerance);
 
   /// Adds the part of these bars. None if its bars are so entangled (hubs of many bars, complete
   /// graphs) that memory and time would not be linear in them.
@@ -54,6 +53,7 @@ class BarEquations {
   Joint joint(std::uint32_t j) const { return joints_[j]; }
   EquationEnds ends(std::uint32_t k) const { return ends_[k]; }
   double rest(std::uint32_t k) const { return rests_[k]; }
+  double allowed(std::uint32_t k) const { return allowed_[k]; }
   double weight(std::uint32_t j) const { return weights_[j]; }
 
   /// Positions of the joints of all parts; the parts' own copies.
@@ -70,16 +70,21 @@ class BarEquations {
   Errors measure(Part part);
   /// Largest |length - rest| / rest of the last measurement.
   double relative_error(Part part) const;
-  std::span<Vec3> directions() { return d_; }      ///< d of all bars
-  std::span<double> excess() { return excess_; }   ///< C of all bars
-  bool is_coincident(std::uint32_t k) const;       ///< its joints lie on each other: no direction
+  std::span<const Vec3> directions() const { return d_; }  ///< d of all bars
+  std::span<double> excess() { return excess_; }           ///< C of all bars
+  /// The joints of bar k lie on each other at positions(): it has no direction.
+  bool is_coincident(std::uint32_t k) const;
 
-  /// Factors J W J^T with each diagonal entry raised by `damping` times itself (Levenberg,
-  /// Marquardt); returns how many dependent bars were left out.
-  std::int64_t factor(Part part, double damping = 0.0);
+  /// Factors J W J^T of these directions (of all bars) with each diagonal entry raised by `damping`
+  /// times itself (Levenberg, Marquardt); returns how many dependent bars were left out.
+  std::int64_t factor(Part part, std::span<const Vec3> directions, double damping = 0.0);
   void solve(Part part, std::span<double> b) const { ldl_.solve(part.bars, b); }
-  /// x -= W J^T lambda.
-  void move(Part part, std::span<const double> lambda);
+  /// out = J v, of bars from joints.
+  void stretch(Part part, std::span<const Vec3> directions, std::span<const Vec3> v,
+               std::span<double> out) const;
+  /// v -= W J^T lambda, of joints from bars.
+  void pull(Part part, std::span<const Vec3> directions, std::span<const double> lambda,
+            std::span<Vec3> v) const;
 
  private:
   void append_bars(std::span<const BarIndex> bars, std::span<const std::uint32_t> order, Part part);

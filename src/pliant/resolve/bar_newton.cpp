@@ -21,17 +21,15 @@ BarNewton::Outcome BarNewton::make_whole(Part part, const MayGoOn& may_go_on) {
   return outcome;
 }
 
-/// Rings and cages of bonds have one to one and a half bars a joint; with 1-3 bars there are two
-/// and more, and where centres are planar some depend on others.
 bool BarNewton::is_overbraced(Part part) const {
   return part.bars.size() >= 2 * part.joints.size();
 }
 
 /// Moves once; the new error in units of what is allowed, infinite where it cannot go on.
 double BarNewton::step(Part part, double damping, Outcome& outcome) {
-  outcome.dropped_bars = equations_.factor(part, damping);
+  outcome.dropped_bars = equations_.factor(part, equations_.directions(), damping);
   equations_.solve(part, equations_.excess());
-  equations_.move(part, equations_.excess());
+  equations_.pull(part, equations_.directions(), equations_.excess(), equations_.positions());
   ++outcome.iterations;
   const BarEquations::Errors errors = equations_.measure(part);
   if (errors.coincident || !errors.finite) return std::numeric_limits<double>::infinity();

@@ -15,13 +15,13 @@
 
 namespace pliant {
 
+/// Asked before each iteration; false ends it.
+using MayGoOn = std::function<bool()>;
+
 /// Scratch for making parts of `equations` whole. Appending parts afterwards is allowed.
 class BarNewton {
  public:
   explicit BarNewton(BarEquations& equations) : equations_(equations) {}
-
-  /// Asked after each iteration; false ends it.
-  using MayGoOn = std::function<bool()>;
 
   struct Outcome {
     bool whole = false;
@@ -34,10 +34,13 @@ class BarNewton {
   /// are not finite are left as they are.
   Outcome make_whole(BarEquations::Part part, const MayGoOn& may_go_on);
 
+  /// Rings and cages of bonds have one to one and a half bars a joint; with 1-3 bars there are two
+  /// and more, and where centres are planar some depend on others.
+  bool is_overbraced(BarEquations::Part part) const;
+
  private:
   using Part = BarEquations::Part;
 
-  bool is_overbraced(Part part) const;
   double iterate(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome);
   double iterate_damped(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome);
   double step(Part part, double damping, Outcome& outcome);

@@ -111,6 +111,7 @@ class BlockPass final : public Method {
     std::int64_t left = most_newton_iterations;
     const BarNewton::Outcome outcome = newton_.make_whole(part, [&] { return left-- > 0; });
     equations_.scatter(part, call.positions);
+    summary.dropped_bars += outcome.dropped_bars;
     summary.projections += (outcome.iterations + 1) * std::int64_t(part.bars.size());
     return outcome.whole;
   }
@@ -119,7 +120,10 @@ class BlockPass final : public Method {
   /// lengths) is left to plain sweeps of all bars.
   Stop sweep_the_rest(const ResolveCall& call, ResolveSummary& summary) {
     if (!sweeps_) sweeps_ = make_sweeps(framework_, finish_by_sweeps_, options_);
-    return sweeps_->resolve(call, summary);
+    const std::int64_t before = summary.sweeps;
+    const Stop stop = sweeps_->resolve(call, summary);
+    summary.finishing_sweeps = summary.sweeps - before;
+    return stop;
   }
 
   const Framework& framework_;

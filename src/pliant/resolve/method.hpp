@@ -12,7 +12,8 @@ namespace pliant {
 struct ResolveCall {
   std::span<Vec3> positions;  ///< (N) Angstrom
   Joint root = 0;
-  RandomKey key = {};  ///< seed, walker and step
+  RandomKey key = {};                    ///< seed, walker and step
+  std::span<const Vec3> reference = {};  ///< (N) positions before the push, or none
 };
 
 class Method {

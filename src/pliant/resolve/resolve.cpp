@@ -51,11 +51,15 @@ Resolver::Resolver(const Framework& framework, const Technique& technique,
 Resolver::~Resolver() = default;
 Resolver::Resolver(Resolver&&) noexcept = default;
 
-ResolveSummary Resolver::resolve(std::span<Vec3> positions, Joint root, std::int64_t step) {
+ResolveSummary Resolver::resolve(std::span<Vec3> positions, Joint root, std::int64_t step,
+                                 std::span<const Vec3> reference) {
   const auto start = std::chrono::steady_clock::now();
   const std::size_t joint_count = plan_->framework.joint_count();
   if (positions.size() != joint_count)
     throw OptionError("positions: " + std::to_string(positions.size()) + " for " +
+                      std::to_string(joint_count) + " joints");
+  if (!reference.empty() && reference.size() != joint_count)
+    throw OptionError("reference: " + std::to_string(reference.size()) + " positions for " +
                       std::to_string(joint_count) + " joints");
   if (root >= joint_count && joint_count > 0)
     throw OptionError("root joint " + std::to_string(root) + " of " + std::to_string(joint_count) +
@@ -63,9 +67,10 @@ ResolveSummary Resolver::resolve(std::span<Vec3> positions, Joint root, std::int
   plan_->before.assign(positions.begin(), positions.end());
   ResolveSummary summary;
   summary.sweeps = summary.projections = 0;
+  summary.dropped_bars = summary.finishing_sweeps = 0;
   const RandomKey key{plan_->options.seed, Domain::order, plan_->options.walker,
                       static_cast<std::uint64_t>(step), 0};
-  summary.stop = plan_->method->resolve({positions, root, key}, summary);
+  summary.stop = plan_->method->resolve({positions, root, key, reference}, summary);
   plan_->finish(positions, summary);
   summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return summary;
@@ -87,8 +92,12 @@ std::string ResolveSummary::brief(const Framework& framework) const {
   std::string text = std::string(name(stop)) + ": " + std::to_string(sweeps) + " sweeps, " +
                      std::to_string(projections) + " projections";
   if (framework.bar_count() == 0) return text;
-  return text + ", worst bar " + framework.label(framework.bars()[worst_bar]) + " off by " +
-         number_text(max_residual, 2) + " of its length";
+  text += ", worst bar " + framework.label(framework.bars()[worst_bar]) + " off by " +
+          number_text(max_residual, 2) + " of its length";
+  if (finishing_sweeps > 0)
+    text += "; the last " + std::to_string(finishing_sweeps) + " sweeps finished what was left";
+  if (dropped_bars > 0) text += "; dependent bars left out: " + std::to_string(dropped_bars);
+  return text;
 }
 
 ResolveSummary resolve(const Framework& framework, const Technique& technique,

@@ -37,6 +37,13 @@ struct ResolveSummary {
   double rms_residual = -1.0;     ///< its root mean square at the end
   BarIndex worst_bar = 0;         ///< the bar of max_residual
   double seconds = -1.0;          ///< wall time
+  /// Direct methods: bars left out of the last equations because they depend on others.
+  std::int64_t dropped_bars = -1;
+  /// Direct methods: sweeps, among `sweeps`, that finished what the method could not.
+  std::int64_t finishing_sweeps = -1;
+  /// `newton`: the largest move towards the nearest whole positions that was still asked for at the
+  /// last look (Angstrom); the last move has been made after it.
+  double off_nearest = -1.0;
 
   bool converged() const { return stop == Stop::converged; }
   /// "converged: 12 sweeps, 300 projections, worst bar C1 - C2 off by 8.1e-07 of its length".
@@ -57,8 +64,11 @@ class Resolver {
   /// Moves `positions` (N) until all bars are within the tolerance or a limit is met.
   /// `root` is the pushed joint, `step` the step number that random draws depend on. If a length
   /// stops being finite the positions are put back as they were.
+  /// `reference` (N, or none) are whole positions before the push, in which `shake` looks for the
+  /// directions of the bars; other techniques do not look at it.
   /// Throws OptionError if the number of positions is wrong or root is no joint.
-  ResolveSummary resolve(std::span<Vec3> positions, Joint root = 0, std::int64_t step = 0);
+  ResolveSummary resolve(std::span<Vec3> positions, Joint root = 0, std::int64_t step = 0,
+                         std::span<const Vec3> reference = {});
 
  private:
   struct Plan;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// L D L^T (square-root free Cholesky) of very sparse symmetric matrices whose pattern stays the same
-// while their values change. What goes where is found out once and kept as one list of places, so
-// that a factorization is a single run through memory without search, branch or allocation:
+// L D L^T (square-root free Cholesky) of very sparse symmetric matrices whose pattern stays the
+// same while their values change. What goes where is found out once and kept as one list of places,
+// so that a factorization is a single run through memory without search, branch or allocation:
 // molecules have two or three entries a column, where general solvers spend their time on
 // book-keeping.
 #pragma once
@@ -53,7 +53,8 @@ class SparseLdl {
   std::vector<std::uint32_t> column_begin_{0};  ///< (columns + 1) into rows_
   std::vector<std::uint32_t> rows_;
   std::vector<std::uint64_t> target_begin_{0};  ///< (columns + 1) into targets_
-  std::vector<std::uint32_t> targets_;  ///< for each pair of entries of a column: the one they change
+  std::vector<std::uint32_t>
+      targets_;  ///< for each pair of entries of a column: the one they change
   std::vector<double> diagonal_, inverse_, lower_;
 };
 

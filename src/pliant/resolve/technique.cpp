@@ -9,7 +9,9 @@
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/blocks.hpp"
 #include "pliant/resolve/method.hpp"
+#include "pliant/resolve/newton.hpp"
 #include "pliant/resolve/ring_sweeps.hpp"
+#include "pliant/resolve/shake.hpp"
 #include "pliant/resolve/sweeps.hpp"
 
 namespace pliant {
@@ -29,6 +31,11 @@ std::vector<TechniqueEntry> all_techniques() {
                   false, make_rings_first});
   rows.push_back({"rings_anderson", "rings_first with Anderson acceleration in each ring system",
                   false, false, make_rings_anderson});
+  rows.push_back(
+      {"newton", "the nearest whole positions, weighted by mass", false, false, make_newton});
+  rows.push_back({"shake",
+                  "along the bars as they were before the push, by inverse mass (SHAKE, CCMA)",
+                  false, false, make_shake});
   return rows;
 }
 

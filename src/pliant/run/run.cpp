@@ -125,7 +125,7 @@ class Run {
 
   ResolveSummary resolve(Joint root) {
     const Stopwatch watch(summary_.resolve_seconds);
-    return resolver_.resolve(state_.positions, root, state_.step);
+    return resolver_.resolve(state_.positions, root, state_.step, state_.previous);
   }
 
   void note(const ResolveSummary& resolved) {
