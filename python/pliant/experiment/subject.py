@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: MIT
+"""One graph under all its forces and techniques: the unit of work, and the rows it gives."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+import pliant
+from pliant.experiment.settings import NO_WEIGHTING, Combination, Settings, reverse_techniques
+
+Push = tuple[int, tuple[float, float, float]]  #: joint, force in kJ/(mol Angstrom)
+
+#: Angstrom/ps^2 of 1 kJ/(mol Angstrom) on 1 u
+ACCELERATION = 100.0
+
+#: One resolve. `combination` counts the techniques with their weightings that the class has.
+ROW = np.dtype(
+    [
+        ("combination", "<i4"),
+        ("force", "<i8"),
+        ("sweeps", "<i8"),
+        ("passes", "<i8"),
+        ("projections", "<i8"),
+        ("converged", "?"),
+        ("final_residual", "<f8"),
+        ("seconds", "<f8"),
+    ]
+)
+
+
+@dataclass
+class Subject:
+    """A graph of a class and the pushes that it gets."""
+
+    kind: str
+    number: int
+    framework: pliant.Framework
+    positions: np.ndarray  #: (N, 3) Angstrom: at rest, all bars whole
+    pushes: list[Push] = field(default_factory=list)
+
+
+def make_subject(settings: Settings, kind: str, number: int) -> Subject:
+    """Graph `number` of a class, with the forces that ``pliant run`` would use as walker `number`.
+
+    The joint and the force of step k are functions of (seed, walker, step) alone.
+    """
+    graph = pliant.generate(kind, settings.seed, number, **settings.sizes)
+    pushes: list[Push] = []
+
+    def note(frame: pliant.Frame) -> None:
+        if frame.root_joint is not None:
+            pushes.append((frame.root_joint, frame.force))
+
+    # Nothing is resolved here: the positions of this run are thrown away.
+    pliant.run(
+        graph.framework, graph.positions.copy(), steps=settings.forces, seed=settings.seed,
+        walker=number, force=settings.force, timestep=settings.timestep,
+        tolerance_length=1e9 * (settings.box + settings.push_length * settings.forces),
+        max_sweeps=1, observers=[note],
+    )  # fmt: skip
+    return Subject(kind, number, graph.framework, graph.positions, pushes)
+
+
+def pushed(subject: Subject, push: Push, timestep: float) -> np.ndarray:
+    """Positions after one Verlet step from rest: x + 100 F / m dt^2 (thesis, appendix A)."""
+    joint, force = push
+    positions = subject.positions.copy()
+    gain = ACCELERATION * subject.framework.inverse_masses[joint] * timestep * timestep
+    positions[joint] += gain * np.asarray(force)
+    return positions
+
+
+def measure_subject(subject: Subject, settings: Settings) -> np.ndarray:
+    """All resolves of one graph: ROW for each combination and force, in this order."""
+    broken = [pushed(subject, push, settings.timestep) for push in subject.pushes]
+    combinations = settings.combinations(subject.kind)
+    rows = np.zeros((len(combinations), len(broken)), ROW)
+    for k, combination in enumerate(combinations):
+        rows[k]["combination"] = k
+        _resolve_all(subject, broken, combination, settings, rows[k])
+    return rows.reshape(-1)
+
+
+def _resolve_all(
+    subject: Subject, broken: list[np.ndarray], combination: Combination, settings: Settings,
+    rows: np.ndarray,
+) -> None:  # fmt: skip
+    technique, weighting = combination
+    resolver = pliant.Resolver(
+        subject.framework, technique, 0.5 if weighting == NO_WEIGHTING else weighting,
+        tolerance_length=settings.tolerance_length, max_sweeps=settings.max_sweeps,
+        seed=settings.seed, walker=subject.number,
+    )  # fmt: skip
+    there_and_back = technique in reverse_techniques()
+    for k, positions in enumerate(broken):
+        # Step numbers are those of a run, whose first push is step 1.
+        found = resolver.resolve(positions.copy(), subject.pushes[k][0], step=k + 1)
+        sweeps = found.sweeps
+        passes = (sweeps + 1) // 2 if there_and_back else sweeps
+        rows[k] = (rows[k]["combination"], k, sweeps, passes, found.projections, found.converged,
+                   found.max_residual, found.seconds)  # fmt: skip
