@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: MIT
+"""Where each claim holds: the experiment again over tolerance, force, size of graph and box."""
+
+from __future__ import annotations
+
+import csv
+import dataclasses
+import functools
+from dataclasses import dataclass
+from pathlib import Path
+
+from pliant import InputError
+from pliant.experiment import table as tables
+from pliant.experiment.claims import CLAIMS, studies_of
+from pliant.experiment.laboratory import Show
+from pliant.experiment.pool import each_done
+from pliant.experiment.settings import Settings, families
+from pliant.experiment.statistics import Study
+from pliant.experiment.subject import make_subject, measure_subject
+
+SWEEP_CSV = "sweep.csv"
+TOLERANCES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  #: Angstrom
+FORCES = (5.0, 20.0, 50.0, 200.0, 500.0)  #: kJ/(mol Angstrom)
+SIZES = ((2, 4), (3, 6), (4, 8), (5, 16), (6, 32))  #: depth of trees and longest closed chain
+BOXES = (5.0, 10.0, 20.0, 40.0)  #: Angstrom
+GRAPHS, PUSHES = 20, 25  #: of each family, on each graph
+QUICK_GRAPHS, QUICK_PUSHES = 4, 5
+THESIS_FAMILIES = ("tree", "1-cycle", "2-cycle")
+
+
+@dataclass(frozen=True)
+class Point:
+    """One cell of the sweep: how a claim fares with one choice of settings."""
+
+    tolerance_length: float
+    force: float
+    depth: int
+    ring: int
+    box: float
+    joints: float  #: mean number of joints of its graphs
+    claim: str
+    yardstick: str
+    statements: int  #: 0 where no push broke a bar
+    holding: int  #: of them, in the sample
+
+    @property
+    def axes(self) -> tuple[float, float, tuple[int, int], float]:
+        """What was varied."""
+        return self.tolerance_length, self.force, (self.depth, self.ring), self.box
+
+
+def grid(start: Settings) -> list[Settings]:
+    """Tolerance with force, tolerance with size, tolerance with box; the rest as in `start`."""
+    cells = []
+    for tolerance in TOLERANCES:
+        base = dataclasses.replace(start, tolerance_length=tolerance)
+        cells += [dataclasses.replace(base, force=force) for force in FORCES]
+        cells += [dataclasses.replace(base, depth=depth, ring=ring) for depth, ring in SIZES]
+        cells += [dataclasses.replace(base, box=box) for box in BOXES]
+    return list(dict.fromkeys(cells))
+
+
+def run_sweep(
+    start: Settings, out: Path, workers: int = 1, quick: bool = False,
+    show: Show = lambda done, total: None,
+) -> list[Point]:  # fmt: skip
+    """Runs every cell and writes ``sweep.csv`` into the folder; the same settings, the same file.
+
+    Each cell has 20 graphs of each family of the thesis and 25 forces on each (4 and 5 if `quick`)
+    and the thesis' techniques and weightings.
+    """
+    cells = grid(_thesis(start))
+    points: list[Point] = []
+    for done, found in enumerate(each_done(functools.partial(_cell, quick), cells, workers), 1):
+        points += found
+        show(done, len(cells))
+    points.sort(key=_place)
+    tables.replace(out / SWEEP_CSV, functools.partial(_write, points))
+    return points
+
+
+def _thesis(start: Settings) -> Settings:
+    classes = [name for name, family in families().items() if family in THESIS_FAMILIES]
+    techniques = dict.fromkeys(name for claim in CLAIMS for name in claim.techniques)
+    return dataclasses.replace(start, classes=tuple(classes), techniques=tuple(techniques),
+                               weightings=Settings().weightings, joints=0)  # fmt: skip
+
+
+def _place(point: Point) -> tuple:
+    return (-point.tolerance_length, point.force, point.depth, point.ring, point.box,
+            point.claim, point.yardstick)  # fmt: skip
+
+
+def _numbers(settings: Settings, quick: bool) -> dict[str, int]:
+    """As many graphs of each family, however many ways of making them there are."""
+    graphs = QUICK_GRAPHS if quick else GRAPHS
+    members = [families()[kind] for kind in settings.classes]
+    return {kind: max(1, graphs // members.count(families()[kind])) for kind in settings.classes}
+
+
+def _cell(quick: bool, settings: Settings) -> list[Point]:
+    settings = dataclasses.replace(settings, forces=QUICK_PUSHES if quick else PUSHES)
+    subjects = [make_subject(settings, kind, number)
+                for kind, count in _numbers(settings, quick).items()
+                for number in range(count)]  # fmt: skip
+    joints = sum(len(subject.positions) for subject in subjects) / len(subjects)
+    parts = ((s.kind, s.number, measure_subject(s, settings)) for s in subjects)
+    return points_of(tables.join(settings, parts), joints)
+
+
+def points_of(table: tables.Table, joints: float) -> list[Point]:
+    """How every claim fares in one table, by each yardstick."""
+    settings = table.settings
+    studies = studies_of(Study(table, replicates=0))
+    axes = (settings.tolerance_length, settings.force, settings.depth, settings.ring, settings.box)
+    points = []
+    for claim in CLAIMS:
+        for yardstick in claim.yardsticks:
+            statements = claim.judged(studies[yardstick]).statements
+            holding = sum(bool(statement.holds[0]) for statement in statements)
+            points.append(Point(*axes, joints, claim.id, yardstick, len(statements), holding))
+    return points
+
+
+def _write(points: list[Point], path: Path) -> None:
+    names = [field.name for field in dataclasses.fields(Point)]
+    with open(path, "w", encoding="ascii", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(names)
+        writer.writerows([getattr(point, name) for name in names] for point in points)
+
+
+def read_sweep(out: Path) -> list[Point]:
+    """Reads ``sweep.csv``; an empty list if there is none. Raises InputError for another file."""
+    path = out / SWEEP_CSV
+    if not path.is_file():
+        return []
+    types = {"depth": int, "ring": int, "statements": int, "holding": int, "claim": str,
+             "yardstick": str}  # fmt: skip
+    try:
+        with open(path, encoding="ascii", newline="") as file:
+            return [Point(**{name: types.get(name, float)(text) for name, text in row.items()})
+                    for row in csv.DictReader(file)]  # fmt: skip
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{path}: no table of pliant experiment sweep: {error}") from error
