@@ -58,6 +58,9 @@ def _add_counts(parser: console.Parser) -> None:
     add("--graphs", metavar="N", type=whole(1), help=f"graphs a class (default {default.graphs})")
     add("--forces", metavar="N", type=whole(1),
         help=f"forces a graph, each from rest (default {default.forces})")  # fmt: skip
+    add("--consecutive", action="store_true", default=None,
+        help="each force acts where the last one led, as pliant run does; starts then differ "
+             "between techniques")  # fmt: skip
     add("--class", dest="classes", metavar="NAME", action="append",
         help="class of graphs; may be repeated (default: all)")  # fmt: skip
     add("--technique", dest="techniques", metavar="NAME", action="append",

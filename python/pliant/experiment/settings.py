@@ -35,7 +35,8 @@ class Settings:
 
     seed: int = 0
     graphs: int = 20  #: of each class
-    forces: int = 50  #: on each graph, each on one joint of the graph at rest
+    forces: int = 50  #: on each graph, each on one joint
+    consecutive: bool = False  #: each push where the last one led, not on the graph at rest
     classes: tuple[str, ...] = dataclasses.field(default_factory=_every_class)
     techniques: tuple[str, ...] = dataclasses.field(default_factory=_every_technique)
     weightings: tuple[float, ...] = WEIGHTINGS

@@ -63,30 +63,32 @@ def make_subject(settings: Settings, kind: str, number: int) -> Subject:
     return Subject(kind, number, graph.framework, graph.positions, pushes)
 
 
-def pushed(subject: Subject, push: Push, timestep: float) -> np.ndarray:
-    """Positions after one Verlet step from rest: x + 100 F / m dt^2 (thesis, appendix A)."""
+def pushed(
+    subject: Subject, push: Push, timestep: float, positions: np.ndarray, previous: np.ndarray
+) -> np.ndarray:
+    """Positions after one Verlet step of one joint: 2 x - x_old + 100 F / m dt^2 (appendix A)."""
     joint, force = push
-    positions = subject.positions.copy()
+    moved = positions.copy()
     gain = ACCELERATION * subject.framework.inverse_masses[joint] * timestep * timestep
-    positions[joint] += gain * np.asarray(force)
-    return positions
+    moved[joint] = (
+        positions[joint] + (positions[joint] - previous[joint]) + gain * np.asarray(force)
+    )
+    return moved
 
 
 def measure_subject(subject: Subject, settings: Settings) -> np.ndarray:
     """All resolves of one graph: ROW for each combination and force, in this order."""
-    broken = [pushed(subject, push, settings.timestep) for push in subject.pushes]
     combinations = settings.combinations(subject.kind)
-    rows = np.zeros((len(combinations), len(broken)), ROW)
+    rows = np.zeros((len(combinations), len(subject.pushes)), ROW)
     for k, combination in enumerate(combinations):
         rows[k]["combination"] = k
-        _resolve_all(subject, broken, combination, settings, rows[k])
+        _resolve_all(subject, combination, settings, rows[k])
     return rows.reshape(-1)
 
 
 def _resolve_all(
-    subject: Subject, broken: list[np.ndarray], combination: Combination, settings: Settings,
-    rows: np.ndarray,
-) -> None:  # fmt: skip
+    subject: Subject, combination: Combination, settings: Settings, rows: np.ndarray
+) -> None:
     technique, weighting = combination
     resolver = pliant.Resolver(
         subject.framework, technique, 0.5 if weighting == NO_WEIGHTING else weighting,
@@ -94,10 +96,14 @@ def _resolve_all(
         seed=settings.seed, walker=subject.number,
     )  # fmt: skip
     there_and_back = technique in reverse_techniques()
-    for k, positions in enumerate(broken):
+    positions = previous = subject.positions
+    for k, push in enumerate(subject.pushes):
+        moved = pushed(subject, push, settings.timestep, positions, previous)
         # Step numbers are those of a run, whose first push is step 1.
-        found = resolver.resolve(positions.copy(), subject.pushes[k][0], step=k + 1)
-        sweeps = found.sweeps
-        passes = (sweeps + 1) // 2 if there_and_back else sweeps
-        rows[k] = (rows[k]["combination"], k, sweeps, passes, found.projections, found.converged,
-                   found.max_residual, found.seconds)  # fmt: skip
+        found = resolver.resolve(moved, push[0], step=k + 1)
+        passes = (found.sweeps + 1) // 2 if there_and_back else found.sweeps
+        rows[k] = (rows[k]["combination"], k, found.sweeps, passes, found.projections,
+                   found.converged, found.max_residual, found.seconds)  # fmt: skip
+        if settings.consecutive:
+            previous = positions
+            positions = moved if found.stop != pliant.Stop.not_finite else positions
