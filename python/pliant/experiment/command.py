@@ -121,14 +121,11 @@ def add_running(parser: console.Parser) -> None:
 def main(words: Sequence[str] | None = None) -> int:
     """Runs the command; returns its exit code."""
     words = list(sys.argv[1:] if words is None else words)
-    if words[:1] == ["report"]:
-        from pliant.experiment.report_command import main as report
+    if words[:1] in (["report"], ["sweep"]):
+        from pliant.experiment import report_command
 
-        return report(words[1:])
-    if words[:1] == ["sweep"]:
-        from pliant.experiment.sweep_command import main as sweep
-
-        return sweep(words[1:])
+        run = report_command.report_main if words[0] == "report" else report_command.sweep_main
+        return run(words[1:])
     arguments = make_parser().parse_args(words)
     return console.run_command("experiment", lambda: _experiment(arguments))
 

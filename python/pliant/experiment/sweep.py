@@ -9,23 +9,27 @@ import functools
 from dataclasses import dataclass
 from pathlib import Path
 
-from pliant import InputError
+from pliant import InputError, OptionError
 from pliant.experiment import table as tables
 from pliant.experiment.claims import CLAIMS, studies_of
 from pliant.experiment.laboratory import Show
 from pliant.experiment.pool import each_done
 from pliant.experiment.settings import Settings, families
 from pliant.experiment.statistics import Study
-from pliant.experiment.subject import make_subject, measure_subject
+from pliant.experiment.subject import Subject, make_subject, measure_subject
 
 SWEEP_CSV = "sweep.csv"
 TOLERANCES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  #: Angstrom
 FORCES = (5.0, 20.0, 50.0, 200.0, 500.0)  #: kJ/(mol Angstrom)
-SIZES = ((2, 4), (3, 6), (4, 8), (5, 16), (6, 32))  #: depth of trees and longest closed chain
+#: depth of trees, most children, longest closed chain: from mostly cycle to mostly tree
+SIZES = ((2, 2, 4), (3, 2, 6), (4, 3, 8), (5, 3, 16), (6, 3, 32))
 BOXES = (5.0, 10.0, 20.0, 40.0)  #: Angstrom
 GRAPHS, PUSHES = 20, 25  #: of each family, on each graph
 QUICK_GRAPHS, QUICK_PUSHES = 4, 5
 THESIS_FAMILIES = ("tree", "1-cycle", "2-cycle")
+
+
+AXES = ("tolerance_length", "force", "depth", "children", "ring", "box", "consecutive")
 
 
 @dataclass(frozen=True)
@@ -35,8 +39,10 @@ class Point:
     tolerance_length: float
     force: float
     depth: int
+    children: int
     ring: int
     box: float
+    consecutive: bool  #: forces act one after another, not each on the graph at rest
     joints: float  #: mean number of joints of its graphs
     claim: str
     yardstick: str
@@ -44,19 +50,21 @@ class Point:
     holding: int  #: of them, in the sample
 
     @property
-    def axes(self) -> tuple[float, float, tuple[int, int], float]:
-        """What was varied."""
-        return self.tolerance_length, self.force, (self.depth, self.ring), self.box
+    def size(self) -> tuple[int, int, int]:
+        """As SIZES has it."""
+        return self.depth, self.children, self.ring
 
 
 def grid(start: Settings) -> list[Settings]:
-    """Tolerance with force, tolerance with size, tolerance with box; the rest as in `start`."""
+    """Tolerance with force, with size, with box, with where forces act; the rest as in `start`."""
     cells = []
     for tolerance in TOLERANCES:
         base = dataclasses.replace(start, tolerance_length=tolerance)
         cells += [dataclasses.replace(base, force=force) for force in FORCES]
-        cells += [dataclasses.replace(base, depth=depth, ring=ring) for depth, ring in SIZES]
+        cells += [dataclasses.replace(base, depth=depth, children=children, ring=ring)
+                  for depth, children, ring in SIZES]  # fmt: skip
         cells += [dataclasses.replace(base, box=box) for box in BOXES]
+        cells += [dataclasses.replace(base, consecutive=value) for value in (False, True)]
     return list(dict.fromkeys(cells))
 
 
@@ -87,8 +95,8 @@ def _thesis(start: Settings) -> Settings:
 
 
 def _place(point: Point) -> tuple:
-    return (-point.tolerance_length, point.force, point.depth, point.ring, point.box,
-            point.claim, point.yardstick)  # fmt: skip
+    return (-point.tolerance_length, point.force, point.joints, *point.size, point.box,
+            point.consecutive, point.claim, point.yardstick)  # fmt: skip
 
 
 def _numbers(settings: Settings, quick: bool) -> dict[str, int]:
@@ -100,19 +108,32 @@ def _numbers(settings: Settings, quick: bool) -> dict[str, int]:
 
 def _cell(quick: bool, settings: Settings) -> list[Point]:
     settings = dataclasses.replace(settings, forces=QUICK_PUSHES if quick else PUSHES)
-    subjects = [make_subject(settings, kind, number)
-                for kind, count in _numbers(settings, quick).items()
-                for number in range(count)]  # fmt: skip
+    subjects = [subject for kind, count in _numbers(settings, quick).items()
+                for subject in _subjects(settings, kind, count)]  # fmt: skip
     joints = sum(len(subject.positions) for subject in subjects) / len(subjects)
     parts = ((s.kind, s.number, measure_subject(s, settings)) for s in subjects)
     return points_of(tables.join(settings, parts), joints)
+
+
+def _subjects(settings: Settings, kind: str, count: int) -> list[Subject]:
+    """The first graphs of a class; trees too small for two more bars are passed over."""
+    subjects: list[Subject] = []
+    refused = 0
+    while len(subjects) < count:
+        try:
+            subjects.append(make_subject(settings, kind, len(subjects) + refused))
+        except OptionError:
+            refused += 1
+            if refused > 100 * count:
+                raise
+    return subjects
 
 
 def points_of(table: tables.Table, joints: float) -> list[Point]:
     """How every claim fares in one table, by each yardstick."""
     settings = table.settings
     studies = studies_of(Study(table, replicates=0))
-    axes = (settings.tolerance_length, settings.force, settings.depth, settings.ring, settings.box)
+    axes = [getattr(settings, name) for name in AXES]
     points = []
     for claim in CLAIMS:
         for yardstick in claim.yardsticks:
@@ -135,8 +156,8 @@ def read_sweep(out: Path) -> list[Point]:
     path = out / SWEEP_CSV
     if not path.is_file():
         return []
-    types = {"depth": int, "ring": int, "statements": int, "holding": int, "claim": str,
-             "yardstick": str}  # fmt: skip
+    types = dict.fromkeys(("depth", "children", "ring", "statements", "holding"), int)
+    types |= {"claim": str, "yardstick": str, "consecutive": "True".__eq__}
     try:
         with open(path, encoding="ascii", newline="") as file:
             return [Point(**{name: types.get(name, float)(text) for name, text in row.items()})

@@ -49,12 +49,14 @@ class Verdict:
 
 
 def verdict_of(statements: list[Statement]) -> Verdict:
-    """Holds if every statement does, fails if every one does, else depends, and on what."""
+    """Holds if every statement does, fails if none does and one fails, else depends on what."""
     found = {statement.verdict for statement in statements}
     if not found:
         return Verdict(UNTESTED, "the table has no such rows", statements)
-    if found in ({HOLDS}, {FAILS}):
-        return Verdict(found.pop(), "", statements)
+    if found == {HOLDS}:
+        return Verdict(HOLDS, "", statements)
+    if HOLDS not in found and FAILS in found:
+        return Verdict(FAILS, _counted(statements) if OPEN in found else "", statements)
     return Verdict(DEPENDS, _deciding(statements), statements)
 
 
