@@ -21,6 +21,7 @@ constexpr Command commands[] = {
     {"check", "check a trajectory against OpenMM", nullptr},
     {"analyse", "figures, tables and an HTML report of a trajectory", nullptr},
     {"compare", "compare a trajectory with one of OpenMM or another program", nullptr},
+    {"experiment", "techniques on random graphs, and the claims of the thesis settled", nullptr},
     {"bench", "time and errors of every technique, with OpenMM in the same run", nullptr},
 };
 

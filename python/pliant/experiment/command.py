@@ -22,13 +22,12 @@ Killed at any moment, the same command goes on where it was.
 pliant experiment report DIR   draws it and judges the claims of the thesis: one HTML page
 pliant experiment sweep DIR    where in the range of tolerance, force, size and box each one holds
 
-Exit code: 0 when the table is complete, 1 when a file cannot be read or written or a test set
-gives other numbers than it holds, 2 for a bad option.
+Exit code: 0 when the table is complete, 1 when a file cannot be read or written, 2 for a bad
+option.
 
 examples:
   pliant experiment --out study --seed 1
   pliant experiment --out fine --tolerance-length 1e-4 --class 1-cycle-ring --technique bfs_cycle
-  pliant experiment --out study --folders thesis-set
 """
 
 
@@ -45,7 +44,6 @@ def make_parser() -> console.Parser:
     _add_counts(parser)
     _add_sizes(parser)
     _add_forces(parser)
-    _add_test_set(parser)
     add_running(parser)
     return parser
 
@@ -99,15 +97,6 @@ def _add_forces(parser: console.Parser) -> None:
              f"(default {default.tolerance_length:g})")  # fmt: skip
     add("--max-sweeps", type=console.whole_number(1), metavar="N",
         help=f"give up after so many (default {default.max_sweeps})")  # fmt: skip
-
-
-def _add_test_set(parser: console.Parser) -> None:
-    add = parser.add_argument
-    add("--test-set", metavar="DIR", type=Path,
-        help="graphs, forces and settings of a test set (pliant structgen --test-set); its folders "
-             "get the results, and those that they hold are compared")  # fmt: skip
-    add("--folders", metavar="DIR", type=Path,
-        help="make such a test set in DIR first, then as --test-set")  # fmt: skip
 
 
 def add_running(parser: console.Parser) -> None:

@@ -25,9 +25,10 @@ def axes_of(start: Settings, points: list[Point]) -> list[Axis]:
     """Label, values, their texts, and the value of a point, None if it is of another axis."""
     usual = {"force": start.force, "size": (start.depth, start.children, start.ring),
              "box": start.box, "consecutive": start.consecutive}  # fmt: skip
+    small = usual | {"size": SIZES[0], "consecutive": True}
 
-    def along(name: str) -> Callable[[Point], object]:
-        others = [(key, value) for key, value in usual.items() if key != name]
+    def along(name: str, fixed: dict[str, object] = usual) -> Callable[[Point], object]:
+        others = [(key, value) for key, value in fixed.items() if key != name]
         return lambda p: (
             getattr(p, name) if all(getattr(p, key) == value for key, value in others) else None
         )
@@ -40,6 +41,7 @@ def axes_of(start: Settings, points: list[Point]) -> list[Axis]:
          along("size")),
         ("box (Å)", list(BOXES), [f"{box:g}" for box in BOXES], along("box")),
         ("pushes act", [False, True], ["from\nrest", "in\nturn"], along("consecutive")),
+        ("push (Å), small graphs, in turn", list(FORCES), forces, along("force", small)),
     ]  # fmt: skip
 
 
@@ -58,7 +60,7 @@ def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path)
     """Tolerance across; what else was varied up; one row of panels a yardstick."""
     rows = claim.yardsticks
     with style.styled():
-        figure, axes = style.new_figure((10.4, 0.6 + 2.1 * len(rows)), len(rows), 4,
+        figure, axes = style.new_figure((11.6, 0.6 + 2.2 * len(rows)), len(rows), 5,
                                         squeeze=False)  # fmt: skip
         for panels, yardstick in zip(axes, rows, strict=True):
             mine = [p for p in points if (p.claim, p.yardstick) == (claim.id, yardstick)]
@@ -91,9 +93,3 @@ def draw_maps(points: list[Point], start: Settings, folder: Path) -> dict[str, F
     """The heat map of every claim, by its id."""
     folder.mkdir(parents=True, exist_ok=True)
     return {claim.id: draw_claim(claim, points, start, folder) for claim in CLAIMS}
-
-
-def fully_holding(claim: Claim, points: list[Point], yardstick: str) -> tuple[int, int]:
-    """In how many settings all statements hold, and of how many in which bars broke."""
-    mine = [p for p in points if (p.claim, p.yardstick) == (claim.id, yardstick) and p.statements]
-    return sum(p.holding == p.statements for p in mine), len(mine)

@@ -93,11 +93,12 @@ def _report(arguments: argparse.Namespace) -> int:
 
 
 def _print_claims(settled) -> None:
+    from pliant.experiment.settled import settings_text
+
     table = console.Table("claims of the thesis", ["id", "verdict", "settings", "depends on"],
-                          text_columns=(0, 1, 3))  # fmt: skip
+                          text_columns=(0, 1, 2, 3))  # fmt: skip
     for one in settled:
-        held = f"{one.settings_held} of {one.settings}" if one.settings else "-"
-        table.rows.append((one.claim.id, one.word, held, one.on_what))
+        table.rows.append((one.claim.id, one.word, settings_text(one), one.on_what))
     table.print()
 
 

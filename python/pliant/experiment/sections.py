@@ -11,7 +11,7 @@ from pliant.experiment import document
 from pliant.experiment.answer import Figure, Table
 from pliant.experiment.contradictions import CONTRADICTIONS
 from pliant.experiment.heat_maps import WORDS
-from pliant.experiment.settled import Settled
+from pliant.experiment.settled import Settled, settings_text
 from pliant.experiment.statistics import REPLICATES
 from pliant.experiment.sweep import GRAPHS, PUSHES, QUICK_GRAPHS, Point
 from pliant.experiment.table import Table as Rows
@@ -47,7 +47,7 @@ def claims_table(settled: list[Settled], swept: bool) -> Table:
         row: list = [claim.id, ", ".join(claim.families), claim.text, headline(one)]
         row += [one.by_yardstick[name].word if name in one.by_yardstick else "–"
                 for name in ("sweeps", "passes", "projections")]  # fmt: skip
-        row += [one.word, *([f"{one.settings_held} of {one.settings}"] if swept else []),
+        row += [one.word, *([settings_text(one)] if swept else []),
                 one.on_what]  # fmt: skip
         made.rows.append(row)
     return made
@@ -91,8 +91,7 @@ def _one_claim(one: Settled, heat_map: Figure | None) -> str:
 
 
 def _in_sweep(one: Settled) -> str:
-    return (f"Every statement, by every yardstick, holds in {one.settings_held} of {one.settings} "
-            "settings of the sweep.")  # fmt: skip
+    return f"Settings of the sweep in which every statement holds: {settings_text(one)}."
 
 
 def _statements(verdict: Verdict) -> Table:
@@ -137,8 +136,9 @@ def _sweep_text(table: Rows, points: list[Point]) -> str:
     settings = len({tuple(getattr(point, name) for name in names) for point in points})
     return (f"The sweep has {settings} settings with up to {GRAPHS} graphs of each of three "
             f"families and {PUSHES} forces a graph ({QUICK_GRAPHS} graphs if it was asked to be "
-            "quick): tolerance with the length of the push, the size of the graphs (from mostly "
-            "cycle to mostly tree), the box, and pushes in turn. Lengths scale: only push and "
+            "quick): tolerance with the length of the push, the size of graphs (from mostly "
+            "cycle to mostly tree), the box, pushes from rest or in turn, and pushes in "
+            "turn on small graphs such as the thesis draws. Lengths scale: only push and "
             "tolerance over the lengths of bars matter, so the box is another view on both."
             )  # fmt: skip
 
@@ -163,7 +163,7 @@ def as_json(settled: list[Settled]) -> list[dict]:
     """The claims table for programs."""
     return [
         {"id": one.claim.id, "claim": one.claim.text, "verdict": one.word,
-         "depends_on": one.on_what, "settings_held": one.settings_held, "settings": one.settings,
+         "depends_on": one.on_what, "settings_held": one.held_by, "settings": one.settings,
          "holds": sum(s.verdict == HOLDS for s in one.here.statements),
          "fails": sum(s.verdict == FAILS for s in one.here.statements),
          "statements": [{"text": s.text, "yardstick": s.tags["yardstick"], "numbers": s.numbers,

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pliant.experiment.claims import CLAIMS, Claim
-from pliant.experiment.heat_maps import axes_of, shares
+from pliant.experiment.heat_maps import WORDS, axes_of, shares
 from pliant.experiment.settings import Settings
 from pliant.experiment.statistics import Study
 from pliant.experiment.sweep import TOLERANCES, Point
@@ -25,7 +25,8 @@ class Settled:
     claim: Claim
     by_yardstick: dict[str, Verdict]  #: of this experiment
     here: Verdict  #: of this experiment, all yardsticks together
-    settings_held: int  #: settings of the sweep in which every statement holds, by all yardsticks
+    held_by: dict[str, int]  #: settings of the sweep in which every statement holds, by yardstick
+    settings_held: int  #: the same by all yardsticks at once
     settings: int  #: settings of the sweep in which pushes broke bars
     word: str
     on_what: str
@@ -47,7 +48,19 @@ def _settle_one(
     word, on_what = _last_word(here, mine, held, total)
     if word == DEPENDS and total:
         on_what = "; ".join(filter(None, [on_what, _strongest_axis(mine, start)]))
-    return Settled(claim, by_yardstick, here, held, total, word, on_what)
+    held_by = {name: sum(p.holding == p.statements for p in mine if p.yardstick == name)
+               for name in claim.yardsticks}  # fmt: skip
+    return Settled(claim, by_yardstick, here, held_by, held, total, word, on_what)
+
+
+def settings_text(one: Settled) -> str:
+    """ "77 of 77", or "sweeps 0, passes 28 of 77" where yardsticks differ; "-" without a sweep."""
+    if not one.settings:
+        return "-"
+    if len(set(one.held_by.values())) == 1 and one.settings_held == one.held_by["sweeps"]:
+        return f"{one.settings_held} of {one.settings}"
+    counts = ", ".join(f"{WORDS[name]} {held}" for name, held in one.held_by.items())
+    return f"{counts} of {one.settings}"
 
 
 def _settings_held(points: list[Point]) -> tuple[int, int]:
@@ -78,7 +91,8 @@ def _strongest_axis(points: list[Point], start: Settings) -> str:
     for label, values, texts, value_of in axes_of(start, sweeps):
         grid = np.ma.masked_less(shares(sweeps, values, value_of), 0.0)
         means = grid.mean(axis=1)
-        rows.append((label.split(" (")[0].split(",")[0], texts, means))
+        if not np.ma.getmaskarray(means).all():
+            rows.append((label.split(" (")[0].split(",")[0], texts, means))
     label, texts, means = max(rows, key=lambda row: float(np.ma.max(row[2]) - np.ma.min(row[2])))
     low, high = int(np.ma.argmin(means)), int(np.ma.argmax(means))
     if means[high] - means[low] < 0.05:

@@ -23,6 +23,8 @@ TOLERANCES = (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)  #: Angstrom
 FORCES = (5.0, 20.0, 50.0, 200.0, 500.0)  #: kJ/(mol Angstrom)
 #: depth of trees, most children, longest closed chain: from mostly cycle to mostly tree
 SIZES = ((2, 2, 4), (3, 2, 6), (4, 3, 8), (5, 3, 16), (6, 3, 32))
+#: what the figures of the thesis look like, pushed as its force files are
+SMALL_IN_TURN = {"depth": 2, "children": 2, "ring": 4, "consecutive": True}
 BOXES = (5.0, 10.0, 20.0, 40.0)  #: Angstrom
 GRAPHS, PUSHES = 20, 25  #: of each family, on each graph
 QUICK_GRAPHS, QUICK_PUSHES = 4, 5
@@ -56,7 +58,7 @@ class Point:
 
 
 def grid(start: Settings) -> list[Settings]:
-    """Tolerance with force, with size, with box, with where forces act; the rest as in `start`."""
+    """Tolerance with each axis of the sweep; what is not varied is as in `start`."""
     cells = []
     for tolerance in TOLERANCES:
         base = dataclasses.replace(start, tolerance_length=tolerance)
@@ -65,6 +67,8 @@ def grid(start: Settings) -> list[Settings]:
                   for depth, children, ring in SIZES]  # fmt: skip
         cells += [dataclasses.replace(base, box=box) for box in BOXES]
         cells += [dataclasses.replace(base, consecutive=value) for value in (False, True)]
+        small = dataclasses.replace(base, **SMALL_IN_TURN)
+        cells += [dataclasses.replace(small, force=force) for force in FORCES]
     return list(dict.fromkeys(cells))
 
 
