@@ -26,6 +26,7 @@ PAGES = {
     "pliant-bench-work-precision": ["bench", "work-precision", "--help"],
     "pliant-bench-scaling": ["bench", "scaling", "--help"],
     "pliant-bench-throughput": ["bench", "throughput", "--help"],
+    "pliant-bench-stress": ["bench", "stress", "--help"],
 }
 
 

@@ -7,7 +7,7 @@ import argparse
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from pliant import console
+from pliant import OptionError, console
 
 
 @dataclass(frozen=True)
@@ -173,6 +173,49 @@ def _throughput(arguments: argparse.Namespace) -> int:
     return console.EXIT_OK
 
 
+def _stress_options(parser: console.Parser) -> None:
+    from pliant.bench.stress import LIMIT_SECONDS
+    from pliant.bench.stress_table import FULL_STEPS, STEPS
+
+    add = parser.add_argument
+    add("--cases", metavar="WORD", default="", help="only cases whose name or group has this word")
+    add("--techniques", metavar="NAME,...", type=names, default=(),
+        help="of pliant techniques (default: all)")  # fmt: skip
+    add("--weightings", metavar="W,W,...", type=numbers, default=(0.5,),
+        help="of these techniques (default 0.5)")  # fmt: skip
+    add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
+        help=f"of the runs of closed mechanisms (default {STEPS})")  # fmt: skip
+    add("--full", action="store_true", help=f"{FULL_STEPS} steps: hours")
+    add("--shrink", metavar="N", type=console.whole_number(1), default=1,
+        help="make the large frameworks so many times smaller (default 1)")  # fmt: skip
+    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS,
+        help=f"seconds for one technique on one case (default {LIMIT_SECONDS:g})")  # fmt: skip
+    add("--no-openmm", action="store_true", help="leave OpenMM out")
+
+
+def _stress(arguments: argparse.Namespace) -> int:
+    from pliant.bench.stress import stress
+    from pliant.bench.stress_report import print_report
+    from pliant.bench.stress_table import FULL_STEPS, all_cases
+
+    cases = all_cases(arguments.shrink, FULL_STEPS if arguments.full else arguments.steps)
+    word = arguments.cases
+    chosen = [case for case in cases if word in case.name or word in case.group]
+    if not chosen:
+        raise OptionError(f"--cases: no case has '{word}' in its name or group")
+    with console.progress("cases", arguments.quiet or arguments.json) as show:
+        found = stress(
+            chosen,
+            techniques=arguments.techniques,
+            weightings=arguments.weightings,
+            limit_seconds=arguments.time_limit * (100 if arguments.full else 1),
+            openmm=not arguments.no_openmm,
+            progress=show,
+        )
+    console.print_json(found.as_json()) if arguments.json else print_report(found)
+    return console.EXIT_FAILED if found.violations else console.EXIT_OK
+
+
 SUBCOMMANDS = (
     Subcommand(
         "work-precision",
@@ -211,5 +254,19 @@ SUBCOMMANDS = (
         "example:\n  pliant bench throughput protein.pdb --tolerance 1e-10\n",
         _throughput_options,
         _throughput,
+    ),
+    Subcommand(
+        "stress",
+        "every technique, and OpenMM, on what is hard: far, tiny, huge, redundant, impossible",
+        "Tries every technique on frameworks chosen to break it, each in a child process, and\n"
+        "OpenMM's CCMA on the same. Told are the outcome, the worst bar measured anew, and where\n"
+        "someone fell short how nearly least squares can make all bars whole. A process that\n"
+        "dies, a position that is no number, a pinned joint that moved, or 'converged' beyond the\n"
+        "tolerance is a violation: it is named, and the exit code is 1.",
+        "examples:\n"
+        "  pliant bench stress --cases offset\n"
+        "  pliant bench stress --techniques blocks,bfs_cycle --json > stress.json\n",
+        _stress_options,
+        _stress,
     ),
 )
