@@ -120,15 +120,22 @@ void check(const GenerateOptions& options) {
           "positive and finite");
 }
 
+std::string class_fault(const GraphClass& kind, const GenerateOptions& options,
+                        const Framework& framework) {
+  const GraphFacts facts = graph_facts(framework);
+  const std::int64_t cycles = expected_cycles(kind, options);
+  if (facts.components == 1 && static_cast<std::int64_t>(facts.cycles) == cycles) return "";
+  return "expected a graph of class " + std::string(kind.name) + ": 1 component and " +
+         std::to_string(cycles) + " independent cycles, found " + std::to_string(facts.components) +
+         " and " + std::to_string(facts.cycles);
+}
+
 GeneratedGraph generate(const GraphClass& kind, const GenerateOptions& options,
                         const RandomKey& key) {
   check(options);
   GeneratedGraph graph = kind.make(options, key);
-  const GraphFacts facts = graph_facts(graph.framework);
-  const std::int64_t cycles = expected_cycles(kind, options);
-  if (facts.components != 1 || static_cast<std::int64_t>(facts.cycles) != cycles)
-    throw Error(std::string(kind.name) + ": made a graph of " + std::to_string(facts.components) +
-                " components and " + std::to_string(facts.cycles) + " cycles");
+  const std::string fault = class_fault(kind, options, graph.framework);
+  if (!fault.empty()) throw Error("generate: " + fault);
   return graph;
 }
 

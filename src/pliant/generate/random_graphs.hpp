@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -48,8 +49,13 @@ std::span<const GraphClass> graph_classes();
 /// The row of that name. Throws OptionError listing the known names.
 const GraphClass& find_graph_class(std::string_view name);
 
-/// Makes a graph and checks that it is of its class: connected, with the right number of
-/// independent cycles. Throws Error if it is not, which would be a bug.
+/// Why `framework` is not of a class: it must be connected, with the class' number of independent
+/// cycles (of an n-cycle, options.cycles). "" if it is of the class.
+std::string class_fault(const GraphClass& kind, const GenerateOptions& options,
+                        const Framework& framework);
+
+/// Makes a graph and checks that it is of its class. Throws Error if it is not, which would be a
+/// bug.
 GeneratedGraph generate(const GraphClass& kind, const GenerateOptions& options,
                         const RandomKey& key);
 

@@ -4,13 +4,12 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <pugixml.hpp>
 #include <unordered_map>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/framework/feasibility.hpp"
-#include "pliant/record/xml_text.hpp"
+#include "pliant/record/xml_document_internal.hpp"
 
 namespace pliant {
 namespace {
@@ -19,13 +18,11 @@ namespace {
 class GraphParser {
  public:
   GraphParser(const SourceText& source, const Log& log)
-      : source_(source), log_(log), lines_(source.text), atoms_(std::make_shared<AtomTable>()) {
+      : source_(source), log_(log), xml_(source, "graph"), atoms_(std::make_shared<AtomTable>()) {
     atoms_->residues.push_back({"", 1, ' ', ""});
   }
 
   Graph parse() {
-    check_xml_text(source_);
-    load();
     read_root();
     for (pugi::xml_node node : root_.children("joint")) read_joint(node);
     for (pugi::xml_node node : root_.children("bar")) read_bar(node);
@@ -35,33 +32,15 @@ class GraphParser {
   }
 
  private:
-  Place place_of(pugi::xml_node node) const {
-    const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, node.offset_debug()));
-    return {source_.name, lines_.line_of(offset)};
+  Place place_of(pugi::xml_node node) const { return xml_.place_of(node); }
+  std::string_view required(pugi::xml_node node, const char* name) const {
+    return xml_.required(node, name);
   }
-
-  void load() {
-    const auto result = document_.load_buffer(source_.text.data(), source_.text.size(),
-                                              pugi::parse_default, pugi::encoding_utf8);
-    if (result) return;
-    const auto offset = static_cast<std::size_t>(std::max<std::ptrdiff_t>(0, result.offset));
-    fail({source_.name, lines_.line_of(offset)},
-         "column " + std::to_string(lines_.column_of(offset)) +
-             ": is not well-formed XML: " + result.description());
-  }
+  double number(pugi::xml_node node, const char* name) const { return xml_.real(node, name); }
 
   void read_root() {
-    root_ = document_.document_element();
-    if (std::string_view(root_.name()) != "graph")
-      fail(place_of(root_), "expected the root element graph, found " + quoted(root_.name()));
-    for (pugi::xml_node node = root_.next_sibling(); node; node = node.next_sibling())
-      if (node.type() == pugi::node_element)
-        fail(place_of(node), "expected one root element, found a second: " + quoted(node.name()));
-    for (pugi::xml_node node : root_.children()) {
-      const std::string_view name = node.name();
-      if (node.type() == pugi::node_element && name != "joint" && name != "bar" && name != "cycle")
-        fail(place_of(node), "expected joint, bar or cycle, found " + quoted(name));
-    }
+    xml_.expect_elements(root_, {"joint", "bar", "cycle"});
+    xml_.expect_attributes(root_, {"dimension"});
     const auto dimension = root_.attribute("dimension");
     if (!dimension) return;
     planar_ = std::string_view(dimension.value()) == "2";
@@ -69,21 +48,9 @@ class GraphParser {
       fail(place_of(root_), "dimension: expected 2 or 3, found " + quoted(dimension.value()));
   }
 
-  std::string_view required(pugi::xml_node node, const char* name) const {
-    const auto attribute = node.attribute(name);
-    if (!attribute) fail(place_of(node), std::string(node.name()) + " without attribute " + name);
-    return attribute.value();
-  }
-
-  double number(pugi::xml_node node, const char* name) const {
-    const std::string_view text = required(node, name);
-    const auto value = parse_real(text);
-    if (!value)
-      fail(place_of(node), std::string(name) + ": expected a finite number, found " + quoted(text));
-    return *value;
-  }
-
   void read_joint(pugi::xml_node node) {
+    xml_.expect_elements(node, {});
+    xml_.expect_attributes(node, {"id", "x", "y", "z", "mass", "pinned"});
     const std::string_view id = required(node, "id");
     check_id(node, id);
     const auto joint = static_cast<Joint>(positions_.size());
@@ -126,6 +93,8 @@ class GraphParser {
   }
 
   void read_bar(pugi::xml_node node) {
+    xml_.expect_elements(node, {});
+    xml_.expect_attributes(node, {"a", "b", "length"});
     const Bar bar{joint_of(node, required(node, "a")), joint_of(node, required(node, "b"))};
     const std::string name = quoted(required(node, "a")) + " - " + quoted(required(node, "b"));
     if (bar.a == bar.b) fail(place_of(node), "bar " + name + " joins a joint to itself");
@@ -159,6 +128,8 @@ class GraphParser {
   }
 
   void read_cycle(pugi::xml_node node) {
+    xml_.expect_elements(node, {});
+    xml_.expect_attributes(node, {"joints"});
     std::vector<Joint> cycle;
     std::string_view rest = required(node, "joints");
     while (!(rest = trimmed(rest)).empty()) {
@@ -195,9 +166,8 @@ class GraphParser {
 
   const SourceText& source_;
   const Log& log_;
-  LineIndex lines_;
-  pugi::xml_document document_;
-  pugi::xml_node root_;
+  XmlDocument xml_;
+  pugi::xml_node root_ = xml_.root();
   bool planar_ = false;
   std::shared_ptr<AtomTable> atoms_;
   std::unordered_map<std::string, Joint> joints_;

@@ -179,6 +179,12 @@ void OutputFile::close() {
   descriptor_ = -1;
 }
 
+void make_folder(const fs::path& path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) fail_with(path, "cannot make the folder", error.value());
+}
+
 void write_text_file(const fs::path& path, std::string_view text, bool overwrite) {
   OutputFile file(path, overwrite);
   file.write(text);

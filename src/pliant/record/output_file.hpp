@@ -48,4 +48,8 @@ class OutputFile {
 /// Writes a file that is there as a whole or not at all. Throws as OutputFile does.
 void write_text_file(const std::filesystem::path& path, std::string_view text, bool overwrite);
 
+/// Makes a folder and those above it, where they are missing. Throws FileError with the system's
+/// reason.
+void make_folder(const std::filesystem::path& path);
+
 }  // namespace pliant

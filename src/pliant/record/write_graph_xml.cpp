@@ -4,32 +4,10 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/record/graph_xml.hpp"
+#include "pliant/record/xml_document_internal.hpp"
 
 namespace pliant {
 namespace {
-
-std::string escaped(std::string_view text) {
-  std::string out;
-  for (char c : text) {
-    switch (c) {
-      case '&':
-        out += "&amp;";
-        break;
-      case '<':
-        out += "&lt;";
-        break;
-      case '>':
-        out += "&gt;";
-        break;
-      case '"':
-        out += "&quot;";
-        break;
-      default:
-        out += c;
-    }
-  }
-  return out;
-}
 
 /// Ids of joints: their names where no two are alike, else "0", "1", ...
 std::vector<std::string> ids_of(const Framework& framework) {
@@ -46,8 +24,8 @@ std::vector<std::string> ids_of(const Framework& framework) {
 }
 
 std::string joint_element(const Framework& framework, Joint joint, Vec3 at, std::string_view id) {
-  std::string text = "  <joint id=\"" + escaped(id) + "\" x=\"" + shortest_text(at.x) + "\" y=\"" +
-                     shortest_text(at.y) + "\" z=\"" + shortest_text(at.z) + "\"";
+  std::string text = "  <joint id=\"" + xml_escaped(id) + "\" x=\"" + shortest_text(at.x) +
+                     "\" y=\"" + shortest_text(at.y) + "\" z=\"" + shortest_text(at.z) + "\"";
   const double inverse_mass = framework.inverse_masses()[joint];
   if (inverse_mass == 0.0) {
     text += " pinned=\"true\"";
@@ -70,13 +48,13 @@ std::string write_graph_xml(const Framework& framework, std::span<const Vec3> po
     text += joint_element(framework, static_cast<Joint>(i), positions[i], ids[i]);
   for (std::size_t k = 0; k < framework.bar_count(); ++k) {
     const Bar bar = framework.bars()[k];
-    text += "  <bar a=\"" + escaped(ids[bar.a]) + "\" b=\"" + escaped(ids[bar.b]) + "\" length=\"" +
-            shortest_text(framework.rest_lengths()[k]) + "\"/>\n";
+    text += "  <bar a=\"" + xml_escaped(ids[bar.a]) + "\" b=\"" + xml_escaped(ids[bar.b]) +
+            "\" length=\"" + shortest_text(framework.rest_lengths()[k]) + "\"/>\n";
   }
   for (const std::vector<Joint>& cycle : cycles) {
     text += "  <cycle joints=\"";
     for (std::size_t k = 0; k < cycle.size(); ++k)
-      text += (k == 0 ? "" : " ") + escaped(ids[cycle[k]]);
+      text += (k == 0 ? "" : " ") + xml_escaped(ids[cycle[k]]);
     text += "\"/>\n";
   }
   return text + "</graph>\n";
