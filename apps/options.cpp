@@ -58,6 +58,12 @@ std::string wording(Range range) {
 /// Numbers fill the whole argument: no blanks around them.
 bool has_blanks(const std::string& text) { return text.find_first_of(" \t") != std::string::npos; }
 
+double real_of(const std::string& name, Range range, const std::string& text) {
+  const auto number = parse_real(text);
+  if (!number || has_blanks(text) || !is_in(range, *number)) refuse(name, wording(range), text);
+  return *number;
+}
+
 /// "--no-such" with the nearest option that there is.
 std::string unknown_options(const CLI::App& app) {
   std::vector<std::string> known;
@@ -106,11 +112,31 @@ CLI::Option* add_seed(CLI::App& app, const std::string& name, std::uint64_t& val
 CLI::Option* add_real(CLI::App& app, const std::string& name, double& value, Range range,
                       const std::string& help) {
   const auto parse = [name, range, &value](const std::string& text) {
-    const auto number = parse_real(text);
-    if (!number || has_blanks(text) || !is_in(range, *number)) refuse(name, wording(range), text);
-    value = *number;
+    value = real_of(name, range, text);
   };
   return add_parsed(app, name, "X", fmt::format("{}", value), help, parse);
+}
+
+CLI::Option* add_names(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                       const std::string& fallback, const std::string& help) {
+  return app.add_option(name, values, help)
+      ->type_name("NAMES")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->default_str(fallback);
+}
+
+CLI::Option* add_reals(CLI::App& app, const std::string& name, std::vector<double>& values,
+                       Range range, const std::string& fallback, const std::string& help) {
+  const auto parse = [name, range, &values](const std::vector<std::string>& texts) {
+    values.clear();
+    for (const std::string& text : texts) values.push_back(real_of(name, range, text));
+  };
+  return app.add_option_function<std::vector<std::string>>(name, parse, help)
+      ->type_name("NUMBERS")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->default_str(fallback);
 }
 
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,

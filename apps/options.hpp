@@ -28,6 +28,14 @@ enum class Range { positive, zero_or_more, zero_to_one };
 CLI::Option* add_real(CLI::App& app, const std::string& name, double& value, Range range,
                       const std::string& help);
 
+/// Names set apart by commas; `fallback` says in the help what holds if there are none.
+CLI::Option* add_names(CLI::App& app, const std::string& name, std::vector<std::string>& values,
+                       const std::string& fallback, const std::string& help);
+
+/// Finite real numbers in `range`, set apart by commas.
+CLI::Option* add_reals(CLI::App& app, const std::string& name, std::vector<double>& values,
+                       Range range, const std::string& fallback, const std::string& help);
+
 /// One of `names`.
 CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
                         const std::vector<std::string_view>& names, const std::string& help);

@@ -131,6 +131,12 @@ std::vector<std::int64_t> integers_from(const ArrayLike& argument, const char* n
   return vector_from<std::int64_t>(array, "int64");
 }
 
+std::vector<std::int64_t> truths_from(const ArrayLike& argument, const char* name) {
+  const nb::object array = array_from(argument, name, "b", "truth values");
+  if (dimensions(array) != 1) fail_shape(name, "(K,)", array);
+  return vector_from<std::int64_t>(array, "int64");
+}
+
 std::vector<Bar> pairs_from(const ArrayLike& argument, const char* name, std::size_t joint_count) {
   const std::vector<std::int64_t> values = pair_values(argument, name);
   const auto exists = [&](std::int64_t joint) {

@@ -56,6 +56,9 @@ std::vector<double> reals_from(const ArrayLike& argument, const char* name);
 /// A copy of a (K) array-like of integers; no other type is rounded.
 std::vector<std::int64_t> integers_from(const ArrayLike& argument, const char* name);
 
+/// A copy of a (K) array-like of truth values; no number stands for one.
+std::vector<std::int64_t> truths_from(const ArrayLike& argument, const char* name);
+
 /// A copy of a (K, 2) array-like of integers, each from 0 to `joint_count` - 1.
 /// An empty sequence of any shape is no pair.
 std::vector<Bar> pairs_from(const ArrayLike& argument, const char* name, std::size_t joint_count);

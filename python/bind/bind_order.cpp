@@ -22,13 +22,6 @@ std::vector<std::uint32_t> indices_from(const ArrayLike& column, const char* nam
   return indices;
 }
 
-std::vector<std::int64_t> truths_from(const ArrayLike& column) {
-  const nb::object array = nb::module_::import_("numpy").attr("asarray")(column.object);
-  if (nb::cast<std::string>(array.attr("dtype").attr("kind")) != "b")
-    throw nb::type_error("ordering: is_tree must hold truth values");
-  return integers_from({array.attr("astype")("int64")}, "is_tree");
-}
-
 Ordering ordering_in_file(const std::filesystem::path& path, const Framework& framework) {
   const nb::gil_scoped_release no_gil;
   return read_ordering_file(path, framework);
@@ -88,7 +81,7 @@ nb::tuple ordering_to_python(const Ordering& ordering) {
 Ordering ordering_from(const OrderingColumns& columns) {
   const auto bar = indices_from(std::get<0>(columns), "bar");
   const auto near = indices_from(std::get<1>(columns), "near");
-  const auto is_tree = truths_from(std::get<2>(columns));
+  const auto is_tree = truths_from(std::get<2>(columns), "is_tree");
   if (bar.size() != near.size() || bar.size() != is_tree.size())
     throw InputError("ordering: expected three columns of one length, found " +
                      std::to_string(bar.size()) + ", " + std::to_string(near.size()) + " and " +

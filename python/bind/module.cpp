@@ -14,4 +14,5 @@ NB_MODULE(_core, module) {
   bind_record(module);
   bind_generate(module);
   bind_run(module);
+  bind_laboratory(module);
 }

@@ -49,3 +49,7 @@
 #include "pliant/record/h5md_reader.hpp"    // frames of any H5MD file
 #include "pliant/record/h5md_recorder.hpp"  // frames to an H5MD file
 #include "pliant/record/topology_pdb.hpp"   // names and bonds for other programs
+
+// laboratory: graphs, forces and results in folders
+#include "pliant/laboratory/test_results.hpp"  // what a heuristic did with the forces of a graph
+#include "pliant/laboratory/test_set.hpp"      // the test sets of the thesis

@@ -13,6 +13,7 @@ PAGES = {
     "pliant": ["--help"],
     "pliant-info": ["info", "--help"],
     "pliant-run": ["run", "--help"],
+    "pliant-structgen": ["structgen", "--help"],
     "pliant-forcegen": ["forcegen", "--help"],
     "pliant-order": ["order", "--help"],
     "pliant-techniques": ["techniques", "--help"],

@@ -175,3 +175,71 @@ def test_an_ordering_file_goes_with_no_other_technique(pliant, triangle, tmp_pat
     ended = pliant("run", triangle, "--ordering", "o.txt", "--technique", "blocks")
     assert ended.code == 2
     assert "--ordering: goes with --technique input or none, not with blocks" in ended.err
+
+
+def test_one_graph_of_a_class(pliant, tmp_path):
+    made = pliant("structgen", "2-cycle-tree", "--seed", 7, "--ring", 12, "--json")
+    told = json.loads(made.out)
+    assert (told["cycles"], told["output"]) == (2, "2-cycle-tree.xml")
+    seen = json.loads(pliant("info", "2-cycle-tree.xml", "--json").out)
+    assert (seen["atoms"], seen["bars"], seen["cycles"], seen["components"]) == (
+        told["joints"], told["bars"], 2, 1,
+    )  # fmt: skip
+    before = (tmp_path / "2-cycle-tree.xml").read_bytes()
+    refused = pliant("structgen", "2-cycle-tree", "--seed", 8)
+    assert refused.code == 1
+    assert "2-cycle-tree.xml: exists already" in refused.err
+    assert (tmp_path / "2-cycle-tree.xml").read_bytes() == before
+    pliant("structgen", "2-cycle-tree", "--seed", 8, "--overwrite")
+    assert (tmp_path / "2-cycle-tree.xml").read_bytes() != before
+
+
+def test_a_generated_graph_runs_records_and_replays(pliant, tmp_path):
+    assert pliant("structgen", "2-cycle-path", "-o", "g.xml").code == 0
+    assert pliant("forcegen", "g.xml", "-o", "f.txt", "--count", 12, "--force", 90).code == 0
+    ended = pliant("run", "g.xml", "--forces", "f.txt", "--record-forces", "back.txt", "--json")
+    assert (ended.code, json.loads(ended.out)["steps"]) == (0, 12)
+    assert (tmp_path / "back.txt").read_text() == (tmp_path / "f.txt").read_text()
+
+
+def test_a_test_set_reruns_to_what_its_graphs_and_forces_say(pliant, tmp_path):
+    made = pliant(
+        "structgen", "--test-set", "set", "--classes", "tree,1-cycle-bar", "--graphs", 3,
+        "--forces", 4, "--seed", 2, "--techniques", "bfs_cycle", "--weightings", "0.5,1", "--json",
+    )  # fmt: skip
+    assert made.code == 0
+    assert json.loads(made.out)["classes"] == [
+        {"name": name, "graphs": 3, "heuristics": ["bfs_cycle-0.5", "bfs_cycle-1"]}
+        for name in ("tree", "1-cycle-bar")
+    ]
+    # A graph of the set is the graph of that number, its forces are those of forcegen.
+    graph = tmp_path / "set/1-cycle-bar/graph-002"
+    pliant("structgen", "1-cycle-bar", "--seed", 2, "--number", 2, "-o", "g.xml")
+    assert (tmp_path / "g.xml").read_bytes() == (graph / "graph.xml").read_bytes()
+    run = pliant(
+        "run", graph / "graph.xml", "--forces", graph / "heuristics/forces/forces-0.txt",
+        "--ordering", graph / "ordering.txt", "-o", "o.h5md",
+    )  # fmt: skip
+    assert run.code == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ((), "expected a class of graphs (tree, 1-cycle-bar, "),
+        (("treee",), 'no class of graphs named "treee" (did you mean "tree"?)'),
+        (("tree", "--test-set", "x"), "CLASS: does not go with --test-set"),
+        (("tree", "--graphs", 2), "--graphs: goes with --test-set alone"),
+        (("tree", "--ring", 2), '--ring: expected a whole number from 3, found "2"'),
+        (("--test-set", "x", "--weightings", "0.5,nan"),
+         '--weightings: expected a number from 0 to 1, found "nan"'),
+        (("--test-set", "x", "--techniques", "bfs"), 'no technique named "bfs"'),
+        (("--test-set", "x", "--classes", "tree,tree"), "classes: tree is given twice"),
+        (("--test-set", "x", "--force-files", 51), "force_files = 51: must be at most the forces"),
+    ],
+)  # fmt: skip
+def test_options_of_structgen_are_checked(pliant, tmp_path, arguments, message):
+    ended = pliant("structgen", *arguments)
+    assert ended.code == 2
+    assert message in ended.err
+    assert list(tmp_path.iterdir()) == []

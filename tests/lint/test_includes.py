@@ -22,6 +22,7 @@ MAY_INCLUDE = {
     "resolve": ("base", "framework", "order"),
     "run": ("base", "framework", "order", "resolve", "perturb"),
     "record": ("base", "framework"),
+    "laboratory": ("base", "framework", "generate", "order", "resolve", "perturb", "record"),
 }
 
 # Libraries that stay behind .cpp files, so that users of our headers need not have them.

@@ -62,7 +62,8 @@ def test_lists_are_an_ordering_too():
         (([0, 1], [0, 0], [True, True]), pliant.OptionError,
          "ordering: bar 1 - 2 has a near joint that is not its end"),
         (([0, 0], [0, 0], [True, True]), pliant.OptionError, "ordering: bar 0 - 1 appears twice"),
-        (([0, 1], [0, 1], [1, 1]), TypeError, "ordering: is_tree must hold truth values"),
+        (([0, 1], [0, 1], [1, 1]), TypeError,
+         "is_tree: expected an array of truth values, found an array of int64 with shape (2,)"),
         (([0, -1], [0, 1], [True, True]), IndexError, "bar -1 of 4294967295 does not exist"),
     ],
 )  # fmt: skip

@@ -18,6 +18,12 @@ std::string listed(XmlNames names) {
   return text.empty() ? "none" : text;
 }
 
+std::string_view without_blanks(std::string_view text) {
+  constexpr std::string_view blanks = " \t\r\n";
+  text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+  return text.substr(0, text.find_last_not_of(blanks) + 1);
+}
+
 bool is_among(std::string_view word, XmlNames names) {
   return std::find(names.begin(), names.end(), word) != names.end();
 }
@@ -60,7 +66,7 @@ void XmlDocument::expect_elements(pugi::xml_node node, XmlNames names) const {
     if (!is_text && child.type() != pugi::node_element) continue;
     if (is_text || !is_among(child.name(), names))
       fail(place_of(child), "expected " + listed(names) + ", found " +
-                                quoted(is_text ? trimmed(child.value()) : child.name()));
+                                quoted(is_text ? without_blanks(child.value()) : child.name()));
   }
 }
 

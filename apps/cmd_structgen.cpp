@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+// pliant structgen: random graphs of a class, or a whole test set (the thesis' StructGen).
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command.hpp"
+#include "messages.hpp"
+#include "pliant/framework/graph.hpp"
+#include "pliant/record/output_file.hpp"
+#include "structgen_settings.hpp"
+
+namespace pliant::app {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+void print_json(const Json& json) {
+  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+}
+
+void write_one(const StructgenSettings& settings) {
+  const GraphClass& kind = find_graph_class(settings.kind);
+  RandomKey key;
+  key.seed = settings.set.settings.seed;
+  key.walker = std::uint64_t(settings.number);
+  const GeneratedGraph graph = generate(kind, settings.set.settings.sizes, key);
+  write_text_file(settings.output, write_graph_xml(graph.framework, graph.positions, graph.cycles),
+                  settings.overwrite);
+  const GraphFacts facts = graph_facts(graph.framework);
+  if (settings.json)
+    return print_json({{"class", kind.name},
+                       {"seed", key.seed},
+                       {"number", settings.number},
+                       {"output", settings.output},
+                       {"joints", facts.joints},
+                       {"bars", facts.bars},
+                       {"cycles", facts.cycles},
+                       {"bridges", facts.bridges}});
+  fmt::print("{}: {} joints, {} bars, {} cycles in {}\n", kind.name, facts.joints, facts.bars,
+             facts.cycles, settings.output);
+}
+
+Json set_as_json(const TestSet& set) {
+  Json classes = Json::array();
+  for (const TestClass& kind : set.classes) {
+    Json heuristics = Json::array();
+    for (const TestHeuristic& row : kind.graphs[0].heuristics) heuristics.push_back(row.name());
+    classes.push_back(
+        {{"name", kind.name}, {"graphs", kind.graphs.size()}, {"heuristics", heuristics}});
+  }
+  return {{"test_set", set.directory.string()},
+          {"seed", set.settings.seed},
+          {"forces", set.settings.forces},
+          {"classes", classes}};
+}
+
+void print_set(const TestSet& set) {
+  for (const TestClass& kind : set.classes) {
+    std::size_t joints = 0;
+    for (const TestGraph& graph : kind.graphs) joints += graph.graph.framework.joint_count();
+    fmt::print("{:<16}{} graphs of {:.1f} joints on average, {} forces each, {} heuristics\n",
+               kind.name, kind.graphs.size(), double(joints) / double(kind.graphs.size()),
+               set.settings.forces, kind.graphs[0].heuristics.size());
+  }
+  fmt::print("index           {}\n", (set.directory / test_set_paths::index_file).string());
+}
+
+void write_set(StructgenSettings& settings) {
+  const std::size_t classes =
+      settings.set.classes.empty() ? graph_classes().size() : settings.set.classes.size();
+  ProgressBar progress(std::int64_t(classes) * settings.set.graphs, "graphs", settings.json);
+  settings.set.on_graph = [&](std::int64_t done) { progress.show(done); };
+  const TestSet set = make_test_set(settings.directory, settings.set);
+  settings.json ? print_json(set_as_json(set)) : print_set(set);
+}
+
+}  // namespace
+
+int command_structgen(const Arguments& arguments) {
+  CLI::App app{
+      "Makes random frameworks of a class: a tree, or a graph of 1, 2 or n cycles, each way of\n"
+      "making one a class of its own. Writes one as graph XML, or with --test-set a folder a\n"
+      "class, a folder a graph in it with its forces and its ordering, a folder a heuristic\n"
+      "(technique and weighting) for results, and results.xml on top, which names them all.\n"
+      "Every graph is checked to be of its class; the same seed makes the same files.",
+      "pliant structgen"};
+  prepare(app);
+  StructgenSettings settings;
+  add_structgen_options(app, settings);
+  if (const int code = parse(app, arguments); code >= 0) return code;
+  complete(app, settings);
+  settings.directory.empty() ? write_one(settings) : write_set(settings);
+  return exit_ok;
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,345 @@
+// SPDX-License-Identifier: MIT
+// Test sets: graphs, forces, orderings and results in the folders of figure 4.6 of the thesis.
+#include <nanobind/stl/filesystem.h>
+
+#include "arrays.hpp"
+#include "orderings.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/laboratory/test_set.hpp"
+#include "pushes.hpp"
+
+namespace pliant::python {
+namespace {
+
+/// A part of a test set, which it keeps alive.
+template <class Row>
+struct Part {
+  const Row* row;
+  nb::object set;
+
+  /// The absolute path of a folder of the test set.
+  std::string folder(const std::string& below) const {
+    return (nb::cast<TestSet&>(set).directory / below).string();
+  }
+};
+
+using ClassPart = Part<TestClass>;
+using GraphPart = Part<TestGraph>;
+
+struct HeuristicPart : Part<TestHeuristic> {
+  const TestGraph* graph;
+};
+
+nb::list classes_of(nb::handle_t<TestSet> self) {
+  nb::list parts;
+  for (const TestClass& row : nb::cast<TestSet&>(self).classes)
+    parts.append(ClassPart{&row, nb::borrow(self)});
+  return parts;
+}
+
+nb::list graphs_of(const ClassPart& self) {
+  nb::list parts;
+  for (const TestGraph& row : self.row->graphs) parts.append(GraphPart{&row, self.set});
+  return parts;
+}
+
+nb::list heuristics_of(const GraphPart& self) {
+  nb::list parts;
+  for (const TestHeuristic& row : self.row->heuristics)
+    parts.append(HeuristicPart{{&row, self.set}, self.row});
+  return parts;
+}
+
+TestSet write_set(const std::filesystem::path& directory,
+                  const std::optional<std::vector<std::string>>& classes, std::int64_t graphs,
+                  std::int64_t forces, std::int64_t force_files, std::uint64_t seed,
+                  const std::optional<std::vector<std::string>>& techniques,
+                  const std::vector<double>& weightings, std::int64_t depth, std::int64_t children,
+                  std::int64_t ring, std::int64_t cycles, std::int64_t joints, double box,
+                  double force, double timestep, double tolerance_length, std::int64_t max_sweeps) {
+  TestSetOptions options;
+  options.settings = {seed,
+                      forces,
+                      force,
+                      timestep,
+                      tolerance_length,
+                      max_sweeps,
+                      {depth, children, ring, cycles, joints, box}};
+  options.classes = classes.value_or(std::vector<std::string>{});
+  options.techniques = techniques.value_or(std::vector<std::string>{});
+  options.weightings = weightings;
+  options.graphs = graphs;
+  options.force_files = force_files;
+  const nb::gil_scoped_release no_gil;
+  return make_test_set(directory, options);
+}
+
+std::vector<TestRow> rows_from(const ArrayLike& sweeps, const ArrayLike& passes,
+                               const ArrayLike& projections, const ArrayLike& converged,
+                               const ArrayLike& final_residual) {
+  const auto counts = integers_from(sweeps, "sweeps"), back = integers_from(passes, "passes"),
+             looks = integers_from(projections, "projections");
+  const auto whole = truths_from(converged, "converged");
+  const auto residuals = reals_from(final_residual, "final_residual");
+  for (std::size_t size : {back.size(), looks.size(), whole.size(), residuals.size()})
+    if (size != counts.size())
+      throw InputError("results: expected five columns of one length, found " +
+                       std::to_string(counts.size()) + " and " + std::to_string(size));
+  std::vector<TestRow> rows;
+  for (std::size_t k = 0; k < counts.size(); ++k)
+    rows.push_back({counts[k], back[k], looks[k], bool(whole[k]), residuals[k]});
+  return rows;
+}
+
+nb::dict columns_of(const std::vector<TestRow>& rows) {
+  std::vector<std::int64_t> force, sweeps, passes, projections;
+  std::vector<bool> converged;
+  std::vector<double> residual;
+  for (const TestRow& row : rows) {
+    force.push_back(std::int64_t(force.size()));
+    sweeps.push_back(row.sweeps);
+    passes.push_back(row.passes);
+    projections.push_back(row.projections);
+    converged.push_back(row.converged);
+    residual.push_back(row.final_residual);
+  }
+  nb::dict columns;
+  columns["force"] = array_of(std::move(force));
+  columns["sweeps"] = array_of(std::move(sweeps));
+  columns["passes"] = array_of(std::move(passes));
+  columns["projections"] = array_of(std::move(projections));
+  columns["converged"] = mask_of(converged);
+  columns["final_residual"] = array_of(std::move(residual));
+  return columns;
+}
+
+void bind_results(nb::module_& module) {
+  nb::class_<TestSummary>(module, "TestResults",
+                          "What a heuristic did with the forces of a graph: of ``sweeps``.")
+      .def_ro("forces", &TestSummary::forces, "How many forces.")
+      .def_ro("converged", &TestSummary::converged, "How many of them converged.")
+      .def_ro("mean", &TestSummary::mean, "Mean.")
+      .def_ro("mode", &TestSummary::mode, "The smallest of the most frequent.")
+      .def_ro("sd", &TestSummary::sd, "Standard deviation with n - 1; 0 of one force.")
+      .def("__eq__", [](const TestSummary& one, const TestSummary& two) { return one == two; });
+  nb::class_<HeuristicPart>(module, "TestHeuristic", "A technique with a weighting.")
+      .def_prop_ro(
+          "technique", [](const HeuristicPart& self) { return self.row->technique; },
+          "A name in ``techniques()``.")
+      .def_prop_ro(
+          "weighting", [](const HeuristicPart& self) { return self.row->weighting; },
+          "Share of a correction that the far joint of a tree bar takes.")
+      .def_prop_ro(
+          "name", [](const HeuristicPart& self) { return self.row->name(); },
+          "\"bfs_cycle-0.5\": its folder.")
+      .def_prop_ro(
+          "directory",
+          [](const HeuristicPart& self) {
+            return self.folder(test_set_paths::heuristic(*self.graph, *self.row));
+          },
+          "Where its results.csv is, or will be.")
+      .def_prop_ro(
+          "results", [](const HeuristicPart& self) { return self.row->results; },
+          "None until results were written.");
+}
+
+void bind_graphs(nb::module_& module) {
+  nb::class_<GraphPart>(module, "TestGraph", "A graph of a test set with its forces.")
+      .def_prop_ro(
+          "name",
+          [](const GraphPart& self) {
+            return std::filesystem::path(self.row->folder).filename().string();
+          },
+          "\"graph-003\": its folder.")
+      .def_prop_ro(
+          "number", [](const GraphPart& self) { return self.row->number; },
+          "Of the graph in its class, from 0; ``number`` of ``generate``.")
+      .def_prop_ro(
+          "directory", [](const GraphPart& self) { return self.folder(self.row->folder); },
+          "Its folder.")
+      .def_prop_ro(
+          "graph", [](const GraphPart& self) { return self.row->graph; },
+          "A Graph of your own: framework, positions at which all bars are whole, cycles.")
+      .def_prop_ro(
+          "pushes", [](const GraphPart& self) { return pushes_to_python(self.row->pushes()); },
+          "(joint, (x, y, z)) in kJ/(mol Angstrom), of all force files in their order.")
+      .def_prop_ro(
+          "ordering", [](const GraphPart& self) { return ordering_to_python(self.row->ordering); },
+          nb::sig("def ordering(self) -> tuple[numpy.typing.NDArray[numpy.uint32], "
+                  "numpy.typing.NDArray[numpy.uint32], numpy.typing.NDArray[numpy.bool_]]"),
+          "That of its ordering file: (bar, near, is_tree).")
+      .def_prop_ro("heuristics", &heuristics_of,
+                   nb::sig("def heuristics(self) -> list[TestHeuristic]"),
+                   "In the order of results.xml.");
+  nb::class_<ClassPart>(module, "TestClass", "The graphs of one class in a test set.")
+      .def_prop_ro(
+          "name", [](const ClassPart& self) { return self.row->name; },
+          "A name in ``graph_classes()``.")
+      .def_prop_ro(
+          "family", [](const ClassPart& self) { return self.row->family; },
+          "\"tree\", \"1-cycle\", \"2-cycle\" or \"n-cycle\".")
+      .def_prop_ro("graphs", &graphs_of, nb::sig("def graphs(self) -> list[TestGraph]"),
+                   "By their number.");
+}
+
+template <auto Member>
+auto setting = [](const TestSet& self) { return self.settings.*Member; };
+template <auto Member>
+auto size = [](const TestSet& self) { return self.settings.sizes.*Member; };
+
+void bind_settings(nb::class_<TestSet>& set) {
+  set.def_prop_ro("seed", setting<&TestSettings::seed>, "Of all random numbers.")
+      .def_prop_ro("forces", setting<&TestSettings::forces>, "Pushes of each graph.")
+      .def_prop_ro("force", setting<&TestSettings::force>, "Size of each, kJ/(mol Angstrom).")
+      .def_prop_ro("timestep", setting<&TestSettings::timestep>, "ps.")
+      .def_prop_ro("tolerance_length", setting<&TestSettings::tolerance_length>,
+                   "Largest |length - rest| of a whole bar, Angstrom.")
+      .def_prop_ro("max_sweeps", setting<&TestSettings::max_sweeps>,
+                   "Sweeps after which a resolve is given up.")
+      .def_prop_ro("depth", size<&GenerateOptions::depth>, "As of ``generate``.")
+      .def_prop_ro("children", size<&GenerateOptions::children>, "As of ``generate``.")
+      .def_prop_ro("ring", size<&GenerateOptions::ring>, "As of ``generate``.")
+      .def_prop_ro("cycles", size<&GenerateOptions::cycles>, "As of ``generate``.")
+      .def_prop_ro("joints", size<&GenerateOptions::joints>, "As of ``generate``.")
+      .def_prop_ro("box", size<&GenerateOptions::box>, "As of ``generate``, Angstrom.");
+}
+
+constexpr const char* write_results_doc =
+    R"(Writes results.csv of one heuristic of one graph, at once and as a whole, replacing an old one.
+
+``save`` puts its summary into results.xml. A heuristic that the set does not name yet is added.
+
+Parameters
+----------
+kind : str
+    Name of the class.
+graph : int
+    Number of the graph in it.
+technique, weighting : str, float
+sweeps, passes, projections : (F,) int
+    Of each force, in the order of ``pushes``. ``passes`` counts forwards and backwards of a reverse
+    technique as one.
+converged : (F,) bool
+final_residual : (F,) float
+    Largest \|length - rest\| / rest at the end.
+
+Raises
+------
+OptionError
+    No such class, graph or technique.
+InputError
+    Not one row a push, a negative number, a residual that is not finite.
+FileError
+    The file cannot be written.
+)";
+
+void bind_set(nb::module_& module) {
+  nb::class_<TestSet> set(
+      module, "TestSet",
+      "Graphs, forces, orderings and results in folders (thesis, figure 4.6).\n\n"
+      "``read_test_set`` and ``write_test_set`` make it. For one thread.");
+  set.def_prop_ro(
+         "directory", [](const TestSet& self) { return self.directory.string(); },
+         "The folder that results.xml is in.")
+      .def_prop_ro("classes", &classes_of, nb::sig("def classes(self) -> list[TestClass]"),
+                   "In the order of results.xml.")
+      .def(
+          "class_named",
+          [](nb::handle_t<TestSet> self, const std::string& name) {
+            return ClassPart{&nb::cast<TestSet&>(self).class_named(name), nb::borrow(self)};
+          },
+          "name"_a, nb::sig("def class_named(self, name: str) -> TestClass"),
+          "The class of that name. Raises OptionError listing those there are.")
+      .def(
+          "write_results",
+          [](TestSet& self, const std::string& kind, std::int64_t graph,
+             const std::string& technique, double weighting, const ArrayLike& sweeps,
+             const ArrayLike& passes, const ArrayLike& projections, const ArrayLike& converged,
+             const ArrayLike& final_residual) {
+            return self.write_results(
+                {kind, graph, technique, weighting},
+                rows_from(sweeps, passes, projections, converged, final_residual));
+          },
+          "kind"_a, "graph"_a, "technique"_a, "weighting"_a, "sweeps"_a, "passes"_a,
+          "projections"_a, "converged"_a, "final_residual"_a, write_results_doc)
+      .def(
+          "read_results",
+          [](const TestSet& self, const std::string& kind, std::int64_t graph,
+             const std::string& technique, double weighting) {
+            return columns_of(self.read_results({kind, graph, technique, weighting}));
+          },
+          "kind"_a, "graph"_a, "technique"_a, "weighting"_a,
+          nb::sig("def read_results(self, kind: str, graph: int, technique: str, "
+                  "weighting: float) -> dict[str, numpy.typing.NDArray]"),
+          "The columns of results.csv, each (F,), and ``force``, by name.\n\n"
+          "Raises OptionError where there are no results, InputError where they are not those "
+          "that\n"
+          "results.xml sums up.")
+      .def("save", &TestSet::save, nb::call_guard<nb::gil_scoped_release>(),
+           "Writes results.xml anew, at once and as a whole.");
+  bind_settings(set);
+}
+
+constexpr const char* write_doc =
+    R"(Makes random graphs, forces and orderings and writes them as a test set.
+
+StructGen's test mode and ForceGen of the thesis "Motion Simulation of Geometric Constraint
+Structures", sections 3.3 and 4.1, figure 4.6. Graph k of a class is ``generate(kind, seed, k)``,
+its forces are ``make_force_file(framework, seed=seed, walker=k)``; its ordering file holds
+bfs_cycle from joint 0. The same arguments give the same files.
+
+Parameters
+----------
+directory : path
+    New or empty.
+classes : list of str, optional
+    Names in ``graph_classes()``; None: all.
+graphs, forces : int
+    Graphs of each class, pushes of each graph.
+force_files : int
+    Files that the pushes of a graph are spread over.
+seed : int
+techniques : list of str, optional
+    Names in ``techniques()``, each for the classes that it resolves; None: every ordering but
+    ``input``.
+weightings : list of float
+depth, children, ring, cycles, joints, box
+    As of ``generate``.
+force, timestep, tolerance_length, max_sweeps
+    Of the force files: kJ/(mol Angstrom), ps, Angstrom.
+
+Raises
+------
+OptionError
+    An option is out of its range; the message names it.
+FileError
+    The folder is not empty, or a file cannot be written.
+)";
+
+}  // namespace
+
+void bind_laboratory(nb::module_& module) {
+  bind_results(module);
+  bind_graphs(module);
+  bind_set(module);
+  const TestSetOptions options;
+  const TestSettings settings;
+  const GenerateOptions sizes;
+  module.def("write_test_set", &write_set, "directory"_a, nb::kw_only(), "classes"_a = nb::none(),
+             "graphs"_a = options.graphs, "forces"_a = settings.forces,
+             "force_files"_a = options.force_files, "seed"_a = settings.seed,
+             "techniques"_a = nb::none(), "weightings"_a = options.weightings,
+             "depth"_a = sizes.depth, "children"_a = sizes.children, "ring"_a = sizes.ring,
+             "cycles"_a = sizes.cycles, "joints"_a = sizes.joints, "box"_a = sizes.box,
+             "force"_a = settings.force, "timestep"_a = settings.timestep,
+             "tolerance_length"_a = settings.tolerance_length, "max_sweeps"_a = settings.max_sweeps,
+             write_doc);
+  module.def("read_test_set", &read_test_set, "directory"_a,
+             nb::call_guard<nb::gil_scoped_release>(),
+             "Reads results.xml of a test set and every graph, ordering and force file that it "
+             "names.\n\n"
+             "Raises InputError naming file, line, what was expected and what was found, and "
+             "FileError.");
+}
+
+}  // namespace pliant::python

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Test sets (StructGen's test mode, thesis figure 4.6): random graphs of several classes in
+// folders, each with its force files, an ordering file and a folder for each heuristic (technique
+// and weighting); results.xml on top names everything.
+//
+//   results.xml
+//   tree/graph-000/graph.xml
+//   tree/graph-000/ordering.txt                         bfs_cycle from joint 0
+//   tree/graph-000/heuristics/forces/forces-0.txt
+//   tree/graph-000/heuristics/bfs_tree-0.5/results.csv  once an experiment has filled it
+#pragma once
+
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pliant/generate/random_graphs.hpp"
+#include "pliant/laboratory/test_results.hpp"
+#include "pliant/order/ordering.hpp"
+#include "pliant/perturb/force_file.hpp"
+#include "pliant/record/graph_xml.hpp"
+
+namespace pliant {
+
+/// What all graphs of a test set share; kept in results.xml.
+struct TestSettings {
+  std::uint64_t seed = 0;
+  std::int64_t forces = 50;        ///< pushes of each graph, from 1
+  double force = 50.0;             ///< size of each, kJ/(mol Angstrom)
+  double timestep = 0.01;          ///< ps
+  double tolerance_length = 0.01;  ///< largest |length - rest| of a whole bar (Angstrom)
+  std::int64_t max_sweeps = 10000;
+  GenerateOptions sizes = {};
+};
+
+/// What make_test_set() makes.
+struct TestSetOptions {
+  TestSettings settings = {};
+  std::vector<std::string> classes = {};  ///< names in graph_classes(); empty: all
+  std::int64_t graphs = 20;               ///< of each class, from 1
+  std::int64_t force_files = 1;           ///< files that the forces of a graph are spread over
+  /// Names in techniques(), each for the classes that it resolves; empty: every row of orderings()
+  /// but `input`.
+  std::vector<std::string> techniques = {};
+  std::vector<double> weightings = {0.5, 0.75, 1.0};
+  std::function<void(std::int64_t)> on_graph = {};  ///< told how many graphs are written
+};
+
+/// A technique with a weighting, and what it did if that is known.
+struct TestHeuristic {
+  std::string technique;
+  double weighting = 0.5;
+  std::optional<TestSummary> results = {};
+
+  std::string name() const;  ///< "bfs_cycle-0.5": its folder
+};
+
+struct TestGraph {
+  std::string folder;       ///< "tree/graph-000", below the folder of the test set
+  std::int64_t number = 0;  ///< of the graph in its class
+  Graph graph;
+  Ordering ordering = {};
+  std::vector<ForceFile> force_files = {};
+  std::deque<TestHeuristic> heuristics = {};  ///< adding one leaves the others where they are
+
+  std::vector<JointForce> pushes() const;  ///< of all force files, in their order
+};
+
+struct TestClass {
+  std::string name;  ///< in graph_classes()
+  std::string family;
+  std::vector<TestGraph> graphs = {};
+};
+
+/// Which heuristic of which graph.
+struct TestPlace {
+  std::string_view kind;  ///< name of the class
+  std::int64_t graph = 0;
+  std::string_view technique;
+  double weighting = 0.5;
+};
+
+struct TestSet {
+  std::filesystem::path directory;  ///< absolute
+  TestSettings settings;
+  std::vector<TestClass> classes = {};
+
+  /// Throws OptionError listing the names there are.
+  const TestClass& class_named(std::string_view name) const;
+  /// Writes results.xml anew, at once and as a whole.
+  void save() const;
+  /// Writes the table of a heuristic, one row a push, and notes its summary; save() puts that into
+  /// results.xml. A heuristic that the set does not name yet is added.
+  /// Throws OptionError for a class, graph or technique that is unknown; InputError for rows that
+  /// are not one a push or hold what is no number; FileError.
+  const TestSummary& write_results(const TestPlace& place, std::span<const TestRow> rows);
+  /// The table again. Throws OptionError where there is none, InputError if it is not what
+  /// results.xml says.
+  std::vector<TestRow> read_results(const TestPlace& place) const;
+};
+
+/// Makes the graphs, forces and orderings and writes them into `directory`, which must be new or
+/// empty; results.xml comes last. Graph k of a class is generate() with walker = k, its forces are
+/// random_pushes() with the same key: what it holds depends on the options alone.
+/// Throws OptionError naming an option that is out of its range; FileError.
+TestSet make_test_set(const std::filesystem::path& directory, const TestSetOptions& options = {});
+
+/// Reads results.xml and every graph, ordering and force file that it names.
+/// Throws InputError naming file, line, what was expected and found: nothing may be missing, of
+/// another class, or of other settings. Throws FileError.
+TestSet read_test_set(const std::filesystem::path& directory);
+
+namespace test_set_paths {
+inline constexpr std::string_view index_file = "results.xml";
+inline constexpr std::string_view graph_file = "graph.xml";
+inline constexpr std::string_view ordering_file = "ordering.txt";
+inline constexpr std::string_view table_file = "results.csv";
+std::string graph_folder(std::string_view kind, std::int64_t number);
+std::string force_file(const TestGraph& graph, std::size_t k);
+std::string heuristic(const TestGraph& graph, const TestHeuristic& heuristic);
+}  // namespace test_set_paths
+
+}  // namespace pliant
