@@ -65,7 +65,7 @@ TEST(Determinism, EveryTechniqueGivesTheseBits) {
       {"blocks", 0x8db9d18067dabc7d},         {"bfs_worst", 0x8fe6281f276fdb46},
       {"anderson", 0x0e9e22f625d32b5d},       {"rings_first", 0xa68862a9e4e09e1f},
       {"rings_anderson", 0x5dc06d654c558643}, {"newton", 0xbf374c570bfac8c8},
-      {"shake", 0xad73d9d3fd38946e},
+      {"shake", 0xad73d9d3fd38946e},          {"bfs_local", 0xb49b02afb763cfc3},
   };
   for (const TechniqueEntry& entry : techniques()) {
     if (entry.forests_only) continue;
@@ -75,6 +75,12 @@ TEST(Determinism, EveryTechniqueGivesTheseBits) {
     ASSERT_NE(row, std::end(expected)) << "add the hash of the new technique";
     EXPECT_EQ(hash_of_runs("displacement", {std::string(entry.name), 0.75}), row->second);
   }
+}
+
+/// Techniques that look only where a push of one joint reaches.
+TEST(Determinism, LocalTechniquesGiveTheseBits) {
+  EXPECT_EQ(hash_of_runs("force", {"bfs_local", 0.75}), 17048841344942328210u);
+  EXPECT_EQ(hash_of_runs("force", {"blocks"}), 12935495421400711860u);
 }
 
 }  // namespace

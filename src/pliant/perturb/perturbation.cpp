@@ -47,6 +47,15 @@ Vec3 verlet(const PerturbRequest& request, const State& state, const JointForce&
   return x + (1.0 - request.options.damping) * moved + gain * push.force;
 }
 
+/// Sets state.previous to where the joints are.
+void remember(const PerturbRequest& request, State& state) {
+  if (!request.moved_before) {
+    std::copy(state.positions.begin(), state.positions.end(), state.previous.begin());
+    return;
+  }
+  for (Joint joint : *request.moved_before) state.previous[joint] = state.positions[joint];
+}
+
 /// Nothing if all joints are pinned.
 std::optional<JointForce> random_push(const PerturbRequest& request) {
   const std::int64_t joint = random_free_joint(request);
@@ -69,7 +78,7 @@ Push push_all_joints(const PerturbRequest& request, State& state) {
 
 /// FRODA's way: no velocities, each joint is moved by a vector of one length and random direction.
 Push displace_all_joints(const PerturbRequest& request, State& state) {
-  std::copy(state.positions.begin(), state.positions.end(), state.previous.begin());
+  remember(request, state);
   for (std::size_t i = 0; i < state.positions.size(); ++i) {
     if (request.framework.is_pinned(static_cast<Joint>(i))) continue;
     state.positions[i] +=
@@ -114,11 +123,11 @@ Push apply_forces(const PerturbRequest& request, std::span<const JointForce> for
   std::vector<Vec3> moved;
   moved.reserve(forces.size());
   for (const JointForce& push : forces) moved.push_back(verlet(request, state, push));
-  std::copy(state.positions.begin(), state.positions.end(), state.previous.begin());
+  remember(request, state);
   for (std::size_t k = 0; k < forces.size(); ++k)
     if (!request.framework.is_pinned(forces[k].joint)) state.positions[forces[k].joint] = moved[k];
   if (forces.empty()) return {state.positions.empty() ? no_joint : 0, {}};
-  return {forces[0].joint, forces[0].force};
+  return {forces[0].joint, forces[0].force, forces.size() == 1};
 }
 
 void check(const PerturbOptions& options) {

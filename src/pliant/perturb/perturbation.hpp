@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -28,6 +29,7 @@ void check(const PerturbOptions& options);
 struct Push {
   std::int64_t root_joint = no_joint;  ///< the pushed joint; the first one if all were pushed
   Vec3 force;                          ///< kJ/(mol Angstrom); 0 if none
+  bool one_joint = false;              ///< no joint but the root joint was moved
 };
 
 /// A force on one joint during one step.
@@ -41,6 +43,8 @@ struct PerturbRequest {
   const Framework& framework;
   const PerturbOptions& options;
   RandomKey key = {};  ///< seed, walker and step; each draw adds its domain and joint
+  /// The joints that the last step moved, if known: no other has state.previous to be brought up.
+  std::optional<std::span<const Joint>> moved_before = {};
 };
 
 /// One row of the table of perturbations.

@@ -4,24 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <vector>
 
-#include "pliant/resolve/bar_newton.hpp"
+#include "pliant/resolve/block_solver.hpp"
+#include "pliant/resolve/near_pass.hpp"
 #include "pliant/resolve/outward_plan.hpp"
 #include "pliant/resolve/project_bar.hpp"
 #include "pliant/resolve/sweeps.hpp"
 
 namespace pliant {
 namespace {
-
-std::vector<double> weights_of(const Framework& framework, const Technique& technique) {
-  const auto masses = framework.inverse_masses();
-  std::vector<double> weights(masses.begin(), masses.end());
-  if (!technique.mass_weighted)
-    for (double& weight : weights) weight = weight > 0.0 ? 1.0 : 0.0;
-  return weights;
-}
 
 /// A step of the pass with what the kernel needs beside it in memory.
 struct PassStep {
@@ -31,8 +23,6 @@ struct PassStep {
   std::uint32_t block;
 };
 
-constexpr std::int64_t most_newton_iterations = 500;
-
 class BlockPass final : public Method {
  public:
   BlockPass(const Framework& framework, const Technique& technique, const ResolveOptions& options)
@@ -40,9 +30,20 @@ class BlockPass final : public Method {
         options_(options),
         planner_(framework),
         finish_by_sweeps_({"bfs_reverse", 0.5, technique.mass_weighted}),
-        equations_(framework, weights_of(framework, technique), options.tolerance),
-        newton_(equations_) {
-    for (const auto& bars : planner_.blocks()) parts_.push_back(equations_.append(bars));
+        blocks_(framework, technique, options.tolerance, planner_.blocks()) {}
+
+  const MovedJoints* resolve_near(const ResolveCall& call, ResolveSummary& summary) override {
+    if (framework_.has_pinned_joints() || !blocks_.holds_all()) return nullptr;
+    if (!near_)
+      near_ = std::make_unique<NearPass>(framework_, planner_, blocks_, options_.tolerance);
+    const ResolveSummary before = summary;
+    if (near_->run(call, summary)) {
+      summary.stop = Stop::converged;
+      return &near_->moved();
+    }
+    near_->moved().put_back(call.positions);
+    summary = before;
+    return nullptr;
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
@@ -87,7 +88,7 @@ class BlockPass final : public Method {
         project(call, step);
         ++summary.projections;
       } else {
-        all_whole = solve_block(call, step, summary) && all_whole;
+        all_whole = blocks_.solve(step.block, step.near, call.positions, summary) && all_whole;
       }
     }
     return all_whole;
@@ -95,25 +96,8 @@ class BlockPass final : public Method {
 
   void project(const ResolveCall& call, const PassStep& step) const {
     if (framework_.is_pinned(step.far)) return;
-    project_bar(call.positions[step.near], call.positions[step.far], step.rest, 0.0, 1.0, [&] {
-      RandomKey key = call.key;
-      key.domain = Domain::escape;
-      key.joint = step.bar;
-      return RandomSequence(key).direction();
-    });
-  }
-
-  bool solve_block(const ResolveCall& call, const PassStep& step, ResolveSummary& summary) {
-    if (!parts_[step.block]) return false;
-    const BarEquations::Part part = *parts_[step.block];
-    equations_.hold(part, step.near);
-    equations_.gather(part, call.positions);
-    std::int64_t left = most_newton_iterations;
-    const BarNewton::Outcome outcome = newton_.make_whole(part, [&] { return left-- > 0; });
-    equations_.scatter(part, call.positions);
-    summary.dropped_bars += outcome.dropped_bars;
-    summary.projections += (outcome.iterations + 1) * std::int64_t(part.bars.size());
-    return outcome.whole;
+    project_bar(call.positions[step.near], call.positions[step.far], step.rest, 0.0, 1.0,
+                [&] { return escape_direction(call.key, step.bar); });
   }
 
   /// What Newton could not finish (redundant bars far from whole, coincident joints, impossible
@@ -130,11 +114,10 @@ class BlockPass final : public Method {
   ResolveOptions options_;
   OutwardPlanner planner_;
   Technique finish_by_sweeps_;
-  BarEquations equations_;
-  std::vector<std::optional<BarEquations::Part>> parts_;  ///< none: entangled, left to sweeps
-  BarNewton newton_;
+  BlockSolver blocks_;
   std::vector<OutwardStep> outward_;
   std::vector<PassStep> steps_;
+  std::unique_ptr<NearPass> near_;
   std::unique_ptr<Method> sweeps_;
   bool planned_ = false;
   Joint planned_root_ = 0;

@@ -16,12 +16,19 @@ struct ResolveCall {
   std::span<const Vec3> reference = {};  ///< (N) positions before the push, or none
 };
 
+class MovedJoints;
+
 class Method {
  public:
   virtual ~Method() = default;
   /// Counts sweeps and projections in `summary` (0 at the start) and tells why it stopped. May
   /// leave positions that are not finite: the caller puts them back.
   virtual Stop resolve(const ResolveCall& call, ResolveSummary& summary) = 0;
+
+  /// The same where every bar away from the root is whole: looks only at what the push disturbs.
+  /// Sets summary.stop and gives the joints that moved, or null (and does nothing) if this method
+  /// knows no such way.
+  virtual const MovedJoints* resolve_near(const ResolveCall&, ResolveSummary&) { return nullptr; }
 };
 
 }  // namespace pliant

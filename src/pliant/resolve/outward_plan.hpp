@@ -29,6 +29,9 @@ class OutwardPlanner {
   /// Blocks of two or more bars, each with its bars in the order of the input.
   std::span<const std::vector<BarIndex>> blocks() const { return blocks_; }
 
+  /// The index into blocks() of a bar's block; no_block for a bridge.
+  std::uint32_t block_of(BarIndex bar) const { return block_of_bar_[bar]; }
+
   /// Fills `out`. Components that hold pinned joints begin at the lowest of these, the root's
   /// component else at the root, others at their lowest joint.
   void plan(Joint root, std::vector<OutwardStep>& out);

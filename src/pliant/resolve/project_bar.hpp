@@ -10,12 +10,21 @@
 
 #include <cmath>
 
+#include "pliant/base/random.hpp"
 #include "pliant/base/vec3.hpp"
+#include "pliant/framework/framework.hpp"
 
 namespace pliant {
 
 /// Below this the squared length is too near underflow for a direction.
 inline constexpr double least_squared_length = 1e-300;
+
+/// The direction in which the coincident joints of a bar leave each other: random, by its key.
+inline Vec3 escape_direction(RandomKey key, BarIndex bar) {
+  key.domain = Domain::escape;
+  key.joint = bar;
+  return RandomSequence(key).direction();
+}
 
 /// Moves two joints so that their distance is `rest` (Angstrom). `escape()` gives a unit vector and
 /// is called only if the joints coincide. Shares of two pinned joints are both 0: nothing moves.

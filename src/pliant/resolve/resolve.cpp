@@ -9,8 +9,11 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/resolve/method.hpp"
+#include "pliant/resolve/moved_joints.hpp"
 
 namespace pliant {
+
+using Clock = std::chrono::steady_clock;
 
 /// What stays between resolves: the technique's method, and room for the positions to go back to.
 struct Resolver::Plan {
@@ -19,6 +22,7 @@ struct Resolver::Plan {
   Technique technique;
   std::unique_ptr<Method> method;
   std::vector<Vec3> before;
+  const MovedJoints* moved = nullptr;  ///< of the last resolve_near; null: any joint
 
   Plan(const Framework& framework_, const Technique& technique_, const ResolveOptions& options_)
       : framework(framework_), options(options_), technique(technique_) {
@@ -39,6 +43,49 @@ struct Resolver::Plan {
     summary.max_residual = residuals.max_relative;
     summary.rms_residual = residuals.rms_relative;
   }
+
+  /// The same where only the joints of `moved` and the root can have changed.
+  void finish_near(std::span<Vec3> positions, Joint root, Vec3 pushed,
+                   ResolveSummary& summary) const {
+    NearResidual near = measure_near(positions, root);
+    if (!near.finite) {
+      summary.stop = Stop::not_finite;
+      moved->put_back(positions);
+      positions[root] = pushed;
+      near = measure_near(positions, root);
+    }
+    if (!near.within && summary.stop == Stop::converged) summary.stop = Stop::max_sweeps;
+    if (near.within && summary.stop == Stop::max_sweeps) summary.stop = Stop::converged;
+    summary.max_residual = near.largest;
+    summary.worst_bar = near.worst_bar;
+  }
+
+  struct NearResidual {
+    double largest = 0.0;  ///< |length - rest| / rest
+    BarIndex worst_bar = 0;
+    bool within = true, finite = true;
+  };
+
+  NearResidual measure_near(std::span<const Vec3> positions, Joint root) const {
+    NearResidual near;
+    measure_at(positions, root, near);
+    for (Joint joint : moved->joints()) measure_at(positions, joint, near);
+    return near;
+  }
+
+  void measure_at(std::span<const Vec3> positions, Joint joint, NearResidual& near) const {
+    for (const Incidence& at : framework.neighbours(joint)) {
+      const double rest = framework.rest_lengths()[at.bar];
+      const double error = std::abs(residual(positions[joint], positions[at.joint], rest));
+      if (!(error <= options.tolerance.of(rest))) near.within = false;
+      if (!std::isfinite(error)) near.finite = false;
+      if (error / rest > near.largest) near.largest = error / rest, near.worst_bar = at.bar;
+    }
+  }
+
+  RandomKey key(std::int64_t step) const {
+    return {options.seed, Domain::order, options.walker, static_cast<std::uint64_t>(step), 0};
+  }
 };
 
 Resolver::Resolver(const Framework& framework, const Technique& technique,
@@ -51,9 +98,8 @@ Resolver::Resolver(const Framework& framework, const Technique& technique,
 Resolver::~Resolver() = default;
 Resolver::Resolver(Resolver&&) noexcept = default;
 
-ResolveSummary Resolver::resolve(std::span<Vec3> positions, Joint root, std::int64_t step,
-                                 std::span<const Vec3> reference) {
-  const auto start = std::chrono::steady_clock::now();
+void Resolver::check_arguments(std::span<Vec3> positions, Joint root,
+                               std::span<const Vec3> reference) const {
   const std::size_t joint_count = plan_->framework.joint_count();
   if (positions.size() != joint_count)
     throw OptionError("positions: " + std::to_string(positions.size()) + " for " +
@@ -64,16 +110,42 @@ ResolveSummary Resolver::resolve(std::span<Vec3> positions, Joint root, std::int
   if (root >= joint_count && joint_count > 0)
     throw OptionError("root joint " + std::to_string(root) + " of " + std::to_string(joint_count) +
                       " does not exist");
+}
+
+ResolveSummary Resolver::resolve(std::span<Vec3> positions, Joint root, std::int64_t step,
+                                 std::span<const Vec3> reference) {
+  const auto start = Clock::now();
+  check_arguments(positions, root, reference);
+  plan_->moved = nullptr;
   plan_->before.assign(positions.begin(), positions.end());
   ResolveSummary summary;
   summary.sweeps = summary.projections = 0;
   summary.dropped_bars = summary.finishing_sweeps = 0;
-  const RandomKey key{plan_->options.seed, Domain::order, plan_->options.walker,
-                      static_cast<std::uint64_t>(step), 0};
-  summary.stop = plan_->method->resolve({positions, root, key, reference}, summary);
+  summary.stop = plan_->method->resolve({positions, root, plan_->key(step), reference}, summary);
   plan_->finish(positions, summary);
-  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return summary;
+}
+
+ResolveSummary Resolver::resolve_near(std::span<Vec3> positions, Joint root, std::int64_t step,
+                                      std::span<const Vec3> reference) {
+  const auto start = Clock::now();
+  check_arguments(positions, root, reference);
+  ResolveSummary summary;
+  summary.sweeps = summary.projections = summary.dropped_bars = summary.finishing_sweeps = 0;
+  const Vec3 pushed = positions.empty() ? Vec3{} : positions[root];
+  plan_->moved = positions.empty() ? nullptr
+                                   : plan_->method->resolve_near(
+                                         {positions, root, plan_->key(step), reference}, summary);
+  if (plan_->moved == nullptr) return resolve(positions, root, step, reference);
+  plan_->finish_near(positions, root, pushed, summary);
+  summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  return summary;
+}
+
+std::optional<std::span<const Joint>> Resolver::moved() const {
+  if (plan_->moved == nullptr) return std::nullopt;
+  return plan_->moved->joints();
 }
 
 void check(const ResolveOptions& options) {

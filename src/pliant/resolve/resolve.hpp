@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -70,7 +71,20 @@ class Resolver {
   ResolveSummary resolve(std::span<Vec3> positions, Joint root = 0, std::int64_t step = 0,
                          std::span<const Vec3> reference = {});
 
+  /// The same where nothing but `root` has moved since all bars were whole. Techniques that know
+  /// how (`blocks`, `bfs_local`) then look only at what the push disturbs, at a cost that does not
+  /// depend on the size of the framework; the others do as ever. The summary's residuals are then
+  /// those of the bars at moved(), and rms_residual is -1.
+  ResolveSummary resolve_near(std::span<Vec3> positions, Joint root, std::int64_t step = 0,
+                              std::span<const Vec3> reference = {});
+
+  /// The joints that the last resolve_near moved, besides its root; nothing if it was any joints.
+  std::optional<std::span<const Joint>> moved() const;
+
  private:
+  void check_arguments(std::span<Vec3> positions, Joint root,
+                       std::span<const Vec3> reference) const;
+
   struct Plan;
   std::unique_ptr<Plan> plan_;
 };

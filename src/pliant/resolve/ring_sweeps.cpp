@@ -108,12 +108,8 @@ class RingSweeps final : public Method {
   void project(const ResolveCall& call, const OutwardStep& step) const {
     if (bar_groups_.of_bar[step.bar] != no_group) return;
     project_bar(call.positions[step.near], call.positions[step.far],
-                framework_.rest_lengths()[step.bar], 0.0, 1.0, [&] {
-                  RandomKey key = call.key;
-                  key.domain = Domain::escape;
-                  key.joint = step.bar;
-                  return RandomSequence(key).direction();
-                });
+                framework_.rest_lengths()[step.bar], 0.0, 1.0,
+                [&] { return escape_direction(call.key, step.bar); });
   }
 
   /// Brings a ring system to where the joint is by which it is entered.

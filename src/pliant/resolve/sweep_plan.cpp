@@ -8,12 +8,6 @@
 namespace pliant {
 namespace {
 
-Vec3 escape_direction(RandomKey key, BarIndex bar) {
-  key.domain = Domain::escape;
-  key.joint = bar;
-  return RandomSequence(key).direction();
-}
-
 void project(std::span<Vec3> positions, const PlannedBar& visit, const RandomKey& key) {
   project_bar(positions[visit.near], positions[visit.far], visit.rest, visit.near_share,
               visit.far_share, [&] { return escape_direction(key, visit.bar); });

@@ -8,6 +8,7 @@
 #include "pliant/framework/graph.hpp"
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/blocks.hpp"
+#include "pliant/resolve/local_sweeps.hpp"
 #include "pliant/resolve/method.hpp"
 #include "pliant/resolve/newton.hpp"
 #include "pliant/resolve/ring_sweeps.hpp"
@@ -21,6 +22,8 @@ std::vector<TechniqueEntry> all_techniques() {
   std::vector<TechniqueEntry> rows;
   for (const OrderingEntry& row : orderings())
     rows.push_back({row.name, row.summary, row.forests_only, true, make_sweeps});
+  rows.push_back({"bfs_local", "bfs_cycle, of the region that a push of one joint disturbs", false,
+                  true, make_local_sweeps});
   rows.push_back({"blocks",
                   "bridges exact in one outward pass, each ring system alone by Newton's method",
                   false, false, make_blocks});

@@ -57,6 +57,7 @@ class Run {
   /// A start that misses its rest lengths is resolved before anything else.
   void begin() {
     const ResidualSummary start = measure(framework_, state_.positions, options_.resolve.tolerance);
+    is_whole_ = start.within;
     ResolveSummary resolved;
     resolved.stop = Stop::converged;
     resolved.sweeps = resolved.projections = 0;
@@ -102,7 +103,8 @@ class Run {
     const Stopwatch watch(summary_.perturb_seconds);
     const RandomKey key{options_.resolve.seed, Domain::force, options_.resolve.walker,
                         static_cast<std::uint64_t>(state_.step + 1), 0};
-    const PerturbRequest request{framework_, options_.perturb_options, key};
+    PerturbRequest request{framework_, options_.perturb_options, key};
+    if (knows_moved_) request.moved_before = moved_;
     if (options_.replay.empty()) return perturbation_.push(request, state_);
     return apply_forces(request, {&options_.replay[std::size_t(summary_.steps)], 1}, state_);
   }
@@ -112,20 +114,50 @@ class Run {
     ResolveSummary resolved;
     resolved.stop = Stop::not_finite;
     resolved.sweeps = resolved.projections = 0;
-    if (std::all_of(state_.positions.begin(), state_.positions.end(), is_finite))
-      resolved = resolve(push.root_joint == no_joint ? 0 : static_cast<Joint>(push.root_joint));
+    if (is_finite_after(push)) resolved = resolve_from(push);
     if (resolved.stop != Stop::not_finite) return resolved;
     state_.positions = state_.previous;
-    const ResidualSummary back = measure(framework_, state_.positions, options_.resolve.tolerance);
-    resolved.max_residual = back.max_relative;
-    resolved.rms_residual = back.rms_relative;
-    resolved.worst_bar = back.worst_bar;
+    knows_moved_ = false;
+    measure_all(resolved);
+    return resolved;
+  }
+
+  void measure_all(ResolveSummary& resolved) const {
+    const ResidualSummary all = measure(framework_, state_.positions, options_.resolve.tolerance);
+    resolved.max_residual = all.max_relative;
+    resolved.rms_residual = all.rms_relative;
+    resolved.worst_bar = all.worst_bar;
+  }
+
+  bool is_finite_after(const Push& push) const {
+    if (push.one_joint) return is_finite(state_.positions[std::size_t(push.root_joint)]);
+    return std::all_of(state_.positions.begin(), state_.positions.end(), is_finite);
+  }
+
+  /// A push of one joint where all was whole leaves most of the framework as it was.
+  ResolveSummary resolve_from(const Push& push) {
+    const Joint root = push.root_joint == no_joint ? 0 : static_cast<Joint>(push.root_joint);
+    if (!push.one_joint || !is_whole_) return resolve(root);
+    const Stopwatch watch(summary_.resolve_seconds);
+    const ResolveSummary resolved =
+        resolver_.resolve_near(state_.positions, root, state_.step, state_.previous);
+    const auto moved = resolver_.moved();
+    knows_moved_ = moved.has_value();
+    if (knows_moved_) {
+      moved_.assign(moved->begin(), moved->end());
+      moved_.push_back(root);
+    }
+    is_whole_ = resolved.converged();
     return resolved;
   }
 
   ResolveSummary resolve(Joint root) {
     const Stopwatch watch(summary_.resolve_seconds);
-    return resolver_.resolve(state_.positions, root, state_.step, state_.previous);
+    const ResolveSummary resolved =
+        resolver_.resolve(state_.positions, root, state_.step, state_.previous);
+    knows_moved_ = false;
+    is_whole_ = resolved.converged();
+    return resolved;
   }
 
   void note(const ResolveSummary& resolved) {
@@ -140,8 +172,9 @@ class Run {
     }
   }
 
-  void show(const ResolveSummary& resolved, const Push& push) {
+  void show(ResolveSummary resolved, const Push& push) {
     const Stopwatch watch(summary_.observe_seconds);
+    if (resolved.rms_residual < 0.0) measure_all(resolved);
     const Frame frame{state_.step,           state_.time,
                       state_.positions,      resolved.sweeps,
                       resolved.projections,  resolved.max_residual,
@@ -160,6 +193,9 @@ class Run {
   Resolver resolver_;
   RunSummary summary_;
   bool stopping_ = false;
+  bool is_whole_ = false;     ///< all bars, before the push
+  bool knows_moved_ = false;  ///< no joint but those of moved_ has left its previous position
+  std::vector<Joint> moved_;
 };
 
 }  // namespace

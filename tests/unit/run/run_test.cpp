@@ -300,5 +300,30 @@ TEST(Run, DoesNotTellThePushOfAStepThatWasCutShort) {
   EXPECT_EQ(told, story.summary.steps);
 }
 
+/// Steps that look only where a push reaches show frames and keep Verlet's memory as others do.
+TEST(Run, OfLocalTechniquesShowsTrueNumbersToo) {
+  const Sketch sketch = shaken(chain(60), 0.2);
+  const Framework framework = framework_of(sketch);
+  for (const char* name : {"bfs_local", "blocks"}) {
+    RunOptions options;
+    options.technique.name = name;
+    options.steps = 40;
+    const Story story = tell(framework, State(sketch.positions), options);
+    ASSERT_EQ(story.frames.size(), 41u);
+    for (const Shown& shown : story.frames) {
+      const ResidualSummary now = measure(framework, shown.positions);
+      EXPECT_EQ(shown.frame.max_residual, now.max_relative);
+      EXPECT_EQ(shown.frame.rms_residual, now.rms_relative);
+      EXPECT_LE(now.max_relative, 1e-6);
+    }
+    EXPECT_EQ(story.state.positions, story.frames[40].positions) << name;
+    EXPECT_EQ(story.state.previous, story.frames[39].positions) << name;
+    options.every = 40;
+    const Story seldom = tell(framework, State(sketch.positions), options);
+    EXPECT_EQ(seldom.state.positions, story.state.positions) << name;
+    EXPECT_EQ(seldom.summary.worst_residual, story.summary.worst_residual) << name;
+  }
+}
+
 }  // namespace
 }  // namespace pliant

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Newton's method on the blocks (ring systems) of a framework, one at a time.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "pliant/resolve/bar_newton.hpp"
+#include "pliant/resolve/resolve.hpp"
+
+namespace pliant {
+
+class BlockSolver {
+ public:
+  /// `blocks` are the bars of each; the framework must outlive it.
+  BlockSolver(const Framework& framework, const Technique& technique, const Tolerance& tolerance,
+              std::span<const std::vector<BarIndex>> blocks);
+
+  /// False if a block is so entangled (hubs of many bars) that it is left to sweeps.
+  bool holds_all() const { return holds_all_; }
+  std::size_t count() const { return parts_.size(); }
+  /// Calls `look` with each joint of a block that is held.
+  template <class Look>
+  void each_joint(std::uint32_t block, Look look) const {
+    const auto joints = parts_[block]->joints;
+    for (std::uint32_t j = joints.begin; j < joints.end; ++j)
+      look(equations_.joint(j));
+  }
+
+  /// Makes the block whole with `entry` held still, adding to the summary's counts. False if it is
+  /// not held or Newton's method stalled: positions are then as good as they got.
+  bool solve(std::uint32_t block, Joint entry, std::span<Vec3> positions, ResolveSummary& summary);
+
+ private:
+  BarEquations equations_;
+  std::vector<std::optional<BarEquations::Part>> parts_;
+  BarNewton newton_;
+  bool holds_all_ = true;
+};
+
+}  // namespace pliant
