@@ -32,7 +32,7 @@ TEST(CheckTechnique, RefusesUnknownNamesAndWeightings) {
   const auto refusal = [](const Technique& technique) {
     return test::error_text<OptionError>([&] { check(technique); });
   };
-  EXPECT_THROW(check(Technique{"shake"}), OptionError);
+  EXPECT_THROW(check(Technique{"shuffle"}), OptionError);
   EXPECT_EQ(refusal({"random", -0.1}), "weighting = -0.1: must be from 0 to 1");
   EXPECT_EQ(refusal({"random", 1.0000001}), "weighting = 1.0000001: must be from 0 to 1");
   EXPECT_EQ(refusal({"random", std::nan("")}), "weighting = nan: must be from 0 to 1");
