@@ -41,7 +41,7 @@ def axes_of(start: Settings, points: list[Point]) -> list[Axis]:
          along("size")),
         ("box (Å)", list(BOXES), [f"{box:g}" for box in BOXES], along("box")),
         ("pushes act", [False, True], ["from\nrest", "in\nturn"], along("consecutive")),
-        ("push (Å), small graphs, in turn", list(FORCES), forces, along("force", small)),
+        ("push (Å), few joints, in turn", list(FORCES), forces, along("force", small)),
     ]  # fmt: skip
 
 
@@ -60,7 +60,7 @@ def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path)
     """Tolerance across; what else was varied up; one row of panels a yardstick."""
     rows = claim.yardsticks
     with style.styled():
-        figure, axes = style.new_figure((11.6, 0.6 + 2.2 * len(rows)), len(rows), 5,
+        figure, axes = style.new_figure((11.6, 0.7 + 2.35 * len(rows)), len(rows), 5,
                                         squeeze=False)  # fmt: skip
         for panels, yardstick in zip(axes, rows, strict=True):
             mine = [p for p in points if (p.claim, p.yardstick) == (claim.id, yardstick)]
@@ -68,7 +68,7 @@ def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path)
                                                               strict=True):  # fmt: skip
                 image = _draw_grid(axis, shares(mine, values, value_of), texts)
                 axis.set_ylabel(label)
-                axis.set_xlabel("tolerance (Å)")
+                axis.set_xlabel("tolerance ($10^x$ Å), x")
             panels[0].set_title(f"{claim.id}, counted in {WORDS[yardstick]}")
         bar = figure.colorbar(image, ax=axes, shrink=0.8, pad=0.01, ticks=(0, 0.5, 1))
         bar.set_label("share of its statements that hold")
@@ -83,7 +83,8 @@ def _draw_grid(axis, grid: np.ndarray, texts: list[str]):
     image = axis.imshow(shown, cmap=style.MAP, vmin=0.0, vmax=1.0, aspect="auto", origin="lower")
     for row, column in np.argwhere(grid == 1.0):
         axis.plot(column, row, "o", color=style.INK, markersize=4)
-    axis.set_xticks(range(len(TOLERANCES)), [f"$10^{{{round(np.log10(t))}}}$" for t in TOLERANCES])
+    exponents = [f"{np.log10(tolerance):.0f}" for tolerance in TOLERANCES]
+    axis.set_xticks(range(len(TOLERANCES)), exponents)
     axis.set_yticks(range(len(texts)), texts)
     axis.grid(visible=False)
     return image

@@ -37,19 +37,18 @@ def summary(settled: list[Settled], swept: bool) -> str:
 
 def claims_table(settled: list[Settled], swept: bool) -> Table:
     """One row a claim."""
-    header = ["id", "graphs", "the thesis claims", "our numbers", "sweeps", "passes", "work",
-              "verdict", "depends on"]  # fmt: skip
-    if swept:
-        header.insert(8, "settings")
+    header = ["id", "the thesis claims", "verdict", "depends on, or note", "our numbers", "sweeps",
+              "passes", "work"] + ["settings"] * swept  # fmt: skip
     made = Table("", header)
     for one in settled:
         claim = one.claim
-        row: list = [claim.id, ", ".join(claim.families), claim.text, headline(one)]
-        row += [one.by_yardstick[name].word if name in one.by_yardstick else "–"
-                for name in ("sweeps", "passes", "projections")]  # fmt: skip
-        row += [one.word, *([settings_text(one)] if swept else []),
-                one.on_what]  # fmt: skip
-        made.rows.append(row)
+        made.rows.append([
+            claim.id, f"{', '.join(claim.families)}: {claim.text}", one.word, one.on_what or "–",
+            headline(one),
+            *(one.by_yardstick[name].word if name in one.by_yardstick else "–"
+              for name in WORDS),
+            *([settings_text(one)] if swept else []),
+        ])  # fmt: skip
     return made
 
 
@@ -61,7 +60,8 @@ def headline(one: Settled) -> str:
         for statement in one.by_yardstick[name].statements if name in one.by_yardstick else []:
             if statement.tags["class"] not in seen:
                 seen.add(statement.tags["class"])
-                texts.append(f"{statement.text}, in {name}: {statement.numbers}")
+                unit = "in passes, " if name == "passes" else ""
+                texts.append(f"{unit}{statement.text}: {statement.numbers}")
     return ". ".join(texts)
 
 
@@ -124,7 +124,7 @@ def method(table: Rows, points: list[Point]) -> str:
         "with replacement. A statement holds or fails if 95 % of the replicates say what the "
         "sample says, else it is open. A claim holds if all its statements do, fails if none does "
         "and one fails, and else depends; over the sweep, one that holds must hold in nine tenths "
-        "of the settings, one that fails in none.",
+        "of the settings, one that fails in less than a tenth.",
     ]
     if points:
         texts.append(_sweep_text(table, points))

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -60,22 +59,53 @@ def verdict_of(statements: list[Statement]) -> Verdict:
     return Verdict(DEPENDS, _deciding(statements), statements)
 
 
+TAGS = ("yardstick", "class", "technique", "weighting", "number")
+
+
 def _deciding(statements: list[Statement]) -> str:
-    """The first tag that sorts what holds from what does not, or the count of each."""
-    for tag in ("yardstick", "class", "technique", "weighting", "number"):
-        answers = _by_value(statements, tag)
-        uniform = all(len(found) == 1 for found in answers.values())
-        if len(answers) > 1 and uniform:
-            words = {value: found.copy().pop() for value, found in answers.items()}
-            return f"on the {tag}: " + _grouped(words)
-    return "of its statements " + _counted(statements)
+    """The tag that sorts best what holds from what does not, with how many of its values hold."""
+    gain, tag = max(((_gain(statements, tag), tag) for tag in TAGS), key=lambda pair: pair[0])
+    answers = _by_value(statements, tag)
+    if all(len(set(words)) == 1 for words in answers.values()) and len(answers) > 1:
+        return f"on the {tag}: " + _grouped({value: words[0] for value, words in answers.items()})
+    if gain < CLEAR_GAIN:
+        return "on no single thing: " + _counted(statements)
+    return f"mostly on the {tag}: " + _shares(answers)
 
 
-def _by_value(statements: list[Statement], tag: str) -> dict[str, set[str]]:
-    answers: dict[str, set[str]] = {}
+#: share of the spread of answers that a tag must explain to be named
+CLEAR_GAIN = 0.1
+
+
+def _by_value(statements: list[Statement], tag: str) -> dict[str, list[str]]:
+    answers: dict[str, list[str]] = {}
     for statement in statements:
-        answers.setdefault(statement.tags.get(tag, ""), set()).add(statement.verdict)
+        answers.setdefault(statement.tags.get(tag, ""), []).append(statement.verdict)
     return answers
+
+
+def _gain(statements: list[Statement], tag: str) -> float:
+    """Share of the variance of "it holds" that lies between the values of a tag."""
+    holds = np.array([statement.verdict == HOLDS for statement in statements], float)
+    if holds.std() == 0.0:
+        return 0.0
+    groups = [np.array([word == HOLDS for word in words], float)
+              for words in _by_value(statements, tag).values()]  # fmt: skip
+    between = sum(len(group) * (group.mean() - holds.mean()) ** 2 for group in groups)
+    return float(between / len(holds) / holds.var())
+
+
+def _shares(answers: dict[str, list[str]]) -> str:
+    """ "12 of 16 statements hold for passes, 0 of 32 for sweeps and projections"."""
+    groups: dict[float, list[str]] = {}
+    for value, words in answers.items():
+        groups.setdefault(words.count(HOLDS) / len(words), []).append(value)
+    phrases = []
+    for share in sorted(groups, reverse=True):
+        count = sum(len(answers[value]) for value in groups[share])
+        what = " statements hold" if not phrases else ""
+        phrases.append(f"{round(share * count)} of {count}{what} for {_listed(groups[share])}")
+    return ", ".join(phrases)
 
 
 def _grouped(words: dict[str, str]) -> str:
@@ -91,8 +121,7 @@ def _verb(word: str) -> str:
     return {HOLDS: "holds for", FAILS: "fails for", OPEN: "open for"}[word]
 
 
-def _listed(values: Iterable[str]) -> str:
-    values = list(values)
+def _listed(values: list[str]) -> str:
     return ", ".join(values[:-1]) + " and " + values[-1] if len(values) > 1 else values[0]
 
 
@@ -100,4 +129,5 @@ def _counted(statements: list[Statement]) -> str:
     words = [statement.verdict for statement in statements]
     counts = [(word, words.count(word)) for word in (HOLDS, FAILS, OPEN)]
     verbs = {HOLDS: ("holds", "hold"), FAILS: ("fails", "fail"), OPEN: ("is open", "are open")}
-    return ", ".join(f"{count} {verbs[word][count > 1]}" for word, count in counts if count)
+    shown = [f"{count} {verbs[word][count > 1]}" for word, count in counts if count]
+    return f"of {len(words)} statements " + ", ".join(shown)

@@ -181,7 +181,12 @@ def test_what_a_verdict_depends_on():
     assert (found.word, found.on_what) == (
         DEPENDS, "on the yardstick: holds for passes; fails for sweeps")  # fmt: skip
     mixed = verdict_of([statement(True, 1, **yes), statement(False, 0, **yes)])
-    assert mixed.on_what == "of its statements 1 holds, 1 fails"
+    assert mixed.on_what == "on no single thing: of 2 statements 1 holds, 1 fails"
+    most = [statement(k < 3, k < 3, yardstick="passes") for k in range(4)]
+    most += [statement(False, 0, yardstick=name) for name in ("sweeps", "projections")]
+    assert verdict_of(most).on_what == (
+        "mostly on the yardstick: 3 of 4 statements hold for passes, "
+        "0 of 2 for sweeps and projections")  # fmt: skip
     assert verdict_of([]).word == "untested"
     assert verdict_of([statement(False, 0.5), statement(False, 0)]).word == FAILS
 
