@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import argparse
 import dataclasses
+import functools
 import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
+from typing import Any
 
-from pliant import console
+from pliant import OptionError, console
 from pliant.experiment.pool import usable_cores
 from pliant.experiment.settings import Settings
 
@@ -22,11 +24,12 @@ Killed at any moment, the same command goes on where it was.
 pliant experiment report DIR   draws it and judges the claims of the thesis: one HTML page
 pliant experiment sweep DIR    where in the range of tolerance, force, size and box each one holds
 
-Exit code: 0 when the table is complete, 1 when a file cannot be read or written, 2 for a bad
-option.
+Exit code: 0 when the table is complete, 1 when a file cannot be read or written or a test set
+holds other results, 2 for a bad option.
 
 examples:
   pliant experiment --out study --seed 1
+  pliant experiment --out study --folders thesis-set
   pliant experiment --out fine --tolerance-length 1e-4 --class 1-cycle-ring --technique bfs_cycle
 """
 
@@ -44,6 +47,7 @@ def make_parser() -> console.Parser:
     _add_counts(parser)
     _add_sizes(parser)
     _add_forces(parser)
+    _add_test_set(parser)
     add_running(parser)
     return parser
 
@@ -99,6 +103,16 @@ def _add_forces(parser: console.Parser) -> None:
         help=f"give up after so many (default {default.max_sweeps})")  # fmt: skip
 
 
+def _add_test_set(parser: console.Parser) -> None:
+    add = parser.add_argument
+    add("--test-set", metavar="FOLDER", type=Path,
+        help="take graphs, forces and settings from a test set (pliant structgen --test-set), and "
+             "put the results into its folders; those that it holds are compared")  # fmt: skip
+    add("--folders", metavar="FOLDER", type=Path,
+        help="put the results into a test set, too: made of the same graphs and forces if FOLDER "
+             "is not there")  # fmt: skip
+
+
 def add_running(parser: console.Parser) -> None:
     """Options on how, not what."""
     parser.add_argument("--workers", metavar="N", type=console.whole_number(1),
@@ -130,25 +144,60 @@ def settings_of(arguments: argparse.Namespace, start: Settings | None = None) ->
 
 
 def _experiment(arguments: argparse.Namespace) -> int:
-    from pliant.experiment import laboratory
+    from pliant.experiment import folders, laboratory
 
-    workers = arguments.workers or usable_cores()
     begin = time.monotonic()
-    settings = settings_of(arguments)
+    settings, options = _sources(arguments)
+    options["workers"] = arguments.workers or usable_cores()
     with console.progress("experiment, graphs", arguments.quiet) as show:
-        table = laboratory.run_experiment(settings, arguments.out, workers=workers, show=show)
-    _say(arguments, table, time.monotonic() - begin)
-    return console.EXIT_OK
+        table = laboratory.run_experiment(settings, arguments.out, show=show, **options)
+    folder = arguments.test_set or arguments.folders
+    filled = folders.fill(folder, table) if folder else None
+    _say(arguments, table, filled, time.monotonic() - begin)
+    return console.EXIT_FAILED if filled and filled.different else console.EXIT_OK
 
 
-def _say(arguments: argparse.Namespace, table, seconds: float) -> None:
+def _sources(arguments: argparse.Namespace) -> tuple[Settings, dict[str, Any]]:
+    """Settings, and where graphs and forces come from."""
+    from pliant.experiment import folders
+
+    if arguments.test_set is None:
+        settings = settings_of(arguments)
+        settings.check()
+        if arguments.folders is not None:
+            made = arguments.folders.exists()
+            (folders.check_set if made else folders.make_set)(settings, arguments.folders)
+        return settings, {}
+    _refuse_what_the_set_says(arguments)
+    settings = settings_of(arguments, folders.settings_of_set(arguments.test_set))
+    source = functools.partial(folders.subject_of_set, arguments.test_set)
+    return settings, {"graphs": folders.graphs_of_set(arguments.test_set), "source": source}
+
+
+def _refuse_what_the_set_says(arguments: argparse.Namespace) -> None:
+    from pliant.experiment.folders import OF_THE_SET
+
+    for name in ("folders", "graphs", "forces", "classes", "consecutive", *OF_THE_SET):
+        if getattr(arguments, name, None) is not None:
+            option = {"classes": "class"}.get(name, name).replace("_", "-")
+            raise OptionError(f"--{option}: not with --test-set, which says it")
+
+
+def _say(arguments: argparse.Namespace, table, filled, seconds: float) -> None:
     count = len(table)
     stuck = int(count - table.columns["converged"].sum())
     if arguments.json:
         console.print_json({"out": str(arguments.out), "resolves": count, "unconverged": stuck,
-                            "seconds": seconds})  # fmt: skip
+                            "seconds": seconds, "folders": vars(filled) if filled else None}
+                           )  # fmt: skip
         return
     print(f"{arguments.out}: {count} resolves, {stuck} of them not converged; {seconds:.1f} s")
+    if filled:
+        folder = arguments.test_set or arguments.folders
+        print(f"{folder}: {filled.written} results written, {filled.same} there already and the "
+              f"same, {len(filled.different)} different")  # fmt: skip
+        for path in filled.different:
+            console.warn(f"{path}: holds other numbers; they were left")
     print(f"next: pliant experiment report {arguments.out}")
 
 

@@ -23,14 +23,14 @@ Source = Callable[[Settings, str, int], Subject]  #: settings, class, number
 
 
 def run_experiment(
-    settings: Settings, out: Path, numbers: dict[str, int] | None = None,
+    settings: Settings, out: Path, graphs: list[tuple[str, int]] | None = None,
     source: Source = make_subject, workers: int = 1, show: Show = lambda done, total: None,
 ) -> tables.Table:  # fmt: skip
     """Fills the folder `out` with the table, and returns it.
 
     What an earlier call with the same settings has done is not done again, whenever and however
     that one ended: each graph is a file below ``parts``, put in place in one go.
-    `numbers` says how many graphs each class has (default: settings.graphs), `source` makes them.
+    `graphs` are (class, number), by default settings.graphs of each class; `source` makes them.
     Raises OptionError if `out` holds an experiment with other settings.
     """
     settings.check()
@@ -39,8 +39,7 @@ def run_experiment(
         _clear_parts(out)
         return tables.read(out)
     (out / PARTS).mkdir(exist_ok=True)
-    counts = numbers or dict.fromkeys(settings.classes, settings.graphs)
-    todo = [(kind, number) for kind, count in counts.items() for number in range(count)]
+    todo = graphs or [(kind, k) for kind in settings.classes for k in range(settings.graphs)]
     _measure_missing(settings, out, todo, source, workers, show)
     table = tables.join(settings, _parts(out, todo))
     tables.write(table, out)

@@ -50,6 +50,7 @@ class Settings:
     timestep: float = 0.01  #: ps
     tolerance_length: float = 0.01  #: Angstrom
     max_sweeps: int = 10000
+    test_set_digest: str = ""  #: of its graphs and forces, if a test set is what was run
 
     def check(self) -> None:
         """Raises OptionError naming the option, its value and its range."""

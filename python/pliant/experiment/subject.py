@@ -47,20 +47,10 @@ def make_subject(settings: Settings, kind: str, number: int) -> Subject:
     The joint and the force of step k are functions of (seed, walker, step) alone.
     """
     graph = pliant.generate(kind, settings.seed, number, **settings.sizes)
-    pushes: list[Push] = []
-
-    def note(frame: pliant.Frame) -> None:
-        if frame.root_joint is not None:
-            pushes.append((frame.root_joint, frame.force))
-
-    # Nothing is resolved here: the positions of this run are thrown away.
-    pliant.run(
-        graph.framework, graph.positions.copy(), steps=settings.forces, seed=settings.seed,
-        walker=number, force=settings.force, timestep=settings.timestep,
-        tolerance_length=1e9 * (settings.box + settings.push_length * settings.forces),
-        max_sweeps=1, observers=[note],
-    )  # fmt: skip
-    return Subject(kind, number, graph.framework, graph.positions, pushes)
+    forces = pliant.make_force_file(
+        graph.framework, settings.forces, force=settings.force, seed=settings.seed, walker=number
+    )
+    return Subject(kind, number, graph.framework, graph.positions, forces.pushes)
 
 
 def pushed(
