@@ -94,7 +94,7 @@ def work_of(
             resolver = pliant.Resolver(owner, technique, weighting, tolerance=relative,
                                        tolerance_length=length, max_sweeps=limit)  # fmt: skip
         assert resolver is not None
-        done = resolver.resolve(trial.pushed(), trial.root, step=step)
+        done = resolver.resolve(trial.pushed(), trial.root, step=step, reference=trial.positions)
         rows.append((done.sweeps, done.projections, done.converged, done.seconds, trial.graph))
     columns = [np.array(column) for column in zip(*rows, strict=True)]
     return Work(*columns)
