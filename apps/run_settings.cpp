@@ -75,9 +75,25 @@ void take(const CLI::App& app, const char* option, const Value& from, Target& to
   if (from && app.count(option) == 0) to = *from;
 }
 
+/// A push means nothing without the settings that it was made for.
+void expect_settings(const CLI::App& app, const RunSettings& settings, const ForceFile& file) {
+  std::string missing;
+  const auto expect = [&](bool is_given, const char* option) {
+    if (!is_given && app.count(option) == 0)
+      missing += (missing.empty() ? "" : ", ") + std::string(option);
+  };
+  expect(file.timestep.has_value(), "--timestep");
+  expect(file.tolerance || file.tolerance_length || app.count("--tolerance-length") > 0,
+         "--tolerance");
+  expect(file.max_sweeps.has_value(), "--max-sweeps");
+  if (!missing.empty())
+    throw InputError(settings.forces + ": does not say, so that the command line must: " + missing);
+}
+
 void take_forces(const CLI::App& app, RunSettings& settings, const Framework& framework) {
   const ForceFile file = read_force_file(settings.forces, framework);
   if (file.pushes.empty()) throw InputError(settings.forces + ": holds no push");
+  expect_settings(app, settings, file);
   RunOptions& run = settings.run;
   take(app, "--timestep", file.timestep, run.perturb_options.timestep);
   take(app, "--tolerance", file.tolerance, run.resolve.tolerance.relative);

@@ -144,8 +144,9 @@ def test_an_ordering_that_leaves_bars_out_is_refused(pliant, triangle):
 def test_a_run_with_an_ordering_file_is_that_of_its_technique(pliant, triangle, tmp_path):
     """One push on the root from which the file was made, so that both see the same ordering."""
     (tmp_path / "f.txt").write_text("pliant-forces 1\npush c 40 0 30\n")
+    settings = ("--timestep", 0.01, "--tolerance-length", 1e-6, "--max-sweeps", 1000)
     assert pliant("order", triangle, "--root", "c", "-o", "o.txt").code == 0
-    run = ("run", triangle, "--forces", "f.txt", "--weighting", 0.75)
+    run = ("run", triangle, "--forces", "f.txt", "--weighting", 0.75, *settings)
     assert pliant(*run, "--ordering", "o.txt", "-o", "1.h5md").code == 0
     assert pliant(*run, "--technique", "bfs_cycle", "-o", "2.h5md").code == 0
     one, two = moved(tmp_path / "1.h5md"), moved(tmp_path / "2.h5md")
@@ -243,3 +244,24 @@ def test_options_of_structgen_are_checked(pliant, tmp_path, arguments, message):
     assert ended.code == 2
     assert message in ended.err
     assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("lines", "options", "missing"),
+    [
+        ("", (), "--timestep, --tolerance, --max-sweeps"),
+        ("timestep 0.01\n", ("--max-sweeps", 10), "--tolerance"),
+        ("tolerance_length 0.1\nmax_sweeps 9\n", (), "--timestep"),
+        ("timestep 0.01\nmax_sweeps 9\n", ("--tolerance-length", 0.1), None),
+    ],
+)
+def test_settings_that_no_one_gives_are_named(pliant, triangle, tmp_path, lines, options, missing):
+    (tmp_path / "f.txt").write_text(f"pliant-forces 1\n{lines}push c 4 0 3\n")
+    ended = pliant("run", triangle, "--forces", "f.txt", *options)
+    if missing is None:
+        assert (ended.code, ended.err) == (0, "")
+    else:
+        assert (ended.code, ended.err) == (
+            1, "pliant: error: f.txt: does not say, so that the command line must: "
+            f"{missing}\n",
+        )  # fmt: skip

@@ -96,7 +96,8 @@ def test_an_output_that_cannot_be_written_is_told(pliant, ethanol, output):
 
 def test_forces_are_replayed(pliant, ethanol, tmp_path):
     (tmp_path / "pushes.txt").write_text(
-        "pliant-forces 1\ntimestep 0.005\npush 2 100 0 0\npush 0 0 50 0\n"
+        "pliant-forces 1\ntimestep 0.005\ntolerance 1e-6\nmax_sweeps 10000\n"
+        "push 2 100 0 0\npush 0 0 50 0\n"
     )
     assert pliant("run", ethanol, "-o", "o.h5md", "--forces", "pushes.txt").code == 0
     with h5py.File(tmp_path / "o.h5md") as file:
@@ -105,7 +106,9 @@ def test_forces_are_replayed(pliant, ethanol, tmp_path):
 
 
 def test_more_steps_than_pushes_is_refused(pliant, ethanol, tmp_path):
-    (tmp_path / "pushes.txt").write_text("pliant-forces 1\npush 2 100 0 0\n")
+    (tmp_path / "pushes.txt").write_text(
+        "pliant-forces 1\ntimestep 0.01\ntolerance 1e-6\nmax_sweeps 10\npush 2 100 0 0\n"
+    )
     ended = pliant("run", ethanol, "--forces", "pushes.txt", "--steps", 2)
     assert ended.code == 2
     assert "--steps: expected at most 1, the pushes in pushes.txt" in ended.err
