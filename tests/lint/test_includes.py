@@ -104,6 +104,26 @@ def test_headers_need_the_standard_library_only():
     )
 
 
+# Where XML text becomes elements, after document types and entities were refused.
+XML_DOOR = "xml_document.cpp"
+OPENS_XML = re.compile(r"\bload_(buffer|string|file)\w*\(|\bparse_(doctype|full)\b")
+
+
+def test_xml_has_one_door():
+    refuse(
+        [
+            f"{place(path, number)}: parse XML with XmlDocument, which expands no entity"
+            for path in files(*CPP)
+            for number, line in numbered_lines(path)
+            if OPENS_XML.search(line) and path.name != XML_DOOR
+        ]
+    )
+    door = (LIBRARY / "record" / XML_DOOR).read_text()
+    assert door.index("check_xml_text(") < door.index("load_buffer(")
+    assert "parse_doctype" not in door
+    assert "parse_full" not in door
+
+
 def compile_alone(header: Path) -> str:
     """What the compiler says of a header that is included first and alone; empty if nothing."""
     name = header.relative_to(ROOT / "src").as_posix()

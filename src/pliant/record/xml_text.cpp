@@ -61,6 +61,25 @@ std::size_t end_of_markup(std::string_view text, std::size_t at) {
   return text.size();
 }
 
+bool is_known_entity(std::string_view name) {
+  constexpr std::string_view known[] = {"amp", "lt", "gt", "quot", "apos"};
+  return name.starts_with('#') ||
+         std::find(std::begin(known), std::end(known), name) != std::end(known);
+}
+
+/// A parser that expands no entities leaves unknown ones as they are, which is no reading either.
+void refuse_unknown_entities(const SourceText& source, std::size_t start, std::string_view markup) {
+  for (std::size_t at = markup.find('&'); at != std::string_view::npos;
+       at = markup.find('&', at + 1)) {
+    const std::string_view rest = markup.substr(at + 1);
+    const std::string_view name = rest.substr(0, rest.find_first_of("; \t\r\n\"'<>&"));
+    if (is_known_entity(name) && rest.substr(name.size()).starts_with(';')) continue;
+    fail({source.name, line_at(source.text, start + at)},
+         "the entity " + pliant::quoted("&" + std::string(name) + ";") +
+             " is not known: only amp, lt, gt, quot, apos and numbers are");
+  }
+}
+
 }  // namespace
 
 void check_xml_text(const SourceText& source) {
@@ -81,6 +100,8 @@ void check_xml_text(const SourceText& source) {
         fail({source.name, line_at(text, at)},
              "elements are nested more than " + std::to_string(deepest_xml) + " deep");
     }
+    if (!markup.starts_with("<!") && !markup.starts_with("<?"))
+      refuse_unknown_entities(source, at, markup);
     at = end;
   }
 }

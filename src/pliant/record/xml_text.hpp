@@ -14,7 +14,8 @@ namespace pliant {
 inline constexpr std::size_t deepest_xml = 64;
 
 /// Throws InputError: empty or binary text, UTF-16, bytes that are not UTF-8 (naming the offset),
-/// a document type (entities are not expanded), elements deeper than deepest_xml.
+/// a document type and entities other than XML's own five (none is ever expanded), elements deeper
+/// than deepest_xml.
 void check_xml_text(const SourceText& source);
 
 /// Line numbers of offsets in a text, from 1.

@@ -191,7 +191,7 @@ TEST_F(TestSets, RefuseResultsThatDoNotFit) {
             "no class in the test set named \"trees\" (did you mean \"tree\"?); known: tree, "
             "2-cycle-path");
   EXPECT_EQ(option_error({"tree", 2, "random", 0.5}), "graph = 2: class tree has 2 graphs, from 0");
-  EXPECT_THAT(option_error({"tree", 0, "shake", 0.5}), HasSubstr("no technique named"));
+  EXPECT_THAT(option_error({"tree", 0, "jostle", 0.5}), HasSubstr("no technique named"));
   EXPECT_EQ(option_error({"tree", 0, "random", 1.5}), "weighting = 1.5: must be from 0 to 1");
   rows.pop_back();
   EXPECT_EQ(test::error_text<InputError>([&] {
