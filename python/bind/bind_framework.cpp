@@ -57,6 +57,7 @@ void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray&
     parts.rest_lengths = reals_from(*rest_lengths, "rest_lengths");
   } else if (start) {
     parts.rest_lengths = lengths_at(*start, parts.bars);
+    parts.drawn = std::move(*start);
   } else {
     throw nb::type_error("Framework: either rest_lengths or positions must be given");
   }
@@ -127,7 +128,8 @@ rest_lengths : (B,) Angstrom, optional
 joint_count : int, optional
     Default: the number of ``positions``, else one more than the largest joint in ``bars``.
 positions : (N, 3) Angstrom, optional
-    Only looked at for ``joint_count`` and ``rest_lengths``; not kept.
+    For ``joint_count`` and ``rest_lengths``. Where lengths come from them they are kept as the
+    shape of rigid parts, handedness included.
 masses : (N,) u, optional
     Default: 1 each.
 pinned : joints or (N,) truth values, optional

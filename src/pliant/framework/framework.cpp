@@ -2,6 +2,7 @@
 #include "pliant/framework/framework.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "pliant/base/error.hpp"
@@ -16,6 +17,8 @@ constexpr double longest_rest_length = 1e150;
 // Beyond these a mass or the sum of two inverse masses under- or overflows a double.
 constexpr double least_mass = 1e-150;
 constexpr double largest_mass = 1e150;
+// Drawn positions are where lengths were measured: they may differ by rounding.
+constexpr double most_drawn_error = 1e-9;
 
 }  // namespace
 
@@ -23,10 +26,12 @@ Framework::Framework(FrameworkParts parts)
     : joint_count_(parts.joint_count),
       bars_(std::move(parts.bars)),
       rest_lengths_(std::move(parts.rest_lengths)),
-      atoms_(std::move(parts.atoms)) {
+      atoms_(std::move(parts.atoms)),
+      drawn_(std::move(parts.drawn)) {
   check_counts();
   take_masses(parts.masses, parts.pinned);
   check_bars();
+  check_drawn();
   index_incidences();
   merge_duplicate_bars();
 }
@@ -82,6 +87,19 @@ void Framework::check_bars() const {
     if (!(length >= shortest_rest_length && length <= longest_rest_length))
       throw InputError("bar " + label(bar) + " has rest length " + number_text(length) +
                        ": must be from 1e-150 to 1e150 Angstrom");
+  }
+}
+
+void Framework::check_drawn() const {
+  if (drawn_.empty()) return;
+  if (drawn_.size() != joint_count_)
+    throw InputError("framework: " + std::to_string(joint_count_) + " joints but " +
+                     std::to_string(drawn_.size()) + " drawn positions");
+  for (std::size_t k = 0; k < bars_.size(); ++k) {
+    const double length = distance(drawn_[bars_[k].a], drawn_[bars_[k].b]);
+    if (!(std::abs(length - rest_lengths_[k]) <= most_drawn_error * rest_lengths_[k]))
+      throw InputError("bar " + label(bars_[k]) + " is drawn " + number_text(length) +
+                       " long: its rest length is " + number_text(rest_lengths_[k]) + " Angstrom");
   }
 }
 

@@ -31,6 +31,9 @@ struct FrameworkParts {
   std::vector<double> masses = {};              ///< (N) u, in [1e-150, 1e150]; empty: all 1
   std::vector<Joint> pinned = {};               ///< joints that never move
   std::shared_ptr<const AtomTable> atoms = {};  ///< names of the joints; may be null
+  /// (N) Angstrom, a place of each joint at which every bar has its rest length, if one is known:
+  /// the shape of parts that bars make rigid, chirality included. May be empty.
+  std::vector<Vec3> drawn = {};
 };
 
 /// A joint reached over a bar.
@@ -46,7 +49,7 @@ class Framework {
   /// Takes and checks `parts`: equal duplicate bars are merged (the first is kept).
   /// Throws InputError naming both joints of a bad bar: self loop, unknown joint, length out of
   /// range, two bars of one pair with different lengths; a mass out of range; columns that differ
-  /// in length.
+  /// in length; drawn positions that break a bar.
   explicit Framework(FrameworkParts parts);
 
   std::size_t joint_count() const { return joint_count_; }
@@ -64,6 +67,8 @@ class Framework {
             incidences_.data() + first_incidence_[joint + 1]};
   }
   const std::shared_ptr<const AtomTable>& atoms() const { return atoms_; }
+  /// (N) Angstrom, positions at which every bar has its rest length; empty if none are known.
+  std::span<const Vec3> drawn() const { return drawn_; }
 
   std::string label(Joint joint) const;  ///< the atom's name, or "joint 7"
   std::string label(Bar bar) const;      ///< "LYS12:CA - LYS12:CB", or "3 - 7"
@@ -73,6 +78,7 @@ class Framework {
   void check_counts() const;
   void take_masses(const std::vector<double>& masses, const std::vector<Joint>& pinned);
   void check_bars() const;
+  void check_drawn() const;
   void merge_duplicate_bars();
   void index_incidences();
 
@@ -83,6 +89,7 @@ class Framework {
   std::vector<std::uint32_t> first_incidence_;
   std::vector<Incidence> incidences_;
   std::shared_ptr<const AtomTable> atoms_;
+  std::vector<Vec3> drawn_;
   std::size_t pinned_count_ = 0;
   std::size_t merged_bar_count_ = 0;
 };

@@ -36,6 +36,7 @@ class FrameworkBuilder {
     parts_.atoms = std::make_shared<const AtomTable>(structure_.atoms);
     for (const Bond& bond : structure_.bonds) add_bond(bond);
     if (options_.bars == BarKind::angles) add_angles();
+    if (options_.lengths == LengthSource::geometry) parts_.drawn = structure_.positions;
     if (options_.use_masses) add_masses();
     if (!options_.pin.empty()) pin();
     if (from_radii_ > 0)

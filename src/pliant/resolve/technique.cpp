@@ -14,6 +14,7 @@
 #include "pliant/resolve/ring_sweeps.hpp"
 #include "pliant/resolve/shake.hpp"
 #include "pliant/resolve/sweeps.hpp"
+#include "pliant/resolve/units.hpp"
 
 namespace pliant {
 namespace {
@@ -39,6 +40,9 @@ std::vector<TechniqueEntry> all_techniques() {
   rows.push_back({"shake",
                   "along the bars as they were before the push, by inverse mass (SHAKE, CCMA)",
                   false, false, make_shake});
+  rows.push_back(
+      {"units", "rigid units (angles, small rings) placed exactly in one outward pass over hinges",
+       false, false, make_units});
   return rows;
 }
 

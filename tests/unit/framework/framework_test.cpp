@@ -232,5 +232,18 @@ TEST(AtomTable, LabelsOfAGraphAreNames) {
   EXPECT_EQ(atoms.label(1), "b");
 }
 
+TEST(Framework, KeepsDrawnPositionsThatFitItsBars) {
+  FrameworkParts parts{.joint_count = 2, .bars = {{0, 1}}, .rest_lengths = {2.0}};
+  EXPECT_TRUE(Framework(parts).drawn().empty());
+  parts.drawn = {{1, 0, 0}, {3, 0, 0}};
+  EXPECT_EQ(Framework(parts).drawn()[1], (Vec3{3, 0, 0}));
+  parts.drawn[1].x = 4.0;
+  EXPECT_EQ(test::error_text<InputError>([&] { Framework{parts}; }),
+            "bar 0 - 1 is drawn 3 long: its rest length is 2 Angstrom");
+  parts.drawn.pop_back();
+  EXPECT_EQ(test::error_text<InputError>([&] { Framework{parts}; }),
+            "framework: 2 joints but 1 drawn positions");
+}
+
 }  // namespace
 }  // namespace pliant

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/unit_loop.hpp"
+
+#include <algorithm>
+
+#include "pliant/resolve/blocks.hpp"
+
+namespace pliant {
+namespace {
+
+Joint place_of(std::span<const Joint> joints, Joint joint) {
+  return static_cast<Joint>(std::lower_bound(joints.begin(), joints.end(), joint) - joints.begin());
+}
+
+Framework part_of(const Framework& framework, std::span<const Joint> joints,
+                  std::span<const BarIndex> bars) {
+  FrameworkParts parts;
+  parts.joint_count = joints.size();
+  for (BarIndex k : bars) {
+    const Bar bar = framework.bars()[k];
+    parts.bars.push_back({place_of(joints, bar.a), place_of(joints, bar.b)});
+    parts.rest_lengths.push_back(framework.rest_lengths()[k]);
+  }
+  for (std::size_t k = 0; k < joints.size(); ++k) {
+    const double inverse_mass = framework.inverse_masses()[joints[k]];
+    parts.masses.push_back(inverse_mass > 0.0 ? 1.0 / inverse_mass : 1.0);
+    if (inverse_mass == 0.0) parts.pinned.push_back(static_cast<Joint>(k));
+  }
+  return Framework(std::move(parts));
+}
+
+ResolveOptions half_the_tolerance(ResolveOptions options) {
+  options.tolerance.relative *= 0.5;
+  options.tolerance.length *= 0.5;
+  return options;
+}
+
+}  // namespace
+
+UnitLoop::UnitLoop(const Framework& framework, std::span<const Joint> joints,
+                   std::span<const BarIndex> bars, const Technique& technique,
+                   const ResolveOptions& options)
+    : joints_(joints.begin(), joints.end()),
+      part_(part_of(framework, joints, bars)),
+      method_(make_blocks(part_, technique, half_the_tolerance(options))),
+      positions_(joints.size()) {}
+
+bool UnitLoop::make_whole(const ResolveCall& call) {
+  for (std::size_t k = 0; k < joints_.size(); ++k) positions_[k] = call.positions[joints_[k]];
+  ResolveCall alone = call;
+  alone.positions = positions_;
+  alone.root = 0;
+  alone.reference = {};
+  ResolveSummary summary;
+  summary.sweeps = summary.projections = 0;
+  const bool whole = method_->resolve(alone, summary) == Stop::converged;
+  for (std::size_t k = 0; k < joints_.size(); ++k) call.positions[joints_[k]] = positions_[k];
+  return whole;
+}
+
+}  // namespace pliant

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// A unit that changes its shape, or whose shape nobody knows: loops of rigid units with freedom
+// left (macrocycles, disulphides), rings without drawn positions. Made whole where it is, on its
+// own, by technique `blocks`; after that the pass may carry it about like any other unit.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "pliant/resolve/method.hpp"
+
+namespace pliant {
+
+class UnitLoop {
+ public:
+  /// `joints` of the unit, ascending, and all bars between them.
+  UnitLoop(const Framework& framework, std::span<const Joint> joints,
+           std::span<const BarIndex> bars, const Technique& technique,
+           const ResolveOptions& options);
+
+  /// Moves the joints of the unit, and no others, until its bars are within half the tolerance (the
+  /// pass adds its own rounding). False if it fails.
+  bool make_whole(const ResolveCall& call);
+
+ private:
+  std::vector<Joint> joints_;
+  Framework part_;  ///< the unit alone: joint k is joints_[k]
+  std::unique_ptr<Method> method_;
+  std::vector<Vec3> positions_;  ///< of joints_
+};
+
+}  // namespace pliant

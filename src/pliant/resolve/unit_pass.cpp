@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/unit_pass.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pliant/resolve/best_fit.hpp"
+#include "pliant/resolve/project_bar.hpp"
+
+namespace pliant {
+namespace {
+
+/// Relative error of a hinge that counts as wrong: pinned joints may hold one apart.
+constexpr double most_hinge_error = 1e-6;
+/// Below this share of what its joints could give, the direction of a torsion is rounding.
+constexpr double weakest_turn = 1e-13;
+/// A unit whose joints are this close to its hinge, in lengths of the hinge, has no torsion.
+constexpr double thinnest_unit = 1e-10;
+
+RandomSequence escape_draws(RandomKey key, Joint joint) {
+  key.domain = Domain::escape;
+  key.joint = joint;
+  return RandomSequence(key);
+}
+
+}  // namespace
+
+UnitPass::UnitPass(const Framework& framework, const UnitSet& bodies, const Technique& technique,
+                   const ResolveOptions& options)
+    : framework_(framework),
+      forest_(find_unit_forest(framework, bodies, options.tolerance)),
+      plan_(framework, forest_, technique.mass_weighted) {
+  make_loops(technique, options);
+}
+
+void UnitPass::make_loops(const Technique& technique, const ResolveOptions& options) {
+  const UnitsOfJoints units(forest_.set, framework_.joint_count());
+  std::vector<std::vector<BarIndex>> bars(forest_.set.size());
+  std::vector<std::uint32_t> both;
+  for (std::size_t k = 0; k < framework_.bar_count(); ++k) {
+    units.common(framework_.bars()[k].a, framework_.bars()[k].b, both);
+    for (std::uint32_t unit : both)
+      if (forest_.shapes.kinds[unit] == ShapeKind::unknown)
+        bars[unit].push_back(static_cast<BarIndex>(k));
+  }
+  for (std::size_t unit = 0; unit < bars.size(); ++unit)
+    if (!bars[unit].empty())
+      loops_.push_back(std::make_unique<UnitLoop>(framework_, forest_.set.of(unit), bars[unit],
+                                                  technique, options));
+}
+
+UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
+  if (!planned_ || planned_root_ != call.root) {
+    plan_.plan(call.root);
+    steps_.assign(plan_.steps().begin(), plan_.steps().end());
+    planned_ = true;
+    planned_root_ = call.root;
+  }
+  Outcome worst = Outcome::placed;
+  for (auto& loop : loops_)
+    if (!loop->make_whole(call)) worst = Outcome::unfit;
+  for (UnitStep& step : steps_) worst = std::max(worst, place(call, step));
+  return worst;
+}
+
+UnitPass::Outcome UnitPass::place(const ResolveCall& call, UnitStep& step) {
+  if (!step.is_known && step.entry != UnitEntry::still) plan_.take_shape(step, call.positions);
+  switch (step.entry) {
+    case UnitEntry::hinge:
+      return place_by_torsion(call, step);
+    case UnitEntry::free:
+    case UnitEntry::ball:
+      return place_by_rotation(call.positions, step);
+    case UnitEntry::rod:
+      place_rod(call, step, framework_);
+      return Outcome::placed;
+    case UnitEntry::still:
+      break;
+  }
+  return Outcome::placed;
+}
+
+void UnitPass::place_rod(const ResolveCall& call, const UnitStep& step,
+                         const Framework& framework) {
+  if (framework.is_pinned(step.b)) return;
+  project_bar(call.positions[step.a], call.positions[step.b], step.length, 0.0, 1.0,
+              [&] { return escape_draws(call.key, step.b).direction(); });
+}
+
+UnitPass::Outcome UnitPass::place_by_rotation(std::span<Vec3> positions, const UnitStep& step) {
+  const auto joints = plan_.joints(step);
+  Vec3 origin = positions[step.a];
+  if (step.entry == UnitEntry::free) {
+    double sum = 0.0;
+    origin = {};
+    for (const JointInUnit& joint : joints) {
+      origin += joint.weight * positions[joint.joint];
+      sum += joint.weight;
+    }
+    origin *= 1.0 / sum;
+  }
+  RotationFit fit;
+  for (const JointInUnit& joint : joints)
+    fit.add(joint.at, positions[joint.joint] - origin, joint.weight);
+  Rotation rotation;
+  const auto outcome = fit.solve(step.mirror_allowed, rotation);
+  if (outcome == RotationFit::Outcome::not_finite) return Outcome::not_finite;
+  if (outcome == RotationFit::Outcome::undefined) return Outcome::unfit;
+  const double sign = outcome == RotationFit::Outcome::mirrored ? -1.0 : 1.0;
+  for (const JointInUnit& joint : joints)
+    positions[joint.joint] = origin + sign * rotation(joint.at);
+  return Outcome::placed;
+}
+
+UnitPass::Outcome UnitPass::place_by_torsion(const ResolveCall& call, const UnitStep& step) {
+  const std::span<Vec3> x = call.positions;
+  const Vec3 a = x[step.a], along = x[step.b] - a;
+  const double length = norm(along);
+  if (!std::isfinite(length)) return Outcome::not_finite;
+  if (!(std::abs(length - step.length) <= most_hinge_error * step.length)) return Outcome::unfit;
+  const AxisBasis basis((1.0 / length) * along);
+  const auto joints = plan_.joints(step);
+  TorsionFit fit;
+  for (const JointInUnit& joint : joints) {
+    const Vec3 d = x[joint.joint] - a;
+    fit.add(joint.at.y, joint.at.z, dot(d, basis.e1), dot(d, basis.e2), joint.weight);
+  }
+  TorsionFit::Turn turn = fit.solve(step.mirror_allowed);
+  if (!(turn.strength > weakest_turn * step.spread)) {
+    if (std::isnan(turn.strength)) return Outcome::not_finite;
+    turn = {};
+    if (step.spread > thinnest_unit * thinnest_unit * length * length) {
+      const AxisBasis any(escape_draws(call.key, step.b).direction());
+      const double size = std::sqrt(any.e1.x * any.e1.x + any.e1.y * any.e1.y);
+      if (size > 0.0) turn.cosine = any.e1.x / size, turn.sine = any.e1.y / size;
+    }
+  } else if (!std::isfinite(turn.strength)) {
+    return Outcome::not_finite;
+  }
+  const Vec3 c1 = turn.cosine * basis.e1 + turn.sine * basis.e2;
+  const Vec3 c2 = turn.v_sign * (turn.cosine * basis.e2 - turn.sine * basis.e1);
+  for (const JointInUnit& joint : joints)
+    x[joint.joint] = a + (joint.at.x * basis.axis + joint.at.y * c1 + joint.at.z * c2);
+  return Outcome::placed;
+}
+
+}  // namespace pliant

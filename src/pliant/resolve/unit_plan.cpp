@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/unit_plan.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "pliant/framework/graph.hpp"
+#include "pliant/resolve/best_fit.hpp"
+
+namespace pliant {
+namespace {
+
+/// Units made of several rigid ones have no shape of their own.
+void forget_loops(UnitForest& forest) {
+  std::vector<std::uint32_t> parts(forest.set.size(), 0);
+  for (std::uint32_t unit : forest.of_rigid) ++parts[unit];
+  for (std::size_t unit = 0; unit < forest.set.size(); ++unit)
+    if (parts[unit] > 1) forest.shapes.kinds[unit] = ShapeKind::unknown;
+}
+
+}  // namespace
+
+UnitForest find_unit_forest(const Framework& framework, const UnitSet& bodies,
+                            const Tolerance& tolerance) {
+  MergedUnits rigid = merge_rigid_loops(framework, bodies);
+  MergedUnits all = merge_all_loops(framework, rigid.set);
+  UnitGraph graph = connect_units(framework, all.set);
+  UnitShapes rigid_shapes = find_unit_shapes(framework, rigid.set, tolerance);
+  UnitShapes shapes = find_unit_shapes(framework, all.set, tolerance);
+  UnitForest forest{std::move(rigid.set), std::move(all.set),      std::move(all.of_unit),
+                    std::move(graph),     std::move(rigid_shapes), std::move(shapes)};
+  forget_loops(forest);
+  return forest;
+}
+
+UnitPlan::UnitPlan(const Framework& framework, const UnitForest& forest, bool mass_weighted)
+    : framework_(framework),
+      forest_(forest),
+      mass_weighted_(mass_weighted),
+      units_of_(forest.set, framework.joint_count()) {
+  find_pins();
+}
+
+void UnitPlan::find_pins() {
+  if (!framework_.has_pinned_joints()) return;
+  const Components components = find_components(framework_);
+  std::map<std::uint32_t, std::vector<Joint>> by_component;
+  for (Joint joint = 0; joint < framework_.joint_count(); ++joint)
+    if (framework_.is_pinned(joint)) by_component[components.of_joint[joint]].push_back(joint);
+  for (auto& [component, joints] : by_component) pins_.push_back(std::move(joints));
+}
+
+void UnitPlan::plan(Joint root) {
+  steps_.clear();
+  joints_.clear();
+  seen_.assign(forest_.graph.links.joint_count(), false);
+  placed_.assign(framework_.joint_count(), false);
+  for (const auto& pins : pins_) start_at(pins[0], pins);
+  if (framework_.joint_count() > 0) start_at(root, {});
+  for (Joint joint = 0; joint < framework_.joint_count(); ++joint) start_at(joint, {});
+}
+
+void UnitPlan::start_at(Joint joint, std::span<const Joint> pins) {
+  const auto units = units_of_.at(joint);
+  if (units.empty() || seen_[units[0]]) return;
+  const auto holder = std::find_if(units.begin(), units.end(),
+                                   [&](std::uint32_t unit) { return holds_all(unit, pins); });
+  const std::uint32_t unit = holder == units.end() ? units[0] : *holder;
+  const std::size_t steps_before = steps_.size(), joints_before = joints_.size();
+  const bool is_unknown = forest_.shapes.kinds[unit] == ShapeKind::unknown;
+  const bool is_rod = forest_.shapes.kinds[unit] == ShapeKind::rod;
+  waiting_.assign(1, unit);
+  seen_[unit] = true;
+  for (Joint pin : pins) placed_[pin] = true;
+  if (is_unknown) {
+    add_step(unit, UnitEntry::still, joint, joint);
+  } else if (is_rod) {
+    const auto ends = forest_.set.of(unit);
+    placed_[joint] = true;
+    if (pins.size() < 2)
+      add_step(unit, UnitEntry::rod, joint, ends[0] == joint ? ends[1] : ends[0]);
+  } else if (pins.size() == 2) {
+    add_step(unit, UnitEntry::hinge, pins[0], pins[1]);
+  } else {
+    add_step(unit, pins.empty() ? UnitEntry::free : UnitEntry::ball, joint, joint);
+  }
+  for (std::size_t next = 0; next < waiting_.size(); ++next) spread(waiting_[next]);
+  if (holder != units.end() && (pins.size() <= 2 || is_unknown)) return;
+  steps_.resize(steps_before);  // pins that no unit can meet alone: left to others
+  joints_.resize(joints_before);
+}
+
+bool UnitPlan::holds_all(std::uint32_t unit, std::span<const Joint> joints) const {
+  const auto members = forest_.set.of(unit);
+  return std::all_of(joints.begin(), joints.end(), [&](Joint joint) {
+    return std::binary_search(members.begin(), members.end(), joint);
+  });
+}
+
+void UnitPlan::spread(std::uint32_t unit) {
+  for (const Incidence& to : forest_.graph.links.neighbours(unit)) {
+    if (seen_[to.joint]) continue;
+    seen_[to.joint] = true;
+    const UnitConnection& at = forest_.graph.connection(to.joint);
+    for (const Incidence& next : forest_.graph.links.neighbours(to.joint)) {
+      if (seen_[next.joint]) continue;
+      seen_[next.joint] = true;
+      waiting_.push_back(next.joint);
+      const auto ends = forest_.set.of(next.joint);
+      if (forest_.shapes.kinds[next.joint] == ShapeKind::rod) {
+        add_step(next.joint, UnitEntry::rod, at.a, ends[0] == at.a ? ends[1] : ends[0]);
+      } else {
+        add_step(next.joint, at.is_hinge() ? UnitEntry::hinge : UnitEntry::ball, at.a, at.b);
+      }
+    }
+  }
+}
+
+void UnitPlan::add_step(std::uint32_t unit, UnitEntry entry, Joint a, Joint b) {
+  UnitStep step;
+  step.unit = unit;
+  step.entry = entry;
+  step.a = a, step.b = b;
+  const ShapeKind kind = forest_.shapes.kinds[unit];
+  step.mirror_allowed = kind == ShapeKind::lengths;
+  step.is_known = kind != ShapeKind::unknown;
+  step.first = static_cast<std::uint32_t>(joints_.size());
+  if (entry == UnitEntry::ball) placed_[a] = true;
+  if (entry == UnitEntry::rod) {
+    placed_[b] = true;
+    step.length = rod_length(a, b);
+  } else {
+    add_joints(step);
+    const auto& first = forest_.set.first;
+    if (step.is_known)
+      set_shape(
+          step,
+          std::span(forest_.shapes.points).subspan(first[unit], first[unit + 1] - first[unit]));
+  }
+  steps_.push_back(step);
+}
+
+double UnitPlan::rod_length(Joint a, Joint b) const {
+  for (const Incidence& at : framework_.neighbours(a))
+    if (at.joint == b) return framework_.rest_lengths()[at.bar];
+  return 0.0;
+}
+
+void UnitPlan::add_joints(UnitStep& step) {
+  double heaviest = 0.0;
+  for (Joint joint : forest_.set.of(step.unit)) {
+    const bool is_new = !placed_[joint];
+    placed_[joint] = true;
+    if (!is_new || step.entry == UnitEntry::still) continue;
+    const double weight = mass_weighted_ ? 1.0 / framework_.inverse_masses()[joint] : 1.0;
+    joints_.push_back({{}, weight, joint});
+    heaviest = std::max(heaviest, weight);
+  }
+  step.count = static_cast<std::uint32_t>(joints_.size()) - step.first;
+  for (JointInUnit& joint : joints(step)) joint.weight /= heaviest;
+}
+
+void UnitPlan::take_shape(UnitStep& step, std::span<const Vec3> positions) {
+  points_.clear();
+  for (Joint joint : forest_.set.of(step.unit)) points_.push_back(positions[joint]);
+  set_shape(step, points_);
+}
+
+void UnitPlan::set_shape(UnitStep& step, std::span<const Vec3> points) {
+  const auto members = forest_.set.of(step.unit);
+  const auto point_of = [&](Joint joint) {
+    return points[std::size_t(std::lower_bound(members.begin(), members.end(), joint) -
+                              members.begin())];
+  };
+  if (step.entry == UnitEntry::hinge)
+    return set_hinge(step, points, point_of(step.a), point_of(step.b));
+  Vec3 origin;
+  double sum = 0.0;
+  for (JointInUnit& joint : joints(step)) {
+    joint.at = point_of(joint.joint);
+    origin += joint.weight * joint.at;
+    sum += joint.weight;
+  }
+  origin = step.entry == UnitEntry::ball ? point_of(step.a) : (1.0 / sum) * origin;
+  for (JointInUnit& joint : joints(step)) joint.at -= origin;
+}
+
+void UnitPlan::set_hinge(UnitStep& step, std::span<const Vec3> points, Vec3 a, Vec3 b) {
+  step.length = distance(a, b);
+  step.spread = 0.0;
+  const AxisBasis basis((1.0 / step.length) * (b - a));
+  const auto members = forest_.set.of(step.unit);
+  std::size_t place = 0;
+  for (JointInUnit& joint : joints(step)) {  // in the order of the members
+    while (members[place] != joint.joint) ++place;
+    const Vec3 d = points[place] - a;
+    joint.at = {dot(d, basis.axis), dot(d, basis.e1), dot(d, basis.e2)};
+    step.spread += joint.weight * (joint.at.y * joint.at.y + joint.at.z * joint.at.z);
+  }
+}
+
+}  // namespace pliant

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+// The outward pass over rigid units, planned: which unit comes when, by which joints it hangs on
+// what was placed before, and where its other joints lie seen from there.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pliant/resolve/unit_graph.hpp"
+#include "pliant/resolve/unit_shape.hpp"
+
+namespace pliant {
+
+/// The units of a framework, as a forest.
+struct UnitForest {
+  UnitSet rigid;                        ///< without loops that leave no freedom
+  UnitSet set;                          ///< without any loops
+  std::vector<std::uint32_t> of_rigid;  ///< the unit in `set` of each rigid one
+  UnitGraph graph;                      ///< of `set`
+  UnitShapes rigid_shapes, shapes;      ///< of `rigid`, `set`; loops with freedom are unknown
+};
+
+UnitForest find_unit_forest(const Framework& framework, const UnitSet& bodies,
+                            const Tolerance& tolerance);
+
+/// How a unit meets what is placed.
+enum class UnitEntry : std::uint8_t {
+  free,   ///< nothing is placed: best fit
+  still,  ///< nothing is placed, and it has its shape already: stays
+  ball,   ///< one joint, `a`: best rotation about it
+  hinge,  ///< two joints, `a` and `b`: best torsion about the line through them
+  rod     ///< joint `a`: joint `b` follows on the line
+};
+
+/// A joint to place. Of a free unit its place from the weighted centroid, of a ball's from `a`; of
+/// a hinge's (along the axis from a, and at right angles to it along the basis of the axis).
+struct JointInUnit {
+  Vec3 at;
+  double weight = 1.0;  ///< in the fit; the heaviest of a unit has 1
+  Joint joint = 0;
+};
+
+struct UnitStep {
+  std::uint32_t unit = 0;
+  Joint a = 0, b = 0;
+  std::uint32_t first = 0, count = 0;  ///< joints to place, in UnitPlan::joints
+  double length = 0.0;                 ///< of the hinge or rod (Angstrom)
+  double spread = 0.0;                 ///< of a hinge: sum of weight times squared distance from it
+  UnitEntry entry = UnitEntry::free;
+  bool mirror_allowed = false;
+  bool is_known = true;  ///< else the shape is what the joints have before they are placed
+};
+
+/// Plans passes from any root; linear in joints.
+class UnitPlan {
+ public:
+  /// Both outlive it. Fits are weighted by mass, or all joints count the same.
+  UnitPlan(const Framework& framework, const UnitForest& forest, bool mass_weighted);
+
+  /// A component with pinned joints begins at the unit that holds them all; if there is none it is
+  /// left out. The root's component begins at a unit of the root, others at their lowest joint's.
+  void plan(Joint root);
+
+  std::span<const UnitStep> steps() const { return steps_; }
+  std::span<JointInUnit> joints(const UnitStep& step) {
+    return {joints_.data() + step.first, step.count};
+  }
+  /// Writes where the joints of a step lie, from the shape of its unit (as UnitSet::of).
+  void set_shape(UnitStep& step, std::span<const Vec3> points);
+  /// The same for a unit whose shape is the one that it has at `positions` (N).
+  void take_shape(UnitStep& step, std::span<const Vec3> positions);
+
+ private:
+  void find_pins();
+  void start_at(Joint joint, std::span<const Joint> pins);
+  void spread(std::uint32_t unit);
+  void add_step(std::uint32_t unit, UnitEntry entry, Joint a, Joint b);
+  void add_joints(UnitStep& step);
+  bool holds_all(std::uint32_t unit, std::span<const Joint> joints) const;
+  void set_hinge(UnitStep& step, std::span<const Vec3> points, Vec3 a, Vec3 b);
+  double rod_length(Joint a, Joint b) const;
+
+  const Framework& framework_;
+  const UnitForest& forest_;
+  bool mass_weighted_;
+  UnitsOfJoints units_of_;
+  std::vector<std::vector<Joint>> pins_;  ///< of each component that has any
+  std::vector<UnitStep> steps_;
+  std::vector<JointInUnit> joints_;
+  std::vector<bool> seen_;    ///< nodes of the graph of units
+  std::vector<bool> placed_;  ///< joints
+  std::vector<std::uint32_t> waiting_;
+  std::vector<Vec3> points_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: MIT
+"""Technique units beside scipy: best rotation of the first unit, best torsion of the next."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from scipy.optimize import minimize_scalar
+from scipy.spatial.transform import Rotation
+
+import pliant
+
+MOLECULES = Path(__file__).parents[2] / "data" / "molecules"
+
+
+def angles_of(name):
+    structure = pliant.read(str(MOLECULES / name))
+    structure.perceive_bonds()
+    return structure, structure.framework(bars="angles")
+
+
+def broken(structure, size, seed):
+    random = np.random.default_rng(seed)
+    moves = random.normal(size=structure.positions.shape)
+    moves *= size / np.linalg.norm(moves, axis=1)[:, None]
+    return structure.positions + moves
+
+
+def superposed(shape, target, weights):
+    """`shape` moved rigidly onto `target` by scipy, reflections excluded."""
+    middle = np.average(shape, axis=0, weights=weights)
+    goal = np.average(target, axis=0, weights=weights)
+    rotation, _ = Rotation.align_vectors(target - goal, shape - middle, weights=weights)
+    return rotation.apply(shape - middle) + goal
+
+
+@pytest.mark.parametrize("name", ["c60.xyz", "cubane.xyz", "cyclohexane_chair.xyz", "benzene.sdf"])
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_a_rigid_molecule_goes_where_align_vectors_puts_it(name, seed):
+    structure, framework = angles_of(name)
+    for size in (0.1, 0.5):
+        positions = broken(structure, size, seed)
+        expected = superposed(structure.positions, positions, np.ones(len(positions)))
+        pliant.resolve(framework, positions, technique="units", tolerance=1e-12)
+        assert np.abs(positions - expected).max() < 1e-12
+
+
+def test_the_fit_is_weighted_by_mass():
+    structure, framework = angles_of("benzene.sdf")
+    positions = broken(structure, 0.3, 4)
+    masses = 1.0 / framework.inverse_masses
+    expected = superposed(structure.positions, positions, masses)
+    pliant.resolve(framework, positions, technique="units", mass_weighted=True)
+    assert np.abs(positions - expected).max() < 1e-12
+
+
+def dihedral(points):
+    """Of four points, in radians."""
+    first, middle, last = np.diff(points, axis=0)
+    left, right = np.cross(first, middle), np.cross(middle, last)
+    return np.arctan2(np.linalg.norm(middle) * first @ right, left @ right)
+
+
+def turned(points, origin, axis, angle):
+    return Rotation.from_rotvec(angle * axis / np.linalg.norm(axis)).apply(points - origin) + origin
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_the_second_methyl_group_turns_as_far_as_a_minimiser_turns_it(seed):
+    structure, framework = angles_of("ethane.xyz")
+    start = broken(structure, 0.3, seed)
+    positions = start.copy()
+    pliant.resolve(framework, positions, technique="units", tolerance=1e-12)
+    first, second = [0, 1, 2, 3, 4], [5, 6, 7]
+    expected = superposed(structure.positions[first], start[first], np.ones(5))
+    assert np.abs(positions[first] - expected).max() < 1e-12
+    origin, axis = positions[0], positions[1] - positions[0]
+
+    def badness(angle):
+        return ((turned(positions[second], origin, axis, angle) - start[second]) ** 2).sum()
+
+    best = minimize_scalar(badness, bounds=(-0.5, 0.5), method="bounded", options={"xatol": 1e-10})
+    assert abs(best.x) < 1e-6
+    assert badness(0.0) <= min(badness(angle) for angle in np.linspace(-np.pi, np.pi, 721)) + 1e-12
+
+
+def test_torsions_are_all_that_changes():
+    structure, framework = angles_of("butane.sdf")
+    positions = broken(structure, 0.3, 1)
+    pliant.resolve(framework, positions, technique="units", tolerance=1e-12)
+    assert abs(dihedral(positions[:4]) - dihedral(structure.positions[:4])) > 1e-3
+    assert np.abs(pliant.residuals(framework, positions)).max() < 1e-13
+
+
+def test_the_same_input_gives_the_same_bits():
+    structure, framework = angles_of("peptide_20.pdb")
+    results = []
+    for _ in range(2):
+        positions = broken(structure, 0.2, 9)
+        summary = pliant.resolve(framework, positions, technique="units", tolerance=1e-12)
+        assert summary.converged
+        assert summary.sweeps == 1
+        results.append(positions)
+    assert results[0].tobytes() == results[1].tobytes()
+
+
+def test_a_framework_made_of_positions_keeps_its_shape():
+    structure, framework = angles_of("caffeine.sdf")
+    bare = pliant.Framework(framework.bars, positions=structure.positions)
+    positions = broken(structure, 0.3, 2)
+    summary = pliant.resolve(bare, positions, technique="units", tolerance=1e-12)
+    assert summary.converged
+    assert summary.sweeps == 1

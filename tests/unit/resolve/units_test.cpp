@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/units.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+
+#include "pliant/framework/examples.hpp"
+#include "pliant/molecule/bonds.hpp"
+#include "pliant/molecule/build_framework.hpp"
+#include "pliant/molecule/read.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace {
+
+struct Molecule {
+  std::string name;
+  Framework framework;
+  std::vector<Vec3> positions;
+};
+
+Molecule molecule(const std::filesystem::path& file) {
+  Structure structure = read_structure(file);
+  perceive_bonds(structure);
+  return {file.stem().string(), build_framework(structure, {.bars = BarKind::angles}),
+          structure.positions};
+}
+
+Molecule named(const char* file) {
+  return molecule(std::filesystem::path(PLIANT_SOURCE_DIR "/data/molecules") / file);
+}
+
+/// What stays after drawn positions are taken away.
+Framework without_drawing(const Framework& framework) {
+  return Framework(test::parts_of(framework));
+}
+
+/// All bonds and angles held: every molecule is whole after one pass, far or near, whatever hangs
+/// on whatever. Rings of more than six atoms close by iteration, to the tolerance.
+TEST(Units, EveryMoleculeIsWholeAfterOnePass) {
+  std::size_t seen = 0;
+  for (const auto& entry :
+       std::filesystem::directory_iterator(PLIANT_SOURCE_DIR "/data/molecules")) {
+    const Molecule m = molecule(entry.path());
+    SCOPED_TRACE(m.name);
+    ++seen;
+    const bool has_large_rings = m.name == "crown_18_6" || m.name == "cyclic_hexapeptide";
+    for (double by : {0.1, 0.3})
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        std::vector<Vec3> x = test::shake(m.framework, m.positions, by, seed);
+        ResolveOptions options;
+        options.tolerance.relative = has_large_rings ? 1e-8 : 1e-12;
+        const ResolveSummary summary = resolve(m.framework, {"units"}, x, options);
+        EXPECT_TRUE(summary.converged()) << summary.brief(m.framework);
+        EXPECT_EQ(summary.sweeps, 1);
+      }
+  }
+  EXPECT_GE(seen, 16u);
+}
+
+/// A chain of a thousand units is as exact at its end as at its beginning.
+TEST(Units, ErrorsDoNotAddUpAlongAChain) {
+  const Sketch sketch = with_angles(shaken(chain(3000), 0.2));
+  const Framework framework = framework_of(sketch);
+  std::vector<Vec3> x = test::shake(framework, sketch.positions, 0.3);
+  const ResolveSummary summary = resolve(framework, {"units"}, x, {{1e-11}}, 1500);
+  EXPECT_EQ(summary.stop, Stop::converged);
+  EXPECT_EQ(summary.sweeps, 1);
+  // Coordinates of 3000 Angstrom carry 13 digits after the point.
+  EXPECT_LT(summary.max_residual, 1e-12);
+}
+
+double handedness(const std::vector<Vec3>& x, Joint centre, Joint a, Joint b, Joint c) {
+  return dot(x[a] - x[centre], cross(x[b] - x[centre], x[c] - x[centre]));
+}
+
+/// Pushed so hard that centres turn inside out, they come back as drawn; lengths alone cannot tell.
+TEST(Units, DrawnCentresKeepTheirHandedness) {
+  const Molecule m = named("alanine_dipeptide.pdb");
+  std::size_t turned = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    std::vector<Vec3> x = test::shake(m.framework, m.positions, 1.0, seed);
+    std::vector<Vec3> y = x;
+    ASSERT_TRUE(resolve(m.framework, {"units"}, x).converged());
+    ASSERT_TRUE(resolve(without_drawing(m.framework), {"units"}, y).converged());
+    for (Joint centre = 0; centre < x.size(); ++centre) {
+      std::vector<Joint> around;
+      for (const Incidence& at : m.framework.neighbours(centre))
+        if (distance(m.positions[centre], m.positions[at.joint]) < 1.7) around.push_back(at.joint);
+      if (around.size() != 4) continue;
+      const auto hand = [&](const std::vector<Vec3>& p) {
+        return handedness(p, centre, around[0], around[1], around[2]);
+      };
+      EXPECT_NEAR(hand(x), hand(m.positions), 1e-9);
+      turned += hand(y) * hand(m.positions) < 0.0;
+    }
+  }
+  EXPECT_GT(turned, 0u) << "the push was too weak to test anything";
+}
+
+TEST(Units, LengthsAloneWillDoWhereBodiesAreComplete) {
+  for (const char* file : {"butane.sdf", "ethane.xyz", "alanine_dipeptide.pdb"}) {
+    const Molecule m = named(file);
+    const Framework framework = without_drawing(m.framework);
+    std::vector<Vec3> x = test::shake(framework, m.positions, 0.3);
+    const ResolveSummary summary = resolve(framework, {"units"}, x, {{1e-12}});
+    EXPECT_TRUE(summary.converged()) << summary.brief(framework);
+    EXPECT_EQ(summary.sweeps, 1);
+  }
+}
+
+/// An alkyne's carbons are on one line: the units between have no torsion to choose.
+TEST(Units, StraightChainsAreWholeAfterOnePass) {
+  Sketch butyne;
+  butyne.positions = {{0, 0, 0}, {1.46, 0, 0}, {2.66, 0, 0}, {4.12, 0, 0}};
+  butyne.bars = {{0, 1}, {1, 2}, {2, 3}};
+  for (int k = 0; k < 3; ++k) {
+    const double c = std::cos(2.0 * k), s = std::sin(2.0 * k);
+    butyne.positions.push_back({-0.36, c, s});
+    butyne.bars.push_back({0, Joint(butyne.positions.size() - 1)});
+    butyne.positions.push_back({4.48, s, c});
+    butyne.bars.push_back({3, Joint(butyne.positions.size() - 1)});
+  }
+  const Framework framework = framework_of(with_angles(butyne));
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    std::vector<Vec3> x = test::shake(framework, butyne.positions, 0.2, seed);
+    const ResolveSummary summary = resolve(framework, {"units"}, x, {{1e-12}});
+    EXPECT_TRUE(summary.converged()) << summary.brief(framework);
+    EXPECT_EQ(summary.sweeps, 1);
+  }
+}
+
+TEST(Units, OnePassHoldsUpToTwoPinnedJointsOfOneUnit) {
+  const Molecule m = named("butane.sdf");
+  for (const std::vector<Joint>& pinned : {std::vector<Joint>{0}, std::vector<Joint>{0, 1}}) {
+    FrameworkParts parts = test::parts_of(m.framework);
+    parts.pinned = pinned;
+    const Framework framework(std::move(parts));
+    std::vector<Vec3> x = test::shake(framework, m.positions, 0.2);
+    const ResolveSummary summary = resolve(framework, {"units"}, x, {{1e-12}}, 7);
+    EXPECT_TRUE(summary.converged()) << summary.brief(framework);
+    EXPECT_EQ(summary.sweeps, 1);
+    for (Joint joint : pinned) EXPECT_EQ(x[joint], m.positions[joint]);
+  }
+}
+
+TEST(Units, PinnedJointsFarApartAreLeftToOthers) {
+  const Molecule m = named("butane.sdf");
+  FrameworkParts parts = test::parts_of(m.framework);
+  parts.pinned = {4, 13};
+  const Framework framework(std::move(parts));
+  std::vector<Vec3> x = test::shake(framework, m.positions, 0.05);
+  const ResolveSummary summary = resolve(framework, {"units"}, x);
+  EXPECT_TRUE(summary.converged()) << summary.brief(framework);
+  for (Joint joint : {4u, 13u}) EXPECT_EQ(x[joint], m.positions[joint]);
+}
+
+/// Joints of a unit on the axis of its hinge, or all at one point: parted by chance, never NaN.
+TEST(Units, JointsAtOnePointPart) {
+  const Molecule m = named("ethane.xyz");
+  for (bool all : {false, true}) {
+    std::vector<Vec3> x = m.positions;
+    for (std::size_t k = all ? 0 : 5; k < x.size(); ++k) x[k] = x[1];
+    const ResolveSummary summary = resolve(m.framework, {"units"}, x, {{1e-9}});
+    EXPECT_TRUE(test::all_finite(x));
+    EXPECT_TRUE(all || summary.converged()) << summary.brief(m.framework);
+  }
+}
+
+/// Weighted by mass, a heavy atom of the first unit stays nearer to where it was.
+TEST(Units, FitsMayBeWeightedByMass) {
+  const Molecule m = named("ethane.xyz");
+  std::vector<Vec3> plain = test::shake(m.framework, m.positions, 0.2), heavy = plain;
+  const std::vector<Vec3> before = plain;
+  resolve(m.framework, {"units", 0.5, false}, plain);
+  resolve(m.framework, {"units", 0.5, true}, heavy);
+  EXPECT_LT(distance(heavy[0], before[0]), distance(plain[0], before[0]));
+}
+
+}  // namespace
+}  // namespace pliant
