@@ -133,3 +133,18 @@ def test_a_reference_of_another_size_is_refused():
     framework, whole = molecule("caffeine.sdf")
     with pytest.raises(pliant.OptionError, match=r"^reference: 3 positions for \d+ joints$"):
         pliant.resolve(framework, whole.copy(), "shake", reference=whole[:3])
+
+
+@pytest.mark.parametrize("technique", ["blocks", "newton", "shake"])
+@pytest.mark.parametrize("name", ["benzene.sdf", "caffeine.sdf", "peptide_20.pdb"])
+def test_redundant_bars_of_angles_are_made_whole_without_sweeps(name, technique):
+    """Flat groups are rigid to second order only: sweeps crawl, and OpenMM gives NaN."""
+    structure = pliant.read(MOLECULES / name)
+    framework, whole = structure.framework(bars="angles"), np.array(structure.positions)
+    for seed in range(5):
+        x = displaced(whole, 0.06, seed)
+        summary = pliant.resolve(framework, x, technique, tolerance=1e-6)
+        assert summary.converged, summary.brief(framework)
+        assert summary.finishing_sweeps == 0
+        off = np.abs(pliant.residuals(framework, x)) / framework.rest_lengths
+        assert off.max() <= 1e-6

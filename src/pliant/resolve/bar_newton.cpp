@@ -6,17 +6,24 @@
 #include <limits>
 
 namespace pliant {
+namespace {
 
-BarNewton::Outcome BarNewton::make_whole(Part part, const MayGoOn& may_go_on) {
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+BarNewton::Outcome BarNewton::make_whole(Part part, const RandomKey& key,
+                                         const MayGoOn& may_go_on) {
   Outcome outcome;
   const BarEquations::Errors errors = equations_.measure(part);
   outcome.whole = errors.whole;
   if (errors.whole || errors.coincident || !errors.finite) return outcome;
   best_.resize(equations_.joint_count());
-  keep(part);
-  const double best = is_overbraced(part) ? iterate_damped(part, errors.worst, may_go_on, outcome)
-                                          : iterate(part, errors.worst, may_go_on, outcome);
-  take_back(part);
+  copy(part, equations_.positions(), best_);
+  const double best = is_overbraced(part)
+                          ? iterate_damped(part, errors.worst, key, may_go_on, outcome)
+                          : iterate(part, errors.worst, may_go_on, outcome);
+  copy(part, best_, equations_.positions());
   outcome.whole = best <= 1.0;
   return outcome;
 }
@@ -32,7 +39,7 @@ double BarNewton::step(Part part, double damping, Outcome& outcome) {
   equations_.pull(part, equations_.directions(), equations_.excess(), equations_.positions());
   ++outcome.iterations;
   const BarEquations::Errors errors = equations_.measure(part);
-  if (errors.coincident || !errors.finite) return std::numeric_limits<double>::infinity();
+  if (errors.coincident || !errors.finite) return infinity;
   return errors.whole ? std::min(errors.worst, 1.0) : std::max(errors.worst, std::nextafter(1, 2));
 }
 
@@ -44,42 +51,96 @@ double BarNewton::iterate(Part part, double error, const MayGoOn& may_go_on, Out
   while (std::isfinite(error) && best > 1.0 && may_go_on()) {
     error = step(part, 0.0, outcome);
     if (!(error < 0.9 * best) && ++bad_steps > most_bad_steps) break;
-    if (error < best) best = error, keep(part);
+    if (error < best) best = error, copy(part, equations_.positions(), best_);
   }
   return best;
+}
+
+/// Redundant bars have places where the error is least nearby, as when one atom of a flat ring has
+/// come out on the wrong side. A push of the joints around what is broken leaves them.
+double BarNewton::iterate_damped(Part part, double error, const RandomKey& key,
+                                 const MayGoOn& may_go_on, Outcome& outcome) {
+  constexpr std::uint64_t most_pushes = 12;
+  double least = error;
+  least_.resize(best_.size());
+  for (std::uint64_t push = 0;; ++push) {
+    error = descend(part, error, may_go_on, outcome);
+    if (error <= least) {
+      least = error;
+      copy(part, best_, least_);
+    }
+    if (least <= 1.0 || push == most_pushes || ended_) break;
+    copy(part, best_, equations_.positions());
+    error = push_broken(part, push, key);
+  }
+  copy(part, least_, best_);
+  return least;
 }
 
 /// Levenberg and Marquardt's way: a step that does not pay is taken back and tried again shorter.
 /// The damping falls with the error, so that it costs no digits at the end (Yamashita, Fukushima,
 /// Computing Suppl. 15 (2001) 239).
-double BarNewton::iterate_damped(Part part, double error, const MayGoOn& may_go_on,
-                                 Outcome& outcome) {
+double BarNewton::descend(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome) {
   constexpr double most_damping = 1e6;
-  double best = error, damping = 0.1;
-  while (best > 1.0 && damping < most_damping && may_go_on()) {
+  constexpr int patience = 12;  // iterations in which the error must halve
+  double best = error, damping = 0.1, goal = 0.5 * error;
+  bool paid_before = true;
+  int waited = 0;
+  while (best > 1.0 && damping < most_damping && waited++ < patience) {
+    ended_ = !may_go_on();
+    if (ended_) break;
     error = step(part, damping * std::min(1.0, equations_.relative_error(part)), outcome);
-    if (error < best) {
+    const bool pays = error < best;
+    if (pays) {
       best = error;
-      keep(part);
-      damping = std::max(1e-3, 0.3 * damping);
+      copy(part, equations_.positions(), best_);
+      if (paid_before) damping = std::max(1e-3, 0.3 * damping);
     } else {
-      take_back(part);
+      copy(part, best_, equations_.positions());
       equations_.measure(part);
       damping *= 4.0;
     }
+    paid_before = pays;
+    if (best < goal) goal = 0.5 * best, waited = 0;
   }
   return best;
 }
 
-void BarNewton::keep(Part part) {
+/// Moves the ends of the bars that are broken most by a tenth of their length in any direction,
+/// their centre of mass staying; returns the error then.
+double BarNewton::push_broken(Part part, std::uint64_t push, RandomKey key) {
+  constexpr double share_of_worst = 0.03, share_of_length = 0.1;
+  const double worst = equations_.measure(part).worst;
   const auto x = equations_.positions();
-  std::copy(x.begin() + part.joints.begin, x.begin() + part.joints.end,
-            best_.begin() + part.joints.begin);
+  key.domain = Domain::escape;
+  pushed_.assign(equations_.joint_count(), false);
+  Vec3 moment;
+  double mass = 0.0;
+  for (std::uint32_t k = part.bars.begin; k < part.bars.end; ++k) {
+    const double off = std::abs(norm(equations_.directions()[k]) - equations_.rest(k));
+    if (off <= std::max(1.0, share_of_worst * worst) * equations_.allowed(k)) continue;
+    const auto [a, b] = equations_.ends(k);
+    for (const std::uint32_t j : {std::min(a, b), std::max(a, b)}) {
+      if (pushed_[j] || !(equations_.weight(j) > 0.0)) continue;
+      pushed_[j] = true;
+      key.joint = equations_.joint(j) + (push << 32);
+      const Vec3 push_of_joint =
+          share_of_length * equations_.rest(k) * RandomSequence(key).direction();
+      x[j] += push_of_joint;
+      moment += (1.0 / equations_.weight(j)) * push_of_joint;
+      mass += 1.0 / equations_.weight(j);
+    }
+  }
+  for (std::uint32_t j = part.joints.begin; j < part.joints.end; ++j)
+    if (pushed_[j]) x[j] -= (1.0 / mass) * moment;
+  copy(part, x, best_);
+  const BarEquations::Errors errors = equations_.measure(part);
+  return errors.finite && !errors.coincident ? errors.worst : infinity;
 }
 
-void BarNewton::take_back(Part part) {
-  std::copy(best_.begin() + part.joints.begin, best_.begin() + part.joints.end,
-            equations_.positions().begin() + part.joints.begin);
+void BarNewton::copy(Part part, std::span<const Vec3> from, std::span<Vec3> to) const {
+  std::copy(from.begin() + part.joints.begin, from.begin() + part.joints.end,
+            to.begin() + part.joints.begin);
 }
 
 }  // namespace pliant

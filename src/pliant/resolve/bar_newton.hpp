@@ -11,6 +11,7 @@
 #include <functional>
 #include <vector>
 
+#include "pliant/base/random.hpp"
 #include "pliant/resolve/bar_equations.hpp"
 
 namespace pliant {
@@ -32,7 +33,8 @@ class BarNewton {
   /// Moves equations.positions() of the part until its bars are within the tolerance, or the error
   /// stops falling: the positions are then as good as they got. Coincident joints and lengths that
   /// are not finite are left as they are.
-  Outcome make_whole(BarEquations::Part part, const MayGoOn& may_go_on);
+  /// `key` is what pushes out of local minima depend on.
+  Outcome make_whole(BarEquations::Part part, const RandomKey& key, const MayGoOn& may_go_on);
 
   /// Rings and cages of bonds have one to one and a half bars a joint; with 1-3 bars there are two
   /// and more, and where centres are planar some depend on others.
@@ -42,13 +44,18 @@ class BarNewton {
   using Part = BarEquations::Part;
 
   double iterate(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome);
-  double iterate_damped(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome);
+  double iterate_damped(Part part, double error, const RandomKey& key, const MayGoOn& may_go_on,
+                        Outcome& outcome);
+  double descend(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome);
+  double push_broken(Part part, std::uint64_t push, RandomKey key);
   double step(Part part, double damping, Outcome& outcome);
-  void keep(Part part);
-  void take_back(Part part);
+  void copy(Part part, std::span<const Vec3> from, std::span<Vec3> to) const;
 
   BarEquations& equations_;
-  std::vector<Vec3> best_;  ///< of the joints of the equations
+  std::vector<Vec3> best_;    ///< of the joints of the equations, since the last push
+  std::vector<Vec3> least_;   ///< and of all
+  std::vector<bool> pushed_;  ///< of the joints
+  bool ended_ = false;        ///< there is to be no other iteration
 };
 
 }  // namespace pliant

@@ -4,7 +4,7 @@
 namespace pliant {
 namespace {
 
-constexpr std::int64_t most_iterations = 500;
+constexpr std::int64_t most_iterations = 1000;
 
 std::vector<double> weights_of(const Framework& framework, const Technique& technique) {
   const auto masses = framework.inverse_masses();
@@ -25,14 +25,14 @@ BlockSolver::BlockSolver(const Framework& framework, const Technique& technique,
   }
 }
 
-bool BlockSolver::solve(std::uint32_t block, Joint entry, std::span<Vec3> positions,
-                        ResolveSummary& summary) {
+bool BlockSolver::solve(std::uint32_t block, Joint entry, const RandomKey& key,
+                        std::span<Vec3> positions, ResolveSummary& summary) {
   if (!parts_[block]) return false;
   const BarEquations::Part part = *parts_[block];
   equations_.hold(part, entry);
   equations_.gather(part, positions);
   std::int64_t left = most_iterations;
-  const BarNewton::Outcome outcome = newton_.make_whole(part, [&] { return left-- > 0; });
+  const BarNewton::Outcome outcome = newton_.make_whole(part, key, [&] { return left-- > 0; });
   equations_.scatter(part, positions);
   summary.dropped_bars += outcome.dropped_bars;
   summary.projections += (outcome.iterations + 1) * std::int64_t(part.bars.size());

@@ -23,13 +23,14 @@ class BlockSolver {
   template <class Look>
   void each_joint(std::uint32_t block, Look look) const {
     const auto joints = parts_[block]->joints;
-    for (std::uint32_t j = joints.begin; j < joints.end; ++j)
-      look(equations_.joint(j));
+    for (std::uint32_t j = joints.begin; j < joints.end; ++j) look(equations_.joint(j));
   }
 
-  /// Makes the block whole with `entry` held still, adding to the summary's counts. False if it is
-  /// not held or Newton's method stalled: positions are then as good as they got.
-  bool solve(std::uint32_t block, Joint entry, std::span<Vec3> positions, ResolveSummary& summary);
+  /// Makes the block whole with `entry` held still, random draws depending on `key`, adding to the
+  /// summary's counts. False if it is not held or Newton's method stalled: positions are then as
+  /// good as they got.
+  bool solve(std::uint32_t block, Joint entry, const RandomKey& key, std::span<Vec3> positions,
+             ResolveSummary& summary);
 
  private:
   BarEquations equations_;

@@ -88,7 +88,8 @@ class BlockPass final : public Method {
         project(call, step);
         ++summary.projections;
       } else {
-        all_whole = blocks_.solve(step.block, step.near, call.positions, summary) && all_whole;
+        all_whole =
+            blocks_.solve(step.block, step.near, call.key, call.positions, summary) && all_whole;
       }
     }
     return all_whole;

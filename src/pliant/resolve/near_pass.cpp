@@ -64,7 +64,7 @@ bool NearPass::solve(std::uint32_t block, Joint entry, const ResolveCall& call,
   entered_.push_back(block);
   before_.clear();
   blocks_.each_joint(block, [&](Joint joint) { before_.push_back(call.positions[joint]); });
-  const bool whole = blocks_.solve(block, entry, call.positions, summary);
+  const bool whole = blocks_.solve(block, entry, call.key, call.positions, summary);
   std::size_t k = 0;
   blocks_.each_joint(block, [&](Joint joint) {
     const Vec3 before = before_[k++];

@@ -18,9 +18,10 @@ constexpr int most_inner_iterations = 40;
 }  // namespace
 
 NearestPoint::Outcome NearestPoint::find(Part part, std::span<const Vec3> broken,
-                                         const MayGoOn& may_go_on) {
+                                         const RandomKey& key, const MayGoOn& may_go_on) {
   reserve();
   broken_ = broken;
+  key_ = key;
   Outcome outcome;
   copy(part, equations_.positions(), kept_);
   if (!newton_.is_overbraced(part) && iterate(part, may_go_on, outcome)) return outcome;
@@ -82,7 +83,7 @@ void NearestPoint::polish(Part part, const BarEquations::Errors& before) {
 }
 
 bool NearestPoint::restore(Part part, const MayGoOn& may_go_on, Outcome& outcome) {
-  const BarNewton::Outcome restored = newton_.make_whole(part, may_go_on);
+  const BarNewton::Outcome restored = newton_.make_whole(part, key_, may_go_on);
   outcome.iterations += restored.iterations;
   outcome.dropped_bars = restored.dropped_bars;
   return outcome.whole = restored.whole;

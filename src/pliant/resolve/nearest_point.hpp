@@ -33,7 +33,8 @@ class NearestPoint {
 
   /// Moves equations.positions() of the part to whole positions nearest to `broken` (of the joints
   /// of the equations, in mass-weighted distance), beginning where they are.
-  Outcome find(BarEquations::Part part, std::span<const Vec3> broken, const MayGoOn& may_go_on);
+  Outcome find(BarEquations::Part part, std::span<const Vec3> broken, const RandomKey& key,
+               const MayGoOn& may_go_on);
 
  private:
   using Part = BarEquations::Part;
@@ -64,6 +65,7 @@ class NearestPoint {
   BarEquations& equations_;
   BarNewton newton_;
   std::span<const Vec3> broken_;
+  RandomKey key_;
   std::vector<double> lambda_, bars_;                ///< of bars: the multipliers, and scratch
   std::vector<double> masses_, allowed_;             ///< of joints; 0 for pinned ones
   std::vector<Vec3> restoring_, sliding_, kept_;     ///< of joints

@@ -28,7 +28,7 @@ class ShakeSolver final : public PartSolver {
     if (iterate(part, may_go_on, outcome)) return outcome;
     // No answer along these directions that could be found: the nearest one instead.
     copy(part, broken, equations_.positions());
-    const BarNewton::Outcome made = newton_.make_whole(part, may_go_on);
+    const BarNewton::Outcome made = newton_.make_whole(part, call.key, may_go_on);
     outcome.iterations += made.iterations;
     outcome.dropped_bars = made.dropped_bars;
     outcome.whole = made.whole;
