@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws data/pictures/pliant.png, the README's picture, from runs that it makes itself.
+"""Draws data/pictures, the pictures of the README, from runs that it makes itself.
 
 Usage: .venv/bin/python data/make_pictures.py
 """
@@ -18,6 +18,7 @@ mpl.use("Agg")
 import matplotlib.pyplot as plt
 from MDAnalysisTests import datafiles
 from matplotlib.collections import LineCollection
+from thesis_picture import make_thesis_picture
 
 HERE = Path(__file__).parent
 PLIANT = Path(sys.executable).parent / "pliant"
@@ -114,7 +115,8 @@ def draw_times(figure, place, rows):
 
 
 def main():
-    """Makes the runs and the picture."""
+    """Makes the runs and the pictures."""
+    make_thesis_picture(HERE / "pictures" / "thesis.png")
     with tempfile.TemporaryDirectory() as folder:
         peptide, protein = Path(folder) / "peptide.h5md", Path(folder) / "adk.h5md"
         pliant("run", HERE / "molecules" / "peptide_20.pdb", "-o", peptide, "--steps", 200,

@@ -81,7 +81,7 @@ def draw_bars(chart: BarChart, studies: dict[str, Study], folder: Path) -> Figur
                                         squeeze=False)  # fmt: skip
         for row, yardstick in zip(axes, yardsticks, strict=True):
             for axis, (what, words) in zip(row, _MEASURES, strict=True):
-                _group_bars(axis, studies[yardstick], chart.family, techniques, what)
+                group_bars(axis, studies[yardstick], chart.family, techniques, what)
                 axis.set_title(f"{words}, {yardstick}")
                 axis.set_xlabel("weighting")
                 axis.set_ylabel(yardstick)
@@ -100,7 +100,8 @@ def _bar_caption(chart: BarChart, reverse: bool) -> str:
     return text
 
 
-def _group_bars(axis, study: Study, family: str, techniques: list[str], what: str) -> None:
+def group_bars(axis, study: Study, family: str, techniques: list[str], what: str) -> None:
+    """Bars of one measure: weightings side by side, one bar a technique, whiskers of 95 %."""
     width = 0.82 / len(techniques)
     for k, technique in enumerate(techniques):
         color, hatch = LOOKS[k % len(LOOKS)]
