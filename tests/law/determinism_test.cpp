@@ -64,7 +64,7 @@ TEST(Determinism, EveryTechniqueGivesTheseBits) {
       {"bfs_random", 0x9e8dff8541149e33},     {"input", 0x62c06a3a9c51b7c6},
       {"blocks", 0x8db9d18067dabc7d},         {"bfs_worst", 0x8fe6281f276fdb46},
       {"anderson", 0x0e9e22f625d32b5d},       {"rings_first", 0xa68862a9e4e09e1f},
-      {"rings_anderson", 0x5dc06d654c558643}, {"newton", 0xbf374c570bfac8c8},
+      {"rings_anderson", 0x5dc06d654c558643}, {"newton", 0x414f202addf94c8d},
       {"shake", 0xad73d9d3fd38946e},          {"bfs_local", 0xb49b02afb763cfc3},
       {"units", 6115539992820983172u},
   };

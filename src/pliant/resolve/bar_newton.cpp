@@ -20,9 +20,14 @@ BarNewton::Outcome BarNewton::make_whole(Part part, const RandomKey& key,
   if (errors.whole || errors.coincident || !errors.finite) return outcome;
   best_.resize(equations_.joint_count());
   copy(part, equations_.positions(), best_);
-  const double best = is_overbraced(part)
-                          ? iterate_damped(part, errors.worst, key, may_go_on, outcome)
-                          : iterate(part, errors.worst, may_go_on, outcome);
+  ended_ = false;
+  double best = errors.worst;
+  if (!is_overbraced(part)) best = iterate(part, best, may_go_on, outcome);
+  if (best > 1.0 && !ended_) {
+    copy(part, best_, equations_.positions());
+    equations_.measure(part);
+    best = iterate_damped(part, best, key, may_go_on, outcome);
+  }
   copy(part, best_, equations_.positions());
   outcome.whole = best <= 1.0;
   return outcome;
@@ -48,7 +53,9 @@ double BarNewton::iterate(Part part, double error, const MayGoOn& may_go_on, Out
   constexpr int most_bad_steps = 3;
   double best = error;
   int bad_steps = 0;
-  while (std::isfinite(error) && best > 1.0 && may_go_on()) {
+  while (std::isfinite(error) && best > 1.0) {
+    ended_ = !may_go_on();
+    if (ended_) break;
     error = step(part, 0.0, outcome);
     if (!(error < 0.9 * best) && ++bad_steps > most_bad_steps) break;
     if (error < best) best = error, copy(part, equations_.positions(), best_);

@@ -157,10 +157,18 @@ void NearestPoint::project(Part part, std::span<Vec3> v) {
   equations_.pull(part, equations_.directions(), bars_, v);
 }
 
+/// Whether any bar pulls: none does at the broken positions, which are nearest to themselves.
+bool NearestPoint::is_loaded(Part part) const {
+  bool any = false;
+  for (std::uint32_t k = part.bars.begin; k < part.bars.end; ++k) any |= lambda_[k] != 0.0;
+  return any;
+}
+
 /// Conjugate gradients, all vectors multiplied by W: then the preconditioned residual is the
 /// residual.
 void NearestPoint::find_sliding_move(Part part, double radius) {
   clear(part, sliding_);
+  if (!is_loaded(part)) return;
   clear(part, curved_);
   add_bent(part, 1.0, restoring_, curved_);
   project(part, curved_);
@@ -170,8 +178,7 @@ void NearestPoint::find_sliding_move(Part part, double radius) {
   const double first = product(part, residual_, residual_);
   double squared = first;
   for (int i = 0; i < most_inner_iterations; ++i) {
-    if (!(squared > inner_accuracy * inner_accuracy * first) || asked(part, residual_) <= 0.01)
-      return;
+    if (!(squared > inner_accuracy * inner_accuracy * first)) return;
     if (!search(part, radius, squared)) return;
   }
 }
@@ -181,14 +188,9 @@ bool NearestPoint::search(Part part, double radius, double& squared) {
   copy(part, direction_, curved_);
   add_bent(part, 1.0, direction_, curved_);
   const double curvature = product(part, direction_, curved_);
-  const double ss = product(part, sliding_, sliding_), sd = product(part, sliding_, direction_);
-  const double dd = product(part, direction_, direction_);
   const double step = curvature > 0.0 ? squared / curvature : infinity;
-  if (!(ss + step * (2.0 * sd + step * dd) < radius * radius)) {
-    // As far as the radius; without one, as far as a model without curvature would go.
-    const double room = std::sqrt(std::max(0.0, sd * sd + dd * (radius * radius - ss)));
-    const double reach = std::isfinite(radius) ? (room - sd) / dd : ss > 0.0 ? 0.0 : 1.0;
-    add(part, reach, direction_, sliding_);
+  if (!is_within(part, step, radius)) {
+    add(part, step_to(part, radius), direction_, sliding_);
     return false;
   }
   add(part, step, direction_, sliding_);
@@ -199,6 +201,24 @@ bool NearestPoint::search(Part part, double radius, double& squared) {
     direction_[j] = (next / squared) * direction_[j] - residual_[j];
   squared = next;
   return true;
+}
+
+/// Whether |sliding_ + step direction_| is below `radius` (mass-weighted).
+bool NearestPoint::is_within(Part part, double step, double radius) const {
+  if (!std::isfinite(radius)) return std::isfinite(step);
+  const double length_squared = product(part, sliding_, sliding_) +
+                                2.0 * step * product(part, sliding_, direction_) +
+                                step * step * product(part, direction_, direction_);
+  return length_squared < radius * radius;
+}
+
+/// The step along direction_ to the radius; without one, as far as if nothing bent.
+double NearestPoint::step_to(Part part, double radius) const {
+  const double ss = product(part, sliding_, sliding_);
+  if (!std::isfinite(radius)) return ss > 0.0 ? 0.0 : 1.0;
+  const double sd = product(part, sliding_, direction_);
+  const double dd = product(part, direction_, direction_);
+  return (std::sqrt(std::max(0.0, sd * sd + dd * (radius * radius - ss))) - sd) / dd;
 }
 
 /// out += factor W (sum of lambda_k times the Laplacian of bar k) v.
@@ -213,10 +233,10 @@ void NearestPoint::add_bent(Part part, double factor, std::span<const Vec3> v,
 }
 
 double NearestPoint::product(Part part, std::span<const Vec3> v, std::span<const Vec3> w) const {
-  double sum = 0.0;
+  Vec3 sum;  // by coordinate: three additions at a time
   for (std::uint32_t j = part.joints.begin; j < part.joints.end; ++j)
-    sum += masses_[j] * dot(v[j], w[j]);
-  return sum;
+    sum += masses_[j] * Vec3{v[j].x * w[j].x, v[j].y * w[j].y, v[j].z * w[j].z};
+  return sum.x + sum.y + sum.z;
 }
 
 /// Mass-weighted distance from the broken positions.

@@ -50,7 +50,10 @@ class NearestPoint {
   void find_restoring_move(Part part);
   void find_multipliers(Part part);
   void find_sliding_move(Part part, double radius);
+  bool is_loaded(Part part) const;
   bool search(Part part, double radius, double& squared);
+  bool is_within(Part part, double step, double radius) const;
+  double step_to(Part part, double radius) const;
   void project(Part part, std::span<Vec3> v);
   void add_bent(Part part, double factor, std::span<const Vec3> v, std::span<Vec3> out) const;
 

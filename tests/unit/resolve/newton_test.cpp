@@ -126,7 +126,7 @@ TEST(Newton, LeavesTheImpossibleToSweepsAndSaysSo) {
   const ResolveSummary summary = resolve(example.framework, {"newton"}, x, {.max_sweeps = 200});
   EXPECT_EQ(summary.stop, Stop::max_sweeps);
   EXPECT_EQ(summary.sweeps, 200);
-  EXPECT_GT(summary.finishing_sweeps, 100);
+  EXPECT_GT(summary.finishing_sweeps, 0);
   EXPECT_TRUE(test::all_finite(x));
 }
 
