@@ -30,10 +30,10 @@ std::vector<fs::path> files_to_time(int count, char** arguments) {
   return found;
 }
 
-SharedMolecule load(const fs::path& file) {
+SharedMolecule load(const fs::path& file, pliant::BarKind bars) {
   pliant::Structure structure = pliant::read_structure(file);
   perceive_bonds(structure);
-  pliant::Framework framework = build_framework(structure);
+  pliant::Framework framework = build_framework(structure, {.bars = bars});
   return std::make_shared<Molecule>(
       Molecule{file.stem().string(), file.string(), std::move(structure), std::move(framework)});
 }
@@ -43,9 +43,10 @@ SharedMolecule load(const fs::path& file) {
 int main(int count, char** arguments) try {
   benchmark::Initialize(&count, arguments);
   for (const fs::path& file : files_to_time(count, arguments)) {
-    const SharedMolecule molecule = load(file);
+    const SharedMolecule molecule = load(file, pliant::BarKind::bonds);
     pliant::bench::add_molecule_benchmarks(molecule);
     pliant::bench::add_resolve_benchmarks(molecule);
+    pliant::bench::add_angle_benchmarks(load(file, pliant::BarKind::angles));
   }
   benchmark::RunSpecifiedBenchmarks();
   return 0;

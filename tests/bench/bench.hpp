@@ -15,7 +15,7 @@ struct Molecule {
   std::string name;     ///< of the file, without folder and extension
   std::string file;     ///< path
   Structure structure;  ///< with all bonds
-  Framework framework;  ///< a bar for each bond
+  Framework framework;  ///< a bar for each bond, or for each bond and angle
 };
 
 using SharedMolecule = std::shared_ptr<const Molecule>;
@@ -25,5 +25,8 @@ void add_molecule_benchmarks(const SharedMolecule& molecule);
 
 /// Registers every row of techniques() that applies, on the molecule displaced by 0.1 Angstrom.
 void add_resolve_benchmarks(const SharedMolecule& molecule);
+
+/// The same for bars across angles too, and techniques that resolve these in one pass or two.
+void add_angle_benchmarks(const SharedMolecule& molecule);
 
 }  // namespace pliant::bench

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from scipy.optimize import minimize_scalar
+from scipy.optimize import minimize, minimize_scalar
 from scipy.spatial.transform import Rotation
 
 import pliant
@@ -90,6 +90,32 @@ def test_torsions_are_all_that_changes():
     pliant.resolve(framework, positions, technique="units", tolerance=1e-12)
     assert abs(dihedral(positions[:4]) - dihedral(structure.positions[:4])) > 1e-3
     assert np.abs(pliant.residuals(framework, positions)).max() < 1e-13
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_units_nearest_ends_where_a_minimiser_of_all_torsions_ends(seed):
+    structure, framework = angles_of("butane.sdf")
+    start = broken(structure, 0.3, seed)
+    positions = start.copy()
+    summary = pliant.resolve(framework, positions, technique="units_nearest", tolerance=1e-12)
+    assert summary.converged
+    beyond = {(0, 1): [4, 5, 6], (1, 2): [0, 4, 5, 6, 7, 8], (2, 3): [11, 12, 13]}
+    ends = {(0, 1): (1, 0), (1, 2): (2, 1), (2, 3): (2, 3)}
+
+    def moved(turns):
+        points = positions.copy()
+        for (hinge, joints), angle in zip(beyond.items(), turns[:3], strict=True):
+            near, far = (points[joint] for joint in ends[hinge])
+            points[joints] = turned(points[joints], near, far - near, angle)
+        return superposed(points, start, np.ones(len(points)))
+
+    def badness(turns):
+        return ((moved(turns) - start) ** 2).sum()
+
+    here = ((positions - start) ** 2).sum()
+    best = minimize(badness, np.zeros(3), method="Nelder-Mead", options={"xatol": 1e-8})
+    assert here <= best.fun * 1.001
+    assert np.abs(pliant.residuals(framework, moved(best.x))).max() < 1e-12
 
 
 def test_the_same_input_gives_the_same_bits():

@@ -46,6 +46,16 @@ Rotation rotation_of(double w, double x, double y, double z) {
 
 }  // namespace
 
+Rotation turn_about(Vec3 axis, double t) {
+  const double w = 1.0 / std::sqrt(1.0 + t * t);
+  return rotation_of(w, w * t * axis.x, w * t * axis.y, w * t * axis.z);
+}
+
+Rotation product(const Rotation& a, const Rotation& b) {
+  const auto row = [&](Vec3 r) { return r.x * b.x + r.y * b.y + r.z * b.z; };
+  return {row(a.x), row(a.y), row(a.z)};
+}
+
 void find_eigenvectors(std::span<double> a, std::span<double> vectors, std::size_t n) {
   constexpr int most_sweeps = 60;
   std::fill(vectors.begin(), vectors.end(), 0.0);

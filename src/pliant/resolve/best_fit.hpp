@@ -18,6 +18,12 @@ struct Rotation {
   Vec3 operator()(Vec3 p) const { return {dot(x, p), dot(y, p), dot(z, p)}; }
 };
 
+/// About a unit axis, by the angle whose half has the tangent t (Cayley): 2 t to second order.
+Rotation turn_about(Vec3 axis, double t);
+
+/// First b, then a.
+Rotation product(const Rotation& a, const Rotation& b);
+
 /// Eigenvalues and eigenvectors of a symmetric matrix by Jacobi's rotations. `a` (n x n) is left
 /// with the eigenvalues on its diagonal, `vectors` (n x n) with the eigenvectors as columns.
 void find_eigenvectors(std::span<double> a, std::span<double> vectors, std::size_t n);

@@ -43,6 +43,9 @@ std::vector<TechniqueEntry> all_techniques() {
   rows.push_back(
       {"units", "rigid units (angles, small rings) placed exactly in one outward pass over hinges",
        false, false, make_units});
+  rows.push_back({"units_nearest",
+                  "units, then all hinges turned at once towards where the joints were", false,
+                  false, make_units_nearest});
   return rows;
 }
 

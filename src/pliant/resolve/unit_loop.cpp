@@ -2,6 +2,7 @@
 #include "pliant/resolve/unit_loop.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "pliant/resolve/blocks.hpp"
 
@@ -42,8 +43,20 @@ UnitLoop::UnitLoop(const Framework& framework, std::span<const Joint> joints,
                    const ResolveOptions& options)
     : joints_(joints.begin(), joints.end()),
       part_(part_of(framework, joints, bars)),
-      method_(make_blocks(part_, technique, half_the_tolerance(options))),
-      positions_(joints.size()) {}
+      blocks_(make_blocks(part_, technique, half_the_tolerance(options))),
+      positions_(joints.size()) {
+  widest_gap_ = HUGE_VAL;
+  for (double rest : part_.rest_lengths())
+    widest_gap_ = std::min(widest_gap_, 0.2 * options.tolerance.of(rest));
+}
+
+void UnitLoop::close_by_torsions(UnitSet rigid, const UnitShapes& shapes) {
+  const auto is_unknown = [](ShapeKind kind) { return kind == ShapeKind::unknown; };
+  if (std::any_of(shapes.kinds.begin(), shapes.kinds.end(), is_unknown)) return;
+  if (part_.has_pinned_joints()) return;
+  for (Joint& joint : rigid.joints) joint = place_of(joints_, joint);
+  closure_ = LoopClosure::make(rigid, shapes, connect_units(part_, rigid));
+}
 
 bool UnitLoop::make_whole(const ResolveCall& call) {
   for (std::size_t k = 0; k < joints_.size(); ++k) positions_[k] = call.positions[joints_[k]];
@@ -51,9 +64,10 @@ bool UnitLoop::make_whole(const ResolveCall& call) {
   alone.positions = positions_;
   alone.root = 0;
   alone.reference = {};
+  if (closure_) closure_->close(positions_, widest_gap_);
   ResolveSummary summary;
   summary.sweeps = summary.projections = 0;
-  const bool whole = method_->resolve(alone, summary) == Stop::converged;
+  const bool whole = blocks_->resolve(alone, summary) == Stop::converged;
   for (std::size_t k = 0; k < joints_.size(); ++k) call.positions[joints_[k]] = positions_[k];
   return whole;
 }

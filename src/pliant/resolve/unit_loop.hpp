@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A unit that changes its shape, or whose shape nobody knows: loops of rigid units with freedom
 // left (macrocycles, disulphides), rings without drawn positions. Made whole where it is, on its
-// own, by technique `blocks`; after that the pass may carry it about like any other unit.
+// own; after that the pass may carry it about like any other unit.
 #pragma once
 
 #include <memory>
 #include <vector>
 
+#include "pliant/resolve/loop_closure.hpp"
 #include "pliant/resolve/method.hpp"
 
 namespace pliant {
@@ -18,6 +19,10 @@ class UnitLoop {
            std::span<const BarIndex> bars, const Technique& technique,
            const ResolveOptions& options);
 
+  /// Has loops closed by torsions from now on: `rigid` are the units of which this one is made, in
+  /// joints of the framework. Without, or where that fails, technique `blocks` does it.
+  void close_by_torsions(UnitSet rigid, const UnitShapes& shapes);
+
   /// Moves the joints of the unit, and no others, until its bars are within half the tolerance (the
   /// pass adds its own rounding). False if it fails.
   bool make_whole(const ResolveCall& call);
@@ -25,7 +30,9 @@ class UnitLoop {
  private:
   std::vector<Joint> joints_;
   Framework part_;  ///< the unit alone: joint k is joints_[k]
-  std::unique_ptr<Method> method_;
+  std::unique_ptr<Method> blocks_;
+  std::optional<LoopClosure> closure_;
+  double widest_gap_ = 0.0;      ///< that leaves every bar within the tolerance (Angstrom)
   std::vector<Vec3> positions_;  ///< of joints_
 };
 

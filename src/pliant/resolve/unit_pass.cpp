@@ -43,10 +43,26 @@ void UnitPass::make_loops(const Technique& technique, const ResolveOptions& opti
       if (forest_.shapes.kinds[unit] == ShapeKind::unknown)
         bars[unit].push_back(static_cast<BarIndex>(k));
   }
-  for (std::size_t unit = 0; unit < bars.size(); ++unit)
-    if (!bars[unit].empty())
-      loops_.push_back(std::make_unique<UnitLoop>(framework_, forest_.set.of(unit), bars[unit],
-                                                  technique, options));
+  std::vector<std::vector<std::uint32_t>> parts(forest_.set.size());
+  for (std::uint32_t k = 0; k < forest_.rigid.size(); ++k) parts[forest_.of_rigid[k]].push_back(k);
+  for (std::uint32_t unit = 0; unit < bars.size(); ++unit) {
+    if (bars[unit].empty()) continue;
+    loops_.push_back(std::make_unique<UnitLoop>(framework_, forest_.set.of(unit), bars[unit],
+                                                technique, options));
+    close_by_torsions(*loops_.back(), parts[unit]);
+  }
+}
+
+void UnitPass::close_by_torsions(UnitLoop& loop, std::span<const std::uint32_t> parts) const {
+  UnitSet rigid;
+  UnitShapes shapes;
+  for (std::uint32_t k : parts) {
+    rigid.add(forest_.rigid.of(k));
+    shapes.kinds.push_back(forest_.rigid_shapes.kinds[k]);
+    for (std::size_t j = forest_.rigid.first[k]; j < forest_.rigid.first[k + 1]; ++j)
+      shapes.points.push_back(forest_.rigid_shapes.points[j]);
+  }
+  loop.close_by_torsions(std::move(rigid), shapes);
 }
 
 UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
@@ -59,6 +75,13 @@ UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
   Outcome worst = Outcome::placed;
   for (auto& loop : loops_)
     if (!loop->make_whole(call)) worst = Outcome::unfit;
+  for (UnitStep& step : steps_) worst = std::max(worst, place(call, step));
+  return worst;
+}
+
+UnitPass::Outcome UnitPass::approach(const ResolveCall& call, std::span<const Vec3> targets) {
+  nearest_.approach(plan_, call.positions, targets);
+  Outcome worst = Outcome::placed;
   for (UnitStep& step : steps_) worst = std::max(worst, place(call, step));
   return worst;
 }

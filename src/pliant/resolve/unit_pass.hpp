@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "pliant/resolve/unit_loop.hpp"
+#include "pliant/resolve/unit_nearest.hpp"
 #include "pliant/resolve/unit_plan.hpp"
 
 namespace pliant {
@@ -31,8 +32,13 @@ class UnitPass {
   /// left as it was (no shape, or its joints all at one point), or pinned joints hold one wrongly.
   Outcome run(const ResolveCall& call);
 
+  /// After run(): turns all hinges at once towards the nearest place to `targets` (N), weighted by
+  /// mass or not, and places every unit once more, exactly.
+  Outcome approach(const ResolveCall& call, std::span<const Vec3> targets);
+
  private:
   void make_loops(const Technique& technique, const ResolveOptions& options);
+  void close_by_torsions(UnitLoop& loop, std::span<const std::uint32_t> parts) const;
   Outcome place(const ResolveCall& call, UnitStep& step);
   Outcome place_by_rotation(std::span<Vec3> positions, const UnitStep& step);
   Outcome place_by_torsion(const ResolveCall& call, const UnitStep& step);
@@ -43,6 +49,7 @@ class UnitPass {
   UnitPlan plan_;
   std::vector<UnitStep> steps_;
   std::vector<std::unique_ptr<UnitLoop>> loops_;  ///< of units without a shape
+  UnitNearest nearest_;
   bool planned_ = false;
   Joint planned_root_ = 0;
 };

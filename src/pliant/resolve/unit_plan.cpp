@@ -22,13 +22,14 @@ void forget_loops(UnitForest& forest) {
 
 UnitForest find_unit_forest(const Framework& framework, const UnitSet& bodies,
                             const Tolerance& tolerance) {
-  MergedUnits rigid = merge_rigid_loops(framework, bodies);
-  MergedUnits all = merge_all_loops(framework, rigid.set);
+  // Without drawn positions the shape of a rigid loop is found each time, from its bodies.
+  UnitSet rigid = framework.drawn().empty() ? bodies : merge_rigid_loops(framework, bodies).set;
+  MergedUnits all = merge_all_loops(framework, rigid);
   UnitGraph graph = connect_units(framework, all.set);
-  UnitShapes rigid_shapes = find_unit_shapes(framework, rigid.set, tolerance);
+  UnitShapes rigid_shapes = find_unit_shapes(framework, rigid, tolerance);
   UnitShapes shapes = find_unit_shapes(framework, all.set, tolerance);
-  UnitForest forest{std::move(rigid.set), std::move(all.set),      std::move(all.of_unit),
-                    std::move(graph),     std::move(rigid_shapes), std::move(shapes)};
+  UnitForest forest{std::move(rigid), std::move(all.set),      std::move(all.of_unit),
+                    std::move(graph), std::move(rigid_shapes), std::move(shapes)};
   forget_loops(forest);
   return forest;
 }
@@ -55,6 +56,7 @@ void UnitPlan::plan(Joint root) {
   joints_.clear();
   seen_.assign(forest_.graph.links.joint_count(), false);
   placed_.assign(framework_.joint_count(), false);
+  step_of_.assign(forest_.set.size(), -1);
   for (const auto& pins : pins_) start_at(pins[0], pins);
   if (framework_.joint_count() > 0) start_at(root, {});
   for (Joint joint = 0; joint < framework_.joint_count(); ++joint) start_at(joint, {});
@@ -76,7 +78,6 @@ void UnitPlan::start_at(Joint joint, std::span<const Joint> pins) {
     add_step(unit, UnitEntry::still, joint, joint);
   } else if (is_rod) {
     const auto ends = forest_.set.of(unit);
-    placed_[joint] = true;
     if (pins.size() < 2)
       add_step(unit, UnitEntry::rod, joint, ends[0] == joint ? ends[1] : ends[0]);
   } else if (pins.size() == 2) {
@@ -84,6 +85,7 @@ void UnitPlan::start_at(Joint joint, std::span<const Joint> pins) {
   } else {
     add_step(unit, pins.empty() ? UnitEntry::free : UnitEntry::ball, joint, joint);
   }
+  if (steps_.size() > steps_before) steps_.back().is_held = !pins.empty();
   for (std::size_t next = 0; next < waiting_.size(); ++next) spread(waiting_[next]);
   if (holder != units.end() && (pins.size() <= 2 || is_unknown)) return;
   steps_.resize(steps_before);  // pins that no unit can meet alone: left to others
@@ -112,6 +114,8 @@ void UnitPlan::spread(std::uint32_t unit) {
       } else {
         add_step(next.joint, at.is_hinge() ? UnitEntry::hinge : UnitEntry::ball, at.a, at.b);
       }
+      steps_.back().parent = step_of_[unit];
+      steps_.back().is_held = step_of_[unit] < 0;
     }
   }
 }
@@ -124,40 +128,30 @@ void UnitPlan::add_step(std::uint32_t unit, UnitEntry entry, Joint a, Joint b) {
   const ShapeKind kind = forest_.shapes.kinds[unit];
   step.mirror_allowed = kind == ShapeKind::lengths;
   step.is_known = kind != ShapeKind::unknown;
-  step.first = static_cast<std::uint32_t>(joints_.size());
   if (entry == UnitEntry::ball) placed_[a] = true;
-  if (entry == UnitEntry::rod) {
-    placed_[b] = true;
-    step.length = rod_length(a, b);
-  } else {
-    add_joints(step);
-    const auto& first = forest_.set.first;
-    if (step.is_known)
-      set_shape(
-          step,
-          std::span(forest_.shapes.points).subspan(first[unit], first[unit + 1] - first[unit]));
-  }
+  if (entry == UnitEntry::rod) step.length = rod_length(framework_, a, b);
+  add_joints(step);
+  const auto& first = forest_.set.first;
+  if (step.is_known && entry != UnitEntry::rod)
+    set_shape(step,
+              std::span(forest_.shapes.points).subspan(first[unit], first[unit + 1] - first[unit]));
+  step_of_[unit] = static_cast<std::int32_t>(steps_.size());
   steps_.push_back(step);
 }
 
-double UnitPlan::rod_length(Joint a, Joint b) const {
-  for (const Incidence& at : framework_.neighbours(a))
-    if (at.joint == b) return framework_.rest_lengths()[at.bar];
-  return 0.0;
-}
-
 void UnitPlan::add_joints(UnitStep& step) {
-  double heaviest = 0.0;
+  step.first = static_cast<std::uint32_t>(joints_.size());
   for (Joint joint : forest_.set.of(step.unit)) {
-    const bool is_new = !placed_[joint];
+    if (placed_[joint]) continue;
     placed_[joint] = true;
-    if (!is_new || step.entry == UnitEntry::still) continue;
     const double weight = mass_weighted_ ? 1.0 / framework_.inverse_masses()[joint] : 1.0;
     joints_.push_back({{}, weight, joint});
-    heaviest = std::max(heaviest, weight);
   }
   step.count = static_cast<std::uint32_t>(joints_.size()) - step.first;
+  double heaviest = 0.0;
+  for (const JointInUnit& joint : joints(step)) heaviest = std::max(heaviest, joint.weight);
   for (JointInUnit& joint : joints(step)) joint.weight /= heaviest;
+  step.scale = heaviest;
 }
 
 void UnitPlan::take_shape(UnitStep& step, std::span<const Vec3> positions) {

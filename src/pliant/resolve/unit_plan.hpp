@@ -13,7 +13,7 @@ namespace pliant {
 
 /// The units of a framework, as a forest.
 struct UnitForest {
-  UnitSet rigid;                        ///< without loops that leave no freedom
+  UnitSet rigid;                        ///< whose shape is known if it is drawn, or complete
   UnitSet set;                          ///< without any loops
   std::vector<std::uint32_t> of_rigid;  ///< the unit in `set` of each rigid one
   UnitGraph graph;                      ///< of `set`
@@ -32,8 +32,9 @@ enum class UnitEntry : std::uint8_t {
   rod     ///< joint `a`: joint `b` follows on the line
 };
 
-/// A joint to place. Of a free unit its place from the weighted centroid, of a ball's from `a`; of
-/// a hinge's (along the axis from a, and at right angles to it along the basis of the axis).
+/// A joint to place, or that a unit held still or a rod moves along with it. Of a free unit its
+/// place from the weighted centroid, of a ball's from `a`; of a hinge's (along the axis from a, and
+/// at right angles to it along the basis of the axis).
 struct JointInUnit {
   Vec3 at;
   double weight = 1.0;  ///< in the fit; the heaviest of a unit has 1
@@ -48,7 +49,10 @@ struct UnitStep {
   double spread = 0.0;                 ///< of a hinge: sum of weight times squared distance from it
   UnitEntry entry = UnitEntry::free;
   bool mirror_allowed = false;
-  bool is_known = true;  ///< else the shape is what the joints have before they are placed
+  std::int32_t parent = -1;  ///< the step on which it hangs; -1: first of its component
+  bool is_held = false;      ///< hangs on pinned joints alone
+  double scale = 1.0;        ///< of the weights: the mass of the heaviest joint (u), or 1
+  bool is_known = true;      ///< else the shape is what the joints have before they are placed
 };
 
 /// Plans passes from any root; linear in joints.
@@ -78,7 +82,6 @@ class UnitPlan {
   void add_joints(UnitStep& step);
   bool holds_all(std::uint32_t unit, std::span<const Joint> joints) const;
   void set_hinge(UnitStep& step, std::span<const Vec3> points, Vec3 a, Vec3 b);
-  double rod_length(Joint a, Joint b) const;
 
   const Framework& framework_;
   const UnitForest& forest_;
@@ -90,6 +93,7 @@ class UnitPlan {
   std::vector<bool> seen_;    ///< nodes of the graph of units
   std::vector<bool> placed_;  ///< joints
   std::vector<std::uint32_t> waiting_;
+  std::vector<std::int32_t> step_of_;  ///< of units
   std::vector<Vec3> points_;
 };
 

@@ -101,6 +101,12 @@ void take_drawn(const Framework& framework, std::span<const Joint> joints, std::
 
 }  // namespace
 
+double rod_length(const Framework& framework, Joint a, Joint b) {
+  for (const Incidence& at : framework.neighbours(a))
+    if (at.joint == b) return framework.rest_lengths()[at.bar];
+  return 0.0;
+}
+
 UnitShapes find_unit_shapes(const Framework& framework, const UnitSet& set,
                             const Tolerance& tolerance) {
   UnitShapes shapes{{}, std::vector<Vec3>(set.joints.size())};
@@ -109,6 +115,7 @@ UnitShapes find_unit_shapes(const Framework& framework, const UnitSet& set,
     const auto joints = set.of(unit);
     const auto points = std::span(shapes.points).subspan(set.first[unit], joints.size());
     if (joints.size() == 2) {
+      points[1].x = rod_length(framework, joints[0], joints[1]);
       shapes.kinds.push_back(ShapeKind::rod);
     } else if (!framework.drawn().empty()) {
       take_drawn(framework, joints, points);

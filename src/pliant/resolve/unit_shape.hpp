@@ -22,6 +22,9 @@ struct UnitShapes {
   std::vector<Vec3> points;      ///< as UnitSet::joints, from the first joint of its unit; Angstrom
 };
 
+/// The rest length of the bar between two joints (Angstrom); 0 if there is none.
+double rod_length(const Framework& framework, Joint a, Joint b);
+
 /// Takes drawn positions where the framework has them. Else places the joints of units whose joints
 /// all have bars to each other by these lengths (classical multidimensional scaling: Torgerson,
 /// Psychometrika 17 (1952) 401); lengths that fit no shape in space within the tolerance, and units

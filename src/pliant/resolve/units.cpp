@@ -16,8 +16,9 @@ bool has_bodies(const UnitSet& set) { return set.joints.size() > 2 * set.size();
 
 class Units final : public Method {
  public:
-  Units(const Framework& framework, const Technique& technique, const ResolveOptions& options)
-      : framework_(framework), technique_(technique), options_(options) {
+  Units(const Framework& framework, const Technique& technique, const ResolveOptions& options,
+        bool nearest)
+      : framework_(framework), technique_(technique), options_(options), nearest_(nearest) {
     UnitSet bodies = find_unit_bodies(framework);
     if (has_bodies(bodies))
       pass_ = std::make_unique<UnitPass>(framework, bodies, technique, options);
@@ -31,7 +32,7 @@ class Units final : public Method {
     if (outcome == UnitPass::Outcome::not_finite) return Stop::not_finite;
     ++summary.sweeps;
     summary.projections += static_cast<std::int64_t>(framework_.bar_count());
-    if (is_whole(call.positions)) return Stop::converged;
+    if (is_whole(call.positions)) return nearest_ ? approach(call, summary) : Stop::converged;
     if (summary.sweeps >= options_.max_sweeps) return Stop::max_sweeps;
     if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
     if (!(largest_error(call.positions) < largest_error(before_)))
@@ -40,6 +41,18 @@ class Units final : public Method {
   }
 
  private:
+  /// A second pass, nearer to where the joints were; what the first gave is kept if it fails.
+  Stop approach(const ResolveCall& call, ResolveSummary& summary) {
+    if (summary.sweeps >= options_.max_sweeps) return Stop::converged;
+    after_.assign(call.positions.begin(), call.positions.end());
+    const UnitPass::Outcome outcome = pass_->approach(call, before_);
+    ++summary.sweeps;
+    summary.projections += static_cast<std::int64_t>(framework_.bar_count());
+    if (outcome != UnitPass::Outcome::placed || !is_whole(call.positions))
+      std::copy(after_.begin(), after_.end(), call.positions.begin());
+    return Stop::converged;
+  }
+
   double error(std::span<const Vec3> positions, std::size_t bar) const {
     const Bar ends = framework_.bars()[bar];
     return std::abs(residual(positions[ends.a], positions[ends.b], framework_.rest_lengths()[bar]));
@@ -72,14 +85,20 @@ class Units final : public Method {
   ResolveOptions options_;
   std::unique_ptr<UnitPass> pass_;  ///< null: no rigid bodies
   std::unique_ptr<Method> blocks_;
-  std::vector<Vec3> before_;
+  bool nearest_;
+  std::vector<Vec3> before_, after_;
 };
 
 }  // namespace
 
 std::unique_ptr<Method> make_units(const Framework& framework, const Technique& technique,
                                    const ResolveOptions& options) {
-  return std::make_unique<Units>(framework, technique, options);
+  return std::make_unique<Units>(framework, technique, options, false);
+}
+
+std::unique_ptr<Method> make_units_nearest(const Framework& framework, const Technique& technique,
+                                           const ResolveOptions& options) {
+  return std::make_unique<Units>(framework, technique, options, true);
 }
 
 }  // namespace pliant

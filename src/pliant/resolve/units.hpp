@@ -18,4 +18,9 @@ namespace pliant {
 std::unique_ptr<Method> make_units(const Framework& framework, const Technique& technique,
                                    const ResolveOptions& options);
 
+/// The same, and then all hinges turned at once so that the joints come as near as they can to
+/// where they were: in one pass whatever hangs on a unit swings with it.
+std::unique_ptr<Method> make_units_nearest(const Framework& framework, const Technique& technique,
+                                           const ResolveOptions& options);
+
 }  // namespace pliant

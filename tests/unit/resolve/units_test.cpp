@@ -179,5 +179,57 @@ TEST(Units, FitsMayBeWeightedByMass) {
   EXPECT_LT(distance(heavy[0], before[0]), distance(plain[0], before[0]));
 }
 
+double moved(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < a.size(); ++k) sum += norm_squared(a[k] - b[k]);
+  return sum;
+}
+
+/// The molecule before it was shaken is whole, and so the nearest whole one is no farther away. One
+/// pass alone swings what hangs on a unit and lands farther.
+TEST(UnitsNearest, LandsNoFartherThanWhereItWasShakenFrom) {
+  double all = 0.0, all_plain = 0.0;
+  for (const char* file : {"peptide_20.pdb", "cholesterol.cif", "butane.sdf", "glucose.cif",
+                           "aspirin.sdf", "alanine_dipeptide.pdb", "benzene.sdf"}) {
+    const Molecule m = named(file);
+    SCOPED_TRACE(m.name);
+    for (double by : {0.1, 0.3})
+      for (bool mass_weighted : {false, true}) {
+        const std::vector<Vec3> start = test::shake(m.framework, m.positions, by);
+        std::vector<Vec3> x = start, plain = start;
+        const ResolveSummary summary =
+            resolve(m.framework, {"units_nearest", 0.5, mass_weighted}, x, {{1e-12}});
+        ASSERT_TRUE(summary.converged()) << summary.brief(m.framework);
+        EXPECT_EQ(summary.sweeps, 2);
+        resolve(m.framework, {"units", 0.5, mass_weighted}, plain);
+        if (mass_weighted) continue;
+        EXPECT_LT(moved(x, start), moved(m.positions, start) * 1.001);
+        EXPECT_LE(moved(x, start), moved(plain, start) * (1.0 + 1e-9));
+        all += moved(x, start), all_plain += moved(plain, start);
+      }
+  }
+  EXPECT_LT(all, 0.2 * all_plain);
+}
+
+TEST(UnitsNearest, KeepsToOnePassIfNoMoreIsAllowed) {
+  const Molecule m = named("butane.sdf");
+  std::vector<Vec3> one = test::shake(m.framework, m.positions, 0.2), two = one;
+  ResolveOptions options;
+  options.max_sweeps = 1;
+  EXPECT_EQ(resolve(m.framework, {"units_nearest"}, one, options).sweeps, 1);
+  resolve(m.framework, {"units"}, two, options);
+  EXPECT_TRUE(test::same_bits(one, two));
+}
+
+TEST(UnitsNearest, PinnedComponentsHold) {
+  const Molecule m = named("butane.sdf");
+  FrameworkParts parts = test::parts_of(m.framework);
+  parts.pinned = {2};
+  const Framework framework(std::move(parts));
+  std::vector<Vec3> x = test::shake(framework, m.positions, 0.2);
+  EXPECT_TRUE(resolve(framework, {"units_nearest"}, x, {{1e-12}}).converged());
+  EXPECT_EQ(x[2], m.positions[2]);
+}
+
 }  // namespace
 }  // namespace pliant
