@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pliant
+from pliant.experiment.answer import Table
 
 THESIS = (
     "random", "bfs_cycle", "dfs_cycle", "bfs_reverse", "dfs_reverse", "bfs_adapt", "bfs_random",
@@ -155,3 +156,10 @@ def digits(value: float) -> str:
 def with_interval(found: tuple[float, float, float]) -> str:
     """ "3.14 [2.90, 3.40]"."""
     return f"{digits(found[0])} [{digits(found[1])}, {digits(found[2])}]"
+
+
+def as_text(tables: list[Table]) -> list[Table]:
+    """Every cell as words, so that columns of figures and of intervals stand alike."""
+    for table in tables:
+        table.rows = [[str(cell) for cell in row] for row in table.rows]
+    return tables

@@ -14,7 +14,15 @@ import pliant
 from pliant import plotting
 from pliant.experiment.answer import Answer, Figure, Table
 from pliant.experiment.sweep_matrix import closing_rate, spectral_radius, sweep_matrix
-from pliant.experiment.trials import LIMIT, TOLERANCE, WEIGHTINGS, Trial, digits, pushed_graphs
+from pliant.experiment.trials import (
+    LIMIT,
+    TOLERANCE,
+    WEIGHTINGS,
+    Trial,
+    as_text,
+    digits,
+    pushed_graphs,
+)
 
 TITLE = "Why is bfs_cycle with weighting 1 inconsistent?"
 ORDER = 1
@@ -87,7 +95,7 @@ def answer(out: Path, seed: int, quick: bool) -> Answer:
         TITLE,
         _verdict(found, len(trials)),
         _paragraphs(formula),
-        [_polygon_table(), _rate_table(found, len(trials)), _bin_table(found[1.0])],
+        as_text([_polygon_table(), _rate_table(found, len(trials)), _bin_table(found[1.0])]),
         [_draw_rates(found, out), _draw_prediction(found, out)],
     )
 
@@ -230,7 +238,7 @@ def _polygon_rate(size: int, weighting: float) -> float:
 
 
 def _draw_prediction(found: dict[float, list[Observed]], out: Path) -> Figure:
-    with plotting.figure(1, 1, panel=(5.6, 4.2)) as (plot, axes):
+    with plotting.figure(1, 1, panel=(9.0, 4.0)) as (plot, axes):
         axis = axes[0][0]
         top = 2.0
         for weighting, marker in zip(WEIGHTINGS, "o^s", strict=True):

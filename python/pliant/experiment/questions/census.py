@@ -11,7 +11,7 @@ import pliant
 from pliant import plotting
 from pliant.experiment.answer import Answer, Figure, Table
 from pliant.experiment.specimens import SMILES, Specimen, packaged_proteins, rdkit_molecules
-from pliant.experiment.trials import digits
+from pliant.experiment.trials import as_text, digits
 
 TITLE = "How do real molecules compare with the thesis' classes?"
 ORDER = 5
@@ -34,7 +34,9 @@ def answer(out: Path, seed: int, quick: bool) -> Answer:
         TITLE,
         _verdict(facts, [p.framework.graph_facts() for p in proteins], random),
         _paragraphs(missing, len(molecules)),
-        [_class_table(facts), _specimen_table(molecules, proteins), _random_table(seed, quick)],
+        as_text(
+            [_class_table(facts), _specimen_table(molecules, proteins), _random_table(seed, quick)]
+        ),
         [_draw(molecules, proteins, random, out)],
     )
 

@@ -12,6 +12,7 @@ from pliant.experiment.answer import Answer, Figure, Table
 from pliant.experiment.trials import (
     LIMIT,
     Work,
+    as_text,
     digits,
     label,
     mean_interval,
@@ -49,8 +50,13 @@ def answer(out: Path, seed: int, quick: bool) -> Answer:
         shares[n] = float(np.mean([f.bars_in_blocks / f.bars for f in facts]))
         for combination in TECHNIQUES:
             found[n, combination] = work_of(trials, *combination)
-    return Answer(TITLE, _verdict(found, cycles), _paragraphs(), [_table(found, shares, seed)],
-                  [_draw(found, cycles, seed, out)])  # fmt: skip
+    return Answer(
+        TITLE,
+        _verdict(found, cycles),
+        _paragraphs(),
+        as_text([_table(found, shares, seed)]),
+        [_draw(found, cycles, seed, out)],
+    )
 
 
 def _mean(found: Results, n: int, combination: tuple[str, float]) -> float:
@@ -83,7 +89,7 @@ def _paragraphs() -> list[str]:
         f"Random trees of {JOINTS} joints with n bars between random pairs. The thesis expects "
         'that bfs_reverse "may do increasingly better" with more cycles; counted in sweeps of one '
         "direction, or in work, it does not. A push that meets the limit counts with the work done "
-        "until then, so means with failures are lower bounds. A projection of `blocks` stands for "
+        "until then, so means with failures are lower bounds. A projection of blocks stands for "
         "a bar in one Newton iteration, whose linear algebra costs more than a sweep's projection.",
     ]
 

@@ -19,6 +19,7 @@ from pliant.experiment.trials import (
     Combination,
     Trial,
     Work,
+    as_text,
     combinations,
     digits,
     label,
@@ -67,7 +68,7 @@ def answer(out: Path, seed: int, quick: bool) -> Answer:
                 for c in (*thesis, *new)
             }
     return Answer(TITLE, _verdict(found, new, seed), [*_paragraphs(new), *words],
-                  [_ratio_table(found, new, seed), _work_table(found, seed)],
+                  as_text([_ratio_table(found, new, seed), _work_table(found, seed)]),
                   [_draw(found, new, seed, out)])  # fmt: skip
 
 

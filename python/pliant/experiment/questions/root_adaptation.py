@@ -13,6 +13,7 @@ from pliant.experiment.trials import (
     WEIGHTINGS,
     Trial,
     Work,
+    as_text,
     label,
     pushed_graphs,
     ratio_interval,
@@ -53,7 +54,7 @@ def answer(out: Path, seed: int, quick: bool) -> Answer:
                     found[family, technique, weighting, name] = work_of(
                         own, technique, weighting, length=length
                     )
-    return Answer(TITLE, _verdict(found), _paragraphs(), [_table(found, seed)],
+    return Answer(TITLE, _verdict(found), _paragraphs(), as_text([_table(found, seed)]),
                   [_draw(found, seed, out)])  # fmt: skip
 
 

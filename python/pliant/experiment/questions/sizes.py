@@ -9,7 +9,7 @@ import numpy as np
 
 from pliant import plotting
 from pliant.experiment.answer import Answer, Figure, Table
-from pliant.experiment.trials import Trial, Work, digits, label, pushed_graphs, work_of
+from pliant.experiment.trials import Trial, Work, as_text, digits, label, pushed_graphs, work_of
 
 TITLE = "Do the results hold on large graphs?"
 ORDER = 3
@@ -40,7 +40,7 @@ def answer(out: Path, seed: int, quick: bool) -> Answer:
             trials = _trials(kind, joints, cycles(joints), seed, quick)
             for combination in TECHNIQUES:
                 found[kind, joints, combination] = work_of(trials, *combination, limit=500)
-    return Answer(TITLE, _verdict(found, sizes), _paragraphs(), [_table(found, sizes)],
+    return Answer(TITLE, _verdict(found, sizes), _paragraphs(), as_text([_table(found, sizes)]),
                   [_draw(found, sizes, out)])  # fmt: skip
 
 
