@@ -28,6 +28,7 @@ void rotate_pair(std::span<double> a, std::span<double> vectors, std::size_t n, 
     vectors[k * n + p] = c * vp - s * vq;
     vectors[k * n + q] = s * vp + c * vq;
   }
+  a[p * n + q] = a[q * n + p] = 0.0;  // but for rounding, which would keep the sweeps going
 }
 
 double largest_off_diagonal(std::span<const double> a, std::size_t n) {
