@@ -166,14 +166,19 @@ def warn(text: str) -> None:
     print(f"warning: {text}", file=sys.stderr)
 
 
+BAR = 24  #: characters of a progress bar
+
+
 @contextlib.contextmanager
 def progress(what: str, quiet: bool = False) -> Iterator[Callable[[int, int], None]]:
-    """Gives a function (done, total) that draws one line over itself; only on a terminal."""
+    """Gives a function (done, total) that draws a bar over itself; only on a terminal."""
     shown = not quiet and sys.stderr.isatty()
 
     def show(done: int, total: int) -> None:
         if shown:
-            print(f"\r{what}: {done} / {total}\x1b[K", end="", file=sys.stderr, flush=True)
+            bar = "#" * (BAR * done // max(total, 1))
+            text = f"{what}: [{bar:.<{BAR}}] {done} / {total}"
+            print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)
 
     try:
         yield show

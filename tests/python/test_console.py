@@ -87,3 +87,15 @@ def test_a_terminal_gets_the_same_cells():
     table().print(out)
     for cell in ["methods", "ours", "1.5 us", "theirs", "12 us"]:
         assert cell in out.getvalue()
+
+
+def test_progress_is_a_bar_on_a_terminal_only(monkeypatch, capsys):
+    with console.progress("resolving") as show:
+        show(1, 2)
+    assert capsys.readouterr().err == ""
+    monkeypatch.setattr("sys.stderr.isatty", lambda: True)
+    with console.progress("resolving") as show:
+        show(1, 2)
+    assert capsys.readouterr().err == (
+        "\rresolving: [############............] 1 / 2\x1b[K\r\x1b[K"
+    )

@@ -66,7 +66,7 @@ class Claim:
 
 def _about_effort(statement: Statement) -> bool:
     """Not about single counts: those of projections follow the size of the graph."""
-    return statement.tags["number"] in ("mean", "spread") and " is " not in statement.text
+    return statement.tags["measure"] in ("mean", "spread") and " is " not in statement.text
 
 
 def _t1(court: Court) -> None:

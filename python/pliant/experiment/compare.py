@@ -153,7 +153,7 @@ class Court:
     def _add(self, text: str, numbers: str, holds: np.ndarray, one: Combination) -> None:
         tags = {"class": self.family, "technique": one[0], "weighting": f"{one[1]:g}",
                 "yardstick": self.study.yardstick,
-                "number": text.split(" of ")[0] if " of " in text else "largest"}  # fmt: skip
+                "measure": text.split(" of ")[0] if " of " in text else "maximum"}  # fmt: skip
         self.statements.append(Statement(f"{self.family}: {text}", numbers, holds, tags))
 
 

@@ -29,7 +29,8 @@ def subtitle(table: Rows) -> str:
 def summary(settled: list[Settled], swept: bool) -> str:
     """How many claims hold, and the table of all."""
     words = [one.word for one in settled]
-    counts = ", ".join(f"{words.count(word)} {word}" for word in dict.fromkeys(sorted(words)))
+    verbs = {"holds": "hold", "depends": "depend", "fails": "fail", "untested": "are untested"}
+    counts = ", ".join(f"{words.count(w)} {verb}" for w, verb in verbs.items() if w in words)
     text = f"Of {len(settled)} claims of chapter 5: {counts}."
     return document.block(document.paragraph(text), document.table(claims_table(settled, swept),
                                                                    "claims"))  # fmt: skip

@@ -59,7 +59,7 @@ def verdict_of(statements: list[Statement]) -> Verdict:
     return Verdict(DEPENDS, _deciding(statements), statements)
 
 
-TAGS = ("yardstick", "class", "technique", "weighting", "number")
+TAGS = ("yardstick", "class", "technique", "weighting", "measure")
 
 
 def _deciding(statements: list[Statement]) -> str:

@@ -117,6 +117,23 @@ def test_t1_exactly(size):
         assert rows["projections"].tolist() == [size - 1] * len(rows)
 
 
+def test_t1_over_ten_thousand_trees():
+    """Of 2 to 10^4 joints, pushed by 0.001 to 100 Angstrom, made whole to 1e-9."""
+    draws = np.random.default_rng(0)
+    for number in range(10_000):
+        size = int(2 * 5000 ** (number / 9999))
+        graph = pliant.generate("tree", 1, number, joints=size)
+        root, direction = int(draws.integers(size)), draws.normal(size=3)
+        positions = graph.positions
+        length = 10 ** draws.uniform(-3, 2)
+        positions[root] += length * direction / np.linalg.norm(direction)
+        found = pliant.resolve(
+            graph.framework, positions, ("bfs_tree", "dfs_tree")[number % 2], 1.0,
+            tolerance_length=1e-9, max_sweeps=50, root=root,
+        )  # fmt: skip
+        assert (found.converged, found.sweeps) == (True, 1), number
+
+
 def test_on_trees_cycle_orderings_are_the_tree_orderings(study_folder):
     table = tables.read(study_folder)
     for name in ("sweeps", "projections", "final_residual"):
