@@ -190,6 +190,15 @@ double BarEquations::relative_error(Part part) const {
   return worst;
 }
 
+double BarEquations::sum_of_squares(Part part) const {
+  double sum = 0.0;
+  for (std::uint32_t k = part.bars.begin; k < part.bars.end; ++k) {
+    const double error = norm(d_[k]) - rests_[k];
+    if (diagonal_weights_[k] > 0.0) sum += error * error / diagonal_weights_[k];
+  }
+  return sum;
+}
+
 std::int64_t BarEquations::factor(Part part, std::span<const Vec3> directions, double damping) {
   const std::span<double> diagonal = ldl_.diagonal(), lower = ldl_.lower();
   for (std::uint32_t k = part.bars.begin; k < part.bars.end; ++k) {

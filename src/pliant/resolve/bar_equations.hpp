@@ -70,6 +70,9 @@ class BarEquations {
   Errors measure(Part part);
   /// Largest |length - rest| / rest of the last measurement.
   double relative_error(Part part) const;
+  /// Sum of (length - rest)^2 over the weights of both ends, of the last measurement: what damped
+  /// steps lower.
+  double sum_of_squares(Part part) const;
   std::span<const Vec3> directions() const { return d_; }  ///< d of all bars
   std::span<double> excess() { return excess_; }           ///< C of all bars
   /// The joints of bar k lie on each other at positions(): it has no direction.

@@ -70,6 +70,7 @@ double BarNewton::iterate_damped(Part part, double error, const RandomKey& key,
   constexpr std::uint64_t most_pushes = 12;
   double least = error;
   least_.resize(best_.size());
+  copy(part, best_, least_);
   for (std::uint64_t push = 0;; ++push) {
     error = descend(part, error, may_go_on, outcome);
     if (error <= least) {
@@ -89,17 +90,20 @@ double BarNewton::iterate_damped(Part part, double error, const RandomKey& key,
 /// Computing Suppl. 15 (2001) 239).
 double BarNewton::descend(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome) {
   constexpr double most_damping = 1e6;
-  constexpr int patience = 12;  // iterations in which the error must halve
-  double best = error, damping = 0.1, goal = 0.5 * error;
+  constexpr int patience = 12;  // iterations in which the sum of squares must fall to a quarter
+  double least = equations_.sum_of_squares(part), goal = 0.25 * least;
+  double best = error, damping = 0.1;
   bool paid_before = true;
   int waited = 0;
   while (best > 1.0 && damping < most_damping && waited++ < patience) {
     ended_ = !may_go_on();
     if (ended_) break;
     error = step(part, damping * std::min(1.0, equations_.relative_error(part)), outcome);
-    const bool pays = error < best;
+    const double squares = std::isfinite(error) ? equations_.sum_of_squares(part) : infinity;
+    const bool pays = squares < least;
     if (pays) {
       best = error;
+      least = squares;
       copy(part, equations_.positions(), best_);
       if (paid_before) damping = std::max(1e-3, 0.3 * damping);
     } else {
@@ -108,7 +112,7 @@ double BarNewton::descend(Part part, double error, const MayGoOn& may_go_on, Out
       damping *= 4.0;
     }
     paid_before = pays;
-    if (best < goal) goal = 0.5 * best, waited = 0;
+    if (least < goal) goal = 0.25 * least, waited = 0;
   }
   return best;
 }
