@@ -3,12 +3,14 @@
 
 #include <algorithm>
 #include <array>
+#include <type_traits>
 
 namespace pliant {
 namespace {
 
 /// Makes a[p][q] vanish (Golub, Van Loan, Matrix Computations, 8.5).
-void rotate_pair(std::span<double> a, std::span<double> vectors, std::size_t n, std::size_t p,
+template <class Size>
+void rotate_pair(std::span<double> a, std::span<double> vectors, Size n, std::size_t p,
                  std::size_t q) {
   const double off = a[p * n + q];
   if (off == 0.0) return;
@@ -31,11 +33,25 @@ void rotate_pair(std::span<double> a, std::span<double> vectors, std::size_t n, 
   a[p * n + q] = a[q * n + p] = 0.0;  // but for rounding, which would keep the sweeps going
 }
 
-double largest_off_diagonal(std::span<const double> a, std::size_t n) {
+template <class Size>
+double largest_off_diagonal(std::span<const double> a, Size n) {
   double largest = 0.0;
   for (std::size_t i = 0; i < n; ++i)
     for (std::size_t j = 0; j < i; ++j) largest = std::max(largest, std::abs(a[i * n + j]));
   return largest;
+}
+
+/// `Size` is a number, or a constant that the compiler unrolls the loops for.
+template <class Size>
+void sweep_pairs(std::span<double> a, std::span<double> vectors, Size n) {
+  constexpr int most_sweeps = 60;
+  std::fill(vectors.begin(), vectors.end(), 0.0);
+  for (std::size_t k = 0; k < n; ++k) vectors[k * n + k] = 1.0;
+  double size = 0.0;
+  for (double entry : a) size = std::max(size, std::abs(entry));
+  for (int sweep = 0; sweep < most_sweeps && largest_off_diagonal(a, n) > 1e-20 * size; ++sweep)
+    for (std::size_t p = 0; p < n; ++p)
+      for (std::size_t q = p + 1; q < n; ++q) rotate_pair(a, vectors, n, p, q);
 }
 
 /// The rotation of a unit quaternion (w, x, y, z).
@@ -58,14 +74,7 @@ Rotation product(const Rotation& a, const Rotation& b) {
 }
 
 void find_eigenvectors(std::span<double> a, std::span<double> vectors, std::size_t n) {
-  constexpr int most_sweeps = 60;
-  std::fill(vectors.begin(), vectors.end(), 0.0);
-  for (std::size_t k = 0; k < n; ++k) vectors[k * n + k] = 1.0;
-  double size = 0.0;
-  for (double entry : a) size = std::max(size, std::abs(entry));
-  for (int sweep = 0; sweep < most_sweeps && largest_off_diagonal(a, n) > 1e-20 * size; ++sweep)
-    for (std::size_t p = 0; p < n; ++p)
-      for (std::size_t q = p + 1; q < n; ++q) rotate_pair(a, vectors, n, p, q);
+  sweep_pairs(a, vectors, n);
 }
 
 RotationFit::Outcome RotationFit::solve(bool mirror_allowed, Rotation& out) const {
@@ -80,7 +89,8 @@ RotationFit::Outcome RotationFit::solve(bool mirror_allowed, Rotation& out) cons
   if (size == 0.0) return Outcome::undefined;
   for (double& entry : n) entry /= size;
   std::array<double, 16> vectors;
-  find_eigenvectors(n, vectors, 4);
+  sweep_pairs(std::span<double>(n), std::span<double>(vectors),
+              std::integral_constant<std::size_t, 4>());
   std::size_t most = 0, least = 0;
   for (std::size_t k = 1; k < 4; ++k) {
     if (n[5 * k] > n[5 * most]) most = k;

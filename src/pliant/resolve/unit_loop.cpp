@@ -58,7 +58,7 @@ void UnitLoop::close_by_torsions(UnitSet rigid, const UnitShapes& shapes) {
   closure_ = LoopClosure::make(rigid, shapes, connect_units(part_, rigid));
 }
 
-bool UnitLoop::make_whole(const ResolveCall& call) {
+bool UnitLoop::find_shape(const ResolveCall& call) {
   for (std::size_t k = 0; k < joints_.size(); ++k) positions_[k] = call.positions[joints_[k]];
   ResolveCall alone = call;
   alone.positions = positions_;
@@ -67,9 +67,7 @@ bool UnitLoop::make_whole(const ResolveCall& call) {
   if (closure_) closure_->close(positions_, widest_gap_);
   ResolveSummary summary;
   summary.sweeps = summary.projections = 0;
-  const bool whole = blocks_->resolve(alone, summary) == Stop::converged;
-  for (std::size_t k = 0; k < joints_.size(); ++k) call.positions[joints_[k]] = positions_[k];
-  return whole;
+  return blocks_->resolve(alone, summary) == Stop::converged;
 }
 
 }  // namespace pliant

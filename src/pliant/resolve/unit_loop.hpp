@@ -23,9 +23,13 @@ class UnitLoop {
   /// joints of the framework. Without, or where that fails, technique `blocks` does it.
   void close_by_torsions(UnitSet rigid, const UnitShapes& shapes);
 
-  /// Moves the joints of the unit, and no others, until its bars are within half the tolerance (the
-  /// pass adds its own rounding). False if it fails.
-  bool make_whole(const ResolveCall& call);
+  /// Finds a shape in which all bars of the unit are within half the tolerance (the pass adds its
+  /// own rounding), near where its joints are. Moves none of `call.positions`. False if it fails:
+  /// the shape is then as good as it got.
+  bool find_shape(const ResolveCall& call);
+
+  /// The places of the joints of the unit that find_shape() found.
+  std::span<const Vec3> shape() const { return positions_; }
 
  private:
   std::vector<Joint> joints_;

@@ -50,6 +50,8 @@ void UnitPass::make_loops(const Technique& technique, const ResolveOptions& opti
     loops_.push_back(std::make_unique<UnitLoop>(framework_, forest_.set.of(unit), bars[unit],
                                                 technique, options));
     close_by_torsions(*loops_.back(), parts[unit]);
+    loop_of_.resize(unit + 1, nullptr);
+    loop_of_[unit] = loops_.back().get();
   }
 }
 
@@ -74,8 +76,11 @@ UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
   }
   Outcome worst = Outcome::placed;
   for (auto& loop : loops_)
-    if (!loop->make_whole(call)) worst = Outcome::unfit;
-  for (UnitStep& step : steps_) worst = std::max(worst, place(call, step));
+    if (!loop->find_shape(call)) worst = Outcome::unfit;
+  for (UnitStep& step : steps_) {
+    if (step.entry == UnitEntry::still) place_still(call, step);
+    worst = std::max(worst, place(call, step));
+  }
   return worst;
 }
 
@@ -87,7 +92,8 @@ UnitPass::Outcome UnitPass::approach(const ResolveCall& call, std::span<const Ve
 }
 
 UnitPass::Outcome UnitPass::place(const ResolveCall& call, UnitStep& step) {
-  if (!step.is_known && step.entry != UnitEntry::still) plan_.take_shape(step, call.positions);
+  if (!step.is_known && step.entry != UnitEntry::still)
+    plan_.set_shape(step, loop_of_[step.unit]->shape());
   switch (step.entry) {
     case UnitEntry::hinge:
       return place_by_torsion(call, step);
@@ -101,6 +107,12 @@ UnitPass::Outcome UnitPass::place(const ResolveCall& call, UnitStep& step) {
       break;
   }
   return Outcome::placed;
+}
+
+void UnitPass::place_still(const ResolveCall& call, const UnitStep& step) const {
+  const auto joints = forest_.set.of(step.unit);
+  const auto shape = loop_of_[step.unit]->shape();
+  for (std::size_t k = 0; k < joints.size(); ++k) call.positions[joints[k]] = shape[k];
 }
 
 void UnitPass::place_rod(const ResolveCall& call, const UnitStep& step,

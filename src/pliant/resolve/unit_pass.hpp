@@ -28,7 +28,7 @@ class UnitPass {
            const ResolveOptions& options);
 
   enum class Outcome { placed, unfit, not_finite };
-  /// Gives units that have no shape one, each where it is, then places all. unfit: a unit was
+  /// Finds the shapes of units that have none, each alone, then places all. unfit: a unit was
   /// left as it was (no shape, or its joints all at one point), or pinned joints hold one wrongly.
   Outcome run(const ResolveCall& call);
 
@@ -42,6 +42,7 @@ class UnitPass {
   Outcome place(const ResolveCall& call, UnitStep& step);
   Outcome place_by_rotation(std::span<Vec3> positions, const UnitStep& step);
   Outcome place_by_torsion(const ResolveCall& call, const UnitStep& step);
+  void place_still(const ResolveCall& call, const UnitStep& step) const;
   static void place_rod(const ResolveCall& call, const UnitStep& step, const Framework& framework);
 
   const Framework& framework_;
@@ -49,6 +50,7 @@ class UnitPass {
   UnitPlan plan_;
   std::vector<UnitStep> steps_;
   std::vector<std::unique_ptr<UnitLoop>> loops_;  ///< of units without a shape
+  std::vector<UnitLoop*> loop_of_;                ///< of each unit up to the last that has one
   UnitNearest nearest_;
   bool planned_ = false;
   Joint planned_root_ = 0;

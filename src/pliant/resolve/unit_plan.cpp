@@ -154,12 +154,6 @@ void UnitPlan::add_joints(UnitStep& step) {
   step.scale = heaviest;
 }
 
-void UnitPlan::take_shape(UnitStep& step, std::span<const Vec3> positions) {
-  points_.clear();
-  for (Joint joint : forest_.set.of(step.unit)) points_.push_back(positions[joint]);
-  set_shape(step, points_);
-}
-
 void UnitPlan::set_shape(UnitStep& step, std::span<const Vec3> points) {
   const auto members = forest_.set.of(step.unit);
   const auto point_of = [&](Joint joint) {

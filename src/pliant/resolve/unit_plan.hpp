@@ -52,7 +52,7 @@ struct UnitStep {
   std::int32_t parent = -1;  ///< the step on which it hangs; -1: first of its component
   bool is_held = false;      ///< hangs on pinned joints alone
   double scale = 1.0;        ///< of the weights: the mass of the heaviest joint (u), or 1
-  bool is_known = true;      ///< else the shape is what the joints have before they are placed
+  bool is_known = true;      ///< else its shape is to be set each time
 };
 
 /// Plans passes from any root; linear in joints.
@@ -71,8 +71,6 @@ class UnitPlan {
   }
   /// Writes where the joints of a step lie, from the shape of its unit (as UnitSet::of).
   void set_shape(UnitStep& step, std::span<const Vec3> points);
-  /// The same for a unit whose shape is the one that it has at `positions` (N).
-  void take_shape(UnitStep& step, std::span<const Vec3> positions);
 
  private:
   void find_pins();
@@ -94,7 +92,6 @@ class UnitPlan {
   std::vector<bool> placed_;  ///< joints
   std::vector<std::uint32_t> waiting_;
   std::vector<std::int32_t> step_of_;  ///< of units
-  std::vector<Vec3> points_;
 };
 
 }  // namespace pliant

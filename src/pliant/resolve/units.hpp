@@ -13,8 +13,10 @@
 
 namespace pliant {
 
-/// Frameworks without rigid bodies, and what the pass leaves broken (loops that do not close,
-/// pinned joints in several units, impossible lengths), are resolved as by technique `blocks`.
+/// Rings of up to six joints with drawn positions are held as drawn, also the few (cyclohexane's
+/// boat) that special lengths leave flexible. Frameworks without rigid bodies, and what the pass
+/// leaves broken (loops that do not close, pinned joints in several units, impossible lengths), are
+/// resolved as by technique `blocks`.
 std::unique_ptr<Method> make_units(const Framework& framework, const Technique& technique,
                                    const ResolveOptions& options);
 

@@ -179,6 +179,35 @@ TEST(Units, FitsMayBeWeightedByMass) {
   EXPECT_LT(distance(heavy[0], before[0]), distance(plain[0], before[0]));
 }
 
+/// A crown of ten atoms between two chains, reached from the end of one: its shape is found before
+/// the chain moves its joints.
+TEST(Units, LoopsAreCarriedAlongByTheUnitsTheyHangOn) {
+  Sketch sketch = ring(10);
+  for (std::size_t k = 0; k < 10; ++k)
+    sketch.positions[k].z = k % 3 == 0 ? 0.6 : 0.1 * double(k % 2);
+  const Vec3 middle = 0.5 * (sketch.positions[0] + sketch.positions[5]);
+  for (const Joint at : {0u, 5u}) {
+    Joint last = at;
+    for (int k = 0; k < 6; ++k) {
+      const Vec3 out = sketch.positions[at] - middle;
+      const double size = 1.0 / norm(out);
+      sketch.positions.push_back(sketch.positions[last] +
+                                 (k % 2 == 0 ? size * out : Vec3{0.3, 0.2, 0.9}));
+      sketch.bars.push_back({last, Joint(sketch.positions.size() - 1)});
+      last = Joint(sketch.positions.size() - 1);
+    }
+  }
+  const Framework framework = framework_of(with_angles(sketch));
+  for (const char* technique : {"units", "units_nearest"})
+    for (const Joint root : {0u, 15u, 21u})
+      for (std::uint64_t seed = 1; seed <= 5; ++seed) {
+        std::vector<Vec3> x = test::shake(framework, sketch.positions, 0.1, seed);
+        const ResolveSummary summary = resolve(framework, {technique}, x, {{1e-10}}, root);
+        EXPECT_TRUE(summary.converged()) << summary.brief(framework);
+        EXPECT_LE(summary.sweeps, 2);
+      }
+}
+
 double moved(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
   double sum = 0.0;
   for (std::size_t k = 0; k < a.size(); ++k) sum += norm_squared(a[k] - b[k]);
