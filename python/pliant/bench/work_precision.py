@@ -21,6 +21,7 @@ from pliant.bench.contenders import Contender, Repair, our_contenders, their_con
 from pliant.bench.nearest import nearest_whole
 from pliant.bench.target import Target, read_target
 from pliant.bench.time_limit import TimeUp, time_limit
+from pliant.peers import measure
 
 TOLERANCES = tuple(10.0**-k for k in range(2, 13))
 REPEATS = 7
@@ -42,6 +43,8 @@ class Row:
     max_residual: float = math.nan  #: largest |length - rest| / rest, measured anew
     displacement: float = math.nan  #: rms distance moved from the broken structure, Angstrom
     displacement_ratio: float = math.nan  #: the same over that of the nearest whole structure
+    mass_displacement_ratio: float = math.nan  #: the same, distances weighted by mass
+    distance_to_ccma: float = math.nan  #: furthest that a joint is from where CCMA has it, Angstrom
     walkers: int = 1
     repeats: int = 0
     ratio_to_openmm: float = math.nan  #: CCMA's time to reach this tolerance, over this time
@@ -57,10 +60,12 @@ class WorkPrecision:
     bars: str
     displacement: float  #: Angstrom, standard deviation of each coordinate
     nearest_displacement: float  #: rms, Angstrom; not a number if not known
+    nearest_mass_displacement: float  #: the same, distances weighted by mass
     initial_residual: float
     tolerances: Sequence[float] = TOLERANCES
     rows: list[Row] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
+    ccma_answers: dict[float, np.ndarray] = field(default_factory=dict)  #: by tolerance
 
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""
@@ -76,6 +81,7 @@ class WorkPrecision:
             "displaced_by": self.displacement,
             "initial_residual": self.initial_residual,
             "nearest_displacement": self.nearest_displacement,
+            "nearest_mass_displacement": self.nearest_mass_displacement,
             "rows": [asdict(row) for row in self.rows],
             "notes": self.notes,
         }
@@ -116,12 +122,13 @@ def prepare(
 ) -> WorkPrecision:
     """The diagram without its rows: how far the nearest whole structure is."""
     broken = target.broken(displacement, seed)
-    nearest = nearest_whole(target, broken)
+    nearest, heavy = nearest_whole(target, broken), nearest_whole(target, broken, target.masses)
     found = WorkPrecision(
         target,
         bars,
         displacement,
         math.nan if nearest is None else rms_distance(nearest, broken),
+        math.nan if heavy is None else rms_distance(heavy, broken, target.masses),
         target.residual(broken),
         tuple(sorted(tolerances, reverse=True)),
     )
@@ -132,10 +139,10 @@ def prepare(
     return found
 
 
-def rms_distance(a: np.ndarray, b: np.ndarray) -> float:
-    """Root mean square distance of the joints (N, 3) of two structures, without superposition."""
+def rms_distance(a: np.ndarray, b: np.ndarray, masses: np.ndarray | None = None) -> float:
+    """Root mean square distance of joints (N, 3), weighted by `masses`; nothing superposed."""
     with np.errstate(over="ignore", invalid="ignore"):
-        return float(np.sqrt(np.mean(np.sum((a - b) ** 2, axis=1))))
+        return float(np.sqrt(np.average(np.sum((a - b) ** 2, axis=1), weights=masses)))
 
 
 def race(
@@ -179,6 +186,11 @@ def _first(
         row.note = f"took more than {limit_seconds:g} s"
         return []
     _judge(found, row, repair, broken)
+    if row.method == "ccma":
+        found.ccma_answers[row.tolerance] = repair.positions
+    if row.tolerance in found.ccma_answers:
+        there = found.ccma_answers[row.tolerance]
+        row.distance_to_ccma = measure.furthest_move(repair.positions, there)
     if row.outcome != WHOLE:
         row.ns_per_bar = 1e9 * repair.seconds / len(found.target.bars)
     return []
@@ -189,6 +201,8 @@ def _judge(found: WorkPrecision, row: Row, repair: Repair, broken: np.ndarray) -
     row.max_residual = found.target.residual(repair.positions)
     row.displacement = rms_distance(repair.positions, broken)
     row.displacement_ratio = row.displacement / found.nearest_displacement
+    heavy = rms_distance(repair.positions, broken, found.target.masses)
+    row.mass_displacement_ratio = heavy / found.nearest_mass_displacement
     if not math.isfinite(row.max_residual):
         row.outcome = LOST
     elif row.max_residual <= row.tolerance * (1 + 1e-9) + 4e-16:

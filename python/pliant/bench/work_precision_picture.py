@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-import pliant
 from pliant.bench.work_precision import WHOLE, Row, WorkPrecision
 from pliant.bench.work_precision_report import LABELS, entries, label, reached
 from pliant.plotting import BLUE, DASHED, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, figure, save
@@ -22,7 +21,9 @@ if TYPE_CHECKING:
 OURS = (BLUE, GREEN, SKY, PURPLE, "black", "#F0E442")
 MARKERS = "osD^vP"
 THEIRS = {"ccma": (VERMILION, "X"), "ccma_dynamics": (ORANGE, "d")}
-MOST_NAMED = 5  #: of our techniques
+FEATURED = ("auto", "blocks", "units", "newton", "shake")  #: if they take part
+DEFAULT = ("bfs_cycle", 0.5)
+MOST_NAMED = 6  #: of our techniques
 
 
 def draw(found: WorkPrecision, path: str | os.PathLike) -> None:
@@ -75,18 +76,16 @@ def _title(found: WorkPrecision) -> str:
 
 
 def _named(grouped: dict[Entry, list[Row]]) -> list[Entry]:
-    """Direct methods, the default technique, then the quickest of the others, to MOST_NAMED."""
-    weighted = {row.name for row in pliant.techniques() if row.has_weighting}
-    ours = [entry for entry in grouped if entry[0] not in LABELS]
-    finished = sorted((e for e in ours if _whole(grouped[e])), key=lambda e: _cost(grouped[e]))
-    direct = [e for e in finished if e[0] not in weighted]
-    default = [e for e in finished if e == ("bfs_cycle", 0.5)]
-    others = [e for e in finished if e not in direct and e not in default]
+    """Featured techniques and the default one, then the quickest of the others, to MOST_NAMED."""
+    finished = [e for e in grouped if e[0] not in LABELS and _whole(grouped[e])]
+    finished.sort(key=lambda entry: _cost(grouped[entry]))
+    featured = [e for e in finished if e[0] in FEATURED and e[1] is None]
+    chosen = featured + [e for e in finished if e == DEFAULT]
     best_of: dict[str, Entry] = {}
-    for entry in others:
-        best_of.setdefault(entry[0], entry)
-    chosen = direct[: MOST_NAMED - 1] + default
-    return chosen + list(best_of.values())[: max(0, MOST_NAMED - len(chosen))]
+    for entry in finished:
+        if entry not in chosen:
+            best_of.setdefault(entry[0], entry)
+    return (chosen + list(best_of.values()))[:MOST_NAMED]
 
 
 def _whole(rows: Sequence[Row]) -> int:

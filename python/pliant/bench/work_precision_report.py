@@ -61,18 +61,18 @@ def print_report(found: WorkPrecision) -> None:
         f"{100 * found.initial_residual:.0f} %"
     )
     shown = [t for t in SHOWN if any(math.isclose(t, known) for known in found.tolerances)]
-    columns = ["ns per bar to", *(f"{t:.0e}" for t in shown), "moved"]
+    columns = ["ns per bar to", *(f"{t:.0e}" for t in shown), "moved", "by mass"]
     columns += [f"OpenMM / it at {t:.0e}" for t in RATIOS if t in shown]
     table = console.Table("", columns)
     for (method, weighting), rows in _sorted(found.rows):
         cells = [_time(at(rows, t)) for t in shown]
         ratios = [_ratio(at(rows, t)) for t in RATIOS if t in shown]
-        table.rows.append([label(method, weighting), *cells, _moved(rows), *ratios])
+        table.rows.append([label(method, weighting), *cells, *_moved(rows), *ratios])
     table.print()
     print(
-        "moved: rms distance moved over that to the nearest whole structure"
-        + (f" ({found.nearest_displacement:.4f} A)" if found.nearest_displacement > 0 else "")
-        + "\nOpenMM / it: time of CCMA over this one to the same error, (of CCMA as in dynamics)"
+        "moved, by mass: rms distance moved over that to the nearest whole structure, plain and\n"
+        "weighted by mass; OpenMM / it: time of CCMA over this one to the same error, (of CCMA as\n"
+        "in dynamics)"
     )
     for note in found.notes:
         console.note(note)
@@ -102,9 +102,11 @@ def _times(ratio: float) -> str:
     return f"{ratio:.1f}x" if math.isfinite(ratio) else "never"
 
 
-def _moved(rows: Sequence[Row]) -> str:
+def _moved(rows: Sequence[Row]) -> tuple[str, str]:
     whole = [r for r in rows if r.outcome == WHOLE and math.isfinite(r.displacement_ratio)]
-    return f"{whole[-1].displacement_ratio:.3f}" if whole else ""
+    if not whole:
+        return "", ""
+    return f"{whole[-1].displacement_ratio:.3f}", f"{whole[-1].mass_displacement_ratio:.3f}"
 
 
 def reached(rows: Sequence[Row]) -> tuple[np.ndarray, np.ndarray]:

@@ -44,16 +44,25 @@ def test_nobody_moves_less_than_to_the_nearest_whole_structure(diagram):
     assert diagram.nearest_displacement > 0
     tight = [row for row in diagram.rows if row.tolerance == 1e-8]
     assert all(row.displacement_ratio > 1 - 1e-6 for row in tight)
+    assert all(row.mass_displacement_ratio > 1 - 1e-6 for row in tight)
+
+
+def test_newton_is_nearest_by_mass_and_shake_has_the_answer_of_openmm(diagram):
+    tight = {row.method: row for row in diagram.rows if row.tolerance == 1e-8}
+    assert tight["newton"].mass_displacement_ratio == pytest.approx(1.0, abs=1e-6)
+    assert tight["shake"].distance_to_ccma < 1e-7
+    assert tight["ccma"].distance_to_ccma == 0.0
+    assert tight["blocks"].distance_to_ccma > 1e-3  # another answer, as whole
 
 
 def test_nearest_is_what_a_general_minimiser_finds():
     framework = pliant.Framework([[0, 1], [1, 2]], [1.0, 1.5])
     whole = np.array([[0.0, 0, 0], [1, 0, 0], [1, 1.5, 0]])
-    target = target_of(framework, whole, np.ones(3), "angle")
+    target = target_of(framework, whole, np.array([1.0, 2.0, 5.0]), "angle")
     broken = target.broken(0.1, 3)
-    found = nearest_whole(target, broken)
+    found = nearest_whole(target, broken, target.masses)
     slow = minimize(
-        lambda x: np.sum((x - broken.ravel()) ** 2),
+        lambda x: np.sum(np.repeat(target.masses, 3) * (x - broken.ravel()) ** 2),
         broken.ravel(),
         constraints={
             "type": "eq",
@@ -108,7 +117,7 @@ def test_who_takes_too_long_is_stopped_and_asked_no_more():
     # Four bars of a length that they cannot all have: sweeps go on for ever.
     framework = pliant.Framework([[0, 1], [1, 2], [0, 2]], [1.0, 1.0, 3.0])
     target = target_of(framework, np.eye(3), np.ones(3), "triangle")
-    found = race.WorkPrecision(target, "bonds", 0.1, math.nan, 1.0, (1e-2, 1e-4))
+    found = race.WorkPrecision(target, "bonds", 0.1, math.nan, math.nan, 1.0, (1e-2, 1e-4))
     endless = next(c for c in race.our_contenders(target) if c.method == "bfs_cycle")
     endless.prepare = lambda tolerance: setattr(
         endless,
@@ -152,7 +161,9 @@ def test_the_table_names_everyone(capsys):
     assert main(["work-precision", str(CAFFEINE), "--tolerances", "1e-6", "--repeats", "1",
                  "--quiet"]) == 0  # fmt: skip
     out = capsys.readouterr().out
-    assert all(name in out for name in ("blocks", "bfs_cycle 0.75", "OpenMM CCMA", "moved:"))
+    assert all(
+        name in out for name in ("blocks", "bfs_cycle 0.75", "OpenMM CCMA", "moved, by mass:")
+    )
 
 
 @pytest.mark.parametrize(
