@@ -18,7 +18,7 @@ if TYPE_CHECKING:
 
     Entry = tuple[str, float | None]
 
-OURS = (BLUE, GREEN, SKY, PURPLE, "black", "#F0E442")
+OURS = (BLUE, GREEN, SKY, PURPLE, "black", "#555555")
 MARKERS = "osD^vP"
 THEIRS = {"ccma": (VERMILION, "X"), "ccma_dynamics": (ORANGE, "d")}
 FEATURED = ("auto", "blocks", "units", "newton", "shake")  #: if they take part
