@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-"""Draws data/pictures, the pictures of the README, from runs that it makes itself.
+"""Draws the README's pictures, data/pictures/*.png, from runs that it makes itself.
 
-Usage: .venv/bin/python data/make_pictures.py
+Usage: .venv/bin/python data/make_pictures.py [thesis] [pliant] [work_precision]
 """
 
 import json
@@ -114,9 +114,8 @@ def draw_times(figure, place, rows):
                 ha="center", color=INK, fontsize=12)  # fmt: skip
 
 
-def main():
-    """Makes the runs and the pictures."""
-    make_thesis_picture(HERE / "pictures" / "thesis.png")
+def draw_pliant():
+    """A peptide in motion, and the time to repair a protein beside OpenMM's."""
     with tempfile.TemporaryDirectory() as folder:
         peptide, protein = Path(folder) / "peptide.h5md", Path(folder) / "adk.h5md"
         pliant("run", HERE / "molecules" / "peptide_20.pdb", "-o", peptide, "--steps", 200,
@@ -128,6 +127,26 @@ def main():
         draw_ensemble(figure, [0.02, 0.18, 0.58, 0.74], peptide, "a peptide in motion, every bond at its length")
         draw_times(figure, [0.67, 0.17, 0.31, 0.7], check["side_by_side"])
         figure.savefig(HERE / "pictures" / "pliant.png", dpi=130)
+
+
+def draw_work_precision():
+    """Run time against error of every technique and of OpenMM, on the same protein."""
+    pliant("bench", "work-precision", datafiles.PDB_small, "--quiet", "--repeats", 15,
+           "--png", HERE / "pictures" / "work_precision.png")  # fmt: skip
+
+
+def draw_thesis():
+    """What became of the thesis' claims."""
+    make_thesis_picture(HERE / "pictures" / "thesis.png")
+
+
+PICTURES = {"thesis": draw_thesis, "pliant": draw_pliant, "work_precision": draw_work_precision}
+
+
+def main():
+    """Draws the pictures that are named, or all."""
+    for name in sys.argv[1:] or PICTURES:
+        PICTURES[name]()
 
 
 if __name__ == "__main__":

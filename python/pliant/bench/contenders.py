@@ -15,6 +15,7 @@ from pliant.peers.ccma import Ccma, CcmaInDynamics, why_no_angles
 from pliant.peers.child import Job, run_jobs
 
 WEIGHTINGS = (0.5, 0.75, 1.0)  #: those of the thesis
+TOLD_INTACT = ("shake",)  #: techniques to which the structure before the push makes a difference
 TRIAL_SECONDS = 120.0  #: for OpenMM in a process of its own
 
 
@@ -35,17 +36,24 @@ class Ours:
     whose = "pliant"
 
     def __init__(
-        self, target: Target, technique: str, weighting: float | None, mass_weighted: bool = False
+        self,
+        target: Target,
+        technique: str,
+        weighting: float | None,
+        mass_weighted: bool = False,
+        told_intact: bool = False,
     ) -> None:
-        self._target, self.method, self.weighting = target, technique, weighting
+        self._target, self._technique, self.weighting = target, technique, weighting
+        self.method = f"{technique}_dynamics" if told_intact else technique
         self._mass_weighted = mass_weighted
+        self._reference = target.positions if told_intact else None
         self._resolver: pliant.Resolver | None = None
 
     def prepare(self, tolerance: float) -> None:
         """Makes ready for repairs to a relative tolerance."""
         self._resolver = pliant.Resolver(
             self._target.framework,
-            self.method,
+            self._technique,
             0.5 if self.weighting is None else self.weighting,
             mass_weighted=self._mass_weighted,
             tolerance=tolerance,
@@ -55,7 +63,7 @@ class Ours:
         """A repaired copy."""
         copy = broken.copy()
         start = time.thread_time()
-        summary = self._resolver.resolve(copy)
+        summary = self._resolver.resolve(copy, reference=self._reference)
         seconds = time.thread_time() - start
         return Repair(copy, seconds, summary.stop.name, summary.sweeps, summary.projections)
 
@@ -96,6 +104,8 @@ def our_contenders(
             continue
         for weighting in WEIGHTINGS if row.has_weighting else (None,):
             yield Ours(target, row.name, weighting, mass_weighted)
+        if row.name in TOLD_INTACT:
+            yield Ours(target, row.name, None, mass_weighted, told_intact=True)
 
 
 def _takes(row: pliant.TechniqueEntry, target: Target) -> bool:

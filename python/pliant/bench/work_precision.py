@@ -65,7 +65,8 @@ class WorkPrecision:
     tolerances: Sequence[float] = TOLERANCES
     rows: list[Row] = field(default_factory=list)
     notes: list[str] = field(default_factory=list)
-    ccma_answers: dict[float, np.ndarray] = field(default_factory=dict)  #: by tolerance
+    #: OpenMM's answers by method and tolerance
+    openmm_answers: dict[tuple[str, float], np.ndarray] = field(default_factory=dict)
 
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""
@@ -186,10 +187,11 @@ def _first(
         row.note = f"took more than {limit_seconds:g} s"
         return []
     _judge(found, row, repair, broken)
-    if row.method == "ccma":
-        found.ccma_answers[row.tolerance] = repair.positions
-    if row.tolerance in found.ccma_answers:
-        there = found.ccma_answers[row.tolerance]
+    if contender.whose == "openmm":
+        found.openmm_answers[row.method, row.tolerance] = repair.positions
+    same_task = "ccma_dynamics" if row.method.endswith("_dynamics") else "ccma"
+    if (same_task, row.tolerance) in found.openmm_answers:
+        there = found.openmm_answers[same_task, row.tolerance]
         row.distance_to_ccma = measure.furthest_move(repair.positions, there)
     if row.outcome != WHOLE:
         row.ns_per_bar = 1e9 * repair.seconds / len(found.target.bars)

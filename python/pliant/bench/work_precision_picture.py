@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 OURS = (BLUE, GREEN, SKY, PURPLE, "black", "#555555")
 MARKERS = "osD^vP"
 THEIRS = {"ccma": (VERMILION, "X"), "ccma_dynamics": (ORANGE, "d")}
-FEATURED = ("auto", "blocks", "units", "newton", "shake")  #: if they take part
+FEATURED = ("blocks", "auto", "units", "newton", "shake")  #: if they take part
 DEFAULT = ("bfs_cycle", 0.5)
 MOST_NAMED = 6  #: of our techniques
 
@@ -80,12 +80,14 @@ def _named(grouped: dict[Entry, list[Row]]) -> list[Entry]:
     finished = [e for e in grouped if e[0] not in LABELS and _whole(grouped[e])]
     finished.sort(key=lambda entry: _cost(grouped[entry]))
     featured = [e for e in finished if e[0] in FEATURED and e[1] is None]
-    chosen = featured + [e for e in finished if e == DEFAULT]
-    best_of: dict[str, Entry] = {}
-    for entry in finished:
-        if entry not in chosen:
-            best_of.setdefault(entry[0], entry)
-    return (chosen + list(best_of.values()))[:MOST_NAMED]
+    chosen: dict[tuple[float, ...], Entry] = {}  # by its answers: who falls back gives another's
+    names: set[str] = set()
+    for entry in [*featured, *(e for e in finished if e == DEFAULT), *finished]:
+        if entry in chosen.values() or entry[0] in names or len(chosen) == MOST_NAMED:
+            continue
+        chosen.setdefault(tuple(row.displacement for row in grouped[entry]), entry)
+        names.add(entry[0])
+    return list(chosen.values())
 
 
 def _whole(rows: Sequence[Row]) -> int:

@@ -18,6 +18,7 @@ SHOWN = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)  #: tolerances that the table has
 RATIOS = (1e-6, 1e-10)
 LEAST_SHOWN = 1e-16  #: where exact zeros are drawn
 LABELS = {"ccma": "OpenMM CCMA", "ccma_dynamics": "OpenMM CCMA, as in dynamics"}
+TOLD_INTACT = {"shake_dynamics": "shake, as in dynamics"}
 
 
 def entries(rows: Sequence[Row]) -> dict[tuple[str, float | None], list[Row]]:
@@ -30,7 +31,7 @@ def entries(rows: Sequence[Row]) -> dict[tuple[str, float | None], list[Row]]:
 
 def label(method: str, weighting: float | None) -> str:
     """How tables and pictures call an entry."""
-    name = LABELS.get(method, method)
+    name = (LABELS | TOLD_INTACT).get(method, method)
     return name if weighting is None else f"{name} {weighting:g}"
 
 

@@ -30,7 +30,7 @@ def diagram():
 def test_every_technique_that_can_takes_part(diagram):
     raced = {row.method for row in diagram.rows}
     able = {row.name for row in pliant.techniques() if not row.forests_only}
-    assert raced == able | {"ccma", "ccma_dynamics"}
+    assert raced == able | {"ccma", "ccma_dynamics", "shake_dynamics"}
 
 
 def test_all_are_whole_and_timed_on_a_small_molecule(diagram):
@@ -51,6 +51,7 @@ def test_newton_is_nearest_by_mass_and_shake_has_the_answer_of_openmm(diagram):
     tight = {row.method: row for row in diagram.rows if row.tolerance == 1e-8}
     assert tight["newton"].mass_displacement_ratio == pytest.approx(1.0, abs=1e-6)
     assert tight["shake"].distance_to_ccma < 1e-7
+    assert tight["shake_dynamics"].distance_to_ccma < 1e-7
     assert tight["ccma"].distance_to_ccma == 0.0
     assert tight["blocks"].distance_to_ccma > 1e-3  # another answer, as whole
 
