@@ -9,7 +9,6 @@ import os
 import signal
 import threading
 from collections.abc import Callable, Iterator, Sequence
-from concurrent.futures import ProcessPoolExecutor, as_completed
 from typing import TypeVar
 
 Task = TypeVar("Task")
@@ -35,13 +34,9 @@ def each_done(
         yield from map(work, tasks)
         return
     context = multiprocessing.get_context("spawn")
-    with ProcessPoolExecutor(min(workers, len(tasks)), context, _begin_worker) as pool:
-        waiting = [pool.submit(work, task) for task in tasks]
-        try:
-            for future in as_completed(waiting):
-                yield future.result()
-        finally:
-            pool.shutdown(wait=False, cancel_futures=True)
+    # Leaving the block, also by Ctrl-C, ends the workers at once.
+    with context.Pool(min(workers, len(tasks)), _begin_worker) as pool:
+        yield from pool.imap_unordered(work, tasks)
 
 
 def _begin_worker() -> None:

@@ -214,6 +214,25 @@ def test_killed_and_run_again(tmp_path, study_folder):
         assert (tmp_path / "study" / name).read_bytes() == (study_folder / name).read_bytes()
 
 
+def test_interrupted_it_ends_at_once(tmp_path):
+    words = [sys.executable, "-m", "pliant.experiment.command", "--out", str(tmp_path / "study"),
+             "--graphs", "2000", "--workers", "2"]  # fmt: skip
+    child = subprocess.Popen(
+        words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True,
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
+    )  # fmt: skip
+    until = time.monotonic() + 60
+    while time.monotonic() < until and not list(tmp_path.glob("study/parts/*.npy")):
+        time.sleep(0.02)
+    child.send_signal(signal.SIGINT)
+    try:
+        assert "interrupted" in child.communicate(timeout=30)[1]
+        assert child.returncode == 130
+    finally:
+        if child.poll() is None:
+            os.killpg(child.pid, signal.SIGKILL)
+
+
 def test_a_folder_of_another_experiment_is_refused(study_folder, capsys):
     words = ["--out", str(study_folder), "--seed", "7", "--graphs", "3", "--forces", "9"]
     assert command.main(words) == 2
