@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "pliant/resolve/automatic.hpp"
+
 namespace pliant::app {
 namespace {
 
@@ -21,6 +23,16 @@ std::vector<std::string> outputs_of(const RunSettings& settings) {
 std::string worst_bar_of(const Framework& framework, const RunSummary& summary) {
   if (framework.bar_count() == 0) return "";
   return framework.label(framework.bars()[summary.worst_bar]);
+}
+
+/// "auto: blocks (the bars close no cycle: ...)", "bfs_cycle, weighting 0.5", "blocks".
+std::string technique_line(const Technique& technique, const Framework& framework) {
+  if (technique.name == "auto") {
+    const Choice choice = choose_technique(framework, technique);
+    return fmt::format("auto: {} ({})", choice.technique.name, choice.why);
+  }
+  if (!find_technique(technique.name).has_weighting) return technique.name;
+  return fmt::format("{}, weighting {}", technique.name, technique.weighting);
 }
 
 double microseconds_per_step(const RunSummary& summary) {
@@ -50,8 +62,7 @@ RunSummary added_up(const std::vector<RunSummary>& summaries) {
 
 void print_run_table(const RunSettings& settings, const Framework& framework,
                      const RunSummary& summary) {
-  const Technique& technique = settings.run.technique;
-  fmt::print("technique       {}, weighting {}\n", technique.name, technique.weighting);
+  fmt::print("technique       {}\n", technique_line(settings.run.technique, framework));
   fmt::print("steps           {}, of which {} frames are recorded (the start is one)\n",
              summary.steps, summary.frames);
   fmt::print("sweeps a step   {:.1f} on average, {} at most\n", summary.mean_sweeps(),
@@ -74,6 +85,7 @@ void print_run_json(const RunSettings& settings, const Framework& framework,
                   {"outputs", outputs_of(settings)},
                   {"topology", settings.topology},
                   {"technique", settings.run.technique.name},
+                  {"technique_used", technique_used(framework, settings.run.technique).name},
                   {"weighting", settings.run.technique.weighting},
                   {"atoms", framework.joint_count()},
                   {"bars", framework.bar_count()},

@@ -7,6 +7,7 @@
 
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_file.hpp"
+#include "pliant/resolve/automatic.hpp"
 
 namespace pliant::app {
 namespace {
@@ -160,6 +161,8 @@ void complete(const CLI::App& app, RunSettings& settings, const Framework& frame
   check_record_forces(settings);
   if (!settings.forces.empty()) take_forces(app, settings, framework);
   if (!settings.ordering.empty()) take_ordering(app, settings, framework);
+  const bool is_left_to_auto = app.count("--technique") == 0 && settings.ordering.empty();
+  if (is_left_to_auto && app.count("--weighting") > 0) settings.run.technique.name = "bfs_cycle";
   if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
   if (settings.topology.empty()) settings.topology = default_topology(settings);
 }
@@ -176,7 +179,8 @@ std::string output_of(const RunSettings& settings, std::int64_t walker) {
   return of_walker(settings, settings.output, walker);
 }
 
-std::vector<NamedParameter> parameters_of(const RunSettings& settings, std::int64_t walker) {
+std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Framework& framework,
+                                          std::int64_t walker) {
   const RunOptions& run = settings.run;
   const auto seed =
       std::to_string(run.resolve.seed);  // 64 bits without sign do not fit a Parameter
@@ -187,6 +191,7 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, std::int6
           {"input/pin", settings.molecule.pin},
           {"input/distance_bonds", settings.molecule.guess_distances},
           {"run/technique", run.technique.name},
+          {"run/technique_used", technique_used(framework, run.technique).name},
           {"run/ordering", fs::path(settings.ordering).filename().string()},
           {"run/weighting", run.technique.weighting},
           {"run/mass_weighted", run.technique.mass_weighted},

@@ -37,6 +37,7 @@ std::string of_walker(const RunSettings& settings, const std::string& name, std:
 std::string output_of(const RunSettings& settings, std::int64_t walker);
 
 /// Every option as it is stored below /parameters.
-std::vector<NamedParameter> parameters_of(const RunSettings& settings, std::int64_t walker);
+std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Framework& framework,
+                                          std::int64_t walker);
 
 }  // namespace pliant::app

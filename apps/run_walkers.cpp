@@ -33,7 +33,7 @@ H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std:
     for (std::uint8_t element : molecule.structure.atoms.elements)
       header.masses.push_back(element_mass(element));
   header.creator_version = PLIANT_VERSION;
-  header.parameters = parameters_of(settings, walker);
+  header.parameters = parameters_of(settings, molecule.framework, walker);
   return header;
 }
 

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Resolving: techniques, resolve() in place on numpy memory, Resolver for repeated calls.
+#include <nanobind/stl/pair.h>
+
 #include <mutex>
 
 #include "arrays.hpp"
 #include "checks.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
+#include "pliant/resolve/automatic.hpp"
 #include "tables.hpp"
 
 namespace pliant::python {
@@ -157,6 +160,17 @@ void bind_techniques(nb::module_& module) {
   module.def(
       "techniques", [] { return rows_of(techniques()); }, nb::rv_policy::reference,
       "The table of techniques: orderings and direct methods.");
+  module.def(
+      "choose_technique",
+      [](const Framework& framework, bool mass_weighted) {
+        Technique asked;
+        asked.mass_weighted = mass_weighted;
+        const Choice choice = choose_technique(framework, asked);
+        return std::pair(choice.technique.name, choice.why);
+      },
+      "framework"_a, nb::kw_only(), "mass_weighted"_a = false,
+      "What technique \"auto\" takes for this framework: its name, and why. Chosen by what the\n"
+      "bars form (rings, triangles, hubs, pinned joints), never by positions or measured time.");
 }
 
 void bind_resolver(nb::module_& module) {

@@ -32,7 +32,7 @@ def run(
     topology: str | os.PathLike[str] | None = None,
     steps: int = 1000,
     every: int = 1,
-    technique: str = "bfs_cycle",
+    technique: str = "auto",
     weighting: float = 0.5,
     mass_weighted: bool = False,
     ordering: Ordering | None = None,
@@ -156,7 +156,7 @@ def run(
         output,
         framework,
         structure=structure,
-        parameters=_parameters(structure, options, single, compress)
+        parameters=_parameters(framework, structure, options, single, compress)
         | built
         | dict(parameters or {}),
         overwrite=overwrite,
@@ -224,12 +224,19 @@ def _start(
 
 
 def _parameters(
-    structure: _core.Structure | None, options: _core.RunOptions, single: bool, compress: bool
+    framework: _core.Framework,
+    structure: _core.Structure | None,
+    options: _core.RunOptions,
+    single: bool,
+    compress: bool,
 ) -> dict[str, Value]:
     values: dict[str, Value] = {"record/single": single, "record/compress": compress}
     if structure is not None and structure.source:
         values |= {"input/file": Path(structure.source).name, "input/model": structure.model}
     values |= {f"run/{name}": getattr(options, name) for name in _RECORDED}
+    values["run/technique_used"] = options.technique
+    if options.technique == "auto":
+        values["run/technique_used"] = _core.choose_technique(framework)[0]
     values["run/seed"] = str(options.seed)  # 64 bits without sign do not fit an HDF5 integer
     values["run/walker"] = options.walker
     if options.replay:

@@ -35,6 +35,7 @@
 #include "pliant/order/ordering.hpp"        // the table of orderings
 #include "pliant/order/ordering_file.hpp"   // an ordering stated bar by bar
 #include "pliant/order/traversal.hpp"       // breadth first, depth first
+#include "pliant/resolve/automatic.hpp"     // what auto chooses
 #include "pliant/resolve/project_bar.hpp"   // the kernel
 #include "pliant/resolve/resolve.hpp"       // sweeps until whole
 #include "pliant/resolve/technique.hpp"     // ordering + weighting

@@ -11,6 +11,7 @@ from importlib import metadata, resources
 from pathlib import Path
 from string import Template
 
+from pliant._core import techniques
 from pliant.console import plain
 from pliant.report.figures.style import WIDE
 from pliant.report.scene import scene
@@ -105,9 +106,16 @@ def _subtitle(study):
         parts.append(f"steps {study.steps[0]:,} to {study.steps[-1]:,}")
     run = study.record.parameters if study.record else {}
     if "run/technique" in run:
-        parts.append(f"{run['run/technique']}, weighting {run.get('run/weighting', '?')}")
+        parts.append(_technique(run))
     parts.append(Path(study.options.path).name)
     return " · ".join(parts)
+
+
+def _technique(run):
+    """What a run was resolved with, from its parameters."""
+    used = run.get("run/technique_used", run["run/technique"])
+    weighted = any(row.name == used and row.has_weighting for row in techniques())
+    return f"{used}, weighting {run.get('run/weighting', '?')}" if weighted else used
 
 
 def _fact(number, unit, meaning):

@@ -7,6 +7,7 @@
 #include "pliant/base/number.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/order/check_ordering.hpp"
+#include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/blocks.hpp"
 #include "pliant/resolve/local_sweeps.hpp"
 #include "pliant/resolve/method.hpp"
@@ -21,6 +22,8 @@ namespace {
 
 std::vector<TechniqueEntry> all_techniques() {
   std::vector<TechniqueEntry> rows;
+  rows.push_back({"auto", "chosen by what the bars form: blocks, units, newton or anderson", false,
+                  false, make_automatic});
   for (const OrderingEntry& row : orderings())
     rows.push_back({row.name, row.summary, row.forests_only, true, make_sweeps});
   rows.push_back({"bfs_local", "bfs_cycle, of the region that a push of one joint disturbs", false,

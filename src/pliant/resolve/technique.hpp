@@ -16,7 +16,7 @@ namespace pliant {
 
 /// How broken bars are resolved.
 struct Technique {
-  std::string name = "bfs_cycle";  ///< a name in techniques()
+  std::string name = "auto";  ///< a name in techniques()
   /// Share of the correction that the far joint of a tree bar takes, in [0, 1]; the near joint
   /// takes the rest. Non-tree bars are always shared half and half. The thesis has 0.5, 0.75, 1.
   double weighting = 0.5;

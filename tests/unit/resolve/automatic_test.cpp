@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/automatic.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pliant/framework/examples.hpp"
+#include "pliant/resolve/resolve.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace {
+
+TEST(Automatic, ChoosesByWhatTheBarsForm) {
+  const Choice tree = choose_technique(framework_of(chain(5)));
+  EXPECT_EQ(tree.technique.name, "blocks");
+  EXPECT_EQ(tree.why, "the bars close no cycle: one outward pass makes them whole");
+  const Choice hexagon = choose_technique(framework_of(ring(6)));
+  EXPECT_EQ(hexagon.technique.name, "blocks");
+  EXPECT_EQ(hexagon.why,
+            "1 ring system, each by Newton's method, and 0 bridges in one outward pass");
+  const Choice angles = choose_technique(framework_of(with_angles(shaken(chain(9), 0.2))));
+  EXPECT_EQ(angles.technique.name, "units");
+  EXPECT_EQ(angles.why, "most bars are in triangles: rigid units in one outward pass");
+  const Choice hub = choose_technique(framework_of(complete(80)));
+  EXPECT_EQ(hub.technique.name, "anderson");
+  const Framework pinned = test::with_pinned(framework_of(ring(6)), {0, 3});
+  EXPECT_EQ(choose_technique(pinned).technique.name, "newton");
+  EXPECT_TRUE(choose_technique(pinned, {"auto", 0.5, true}).technique.mass_weighted);
+}
+
+/// A star has a hub but no cycle; no bar at all is no cycle either.
+TEST(Automatic, TakesTheOutwardPassWhereItIsExact) {
+  EXPECT_EQ(choose_technique(framework_of(star(500))).technique.name, "blocks");
+  EXPECT_EQ(choose_technique(framework_of(chain(1))).technique.name, "blocks");
+}
+
+TEST(Automatic, DoesWhatTheChosenTechniqueDoes) {
+  for (const Sketch& sketch :
+       {shaken(chain(20), 0.2), ring(7), with_angles(shaken(chain(8), 0.2))}) {
+    const Framework framework = framework_of(sketch);
+    std::vector<Vec3> x = test::shake(framework, sketch.positions, 0.1), y = x;
+    const ResolveSummary by_auto = resolve(framework, {}, x);
+    const ResolveSummary by_name = resolve(framework, choose_technique(framework).technique, y);
+    EXPECT_TRUE(by_auto.converged());
+    EXPECT_EQ(by_auto.projections, by_name.projections);
+    EXPECT_TRUE(test::same_bits(x, y));
+    Resolver resolver(framework, {});
+    x[3] += Vec3{0.01, 0.0, 0.02};
+    EXPECT_TRUE(resolver.resolve_near(x, 3).converged());
+  }
+}
+
+TEST(Automatic, NamesTheTechniqueUsed) {
+  const Framework framework = framework_of(chain(5));
+  EXPECT_EQ(technique_used(framework, {}).name, "blocks");
+  EXPECT_EQ(technique_used(framework, {"random", 0.75}).name, "random");
+  EXPECT_EQ(technique_used(framework, {"random", 0.75}).weighting, 0.75);
+}
+
+}  // namespace
+}  // namespace pliant
