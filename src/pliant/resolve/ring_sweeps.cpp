@@ -138,7 +138,7 @@ class RingSweeps final : public Method {
 
 /// What ring systems are swept with: shared half and half, or by masses.
 Technique in_rings(const Technique& technique) {
-  return {.mass_weighted = technique.mass_weighted};
+  return {"bfs_cycle", 0.5, technique.mass_weighted};
 }
 
 }  // namespace

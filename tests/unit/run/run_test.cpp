@@ -42,6 +42,7 @@ Story tell(const Framework& framework, State state, RunOptions options, const Ob
 
 RunOptions displacing(std::int64_t steps) {
   RunOptions options;
+  options.technique.name = "bfs_cycle";
   options.perturb = "displacement";
   options.steps = steps;
   return options;
@@ -292,6 +293,7 @@ TEST(Run, DoesNotTellThePushOfAStepThatWasCutShort) {
   const Framework framework = framework_of(ring(6));
   RunOptions options;
   options.steps = 5;
+  options.technique.name = "bfs_cycle";
   int asked = 0, told = 0;
   options.resolve.should_stop = [&] { return ++asked > 3; };
   options.on_push = [&](const Push&) { ++told; };
