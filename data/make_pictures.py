@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
-"""Draws the README's pictures, data/pictures/*.png, from runs that it makes itself.
+"""Draws the pictures of README.md and data/README.md from runs that it makes itself.
 
-Usage: .venv/bin/python data/make_pictures.py [thesis] [pliant] [work_precision]
+Usage: .venv/bin/python data/make_pictures.py [NAME ...], the names those of PICTURES
 """
 
 import json
+import re
 import subprocess
 import sys
 import tempfile
@@ -78,8 +79,8 @@ def draw_ensemble(figure, place, trajectory, title):
 
 
 SERIES = {
-    "Pliant, quickest here": ("Pliant, technique blocks", PLIANT_BLUE, "o-"),
-    "Pliant, default": ("Pliant, the thesis' bfs_cycle", "#56b4e9", "s-"),
+    "Pliant, default": ("Pliant, as it comes (technique blocks)", PLIANT_BLUE, "o-"),
+    "Pliant, sweeps of the thesis": ("Pliant, the thesis' bfs_cycle", "#56b4e9", "s-"),
     "OpenMM, as in dynamics": ("OpenMM's CCMA, as in dynamics", OPENMM_ORANGE, "D--"),
 }
 
@@ -129,6 +130,100 @@ def draw_pliant():
         figure.savefig(HERE / "pictures" / "pliant.png", dpi=130)
 
 
+# File, title, size of the pushes, joint whose path is shown, and from where it is seen (degrees
+# around z, above).
+MECHANISMS = [
+    ("four_bar", "four-bar linkage", 25, "C", None),
+    ("slider_crank", "slider and crank", 25, "S", None),
+    ("peaucellier", "Peaucellier cell", 25, "S", None),
+    ("elliptical_trammel", "elliptical trammel", 100, "T", None),
+    ("puma", "PUMA arm", 10, "tool", (-60, 20)),
+    ("chain_7r", "7R chain", 10, "tool", (-60, 15)),
+    ("stewart_gough_octahedral", "octahedral platform, rigid", 5, None, (-75, 20)),
+    ("stewart_gough_6_6", "6-6 platform, rigid", 5, None, (-75, 20)),
+    ("double_banana", "double banana", 25, "f", (-90, 12)),
+    ("bricard_octahedron", "Bricard octahedron", 25, None, (-50, 35)),
+    ("kaleidocycle", "kaleidocycle", 70, None, (-90, 50)),
+]
+
+
+def seen_from(points, view):
+    """Points (..., 3) in the plane of the picture."""
+    if view is None:
+        return points[..., :2]
+    around, above = np.radians(view)
+    right = [-np.sin(around), np.cos(around), 0.0]
+    up = [-np.sin(above) * np.cos(around), -np.sin(above) * np.sin(around), np.cos(above)]
+    return points @ np.array([right, up]).T
+
+
+def free_superposed(frames, pinned):
+    """Frames on top of one another where no ground holds them."""
+    return frames if len(pinned) else superposed(frames)
+
+
+def run_mechanism(path, force, folder):
+    """Frames (F, N, 3), bars (B, 2), pinned joints and names of a run in small random steps."""
+    trajectory = Path(folder) / "out.h5md"
+    pliant("run", path, "-o", trajectory, "--topology", "none", "--overwrite", "--steps", 3000,
+           "--every", 10, "--force", force, "--damping", 1, "--seed", 3,
+           "--tolerance", 1e-8, "--max-sweeps", 100000)  # fmt: skip
+    names = re.findall(r'<joint id="([^"]+)"', path.read_text())
+    pinned = re.findall(r'<joint id="([^"]+)".*pinned', path.read_text())
+    with h5py.File(trajectory) as file:
+        frames = file["particles/trajectory/position/value"][:]
+        bars = file["connectivity/bars"][:]
+    return free_superposed(frames, pinned), bars, [names.index(name) for name in pinned], names
+
+
+def draw_mechanism(axes, title, run, traced, view):
+    """The first position in full, five others faint, the ground as triangles, a path as dots."""
+    frames, bars, pinned, names = run
+    points = seen_from(frames, view)
+    for k in np.linspace(0, len(points) - 1, 6).astype(int)[::-1]:
+        first = k == 0
+        axes.add_collection(LineCollection(
+            points[k][bars], colors=INK if first else PLIANT_BLUE, linewidths=1.6 if first else 0.8,
+            alpha=1.0 if first else 0.35, zorder=3 if first else 1, capstyle="round",
+        ))  # fmt: skip
+    if traced:
+        path = points[:, names.index(traced)]
+        axes.plot(*path.T, ".", color=OPENMM_ORANGE, markersize=2.2, zorder=4)
+    free = np.setdiff1d(np.arange(len(names)), pinned)
+    axes.plot(*points[0][free].T, "o", color=INK, markersize=3, zorder=5)
+    axes.plot(*points[0][pinned].T, "^", color="white", markeredgecolor=INK, markersize=7, zorder=6)
+    axes.set_title(title, color=INK, fontsize=11)
+    axes.autoscale()
+    axes.margins(0.08)
+    axes.set_aspect("equal", adjustable="datalim")
+    axes.set_axis_off()
+
+
+def draw_legend(axes):
+    """What lines and marks mean, in words."""
+    marks = [
+        axes.plot([], [], "-", color=INK, linewidth=1.6, label="bars, as in the file")[0],
+        axes.plot([], [], "-", color=PLIANT_BLUE, alpha=0.5, label="later in the run")[0],
+        axes.plot([], [], "o", color=INK, markersize=3, label="joint")[0],
+        axes.plot([], [], "^", color="white", markeredgecolor=INK, markersize=7,
+                  label="joint of the ground (pinned)")[0],
+        axes.plot([], [], ".", color=OPENMM_ORANGE, label="path of one joint")[0],
+    ]  # fmt: skip
+    axes.legend(handles=marks, loc="center", frameon=False, fontsize=10)
+    axes.set_axis_off()
+
+
+def draw_mechanisms():
+    """data/pictures/mechanisms.png."""
+    figure, grid = plt.subplots(3, 4, figsize=(11, 8.2), facecolor="white", layout="constrained")
+    with tempfile.TemporaryDirectory() as folder:
+        for axes, (name, title, force, traced, view) in zip(grid.flat, MECHANISMS, strict=False):
+            run = run_mechanism(HERE / "mechanisms" / f"{name}.xml", force, folder)
+            draw_mechanism(axes, title, run, traced, view)
+    draw_legend(grid.flat[-1])
+    figure.savefig(HERE / "pictures" / "mechanisms.png", dpi=100)
+
+
 def draw_work_precision():
     """Run time against error of every technique and of OpenMM, on the same protein."""
     pliant("bench", "work-precision", datafiles.PDB_small, "--quiet", "--repeats", 15,
@@ -140,7 +235,12 @@ def draw_thesis():
     make_thesis_picture(HERE / "pictures" / "thesis.png")
 
 
-PICTURES = {"thesis": draw_thesis, "pliant": draw_pliant, "work_precision": draw_work_precision}
+PICTURES = {
+    "thesis": draw_thesis,
+    "pliant": draw_pliant,
+    "work_precision": draw_work_precision,
+    "mechanisms": draw_mechanisms,
+}
 
 
 def main():

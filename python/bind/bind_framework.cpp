@@ -47,7 +47,8 @@ std::size_t count_joints(const ArrayLike& bars, std::optional<std::int64_t> join
 void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray& rest_lengths,
                     std::optional<std::int64_t> joint_count, const OptionalArray& positions,
                     const OptionalArray& masses, const OptionalArray& pinned,
-                    std::optional<std::vector<std::string>> names, const Structure* structure) {
+                    std::optional<std::vector<std::string>> names, const Structure* structure,
+                    bool planar) {
   std::optional<std::vector<Vec3>> start;
   if (positions) start = positions_from(*positions);
   FrameworkParts parts;
@@ -66,6 +67,7 @@ void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray&
   if (names && structure) throw nb::type_error("Framework: give names or a structure, not both");
   if (names) parts.atoms = table_of_names(std::move(*names));
   if (structure) parts.atoms = std::make_shared<const AtomTable>(structure->atoms);
+  parts.planar = planar;
   const nb::gil_scoped_release no_gil;
   new (self) Framework(std::move(parts));
 }
@@ -138,6 +140,8 @@ names : N strings, optional
     What messages call the joints.
 structure : Structure, optional
     Whose atoms the joints are: messages and files call them so.
+planar : bool
+    A framework of the plane: no push changes the z of a joint.
 
 Raises
 ------
@@ -171,7 +175,7 @@ void bind_framework_class(nb::module_& module) {
       .def("__init__", &make_framework, "bars"_a, "rest_lengths"_a = nb::none(),
            "joint_count"_a = nb::none(), nb::kw_only(), "positions"_a = nb::none(),
            "masses"_a = nb::none(), "pinned"_a = nb::none(), "names"_a = nb::none(),
-           "structure"_a = nb::none())
+           "structure"_a = nb::none(), "planar"_a = false)
       .def_prop_ro("joint_count", &Framework::joint_count, "Number N of joints.")
       .def_prop_ro("bar_count", &Framework::bar_count, "Number B of bars.")
       .def_prop_ro("bars", &bars_view, "(B, 2) uint32, read-only view: the joints of each bar.")
@@ -190,6 +194,7 @@ void bind_framework_class(nb::module_& module) {
       .def_prop_ro(
           "pinned", [](const Framework& self) { return array_of(pinned_joints(self)); },
           nb::rv_policy::reference, "uint32 indices of the joints that never move, ascending.")
+      .def_prop_ro("is_planar", &Framework::is_planar, "Whether no push changes the z of a joint.")
       .def_prop_ro("merged_bar_count", &Framework::merged_bar_count,
                    "How many bars were given twice and merged.")
       .def(

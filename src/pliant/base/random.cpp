@@ -63,4 +63,15 @@ Vec3 RandomSequence::direction() {
   }
 }
 
+Vec3 RandomSequence::direction_in_plane() {
+  for (;;) {
+    const double u = 2.0 * uniform() - 1.0;
+    const double v = 2.0 * uniform() - 1.0;
+    const double s = u * u + v * v;
+    if (s >= 1.0 || s == 0.0) continue;
+    const double length = std::sqrt(s);
+    return {u / length, v / length, 0.0};
+  }
+}
+
 }  // namespace pliant

@@ -47,6 +47,8 @@ class RandomSequence {
   /// Uniform on the unit sphere (Marsaglia 1972: rejection, then one square root; no trigonometry,
   /// whose last bits differ between C libraries).
   Vec3 direction();
+  /// Uniform on the unit circle in the plane z = 0 (the same way).
+  Vec3 direction_in_plane();
 
  private:
   RandomKey key_;

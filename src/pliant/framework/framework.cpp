@@ -27,7 +27,8 @@ Framework::Framework(FrameworkParts parts)
       bars_(std::move(parts.bars)),
       rest_lengths_(std::move(parts.rest_lengths)),
       atoms_(std::move(parts.atoms)),
-      drawn_(std::move(parts.drawn)) {
+      drawn_(std::move(parts.drawn)),
+      planar_(parts.planar) {
   check_counts();
   take_masses(parts.masses, parts.pinned);
   check_bars();

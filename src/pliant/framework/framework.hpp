@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "pliant/base/random.hpp"
 #include "pliant/base/vec3.hpp"
 #include "pliant/framework/atom_table.hpp"
 
@@ -34,6 +35,7 @@ struct FrameworkParts {
   /// (N) Angstrom, a place of each joint at which every bar has its rest length, if one is known:
   /// the shape of parts that bars make rigid, chirality included. May be empty.
   std::vector<Vec3> drawn = {};
+  bool planar = false;  ///< pushes leave the z of every joint as it is
 };
 
 /// A joint reached over a bar.
@@ -66,6 +68,12 @@ class Framework {
     return {incidences_.data() + first_incidence_[joint],
             incidences_.data() + first_incidence_[joint + 1]};
   }
+  /// Whether it is a linkage of the plane: nothing pushes a joint along z.
+  bool is_planar() const { return planar_; }
+  /// A random unit vector along which joints may be pushed: without z in a planar framework.
+  Vec3 random_direction(RandomSequence draws) const {
+    return planar_ ? draws.direction_in_plane() : draws.direction();
+  }
   const std::shared_ptr<const AtomTable>& atoms() const { return atoms_; }
   /// (N) Angstrom, positions at which every bar has its rest length; empty if none are known.
   std::span<const Vec3> drawn() const { return drawn_; }
@@ -92,6 +100,7 @@ class Framework {
   std::vector<Vec3> drawn_;
   std::size_t pinned_count_ = 0;
   std::size_t merged_bar_count_ = 0;
+  bool planar_ = false;
 };
 
 /// What changes during a run.

@@ -23,8 +23,12 @@ RandomSequence draws(const PerturbRequest& request, Domain domain, std::uint64_t
   return RandomSequence(key);
 }
 
+Vec3 random_direction(const PerturbRequest& request, Domain domain, std::uint64_t joint) {
+  return request.framework.random_direction(draws(request, domain, joint));
+}
+
 Vec3 random_force(const PerturbRequest& request, Joint joint) {
-  return request.options.force * draws(request, Domain::force, joint).direction();
+  return request.options.force * random_direction(request, Domain::force, joint);
 }
 
 /// A joint that is free to move, each equally likely; no_joint if all are pinned.
@@ -44,7 +48,9 @@ Vec3 verlet(const PerturbRequest& request, const State& state, const JointForce&
   const Vec3 moved = x - state.previous[push.joint];
   const double gain =
       acceleration_of_unit_force * request.framework.inverse_masses()[push.joint] * dt * dt;
-  return x + (1.0 - request.options.damping) * moved + gain * push.force;
+  Vec3 next = x + (1.0 - request.options.damping) * moved + gain * push.force;
+  if (request.framework.is_planar()) next.z = x.z;
+  return next;
 }
 
 /// Sets state.previous to where the joints are.
@@ -82,7 +88,7 @@ Push displace_all_joints(const PerturbRequest& request, State& state) {
   for (std::size_t i = 0; i < state.positions.size(); ++i) {
     if (request.framework.is_pinned(static_cast<Joint>(i))) continue;
     state.positions[i] +=
-        request.options.displacement * draws(request, Domain::displacement, i).direction();
+        request.options.displacement * random_direction(request, Domain::displacement, i);
   }
   return {state.positions.empty() ? no_joint : 0, {}};
 }

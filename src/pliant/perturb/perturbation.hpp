@@ -69,7 +69,8 @@ std::vector<JointForce> random_pushes(const Framework& framework, const PerturbO
 /// Moves joints by position Verlet under forces, and notes where all joints were:
 ///   x_new = x + (1 - damping) (x - x_old) + a dt^2,   a [Angstrom/ps^2] = 100 F / m
 /// (Verlet, Phys. Rev. 159 (1967) 98; thesis appendix A). Other joints stay. Pinned joints stay.
-/// The factor 100 turns kJ/(mol Angstrom u) into Angstrom/ps^2.
+/// In a planar framework the z of forces and motions counts for nothing. The factor 100 turns
+/// kJ/(mol Angstrom u) into Angstrom/ps^2.
 Push apply_forces(const PerturbRequest& request, std::span<const JointForce> forces, State& state);
 
 }  // namespace pliant

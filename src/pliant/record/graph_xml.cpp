@@ -154,6 +154,7 @@ class GraphParser {
     parts.masses = std::move(masses_);
     parts.pinned = std::move(pinned_);
     parts.atoms = atoms_;
+    parts.planar = planar_;
     try {
       Graph graph{Framework(std::move(parts)), std::move(positions_), std::move(cycles_)};
       for (const std::string& text : impossible_triangles(graph.framework))

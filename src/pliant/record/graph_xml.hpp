@@ -9,8 +9,8 @@
 //   </graph>
 //
 // Positions and lengths are in Angstrom, masses in u. mass, pinned, length and cycle may be left
-// out: 1, false, the distance of the joints, and no word on cycles. dimension="2" allows joints
-// without z.
+// out: 1, false, the distance of the joints, and no word on cycles. dimension="2" is a framework of
+// the plane: joints without z have z = 0, and no push changes the z of a joint.
 #pragma once
 
 #include <filesystem>

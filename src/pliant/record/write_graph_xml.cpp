@@ -25,7 +25,8 @@ std::vector<std::string> ids_of(const Framework& framework) {
 
 std::string joint_element(const Framework& framework, Joint joint, Vec3 at, std::string_view id) {
   std::string text = "  <joint id=\"" + xml_escaped(id) + "\" x=\"" + shortest_text(at.x) +
-                     "\" y=\"" + shortest_text(at.y) + "\" z=\"" + shortest_text(at.z) + "\"";
+                     "\" y=\"" + shortest_text(at.y) + "\"";
+  if (!framework.is_planar() || at.z != 0.0) text += " z=\"" + shortest_text(at.z) + "\"";
   const double inverse_mass = framework.inverse_masses()[joint];
   if (inverse_mass == 0.0) {
     text += " pinned=\"true\"";
@@ -43,7 +44,8 @@ std::string write_graph_xml(const Framework& framework, std::span<const Vec3> po
     throw InputError("graph: " + std::to_string(framework.joint_count()) + " joints but " +
                      std::to_string(positions.size()) + " positions");
   const std::vector<std::string> ids = ids_of(framework);
-  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<graph dimension=\"3\">\n";
+  std::string text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<graph dimension=\"";
+  text += framework.is_planar() ? "2\">\n" : "3\">\n";
   for (std::size_t i = 0; i < positions.size(); ++i)
     text += joint_element(framework, static_cast<Joint>(i), positions[i], ids[i]);
   for (std::size_t k = 0; k < framework.bar_count(); ++k) {

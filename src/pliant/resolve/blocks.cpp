@@ -98,7 +98,7 @@ class BlockPass final : public Method {
   void project(const ResolveCall& call, const PassStep& step) const {
     if (framework_.is_pinned(step.far)) return;
     project_bar(call.positions[step.near], call.positions[step.far], step.rest, 0.0, 1.0,
-                [&] { return escape_direction(call.key, step.bar); });
+                [&] { return escape_direction(call.key, step.bar, framework_.is_planar()); });
   }
 
   /// What Newton could not finish (redundant bars far from whole, coincident joints, impossible

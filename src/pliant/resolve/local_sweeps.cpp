@@ -95,7 +95,7 @@ class LocalSweeps final : public Method {
     const bool is_tree = reached_over_[place_[at.joint]] == at.bar;
     const auto [near_share, far_share] = shares(technique_, {at.bar, near, is_tree}, framework_);
     project_bar(x_near, x_far, rest, near_share, far_share,
-                [&] { return escape_direction(call.key, at.bar); });
+                [&] { return escape_direction(call.key, at.bar, framework_.is_planar()); });
   }
 
   const Framework& framework_;

@@ -20,10 +20,11 @@ namespace pliant {
 inline constexpr double least_squared_length = 1e-300;
 
 /// The direction in which the coincident joints of a bar leave each other: random, by its key.
-inline Vec3 escape_direction(RandomKey key, BarIndex bar) {
+inline Vec3 escape_direction(RandomKey key, BarIndex bar, bool planar) {
   key.domain = Domain::escape;
   key.joint = bar;
-  return RandomSequence(key).direction();
+  RandomSequence draws(key);
+  return planar ? draws.direction_in_plane() : draws.direction();
 }
 
 /// Moves two joints so that their distance is `rest` (Angstrom). `escape()` gives a unit vector and

@@ -109,7 +109,7 @@ class RingSweeps final : public Method {
     if (bar_groups_.of_bar[step.bar] != no_group) return;
     project_bar(call.positions[step.near], call.positions[step.far],
                 framework_.rest_lengths()[step.bar], 0.0, 1.0,
-                [&] { return escape_direction(call.key, step.bar); });
+                [&] { return escape_direction(call.key, step.bar, framework_.is_planar()); });
   }
 
   /// Brings a ring system to where the joint is by which it is entered.

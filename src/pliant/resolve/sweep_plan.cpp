@@ -10,7 +10,7 @@ namespace {
 
 void project(std::span<Vec3> positions, const PlannedBar& visit, const RandomKey& key) {
   project_bar(positions[visit.near], positions[visit.far], visit.rest, visit.near_share,
-              visit.far_share, [&] { return escape_direction(key, visit.bar); });
+              visit.far_share, [&] { return escape_direction(key, visit.bar, visit.planar); });
 }
 
 }  // namespace
@@ -21,7 +21,8 @@ PlannedBar planned(const Framework& framework, const Technique& technique,
   const double rest = framework.rest_lengths()[visit.bar];
   const auto [near_share, far_share] = shares(technique, visit, framework);
   const Joint far = visit.near == bar.a ? bar.b : bar.a;
-  return {visit.near, far, rest, near_share, far_share, tolerance.of(rest), visit.bar};
+  return {visit.near,           far, rest, near_share, far_share, tolerance.of(rest), visit.bar,
+          framework.is_planar()};
 }
 
 void SweepPlan::sweep(std::span<Vec3> positions, const RandomKey& key, bool backwards) const {

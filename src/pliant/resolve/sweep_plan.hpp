@@ -17,6 +17,7 @@ struct PlannedBar {
   double rest, near_share, far_share;
   double allowed;  ///< largest |length - rest| that counts as whole
   BarIndex bar;
+  bool planar;  ///< joints that coincide part in the plane
 };
 
 /// `visit` with its shares and tolerance.

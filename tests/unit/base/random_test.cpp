@@ -108,5 +108,22 @@ TEST(RandomSequence, DirectionsAreUnitVectorsAllAround) {
     EXPECT_NEAR(second_moment / count, 1.0 / 3.0, 0.005);
 }
 
+TEST(RandomSequence, DirectionsInThePlaneAreUnitVectorsAllAround) {
+  RandomSequence draws({.seed = 7});
+  Vec3 sum, squares;
+  constexpr int count = 100000;
+  for (int k = 0; k < count; ++k) {
+    const Vec3 n = draws.direction_in_plane();
+    ASSERT_NEAR(norm(n), 1.0, 1e-15);
+    ASSERT_EQ(n.z, 0.0);
+    sum += n;
+    squares += {n.x * n.x, n.y * n.y, n.x * n.y};
+  }
+  EXPECT_LT(norm((1.0 / count) * sum), 0.01);
+  EXPECT_NEAR(squares.x / count, 0.5, 0.005);
+  EXPECT_NEAR(squares.y / count, 0.5, 0.005);
+  EXPECT_NEAR(squares.z / count, 0.0, 0.005);
+}
+
 }  // namespace
 }  // namespace pliant

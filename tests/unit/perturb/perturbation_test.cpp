@@ -49,6 +49,21 @@ TEST_P(PerturbationLaw, LeavesPinnedJoints) {
   EXPECT_NE(state.positions[1], start[1]);
 }
 
+TEST_P(PerturbationLaw, LeavesZInAPlanarFramework) {
+  const Sketch sketch = chain(6);
+  const Framework framework({.joint_count = 6,
+                             .bars = sketch.bars,
+                             .rest_lengths = drawn_lengths(sketch),
+                             .planar = true});
+  State state(sketch.positions);
+  state.previous[2].z = 0.5;
+  for (std::uint64_t step = 0; step < 50; ++step) {
+    push(framework, state, step);
+    for (const Vec3& x : state.positions) ASSERT_EQ(x.z, 0.0);
+  }
+  EXPECT_NE(state.positions[1], sketch.positions[1]);
+}
+
 TEST_P(PerturbationLaw, LeavesAllJointsIfAllArePinned) {
   const Framework framework = test::with_pinned(framework_of(chain(3)), {0, 1, 2});
   State state(chain(3).positions);

@@ -76,6 +76,19 @@ TEST(GraphXml, AcceptsAByteOrderMarkAFlatGraphAndALoneJoint) {
   EXPECT_EQ(parse("<graph><joint id='a' x='1' y='2' z='3'/></graph>").framework.bar_count(), 0u);
 }
 
+TEST(GraphXml, KeepsThatAGraphIsPlanar) {
+  const Graph flat = parse(
+      "<graph dimension='2'><joint id='a' x='1' y='2'/><joint id='b' x='1' y='2' z='3'/></graph>");
+  EXPECT_TRUE(flat.framework.is_planar());
+  EXPECT_EQ(write_graph_xml(flat.framework, flat.positions),
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<graph dimension=\"2\">\n"
+            "  <joint id=\"a\" x=\"1\" y=\"2\"/>\n  <joint id=\"b\" x=\"1\" y=\"2\" z=\"3\"/>\n"
+            "</graph>\n");
+  for (const std::string dimension : {"", " dimension='3'"})
+    EXPECT_FALSE(parse("<graph" + dimension + "><joint id='a' x='1' y='2' z='0'/></graph>")
+                     .framework.is_planar());
+}
+
 TEST(GraphXml, MergesEqualBarsWithAWarning) {
   Heard heard;
   const Graph g =
