@@ -98,7 +98,8 @@ class DirectMethod final : public Method {
       RandomKey key = call.key;
       key.domain = Domain::escape;
       key.joint = equations_.bar(k);
-      const Vec3 apart = (equations_.rest(k) / sum) * RandomSequence(key).direction();
+      const Vec3 apart =
+          (equations_.rest(k) / sum) * framework_.random_direction(RandomSequence(key));
       x[low] -= equations_.weight(low) * apart;
       x[high] += equations_.weight(high) * apart;
     }
