@@ -56,6 +56,9 @@ class BarEquations {
   double allowed(std::uint32_t k) const { return allowed_[k]; }
   double weight(std::uint32_t j) const { return weights_[j]; }
 
+  /// A direction in which joints of the framework may be pushed.
+  Vec3 random_direction(RandomSequence draws) const { return framework_.random_direction(draws); }
+
   /// Positions of the joints of all parts; the parts' own copies.
   std::span<Vec3> positions() { return x_; }
   void gather(Part part, std::span<const Vec3> from);

@@ -136,7 +136,7 @@ double BarNewton::push_broken(Part part, std::uint64_t push, RandomKey key) {
       pushed_[j] = true;
       key.joint = equations_.joint(j) + (push << 32);
       const Vec3 push_of_joint =
-          share_of_length * equations_.rest(k) * RandomSequence(key).direction();
+          share_of_length * equations_.rest(k) * equations_.random_direction(RandomSequence(key));
       x[j] += push_of_joint;
       moment += (1.0 / equations_.weight(j)) * push_of_joint;
       mass += 1.0 / equations_.weight(j);

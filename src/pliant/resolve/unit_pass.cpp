@@ -119,7 +119,7 @@ void UnitPass::place_rod(const ResolveCall& call, const UnitStep& step,
                          const Framework& framework) {
   if (framework.is_pinned(step.b)) return;
   project_bar(call.positions[step.a], call.positions[step.b], step.length, 0.0, 1.0,
-              [&] { return escape_draws(call.key, step.b).direction(); });
+              [&] { return framework.random_direction(escape_draws(call.key, step.b)); });
 }
 
 UnitPass::Outcome UnitPass::place_by_rotation(std::span<Vec3> positions, const UnitStep& step) {
@@ -165,7 +165,7 @@ UnitPass::Outcome UnitPass::place_by_torsion(const ResolveCall& call, const Unit
     if (std::isnan(turn.strength)) return Outcome::not_finite;
     turn = {};
     if (step.spread > thinnest_unit * thinnest_unit * length * length) {
-      const AxisBasis any(escape_draws(call.key, step.b).direction());
+      const AxisBasis any(framework_.random_direction(escape_draws(call.key, step.b)));
       const double size = std::sqrt(any.e1.x * any.e1.x + any.e1.y * any.e1.y);
       if (size > 0.0) turn.cosine = any.e1.x / size, turn.sine = any.e1.y / size;
     }
