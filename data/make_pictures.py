@@ -125,7 +125,12 @@ def draw_pliant():
                "--perturb", "displacement", "--technique", "blocks")  # fmt: skip
         check = json.loads(pliant("check", protein, "--no-picture", "--json"))
         figure = plt.figure(figsize=(11, 4.6), facecolor="white")
-        draw_ensemble(figure, [0.02, 0.18, 0.58, 0.74], peptide, "a peptide in motion, every bond at its length")
+        draw_ensemble(
+            figure,
+            [0.02, 0.18, 0.58, 0.74],
+            peptide,
+            "a peptide in motion, every bond at its length",
+        )
         draw_times(figure, [0.67, 0.17, 0.31, 0.7], check["side_by_side"])
         figure.savefig(HERE / "pictures" / "pliant.png", dpi=130)
 

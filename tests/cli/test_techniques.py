@@ -5,9 +5,9 @@ import json
 def test_techniques_as_json(pliant):
     tables = json.loads(pliant("techniques", "--json").out)
     names = [row["name"] for row in tables["techniques"]]
-    assert names[:10] == [
-        "random", "bfs_tree", "dfs_tree", "bfs_cycle", "dfs_cycle", "bfs_reverse", "dfs_reverse",
-        "bfs_adapt", "bfs_random", "input",
+    assert names[:11] == [
+        "auto", "random", "bfs_tree", "dfs_tree", "bfs_cycle", "dfs_cycle", "bfs_reverse",
+        "dfs_reverse", "bfs_adapt", "bfs_random", "input",
     ]  # fmt: skip
     assert [row["name"] for row in tables["perturbations"]] == [
         "force", "force_all", "displacement",

@@ -163,7 +163,8 @@ class Motion:
 
 @cache
 def motion(name):
-    return Motion(name, damping=1.0, force=80.0)
+    # Pushes so hard that a linkage may pass a dead point: sweeps stay on their side of it.
+    return Motion(name, damping=1.0, force=80.0, technique="bfs_cycle")
 
 
 def test_the_output_of_peaucelliers_cell_stays_on_a_straight_line():

@@ -36,7 +36,8 @@ def test_a_run_is_recorded(tmp_path):
         bars = file["connectivity/bars"][:]
         rests = file["parameters/framework/rest_length"][:]
         run = file["parameters/run"]
-        assert run["technique"][()] == b"bfs_cycle"
+        assert run["technique"][()] == b"auto"
+        assert run["technique_used"][()] == b"blocks"
         assert run["seed"][()] == b"3"
         assert (run["steps"][()], run["weighting"][()]) == (20, 0.5)
         assert file["parameters/input/file"][()] == b"water.xyz"

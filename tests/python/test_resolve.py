@@ -125,7 +125,7 @@ def test_sweeps_are_those_of_an_independent_gauss_seidel(weighting):
     framework, positions = ring_with_tail()
     expected = gauss_seidel(framework, positions, 5, weighting)
     summary = pliant.resolve(
-        framework, positions, weighting=weighting, max_sweeps=5, tolerance=1e-14
+        framework, positions, "bfs_cycle", weighting, max_sweeps=5, tolerance=1e-14
     )
     assert summary.stop is pliant.Stop.max_sweeps
     assert summary.sweeps == 5
@@ -159,7 +159,7 @@ def test_a_resolver_does_what_the_function_does():
 
 
 def test_a_resolver_keeps_its_framework_alive():
-    resolver = pliant.Resolver(pliant.Framework([[0, 1]], [2.0]))
+    resolver = pliant.Resolver(pliant.Framework([[0, 1]], [2.0]), "bfs_cycle")
     positions = np.array([[0, 0, 0], [1.0, 0, 0]])
     assert resolver.resolve(positions).converged
     assert positions.tolist() == [[-0.5, 0, 0], [1.5, 0, 0]]

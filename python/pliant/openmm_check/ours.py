@@ -77,7 +77,8 @@ def _candidates() -> Iterator[tuple[str, float]]:
     # Direct methods first: they are few, and most often the quickest.
     for row in sorted(pliant.techniques(), key=lambda row: row.has_weighting):
         for weighting in WEIGHTINGS if row.has_weighting else WEIGHTINGS[:1]:
-            yield row.name, weighting
+            if row.name != "auto":  # it is one of the others
+                yield row.name, weighting
 
 
 def quickest_technique(contest: Contest, framework: pliant.Framework) -> tuple[str, float] | None:

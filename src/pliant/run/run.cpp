@@ -88,6 +88,9 @@ class Run {
     summary_.sweeps += resolved.sweeps;
     summary_.max_sweeps = std::max(summary_.max_sweeps, resolved.sweeps);
     note(resolved);
+    // Methods that are done in one pass do not ask under way.
+    if (options_.resolve.should_stop && options_.resolve.should_stop())
+      stopping_ = summary_.stopped_by_caller = true;
     if (is_last || stopping_ || state_.step % options_.every == 0) show(resolved, push);
   }
 

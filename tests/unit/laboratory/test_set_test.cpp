@@ -2,6 +2,7 @@
 #include "pliant/laboratory/test_set.hpp"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <fstream>
 #include <map>
@@ -62,7 +63,7 @@ class TestSets : public testing::Test {
 
   std::string place(const fs::path& path) const { return (fs::canonical(folder_) / path).string(); }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / "pliant_test_set";
+  fs::path folder_ = fs::path(testing::TempDir()) / ("pliant_test_set_" + std::to_string(getpid()));
 };
 
 std::vector<TestRow> rows_for(const TestGraph& graph) {

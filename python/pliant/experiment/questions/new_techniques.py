@@ -36,7 +36,7 @@ ORDER = 6
 
 #: the thesis' own, what only compares with them, and bfs_local, which does as bfs_cycle unless it
 #: is told that nothing but the pushed joint has moved
-NOT_NEW = {*THESIS, "bfs_tree", "dfs_tree", "input", "bfs_worst", "bfs_local"}
+NOT_NEW = {*THESIS, "bfs_tree", "dfs_tree", "input", "bfs_worst", "bfs_local", "auto"}
 SETTINGS = {"0.01 Å": (0.01, 1e-6), "1e-6 relative": (None, 1e-6)}
 LISTED = 6  #: of the thesis, in the table of work
 NAMES = (
