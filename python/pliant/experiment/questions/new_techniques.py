@@ -7,6 +7,7 @@ from collections.abc import Iterable
 from pathlib import Path
 
 import numpy as np
+from matplotlib.axes import Axes
 
 import pliant
 from pliant import plotting
@@ -210,6 +211,14 @@ def _listed(works: dict[Combination, Work]) -> list[Combination]:
     return sorted([*thesis, *new], key=effort)
 
 
+def _mark_gains(axis: Axes) -> None:
+    """Ticks at round numbers, as many as the axis has room for."""
+    low, high = axis.get_xlim()
+    ticks = [t for t in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20, 50) if low <= t <= high]
+    axis.set_xticks(ticks, [f"{tick:g}" for tick in ticks])
+    axis.minorticks_off()
+
+
 def _draw(found: Results, new: list[Combination], seed: int, out: Path) -> Figure:
     families = list(dict.fromkeys(family for family, _ in found))
     with plotting.figure(1, 2, panel=(5.0, 0.85 * len(families) + 1.2)) as (plot, axes):
@@ -227,6 +236,7 @@ def _draw(found: Results, new: list[Combination], seed: int, out: Path) -> Figur
             axis.set_yticks(range(len(families)), families)
             axis.invert_yaxis()
             axis.set(xscale="log", xlabel="work of the thesis' best / work", title=tolerance)
+            _mark_gains(axis)
         axes[0][1].set_yticklabels([])
         plot.legend(*axes[0][0].get_legend_handles_labels(), loc="outside upper center", ncols=4)
         plotting.save(plot, out / "gains.png")
