@@ -95,6 +95,7 @@ bool all_finite(std::span<const Vec3> positions) {
 }
 
 bool same_bits(std::span<const Vec3> a, std::span<const Vec3> b) {
+  if (a.empty() || b.empty()) return a.size() == b.size();  // memcmp takes no null
   return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size_bytes()) == 0;
 }
 

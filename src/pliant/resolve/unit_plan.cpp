@@ -80,7 +80,7 @@ void UnitPlan::start_at(Joint joint, std::span<const Joint> pins) {
     const auto ends = forest_.set.of(unit);
     if (pins.size() < 2)
       add_step(unit, UnitEntry::rod, joint, ends[0] == joint ? ends[1] : ends[0]);
-  } else if (pins.size() == 2) {
+  } else if (pins.size() == 2 && holder != units.end()) {
     add_step(unit, UnitEntry::hinge, pins[0], pins[1]);
   } else {
     add_step(unit, pins.empty() ? UnitEntry::free : UnitEntry::ball, joint, joint);

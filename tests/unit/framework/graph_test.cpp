@@ -52,7 +52,8 @@ RC_GTEST_PROP(Graph, ComponentsAreThoseOfUnionFind, ()) {
       RC_ASSERT((found.of_joint[i] == found.of_joint[j]) == expected.together(i, j));
   for (std::size_t c = 0; c < found.count; ++c) {
     RC_ASSERT(found.of_joint[found.lowest_joint[c]] == c);
-    RC_ASSERT(c == 0 || found.lowest_joint[c] > found.lowest_joint[c - 1]);
+    // In brackets: RC_ASSERT takes a bare || apart and evaluates both sides.
+    RC_ASSERT((c == 0 || found.lowest_joint[c] > found.lowest_joint[c - 1]));
     for (std::size_t i = 0; i < found.lowest_joint[c]; ++i) RC_ASSERT(found.of_joint[i] != c);
   }
 }
