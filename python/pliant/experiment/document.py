@@ -22,6 +22,7 @@ h3 { font-size: 1.02rem; font-weight: 650; margin: 0 0 8px; }
 .holds { background: var(--green); } .fails { background: var(--red); }
 .depends { background: var(--amber); }
 .scroll { overflow-x: auto; } .claims td { vertical-align: top; }
+.claims th, .claims td { padding-right: 9px; font-size: 0.8rem; }
 .claims td:nth-child(2) { min-width: 13em; } .claims td:nth-child(4) { min-width: 15em; }
 .claims td:nth-child(5) { min-width: 17em; color: var(--soft); }
 .wide { grid-template-columns: minmax(0, 1fr); }
