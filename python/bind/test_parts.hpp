@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Parts of a test set as Python sees them: classes, graphs and heuristics, each keeping its set
+// alive.
+#pragma once
+
+#include "bind.hpp"
+#include "pliant/laboratory/test_set.hpp"
+
+namespace pliant::python {
+
+/// A part of a test set, which it keeps alive.
+template <class Row>
+struct Part {
+  const Row* row;
+  nb::object set;
+
+  /// The absolute path of a folder of the test set.
+  std::string folder(const std::string& below) const {
+    return (nb::cast<TestSet&>(set).directory / below).string();
+  }
+};
+
+using ClassPart = Part<TestClass>;
+using GraphPart = Part<TestGraph>;
+
+struct HeuristicPart : Part<TestHeuristic> {
+  const TestGraph* graph;
+};
+
+/// TestClass, TestGraph, TestHeuristic and TestResults.
+void bind_test_parts(nb::module_& module);
+
+}  // namespace pliant::python
