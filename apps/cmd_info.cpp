@@ -40,31 +40,41 @@ std::size_t chains_of(const Structure& structure) {
   return chains.size();
 }
 
-Json facts_of(const MoleculeOptions& options, const Molecule& molecule, const Messages& messages) {
-  const Structure& structure = molecule.structure;
-  const GraphFacts facts = graph_facts(molecule.framework);
-  return {{"file", options.file},
-          {"format", structure.format},
-          {"title", structure.title},
-          {"model", structure.model},
-          {"models", structure.model_count},
-          {"atoms", structure.size()},
-          {"residues", structure.atoms.residues.size()},
-          {"chains", chains_of(structure)},
-          {"elements", elements_of(structure)},
-          {"bonds", structure.bonds.size()},
-          {"bonds_by_origin", bonds_by_origin(structure)},
-          {"bar_kind", options.bars},
+/// A graph XML file has joints and bars, and nothing of chemistry.
+bool is_graph(const Structure& structure) { return structure.format == "graph"; }
+
+Json atoms_and_bonds_of(const MoleculeOptions& options, const Structure& structure) {
+  if (is_graph(structure)) return Json::object();
+  return {{"atoms", structure.size()},       {"residues", structure.atoms.residues.size()},
+          {"chains", chains_of(structure)},  {"elements", elements_of(structure)},
+          {"bonds", structure.bonds.size()}, {"bonds_by_origin", bonds_by_origin(structure)},
+          {"bar_kind", options.bars}};
+}
+
+Json bars_of(const Framework& framework) {
+  const GraphFacts facts = graph_facts(framework);
+  return {{"joints", framework.joint_count()},
           {"bars", facts.bars},
-          {"pinned", molecule.framework.pinned_count()},
+          {"pinned", framework.pinned_count()},
           {"components", facts.components},
           {"cycles", facts.cycles},
           {"bridges", facts.bridges},
           {"blocks", facts.blocks},
           {"largest_block", facts.largest_block},
-          {"bars_in_blocks", facts.bars_in_blocks},
-          {"warnings", messages.warnings()},
-          {"notes", messages.notes()}};
+          {"bars_in_blocks", facts.bars_in_blocks}};
+}
+
+Json facts_of(const MoleculeOptions& options, const Molecule& molecule, const Messages& messages) {
+  const Structure& structure = molecule.structure;
+  Json facts{{"file", options.file},
+             {"format", structure.format},
+             {"title", structure.title},
+             {"model", structure.model},
+             {"models", structure.model_count}};
+  facts.update(atoms_and_bonds_of(options, structure));
+  facts.update(bars_of(molecule.framework));
+  facts.update({{"warnings", messages.warnings()}, {"notes", messages.notes()}});
+  return facts;
 }
 
 std::string listed(const Json& counts) {
@@ -80,25 +90,42 @@ void print_row(std::string_view label, const Json& value, std::string_view comme
 
 /// Warnings tell of other guesses; they are on stderr by now.
 void print_guesses(const Json& facts) {
-  const Json& by_distance = facts["bonds_by_origin"]["distance"];
+  const Json by_distance = facts.value("/bonds_by_origin/distance"_json_pointer, Json(0));
   if (by_distance != 0)
     fmt::print("guessed: {} bonds, from distances and covalent radii\n", by_distance.dump());
   else if (facts["warnings"].empty())
     fmt::print("nothing was guessed\n");
 }
 
-void print_table(const Json& facts) {
+std::string pinned_joints(const Json& facts) {
+  if (facts["pinned"] == 0) return "";
+  return facts["pinned"].dump() + (facts["pinned"] == 1 ? " joint pinned" : " joints pinned");
+}
+
+void print_molecule_rows(const Json& facts) {
   fmt::print("{} ({}, model {} of {})\n", facts["file"].get<std::string>(),
              facts["format"].get<std::string>(), facts["model"].dump(), facts["models"].dump());
   print_row("atoms", facts["atoms"], listed(facts["elements"]));
   print_row("residues", facts["residues"],
             facts["chains"].dump() + (facts["chains"] == 1 ? " chain" : " chains"));
   print_row("bonds", facts["bonds"], "from " + listed(facts["bonds_by_origin"]));
+  const std::string pinned = pinned_joints(facts);
   print_row("bars", facts["bars"],
-            facts["bar_kind"].get<std::string>() +
-                (facts["pinned"] == 0 ? "" : ", " + facts["pinned"].dump() + " joints pinned"));
+            facts["bar_kind"].get<std::string>() + (pinned.empty() ? "" : ", " + pinned));
+}
+
+void print_graph_rows(const Json& facts) {
+  fmt::print("{} (graph)\n", facts["file"].get<std::string>());
+  print_row("joints", facts["joints"], pinned_joints(facts));
+  print_row("bars", facts["bars"], "");
+}
+
+void print_table(const Json& facts) {
+  const bool has_atoms = facts.contains("atoms");
+  has_atoms ? print_molecule_rows(facts) : print_graph_rows(facts);
   print_row("components", facts["components"], "");
-  print_row("cycles", facts["cycles"], "independent: bars - atoms + components");
+  print_row("cycles", facts["cycles"],
+            fmt::format("independent: bars - {} + components", has_atoms ? "atoms" : "joints"));
   print_row("bridges", facts["bridges"], "bars on no cycle");
   print_row("blocks", facts["blocks"],
             fmt::format("ring systems, with {} bars in all, {} in the largest",

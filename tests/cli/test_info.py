@@ -6,9 +6,9 @@ def test_info_counts_as_json(pliant, ethanol):
     ended = pliant("info", ethanol, "--json")
     assert (ended.code, ended.err) == (0, "")
     facts = json.loads(ended.out)
-    counts = {key: facts[key] for key in ("atoms", "bonds", "bars", "components", "cycles")}
-    assert counts == {"atoms": 9, "bonds": 8, "bars": 8, "components": 1, "cycles": 0}
-    assert (facts["bridges"], facts["blocks"]) == (8, 0)
+    counts = {key: facts[key] for key in ("atoms", "joints", "bonds", "bars", "cycles")}
+    assert counts == {"atoms": 9, "joints": 9, "bonds": 8, "bars": 8, "cycles": 0}
+    assert (facts["components"], facts["bridges"], facts["blocks"]) == (1, 8, 0)
     assert facts["elements"] == {"H": 6, "C": 2, "O": 1}
 
 
@@ -24,6 +24,31 @@ def test_info_as_a_table(pliant, ethanol):
     assert ended.code == 0
     assert "bonds                8   from distance 8" in ended.out
     assert "cycles               0   independent: bars - atoms + components" in ended.out
+
+
+TRIANGLE_WITH_A_TAIL = """<graph>
+<joint id="a" x="0" y="0" z="0" pinned="true"/><joint id="b" x="1" y="0" z="0"/>
+<joint id="c" x="0" y="1" z="0"/><joint id="d" x="0" y="2" z="0"/>
+<bar a="a" b="b"/><bar a="b" b="c"/><bar a="c" b="a"/><bar a="c" b="d"/>
+</graph>"""
+
+
+def test_a_graph_has_joints_and_no_atoms(pliant, tmp_path):
+    (tmp_path / "g.xml").write_text(TRIANGLE_WITH_A_TAIL)
+    ended = pliant("info", "g.xml")
+    assert ended.out.splitlines() == [
+        "g.xml (graph)",
+        "joints               4   1 joint pinned",
+        "bars                 4",
+        "components           1",
+        "cycles               1   independent: bars - joints + components",
+        "bridges              1   bars on no cycle",
+        "blocks               1   ring systems, with 3 bars in all, 3 in the largest",
+        "nothing was guessed",
+    ]
+    facts = json.loads(pliant("info", "g.xml", "--json").out)
+    assert (facts["joints"], facts["pinned"]) == (4, 1)
+    assert {"atoms", "elements", "bonds", "residues"}.isdisjoint(facts)
 
 
 def test_a_missing_file_is_one_line(pliant):

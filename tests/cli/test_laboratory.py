@@ -183,7 +183,7 @@ def test_one_graph_of_a_class(pliant, tmp_path):
     told = json.loads(made.out)
     assert (told["cycles"], told["output"]) == (2, "2-cycle-tree.xml")
     seen = json.loads(pliant("info", "2-cycle-tree.xml", "--json").out)
-    assert (seen["atoms"], seen["bars"], seen["cycles"], seen["components"]) == (
+    assert (seen["joints"], seen["bars"], seen["cycles"], seen["components"]) == (
         told["joints"], told["bars"], 2, 1,
     )  # fmt: skip
     before = (tmp_path / "2-cycle-tree.xml").read_bytes()
