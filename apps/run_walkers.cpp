@@ -10,8 +10,7 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/base/elements.hpp"
-#include "pliant/perturb/force_file.hpp"
-#include "pliant/record/output_file.hpp"
+#include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/record/topology_pdb.hpp"
 
 namespace pliant::app {
@@ -61,32 +60,17 @@ void write_sidecar(const Shared& shared) {
                      recorded_bonds(structure), options);
 }
 
-/// The force file that a walker's pushes become; there as a whole, once the run has ended.
-class ForceRecord {
- public:
-  ForceRecord(const Shared& shared, std::int64_t walker) : framework_(shared.molecule.framework) {
-    const RunSettings& settings = shared.settings;
-    if (settings.record_forces.empty()) return;
-    forces_.set(settings.run.perturb_options, settings.run.resolve.tolerance,
-                settings.run.resolve.max_sweeps);
-    file_.emplace(of_walker(settings, settings.record_forces, walker), settings.record.overwrite);
-  }
-
-  void add(const Push& push) {
-    if (file_) forces_.pushes.push_back({static_cast<Joint>(push.root_joint), push.force});
-  }
-
-  void publish() {
-    if (!file_) return;
-    file_->write(write_force_file(forces_, framework_));
-    file_->publish();
-  }
-
- private:
-  const Framework& framework_;
-  ForceFile forces_;
-  std::optional<OutputFile> file_;
-};
+/// Records a walker's pushes, or nothing.
+std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t walker) {
+  const RunSettings& settings = shared.settings;
+  if (settings.record_forces.empty()) return {};
+  ForceFile forces;
+  forces.set(settings.run.perturb_options, settings.run.resolve.tolerance,
+             settings.run.resolve.max_sweeps);
+  return std::optional<ForceRecorder>(std::in_place,
+                                      of_walker(settings, settings.record_forces, walker),
+                                      settings.record.overwrite, shared.molecule.framework, forces);
+}
 
 RunSummary run_walker(Shared& shared, std::int64_t walker) {
   std::unique_lock lock(shared.hdf5);
@@ -94,12 +78,12 @@ RunSummary run_walker(Shared& shared, std::int64_t walker) {
                         header_of(shared.settings, shared.molecule, walker),
                         shared.settings.record);
   if (walker == 0) write_sidecar(shared);
-  ForceRecord forces(shared, walker);
+  std::optional<ForceRecorder> forces = force_recorder(shared, walker);
   lock.unlock();
   RunOptions options = shared.settings.run;
   options.resolve.walker = static_cast<std::uint64_t>(walker);
   options.resolve.should_stop = interrupted;
-  options.on_push = [&forces](const Push& push) { forces.add(push); };
+  if (forces) options.on_push = [&forces](const Push& push) { forces->record(push); };
   if (walker == 0) options.log = shared.log;
   std::int64_t last_step = 0;
   const Observer record = [&](const Frame& frame) {
@@ -113,7 +97,7 @@ RunSummary run_walker(Shared& shared, std::int64_t walker) {
   const RunSummary summary = run(shared.molecule.framework, state, options, {record});
   lock.lock();
   recorder.close();
-  forces.publish();
+  if (forces) forces->publish();
   return summary;
 }
 

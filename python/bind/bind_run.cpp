@@ -2,12 +2,15 @@
 // The run: its options, its summary, and the loop with Python observers.
 #include "pliant/run/run.hpp"
 
+#include <nanobind/stl/filesystem.h>
+
 #include "arrays.hpp"
 #include "frame.hpp"
 #include "interrupt.hpp"
 #include "locked.hpp"
 #include "messages.hpp"
 #include "options.hpp"
+#include "pliant/laboratory/force_recorder.hpp"
 #include "pushes.hpp"
 
 namespace pliant::python {
@@ -41,9 +44,10 @@ struct OwnedRunSummary : RunSummary {
 };
 
 OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunOptions options,
-                          const std::vector<nb::object>& observers) {
+                          const std::vector<nb::object>& observers, ForceRecorder* forces) {
   check_pushes(framework, options.replay);
   InterruptWatch watch;
+  if (forces) options.on_push = [forces](const Push& push) { forces->record(push); };
   options.log = python_log();
   options.resolve.should_stop = [&watch] { return watch(); };
   std::vector<Observer> all;
@@ -54,6 +58,7 @@ OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state,
     State& moved = nb::cast<State&>(state);
     const nb::gil_scoped_release no_gil;
     summary = run(framework, moved, options, all);
+    if (forces) forces->publish();
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
   return {summary, nb::borrow(state)};
@@ -136,6 +141,21 @@ void bind_options(nb::module_& module) {
   bind_replay(options);
 }
 
+void bind_force_recorder(nb::module_& module) {
+  nb::class_<ForceRecorder>(module, "ForceRecorder", "A force file that ``run_steps`` writes.")
+      .def(
+          "__init__",
+          [](ForceRecorder* self, const std::filesystem::path& path, const Framework& framework,
+             const RunOptions& options, bool overwrite) {
+            ForceFile settings;
+            settings.set(options.perturb_options, options.resolve.tolerance,
+                         options.resolve.max_sweeps);
+            new (self) ForceRecorder(path, overwrite, framework, std::move(settings));
+          },
+          "path"_a, "framework"_a, "options"_a, "overwrite"_a = false, nb::keep_alive<1, 3>(),
+          "There once the run has ended. Raises FileError if it cannot be made.");
+}
+
 void bind_run_summary(nb::module_& module) {
   nb::class_<OwnedRunSummary>(module, "RunSummary", "What a run did.")
       .def_ro("state", &OwnedRunSummary::state, nb::sig("def state(self) -> State"),
@@ -179,8 +199,10 @@ void bind_run_summary(nb::module_& module) {
 
 void bind_run(nb::module_& module) {
   bind_options(module);
+  bind_force_recorder(module);
   bind_run_summary(module);
   module.def("run_steps", &run_steps, "framework"_a, "state"_a, "options"_a, "observers"_a,
+             "forces"_a = nb::none(),
              "Steps ``state`` on and shows frames to observers; the function ``run`` says more.");
 }
 

@@ -45,6 +45,7 @@ def run(
     damping: float = 0.0,
     displacement: float = 0.1,
     replay: Sequence[Push] | None = None,
+    record_forces: str | os.PathLike[str] | None = None,
     seed: int = 0,
     walker: int = 0,
     bars: str = "bonds",
@@ -87,6 +88,10 @@ def run(
         loses a step, 0 to 1; length of a random displacement, Angstrom.
     replay : sequence of (joint, (x, y, z)), optional
         Forces in kJ/(mol Angstrom), one a step, in place of `perturb`; the run ends with the last.
+    record_forces : str or path, optional
+        Force file to write: each step's push, for `replay` by way of `read_force_file`. Of
+        `perturb="force"`, or of a replay; not of pushes of all joints. The file holds neither
+        seed nor damping. It is there once the run has ended.
     seed, walker : int
         All random numbers are functions of these, the step and the joint.
     bars, lengths, pin : str
@@ -143,15 +148,14 @@ def run(
         walker=walker,
     )
     start = _start(state, structure)
-    _refuse_to_overwrite(structure, output, topology)
+    _refuse_to_overwrite(structure, output, topology, record_forces)
+    forces = None
+    if record_forces is not None:
+        forces = _force_recorder(record_forces, framework, options, overwrite)
     if topology is not None:
-        if structure is None:
-            raise TypeError("run: a topology needs a structure")
-        _core.write_topology_pdb(
-            topology, structure, positions=start.positions, overwrite=overwrite
-        )
+        _write_topology(topology, structure, start, overwrite)
     if output is None:
-        return _core.run_steps(framework, start, options, list(observers))
+        return _core.run_steps(framework, start, options, list(observers), forces)
     recorder = _core.H5mdRecorder(
         output,
         framework,
@@ -165,7 +169,18 @@ def run(
         flush_seconds=flush_seconds,
     )
     with recorder:
-        return _core.run_steps(framework, start, options, [recorder, *observers])
+        return _core.run_steps(framework, start, options, [recorder, *observers], forces)
+
+
+def _write_topology(
+    path: str | os.PathLike[str],
+    structure: _core.Structure | None,
+    start: _core.State,
+    overwrite: bool,
+) -> None:
+    if structure is None:
+        raise TypeError("run: a topology needs a structure")
+    _core.write_topology_pdb(path, structure, positions=start.positions, overwrite=overwrite)
 
 
 def _refuse_to_overwrite(
@@ -176,6 +191,20 @@ def _refuse_to_overwrite(
     for output in outputs:
         if output and os.path.exists(output) and os.path.samefile(output, structure.source):
             raise _core.OptionError(f"{os.fspath(output)}: is both input and output")
+
+
+def _force_recorder(
+    path: str | os.PathLike[str],
+    framework: _core.Framework,
+    options: _core.RunOptions,
+    overwrite: bool,
+) -> _core.ForceRecorder:
+    if not options.replay and options.perturb != "force":
+        raise _core.OptionError(
+            "record_forces: a force file holds one force on one joint a step, which "
+            f'{options.perturb} is not; use perturb="force"'
+        )
+    return _core.ForceRecorder(path, framework, options, overwrite)
 
 
 #: Options of a run that are recorded, as `pliant run` records them.

@@ -52,5 +52,6 @@
 #include "pliant/record/topology_pdb.hpp"   // names and bonds for other programs
 
 // laboratory: graphs, forces and results in folders
-#include "pliant/laboratory/test_results.hpp"  // what a heuristic did with the forces of a graph
-#include "pliant/laboratory/test_set.hpp"      // the test sets of the thesis
+#include "pliant/laboratory/force_recorder.hpp"  // the pushes of a run as a force file
+#include "pliant/laboratory/test_results.hpp"    // what a heuristic did with the forces of a graph
+#include "pliant/laboratory/test_set.hpp"        // the test sets of the thesis

@@ -35,6 +35,40 @@ def test_the_same_seed_gives_the_same_bits():
     assert states[0].positions.tobytes() != states[2].positions.tobytes()
 
 
+def test_recorded_forces_replay_to_the_same_bits(tmp_path):
+    file, again = tmp_path / "f.txt", tmp_path / "g.txt"
+    first, second = pliant.State(SHAPE), pliant.State(SHAPE)
+    settings = {"timestep": 0.02, "tolerance_length": 1e-5, "max_sweeps": 500, "damping": 0.1}
+    pliant.run(RING, first, steps=12, seed=4, record_forces=file, **settings)
+    forces = pliant.read_force_file(file, RING)
+    assert (forces.timestep, forces.tolerance_length, forces.max_sweeps) == (0.02, 1e-5, 500)
+    assert forces.pushes == pliant.make_force_file(RING, 12, seed=4).pushes
+    pliant.run(RING, second, steps=12, replay=forces.pushes, record_forces=again, **settings)
+    assert first.positions.tobytes() == second.positions.tobytes()
+    assert again.read_bytes() == file.read_bytes()
+
+
+def test_forces_are_recorded_only_where_a_file_can_hold_them(tmp_path):
+    file = tmp_path / "f.txt"
+    with pytest.raises(pliant.OptionError, match="one force on one joint a step, which force_all"):
+        pliant.run(RING, SHAPE, steps=1, perturb="force_all", record_forces=file)
+    assert list(tmp_path.iterdir()) == []
+    with pytest.raises(RuntimeError, match="enough"):
+        pliant.run(RING, SHAPE, steps=1, record_forces=file, observers=[_raise_enough])
+    assert not file.exists()
+    file.write_text("mine")
+    with pytest.raises(pliant.FileError, match="exists already"):
+        pliant.run(RING, SHAPE, tmp_path / "o.h5md", steps=1, record_forces=file)
+    assert file.read_text() == "mine"
+    assert not (tmp_path / "o.h5md").exists()
+    pliant.run(RING, SHAPE, steps=1, record_forces=file, overwrite=True)
+    assert file.read_text().startswith("pliant-forces 1")
+
+
+def _raise_enough(frame):
+    raise RuntimeError("enough")
+
+
 def test_observers_see_frames():
     seen = []
 

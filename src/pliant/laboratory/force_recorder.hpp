@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+// Records the pushes of a run as a force file, so that they can be replayed.
+#pragma once
+
+#include <filesystem>
+
+#include "pliant/perturb/force_file.hpp"
+#include "pliant/record/output_file.hpp"
+
+namespace pliant {
+
+/// The force file that the pushes of a run become: there as a whole once the run has ended, or not
+/// at all. Of a push only the root joint and its force are kept, as of perturbation `force`.
+class ForceRecorder {
+ public:
+  /// `settings` without pushes; the framework must outlive it. Throws FileError as OutputFile does.
+  ForceRecorder(const std::filesystem::path& path, bool overwrite, const Framework& framework,
+                ForceFile settings);
+
+  void record(const Push& push);
+  /// Gives the file its name. Throws as OutputFile and write_force_file do.
+  void publish();
+
+ private:
+  const Framework& framework_;
+  ForceFile forces_;
+  OutputFile file_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/laboratory/force_recorder.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+#include "pliant/base/error.hpp"
+#include "support/error_text.hpp"
+
+namespace pliant {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ForceRecords : public testing::Test {
+ protected:
+  ForceRecords() { fs::create_directories(folder_); }
+  ~ForceRecords() override { fs::remove_all(folder_); }
+
+  static FrameworkParts pair() {
+    FrameworkParts parts;
+    parts.joint_count = 2;
+    parts.bars = {{0, 1}};
+    parts.rest_lengths = {1.0};
+    return parts;
+  }
+
+  const fs::path folder_ = fs::path(testing::TempDir()) / ("forces" + std::to_string(::getpid()));
+  const fs::path path_ = folder_ / "f.txt";
+  const Framework framework_{pair()};
+};
+
+TEST_F(ForceRecords, AreThereAsAWholeOncePublished) {
+  ForceFile settings;
+  settings.timestep = 0.25;
+  ForceRecorder recorder(path_, false, framework_, settings);
+  recorder.record({1, {1.0, -2.0, 0.1}, true});
+  recorder.record({0, {0.0, 3.0, 0.0}, true});
+  EXPECT_FALSE(fs::exists(path_));
+  recorder.publish();
+  const ForceFile back = read_force_file(path_, framework_);
+  EXPECT_EQ(back.timestep, 0.25);
+  EXPECT_EQ(back.max_sweeps, std::nullopt);
+  ASSERT_EQ(back.pushes.size(), 2u);
+  EXPECT_EQ(back.pushes[0].joint, 1u);
+  EXPECT_EQ(back.pushes[0].force, (Vec3{1.0, -2.0, 0.1}));
+  EXPECT_EQ(back.pushes[1].joint, 0u);
+}
+
+TEST_F(ForceRecords, LeaveNothingBehindUnlessPublished) {
+  { ForceRecorder recorder(path_, false, framework_, {}); }
+  EXPECT_TRUE(fs::is_empty(folder_));
+}
+
+TEST_F(ForceRecords, ReplaceNoFileUnasked) {
+  std::ofstream(path_) << "mine";
+  const auto make = [&] { ForceRecorder recorder(path_, false, framework_, {}); };
+  EXPECT_NE(test::error_text<FileError>(make).find("f.txt: exists"), std::string::npos);
+  EXPECT_NO_THROW(ForceRecorder(path_, true, framework_, {}).publish());
+}
+
+}  // namespace
+}  // namespace pliant
