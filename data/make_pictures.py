@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws the pictures of README.md and data/README.md from runs that it makes itself.
+"""Draws the pictures of all README.md from runs that it makes itself.
 
 Usage: .venv/bin/python data/make_pictures.py [NAME ...], the names those of PICTURES
 """
@@ -19,6 +19,7 @@ mpl.use("Agg")
 import matplotlib.pyplot as plt
 from MDAnalysisTests import datafiles
 from matplotlib.collections import LineCollection
+from method_picture import make_method_picture
 from thesis_picture import make_thesis_picture
 
 HERE = Path(__file__).parent
@@ -240,11 +241,17 @@ def draw_thesis():
     make_thesis_picture(HERE / "pictures" / "thesis.png")
 
 
+def draw_methods():
+    """How `blocks` goes outward, and what a push of one atom costs."""
+    make_method_picture(HERE / "pictures" / "methods.png")
+
+
 PICTURES = {
     "thesis": draw_thesis,
     "pliant": draw_pliant,
     "work_precision": draw_work_precision,
     "mechanisms": draw_mechanisms,
+    "methods": draw_methods,
 }
 
 
