@@ -70,7 +70,8 @@ def test_what_auto_may_take_is_in_its_table():
 
 
 def test_references_are_cited_and_citations_listed():
-    cited = set(re.findall(r"\[([A-Z][a-z]+ \d{4})\](?!\()", PAGE))
+    cited = set(re.findall(r"\[([A-Z][a-z]+ \d{4})\](?![(:])", PAGE))
     listed = re.findall(r"^- \*\*([A-Z][a-z]+ \d{4})\*\*: ", sections()["References"], re.MULTILINE)
     assert listed == sorted(set(listed))
     assert cited == set(listed)
+    assert re.findall(r"^\[([^\]]+)\]: #references$", PAGE, re.MULTILINE) == listed
