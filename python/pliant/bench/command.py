@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench``: run time against error, against size, conformers per second, and stress."""
+"""``pliant bench``: run time against error, against size, auto, runs, stress and more."""
 
 from __future__ import annotations
 
@@ -8,7 +8,10 @@ import sys
 from collections.abc import Sequence
 
 from pliant import console
+from pliant.bench.run_subcommands import RUN_SUBCOMMANDS
 from pliant.bench.subcommands import SUBCOMMANDS, Subcommand
+
+ALL_SUBCOMMANDS = (*SUBCOMMANDS, *RUN_SUBCOMMANDS)
 
 EPILOG = """\
 pliant bench SUBCOMMAND --help tells more of each.
@@ -17,14 +20,15 @@ examples:
   pliant bench work-precision protein.pdb --png race.png
   pliant bench scaling --sizes 1e3,1e4,1e5
   pliant bench throughput protein.pdb
+  pliant bench record
   pliant bench stress
 """
 
 
 def make_parser() -> console.Parser:
     """What pliant bench itself takes: the name of a subcommand."""
-    width = max(len(row.name) for row in SUBCOMMANDS)
-    rows = "\n".join(f"  {row.name.ljust(width)}  {row.summary}" for row in SUBCOMMANDS)
+    width = max(len(row.name) for row in ALL_SUBCOMMANDS)
+    rows = "\n".join(f"  {row.name.ljust(width)}  {row.summary}" for row in ALL_SUBCOMMANDS)
     parser = console.Parser(
         "bench",
         "Measures Pliant, with OpenMM's CCMA in the same run. Ratios within one run are what to\n"
@@ -44,7 +48,7 @@ def main(words: Sequence[str] | None = None) -> int:
     parser = make_parser()
     if not words or words[0].startswith("-"):
         parser.parse_args(words)
-    rows = {row.name: row for row in SUBCOMMANDS}
+    rows = {row.name: row for row in ALL_SUBCOMMANDS}
     if words[0] not in rows:
         parser.error(f"unknown subcommand '{words[0]}'; known: {', '.join(rows)}")
     return _run(rows[words[0]], words[1:])

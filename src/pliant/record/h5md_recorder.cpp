@@ -163,17 +163,19 @@ void H5mdRecorder::Writer::record(const Frame& frame) {
 }
 
 void H5mdRecorder::Writer::check_frame(const Frame& frame) const {
-  const std::string where = path().string() + ": frame of step " + std::to_string(frame.step);
+  const auto where = [&] {
+    return path().string() + ": frame of step " + std::to_string(frame.step);
+  };
   if (frame.positions.size() != joint_count_)
-    throw InputError(where + " has " + std::to_string(frame.positions.size()) + " positions for " +
-                     std::to_string(joint_count_) + " joints");
+    throw InputError(where() + " has " + std::to_string(frame.positions.size()) +
+                     " positions for " + std::to_string(joint_count_) + " joints");
   if (frames_ > 0 && frame.step <= last_step_)
-    throw InputError(where + " comes after that of step " + std::to_string(last_step_));
+    throw InputError(where() + " comes after that of step " + std::to_string(last_step_));
   const double most = options_.single ? double(std::numeric_limits<float>::max())
                                       : std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < joint_count_; ++i)
     if (!is_within(frame.positions[i], most))
-      throw InputError(where + ": position of " + joint_label(i) + " is not finite");
+      throw InputError(where() + ": position of " + joint_label(i) + " is not finite");
 }
 
 std::string H5mdRecorder::Writer::joint_label(std::size_t joint) const {

@@ -34,7 +34,7 @@ Hid creation_properties(const SeriesLayout& layout) {
   return properties;
 }
 
-/// Rows come in whole chunks or once only: HDF5's chunk cache would copy them for nothing.
+/// Rows come in whole chunks or once only: HDF5's chunk cache would keep them for nothing.
 Hid access_properties(const SeriesLayout& layout) {
   Hid properties = owned(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "make access properties");
   if (layout.chunk_rows == 1)
@@ -43,11 +43,19 @@ Hid access_properties(const SeriesLayout& layout) {
   return properties;
 }
 
+bool is_chunk_as_it_stands(const SeriesLayout& layout, hid_t file_type, hid_t memory_type) {
+  return layout.chunk_rows == 1 && !layout.compress && !layout.row.empty() &&
+         *std::max_element(layout.row.begin(), layout.row.end()) <= longest_chunk_row &&
+         H5Tequal(file_type, memory_type) > 0;
+}
+
 }  // namespace
 
 Series::Series(std::int64_t location, const std::string& path, std::int64_t file_type,
                std::int64_t memory_type, const SeriesLayout& layout)
-    : path_(path), extents_{0} {
+    : path_(path),
+      row_is_chunk_(is_chunk_as_it_stands(layout, file_type, memory_type)),
+      extents_{0} {
   extents_.insert(extents_.end(), layout.row.begin(), layout.row.end());
   std::vector<hsize_t> start(extents_.begin(), extents_.end()), limit = start;
   limit[0] = H5S_UNLIMITED;
@@ -61,12 +69,18 @@ Series::Series(std::int64_t location, const std::string& path, std::int64_t file
 }
 
 void Series::write(std::uint64_t rows) {
-  std::vector<hsize_t> start(extents_.size(), 0), count(extents_.begin(), extents_.end());
-  start[0] = extents_[0];
-  count[0] = rows;
+  const std::uint64_t first = extents_[0];
   extents_[0] += rows;
   const std::vector<hsize_t> extents(extents_.begin(), extents_.end());
   checked(H5Dset_extent(dataset_, extents.data()), "extend " + path_);
+  row_is_chunk_ ? write_chunks(first, rows) : write_selected(first, rows);
+  waiting_.clear();
+}
+
+void Series::write_selected(std::uint64_t first, std::uint64_t rows) {
+  std::vector<hsize_t> start(extents_.size(), 0), count(extents_.begin(), extents_.end());
+  start[0] = first;
+  count[0] = rows;
   const Hid file_space = owned(H5Dget_space(dataset_), H5Sclose, "look at " + path_);
   checked(
       H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
@@ -76,7 +90,19 @@ void Series::write(std::uint64_t rows) {
             "make a dataspace");
   checked(H5Dwrite(dataset_, memory_type_, memory_space, file_space, H5P_DEFAULT, waiting_.data()),
           "write " + path_);
-  waiting_.clear();
+}
+
+/// Straight to the file: H5Dwrite would make a chunk of fill values first and copy the row into it.
+void Series::write_chunks(std::uint64_t first, std::uint64_t rows) {
+  if (rows == 0) return;
+  const std::size_t row_bytes = waiting_.size() / rows;
+  std::vector<hsize_t> start(extents_.size(), 0);
+  for (std::uint64_t row = 0; row < rows; ++row) {
+    start[0] = first + row;
+    checked(H5Dwrite_chunk(dataset_, H5P_DEFAULT, 0, start.data(), row_bytes,
+                           waiting_.data() + row * row_bytes),
+            "write " + path_);
+  }
 }
 
 }  // namespace pliant

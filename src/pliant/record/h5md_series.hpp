@@ -40,9 +40,13 @@ class Series {
   std::int64_t dataset() const { return dataset_; }
 
  private:
+  void write_selected(std::uint64_t first, std::uint64_t rows);
+  void write_chunks(std::uint64_t first, std::uint64_t rows);
+
   std::string path_;
   Hid memory_type_;
   Hid dataset_;
+  bool row_is_chunk_;  ///< and has in memory the bytes that it has in the file
   std::vector<std::uint64_t> extents_;
   std::vector<std::byte> waiting_;
 };
