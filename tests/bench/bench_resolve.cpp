@@ -3,6 +3,8 @@
 // bars are whole is measured here, not asked of the technique.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
 #include <vector>
 
 #include "bench/bench.hpp"
@@ -11,6 +13,7 @@
 #include "pliant/framework/residual.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/technique.hpp"
+#include "pliant/resolve/walkers.hpp"
 
 namespace pliant::bench {
 namespace {
@@ -34,9 +37,10 @@ std::vector<std::vector<Vec3>> broken(const Molecule& molecule) {
   return result;
 }
 
-void report(benchmark::State& state, std::size_t bars, std::int64_t sweeps) {
+void report(benchmark::State& state, std::size_t bars, std::int64_t sweeps,
+            std::int64_t conformers_resolved) {
   using benchmark::Counter;
-  const auto resolves = static_cast<double>(state.iterations());
+  const auto resolves = static_cast<double>(conformers_resolved);
   const auto all_bars = static_cast<double>(bars);
   const auto inverse_rate = static_cast<Counter::Flags>(Counter::kIsRate | Counter::kInvert);
   state.counters["sweeps"] = static_cast<double>(sweeps) / resolves;
@@ -59,7 +63,37 @@ void resolve_all(benchmark::State& state, const SharedMolecule& molecule,
   }
   if (measure(molecule->framework, positions).max_relative > tolerance * (1 + 1e-9))
     state.SkipWithError("not resolved");
-  report(state, molecule->framework.bar_count(), sweeps);
+  report(state, molecule->framework.bar_count(), sweeps, state.iterations());
+}
+
+/// All conformers in one call, in lanes or one after the other; counts are of one conformer.
+void resolve_walkers(benchmark::State& state, const SharedMolecule& molecule,
+                     const Technique& technique, double tolerance, bool lanes) {
+  ResolveOptions options;
+  options.tolerance.relative = tolerance;
+  const auto starts = broken(*molecule);
+  auto positions = starts;
+  std::vector<WalkerPositions> walkers;
+  for (std::uint64_t k = 0; k < conformers; ++k)
+    walkers.push_back({k, positions[k], molecule->structure.positions});
+  std::vector<ResolveSummary> summaries(conformers);
+  WalkerResolver resolver(molecule->framework, technique, options, {lanes, {}});
+  std::int64_t sweeps = 0, resolved = 0;
+  for (auto unused : state) {
+    for (std::uint64_t k = 0; k < conformers; ++k)
+      std::copy(starts[k].begin(), starts[k].end(), positions[k].begin());
+    const auto start = std::chrono::steady_clock::now();
+    resolver.resolve(walkers, summaries);
+    state.SetIterationTime(
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+    for (const ResolveSummary& summary : summaries) sweeps += summary.sweeps;
+    resolved += conformers;
+  }
+  for (const auto& conformer : positions)
+    if (measure(molecule->framework, conformer).max_relative > tolerance * (1 + 1e-9))
+      state.SkipWithError("not resolved");
+  state.SetLabel(std::string(resolver.level()));
+  report(state, molecule->framework.bar_count(), sweeps, resolved);
 }
 
 bool applies(const TechniqueEntry& row, const Framework& framework) {
@@ -77,6 +111,15 @@ void add(const SharedMolecule& molecule, const Technique& technique, double tole
   benchmark::RegisterBenchmark(name.c_str(), resolve_all, molecule, technique, tolerance);
 }
 
+void add_walkers(const SharedMolecule& molecule, const Technique& technique) {
+  for (const bool lanes : {true, false}) {
+    const std::string name = "walkers/" + molecule->name + "/" + technique.name +
+                             (lanes ? "/lanes" : "/alone") + "/1e-10";
+    benchmark::RegisterBenchmark(name.c_str(), resolve_walkers, molecule, technique, 1e-10, lanes)
+        ->UseManualTime();
+  }
+}
+
 }  // namespace
 
 void add_resolve_benchmarks(const SharedMolecule& molecule) {
@@ -89,6 +132,7 @@ void add_resolve_benchmarks(const SharedMolecule& molecule) {
       add(molecule, technique, 1e-8, part + "/1e-8");
       if (!row.has_weighting) break;
     }
+    if (row.make_lanes != nullptr) add_walkers(molecule, {std::string(row.name), 1.0});
   }
 }
 

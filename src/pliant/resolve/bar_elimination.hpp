@@ -8,12 +8,9 @@
 #include <span>
 #include <vector>
 
-namespace pliant {
+#include "pliant/resolve/bar_pattern.hpp"
 
-/// Two joints, numbered from 0 within what is solved at once.
-struct EquationEnds {
-  std::uint32_t a, b;
-};
+namespace pliant {
 
 /// A sequence of the bars, as indices into `ends`. Bars that hang on a tree come first, leaves
 /// before what they hang on, which makes no entry that was not there; the others, on and between

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "pliant/resolve/bar_loops.hpp"
 #include "pliant/resolve/project_bar.hpp"
 
 namespace pliant {
@@ -143,6 +144,13 @@ void BarEquations::weigh_entries(Part part) {
   }
 }
 
+BarPattern BarEquations::pattern(Part part) const {
+  return {part.bars,       part.joints,         ldl_.pattern(),
+          joints_.data(),  ends_.data(),        rests_.data(),
+          allowed_.data(), per_allowed_.data(), diagonal_weights_.data(),
+          weights_.data(), couplings_.data()};
+}
+
 void BarEquations::gather(Part part, std::span<const Vec3> from) {
   for (std::uint32_t j = part.joints.begin; j < part.joints.end; ++j) x_[j] = from[joints_[j]];
 }
@@ -200,14 +208,9 @@ double BarEquations::sum_of_squares(Part part) const {
 }
 
 std::int64_t BarEquations::factor(Part part, std::span<const Vec3> directions, double damping) {
-  const std::span<double> diagonal = ldl_.diagonal(), lower = ldl_.lower();
-  for (std::uint32_t k = part.bars.begin; k < part.bars.end; ++k) {
-    const Vec3 d = directions[k];
-    diagonal[k] = (1.0 + damping) * (diagonal_weights_[k] * norm_squared(d));
-    const Range entries = ldl_.column(k);
-    for (std::uint32_t p = entries.begin; p < entries.end; ++p)
-      lower[p] = couplings_[p] * dot(d, directions[ldl_.row(p)]);
-  }
+  const std::uint32_t first = part.bars.begin;
+  fill_gram(pattern(part), directions.data() + first, damping, ldl_.diagonal().data() + first,
+            ldl_.lower().data() + ldl_.column(first).begin);
   return ldl_.factor(part.bars);
 }
 
@@ -219,11 +222,8 @@ void BarEquations::stretch(Part part, std::span<const Vec3> directions, std::spa
 
 void BarEquations::pull(Part part, std::span<const Vec3> directions, std::span<const double> lambda,
                         std::span<Vec3> v) const {
-  for (std::uint32_t k = part.bars.begin; k < part.bars.end; ++k) {
-    const Vec3 pull = lambda[k] * directions[k];
-    v[ends_[k].a] += weights_[ends_[k].a] * pull;
-    v[ends_[k].b] -= weights_[ends_[k].b] * pull;
-  }
+  pull_joints(pattern(part), directions.data() + part.bars.begin, lambda.data() + part.bars.begin,
+              v.data() + part.joints.begin);
 }
 
 }  // namespace pliant

@@ -55,6 +55,7 @@ class BarEquations {
   double rest(std::uint32_t k) const { return rests_[k]; }
   double allowed(std::uint32_t k) const { return allowed_[k]; }
   double weight(std::uint32_t j) const { return weights_[j]; }
+  BarPattern pattern(Part part) const;
 
   /// A direction in which joints of the framework may be pushed.
   Vec3 random_direction(RandomSequence draws) const { return framework_.random_direction(draws); }

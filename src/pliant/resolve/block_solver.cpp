@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/block_solver.hpp"
 
+#include <algorithm>
+
 namespace pliant {
 namespace {
 
@@ -23,6 +25,11 @@ BlockSolver::BlockSolver(const Framework& framework, const Technique& technique,
     parts_.push_back(equations_.append(bars));
     if (!parts_.back()) holds_all_ = false;
   }
+}
+
+bool BlockSolver::any_overbraced() const {
+  return std::any_of(parts_.begin(), parts_.end(),
+                     [this](const auto& part) { return part && newton_.is_overbraced(*part); });
 }
 
 bool BlockSolver::solve(std::uint32_t block, Joint entry, const RandomKey& key,

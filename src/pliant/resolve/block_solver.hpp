@@ -26,6 +26,16 @@ class BlockSolver {
     for (std::uint32_t j = joints.begin; j < joints.end; ++j) look(equations_.joint(j));
   }
 
+  /// Some block has so many bars a joint that damping is needed (BarNewton::is_overbraced).
+  bool any_overbraced() const;
+  /// What the loops over a block look at.
+  BarPattern pattern(std::uint32_t block) const { return equations_.pattern(*parts_[block]); }
+  /// The same with `entry` held still.
+  BarPattern hold(std::uint32_t block, Joint entry) {
+    equations_.hold(*parts_[block], entry);
+    return pattern(block);
+  }
+
   /// Makes the block whole with `entry` held still, random draws depending on `key`, adding to the
   /// summary's counts. False if it is not held or Newton's method stalled: positions are then as
   /// good as they got.

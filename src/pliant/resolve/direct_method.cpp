@@ -47,18 +47,15 @@ class DirectMethod final : public Method {
   DirectMethod(const Framework& framework, const ResolveOptions& options, MakePartSolver make)
       : framework_(framework),
         options_(options),
-        equations_(framework, inverse_masses(framework), options.tolerance) {
-    for (const auto& bars : bars_of_components(framework)) {
-      const auto part = equations_.append(bars);
-      part ? parts_.push_back(*part) : void(entangled_ = true);
-    }
+        components_(framework, options.tolerance),
+        equations_(components_.equations()) {
     broken_.resize(equations_.joint_count());
     solver_ = make(equations_);
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
-    bool all_whole = !entangled_;
-    for (const BarEquations::Part part : parts_) {
+    bool all_whole = !components_.entangled();
+    for (const BarEquations::Part part : components_.parts()) {
       equations_.gather(part, call.positions);
       const BarEquations::Errors errors = equations_.measure(part);
       if (!errors.finite) return Stop::not_finite;
@@ -115,15 +112,22 @@ class DirectMethod final : public Method {
 
   const Framework& framework_;
   ResolveOptions options_;
-  BarEquations equations_;
-  std::vector<BarEquations::Part> parts_;
-  bool entangled_ = false;  ///< some component is left to sweeps
+  ComponentEquations components_;
+  BarEquations& equations_;
   std::unique_ptr<PartSolver> solver_;
   std::vector<Vec3> broken_;  ///< of the joints of the equations
   std::unique_ptr<Method> sweeps_;
 };
 
 }  // namespace
+
+ComponentEquations::ComponentEquations(const Framework& framework, const Tolerance& tolerance)
+    : equations_(framework, inverse_masses(framework), tolerance) {
+  for (const auto& bars : bars_of_components(framework)) {
+    const auto part = equations_.append(bars);
+    part ? parts_.push_back(*part) : void(entangled_ = true);
+  }
+}
 
 std::unique_ptr<Method> make_direct_method(const Framework& framework,
                                            const ResolveOptions& options, MakePartSolver make) {

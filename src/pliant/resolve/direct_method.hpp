@@ -13,6 +13,22 @@
 
 namespace pliant {
 
+/// The equations of each component, weighted by inverse mass.
+class ComponentEquations {
+ public:
+  ComponentEquations(const Framework& framework, const Tolerance& tolerance);
+
+  /// Some component is left to sweeps: its bars are too entangled.
+  bool entangled() const { return entangled_; }
+  std::span<const BarEquations::Part> parts() const { return parts_; }
+  BarEquations& equations() { return equations_; }
+
+ private:
+  BarEquations equations_;
+  std::vector<BarEquations::Part> parts_;
+  bool entangled_ = false;
+};
+
 /// Makes one component whole.
 class PartSolver {
  public:

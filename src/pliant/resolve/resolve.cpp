@@ -98,7 +98,9 @@ Resolver::Resolver(const Framework& framework, const Technique& technique,
 Resolver::~Resolver() = default;
 Resolver::Resolver(Resolver&&) noexcept = default;
 
-void Resolver::check_arguments(std::span<Vec3> positions, Joint root,
+void Resolver::set_walker(std::uint64_t walker) { plan_->options.walker = walker; }
+
+void Resolver::check_arguments(std::span<const Vec3> positions, Joint root,
                                std::span<const Vec3> reference) const {
   const std::size_t joint_count = plan_->framework.joint_count();
   if (positions.size() != joint_count)

@@ -78,13 +78,16 @@ class Resolver {
   ResolveSummary resolve_near(std::span<Vec3> positions, Joint root, std::int64_t step = 0,
                               std::span<const Vec3> reference = {});
 
+  /// Random draws are this walker's from now on (ResolveOptions::walker).
+  void set_walker(std::uint64_t walker);
+  /// Throws what resolve() throws for such arguments.
+  void check_arguments(std::span<const Vec3> positions, Joint root,
+                       std::span<const Vec3> reference) const;
+
   /// The joints that the last resolve_near moved, besides its root; nothing if it was any joints.
   std::optional<std::span<const Joint>> moved() const;
 
  private:
-  void check_arguments(std::span<Vec3> positions, Joint root,
-                       std::span<const Vec3> reference) const;
-
   struct Plan;
   std::unique_ptr<Plan> plan_;
 };

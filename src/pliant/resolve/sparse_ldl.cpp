@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "pliant/resolve/bar_loops.hpp"
+
 namespace pliant {
 namespace {
-
-/// A pivot below this part of the diagonal entry is rounding: the column depends on earlier ones.
-constexpr double vanishing = 1e-11;
 
 /// Pairs of entries that share a column: what a factorization costs, in multiplications. Beyond so
 /// many a bar (and in all) sweeps are the better choice, as for complete graphs.
@@ -103,38 +102,15 @@ void SparseLdl::truncate(std::uint32_t columns) {
 
 std::int64_t SparseLdl::factor(Range range) {
   std::int64_t dropped = 0;
-  // What the diagonal was before eliminating, to see a pivot vanish beside it.
-  for (std::uint32_t k = range.begin; k < range.end; ++k) inverse_[k] = vanishing * diagonal_[k];
-  for (std::uint32_t k = range.begin; k < range.end; ++k) {
-    const bool vanishes = !(diagonal_[k] > inverse_[k]);
-    dropped += vanishes;
-    const double inverse = vanishes ? 0.0 : 1.0 / diagonal_[k];
-    inverse_[k] = inverse;
-    const std::uint32_t* target = targets_.data() + target_begin_[k];
-    const std::uint32_t end = column_begin_[k + 1];
-    for (std::uint32_t p = column_begin_[k]; p < end; ++p) {
-      const double scaled = lower_[p] * inverse;
-      diagonal_[rows_[p]] -= lower_[p] * scaled;
-      for (std::uint32_t q = p + 1; q < end; ++q) lower_[*target++] -= lower_[q] * scaled;
-      lower_[p] = scaled;
-    }
-  }
+  factor_columns(pattern(), range.begin, range.end, diagonal_.data() + range.begin,
+                 inverse_.data() + range.begin, lower_.data() + column_begin_[range.begin],
+                 [&](bool drops) { dropped += drops; });
   return dropped;
 }
 
 void SparseLdl::solve(Range range, std::span<double> b) const {
-  for (std::uint32_t k = range.begin; k < range.end; ++k) {
-    const double value = b[k];
-    for (std::uint32_t p = column_begin_[k]; p < column_begin_[k + 1]; ++p)
-      b[rows_[p]] -= lower_[p] * value;
-  }
-  for (std::uint32_t k = range.end; k-- > range.begin;) {
-    double value = b[k] * inverse_[k];
-    // A column left out has no entries to take part with: its factor is 0.
-    for (std::uint32_t p = column_begin_[k]; p < column_begin_[k + 1]; ++p)
-      value -= lower_[p] * b[rows_[p]];
-    b[k] = value;
-  }
+  solve_columns(pattern(), range.begin, range.end, inverse_.data() + range.begin,
+                lower_.data() + column_begin_[range.begin], b.data() + range.begin);
 }
 
 }  // namespace pliant

@@ -10,6 +10,8 @@
 #include <span>
 #include <vector>
 
+#include "pliant/resolve/bar_pattern.hpp"
+
 namespace pliant {
 
 /// Several matrices beside one another on one diagonal: consecutive columns that no entry joins.
@@ -20,10 +22,7 @@ class SparseLdl {
     std::uint32_t column, row;
   };
   /// Columns that are factored together.
-  struct Range {
-    std::uint32_t begin = 0, end = 0;
-    std::uint32_t size() const { return end - begin; }
-  };
+  using Range = PartRange;
 
   /// Appends a matrix of `size` columns; `entries` count columns and rows from 0, in any order.
   /// Returns its columns, or none (and appends nothing) where the factor would have too many
@@ -34,6 +33,9 @@ class SparseLdl {
   Range column(std::uint32_t k) const { return {column_begin_[k], column_begin_[k + 1]}; }
   std::uint32_t row(std::uint32_t entry) const { return rows_[entry]; }
   std::size_t entry_count() const { return rows_.size(); }
+  LdlPattern pattern() const {
+    return {column_begin_.data(), rows_.data(), target_begin_.data(), targets_.data()};
+  }
 
   /// The matrix to be factored; `factor` overwrites it.
   std::span<double> diagonal() { return diagonal_; }

@@ -9,6 +9,9 @@
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/blocks.hpp"
+#include "pliant/resolve/lane_blocks.hpp"
+#include "pliant/resolve/lane_shake.hpp"
+#include "pliant/resolve/lane_sweeps.hpp"
 #include "pliant/resolve/local_sweeps.hpp"
 #include "pliant/resolve/method.hpp"
 #include "pliant/resolve/newton.hpp"
@@ -25,12 +28,12 @@ std::vector<TechniqueEntry> all_techniques() {
   rows.push_back({"auto", "chosen by what the bars form: blocks, units, newton or anderson", false,
                   false, make_automatic});
   for (const OrderingEntry& row : orderings())
-    rows.push_back({row.name, row.summary, row.forests_only, true, make_sweeps});
+    rows.push_back({row.name, row.summary, row.forests_only, true, make_sweeps, make_lane_sweeps});
   rows.push_back({"bfs_local", "bfs_cycle, of the region that a push of one joint disturbs", false,
                   true, make_local_sweeps});
   rows.push_back({"blocks",
                   "bridges exact in one outward pass, each ring system alone by Newton's method",
-                  false, false, make_blocks});
+                  false, false, make_blocks, make_lane_blocks});
   rows.push_back({"anderson", "bfs_cycle with Anderson acceleration from sweep to sweep", false,
                   true, make_anderson});
   rows.push_back({"rings_first",
@@ -42,7 +45,7 @@ std::vector<TechniqueEntry> all_techniques() {
       {"newton", "the nearest whole positions, weighted by mass", false, false, make_newton});
   rows.push_back({"shake",
                   "along the bars as they were before the push, by inverse mass (SHAKE, CCMA)",
-                  false, false, make_shake});
+                  false, false, make_shake, make_lane_shake});
   rows.push_back(
       {"units", "rigid units (angles, small rings) placed exactly in one outward pass over hinges",
        false, false, make_units});

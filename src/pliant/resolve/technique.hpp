@@ -26,6 +26,8 @@ struct Technique {
 };
 
 class Method;
+class LaneMethod;
+struct LaneSetting;
 struct ResolveOptions;
 
 /// One row of the table of techniques: every ordering is a row, and every direct method.
@@ -37,6 +39,8 @@ struct TechniqueEntry {
   /// Makes what resolves; all three outlive it.
   std::unique_ptr<Method> (*make)(const Framework& framework, const Technique& technique,
                                   const ResolveOptions& options) = nullptr;
+  /// Makes what resolves eight walkers at once, or none for such a framework. Null: no such way.
+  std::unique_ptr<LaneMethod> (*make_lanes)(const LaneSetting& setting) = nullptr;
 };
 
 std::span<const TechniqueEntry> techniques();

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/lane_kernels.hpp"
+
+#include <vector>
+
+namespace pliant {
+
+namespace lanes_portable {
+extern const LaneKernels kernels;
+}
+#ifdef PLIANT_LANES_X86
+namespace lanes_v2 {
+extern const LaneKernels kernels;
+}
+namespace lanes_v3 {
+extern const LaneKernels kernels;
+}
+namespace lanes_v4 {
+extern const LaneKernels kernels;
+}
+#endif
+
+namespace {
+
+#ifdef PLIANT_LANES_X86
+bool has_v2() { return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt"); }
+bool has_v3() {
+  return has_v2() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
+         __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+}
+bool has_v4() {
+  return has_v3() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
+         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
+         __builtin_cpu_supports("avx512vl");
+}
+#endif
+
+std::vector<const LaneKernels*> usable_levels() {
+  std::vector<const LaneKernels*> levels;
+#ifdef PLIANT_LANES_X86
+  if (has_v4()) levels.push_back(&lanes_v4::kernels);
+  if (has_v3()) levels.push_back(&lanes_v3::kernels);
+  if (has_v2()) levels.push_back(&lanes_v2::kernels);
+#endif
+  levels.push_back(&lanes_portable::kernels);
+  return levels;
+}
+
+}  // namespace
+
+std::span<const LaneKernels* const> lane_levels() {
+  static const std::vector<const LaneKernels*> levels = usable_levels();
+  return levels;
+}
+
+}  // namespace pliant

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Sweeps of an ordering over eight walkers at once: each bar is projected in all of them before the
+// next. Walkers that are whole leave; the others sweep on.
+#pragma once
+
+#include "pliant/resolve/lane_method.hpp"
+
+namespace pliant {
+
+/// None for orderings that differ from walker to walker (`random`, `bfs_worst`).
+std::unique_ptr<LaneMethod> make_lane_sweeps(const LaneSetting& setting);
+
+}  // namespace pliant
