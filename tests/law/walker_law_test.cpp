@@ -53,14 +53,13 @@ Resolved resolve_alone(const Example& example, const Technique& technique, Confo
     ResolveOptions options = few_sweeps();
     options.walker = k;
     Resolver resolver(example.framework, technique, options);
-    alone.summaries.push_back(
-        resolver.resolve(alone.positions[k], root, step, example.positions));
+    alone.summaries.push_back(resolver.resolve(alone.positions[k], root, step, example.positions));
   }
   return alone;
 }
 
-Resolved resolve_together(const Example& example, const Technique& technique,
-                          Conformers positions, const LaneOptions& lanes) {
+Resolved resolve_together(const Example& example, const Technique& technique, Conformers positions,
+                          const LaneOptions& lanes) {
   Resolved together{std::move(positions), {}};
   std::vector<WalkerPositions> walkers;
   for (std::size_t k = 0; k < together.positions.size(); ++k)

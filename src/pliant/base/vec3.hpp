@@ -33,6 +33,8 @@ constexpr Vec3 cross(Vec3 a, Vec3 b) {
 constexpr double norm_squared(Vec3 a) { return dot(a, a); }
 inline double norm(Vec3 a) { return std::sqrt(norm_squared(a)); }
 inline double distance(Vec3 a, Vec3 b) { return norm(b - a); }
+/// Below this the squared length is too near underflow for a direction.
+inline constexpr double least_squared_length = 1e-300;
 inline bool is_finite(Vec3 a) {
   return std::isfinite(a.x) && std::isfinite(a.y) && std::isfinite(a.z);
 }

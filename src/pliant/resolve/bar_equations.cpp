@@ -216,8 +216,8 @@ std::int64_t BarEquations::factor(Part part, std::span<const Vec3> directions, d
 
 void BarEquations::stretch(Part part, std::span<const Vec3> directions, std::span<const Vec3> v,
                            std::span<double> out) const {
-  for (std::uint32_t k = part.bars.begin; k < part.bars.end; ++k)
-    out[k] = dot(directions[k], v[ends_[k].b] - v[ends_[k].a]);
+  stretch_bars(pattern(part), directions.data() + part.bars.begin, v.data() + part.joints.begin,
+               out.data() + part.bars.begin);
 }
 
 void BarEquations::pull(Part part, std::span<const Vec3> directions, std::span<const double> lambda,

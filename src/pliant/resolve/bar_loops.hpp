@@ -6,9 +6,17 @@
 // the first part on.
 #pragma once
 
+#include "pliant/base/vec3.hpp"
 #include "pliant/resolve/bar_pattern.hpp"
 
 namespace pliant {
+
+/// Steps that did not pay after which iterations are given up: of BarNewton, of shake, of
+/// NearestPoint.
+inline constexpr int newton_bad_steps = 3, shake_bad_steps = 5, nearest_bad_steps = 3;
+/// NearestPoint's conjugate gradients end when the error is this part of what it was.
+inline constexpr double inner_accuracy = 1e-2;
+inline constexpr int most_inner_iterations = 40;
 
 inline double select(bool condition, double yes, double no) { return condition ? yes : no; }
 
@@ -84,6 +92,55 @@ inline void pull_joints(const BarPattern& part, const Vec* directions, const Rea
     v[ends.a - first_joint] += Real(part.weights[ends.a]) * pull;
     v[ends.b - first_joint] -= Real(part.weights[ends.b]) * pull;
   }
+}
+
+/// out = J v, of bars from joints.
+template <class Real, class Vec>
+inline void stretch_bars(const BarPattern& part, const Vec* directions, const Vec* v, Real* out) {
+  const std::uint32_t first = part.bars.begin, first_joint = part.joints.begin;
+  for (std::uint32_t k = first; k < part.bars.end; ++k) {
+    const EquationEnds ends = part.ends[k];
+    out[k - first] = dot(directions[k - first], v[ends.b - first_joint] - v[ends.a - first_joint]);
+  }
+}
+
+/// out += W (sum of lambda_k times the Laplacian of bar k) v, of joints.
+template <class Real, class Vec>
+inline void bend_joints(const BarPattern& part, const Real* lambda, const Vec* v, Vec* out) {
+  const std::uint32_t first = part.bars.begin, first_joint = part.joints.begin;
+  for (std::uint32_t k = first; k < part.bars.end; ++k) {
+    const EquationEnds ends = part.ends[k];
+    const Vec pull = lambda[k - first] * (v[ends.b - first_joint] - v[ends.a - first_joint]);
+    out[ends.a - first_joint] -= Real(part.weights[ends.a]) * pull;
+    out[ends.b - first_joint] += Real(part.weights[ends.b]) * pull;
+  }
+}
+
+/// sum of m_j v_j w_j over `count` joints.
+template <class Real, class Vec>
+inline Real weighted_product(const double* masses, const Vec* v, const Vec* w,
+                             std::uint32_t count) {
+  Vec sum{Real(0.0), Real(0.0), Real(0.0)};  // by coordinate: three additions at a time
+  for (std::uint32_t j = 0; j < count; ++j)
+    sum += Real(masses[j]) * Vec{v[j].x * w[j].x, v[j].y * w[j].y, v[j].z * w[j].z};
+  return sum.x + sum.y + sum.z;
+}
+
+/// A move below this part of the coordinates is rounding.
+inline constexpr double rounding_of_coordinates = 16.0 * 0x1p-52;
+
+/// The square of the largest move, in units of the error that the bars of its joint are allowed.
+template <class Real, class Vec>
+inline Real asked_squared(const double* allowed, const Vec* x, const Vec* move,
+                          std::uint32_t count) {
+  constexpr double part = rounding_of_coordinates * rounding_of_coordinates;
+  Real worst(0.0);
+  for (std::uint32_t j = 0; j < count; ++j) {
+    const Real floor = Real(part) * norm_squared(x[j]);
+    const Real asked = norm_squared(move[j]) / (Real(allowed[j] * allowed[j]) + floor);
+    worst = select(worst < asked, asked, worst);
+  }
+  return worst;
 }
 
 }  // namespace pliant

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "pliant/resolve/bar_loops.hpp"
+
 namespace pliant {
 namespace {
 
@@ -33,9 +35,7 @@ BarNewton::Outcome BarNewton::make_whole(Part part, const RandomKey& key,
   return outcome;
 }
 
-bool BarNewton::is_overbraced(Part part) const {
-  return part.bars.size() >= 2 * part.joints.size();
-}
+bool BarNewton::is_overbraced(Part part) { return part.bars.size() >= 2 * part.joints.size(); }
 
 /// Moves once; the new error in units of what is allowed, infinite where it cannot go on.
 double BarNewton::step(Part part, double damping, Outcome& outcome) {
@@ -50,14 +50,13 @@ double BarNewton::step(Part part, double damping, Outcome& outcome) {
 
 double BarNewton::iterate(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome) {
   // Newton may take a step or two to come near; after that each must pay.
-  constexpr int most_bad_steps = 3;
   double best = error;
   int bad_steps = 0;
   while (std::isfinite(error) && best > 1.0) {
     ended_ = !may_go_on();
     if (ended_) break;
     error = step(part, 0.0, outcome);
-    if (!(error < 0.9 * best) && ++bad_steps > most_bad_steps) break;
+    if (!(error < 0.9 * best) && ++bad_steps > newton_bad_steps) break;
     if (error < best) best = error, copy(part, equations_.positions(), best_);
   }
   return best;

@@ -38,7 +38,7 @@ class BarNewton {
 
   /// Rings and cages of bonds have one to one and a half bars a joint; with 1-3 bars there are two
   /// and more, and where centres are planar some depend on others.
-  bool is_overbraced(BarEquations::Part part) const;
+  static bool is_overbraced(BarEquations::Part part);
 
  private:
   using Part = BarEquations::Part;

@@ -29,7 +29,7 @@ BlockSolver::BlockSolver(const Framework& framework, const Technique& technique,
 
 bool BlockSolver::any_overbraced() const {
   return std::any_of(parts_.begin(), parts_.end(),
-                     [this](const auto& part) { return part && newton_.is_overbraced(*part); });
+                     [](const auto& part) { return part && BarNewton::is_overbraced(*part); });
 }
 
 bool BlockSolver::solve(std::uint32_t block, Joint entry, const RandomKey& key,

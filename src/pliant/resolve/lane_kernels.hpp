@@ -68,10 +68,18 @@ struct LaneRoom {
   LaneValue* lower;                        ///< of entries
 };
 
+/// What NearestPoint needs besides.
+struct LaneNearestRoom {
+  LaneVector *broken, *restoring, *sliding, *residual, *direction, *curved;  ///< of joints
+  LaneValue *lambda, *bars;                                                  ///< of bars
+  const double *masses, *allowed;  ///< JointScales of the part's joints
+};
+
 /// How Newton's method on a part went.
 struct LaneOutcome {
   LaneMask whole;  ///< not whole: that walker is to be resolved alone
   double iterations[lane_count], dropped_bars[lane_count];
+  double off_nearest[lane_count];  ///< Angstrom; of `nearest` alone, -1 where not looked for
 };
 
 /// The kernels of one level of instructions.
@@ -102,6 +110,10 @@ struct LaneKernels {
   /// One part of technique `shake`; `reference` of the framework, or null.
   LaneOutcome (*shake)(const BarPattern& part, const LaneRoom& room, const LaneVector* reference,
                        std::int64_t most_iterations, LaneVector* x);
+  /// One part of technique `newton`: NearestPoint::find as far as NearestPoint::iterate.
+  LaneOutcome (*nearest)(const BarPattern& part, const LaneRoom& room,
+                         const LaneNearestRoom& nearest_room, std::int64_t most_iterations,
+                         LaneVector* x);
 };
 
 /// All levels that this build holds and this processor knows, the best one first.

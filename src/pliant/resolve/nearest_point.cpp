@@ -4,18 +4,27 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
+
+#include "pliant/resolve/bar_loops.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// A move below this part of the coordinates is rounding.
-constexpr double rounding = 16.0 * std::numeric_limits<double>::epsilon();
-/// Conjugate gradients end when the error is this part of what it was.
-constexpr double inner_accuracy = 1e-2;
-constexpr int most_inner_iterations = 40;
 
 }  // namespace
+
+JointScales joint_scales(const BarEquations& equations) {
+  JointScales scales;
+  for (std::uint32_t j = 0; j < equations.joint_count(); ++j)
+    scales.masses.push_back(equations.weight(j) > 0.0 ? 1.0 / equations.weight(j) : 0.0);
+  scales.allowed.assign(scales.masses.size(), infinity);
+  for (std::uint32_t k = 0; k < equations.bar_count(); ++k)
+    for (const std::uint32_t j : {equations.ends(k).a, equations.ends(k).b})
+      scales.allowed[j] = std::min(scales.allowed[j], equations.allowed(k));
+  return scales;
+}
 
 NearestPoint::Outcome NearestPoint::find(Part part, std::span<const Vec3> broken,
                                          const RandomKey& key, const MayGoOn& may_go_on) {
@@ -32,13 +41,9 @@ NearestPoint::Outcome NearestPoint::find(Part part, std::span<const Vec3> broken
 
 void NearestPoint::reserve() {
   if (masses_.size() == equations_.joint_count()) return;
-  masses_.clear();
-  for (std::uint32_t j = 0; j < equations_.joint_count(); ++j)
-    masses_.push_back(equations_.weight(j) > 0.0 ? 1.0 / equations_.weight(j) : 0.0);
-  allowed_.assign(masses_.size(), infinity);
-  for (std::uint32_t k = 0; k < equations_.bar_count(); ++k)
-    for (const std::uint32_t j : {equations_.ends(k).a, equations_.ends(k).b})
-      allowed_[j] = std::min(allowed_[j], equations_.allowed(k));
+  JointScales scales = joint_scales(equations_);
+  masses_ = std::move(scales.masses);
+  allowed_ = std::move(scales.allowed);
   for (auto* of_bars : {&lambda_, &bars_}) of_bars->resize(equations_.bar_count());
   for (auto* of_joints : {&restoring_, &sliding_, &kept_, &residual_, &direction_, &curved_})
     of_joints->resize(masses_.size());
@@ -47,7 +52,6 @@ void NearestPoint::reserve() {
 /// Whole steps n + t from where the positions are, as long as they become smaller. kept_ is then
 /// the least broken of what was seen.
 bool NearestPoint::iterate(Part part, const MayGoOn& may_go_on, Outcome& outcome) {
-  constexpr int most_bad_steps = 3;
   double least = infinity, least_error = infinity;
   int bad_steps = 0;
   for (;;) {
@@ -66,7 +70,7 @@ bool NearestPoint::iterate(Part part, const MayGoOn& may_go_on, Outcome& outcome
     }
     add(part, 1.0, sliding_, restoring_);
     const double size = asked(part, restoring_);
-    if (!(size < 0.9 * least) && ++bad_steps > most_bad_steps) return false;
+    if (!(size < 0.9 * least) && ++bad_steps > nearest_bad_steps) return false;
     least = std::min(least, size);
     add(part, 1.0, restoring_, equations_.positions());
   }
@@ -170,7 +174,7 @@ void NearestPoint::find_sliding_move(Part part, double radius) {
   clear(part, sliding_);
   if (!is_loaded(part)) return;
   clear(part, curved_);
-  add_bent(part, 1.0, restoring_, curved_);
+  add_bent(part, restoring_, curved_);
   project(part, curved_);
   add(part, 1.0, curved_, residual_);
   clear(part, direction_);
@@ -186,7 +190,7 @@ void NearestPoint::find_sliding_move(Part part, double radius) {
 /// One step of conjugate gradients; false where the model bends down or the radius is met.
 bool NearestPoint::search(Part part, double radius, double& squared) {
   copy(part, direction_, curved_);
-  add_bent(part, 1.0, direction_, curved_);
+  add_bent(part, direction_, curved_);
   const double curvature = product(part, direction_, curved_);
   const double step = curvature > 0.0 ? squared / curvature : infinity;
   if (!is_within(part, step, radius)) {
@@ -221,22 +225,15 @@ double NearestPoint::step_to(Part part, double radius) const {
   return (std::sqrt(std::max(0.0, sd * sd + dd * (radius * radius - ss))) - sd) / dd;
 }
 
-/// out += factor W (sum of lambda_k times the Laplacian of bar k) v.
-void NearestPoint::add_bent(Part part, double factor, std::span<const Vec3> v,
-                            std::span<Vec3> out) const {
-  for (std::uint32_t k = part.bars.begin; k < part.bars.end; ++k) {
-    const auto [a, b] = equations_.ends(k);
-    const Vec3 pull = factor * lambda_[k] * (v[b] - v[a]);
-    out[a] -= equations_.weight(a) * pull;
-    out[b] += equations_.weight(b) * pull;
-  }
+void NearestPoint::add_bent(Part part, std::span<const Vec3> v, std::span<Vec3> out) const {
+  bend_joints(equations_.pattern(part), lambda_.data() + part.bars.begin,
+              v.data() + part.joints.begin, out.data() + part.joints.begin);
 }
 
 double NearestPoint::product(Part part, std::span<const Vec3> v, std::span<const Vec3> w) const {
-  Vec3 sum;  // by coordinate: three additions at a time
-  for (std::uint32_t j = part.joints.begin; j < part.joints.end; ++j)
-    sum += masses_[j] * Vec3{v[j].x * w[j].x, v[j].y * w[j].y, v[j].z * w[j].z};
-  return sum.x + sum.y + sum.z;
+  const std::uint32_t first = part.joints.begin;
+  return weighted_product<double>(masses_.data() + first, v.data() + first, w.data() + first,
+                                  part.joints.size());
 }
 
 /// Mass-weighted distance from the broken positions.
@@ -257,13 +254,10 @@ double NearestPoint::largest(Part part, std::span<const Vec3> move) const {
 
 /// The largest move, in units of the error that the bars of its joint are allowed.
 double NearestPoint::asked(Part part, std::span<const Vec3> move) {
-  const std::span<const Vec3> x = equations_.positions();
-  double worst = 0.0;
-  for (std::uint32_t j = part.joints.begin; j < part.joints.end; ++j) {
-    const double floor = rounding * rounding * norm_squared(x[j]);
-    worst = std::max(worst, norm_squared(move[j]) / (allowed_[j] * allowed_[j] + floor));
-  }
-  return std::sqrt(worst);
+  const std::uint32_t first = part.joints.begin;
+  return std::sqrt(asked_squared<double>(allowed_.data() + first,
+                                         equations_.positions().data() + first, move.data() + first,
+                                         part.joints.size()));
 }
 
 void NearestPoint::clear(Part part, std::span<Vec3> v) const {

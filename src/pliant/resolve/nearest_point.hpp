@@ -20,6 +20,13 @@
 
 namespace pliant {
 
+/// What moves are weighed by, of the joints of the equations.
+struct JointScales {
+  std::vector<double> masses;   ///< u; 0 for pinned joints
+  std::vector<double> allowed;  ///< Angstrom, the least error that any of its bars is allowed
+};
+JointScales joint_scales(const BarEquations& equations);
+
 class NearestPoint {
  public:
   explicit NearestPoint(BarEquations& equations) : equations_(equations), newton_(equations) {}
@@ -55,7 +62,7 @@ class NearestPoint {
   bool is_within(Part part, double step, double radius) const;
   double step_to(Part part, double radius) const;
   void project(Part part, std::span<Vec3> v);
-  void add_bent(Part part, double factor, std::span<const Vec3> v, std::span<Vec3> out) const;
+  void add_bent(Part part, std::span<const Vec3> v, std::span<Vec3> out) const;
 
   double product(Part part, std::span<const Vec3> v, std::span<const Vec3> w) const;
   double distance(Part part);

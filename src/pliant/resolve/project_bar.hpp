@@ -16,9 +16,6 @@
 
 namespace pliant {
 
-/// Below this the squared length is too near underflow for a direction.
-inline constexpr double least_squared_length = 1e-300;
-
 /// The direction in which the coincident joints of a bar leave each other: random, by its key.
 inline Vec3 escape_direction(RandomKey key, BarIndex bar, bool planar) {
   key.domain = Domain::escape;

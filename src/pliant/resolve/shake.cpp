@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "pliant/resolve/bar_loops.hpp"
 #include "pliant/resolve/direct_method.hpp"
 #include "pliant/resolve/project_bar.hpp"
 
@@ -48,14 +49,13 @@ class ShakeSolver final : public PartSolver {
   }
 
   bool iterate(BarEquations::Part part, const MayGoOn& may_go_on, Outcome& outcome) {
-    constexpr int most_bad_steps = 5;
     double best = std::numeric_limits<double>::infinity();
     int bad_steps = 0;
     for (;;) {
       const BarEquations::Errors errors = equations_.measure(part);
       if (errors.whole) return outcome.whole = true;
       if (errors.coincident || !errors.finite) return false;
-      if (!(errors.worst < 0.9 * best) && ++bad_steps > most_bad_steps) return false;
+      if (!(errors.worst < 0.9 * best) && ++bad_steps > shake_bad_steps) return false;
       best = std::min(best, errors.worst);
       if (!may_go_on()) return false;
       step(part);

@@ -10,7 +10,7 @@
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/blocks.hpp"
 #include "pliant/resolve/lane_blocks.hpp"
-#include "pliant/resolve/lane_shake.hpp"
+#include "pliant/resolve/lane_direct.hpp"
 #include "pliant/resolve/lane_sweeps.hpp"
 #include "pliant/resolve/local_sweeps.hpp"
 #include "pliant/resolve/method.hpp"
@@ -41,8 +41,8 @@ std::vector<TechniqueEntry> all_techniques() {
                   false, make_rings_first});
   rows.push_back({"rings_anderson", "rings_first with Anderson acceleration in each ring system",
                   false, false, make_rings_anderson});
-  rows.push_back(
-      {"newton", "the nearest whole positions, weighted by mass", false, false, make_newton});
+  rows.push_back({"newton", "the nearest whole positions, weighted by mass", false, false,
+                  make_newton, make_lane_newton});
   rows.push_back({"shake",
                   "along the bars as they were before the push, by inverse mass (SHAKE, CCMA)",
                   false, false, make_shake, make_lane_shake});
