@@ -11,7 +11,7 @@
 namespace pliant::PLIANT_LANE_LEVEL {
 
 extern const LaneKernels kernels;
-const LaneKernels kernels = {PLIANT_LANE_TEXT(PLIANT_LANE_LEVEL) + 6,  // without "lanes_"
+const LaneKernels kernels = {&PLIANT_LANE_TEXT(PLIANT_LANE_LEVEL)[6],  // without "lanes_"
                              gather,
                              scatter,
                              find_whole,

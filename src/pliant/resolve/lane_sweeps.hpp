@@ -10,4 +10,7 @@ namespace pliant {
 /// None for orderings that differ from walker to walker (`random`, `bfs_worst`).
 std::unique_ptr<LaneMethod> make_lane_sweeps(const LaneSetting& setting);
 
+/// Of `bfs_local` where more than one joint has moved: sweeps of `bfs_cycle`.
+std::unique_ptr<LaneMethod> make_lane_local_sweeps(const LaneSetting& setting);
+
 }  // namespace pliant

@@ -30,7 +30,7 @@ std::vector<TechniqueEntry> all_techniques() {
   for (const OrderingEntry& row : orderings())
     rows.push_back({row.name, row.summary, row.forests_only, true, make_sweeps, make_lane_sweeps});
   rows.push_back({"bfs_local", "bfs_cycle, of the region that a push of one joint disturbs", false,
-                  true, make_local_sweeps});
+                  true, make_local_sweeps, make_lane_local_sweeps});
   rows.push_back({"blocks",
                   "bridges exact in one outward pass, each ring system alone by Newton's method",
                   false, false, make_blocks, make_lane_blocks});
