@@ -58,6 +58,7 @@ def _race_options(parser: console.Parser) -> None:
         help=f"seconds for one technique at one tolerance (default {LIMIT_SECONDS:g})")  # fmt: skip
     add("--mass-weighted", action="store_true", help="share corrections by inverse masses too")
     add("--no-openmm", action="store_true", help="leave OpenMM out")
+    add("--no-gromacs", action="store_true", help="leave GROMACS out")
     add("--csv", metavar="FILE", help="write the rows as CSV")
     add("--png", metavar="FILE", help="draw run time against error")
 
@@ -66,7 +67,7 @@ def _race(arguments: argparse.Namespace) -> int:
     from pliant.bench.work_precision import work_precision
     from pliant.bench.work_precision_report import print_report, write_csv
 
-    with console.progress("tolerances", arguments.quiet or arguments.json) as show:
+    with console.progress("race", arguments.quiet or arguments.json) as show:
         found = work_precision(
             arguments.file,
             bars=arguments.bars,
@@ -78,6 +79,7 @@ def _race(arguments: argparse.Namespace) -> int:
             limit_seconds=arguments.time_limit,
             mass_weighted=arguments.mass_weighted,
             openmm=not arguments.no_openmm,
+            gromacs=not arguments.no_gromacs,
             progress=show,
         )
     if arguments.csv:
@@ -225,7 +227,10 @@ SUBCOMMANDS = (
         "processor time count, so that what else the machine does falls on all. Errors are\n"
         "measured anew in double precision. Who takes too long or does not get there is told, and\n"
         "asked no more. CCMA runs twice: as Context.applyConstraints has it, which sees what the\n"
-        "techniques see, and as in dynamics, where it is told the intact structure.",
+        "techniques see, and as in dynamics, where it is told the intact structure. Where gmx or\n"
+        "gmx_d is installed, LINCS and SHAKE of GROMACS' mdrun take part, as in dynamics: times\n"
+        "are those of its log for constraints, errors those of its trajectory, and of the\n"
+        "settings of LINCS the quickest that meets a tolerance counts.",
         "examples:\n"
         "  pliant bench work-precision protein.pdb --png race.png --csv race.csv\n"
         "  pliant bench work-precision protein.pdb --bars angles --techniques blocks,bfs_reverse\n",

@@ -22,11 +22,13 @@ from pliant.bench.nearest import nearest_whole
 from pliant.bench.target import Target, read_target
 from pliant.bench.time_limit import TimeUp, time_limit
 from pliant.peers import measure
+from pliant.peers.gromacs import Program
 
 TOLERANCES = tuple(10.0**-k for k in range(2, 13))
 REPEATS = 7
 LIMIT_SECONDS = 2.0  #: for one contender at one tolerance
 WHOLE, STOPPED, SHORT, LOST = "whole", "stopped", "not converged", "not finite"
+FAILED = "failed"  #: GROMACS gave up; the note says why
 
 
 @dataclass
@@ -36,7 +38,7 @@ class Row:
     method: str
     weighting: float | None
     tolerance: float  #: relative, as asked for
-    outcome: str = STOPPED  #: "whole", "not converged", "not finite" or "stopped" (too slow)
+    outcome: str = STOPPED  #: "whole", "not converged", "not finite", "failed"; or not asked for
     ns_per_bar: float = math.nan  #: median over the repeats
     sweeps: int | None = None
     projections: int | None = None
@@ -67,6 +69,7 @@ class WorkPrecision:
     notes: list[str] = field(default_factory=list)
     #: OpenMM's answers by method and tolerance
     openmm_answers: dict[tuple[str, float], np.ndarray] = field(default_factory=dict)
+    gromacs: list[Program] = field(default_factory=list)  #: the builds that took part
 
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""
@@ -76,6 +79,7 @@ class WorkPrecision:
             "input": self.target.name,
             "pliant": pliant.__version__,
             "openmm": openmm.version.version,
+            "gromacs": [asdict(program) for program in self.gromacs],
             "joints": len(self.target.positions),
             "bars": len(self.target.bars),
             "bars_of": self.bars,
@@ -100,9 +104,10 @@ def work_precision(
     limit_seconds: float = LIMIT_SECONDS,
     mass_weighted: bool = False,
     openmm: bool = True,
+    gromacs: bool = True,
     progress: Callable[[int, int], None] = lambda *_: None,
 ) -> WorkPrecision:
-    """Races every technique and OpenMM's CCMA on the molecule of a file.
+    """Races every technique, OpenMM's CCMA, and GROMACS if installed, on the molecule of a file.
 
     `techniques` are names in ``pliant.techniques()``, or all. Raises InputError, OptionError or
     FileError for what the user gave wrong.
@@ -114,6 +119,10 @@ def work_precision(
     found.notes += [note] if note else []
     race(found, [*theirs, *ours], target.broken(displacement, seed), repeats, limit_seconds,
          progress)  # fmt: skip
+    if gromacs:
+        from pliant.bench.gromacs_race import race_gromacs
+
+        race_gromacs(found, repeats, progress)
     compare_with_openmm(found.rows)
     return found
 

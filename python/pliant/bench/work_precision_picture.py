@@ -11,6 +11,7 @@ import numpy as np
 
 from pliant.bench.work_precision import WHOLE, Row, WorkPrecision
 from pliant.bench.work_precision_report import LABELS, entries, label, reached
+from pliant.peers.gromacs import NAMES
 from pliant.plotting import BLUE, DASHED, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, figure, save
 
 if TYPE_CHECKING:
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 OURS = (BLUE, GREEN, SKY, PURPLE, "black", "#555555")
 MARKERS = "osD^vP"
 THEIRS = {"ccma": (VERMILION, "X"), "ccma_dynamics": (ORANGE, "d")}
+GROMACS = {"gromacs_lincs": ("#7A4419", "p"), "gromacs_shake": ("#B9895B", "*")}
 FEATURED = ("blocks", "auto", "units", "newton", "shake")  #: if they take part
 DEFAULT = ("bfs_cycle", 0.5)
 MOST_NAMED = 6  #: of our techniques
@@ -44,10 +46,9 @@ def draw_on(axes: Axes, found: WorkPrecision) -> None:
     for k, entry in enumerate(named):
         style = {"color": OURS[k % len(OURS)], "marker": MARKERS[k % len(MARKERS)]}
         _line(axes, entry, grouped[entry], linestyle="-", **style)
-    for method, (colour, marker) in THEIRS.items():
-        if (method, None) in grouped:
-            rows = grouped[method, None]
-            _line(axes, (method, None), rows, linestyle=DASHED, color=colour, marker=marker)
+    for method, (colour, marker) in _theirs(grouped).items():
+        rows = grouped[method, None]
+        _line(axes, (method, None), rows, linestyle=DASHED, color=colour, marker=marker)
     axes.set(
         xscale="log",
         yscale="log",
@@ -58,6 +59,15 @@ def draw_on(axes: Axes, found: WorkPrecision) -> None:
     axes.invert_xaxis()
     axes.yaxis.set_major_formatter(lambda value, _: f"{value:g}")
     _legend_below(axes)
+
+
+def _theirs(grouped: dict[Entry, list[Row]]) -> dict[str, tuple[str, str]]:
+    """Styles of the peers that took part; of GROMACS' precisions the best that did."""
+    styles = dict(THEIRS)
+    for name, style in GROMACS.items():
+        precise = [p for p in NAMES if (f"{name}_{p}", None) in grouped]
+        styles |= {f"{name}_{precision}": style for precision in precise[:1]}
+    return {method: style for method, style in styles.items() if (method, None) in grouped}
 
 
 def _line(axes: Axes, entry: Entry, rows: Sequence[Row], **style: object) -> None:

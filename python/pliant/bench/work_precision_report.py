@@ -13,11 +13,20 @@ import numpy as np
 
 from pliant import console
 from pliant.bench.work_precision import WHOLE, Row, WorkPrecision
+from pliant.peers.gromacs import Program
 
 SHOWN = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)  #: tolerances that the table has columns for
 RATIOS = (1e-6, 1e-10)
 LEAST_SHOWN = 1e-16  #: where exact zeros are drawn
-LABELS = {"ccma": "OpenMM CCMA", "ccma_dynamics": "OpenMM CCMA, as in dynamics"}
+LABELS = {"ccma": "OpenMM CCMA", "ccma_dynamics": "OpenMM CCMA, as in dynamics"} | {
+    f"gromacs_{algorithm}_{precision}": f"GROMACS {algorithm.upper()}, {precision}"
+    for precision in ("double", "single")
+    for algorithm in ("lincs", "shake")
+}
+ABOUT_GROMACS = """\
+GROMACS is run as in dynamics, each step another push of the same size; its time is what its log
+has for the constraints of a step, its error the worst bar's at half of the steps looked at;
+precision is that of positions: {}"""
 TOLD_INTACT = {"shake_dynamics": "shake, as in dynamics"}
 
 
@@ -76,8 +85,14 @@ def print_report(found: WorkPrecision) -> None:
         "weighted by mass; OpenMM / it: time of CCMA over this one to the same error, (of CCMA as\n"
         "in dynamics)"
     )
+    if found.gromacs:
+        print(ABOUT_GROMACS.format(", ".join(_build(program) for program in found.gromacs)))
     for note in found.notes:
         console.note(note)
+
+
+def _build(program: Program) -> str:
+    return f"{program.precision} in {program.version} ({program.simd})"
 
 
 def _sorted(rows: Sequence[Row]) -> list[tuple[tuple[str, float | None], list[Row]]]:
