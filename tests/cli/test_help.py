@@ -28,6 +28,7 @@ PAGES = {
     "pliant-bench-scaling": ["bench", "scaling", "--help"],
     "pliant-bench-throughput": ["bench", "throughput", "--help"],
     "pliant-bench-stress": ["bench", "stress", "--help"],
+    "pliant-bench-auto": ["bench", "auto", "--help"],
     "pliant-bench-record": ["bench", "record", "--help"],
 }
 

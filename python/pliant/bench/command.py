@@ -20,6 +20,7 @@ examples:
   pliant bench work-precision protein.pdb --png race.png
   pliant bench scaling --sizes 1e3,1e4,1e5
   pliant bench throughput protein.pdb
+  pliant bench auto
   pliant bench record
   pliant bench stress
 """

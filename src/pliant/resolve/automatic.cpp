@@ -30,6 +30,13 @@ bool is_mostly_triangles(const Framework& framework) {
   return 2 * in_triangles > framework.bar_count();
 }
 
+/// Whether parts are large enough to be placed as rigid units: of up to the six bars of a
+/// tetrahedron (rigid water has three) none depends on others, and Newton is quicker.
+bool has_large_blocks(const GraphFacts& facts) {
+  constexpr std::size_t bars_of_tetrahedron = 6;
+  return facts.largest_block > bars_of_tetrahedron;
+}
+
 /// Whether a joint has so many bars that equations which couple all bars of a joint do not pay.
 bool has_hubs(const Framework& framework) {
   constexpr std::size_t most_bars = 64;
@@ -74,7 +81,7 @@ Choice choose_technique(const Framework& framework, const Technique& asked) {
     return chosen("newton", asked, "several joints are pinned: all bars are solved together");
   if (has_hubs(framework))
     return chosen("anderson", asked, "joints of many bars: sweeps, accelerated");
-  if (is_mostly_triangles(framework))
+  if (has_large_blocks(facts) && is_mostly_triangles(framework))
     return chosen("units", asked, "most bars are in triangles: rigid units in one outward pass");
   return chosen("blocks", asked,
                 counted(facts.blocks, "ring system") + ", each by Newton's method, and " +

@@ -21,6 +21,10 @@ TEST(Automatic, ChoosesByWhatTheBarsForm) {
   const Choice angles = choose_technique(framework_of(with_angles(shaken(chain(9), 0.2))));
   EXPECT_EQ(angles.technique.name, "units");
   EXPECT_EQ(angles.why, "most bars are in triangles: rigid units in one outward pass");
+  const Choice water = choose_technique(framework_of(ring(3)));
+  EXPECT_EQ(water.technique.name, "blocks") << "one triangle is quicker by Newton than as a unit";
+  EXPECT_EQ(choose_technique(framework_of(complete(4))).technique.name, "blocks");
+  EXPECT_EQ(choose_technique(framework_of(complete(5))).technique.name, "units");
   const Choice hub = choose_technique(framework_of(complete(80)));
   EXPECT_EQ(hub.technique.name, "anderson");
   const Framework pinned = test::with_pinned(framework_of(ring(6)), {0, 3});
