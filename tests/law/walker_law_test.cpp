@@ -66,7 +66,7 @@ Resolved resolve_together(const Example& example, const Technique& technique, Co
     walkers.push_back({k, together.positions[k], example.positions});
   together.summaries.resize(walkers.size());
   WalkerResolver resolver(example.framework, technique, few_sweeps(), lanes);
-  resolver.resolve(walkers, together.summaries, root, step);
+  resolver.resolve(walkers, together.summaries, root, step, true);
   return together;
 }
 
@@ -81,6 +81,7 @@ void expect_same(const Resolved& expected, const Resolved& found) {
     EXPECT_EQ(a.dropped_bars, b.dropped_bars);
     EXPECT_EQ(a.finishing_sweeps, b.finishing_sweeps);
     EXPECT_EQ(a.max_residual, b.max_residual);
+    EXPECT_EQ(a.rms_residual, b.rms_residual);
     EXPECT_EQ(a.off_nearest, b.off_nearest);
     EXPECT_EQ(a.worst_bar, b.worst_bar);
   }

@@ -28,10 +28,10 @@ LaneMask find_whole(LaneList<LaneBar> bars, const LaneVector* positions, LaneMas
   return whole.bits();
 }
 
-LaneResiduals measure(LaneList<LaneBar> bars, const LaneVector* positions) {
-  const LaneVec3* x = vectors(positions);
+template <bool sum_squares>
+LaneResiduals measure_bars(LaneList<LaneBar> bars, const LaneVec3* x) {
   LaneResiduals found{};
-  Lanes most = 0.0, near_most = 0.0;
+  Lanes most = 0.0, near_most = 0.0, sum = 0.0;
   Mask within = Mask::all(true), finite = Mask::all(true);
   for (std::size_t k = 0; k < bars.size; ++k) {
     const LaneBar& bar = bars.begin[k];
@@ -39,18 +39,25 @@ LaneResiduals measure(LaneList<LaneBar> bars, const LaneVector* positions) {
     within &= error <= bar.allowed;
     finite &= error < infinity;
     // Divides only where the quotient may be the largest so far.
-    if ((error > near_most * bar.rest).bits() == 0) continue;
+    if (!sum_squares && (error > near_most * bar.rest).bits() == 0) continue;
     const Lanes relative = error / bar.rest;
     const Mask more = relative > most;
+    if (sum_squares) sum += relative * relative;
     most = select(more, relative, most);
     near_most = most * (1.0 - 0x1p-40);
     for (LaneMask left = more.bits(); left != 0; left = LaneMask(left & (left - 1)))
       found.worst_bar[__builtin_ctz(left)] = static_cast<std::uint32_t>(k);
   }
   __builtin_memcpy(&found.max_relative, &most, sizeof most);
+  __builtin_memcpy(&found.sum_of_squares, &sum, sizeof sum);
   found.within = within.bits();
   found.finite = finite.bits();
   return found;
+}
+
+LaneResiduals measure(LaneList<LaneBar> bars, const LaneVector* positions, bool sum_squares) {
+  const LaneVec3* x = vectors(positions);
+  return sum_squares ? measure_bars<true>(bars, x) : measure_bars<false>(bars, x);
 }
 
 LaneMask carry(LaneList<LaneBridge> bridges, LaneVector* positions) {

@@ -56,6 +56,7 @@ struct LaneList {
 /// Residuals of all bars, one of each walker.
 struct LaneResiduals {
   double max_relative[lane_count];
+  double sum_of_squares[lane_count];  ///< of the relative errors, where asked for
   std::uint32_t worst_bar[lane_count];
   LaneMask within, finite;
 };
@@ -93,7 +94,7 @@ struct LaneKernels {
 
   /// Those of the lanes `among` in which every bar is within what is allowed.
   LaneMask (*find_whole)(LaneList<LaneBar> bars, const LaneVector* x, LaneMask among);
-  LaneResiduals (*measure)(LaneList<LaneBar> bars, const LaneVector* x);
+  LaneResiduals (*measure)(LaneList<LaneBar> bars, const LaneVector* x, bool sum_squares);
 
   /// Carries the far ends of bridges, one after another. Returns lanes with coincident joints.
   LaneMask (*carry)(LaneList<LaneBridge> bridges, LaneVector* x);

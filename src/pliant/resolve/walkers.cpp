@@ -45,7 +45,9 @@ struct WalkerResolver::Plan final : LaneEnd {
   ResolveOptions options;
   const LaneKernels& kernels;
   Resolver alone;
-  std::unique_ptr<LaneMethod> method;  ///< null: no lanes
+  bool uses_lanes;
+  bool rms_residual = false;           ///< asked for
+  std::unique_ptr<LaneMethod> method;  ///< null: no lanes, or not yet
   std::vector<LaneBar> bars;
   std::vector<LaneVector> positions, reference;
   std::span<const WalkerPositions> group;
@@ -58,17 +60,23 @@ struct WalkerResolver::Plan final : LaneEnd {
         technique(technique_used(framework_, asked)),
         options(options_),
         kernels(find_level(lanes.level)),
-        alone(framework_, asked, options_) {
-    const auto make = find_technique(technique.name).make_lanes;
-    if (lanes.lanes && make != nullptr) method = make({framework, technique, options, kernels});
-    if (method) bars = lane_bars(framework, options.tolerance);
+        alone(framework_, asked, options_),
+        uses_lanes(lanes.lanes && find_technique(technique.name).make_lanes != nullptr) {}
+
+  /// A single walker never needs the lanes' plans and memory.
+  bool prepare_lanes() {
+    if (method || !uses_lanes) return uses_lanes;
+    method = find_technique(technique.name).make_lanes({framework, technique, options, kernels});
+    uses_lanes = method != nullptr;
+    if (uses_lanes) bars = lane_bars(framework, options.tolerance);
+    return uses_lanes;
   }
 
   void resolve_alone(const WalkerPositions& walker, ResolveSummary& summary, Joint root,
                      std::int64_t step) {
     alone.set_walker(walker.walker);
     summary = alone.resolve(walker.positions, root, step, walker.reference);
-    summary.rms_residual = -1.0;
+    if (!rms_residual) summary.rms_residual = -1.0;
   }
 
   void resolve_group(std::span<const WalkerPositions> walkers, std::span<ResolveSummary> out,
@@ -114,8 +122,16 @@ struct WalkerResolver::Plan final : LaneEnd {
     kernels.gather(rows, 3 * out.size(), reinterpret_cast<LaneValue*>(out.data()));
   }
 
+  /// As measure() does.
+  double rms_of(const LaneResiduals& found, std::size_t lane) const {
+    if (bars.empty()) return 0.0;
+    return std::min(std::sqrt(found.sum_of_squares[lane] / double(bars.size())),
+                    found.max_relative[lane]);
+  }
+
   void finish(LaneMask lanes, Stop stop) override {
-    const LaneResiduals found = kernels.measure({bars.data(), bars.size()}, positions.data());
+    const LaneResiduals found =
+        kernels.measure({bars.data(), bars.size()}, positions.data(), rms_residual);
     // Lengths that are not finite, and walkers that were believed whole, are looked at alone.
     lanes = LaneMask(lanes & found.finite);
     if (stop == Stop::converged) lanes = LaneMask(lanes & found.within);
@@ -126,6 +142,7 @@ struct WalkerResolver::Plan final : LaneEnd {
       summaries[lane].stop = stop;
       summaries[lane].max_residual = found.max_relative[lane];
       summaries[lane].worst_bar = found.worst_bar[lane];
+      if (rms_residual) summaries[lane].rms_residual = rms_of(found, lane);
     }
     kernels.scatter(reinterpret_cast<const LaneValue*>(positions.data()), 3 * positions.size(),
                     rows);
@@ -140,12 +157,16 @@ WalkerResolver::WalkerResolver(const Framework& framework, const Technique& tech
 WalkerResolver::~WalkerResolver() = default;
 WalkerResolver::WalkerResolver(WalkerResolver&&) noexcept = default;
 
-std::string_view WalkerResolver::level() const {
-  return plan_->method ? plan_->kernels.level : std::string_view();
+std::string_view WalkerResolver::level() {
+  return plan_->prepare_lanes() ? plan_->kernels.level : std::string_view();
 }
 
+Resolver& WalkerResolver::alone() { return plan_->alone; }
+
 void WalkerResolver::resolve(std::span<const WalkerPositions> walkers,
-                             std::span<ResolveSummary> summaries, Joint root, std::int64_t step) {
+                             std::span<ResolveSummary> summaries, Joint root, std::int64_t step,
+                             bool rms_residual) {
+  plan_->rms_residual = rms_residual;
   if (summaries.size() != walkers.size())
     throw OptionError("summaries: " + std::to_string(summaries.size()) + " for " +
                       std::to_string(walkers.size()) + " walkers");
@@ -157,7 +178,7 @@ void WalkerResolver::resolve(std::span<const WalkerPositions> walkers,
     const bool alike = std::all_of(group.begin(), group.end(), [&](const WalkerPositions& walker) {
       return walker.reference.size() == group[0].reference.size();
     });
-    if (plan_->method && count > 1 && alike) {
+    if (count > 1 && alike && plan_->prepare_lanes()) {
       plan_->resolve_group(group, summaries.subspan(at, count), root, step);
     } else {
       for (std::size_t k = at; k < at + count; ++k)

@@ -40,13 +40,17 @@ class WalkerResolver {
   WalkerResolver(WalkerResolver&&) noexcept;
 
   /// Whether walkers are resolved in lanes, and how: "v4", ..., or "" if one after the other.
-  std::string_view level() const;
+  std::string_view level();
+
+  /// What resolves walkers one after the other; set_walker() first.
+  Resolver& alone();
 
   /// Moves the positions of all walkers as Resolver::resolve moves one's; they share root and step.
-  /// `summaries` has one of each walker; their rms_residual is -1 (not measured), and their seconds
-  /// are a walker's share of its group's. Throws OptionError as Resolver::resolve.
+  /// `summaries` has one of each walker; their seconds are a walker's share of its group's, and
+  /// their rms_residual is -1 (not measured) unless asked for. Throws OptionError as
+  /// Resolver::resolve.
   void resolve(std::span<const WalkerPositions> walkers, std::span<ResolveSummary> summaries,
-               Joint root = 0, std::int64_t step = 0);
+               Joint root = 0, std::int64_t step = 0, bool rms_residual = false);
 
  private:
   struct Plan;

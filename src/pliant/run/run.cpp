@@ -2,207 +2,13 @@
 #include "pliant/run/run.hpp"
 
 #include <algorithm>
-#include <chrono>
+#include <optional>
 
 #include "pliant/base/error.hpp"
-#include "pliant/base/number.hpp"
 #include "pliant/framework/check_positions.hpp"
+#include "pliant/run/walk.hpp"
 
 namespace pliant {
-namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// Adds the time until its end to a sum of seconds.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& seconds_;
-  Clock::time_point start_ = Clock::now();
-};
-
-/// One run: what its steps share.
-class Run {
- public:
-  Run(const Framework& framework, State& state, const RunOptions& options,
-      const std::vector<Observer>& observers)
-      : framework_(framework),
-        state_(state),
-        options_(options),
-        observers_(observers),
-        perturbation_(find_perturbation(options.perturb)),
-        resolver_(framework, options.technique, options.resolve) {}
-
-  RunSummary all() {
-    {
-      const Stopwatch watch(summary_.seconds);
-      begin();
-      const std::int64_t last = state_.step + steps_to_do();
-      while (!stopping_ && state_.step < last) step(state_.step + 1 == last);
-    }
-    return summary_;
-  }
-
- private:
-  std::int64_t steps_to_do() const {
-    if (options_.replay.empty()) return options_.steps;
-    return std::min(options_.steps, static_cast<std::int64_t>(options_.replay.size()));
-  }
-
-  /// A start that misses its rest lengths is resolved before anything else.
-  void begin() {
-    const ResidualSummary start = measure(framework_, state_.positions, options_.resolve.tolerance);
-    is_whole_ = start.within;
-    ResolveSummary resolved;
-    resolved.stop = Stop::converged;
-    resolved.sweeps = resolved.projections = 0;
-    resolved.max_residual = start.max_relative;
-    resolved.rms_residual = start.rms_relative;
-    resolved.worst_bar = start.worst_bar;
-    if (!start.within) {
-      options_.log.warn("the start misses its rest lengths, worst bar " +
-                        framework_.label(framework_.bars()[start.worst_bar]) + " by " +
-                        number_text(start.max_length, 3) + " Angstrom: resolved first");
-      resolved = resolve(0);
-      state_.previous = state_.positions;
-      note(resolved);
-    }
-    if (resolved.stop == Stop::stopped_by_caller) stopping_ = summary_.stopped_by_caller = true;
-    show(resolved, {});
-  }
-
-  void step(bool is_last) {
-    const double time_before = state_.time;
-    const Push push = perturb();
-    ++state_.step;
-    state_.time += options_.perturb_options.timestep;
-    const ResolveSummary resolved = resolve_push(push);
-    if (resolved.stop == Stop::stopped_by_caller) return undo_step(time_before);
-    ++summary_.steps;
-    if (options_.on_push) options_.on_push(push);
-    summary_.sweeps += resolved.sweeps;
-    summary_.max_sweeps = std::max(summary_.max_sweeps, resolved.sweeps);
-    note(resolved);
-    // Methods that are done in one pass do not ask under way.
-    if (options_.resolve.should_stop && options_.resolve.should_stop())
-      stopping_ = summary_.stopped_by_caller = true;
-    if (is_last || stopping_ || state_.step % options_.every == 0) show(resolved, push);
-  }
-
-  /// A step that was cut short leaves no half-resolved positions behind.
-  void undo_step(double time_before) {
-    state_.positions = state_.previous;
-    --state_.step;
-    state_.time = time_before;
-    stopping_ = summary_.stopped_by_caller = true;
-  }
-
-  Push perturb() {
-    const Stopwatch watch(summary_.perturb_seconds);
-    const RandomKey key{options_.resolve.seed, Domain::force, options_.resolve.walker,
-                        static_cast<std::uint64_t>(state_.step + 1), 0};
-    PerturbRequest request{framework_, options_.perturb_options, key};
-    if (knows_moved_) request.moved_before = moved_;
-    if (options_.replay.empty()) return perturbation_.push(request, state_);
-    return apply_forces(request, {&options_.replay[std::size_t(summary_.steps)], 1}, state_);
-  }
-
-  /// A push so hard that a position or a length is no finite number is taken back.
-  ResolveSummary resolve_push(const Push& push) {
-    ResolveSummary resolved;
-    resolved.stop = Stop::not_finite;
-    resolved.sweeps = resolved.projections = 0;
-    if (is_finite_after(push)) resolved = resolve_from(push);
-    if (resolved.stop != Stop::not_finite) return resolved;
-    state_.positions = state_.previous;
-    knows_moved_ = false;
-    measure_all(resolved);
-    return resolved;
-  }
-
-  void measure_all(ResolveSummary& resolved) const {
-    const ResidualSummary all = measure(framework_, state_.positions, options_.resolve.tolerance);
-    resolved.max_residual = all.max_relative;
-    resolved.rms_residual = all.rms_relative;
-    resolved.worst_bar = all.worst_bar;
-  }
-
-  bool is_finite_after(const Push& push) const {
-    if (push.one_joint) return is_finite(state_.positions[std::size_t(push.root_joint)]);
-    return std::all_of(state_.positions.begin(), state_.positions.end(), is_finite);
-  }
-
-  /// A push of one joint where all was whole leaves most of the framework as it was.
-  ResolveSummary resolve_from(const Push& push) {
-    const Joint root = push.root_joint == no_joint ? 0 : static_cast<Joint>(push.root_joint);
-    if (!push.one_joint || !is_whole_) return resolve(root);
-    const Stopwatch watch(summary_.resolve_seconds);
-    const ResolveSummary resolved =
-        resolver_.resolve_near(state_.positions, root, state_.step, state_.previous);
-    const auto moved = resolver_.moved();
-    knows_moved_ = moved.has_value();
-    if (knows_moved_) {
-      moved_.assign(moved->begin(), moved->end());
-      moved_.push_back(root);
-    }
-    is_whole_ = resolved.converged();
-    return resolved;
-  }
-
-  ResolveSummary resolve(Joint root) {
-    const Stopwatch watch(summary_.resolve_seconds);
-    const ResolveSummary resolved =
-        resolver_.resolve(state_.positions, root, state_.step, state_.previous);
-    knows_moved_ = false;
-    is_whole_ = resolved.converged();
-    return resolved;
-  }
-
-  void note(const ResolveSummary& resolved) {
-    summary_.projections += resolved.projections;
-    if (!resolved.converged()) {
-      if (summary_.unconverged_steps++ == 0) summary_.first_unconverged_step = state_.step;
-    }
-    if (resolved.max_residual > summary_.worst_residual) {
-      summary_.worst_residual = resolved.max_residual;
-      summary_.worst_bar = resolved.worst_bar;
-      summary_.worst_step = state_.step;
-    }
-  }
-
-  void show(ResolveSummary resolved, const Push& push) {
-    const Stopwatch watch(summary_.observe_seconds);
-    if (resolved.rms_residual < 0.0) measure_all(resolved);
-    const Frame frame{state_.step,           state_.time,
-                      state_.positions,      resolved.sweeps,
-                      resolved.projections,  resolved.max_residual,
-                      resolved.rms_residual, resolved.stop,
-                      push.root_joint,       push.force};
-    for (const Observer& observer : observers_)
-      if (observer(frame)) stopping_ = summary_.stopped_by_caller = true;
-    ++summary_.frames;
-  }
-
-  const Framework& framework_;
-  State& state_;
-  const RunOptions& options_;
-  const std::vector<Observer>& observers_;
-  const PerturbationEntry& perturbation_;
-  Resolver resolver_;
-  RunSummary summary_;
-  bool stopping_ = false;
-  bool is_whole_ = false;     ///< all bars, before the push
-  bool knows_moved_ = false;  ///< no joint but those of moved_ has left its previous position
-  std::vector<Joint> moved_;
-};
-
-}  // namespace
-
 namespace {
 
 void check_replay(const Framework& framework, const RunOptions& options) {
@@ -225,6 +31,76 @@ void check_previous(const Framework& framework, const State& state) {
                        " is not finite");
 }
 
+void check_start(const Framework& framework, const State& state, const RunOptions& options,
+                 const Log& log) {
+  check_positions(framework, state.positions, options.resolve.tolerance, log);
+  check_previous(framework, state);
+}
+
+/// Walkers in step with each other.
+class Together {
+ public:
+  Together(const Framework& framework, std::span<WalkerRun> walkers, const RunOptions& options)
+      : resolver_(framework, options.technique, options.resolve, options.lanes) {
+    walks_.reserve(walkers.size());
+    for (WalkerRun& walker : walkers)
+      walks_.emplace_back(framework, walker, options, resolver_.alone());
+  }
+
+  std::vector<RunSummary> all() {
+    for (Walk& walk : walks_) walk.begin();
+    while (step()) continue;
+    std::vector<RunSummary> summaries;
+    for (const Walk& walk : walks_) summaries.push_back(walk.summary());
+    return summaries;
+  }
+
+ private:
+  /// False if all walkers are done.
+  bool step() {
+    stepping_.clear();
+    for (Walk& walk : walks_)
+      if (!walk.is_over()) stepping_.push_back(&walk);
+    for (Walk* walk : stepping_) walk->push();
+    take_those_alike();
+    if (alike_.size() > 1) resolve_alike();
+    for (Walk* walk : stepping_) walk->finish(walk->resolve());
+    return std::any_of(walks_.begin(), walks_.end(), [](const Walk& w) { return !w.is_over(); });
+  }
+
+  /// Moves those from stepping_ to alike_ that can be resolved at once: same step, same root.
+  void take_those_alike() {
+    alike_.clear();
+    if (stepping_.size() < 2 || resolver_.level().empty()) return;
+    root_ = stepping_.front()->whole_resolve_from();
+    if (!root_) return;
+    const std::int64_t step = stepping_.front()->step();
+    const auto others =
+        std::stable_partition(stepping_.begin(), stepping_.end(), [&](const Walk* walk) {
+          return walk->step() != step || walk->whole_resolve_from() != root_;
+        });
+    alike_.assign(others, stepping_.end());
+    if (alike_.size() > 1) stepping_.erase(others, stepping_.end());
+  }
+
+  void resolve_alike() {
+    positions_.clear();
+    for (Walk* walk : alike_)
+      positions_.push_back({walk->number(), walk->positions(), walk->previous()});
+    resolved_.resize(alike_.size());
+    resolver_.resolve(positions_, resolved_, *root_, alike_.front()->step(),
+                      alike_.front()->shows_this_step());
+    for (std::size_t k = 0; k < alike_.size(); ++k) alike_[k]->finish_together(resolved_[k]);
+  }
+
+  WalkerResolver resolver_;
+  std::vector<Walk> walks_;
+  std::vector<Walk*> stepping_, alike_;
+  std::optional<Joint> root_;
+  std::vector<WalkerPositions> positions_;
+  std::vector<ResolveSummary> resolved_;
+};
+
 }  // namespace
 
 void check(const RunOptions& options) {
@@ -240,12 +116,17 @@ void check(const RunOptions& options) {
 
 RunSummary run(const Framework& framework, State& state, const RunOptions& options,
                const std::vector<Observer>& observers) {
+  WalkerRun walker{state, options.resolve.walker, observers, options.on_push, options.log};
+  return run_walkers(framework, {&walker, 1}, options).front();
+}
+
+std::vector<RunSummary> run_walkers(const Framework& framework, std::span<WalkerRun> walkers,
+                                    const RunOptions& options) {
   check(options);
-  check_positions(framework, state.positions, options.resolve.tolerance, options.log);
-  check_previous(framework, state);
+  for (const WalkerRun& walker : walkers) check_start(framework, walker.state, options, walker.log);
   check_replay(framework, options);
   if (framework.joint_count() == 0) throw InputError("nothing to run: no joints");
-  return Run(framework, state, options, observers).all();
+  return Together(framework, walkers, options).all();
 }
 
 }  // namespace pliant

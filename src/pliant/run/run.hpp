@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -12,8 +13,12 @@
 #include "pliant/framework/framework.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/resolve/resolve.hpp"
+#include "pliant/resolve/walkers.hpp"
 
 namespace pliant {
+
+/// Looks at a frame; true asks the run to stop after it.
+using Observer = std::function<bool(const Frame&)>;
 
 /// What a run does. Checked once, at its start.
 struct RunOptions {
@@ -26,14 +31,21 @@ struct RunOptions {
   std::int64_t steps = 1000;            ///< steps to do; from 0
   std::int64_t every = 1;               ///< show every so many steps (and step 0); from 1
   std::function<void(const Push&)> on_push = {};  ///< told the push of each step once it is done
+  LaneOptions lanes = {};                         ///< of run_walkers; changes no result
   Log log = {};
+};
+
+/// One of several walkers that run together.
+struct WalkerRun {
+  State& state;              ///< stepped on
+  std::uint64_t number = 0;  ///< in place of RunOptions::resolve.walker
+  std::vector<Observer> observers = {};
+  std::function<void(const Push&)> on_push = {};  ///< in place of RunOptions::on_push
+  Log log = {};                                   ///< in place of RunOptions::log
 };
 
 /// Throws OptionError naming the option, its value and its range.
 void check(const RunOptions& options);
-
-/// Looks at a frame; true asks the run to stop after it.
-using Observer = std::function<bool(const Frame&)>;
 
 /// What a run did.
 struct RunSummary {
@@ -62,5 +74,12 @@ struct RunSummary {
 /// observer throws.
 RunSummary run(const Framework& framework, State& state, const RunOptions& options,
                const std::vector<Observer>& observers);
+
+/// Runs walkers in step with each other, so that those whose pushes moved all joints are resolved
+/// together (WalkerResolver). What a walker does is what run() does with it alone, bit by bit; the
+/// seconds of its summary are its share. A walker that is asked to stop stops alone.
+/// Throws as run(); all walkers end where they are.
+std::vector<RunSummary> run_walkers(const Framework& framework, std::span<WalkerRun> walkers,
+                                    const RunOptions& options);
 
 }  // namespace pliant

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: MIT
+#include <gtest/gtest.h>
+
+#include "pliant/base/error.hpp"
+#include "pliant/framework/examples.hpp"
+#include "pliant/run/run.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace {
+
+struct Seen {
+  std::vector<std::vector<Vec3>> frames;
+  std::vector<double> rms_residuals;
+  std::vector<std::int64_t> sweeps;
+  RunSummary summary;
+
+  Observer observer() {
+    return [this](const Frame& frame) {
+      frames.emplace_back(frame.positions.begin(), frame.positions.end());
+      rms_residuals.push_back(frame.rms_residual);
+      sweeps.push_back(frame.sweeps);
+      return false;
+    };
+  }
+};
+
+RunOptions options_of(std::string_view perturbation, std::string_view technique) {
+  RunOptions options;
+  options.technique = {std::string(technique), 0.5};
+  options.perturb = perturbation;
+  options.steps = 25;
+  options.every = 4;
+  options.resolve.max_sweeps = 60;
+  options.resolve.seed = 3;
+  return options;
+}
+
+std::vector<Seen> run_alone(const Sketch& sketch, RunOptions options, std::uint64_t count) {
+  std::vector<Seen> seen(count);
+  const Framework framework = framework_of(sketch);
+  for (std::uint64_t k = 0; k < count; ++k) {
+    State state(sketch.positions);
+    options.resolve.walker = k;
+    seen[k].summary = run(framework, state, options, {seen[k].observer()});
+  }
+  return seen;
+}
+
+std::vector<Seen> run_together(const Sketch& sketch, const RunOptions& options,
+                               std::uint64_t count) {
+  std::vector<Seen> seen(count);
+  const Framework framework = framework_of(sketch);
+  std::vector<State> states(count, State(sketch.positions));
+  std::vector<WalkerRun> walkers;
+  for (std::uint64_t k = 0; k < count; ++k)
+    walkers.push_back({states[k], k, {seen[k].observer()}, {}, {}});
+  const auto summaries = run_walkers(framework, walkers, options);
+  for (std::uint64_t k = 0; k < count; ++k) seen[k].summary = summaries[k];
+  return seen;
+}
+
+void expect_same(const std::vector<Seen>& alone, const std::vector<Seen>& together) {
+  for (std::size_t k = 0; k < alone.size(); ++k) {
+    SCOPED_TRACE("walker " + std::to_string(k));
+    ASSERT_EQ(together[k].frames.size(), alone[k].frames.size());
+    for (std::size_t f = 0; f < alone[k].frames.size(); ++f)
+      EXPECT_TRUE(test::same_bits(together[k].frames[f], alone[k].frames[f])) << "frame " << f;
+    EXPECT_EQ(together[k].rms_residuals, alone[k].rms_residuals);
+    EXPECT_EQ(together[k].sweeps, alone[k].sweeps);
+    EXPECT_EQ(together[k].summary.projections, alone[k].summary.projections);
+    EXPECT_EQ(together[k].summary.worst_residual, alone[k].summary.worst_residual);
+    EXPECT_EQ(together[k].summary.worst_step, alone[k].summary.worst_step);
+    EXPECT_EQ(together[k].summary.unconverged_steps, alone[k].summary.unconverged_steps);
+  }
+}
+
+TEST(RunWalkers, DoTogetherWhatTheyDoAlone) {
+  for (const Sketch& sketch : {chain(12), grid(3, 3), with_angles(shaken(chain(8), 0.25))})
+    for (const PerturbationEntry& perturbation : perturbations())
+      for (const char* technique :
+           {"auto", "bfs_cycle", "bfs_reverse", "random", "blocks", "newton", "shake", "units"}) {
+        SCOPED_TRACE(std::string(perturbation.name) + ", " + technique);
+        const RunOptions options = options_of(perturbation.name, technique);
+        expect_same(run_alone(sketch, options, 10), run_together(sketch, options, 10));
+      }
+}
+
+TEST(RunWalkers, OneThatStopsLeavesTheOthersGoing) {
+  const Sketch sketch = chain(12);
+  const Framework framework = framework_of(sketch);
+  const RunOptions options = options_of("displacement", "blocks");
+  std::vector<State> states(3, State(sketch.positions));
+  const Observer stops_at_8 = [](const Frame& frame) { return frame.step == 8; };
+  std::vector<WalkerRun> walkers;
+  for (std::uint64_t k = 0; k < 3; ++k) walkers.push_back({states[k], k});
+  walkers[1].observers = {stops_at_8};
+  const auto summaries = run_walkers(framework, walkers, options);
+  EXPECT_EQ(summaries[0].steps, 25);
+  EXPECT_EQ(summaries[1].steps, 8);
+  EXPECT_TRUE(summaries[1].stopped_by_caller);
+  EXPECT_EQ(summaries[2].steps, 25);
+  EXPECT_FALSE(summaries[2].stopped_by_caller);
+}
+
+TEST(RunWalkers, APushBeyondNumbersIsTakenBackAlone) {
+  const Sketch sketch = chain(12);
+  RunOptions options = options_of("force_all", "blocks");
+  options.perturb_options.force = 1e306;
+  options.perturb_options.timestep = 1.0;
+  const auto alone = run_alone(sketch, options, 9);
+  expect_same(alone, run_together(sketch, options, 9));
+  EXPECT_GT(alone[0].summary.unconverged_steps, 0);
+}
+
+TEST(RunWalkers, NoneIsNoError) {
+  const Sketch sketch = chain(3);
+  const Framework framework = framework_of(sketch);
+  EXPECT_TRUE(run_walkers(framework, {}, options_of("force", "blocks")).empty());
+}
+
+}  // namespace
+}  // namespace pliant
