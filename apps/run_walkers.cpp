@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "run_walkers.hpp"
 
+#include <algorithm>
 #include <atomic>
+#include <deque>
 #include <exception>
 #include <mutex>
 #include <optional>
@@ -12,6 +14,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/record/topology_pdb.hpp"
+#include "pliant/resolve/lane_kernels.hpp"
 
 namespace pliant::app {
 namespace {
@@ -45,6 +48,7 @@ struct Shared {
   ProgressBar& progress;
   std::mutex hdf5 = {};
   std::atomic<std::int64_t> next_walker{0}, steps_done{0};
+  std::int64_t group_size = 1;  ///< walkers that step together
   std::exception_ptr failure = nullptr;
   std::vector<RunSummary> summaries = {};
 };
@@ -72,47 +76,80 @@ std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t w
                                       settings.record.overwrite, shared.molecule.framework, forces);
 }
 
-RunSummary run_walker(Shared& shared, std::int64_t walker) {
-  std::unique_lock lock(shared.hdf5);
-  H5mdRecorder recorder(output_of(shared.settings, walker), shared.molecule.framework,
-                        header_of(shared.settings, shared.molecule, walker),
-                        shared.settings.record);
-  if (walker == 0) write_sidecar(shared);
-  std::optional<ForceRecorder> forces = force_recorder(shared, walker);
-  lock.unlock();
-  RunOptions options = shared.settings.run;
-  options.resolve.walker = static_cast<std::uint64_t>(walker);
-  options.resolve.should_stop = interrupted;
-  if (forces) options.on_push = [&forces](const Push& push) { forces->record(push); };
-  if (walker == 0) options.log = shared.log;
+/// A walker with its outputs.
+struct RecordedWalker {
+  std::int64_t number;
+  H5mdRecorder recorder;
+  std::optional<ForceRecorder> forces;
+  State state;
   std::int64_t last_step = 0;
-  const Observer record = [&](const Frame& frame) {
+
+  /// Holds shared.hdf5.
+  RecordedWalker(const Shared& shared, std::int64_t walker)
+      : number(walker),
+        recorder(output_of(shared.settings, walker), shared.molecule.framework,
+                 header_of(shared.settings, shared.molecule, walker), shared.settings.record),
+        forces(force_recorder(shared, walker)),
+        state(shared.molecule.structure.positions) {}
+
+  WalkerRun run(Shared& shared) {
+    WalkerRun run{state, static_cast<std::uint64_t>(number)};
+    run.observers = {[this, &shared](const Frame& frame) { return record(shared, frame); }};
+    if (forces) run.on_push = [this](const Push& push) { forces->record(push); };
+    if (number == 0) run.log = shared.log;
+    return run;
+  }
+
+  bool record(Shared& shared, const Frame& frame) {
     const std::lock_guard hold(shared.hdf5);
     recorder.record(frame);
     shared.progress.show(shared.steps_done += frame.step - last_step);
     last_step = frame.step;
     return interrupted();
-  };
-  State state(shared.molecule.structure.positions);
-  const RunSummary summary = run(shared.molecule.framework, state, options, {record});
-  lock.lock();
-  recorder.close();
-  if (forces) forces->publish();
-  return summary;
+  }
+
+  void close() {
+    recorder.close();
+    if (forces) forces->publish();
+  }
+};
+
+/// Walkers [first, end) in step with each other.
+void run_group(Shared& shared, std::int64_t first, std::int64_t end) {
+  std::deque<RecordedWalker> walkers;  // which stay where they are
+  std::vector<WalkerRun> runs;
+  {
+    const std::lock_guard hold(shared.hdf5);
+    for (std::int64_t walker = first; walker < end; ++walker) walkers.emplace_back(shared, walker);
+    if (first == 0) write_sidecar(shared);
+  }
+  for (RecordedWalker& walker : walkers) runs.push_back(walker.run(shared));
+  RunOptions options = shared.settings.run;
+  options.resolve.should_stop = interrupted;
+  const auto summaries = pliant::run_walkers(shared.molecule.framework, runs, options);
+  std::copy(summaries.begin(), summaries.end(), shared.summaries.begin() + first);
+  const std::lock_guard hold(shared.hdf5);
+  for (RecordedWalker& walker : walkers) walker.close();
 }
 
-void run_next_walkers(Shared& shared) {
+void run_next_groups(Shared& shared) {
   for (;;) {
-    const std::int64_t walker = shared.next_walker++;
-    if (walker >= shared.settings.walkers || interrupted()) return;
+    const std::int64_t first = shared.next_walker.fetch_add(shared.group_size);
+    if (first >= shared.settings.walkers || interrupted()) return;
     try {
-      shared.summaries[static_cast<std::size_t>(walker)] = run_walker(shared, walker);
+      run_group(shared, first, std::min(first + shared.group_size, shared.settings.walkers));
     } catch (...) {
       const std::lock_guard hold(shared.hdf5);
       if (!shared.failure) shared.failure = std::current_exception();
       return;
     }
   }
+}
+
+/// As many as fit into the lanes, if that leaves no thread without.
+std::int64_t group_size(const RunSettings& settings) {
+  const std::int64_t share = (settings.walkers + settings.threads - 1) / settings.threads;
+  return std::clamp<std::int64_t>(share, 1, std::int64_t(lane_count));
 }
 
 }  // namespace
@@ -122,11 +159,12 @@ std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule&
   ProgressBar progress(settings.walkers * settings.run.steps, "steps", settings.quiet);
   Shared shared{settings, molecule, log, progress};
   shared.summaries.resize(static_cast<std::size_t>(settings.walkers));
+  shared.group_size = group_size(settings);
   {
     std::vector<std::jthread> threads;
     for (std::int64_t i = 1; i < std::min(settings.threads, settings.walkers); ++i)
-      threads.emplace_back([&shared] { run_next_walkers(shared); });
-    run_next_walkers(shared);
+      threads.emplace_back([&shared] { run_next_groups(shared); });
+    run_next_groups(shared);
   }
   if (shared.failure) std::rethrow_exception(shared.failure);
   return std::move(shared.summaries);

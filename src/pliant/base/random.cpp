@@ -16,27 +16,61 @@ Product multiply(std::uint64_t a, std::uint64_t b) {
   return {static_cast<std::uint64_t>(product >> 64), static_cast<std::uint64_t>(product)};
 }
 
+using Counter = std::array<std::uint64_t, 4>;
+using Key = std::array<std::uint64_t, 2>;
+
+/// `count` generators side by side: each waits for its own multiplications, not for the others'.
+template <std::size_t count>
+void philox_all(std::array<Counter, count>& counters, Key key) {
+  constexpr int rounds = 10;
+  for (int round = 0; round < rounds; ++round) {
+    for (Counter& counter : counters) {
+      const Product p0 = multiply(0xD2E7470EE14C6C93u, counter[0]);
+      const Product p1 = multiply(0xCA5A826395121157u, counter[2]);
+      counter = {p1.high ^ counter[1] ^ key[0], p1.low, p0.high ^ counter[3] ^ key[1], p0.low};
+    }
+    key[0] += 0x9E3779B97F4A7C15u;  // golden ratio
+    key[1] += 0xBB67AE8584CAA73Bu;  // sqrt(3) - 1
+  }
+}
+
+Counter counter_of(const RandomKey& key, std::uint64_t block) {
+  return {key.step, key.joint, key.walker, block};
+}
+Key key_of(const RandomKey& key) { return {key.seed, static_cast<std::uint64_t>(key.domain)}; }
+
 }  // namespace
 
 std::array<std::uint64_t, 4> philox4x64(std::array<std::uint64_t, 4> counter,
                                         std::array<std::uint64_t, 2> key) {
-  constexpr int rounds = 10;
-  for (int round = 0; round < rounds; ++round) {
-    const Product p0 = multiply(0xD2E7470EE14C6C93u, counter[0]);
-    const Product p1 = multiply(0xCA5A826395121157u, counter[2]);
-    counter = {p1.high ^ counter[1] ^ key[0], p1.low, p0.high ^ counter[3] ^ key[1], p0.low};
-    key[0] += 0x9E3779B97F4A7C15u;  // golden ratio
-    key[1] += 0xBB67AE8584CAA73Bu;  // sqrt(3) - 1
+  std::array<Counter, 1> counters{counter};
+  philox_all(counters, key);
+  return counters[0];
+}
+
+void random_directions(RandomKey key, bool planar, std::span<Vec3> out) {
+  constexpr std::size_t batch = 4;
+  const std::uint64_t first = key.joint;
+  std::array<Counter, batch> blocks;
+  for (std::size_t begin = 0; begin < out.size(); begin += batch) {
+    for (std::size_t i = 0; i < batch; ++i) {
+      key.joint = first + begin + i;
+      blocks[i] = counter_of(key, 0);
+    }
+    philox_all(blocks, key_of(key));
+    for (std::size_t i = 0; i < batch && begin + i < out.size(); ++i) {
+      key.joint = first + begin + i;
+      RandomSequence draws(key, blocks[i]);
+      out[begin + i] = planar ? draws.direction_in_plane() : draws.direction();
+    }
   }
-  return counter;
 }
 
 /// Four draws a block; the last word of the counter numbers the blocks of one sequence.
 std::uint64_t RandomSequence::bits() {
   const std::uint64_t lane = drawn_ % 4;
-  if (lane == 0)
-    block_ = philox4x64({key_.step, key_.joint, key_.walker, drawn_ / 4},
-                        {key_.seed, static_cast<std::uint64_t>(key_.domain)});
+  if (lane == 0 && !(has_first_ && drawn_ == 0))
+    block_ = philox4x64(counter_of(key_, drawn_ / 4), key_of(key_));
   ++drawn_;
   return block_[lane];
 }

@@ -2,6 +2,7 @@
 #include "pliant/perturb/perturbation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -29,6 +30,21 @@ Vec3 random_direction(const PerturbRequest& request, Domain domain, std::uint64_
 
 Vec3 random_force(const PerturbRequest& request, Joint joint) {
   return request.options.force * random_direction(request, Domain::force, joint);
+}
+
+/// Calls `take(joint, direction)` for all joints: random_direction() of each, some at a time.
+template <class Take>
+void each_direction(const PerturbRequest& request, Domain domain, Take take) {
+  std::array<Vec3, 128> directions;
+  const std::size_t count = request.framework.joint_count();
+  RandomKey key = request.key;
+  key.domain = domain;
+  for (std::size_t begin = 0; begin < count; begin += directions.size()) {
+    key.joint = begin;
+    const std::span<Vec3> some(directions.data(), std::min(directions.size(), count - begin));
+    random_directions(key, request.framework.is_planar(), some);
+    for (std::size_t i = 0; i < some.size(); ++i) take(begin + i, some[i]);
+  }
 }
 
 /// A joint that is free to move, each equally likely; no_joint if all are pinned.
@@ -77,19 +93,19 @@ Push push_one_joint(const PerturbRequest& request, State& state) {
 
 Push push_all_joints(const PerturbRequest& request, State& state) {
   std::vector<JointForce> forces(request.framework.joint_count());
-  for (std::size_t i = 0; i < forces.size(); ++i)
-    forces[i] = {static_cast<Joint>(i), random_force(request, static_cast<Joint>(i))};
+  each_direction(request, Domain::force, [&](std::size_t joint, Vec3 direction) {
+    forces[joint] = {static_cast<Joint>(joint), request.options.force * direction};
+  });
   return apply_forces(request, forces, state);
 }
 
 /// FRODA's way: no velocities, each joint is moved by a vector of one length and random direction.
 Push displace_all_joints(const PerturbRequest& request, State& state) {
   remember(request, state);
-  for (std::size_t i = 0; i < state.positions.size(); ++i) {
-    if (request.framework.is_pinned(static_cast<Joint>(i))) continue;
-    state.positions[i] +=
-        request.options.displacement * random_direction(request, Domain::displacement, i);
-  }
+  each_direction(request, Domain::displacement, [&](std::size_t joint, Vec3 direction) {
+    if (request.framework.is_pinned(static_cast<Joint>(joint))) return;
+    state.positions[joint] += request.options.displacement * direction;
+  });
   return {state.positions.empty() ? no_joint : 0, {}};
 }
 

@@ -15,7 +15,7 @@
 
 namespace pliant {
 
-inline constexpr std::size_t lane_count = 8;
+inline constexpr std::size_t lane_count = 8;  ///< walkers that are resolved at once
 
 /// Bit l is the truth about lane l.
 using LaneMask = std::uint8_t;

@@ -5,6 +5,7 @@
 
 #include <bit>
 #include <set>
+#include <vector>
 
 namespace pliant {
 namespace {
@@ -123,6 +124,20 @@ TEST(RandomSequence, DirectionsInThePlaneAreUnitVectorsAllAround) {
   EXPECT_NEAR(squares.x / count, 0.5, 0.005);
   EXPECT_NEAR(squares.y / count, 0.5, 0.005);
   EXPECT_NEAR(squares.z / count, 0.0, 0.005);
+}
+
+TEST(Random, ManyDirectionsAreThoseOfEachJointAlone) {
+  for (const bool planar : {false, true})
+    for (const std::size_t count : {0u, 1u, 3u, 4u, 1000u}) {
+      RandomKey key{5, Domain::displacement, 6, 7, 90};
+      std::vector<Vec3> together(count);
+      random_directions(key, planar, together);
+      for (std::size_t i = 0; i < count; ++i) {
+        key.joint = 90 + i;
+        RandomSequence alone(key);
+        EXPECT_EQ(together[i], planar ? alone.direction_in_plane() : alone.direction());
+      }
+    }
 }
 
 }  // namespace
