@@ -9,9 +9,6 @@
 namespace pliant::python {
 namespace {
 
-constexpr const char* expected_in_place =
-    "positions: expected a C-contiguous writeable numpy array of float64 with shape (N, 3), found ";
-
 bool is_true(nb::handle object) { return nb::cast<bool>(object); }
 
 std::string text_of(nb::handle object) { return nb::cast<std::string>(nb::str(object)); }
@@ -40,6 +37,15 @@ std::string description(nb::handle object) {
 
 bool is_aligned(const void* address) {
   return reinterpret_cast<std::uintptr_t>(address) % alignof(Vec3) == 0;
+}
+
+/// Lets `array` be the argument's memory as it is.
+template <class Array>
+void take_in_place(const PositionsInPlace& argument, const char* shape, Array& array) {
+  const bool fits = nb::try_cast(argument.object, array, false);
+  if (!fits || !is_aligned(array.data()))
+    raise_type("positions: expected a C-contiguous writeable numpy array of float64 with shape " +
+               std::string(shape) + ", found " + description(argument.object));
 }
 
 /// numpy.asarray(argument), or TypeError if that makes objects or strings of it.
@@ -91,10 +97,13 @@ std::vector<std::int64_t> pair_values(const ArrayLike& argument, const char* nam
 
 }  // namespace
 
+ConformersLease::ConformersLease(const PositionsInPlace& argument) {
+  take_in_place(argument, "(K, N, 3)", array_);
+  all_ = {reinterpret_cast<Vec3*>(array_.data()), array_.shape(0) * array_.shape(1)};
+}
+
 PositionsLease::PositionsLease(const PositionsInPlace& argument) {
-  const bool fits = nb::try_cast(argument.object, array_, false);
-  if (!fits || !is_aligned(array_.data()))
-    raise_type(expected_in_place + description(argument.object));
+  take_in_place(argument, "(N, 3)", array_);
   span_ = {reinterpret_cast<Vec3*>(array_.data()), array_.shape(0)};
 }
 

@@ -45,6 +45,20 @@ class PositionsLease {
   std::span<Vec3> span_;
 };
 
+/// The same of a (K, N, 3) array: K sets of positions.
+class ConformersLease {
+ public:
+  explicit ConformersLease(const PositionsInPlace& argument);
+  std::size_t count() const { return array_.shape(0); }
+  std::span<Vec3> at(std::size_t conformer) const {
+    return all_.subspan(conformer * array_.shape(1), array_.shape(1));
+  }
+
+ private:
+  nb::ndarray<double, nb::shape<-1, -1, 3>, nb::c_contig, nb::device::cpu> array_;
+  std::span<Vec3> all_;
+};
+
 /// A copy of an (N, 3) array-like of real numbers. `name` is that of the argument.
 std::vector<Vec3> positions_from(const ArrayLike& argument, const char* name = "positions");
 /// The same, and throws InputError if there are not `count`.

@@ -10,6 +10,7 @@ NB_MODULE(_core, module) {
   bind_molecule(module);
   bind_order(module);
   bind_resolve(module);
+  bind_walkers(module);
   bind_perturb(module);
   bind_record(module);
   bind_generate(module);

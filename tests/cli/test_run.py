@@ -143,6 +143,22 @@ def test_walkers_do_not_depend_on_threads(pliant, ethanol, tmp_path):
     assert not np.array_equal(first, second)
 
 
+@pytest.mark.parametrize("technique", ["auto", "bfs_cycle", "random", "shake"])
+def test_walkers_do_not_depend_on_how_many_go_together(pliant, ethanol, tmp_path, technique):
+    words = ["run", ethanol, "--perturb", "displacement", "--technique", technique, "--steps", 12,
+             "--every", 5, "--topology", "none"]  # fmt: skip
+    for name, walkers, threads in (("many", 11, 1), ("two", 11, 2), ("few", 2, 2)):
+        ended = pliant(*words, "-o", f"{name}.h5md", "--walkers", walkers, "--threads", threads)
+        assert ended.code == 0, ended.err
+    for walker in range(11):
+        many = contents(tmp_path / f"many-{walker}.h5md")
+        for name in ("two", "few")[: 2 if walker < 2 else 1]:
+            other = contents(tmp_path / f"{name}-{walker}.h5md")
+            assert many.keys() == other.keys()
+            for dataset, values in many.items():
+                np.testing.assert_array_equal(values, other[dataset], err_msg=dataset)
+
+
 def test_pinned_atoms_stay(pliant, ethanol, tmp_path):
     ended = pliant("run", ethanol, "-o", "o.h5md", "--pin", "index 0", "--steps", 20)
     assert ended.code == 0

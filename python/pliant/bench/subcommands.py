@@ -135,14 +135,14 @@ def _scaling(arguments: argparse.Namespace) -> int:
 
 
 def _throughput_options(parser: console.Parser) -> None:
-    from pliant.bench.throughput import CONFORMERS, REPEATS, THREADS
+    from pliant.bench.throughput import CONFORMERS, REPEATS, TECHNIQUES, THREADS
 
     add = parser.add_argument
     add("file", metavar="FILE", help="molecule, as of pliant run")
     add("--bars", choices=["bonds", "angles"], default="bonds",
         help="what becomes a bar (default bonds)")  # fmt: skip
-    add("--techniques", metavar="NAME,...", type=names, default=("blocks", "bfs_cycle"),
-        help="of pliant techniques (default blocks,bfs_cycle)")  # fmt: skip
+    add("--techniques", metavar="NAME,...", type=names, default=TECHNIQUES,
+        help=f"of pliant techniques (default {','.join(TECHNIQUES)})")  # fmt: skip
     add("--weighting", metavar="W", type=console.positive_number, default=1.0,
         help="of the techniques (default 1)")  # fmt: skip
     add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
@@ -155,6 +155,7 @@ def _throughput_options(parser: console.Parser) -> None:
         help=f"broken copies for each thread (default {CONFORMERS})")  # fmt: skip
     add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
         help=f"rounds, of which the median counts (default {REPEATS})")  # fmt: skip
+    add("--without-openmm", action="store_true", help="time our techniques alone")
 
 
 def _throughput(arguments: argparse.Namespace) -> int:
@@ -170,6 +171,7 @@ def _throughput(arguments: argparse.Namespace) -> int:
         threads=tuple(round(count) for count in arguments.threads),
         conformers=arguments.conformers,
         repeats=arguments.repeats,
+        openmm=not arguments.without_openmm,
     )
     console.print_json(found.as_json()) if arguments.json else print_report(found)
     return console.EXIT_OK

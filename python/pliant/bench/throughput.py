@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: MIT
-"""Conformers made whole in a second, on one thread and on several."""
+"""Conformers made whole in a second: one after the other and in lanes, on one thread and more."""
 
 from __future__ import annotations
 
 import os
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -14,25 +14,40 @@ import numpy as np
 
 import pliant
 from pliant import console
+from pliant.bench.contenders import Theirs, their_contenders
 from pliant.bench.target import Target, read_target
 
 CONFORMERS, REPEATS, THREADS = 200, 5, (1, 2)
+TECHNIQUES = ("blocks", "bfs_cycle", "shake", "newton")
+OPENMM_CONFORMERS = 20  #: of each round; their time does not depend on how many there are
 
 
 @dataclass
 class Throughput:
-    """All techniques on all numbers of threads."""
+    """All techniques on all numbers of threads, and OpenMM's CCMA on one."""
 
     input: str
     joints: int
     bars: int
     tolerance: float
     cores: int
+    lane_levels: list[str]  #: instructions that this processor has for lanes, the best first
     rows: list[ThroughputRow] = field(default_factory=list)
+    openmm: list[OpenmmRow] = field(default_factory=list)
+    about_openmm: str = ""  #: why OpenMM takes no part, or what it was not told
 
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""
         return {"pliant": pliant.__version__, **asdict(self)}
+
+
+@dataclass
+class OpenmmRow:
+    """OpenMM's CCMA, one conformer after the other on one thread."""
+
+    method: str  #: "ccma" (applyConstraints) or "ccma_dynamics" (told the intact structure)
+    ns_per_bar: float  #: median over the rounds
+    max_residual: float  #: of the worst conformer, measured anew
 
 
 @dataclass
@@ -41,20 +56,35 @@ class ThroughputRow:
 
     technique: str
     weighting: float | None
+    lanes: str  #: the instructions that take eight conformers at once; "": one after the other
     threads: int
     conformers: int  #: of each round
     whole: int  #: of these, measured anew
     conformers_per_second: float  #: median over the rounds, wall time
     ns_per_bar: float  #: wall time for one bar of one conformer
     processor_ns_per_bar: float  #: the same in processor time of the threads, added up
-    same_bits: bool  #: the conformers are those of one thread, bit by bit
+    same_bits: bool  #: the conformers are those of one thread without lanes, bit by bit
+    openmm_ratio: float | None  #: time of OpenMM's faster way for a bar, over that of this row
+
+
+@dataclass
+class _Entry:
+    """What a row is made of."""
+
+    technique: str
+    weighting: float | None
+    threads: int
+    lanes: bool
+    team: list[pliant.WalkerResolver] = field(default_factory=list)
+    result: np.ndarray = field(default_factory=lambda: np.empty(0))
+    times: list[tuple[float, float]] = field(default_factory=list)  #: wall, processor
 
 
 def throughput(
     path: str | os.PathLike,
     *,
     bars: str = "bonds",
-    techniques: Sequence[str] = ("blocks", "bfs_cycle"),
+    techniques: Sequence[str] = TECHNIQUES,
     weighting: float = 1.0,
     tolerance: float = 1e-6,
     displacement: float = 0.1,
@@ -62,43 +92,94 @@ def throughput(
     conformers: int = CONFORMERS,
     repeats: int = REPEATS,
     seed: int = 0,
+    openmm: bool = True,
 ) -> Throughput:
-    """Measures all techniques; rounds of all of them take turns."""
+    """Measures all techniques; rounds of all of them and of OpenMM take turns."""
     target = read_target(path, bars)
     broken = np.stack(
         [target.broken(displacement, seed + k) for k in range(conformers * max(threads))]
     )
-    chosen = [(name, _weighting(name, weighting)) for name in techniques]
-    entries = [(name, w, count) for name, w in chosen for count in threads]
-    results = [np.empty_like(broken) for _ in entries]
-    teams = [
-        [_resolver(target, name, w, tolerance) for _ in range(count)] for name, w, count in entries
-    ]
-    times: list[list[tuple[float, float]]] = [[] for _ in entries]
+    entries = list(_entries(target, techniques, weighting, tolerance, threads))
+    theirs, about = their_contenders(target) if openmm else ([], "OpenMM was not asked")
+    races = [(who, _OpenmmRace(who, target, tolerance)) for who in theirs]
     for _ in range(repeats + 1):
-        for k, (_, _, count) in enumerate(entries):
-            results[k][: conformers * count] = broken[: conformers * count]
-            times[k].append(_round(teams[k], results[k], conformers))
+        for entry in entries:
+            entry.result = broken[: conformers * entry.threads].copy()
+            entry.times.append(_round(entry.team, entry.result, conformers))
+        for _, race in races:
+            race.run(broken[:OPENMM_CONFORMERS])
     found = Throughput(target.name, len(target.positions), len(target.bars), tolerance,
-                       os.cpu_count() or 1)  # fmt: skip
-    for k, (name, w, count) in enumerate(entries):
-        alone = results[next(j for j, e in enumerate(entries) if e[:2] == (name, w))]
-        wall, processor = np.median(times[k][1:], axis=0) / (conformers * count)  # first: plans
-        found.rows.append(
-            ThroughputRow(
-                name,
-                w,
-                count,
-                conformers * count,
-                sum(target.residual(x) <= tolerance * (1 + 1e-9)
-                    for x in results[k][: conformers * count]),
-                float(1.0 / wall),
-                float(1e9 * wall / len(target.bars)),
-                float(1e9 * processor / len(target.bars)),
-                np.array_equal(results[k][:conformers], alone[:conformers]),
-            )
-        )  # fmt: skip
+                       os.cpu_count() or 1, pliant.lane_levels())  # fmt: skip
+    found.openmm = [race.row() for _, race in races]
+    found.about_openmm = about
+    best = min((row.ns_per_bar for row in found.openmm), default=None)
+    found.rows = [_row(entry, entries, target, tolerance, conformers, best) for entry in entries]
     return found
+
+
+def _entries(
+    target: Target,
+    techniques: Sequence[str],
+    weighting: float,
+    tolerance: float,
+    threads: Sequence[int],
+):
+    for name in techniques:
+        for lanes in (False, True):
+            entry = _Entry(name, _weighting(name, weighting), 1, lanes)
+            if lanes and not _resolver(target, entry, tolerance).level:
+                continue
+            for count in threads:
+                team = [_resolver(target, entry, tolerance) for _ in range(count)]
+                yield _Entry(name, entry.weighting, count, lanes, team)
+
+
+class _OpenmmRace:
+    """Repairs by OpenMM, timed."""
+
+    def __init__(self, who: Theirs, target: Target, tolerance: float) -> None:
+        who.prepare(tolerance)
+        self._who, self._target = who, target
+        self._seconds: list[float] = []
+        self._worst = 0.0
+
+    def run(self, broken: np.ndarray) -> None:
+        """One round."""
+        repairs = [self._who.repair(positions) for positions in broken]
+        self._seconds.append(sum(repair.seconds for repair in repairs) / len(repairs))
+        worst = max(self._target.residual(repair.positions) for repair in repairs)
+        self._worst = max(self._worst, worst)
+
+    def row(self) -> OpenmmRow:
+        """What came of it; the first round does not count."""
+        ns_per_bar = 1e9 * np.median(self._seconds[1:]) / len(self._target.bars)
+        return OpenmmRow(self._who.method, float(ns_per_bar), float(self._worst))
+
+
+def _row(
+    entry: _Entry,
+    entries: Sequence[_Entry],
+    target: Target,
+    tolerance: float,
+    conformers: int,
+    openmm_ns_per_bar: float | None,
+) -> ThroughputRow:
+    alone = next(e for e in entries if e.technique == entry.technique)
+    wall, processor = np.median(entry.times[1:], axis=0) / len(entry.result)  # first: plans
+    ns_per_bar = float(1e9 * wall / len(target.bars))
+    return ThroughputRow(
+        entry.technique,
+        entry.weighting,
+        entry.team[0].level,
+        entry.threads,
+        len(entry.result),
+        sum(target.residual(x) <= tolerance * (1 + 1e-9) for x in entry.result),
+        float(1.0 / wall),
+        ns_per_bar,
+        float(1e9 * processor / len(target.bars)),
+        np.array_equal(entry.result[:conformers], alone.result[:conformers]),
+        None if openmm_ns_per_bar is None else openmm_ns_per_bar / ns_per_bar,
+    )
 
 
 def _weighting(name: str, weighting: float) -> float | None:
@@ -106,31 +187,38 @@ def _weighting(name: str, weighting: float) -> float | None:
     return weighting if row is None or row.has_weighting else None
 
 
-def _resolver(
-    target: Target, name: str, weighting: float | None, tolerance: float
-) -> pliant.Resolver:
-    return pliant.Resolver(
-        target.framework, name, 0.5 if weighting is None else weighting, tolerance=tolerance
+def _resolver(target: Target, entry: _Entry, tolerance: float) -> pliant.WalkerResolver:
+    return pliant.WalkerResolver(
+        target.framework,
+        entry.technique,
+        0.5 if entry.weighting is None else entry.weighting,
+        tolerance=tolerance,
+        lanes=entry.lanes,
     )
 
 
-def _round(team: Sequence[pliant.Resolver], copies: np.ndarray, each: int) -> tuple[float, float]:
+def _round(
+    team: Sequence[pliant.WalkerResolver], copies: np.ndarray, each: int
+) -> tuple[float, float]:
     """Wall seconds in which every thread repairs its `each` copies; processor seconds of all."""
     busy = [0.0] * len(team)
 
     def work(number: int) -> None:
         start = time.thread_time()
-        for positions in copies[number * each : (number + 1) * each]:
-            team[number].resolve(positions)
+        team[number].resolve(copies[number * each : (number + 1) * each])
         busy[number] = time.thread_time() - start
 
-    crew = [threading.Thread(target=work, args=(k,)) for k in range(len(team))]
     start = time.perf_counter()
+    _all_at_once([lambda k=k: work(k) for k in range(len(team))])
+    return time.perf_counter() - start, sum(busy)
+
+
+def _all_at_once(calls: Sequence[Callable[[], None]]) -> None:
+    crew = [threading.Thread(target=call) for call in calls]
     for thread in crew:
         thread.start()
     for thread in crew:
         thread.join()
-    return time.perf_counter() - start, sum(busy)
 
 
 def print_report(found: Throughput) -> None:
@@ -141,10 +229,12 @@ def print_report(found: Throughput) -> None:
     )
     columns = [
         "technique",
+        "lanes",
         "threads",
         "conformers per second",
         "ns per bar",
         "of processor time",
+        "times OpenMM's",
         "whole",
         "same bits",
     ]
@@ -154,12 +244,21 @@ def print_report(found: Throughput) -> None:
         table.rows.append(
             [
                 name,
+                row.lanes or "-",
                 str(row.threads),
                 f"{row.conformers_per_second:.0f}",
                 f"{row.ns_per_bar:.1f}",
                 f"{row.processor_ns_per_bar:.1f}",
+                "-" if row.openmm_ratio is None else f"{row.openmm_ratio:.1f}",
                 f"{row.whole} of {row.conformers}",
                 "yes" if row.same_bits else "no",
             ]
         )
     table.print()
+    for row in found.openmm:
+        print(
+            f"OpenMM {row.method}: {row.ns_per_bar:.1f} ns per bar, worst residual "
+            f"{row.max_residual:.1e}"
+        )
+    if found.about_openmm:
+        print(found.about_openmm)

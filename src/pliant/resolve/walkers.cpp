@@ -175,6 +175,10 @@ void WalkerResolver::resolve(std::span<const WalkerPositions> walkers,
   for (std::size_t at = 0; at < walkers.size(); at += lane_count) {
     const std::size_t count = std::min(lane_count, walkers.size() - at);
     const auto group = walkers.subspan(at, count);
+    if (at > 0 && plan_->options.should_stop && plan_->options.should_stop()) {
+      std::fill(summaries.begin() + std::ptrdiff_t(at), summaries.end(), ResolveSummary{});
+      return;
+    }
     const bool alike = std::all_of(group.begin(), group.end(), [&](const WalkerPositions& walker) {
       return walker.reference.size() == group[0].reference.size();
     });

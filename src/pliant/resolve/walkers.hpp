@@ -47,8 +47,8 @@ class WalkerResolver {
 
   /// Moves the positions of all walkers as Resolver::resolve moves one's; they share root and step.
   /// `summaries` has one of each walker; their seconds are a walker's share of its group's, and
-  /// their rms_residual is -1 (not measured) unless asked for. Throws OptionError as
-  /// Resolver::resolve.
+  /// their rms_residual is -1 (not measured) unless asked for. Asked to stop, walkers that are not
+  /// begun stay where they are: their sweeps are -1. Throws OptionError as Resolver::resolve.
   void resolve(std::span<const WalkerPositions> walkers, std::span<ResolveSummary> summaries,
                Joint root = 0, std::int64_t step = 0, bool rms_residual = false);
 

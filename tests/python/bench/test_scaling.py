@@ -70,14 +70,27 @@ def test_the_command_prints_a_table(capsys):
     assert "converged" in out and "chain: time grows as joints to the " in out
 
 
-def test_throughput_is_whole_and_the_same_on_two_threads(capsys):
-    found = throughput(CAFFEINE, conformers=5, repeats=1, techniques=("blocks", "bfs_cycle"))
-    assert [(row.technique, row.threads) for row in found.rows] == [
-        ("blocks", 1), ("blocks", 2), ("bfs_cycle", 1), ("bfs_cycle", 2)]  # fmt: skip
+def test_throughput_is_whole_and_the_same_in_lanes_and_on_two_threads():
+    found = throughput(CAFFEINE, conformers=5, repeats=1, techniques=("blocks", "random"))
+    best = pliant.lane_levels()[0]
+    assert [(row.technique, row.lanes, row.threads) for row in found.rows] == [
+        ("blocks", "", 1), ("blocks", "", 2), ("blocks", best, 1), ("blocks", best, 2),
+        ("random", "", 1), ("random", "", 2)]  # fmt: skip
     assert all(row.same_bits and row.whole == row.conformers for row in found.rows)
-    assert [row.conformers for row in found.rows] == [5, 10, 5, 10]
-    words = ["throughput", str(CAFFEINE), "--conformers", "2", "--repeats", "1"]
+    assert [row.conformers for row in found.rows] == [5, 10] * 3
+    assert [row.method for row in found.openmm] == ["ccma", "ccma_dynamics"]
+    assert all(row.max_residual < 2e-6 for row in found.openmm)
+    fastest = min(row.ns_per_bar for row in found.openmm)
+    for row in found.rows:
+        assert row.openmm_ratio == pytest.approx(fastest / row.ns_per_bar)
+
+
+def test_throughput_by_the_command(capsys):
+    words = ["throughput", str(CAFFEINE), "--conformers", "2", "--repeats", "1",
+             "--techniques", "blocks", "--without-openmm"]  # fmt: skip
     assert main([*words, "--json"]) == 0
-    assert len(json.loads(capsys.readouterr().out)["rows"]) == 4
+    printed = json.loads(capsys.readouterr().out)
+    assert len(printed["rows"]) == 4
+    assert printed["openmm"] == [] and printed["rows"][0]["openmm_ratio"] is None
     assert main(words) == 0
     assert "conformers per second" in capsys.readouterr().out

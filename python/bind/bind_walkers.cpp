@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+// Resolving many walkers at once, in place on numpy memory.
+#include "pliant/resolve/walkers.hpp"
+
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+#include <mutex>
+
+#include "arrays.hpp"
+#include "checks.hpp"
+#include "interrupt.hpp"
+#include "options.hpp"
+
+namespace pliant::python {
+namespace {
+
+/// A WalkerResolver that several Python threads may share: one after another.
+class SharedWalkerResolver {
+ public:
+  SharedWalkerResolver(const Framework& framework, const ResolveArguments& arguments, bool lanes,
+                       const std::string& level)
+      : framework_(framework),
+        resolver_(framework, arguments.chosen(), options_of(arguments), {lanes, level}) {}
+
+  std::string level() { return std::string(resolver_.level()); }
+
+  /// Needs the GIL, which it gives up while it works.
+  std::vector<ResolveSummary> resolve(const PositionsInPlace& positions, std::int64_t root,
+                                      std::int64_t step, std::uint64_t first_walker,
+                                      const OptionalArray& reference, bool rms_residual) {
+    const ConformersLease lease(positions);
+    std::vector<Vec3> before;
+    if (reference) before = positions_from(*reference, "reference");
+    const Joint root_joint = root_at(framework_, root);
+    std::vector<WalkerPositions> walkers;
+    for (std::size_t k = 0; k < lease.count(); ++k)
+      walkers.push_back({first_walker + k, lease.at(k), before});
+    std::vector<ResolveSummary> summaries(walkers.size());
+    std::exception_ptr raised;
+    {
+      const nb::gil_scoped_release no_gil;
+      const std::lock_guard one_at_a_time(mutex_);
+      watch_ = InterruptWatch();
+      resolver_.resolve(walkers, summaries, root_joint, step, rms_residual);
+      raised = watch_.raised();
+    }
+    if (raised) std::rethrow_exception(raised);
+    return summaries;
+  }
+
+ private:
+  ResolveOptions options_of(const ResolveArguments& arguments) {
+    ResolveOptions options = arguments.options();
+    options.should_stop = [this] { return watch_(); };
+    return options;
+  }
+
+  const Framework& framework_;
+  InterruptWatch watch_;
+  std::mutex mutex_;
+  WalkerResolver resolver_;
+};
+
+void make_walker_resolver(SharedWalkerResolver* self, const Framework& framework,
+                          const std::string& technique, double weighting, bool mass_weighted,
+                          double tolerance, std::optional<double> tolerance_length,
+                          std::int64_t max_sweeps, std::uint64_t seed,
+                          const std::optional<OrderingColumns>& ordering, bool lanes,
+                          const std::string& level) {
+  new (self) SharedWalkerResolver(framework,
+                                  {technique, weighting, mass_weighted, tolerance, tolerance_length,
+                                   max_sweeps, seed, 0, ordering},
+                                  lanes, level);
+}
+
+constexpr const char* class_doc =
+    R"(Resolves many walkers (independent copies of one framework) at once.
+
+Groups of eight go through SIMD registers side by side (lanes) where the technique has a way to:
+sweeps of one ordering for all, ``blocks``, ``newton``, ``shake``. Each walker ends with the same
+bits as alone in a ``Resolver``, whoever stands beside it and whatever the processor.
+
+Parameters are those of ``resolve``, and:
+
+lanes : bool
+    False: one walker after the other.
+level : str
+    Instructions to use, a name in ``lane_levels()``; the best ones if empty.
+)";
+
+constexpr const char* resolve_doc =
+    R"(Moves all ``positions`` in place, as the function ``resolve`` does those of one walker.
+
+Parameters
+----------
+positions : (K, N, 3) float64, Angstrom
+    C-contiguous and writeable; this very memory is changed.
+root, step : int
+    As of ``resolve``, for all walkers.
+first_walker : int
+    Number of the first walker; the others follow. Random draws depend on it.
+reference : (N, 3) array-like, optional
+    As of ``resolve``, for all walkers.
+rms_residual : bool
+    Measure ``rms_residual`` too, which is -1 otherwise.
+
+Returns
+-------
+list of ResolveSummary
+    One of each walker; ``seconds`` is its share.
+)";
+
+}  // namespace
+
+void bind_walkers(nb::module_& module) {
+  const Technique technique;
+  const ResolveOptions options;
+  module.def(
+      "lane_levels",
+      [] {
+        const auto names = lane_level_names();
+        return std::vector<std::string>(names.begin(), names.end());
+      },
+      "Instructions that this build and this processor have for walkers in lanes, the best first:\n"
+      "\"v4\" (x86-64-v4, AVX-512), \"v3\" (AVX2), \"v2\" (SSE4.2), \"portable\".");
+  nb::class_<SharedWalkerResolver>(module, "WalkerResolver", class_doc)
+      .def("__init__", &make_walker_resolver, nb::keep_alive<1, 2>(), "framework"_a,
+           "technique"_a = technique.name, "weighting"_a = technique.weighting, nb::kw_only(),
+           "mass_weighted"_a = technique.mass_weighted, "tolerance"_a = options.tolerance.relative,
+           "tolerance_length"_a = nb::none(), "max_sweeps"_a = options.max_sweeps,
+           "seed"_a = options.seed, "ordering"_a = nb::none(), "lanes"_a = true, "level"_a = "")
+      .def_prop_ro("level", &SharedWalkerResolver::level,
+                   "The instructions in use; empty if walkers go one after the other.")
+      .def("resolve", &SharedWalkerResolver::resolve, "positions"_a, "root"_a = 0, nb::kw_only(),
+           "step"_a = 0, "first_walker"_a = 0, "reference"_a = nb::none(), "rms_residual"_a = false,
+           resolve_doc);
+}
+
+}  // namespace pliant::python
