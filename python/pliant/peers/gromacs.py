@@ -171,5 +171,5 @@ def _processor_seconds() -> float:
 
 def lincs_settings(order: int) -> Iterator[Setting]:
     """From what is quickest to what is most exact."""
-    for iterations in (1, 2, 3, 4, 6, 8, 12, 16, 24):
+    for iterations in (1, 2, 3, 4, 6, 8, 10, 12, 14, 16, 20, 24):
         yield Setting("lincs", order=order, iterations=iterations)
