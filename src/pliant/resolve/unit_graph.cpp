@@ -2,6 +2,7 @@
 #include "pliant/resolve/unit_graph.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "pliant/resolve/disjoint_sets.hpp"
@@ -252,9 +253,10 @@ class LoopMerger {
 
 /// Units united by `unite(merger)` until it finds nothing more.
 template <class Unite>
-MergedUnits merge_while(const Framework& framework, const UnitSet& set, Unite unite) {
-  MergedUnits all{set, {}};
-  for (std::uint32_t unit = 0; unit < set.size(); ++unit) all.of_unit.push_back(unit);
+MergedUnits merge_while(const Framework& framework, UnitSet set, Unite unite) {
+  MergedUnits all{std::move(set), {}};
+  all.of_unit.resize(all.set.size());
+  std::iota(all.of_unit.begin(), all.of_unit.end(), 0u);
   for (;;) {
     const UnitGraph graph = connect_units(framework, all.set);
     if (!graph.has_loops()) return all;
@@ -272,14 +274,15 @@ UnitGraph connect_units(const Framework& framework, const UnitSet& set) {
   return Connector(framework, set).run();
 }
 
-MergedUnits merge_rigid_loops(const Framework& framework, const UnitSet& set) {
-  return merge_while(framework, set, [](LoopMerger& merger) {
+MergedUnits merge_rigid_loops(const Framework& framework, UnitSet set) {
+  return merge_while(framework, std::move(set), [](LoopMerger& merger) {
     return merger.unite_short_loops() || merger.unite_rigid_blocks();
   });
 }
 
-MergedUnits merge_all_loops(const Framework& framework, const UnitSet& set) {
-  return merge_while(framework, set, [](LoopMerger& merger) { return merger.unite_all_blocks(); });
+MergedUnits merge_all_loops(const Framework& framework, UnitSet set) {
+  return merge_while(framework, std::move(set),
+                     [](LoopMerger& merger) { return merger.unite_all_blocks(); });
 }
 
 }  // namespace pliant

@@ -43,9 +43,9 @@ struct MergedUnits {
 /// Unites what loops make rigid, again and again: loops of hinges with at most six ways to move (n
 /// hinges leave n - 6: rings of up to six atoms, and what is fused of them), then whole blocks that
 /// have as many equations as freedoms.
-MergedUnits merge_rigid_loops(const Framework& framework, const UnitSet& set);
+MergedUnits merge_rigid_loops(const Framework& framework, UnitSet set);
 
 /// Unites what is left of loops: each becomes one unit that changes its shape.
-MergedUnits merge_all_loops(const Framework& framework, const UnitSet& set);
+MergedUnits merge_all_loops(const Framework& framework, UnitSet set);
 
 }  // namespace pliant

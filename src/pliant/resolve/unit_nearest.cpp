@@ -91,7 +91,11 @@ void UnitNearest::approach(UnitPlan& plan, std::span<Vec3> positions,
                            std::span<const Vec3> targets) {
   const auto steps = plan.steps();
   bodies_.resize(steps.size());
-  turns_.resize(3 * steps.size());
+  first_turn_.assign(1, 0);
+  first_turn_.reserve(steps.size() + 1);
+  for (const UnitStep& step : steps)
+    first_turn_.push_back(first_turn_.back() + static_cast<std::uint32_t>(turns_of(step)));
+  turns_.resize(first_turn_.back());
   kept_.assign(positions.begin(), positions.end());
   for (int step = 0; step < most_steps; ++step) {
     const double before = gather(plan, positions, targets);
@@ -105,7 +109,7 @@ void UnitNearest::approach(UnitPlan& plan, std::span<Vec3> positions,
 /// As far along the turns found as pays; the sum there.
 double UnitNearest::step_nearer(UnitPlan& plan, std::span<Vec3> positions,
                                 std::span<const Vec3> targets, double before) {
-  double share = longest_share(plan.steps());
+  double share = longest_share();
   for (int halving = 0; halving <= most_halvings; ++halving, share *= 0.5) {
     const double sum = move(plan, share, positions, targets);
     if (sum < before) return sum;
@@ -145,18 +149,18 @@ void UnitNearest::set_turns(const UnitStep& step, std::size_t index,
     if (step.entry == UnitEntry::hinge) axes[0] = basis.axis;
   }
   const Vec3 through = positions[step.a] - origin_;
-  for (std::size_t t = 0; t < turns_of(step); ++t) {
-    Turn& turn = turns_[3 * index + t];
-    turn.axis = axes[t];
-    turn.through = through;
-    turn.s = twist_of(turn.axis, cross(through, turn.axis));
+  std::size_t t = 0;
+  for (Turn& turn : turns(index)) {
+    turn.s = twist_of(axes[t], cross(through, axes[t]));
+    ++t;
   }
 }
 
 void UnitNearest::go_inward(std::span<const UnitStep> steps) {
   for (std::size_t k = steps.size(); k-- > 0;) {
     Body& body = bodies_[k];
-    for (std::size_t t = turns_of(steps[k]); t-- > 0;) eliminate(body, turns_[3 * k + t]);
+    const std::span<Turn> own = turns(k);
+    for (std::size_t t = own.size(); t-- > 0;) eliminate(body, own[t]);
     if (steps[k].parent < 0) continue;
     Body& parent = bodies_[std::size_t(steps[k].parent)];
     for (std::size_t i = 0; i < 21; ++i) parent.inertia[i] += body.inertia[i];
@@ -167,40 +171,40 @@ void UnitNearest::go_inward(std::span<const UnitStep> steps) {
 void UnitNearest::eliminate(Body& body, Turn& turn) const {
   turn.u = times(body.inertia, turn.s);
   turn.d = dot6(turn.s, turn.u);
-  turn.drive = dot6(turn.s, body.force);
+  turn.angle = dot6(turn.s, body.force);
   double most = 0.0;
   for (std::size_t i = 0; i < 6; ++i) most += turn.s[i] * turn.s[i] * body.inertia[entry(i, i)];
   if (!(turn.d > vanishing * most)) turn.d = 0.0;
   if (turn.d == 0.0) return;
   for (std::size_t i = 0; i < 6; ++i) {
     const double share = turn.u[i] / turn.d;
-    body.force[i] -= share * turn.drive;
+    body.force[i] -= share * turn.angle;
     for (std::size_t j = 0; j <= i; ++j) body.inertia[entry(i, j)] -= share * turn.u[j];
   }
 }
 
+/// From here on the force of a body is its twist.
 void UnitNearest::go_outward(std::span<const UnitStep> steps) {
   for (std::size_t k = 0; k < steps.size(); ++k) {
     Body& body = bodies_[k];
     if (steps[k].parent >= 0) {
-      body.twist = bodies_[std::size_t(steps[k].parent)].twist;
+      body.force = bodies_[std::size_t(steps[k].parent)].force;
     } else {
       if (steps[k].entry == UnitEntry::rod)  // its turns are two, and what is left shifts it
         std::fill(body.inertia.begin(), body.inertia.begin() + 6, 0.0);
-      body.twist = steps[k].is_held ? Twist{} : solve_free(body.inertia, body.force);
+      body.force = steps[k].is_held ? Twist{} : solve_free(body.inertia, body.force);
     }
-    for (std::size_t t = 0; t < turns_of(steps[k]); ++t) {
-      Turn& turn = turns_[3 * k + t];
-      turn.angle = turn.d > 0.0 ? (turn.drive - dot6(turn.u, body.twist)) / turn.d : 0.0;
-      for (std::size_t i = 0; i < 6; ++i) body.twist[i] += turn.angle * turn.s[i];
+    for (Turn& turn : turns(k)) {
+      turn.angle = turn.d > 0.0 ? (turn.angle - dot6(turn.u, body.force)) / turn.d : 0.0;
+      for (std::size_t i = 0; i < 6; ++i) body.force[i] += turn.angle * turn.s[i];
     }
   }
 }
 
-double UnitNearest::longest_share(std::span<const UnitStep> steps) const {
+double UnitNearest::longest_share() const {
   double largest = 0.0;
-  for (std::size_t k = 0; k < steps.size(); ++k)
-    largest = std::max(largest, norm(turn_vector(steps[k], k)));
+  for (std::size_t k = 0; k < bodies_.size(); ++k)
+    largest = std::max(largest, norm(turn_vector(k)));
   return largest > largest_turn ? largest_turn / largest : 1.0;
 }
 
@@ -211,10 +215,10 @@ double UnitNearest::move(UnitPlan& plan, double share, std::span<Vec3> positions
   double sum = 0.0;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     set_motion(steps[k], k, share);
-    const Body& body = bodies_[k];
+    const Motion motion = bodies_[k].motion();
     for (const JointInUnit& joint : plan.joints(steps[k])) {
       Vec3& x = positions[joint.joint];
-      x = origin_ + (body.rotation(kept_[joint.joint] - origin_) + body.shift);
+      x = origin_ + (motion.rotation(kept_[joint.joint] - origin_) + motion.shift);
       sum += steps[k].scale * joint.weight * norm_squared(targets[joint.joint] - x);
     }
   }
@@ -222,33 +226,45 @@ double UnitNearest::move(UnitPlan& plan, double share, std::span<Vec3> positions
 }
 
 void UnitNearest::set_motion(const UnitStep& step, std::size_t index, double share) {
-  Body& body = bodies_[index];
-  body.rotation = {};
-  body.shift = {};
+  Motion motion;
   if (step.parent >= 0) {
-    const Body& parent = bodies_[std::size_t(step.parent)];
-    body.rotation = parent.rotation, body.shift = parent.shift;
+    motion = bodies_[std::size_t(step.parent)].motion();
   } else if (!step.is_held) {
-    const Vec3 turn{body.twist[0], body.twist[1], body.twist[2]};
+    const Twist& twist = bodies_[index].force;
+    const Vec3 turn{twist[0], twist[1], twist[2]};
     const double angle = norm(turn);
-    if (angle > 0.0) body.rotation = turn_about((1.0 / angle) * turn, 0.5 * share * angle);
-    body.shift = share * Vec3{body.twist[3], body.twist[4], body.twist[5]};
+    if (angle > 0.0) motion.rotation = turn_about((1.0 / angle) * turn, 0.5 * share * angle);
+    motion.shift = share * Vec3{twist[3], twist[4], twist[5]};
   }
-  if (turns_of(step) == 0) return;
-  const Vec3 turn = turn_vector(step, index), through = turns_[3 * index].through;
+  const Vec3 turn = turn_vector(index);
   const double angle = norm(turn);
-  if (!(angle > 0.0)) return;
-  const Rotation rotation = turn_about((1.0 / angle) * turn, 0.5 * share * angle);
-  body.shift = body.rotation(through - rotation(through)) + body.shift;
-  body.rotation = product(body.rotation, rotation);
+  if (angle > 0.0) {
+    const Vec3 through = kept_[step.a] - origin_;
+    const Rotation rotation = turn_about((1.0 / angle) * turn, 0.5 * share * angle);
+    motion.shift = motion.rotation(through - rotation(through)) + motion.shift;
+    motion.rotation = product(motion.rotation, rotation);
+  }
+  bodies_[index].set_motion(motion);
 }
 
 /// Axis times angle of the turns of a unit together (radians).
-Vec3 UnitNearest::turn_vector(const UnitStep& step, std::size_t index) const {
+Vec3 UnitNearest::turn_vector(std::size_t index) const {
   Vec3 sum;
-  for (std::size_t t = 0; t < turns_of(step); ++t)
-    sum += turns_[3 * index + t].angle * turns_[3 * index + t].axis;
+  for (const Turn& turn : turns(index)) sum += turn.angle * turn.axis();
   return sum;
+}
+
+void UnitNearest::Body::set_motion(const Motion& motion) {
+  std::size_t k = 0;
+  for (const Vec3 row : {motion.rotation.x, motion.rotation.y, motion.rotation.z, motion.shift})
+    for (const double value : {row.x, row.y, row.z}) inertia[k++] = value;
+}
+
+UnitNearest::Motion UnitNearest::Body::motion() const {
+  const auto row = [&](std::size_t k) {
+    return Vec3{inertia[3 * k], inertia[3 * k + 1], inertia[3 * k + 2]};
+  };
+  return {{row(0), row(1), row(2)}, row(3)};
 }
 
 }  // namespace pliant

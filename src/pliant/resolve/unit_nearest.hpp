@@ -35,17 +35,23 @@ class UnitNearest {
   using Twist = std::array<double, 6>;  ///< (turn, shift at the origin), or (moment, force)
   /// One way in which a unit turns against its parent, after elimination.
   struct Turn {
-    Vec3 axis, through;
-    Twist s{}, u{};
+    Twist s{}, u{};      ///< s begins with the axis
     double d = 0.0;      ///< s . u; 0: nothing turns
-    double drive = 0.0;  ///< s . p
-    double angle = 0.0;
+    double angle = 0.0;  ///< going inward, s . p
+    Vec3 axis() const { return {s[0], s[1], s[2]}; }
   };
-  struct Body {
-    std::array<double, 21> inertia;  ///< lower triangle, by rows
-    Twist force, twist;
-    Rotation rotation;  ///< of the motion of the step, x -> rotation(x) + shift from the origin
+  /// The motion of a step, x -> rotation(x) + shift from the origin.
+  struct Motion {
+    Rotation rotation;
     Vec3 shift;
+  };
+  /// What is needed one after the other shares its room: on long chains there are millions.
+  struct Body {
+    std::array<double, 21> inertia;  ///< lower triangle, by rows; then the motion
+    Twist force;                     ///< then the twist
+
+    void set_motion(const Motion& motion);
+    Motion motion() const;
   };
 
   double gather(UnitPlan& plan, std::span<const Vec3> positions, std::span<const Vec3> targets);
@@ -53,8 +59,14 @@ class UnitNearest {
   void go_inward(std::span<const UnitStep> steps);
   void eliminate(Body& body, Turn& turn) const;
   void go_outward(std::span<const UnitStep> steps);
-  Vec3 turn_vector(const UnitStep& step, std::size_t index) const;
-  double longest_share(std::span<const UnitStep> steps) const;
+  Vec3 turn_vector(std::size_t index) const;
+  std::span<Turn> turns(std::size_t index) {
+    return {turns_.data() + first_turn_[index], turns_.data() + first_turn_[index + 1]};
+  }
+  std::span<const Turn> turns(std::size_t index) const {
+    return {turns_.data() + first_turn_[index], turns_.data() + first_turn_[index + 1]};
+  }
+  double longest_share() const;
   double step_nearer(UnitPlan& plan, std::span<Vec3> positions, std::span<const Vec3> targets,
                      double before);
   double move(UnitPlan& plan, double share, std::span<Vec3> positions,
@@ -62,8 +74,9 @@ class UnitNearest {
   void set_motion(const UnitStep& step, std::size_t index, double share);
 
   std::vector<Body> bodies_;  ///< of the steps of the plan
-  std::vector<Turn> turns_;   ///< three a body; hinges use one, what begins a component none
-  std::vector<Vec3> kept_;    ///< where the step began
+  std::vector<Turn> turns_;   ///< of all bodies: hinges have one, what begins a component none
+  std::vector<std::uint32_t> first_turn_;  ///< of each body, and one more
+  std::vector<Vec3> kept_;                 ///< where the step began
   Vec3 origin_;
 };
 

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "pliant/resolve/best_fit.hpp"
 #include "pliant/resolve/project_bar.hpp"
@@ -25,59 +27,77 @@ RandomSequence escape_draws(RandomKey key, Joint joint) {
 
 }  // namespace
 
-UnitPass::UnitPass(const Framework& framework, const UnitSet& bodies, const Technique& technique,
+UnitPass::UnitPass(const Framework& framework, UnitSet bodies, const Technique& technique,
                    const ResolveOptions& options)
     : framework_(framework),
-      forest_(find_unit_forest(framework, bodies, options.tolerance)),
+      forest_(find_unit_forest(framework, std::move(bodies), options.tolerance)),
       plan_(framework, forest_, technique.mass_weighted) {
+  if (!forest_.has_unknown()) return;
   make_loops(technique, options);
+  close_by_torsions(options);
+  forest_.rigid = {}, forest_.of_rigid = {};
 }
 
 void UnitPass::make_loops(const Technique& technique, const ResolveOptions& options) {
   const UnitsOfJoints units(forest_.set, framework_.joint_count());
-  std::vector<std::vector<BarIndex>> bars(forest_.set.size());
+  std::vector<std::pair<std::uint32_t, BarIndex>> bars;  // of units without a shape
   std::vector<std::uint32_t> both;
   for (std::size_t k = 0; k < framework_.bar_count(); ++k) {
     units.common(framework_.bars()[k].a, framework_.bars()[k].b, both);
     for (std::uint32_t unit : both)
       if (forest_.shapes.kinds[unit] == ShapeKind::unknown)
-        bars[unit].push_back(static_cast<BarIndex>(k));
+        bars.emplace_back(unit, static_cast<BarIndex>(k));
   }
-  std::vector<std::vector<std::uint32_t>> parts(forest_.set.size());
-  for (std::uint32_t k = 0; k < forest_.rigid.size(); ++k) parts[forest_.of_rigid[k]].push_back(k);
-  for (std::uint32_t unit = 0; unit < bars.size(); ++unit) {
-    if (bars[unit].empty()) continue;
-    loops_.push_back(std::make_unique<UnitLoop>(framework_, forest_.set.of(unit), bars[unit],
-                                                technique, options));
-    close_by_torsions(*loops_.back(), parts[unit]);
-    loop_of_.resize(unit + 1, nullptr);
-    loop_of_[unit] = loops_.back().get();
+  std::sort(bars.begin(), bars.end());
+  std::vector<BarIndex> own;
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    own.push_back(bars[k].second);
+    if (k + 1 < bars.size() && bars[k + 1].first == bars[k].first) continue;
+    make_loop(bars[k].first, own, technique, options);
+    own.clear();
   }
 }
 
-void UnitPass::close_by_torsions(UnitLoop& loop, std::span<const std::uint32_t> parts) const {
-  UnitSet rigid;
-  UnitShapes shapes;
-  for (std::uint32_t k : parts) {
-    rigid.add(forest_.rigid.of(k));
-    shapes.kinds.push_back(forest_.rigid_shapes.kinds[k]);
-    for (std::size_t j = forest_.rigid.first[k]; j < forest_.rigid.first[k + 1]; ++j)
-      shapes.points.push_back(forest_.rigid_shapes.points[j]);
+void UnitPass::make_loop(std::uint32_t unit, std::span<const BarIndex> bars,
+                         const Technique& technique, const ResolveOptions& options) {
+  loops_.push_back(
+      std::make_unique<UnitLoop>(framework_, forest_.set.of(unit), bars, technique, options));
+  loop_of_.resize(unit + 1, nullptr);
+  loop_of_[unit] = loops_.back().get();
+}
+
+/// Gives each loop the rigid units that it is made of.
+void UnitPass::close_by_torsions(const ResolveOptions& options) {
+  struct Parts {
+    UnitSet rigid;
+    UnitShapes shapes;
+  };
+  std::map<std::uint32_t, Parts> parts_of;
+  const UnitShapes shapes = find_unit_shapes(framework_, forest_.rigid, options.tolerance);
+  std::vector<Vec3> room;
+  for (std::uint32_t k = 0; k < forest_.rigid.size(); ++k) {
+    const std::uint32_t unit = forest_.of_rigid[k];
+    if (unit >= loop_of_.size() || loop_of_[unit] == nullptr) continue;
+    Parts& parts = parts_of[unit];
+    parts.rigid.add(forest_.rigid.of(k));
+    parts.shapes.kinds.push_back(shapes.kinds[k]);
+    const auto points = points_of(framework_, forest_.rigid, shapes, k, room);
+    parts.shapes.points.insert(parts.shapes.points.end(), points.begin(), points.end());
   }
-  loop.close_by_torsions(std::move(rigid), shapes);
+  for (auto& [unit, parts] : parts_of)
+    loop_of_[unit]->close_by_torsions(std::move(parts.rigid), parts.shapes);
 }
 
 UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
   if (!planned_ || planned_root_ != call.root) {
     plan_.plan(call.root);
-    steps_.assign(plan_.steps().begin(), plan_.steps().end());
     planned_ = true;
     planned_root_ = call.root;
   }
   Outcome worst = Outcome::placed;
   for (auto& loop : loops_)
     if (!loop->find_shape(call)) worst = Outcome::unfit;
-  for (UnitStep& step : steps_) {
+  for (UnitStep& step : plan_.steps()) {
     if (step.entry == UnitEntry::still) place_still(call, step);
     worst = std::max(worst, place(call, step));
   }
@@ -87,7 +107,7 @@ UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
 UnitPass::Outcome UnitPass::approach(const ResolveCall& call, std::span<const Vec3> targets) {
   nearest_.approach(plan_, call.positions, targets);
   Outcome worst = Outcome::placed;
-  for (UnitStep& step : steps_) worst = std::max(worst, place(call, step));
+  for (UnitStep& step : plan_.steps()) worst = std::max(worst, place(call, step));
   return worst;
 }
 

@@ -24,7 +24,7 @@ namespace pliant {
 class UnitPass {
  public:
   /// `bodies` as find_unit_bodies() gives them; the framework outlives it.
-  UnitPass(const Framework& framework, const UnitSet& bodies, const Technique& technique,
+  UnitPass(const Framework& framework, UnitSet bodies, const Technique& technique,
            const ResolveOptions& options);
 
   enum class Outcome { placed, unfit, not_finite };
@@ -38,7 +38,9 @@ class UnitPass {
 
  private:
   void make_loops(const Technique& technique, const ResolveOptions& options);
-  void close_by_torsions(UnitLoop& loop, std::span<const std::uint32_t> parts) const;
+  void make_loop(std::uint32_t unit, std::span<const BarIndex> bars, const Technique& technique,
+                 const ResolveOptions& options);
+  void close_by_torsions(const ResolveOptions& options);
   Outcome place(const ResolveCall& call, UnitStep& step);
   Outcome place_by_rotation(std::span<Vec3> positions, const UnitStep& step);
   Outcome place_by_torsion(const ResolveCall& call, const UnitStep& step);
@@ -48,7 +50,6 @@ class UnitPass {
   const Framework& framework_;
   UnitForest forest_;
   UnitPlan plan_;
-  std::vector<UnitStep> steps_;
   std::vector<std::unique_ptr<UnitLoop>> loops_;  ///< of units without a shape
   std::vector<UnitLoop*> loop_of_;                ///< of each unit up to the last that has one
   UnitNearest nearest_;

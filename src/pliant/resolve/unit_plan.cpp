@@ -10,6 +10,18 @@
 namespace pliant {
 namespace {
 
+UnitLinks links_of(const UnitGraph& graph) {
+  UnitLinks links{graph.units, graph.connections, {0}, {}};
+  const std::size_t nodes = graph.links.joint_count();
+  links.first.reserve(nodes + 1);
+  links.to.reserve(2 * graph.links.bar_count());
+  for (Joint node = 0; node < nodes; ++node) {
+    for (const Incidence& at : graph.links.neighbours(node)) links.to.push_back(at.joint);
+    links.first.push_back(static_cast<std::uint32_t>(links.to.size()));
+  }
+  return links;
+}
+
 /// Units made of several rigid ones have no shape of their own.
 void forget_loops(UnitForest& forest) {
   std::vector<std::uint32_t> parts(forest.set.size(), 0);
@@ -20,17 +32,27 @@ void forget_loops(UnitForest& forest) {
 
 }  // namespace
 
-UnitForest find_unit_forest(const Framework& framework, const UnitSet& bodies,
+bool UnitForest::has_unknown() const {
+  return std::find(shapes.kinds.begin(), shapes.kinds.end(), ShapeKind::unknown) !=
+         shapes.kinds.end();
+}
+
+UnitForest find_unit_forest(const Framework& framework, UnitSet bodies,
                             const Tolerance& tolerance) {
   // Without drawn positions the shape of a rigid loop is found each time, from its bodies.
-  UnitSet rigid = framework.drawn().empty() ? bodies : merge_rigid_loops(framework, bodies).set;
-  MergedUnits all = merge_all_loops(framework, rigid);
-  UnitGraph graph = connect_units(framework, all.set);
-  UnitShapes rigid_shapes = find_unit_shapes(framework, rigid, tolerance);
-  UnitShapes shapes = find_unit_shapes(framework, all.set, tolerance);
-  UnitForest forest{std::move(rigid), std::move(all.set),      std::move(all.of_unit),
-                    std::move(graph), std::move(rigid_shapes), std::move(shapes)};
+  if (!framework.drawn().empty())
+    bodies = std::move(merge_rigid_loops(framework, std::move(bodies)).set);
+  UnitForest forest;
+  forest.rigid = std::move(bodies);
+  {
+    MergedUnits all = merge_all_loops(framework, forest.rigid);
+    forest.set = std::move(all.set);
+    forest.of_rigid = std::move(all.of_unit);
+  }
+  forest.links = links_of(connect_units(framework, forest.set));
+  forest.shapes = find_unit_shapes(framework, forest.set, tolerance);
   forget_loops(forest);
+  if (!forest.has_unknown()) forest.rigid = {}, forest.of_rigid = {};
   return forest;
 }
 
@@ -53,8 +75,10 @@ void UnitPlan::find_pins() {
 
 void UnitPlan::plan(Joint root) {
   steps_.clear();
+  steps_.reserve(forest_.set.size());
   joints_.clear();
-  seen_.assign(forest_.graph.links.joint_count(), false);
+  joints_.reserve(framework_.joint_count());
+  seen_.assign(forest_.links.node_count(), false);
   placed_.assign(framework_.joint_count(), false);
   step_of_.assign(forest_.set.size(), -1);
   for (const auto& pins : pins_) start_at(pins[0], pins);
@@ -100,19 +124,19 @@ bool UnitPlan::holds_all(std::uint32_t unit, std::span<const Joint> joints) cons
 }
 
 void UnitPlan::spread(std::uint32_t unit) {
-  for (const Incidence& to : forest_.graph.links.neighbours(unit)) {
-    if (seen_[to.joint]) continue;
-    seen_[to.joint] = true;
-    const UnitConnection& at = forest_.graph.connection(to.joint);
-    for (const Incidence& next : forest_.graph.links.neighbours(to.joint)) {
-      if (seen_[next.joint]) continue;
-      seen_[next.joint] = true;
-      waiting_.push_back(next.joint);
-      const auto ends = forest_.set.of(next.joint);
-      if (forest_.shapes.kinds[next.joint] == ShapeKind::rod) {
-        add_step(next.joint, UnitEntry::rod, at.a, ends[0] == at.a ? ends[1] : ends[0]);
+  for (const Joint to : forest_.links.neighbours(unit)) {
+    if (seen_[to]) continue;
+    seen_[to] = true;
+    const UnitConnection& at = forest_.links.connection(to);
+    for (const Joint next : forest_.links.neighbours(to)) {
+      if (seen_[next]) continue;
+      seen_[next] = true;
+      waiting_.push_back(next);
+      const auto ends = forest_.set.of(next);
+      if (forest_.shapes.kinds[next] == ShapeKind::rod) {
+        add_step(next, UnitEntry::rod, at.a, ends[0] == at.a ? ends[1] : ends[0]);
       } else {
-        add_step(next.joint, at.is_hinge() ? UnitEntry::hinge : UnitEntry::ball, at.a, at.b);
+        add_step(next, at.is_hinge() ? UnitEntry::hinge : UnitEntry::ball, at.a, at.b);
       }
       steps_.back().parent = step_of_[unit];
       steps_.back().is_held = step_of_[unit] < 0;
@@ -131,10 +155,8 @@ void UnitPlan::add_step(std::uint32_t unit, UnitEntry entry, Joint a, Joint b) {
   if (entry == UnitEntry::ball) placed_[a] = true;
   if (entry == UnitEntry::rod) step.length = rod_length(framework_, a, b);
   add_joints(step);
-  const auto& first = forest_.set.first;
   if (step.is_known && entry != UnitEntry::rod)
-    set_shape(step,
-              std::span(forest_.shapes.points).subspan(first[unit], first[unit + 1] - first[unit]));
+    set_shape(step, points_of(framework_, forest_.set, forest_.shapes, unit, points_));
   step_of_[unit] = static_cast<std::int32_t>(steps_.size());
   steps_.push_back(step);
 }

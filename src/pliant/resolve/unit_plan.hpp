@@ -11,17 +11,32 @@
 
 namespace pliant {
 
-/// The units of a framework, as a forest.
-struct UnitForest {
-  UnitSet rigid;                        ///< whose shape is known if it is drawn, or complete
-  UnitSet set;                          ///< without any loops
-  std::vector<std::uint32_t> of_rigid;  ///< the unit in `set` of each rigid one
-  UnitGraph graph;                      ///< of `set`
-  UnitShapes rigid_shapes, shapes;      ///< of `rigid`, `set`; loops with freedom are unknown
+/// What an outward pass needs of a graph of units, in a fifth of the memory.
+struct UnitLinks {
+  std::size_t units = 0;
+  std::vector<UnitConnection> connections;
+  std::vector<std::uint32_t> first;  ///< (nodes + 1) into `to`
+  std::vector<Joint> to;             ///< neighbours of each node, in the graph's sequence
+
+  std::size_t node_count() const { return first.size() - 1; }
+  std::span<const Joint> neighbours(Joint node) const {
+    return {to.data() + first[node], to.data() + first[node + 1]};
+  }
+  const UnitConnection& connection(Joint node) const { return connections[node - units]; }
 };
 
-UnitForest find_unit_forest(const Framework& framework, const UnitSet& bodies,
-                            const Tolerance& tolerance);
+/// The units of a framework, as a forest.
+struct UnitForest {
+  UnitSet set;        ///< without any loops
+  UnitLinks links;    ///< of `set`
+  UnitShapes shapes;  ///< of `set`; loops with freedom are unknown
+  UnitSet rigid;      ///< whose shape is known if it is drawn, or complete; none if `set` says all
+  std::vector<std::uint32_t> of_rigid;  ///< the unit in `set` of each rigid one
+
+  bool has_unknown() const;
+};
+
+UnitForest find_unit_forest(const Framework& framework, UnitSet bodies, const Tolerance& tolerance);
 
 /// How a unit meets what is placed.
 enum class UnitEntry : std::uint8_t {
@@ -42,17 +57,17 @@ struct JointInUnit {
 };
 
 struct UnitStep {
+  double length = 0.0;  ///< of the hinge or rod (Angstrom)
+  double spread = 0.0;  ///< of a hinge: sum of weight times squared distance from it
+  double scale = 1.0;   ///< of the weights: the mass of the heaviest joint (u), or 1
   std::uint32_t unit = 0;
   Joint a = 0, b = 0;
   std::uint32_t first = 0, count = 0;  ///< joints to place, in UnitPlan::joints
-  double length = 0.0;                 ///< of the hinge or rod (Angstrom)
-  double spread = 0.0;                 ///< of a hinge: sum of weight times squared distance from it
+  std::int32_t parent = -1;            ///< the step on which it hangs; -1: first of its component
   UnitEntry entry = UnitEntry::free;
   bool mirror_allowed = false;
-  std::int32_t parent = -1;  ///< the step on which it hangs; -1: first of its component
-  bool is_held = false;      ///< hangs on pinned joints alone
-  double scale = 1.0;        ///< of the weights: the mass of the heaviest joint (u), or 1
-  bool is_known = true;      ///< else its shape is to be set each time
+  bool is_held = false;  ///< hangs on pinned joints alone
+  bool is_known = true;  ///< else its shape is to be set each time
 };
 
 /// Plans passes from any root; linear in joints.
@@ -65,7 +80,7 @@ class UnitPlan {
   /// left out. The root's component begins at a unit of the root, others at their lowest joint's.
   void plan(Joint root);
 
-  std::span<const UnitStep> steps() const { return steps_; }
+  std::span<UnitStep> steps() { return steps_; }
   std::span<JointInUnit> joints(const UnitStep& step) {
     return {joints_.data() + step.first, step.count};
   }
@@ -92,6 +107,7 @@ class UnitPlan {
   std::vector<bool> placed_;  ///< joints
   std::vector<std::uint32_t> waiting_;
   std::vector<std::int32_t> step_of_;  ///< of units
+  std::vector<Vec3> points_;           ///< of the unit in hand
 };
 
 }  // namespace pliant

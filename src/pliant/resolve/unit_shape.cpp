@@ -94,11 +94,6 @@ class Scaling {
   std::vector<double> rests_, gram_, vectors_;
 };
 
-void take_drawn(const Framework& framework, std::span<const Joint> joints, std::span<Vec3> points) {
-  const auto drawn = framework.drawn();
-  for (std::size_t k = 0; k < joints.size(); ++k) points[k] = drawn[joints[k]] - drawn[joints[0]];
-}
-
 }  // namespace
 
 double rod_length(const Framework& framework, Joint a, Joint b) {
@@ -107,20 +102,35 @@ double rod_length(const Framework& framework, Joint a, Joint b) {
   return 0.0;
 }
 
+std::span<const Vec3> points_of(const Framework& framework, const UnitSet& set,
+                                const UnitShapes& shapes, std::size_t unit,
+                                std::vector<Vec3>& room) {
+  const auto joints = set.of(unit);
+  if (!shapes.points.empty())
+    return std::span(shapes.points).subspan(set.first[unit], joints.size());
+  const auto drawn = framework.drawn();
+  room.assign(joints.size(), {});
+  if (joints.size() == 2)
+    room[1].x = rod_length(framework, joints[0], joints[1]);
+  else
+    for (std::size_t k = 0; k < joints.size(); ++k) room[k] = drawn[joints[k]] - drawn[joints[0]];
+  return room;
+}
+
 UnitShapes find_unit_shapes(const Framework& framework, const UnitSet& set,
                             const Tolerance& tolerance) {
-  UnitShapes shapes{{}, std::vector<Vec3>(set.joints.size())};
+  const bool is_drawn = !framework.drawn().empty();
+  UnitShapes shapes{{}, std::vector<Vec3>(is_drawn ? 0 : set.joints.size())};
+  shapes.kinds.reserve(set.size());
   Scaling scaling(framework, tolerance);
   for (std::size_t unit = 0; unit < set.size(); ++unit) {
     const auto joints = set.of(unit);
-    const auto points = std::span(shapes.points).subspan(set.first[unit], joints.size());
-    if (joints.size() == 2) {
-      points[1].x = rod_length(framework, joints[0], joints[1]);
-      shapes.kinds.push_back(ShapeKind::rod);
-    } else if (!framework.drawn().empty()) {
-      take_drawn(framework, joints, points);
-      shapes.kinds.push_back(ShapeKind::drawn);
+    if (joints.size() == 2 || is_drawn) {
+      shapes.kinds.push_back(joints.size() == 2 ? ShapeKind::rod : ShapeKind::drawn);
+      if (!is_drawn)
+        shapes.points[set.first[unit] + 1].x = rod_length(framework, joints[0], joints[1]);
     } else {
+      const auto points = std::span(shapes.points).subspan(set.first[unit], joints.size());
       shapes.kinds.push_back(scaling.place(joints, points) ? ShapeKind::lengths
                                                            : ShapeKind::unknown);
     }

@@ -2,6 +2,7 @@
 // Shapes of rigid units: where the joints of each lie against one another.
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "pliant/framework/residual.hpp"
@@ -19,8 +20,15 @@ enum class ShapeKind : std::uint8_t {
 
 struct UnitShapes {
   std::vector<ShapeKind> kinds;  ///< (U)
-  std::vector<Vec3> points;      ///< as UnitSet::joints, from the first joint of its unit; Angstrom
+  /// As UnitSet::joints, from the first joint of its unit (Angstrom); none where the framework is
+  /// drawn.
+  std::vector<Vec3> points;
 };
+
+/// The points of the joints of a unit, as above, drawn or not; `room` may hold them.
+std::span<const Vec3> points_of(const Framework& framework, const UnitSet& set,
+                                const UnitShapes& shapes, std::size_t unit,
+                                std::vector<Vec3>& room);
 
 /// The rest length of the bar between two joints (Angstrom); 0 if there is none.
 double rod_length(const Framework& framework, Joint a, Joint b);

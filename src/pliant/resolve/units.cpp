@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "pliant/resolve/blocks.hpp"
@@ -21,7 +22,7 @@ class Units final : public Method {
       : framework_(framework), technique_(technique), options_(options), nearest_(nearest) {
     UnitSet bodies = find_unit_bodies(framework);
     if (has_bodies(bodies))
-      pass_ = std::make_unique<UnitPass>(framework, bodies, technique, options);
+      pass_ = std::make_unique<UnitPass>(framework, std::move(bodies), technique, options);
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {

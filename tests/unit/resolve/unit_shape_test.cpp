@@ -10,7 +10,11 @@ namespace {
 
 double worst_error(const Framework& framework, const UnitSet& set, const UnitShapes& shapes) {
   std::vector<Vec3> x(framework.joint_count());
-  for (std::size_t k = 0; k < set.joints.size(); ++k) x[set.joints[k]] = shapes.points[k];
+  std::vector<Vec3> room;
+  for (std::size_t unit = 0; unit < set.size(); ++unit) {
+    const auto points = points_of(framework, set, shapes, unit, room);
+    for (std::size_t k = 0; k < points.size(); ++k) x[set.of(unit)[k]] = points[k];
+  }
   return measure(framework, x).max_relative;
 }
 
