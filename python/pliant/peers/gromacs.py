@@ -153,9 +153,12 @@ class Gromacs:
 
     def _read(self, share: float, steps: int) -> Run:
         folder = pathlib.Path(self._folder.name)
-        log = (folder / "bars.log").read_text(encoding="utf-8", errors="replace")
-        calls, seconds = constraint_seconds(log)
-        frames = [x / NM for step, x in read_frames(folder / "bars.trr") if step > 0]
+        try:
+            log = (folder / "bars.log").read_text(encoding="utf-8", errors="replace")
+            calls, seconds = constraint_seconds(log)
+            frames = [x / NM for step, x in read_frames(folder / "bars.trr") if step > 0]
+        except (OSError, ValueError) as error:
+            raise _Failed(f"mdrun's files cannot be read: {error}") from None
         return Run("", share * seconds / calls, seconds, steps, frames)
 
 

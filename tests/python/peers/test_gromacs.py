@@ -55,6 +55,8 @@ def test_how_it_ended_is_told(scattered, tmp_path):
     assert run.failure == "Too many LINCS warnings (1000)" and run.frames == []
     run = scattered.run(pretender(tmp_path, "exit 3"), Setting("lincs"), 9, 1, 9)
     assert run.failure == "grompp ended with 3"
+    run = scattered.run(pretender(tmp_path, "echo nothing > bars.log"), Setting("lincs"), 9, 1, 9)
+    assert run.failure.startswith("mdrun's files cannot be read: the log has no row of times")
 
 
 def test_who_takes_too_long_is_stopped(scattered, tmp_path):
