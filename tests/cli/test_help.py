@@ -29,6 +29,7 @@ PAGES = {
     "pliant-bench-throughput": ["bench", "throughput", "--help"],
     "pliant-bench-stress": ["bench", "stress", "--help"],
     "pliant-bench-auto": ["bench", "auto", "--help"],
+    "pliant-bench-step": ["bench", "step", "--help"],
     "pliant-bench-record": ["bench", "record", "--help"],
 }
 
