@@ -61,6 +61,18 @@ class Scaling:
     rows: list[SizeRow] = field(default_factory=list)
     slopes: list[Slope] = field(default_factory=list)
 
+    @property
+    def faults(self) -> list[str]:
+        """Sizes that failed, or that count as whole beyond the tolerance."""
+        return [f"{r.kind} of {r.joints}: {text}" for r in self.rows if (text := self._fault(r))]
+
+    def _fault(self, row: SizeRow) -> str:
+        if row.outcome == "failed":
+            return f"failed: {row.note}"
+        if row.outcome == "converged" and not row.max_residual <= self.tolerance * (1 + 1e-9):
+            return f"counts as whole, but a bar is off by {row.max_residual:.1e}"
+        return ""
+
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""
         return {"pliant": pliant.__version__, **asdict(self)}
@@ -180,6 +192,8 @@ def print_report(found: Scaling) -> None:
             f"{slope.kind}: time grows as joints to the {slope.slope:.3f}"
             + (f" +- {slope.confidence:.3f} (95 %)" if math.isfinite(slope.confidence) else "")
         )
+    for fault in found.faults:
+        print(f"wrong: {fault}")
 
 
 def _cells(row: SizeRow) -> list[str]:

@@ -131,7 +131,7 @@ def _scaling(arguments: argparse.Namespace) -> int:
             progress=show,
         )
     console.print_json(found.as_json()) if arguments.json else print_report(found)
-    return console.EXIT_OK
+    return console.EXIT_FAILED if found.faults else console.EXIT_OK
 
 
 def _throughput_options(parser: console.Parser) -> None:

@@ -64,6 +64,14 @@ def test_scaling_measures_and_says_what_it_left_out(monkeypatch):
     assert (row.outcome, row.note) == ("left out", "more memory than is free")
 
 
+def test_sizes_that_are_not_what_they_say_are_named():
+    found = sizes.Scaling("blocks", 0.5, 1e-6)
+    found.rows = [SizeRow("chain", 10, outcome="converged", max_residual=r) for r in (1e-6, 2e-6)]
+    found.rows += [SizeRow("tree", 20, outcome="failed", note="no memory"), SizeRow("tree", 30)]
+    assert found.faults == ["chain of 10: counts as whole, but a bar is off by 2.0e-06",
+                            "tree of 20: failed: no memory"]  # fmt: skip
+
+
 def test_the_command_prints_a_table(capsys):
     assert main(["scaling", "--sizes", "100,200,400", "--kinds", "chain", "--repeats", "1"]) == 0
     out = capsys.readouterr().out
