@@ -26,6 +26,9 @@ void add_molecule_benchmarks(const SharedMolecule& molecule);
 /// Registers every row of techniques() that applies, on the molecule displaced by 0.1 Angstrom.
 void add_resolve_benchmarks(const SharedMolecule& molecule);
 
+/// Registers the kernels that take eight walkers at once, one by one.
+void add_lane_benchmarks(const SharedMolecule& molecule);
+
 /// The same for bars across angles too, and techniques that resolve these in one pass or two.
 void add_angle_benchmarks(const SharedMolecule& molecule);
 
