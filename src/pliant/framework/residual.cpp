@@ -6,6 +6,17 @@
 
 namespace pliant {
 
+bool is_whole(const Framework& framework, std::span<const Vec3> positions,
+              const Tolerance& tolerance) {
+  const auto bars = framework.bars();
+  const auto rests = framework.rest_lengths();
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    const double error = residual(positions[bars[k].a], positions[bars[k].b], rests[k]);
+    if (!(std::abs(error) <= tolerance.of(rests[k]))) return false;
+  }
+  return true;
+}
+
 ResidualSummary measure(const Framework& framework, std::span<const Vec3> positions,
                         const Tolerance& tolerance) {
   ResidualSummary summary;

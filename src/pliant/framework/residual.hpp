@@ -31,6 +31,10 @@ struct ResidualSummary {
   bool finite = true;         ///< every length is a finite number
 };
 
+/// Whether every bar is within the tolerance; looks no further than the first that is not.
+bool is_whole(const Framework& framework, std::span<const Vec3> positions,
+              const Tolerance& tolerance);
+
 /// Measures all bars at `positions` (N): linear in the number of bars.
 /// A length that is not finite gives finite = within = false, with worst_bar naming its bar.
 ResidualSummary measure(const Framework& framework, std::span<const Vec3> positions,

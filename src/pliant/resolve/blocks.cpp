@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/blocks.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <memory>
 #include <vector>
 
@@ -61,13 +59,7 @@ class BlockPass final : public Method {
   bool several_pinned() const { return framework_.pinned_count() > 1; }
 
   bool is_whole(std::span<const Vec3> positions) const {
-    const auto bars = framework_.bars();
-    const auto rests = framework_.rest_lengths();
-    for (std::size_t k = 0; k < bars.size(); ++k) {
-      const double error = residual(positions[bars[k].a], positions[bars[k].b], rests[k]);
-      if (!(std::abs(error) <= options_.tolerance.of(rests[k]))) return false;
-    }
-    return true;
+    return pliant::is_whole(framework_, positions, options_.tolerance);
   }
 
   void plan(Joint root) {
@@ -97,8 +89,8 @@ class BlockPass final : public Method {
 
   void project(const ResolveCall& call, const PassStep& step) const {
     if (framework_.is_pinned(step.far)) return;
-    project_bar(call.positions[step.near], call.positions[step.far], step.rest, 0.0, 1.0,
-                [&] { return escape_direction(call.key, step.bar, framework_.is_planar()); });
+    carry_far(call.positions[step.near], call.positions[step.far], step.rest,
+              [&] { return escape_direction(call.key, step.bar, framework_.is_planar()); });
   }
 
   /// What Newton could not finish (redundant bars far from whole, coincident joints, impossible

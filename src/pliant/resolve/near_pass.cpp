@@ -55,8 +55,8 @@ void NearPass::project(Joint near, const Incidence& at, const ResolveCall& call)
   if (std::abs(residual(x_near, x_far, rest)) <= tolerance_.of(rest)) return;
   moved_.note(at.joint, x_far);
   reach(at.joint);
-  project_bar(x_near, x_far, rest, 0.0, 1.0,
-              [&] { return escape_direction(call.key, at.bar, framework_.is_planar()); });
+  carry_far(x_near, x_far, rest,
+            [&] { return escape_direction(call.key, at.bar, framework_.is_planar()); });
 }
 
 bool NearPass::solve(std::uint32_t block, Joint entry, const ResolveCall& call,

@@ -43,4 +43,17 @@ inline void project_bar(Vec3& near, Vec3& far, double rest, double near_share, d
   far -= far_share * excess;
 }
 
+/// The same where the far joint takes all: `near` is looked at, not touched.
+template <class Escape>
+inline void carry_far(Vec3 near, Vec3& far, double rest, Escape&& escape) {
+  const Vec3 delta = far - near;
+  const double squared = norm_squared(delta);
+  if (squared < least_squared_length) [[unlikely]] {
+    far += rest * escape();
+    return;
+  }
+  const double d = std::sqrt(squared);
+  far -= ((d - rest) / d) * delta;
+}
+
 }  // namespace pliant

@@ -138,8 +138,8 @@ void UnitPass::place_still(const ResolveCall& call, const UnitStep& step) const 
 void UnitPass::place_rod(const ResolveCall& call, const UnitStep& step,
                          const Framework& framework) {
   if (framework.is_pinned(step.b)) return;
-  project_bar(call.positions[step.a], call.positions[step.b], step.length, 0.0, 1.0,
-              [&] { return framework.random_direction(escape_draws(call.key, step.b)); });
+  carry_far(call.positions[step.a], call.positions[step.b], step.length,
+            [&] { return framework.random_direction(escape_draws(call.key, step.b)); });
 }
 
 UnitPass::Outcome UnitPass::place_by_rotation(std::span<Vec3> positions, const UnitStep& step) {

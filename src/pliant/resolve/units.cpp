@@ -60,10 +60,7 @@ class Units final : public Method {
   }
 
   bool is_whole(std::span<const Vec3> positions) const {
-    for (std::size_t k = 0; k < framework_.bar_count(); ++k)
-      if (!(error(positions, k) <= options_.tolerance.of(framework_.rest_lengths()[k])))
-        return false;
-    return true;
+    return pliant::is_whole(framework_, positions, options_.tolerance);
   }
 
   /// In units of what is allowed; infinite if a length is no number.
