@@ -11,9 +11,17 @@
 #include "checks.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
+#include "pliant/base/error.hpp"
 
 namespace pliant::python {
 namespace {
+
+Measured measured_from(const std::string& name) {
+  if (name == "nothing") return Measured::nothing;
+  if (name == "max_residual") return Measured::max_residual;
+  if (name == "rms_residual") return Measured::rms_residual;
+  throw OptionError("measured = " + name + ": must be nothing, max_residual or rms_residual");
+}
 
 /// A WalkerResolver that several Python threads may share: one after another.
 class SharedWalkerResolver {
@@ -28,7 +36,8 @@ class SharedWalkerResolver {
   /// Needs the GIL, which it gives up while it works.
   std::vector<ResolveSummary> resolve(const PositionsInPlace& positions, std::int64_t root,
                                       std::int64_t step, std::uint64_t first_walker,
-                                      const OptionalArray& reference, bool rms_residual) {
+                                      const OptionalArray& reference, const std::string& measured) {
+    const Measured wanted = measured_from(measured);
     const ConformersLease lease(positions);
     std::vector<Vec3> before;
     if (reference) before = positions_from(*reference, "reference");
@@ -42,7 +51,7 @@ class SharedWalkerResolver {
       const nb::gil_scoped_release no_gil;
       const std::lock_guard one_at_a_time(mutex_);
       watch_ = InterruptWatch();
-      resolver_.resolve(walkers, summaries, root_joint, step, rms_residual);
+      resolver_.resolve(walkers, summaries, root_joint, step, wanted);
       raised = watch_.raised();
     }
     if (raised) std::rethrow_exception(raised);
@@ -102,8 +111,9 @@ first_walker : int
     Number of the first walker; the others follow. Random draws depend on it.
 reference : (N, 3) array-like, optional
     As of ``resolve``, for all walkers.
-rms_residual : bool
-    Measure ``rms_residual`` too, which is -1 otherwise.
+measured : {"nothing", "max_residual", "rms_residual"}
+    What the summaries tell of residuals: neither (both are -1), ``max_residual`` alone, or both.
+    Whether all bars are whole is looked at in any case.
 
 Returns
 -------

@@ -88,6 +88,10 @@ struct Pieces {
           kernels.newton(blocks.hold(step.block, step.near), scratch.room(), positions.data()));
   }
 
+  void confirm_whole(const LaneKernels& kernels) {
+    benchmark::DoNotOptimize(kernels.confirm_whole({bars.data(), bars.size()}, positions.data()));
+  }
+
   void measure(const LaneKernels& kernels) {
     benchmark::DoNotOptimize(kernels.measure({bars.data(), bars.size()}, positions.data(), false));
   }
@@ -130,11 +134,10 @@ void time_roots(benchmark::State& state, const LaneKernels* kernels) {
 }  // namespace
 
 void add_lane_benchmarks(const SharedMolecule& molecule) {
-  const std::pair<const char*, Piece> pieces[] = {{"gather", &Pieces::gather},
-                                                  {"carry", &Pieces::carry},
-                                                  {"newton", &Pieces::newton},
-                                                  {"measure", &Pieces::measure},
-                                                  {"scatter", &Pieces::scatter}};
+  const std::pair<const char*, Piece> pieces[] = {
+      {"gather", &Pieces::gather},   {"carry", &Pieces::carry},
+      {"newton", &Pieces::newton},   {"confirm_whole", &Pieces::confirm_whole},
+      {"measure", &Pieces::measure}, {"scatter", &Pieces::scatter}};
   for (const LaneKernels* kernels : lane_levels()) {
     const std::string limit = "lanes/" + molecule->name + "/roots/" + std::string(kernels->level);
     benchmark::RegisterBenchmark(limit.c_str(), time_roots, kernels);

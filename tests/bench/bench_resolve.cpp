@@ -83,7 +83,7 @@ void resolve_walkers(benchmark::State& state, const SharedMolecule& molecule,
     for (std::uint64_t k = 0; k < conformers; ++k)
       std::copy(starts[k].begin(), starts[k].end(), positions[k].begin());
     const auto start = std::chrono::steady_clock::now();
-    resolver.resolve(walkers, summaries);
+    resolver.resolve(walkers, summaries, 0, 0, Measured::nothing);
     state.SetIterationTime(
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
     for (const ResolveSummary& summary : summaries) sweeps += summary.sweeps;

@@ -59,14 +59,14 @@ Resolved resolve_alone(const Example& example, const Technique& technique, Confo
 }
 
 Resolved resolve_together(const Example& example, const Technique& technique, Conformers positions,
-                          const LaneOptions& lanes) {
+                          const LaneOptions& lanes, Measured measured = Measured::rms_residual) {
   Resolved together{std::move(positions), {}};
   std::vector<WalkerPositions> walkers;
   for (std::size_t k = 0; k < together.positions.size(); ++k)
     walkers.push_back({k, together.positions[k], example.positions});
   together.summaries.resize(walkers.size());
   WalkerResolver resolver(example.framework, technique, few_sweeps(), lanes);
-  resolver.resolve(walkers, together.summaries, root, step, true);
+  resolver.resolve(walkers, together.summaries, root, step, measured);
   return together;
 }
 
@@ -99,6 +99,25 @@ TEST_P(WalkerLaw, EndsInLanesAsAlone) {
       expect_same(alone, resolve_together(example, technique, broken, {true, level}));
     }
     expect_same(alone, resolve_together(example, technique, broken, {false, {}}));
+  });
+}
+
+TEST_P(WalkerLaw, EndsTheSameWhateverIsMeasured) {
+  each_example([](const Example& example) {
+    const Conformers broken = broken_conformers(example);
+    const Resolved all = resolve_together(example, plain(), broken, {});
+    for (const Measured measured : {Measured::nothing, Measured::max_residual}) {
+      const Resolved less = resolve_together(example, plain(), broken, {}, measured);
+      for (std::size_t k = 0; k < broken.size(); ++k) {
+        SCOPED_TRACE("walker " + std::to_string(k));
+        const bool none = measured == Measured::nothing;
+        EXPECT_TRUE(test::same_bits(less.positions[k], all.positions[k]));
+        EXPECT_EQ(less.summaries[k].stop, all.summaries[k].stop);
+        EXPECT_EQ(less.summaries[k].sweeps, all.summaries[k].sweeps);
+        EXPECT_EQ(less.summaries[k].rms_residual, -1.0);
+        EXPECT_EQ(less.summaries[k].max_residual, none ? -1.0 : all.summaries[k].max_residual);
+      }
+    }
   });
 }
 

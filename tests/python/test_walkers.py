@@ -25,7 +25,7 @@ def test_each_ends_as_alone(technique, lanes):
     alone = together.copy()
     resolver = pliant.WalkerResolver(FRAMEWORK, technique, seed=5, lanes=lanes)
     summaries = resolver.resolve(
-        together, root=2, step=4, first_walker=7, reference=SHAPE, rms_residual=True
+        together, root=2, step=4, first_walker=7, reference=SHAPE, measured="rms_residual"
     )
     for k, positions in enumerate(alone):
         expected = pliant.resolve(
@@ -58,6 +58,8 @@ def test_other_memory_is_refused():
         resolver.resolve(np.zeros((2, 5, 3)))
     with pytest.raises(pliant.OptionError, match="lane level = v9: must be one of"):
         pliant.WalkerResolver(FRAMEWORK, "blocks", level="v9")
+    with pytest.raises(pliant.OptionError, match="measured = all: must be nothing, max_residual"):
+        resolver.resolve(broken(2), measured="all")
 
 
 def test_no_walker_is_no_error():

@@ -28,6 +28,19 @@ LaneMask find_whole(LaneList<LaneBar> bars, const LaneVector* positions, LaneMas
   return whole.bits();
 }
 
+LaneMask confirm_whole(LaneList<LaneBar> bars, const LaneVector* positions) {
+  const LaneVec3* x = vectors(positions);
+  Mask whole = Mask::all(true);
+  const LaneBar* const end = bars.begin + bars.size;
+  for (const LaneBar* bar = bars.begin; bar != end; ++bar) {
+    const Lanes squared = norm_squared(x[bar->b] - x[bar->a]);
+    const Mask sure = abs(squared - bar->rest_squared) < bar->surely_whole;
+    if ((~sure).bits() == 0) continue;
+    whole &= abs(sqrt(squared) - bar->rest) <= bar->allowed;
+  }
+  return whole.bits();
+}
+
 template <bool sum_squares>
 LaneResiduals measure_bars(LaneList<LaneBar> bars, const LaneVec3* x) {
   LaneResiduals found{};

@@ -3,6 +3,8 @@
 
 #include <vector>
 
+#include "pliant/base/vec3.hpp"
+
 namespace pliant {
 
 namespace lanes_portable {
@@ -47,6 +49,15 @@ std::vector<const LaneKernels*> usable_levels() {
 }
 
 }  // namespace
+
+/// With t = length^2 / rest^2 - 1 the residual is at most (|t| + t^2) / 2 of the rest length; 2^-46
+/// is a hundred roundings.
+LaneBar lane_bar(std::uint32_t a, std::uint32_t b, double rest, double allowed) {
+  const double relative = allowed / rest, squared = rest * rest;
+  double surely = (2.0 * relative * (1.0 - 4.0 * relative) - 0x1p-46) * squared;
+  if (squared < least_squared_length || !(surely > 0.0)) surely = 0.0;
+  return {a, b, rest, allowed, squared, surely};
+}
 
 std::span<const LaneKernels* const> lane_levels() {
   static const std::vector<const LaneKernels*> levels = usable_levels();

@@ -34,7 +34,12 @@ struct LaneVector {
 struct LaneBar {
   std::uint32_t a, b;
   double rest, allowed;  ///< Angstrom; allowed is the largest |length - rest| of a whole bar
+  /// Where |length^2 - rest^2| as computed is below `surely_whole` (Angstrom^2), |length - rest| as
+  /// computed is within `allowed`, whatever the rounding.
+  double rest_squared, surely_whole;
 };
+
+LaneBar lane_bar(std::uint32_t a, std::uint32_t b, double rest, double allowed);
 /// A bridge to make whole by moving its far end.
 struct LaneBridge {
   std::uint32_t near, far;
@@ -94,6 +99,8 @@ struct LaneKernels {
 
   /// Those of the lanes `among` in which every bar is within what is allowed.
   LaneMask (*find_whole)(LaneList<LaneBar> bars, const LaneVector* x, LaneMask among);
+  /// As find_whole of all lanes, where most are: hardly any bar needs a square root to be known.
+  LaneMask (*confirm_whole)(LaneList<LaneBar> bars, const LaneVector* x);
   LaneResiduals (*measure)(LaneList<LaneBar> bars, const LaneVector* x, bool sum_squares);
 
   /// Carries the far ends of bridges, one after another. Returns lanes with coincident joints.

@@ -15,6 +15,7 @@ const LaneKernels kernels = {&PLIANT_LANE_TEXT(PLIANT_LANE_LEVEL)[6],  // withou
                              gather,
                              scatter,
                              find_whole,
+                             confirm_whole,
                              measure,
                              carry,
                              sweep,

@@ -17,7 +17,7 @@ std::vector<LaneBar> lane_bars(const Framework& framework, const Tolerance& tole
   for (std::size_t k = 0; k < framework.bar_count(); ++k) {
     const Bar bar = framework.bars()[k];
     const double rest = framework.rest_lengths()[k];
-    bars.push_back({bar.a, bar.b, rest, tolerance.of(rest)});
+    bars.push_back(lane_bar(bar.a, bar.b, rest, tolerance.of(rest)));
   }
   return bars;
 }

@@ -46,7 +46,7 @@ struct WalkerResolver::Plan final : LaneEnd {
   const LaneKernels& kernels;
   Resolver alone;
   bool uses_lanes;
-  bool rms_residual = false;           ///< asked for
+  Measured measured = Measured::max_residual;
   std::unique_ptr<LaneMethod> method;  ///< null: no lanes, or not yet
   std::vector<LaneBar> bars;
   std::vector<LaneVector> positions, reference;
@@ -76,7 +76,8 @@ struct WalkerResolver::Plan final : LaneEnd {
                      std::int64_t step) {
     alone.set_walker(walker.walker);
     summary = alone.resolve(walker.positions, root, step, walker.reference);
-    if (!rms_residual) summary.rms_residual = -1.0;
+    if (measured != Measured::rms_residual) summary.rms_residual = -1.0;
+    if (measured == Measured::nothing) summary.max_residual = -1.0, summary.worst_bar = 0;
   }
 
   void resolve_group(std::span<const WalkerPositions> walkers, std::span<ResolveSummary> out,
@@ -129,20 +130,38 @@ struct WalkerResolver::Plan final : LaneEnd {
                     found.max_relative[lane]);
   }
 
+  /// Lengths that are not finite, and walkers that were believed whole, are looked at alone.
   void finish(LaneMask lanes, Stop stop) override {
+    if (measured == Measured::nothing && stop == Stop::converged) {
+      lanes = LaneMask(lanes & kernels.confirm_whole(bar_list(), positions.data()));
+      return publish(lanes, stop);
+    }
     const LaneResiduals found =
-        kernels.measure({bars.data(), bars.size()}, positions.data(), rms_residual);
-    // Lengths that are not finite, and walkers that were believed whole, are looked at alone.
+        kernels.measure(bar_list(), positions.data(), measured == Measured::rms_residual);
     lanes = LaneMask(lanes & found.finite);
     if (stop == Stop::converged) lanes = LaneMask(lanes & found.within);
+    publish(lanes, stop);
+    if (measured != Measured::nothing) note(found, lanes);
+  }
+
+  LaneList<LaneBar> bar_list() const { return {bars.data(), bars.size()}; }
+
+  void note(const LaneResiduals& found, LaneMask lanes) {
+    for (std::size_t lane = 0; lane < group.size(); ++lane) {
+      if (!(lanes >> lane & 1)) continue;
+      summaries[lane].max_residual = found.max_relative[lane];
+      summaries[lane].worst_bar = found.worst_bar[lane];
+      if (measured == Measured::rms_residual) summaries[lane].rms_residual = rms_of(found, lane);
+    }
+  }
+
+  /// The walkers of these lanes are where they end.
+  void publish(LaneMask lanes, Stop stop) {
     double* rows[lane_count] = {};
     for (std::size_t lane = 0; lane < group.size(); ++lane) {
       if (!(lanes >> lane & 1)) continue;
       rows[lane] = reinterpret_cast<double*>(group[lane].positions.data());
       summaries[lane].stop = stop;
-      summaries[lane].max_residual = found.max_relative[lane];
-      summaries[lane].worst_bar = found.worst_bar[lane];
-      if (rms_residual) summaries[lane].rms_residual = rms_of(found, lane);
     }
     kernels.scatter(reinterpret_cast<const LaneValue*>(positions.data()), 3 * positions.size(),
                     rows);
@@ -165,8 +184,8 @@ Resolver& WalkerResolver::alone() { return plan_->alone; }
 
 void WalkerResolver::resolve(std::span<const WalkerPositions> walkers,
                              std::span<ResolveSummary> summaries, Joint root, std::int64_t step,
-                             bool rms_residual) {
-  plan_->rms_residual = rms_residual;
+                             Measured measured) {
+  plan_->measured = measured;
   if (summaries.size() != walkers.size())
     throw OptionError("summaries: " + std::to_string(summaries.size()) + " for " +
                       std::to_string(walkers.size()) + " walkers");

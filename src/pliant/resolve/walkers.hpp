@@ -18,6 +18,13 @@ struct WalkerPositions {
   std::span<const Vec3> reference = {};  ///< as of Resolver::resolve
 };
 
+/// What the summaries of walkers tell of their residuals. All bars are looked at in any case.
+enum class Measured {
+  nothing,       ///< max_residual and rms_residual are -1
+  max_residual,  ///< rms_residual is -1
+  rms_residual,  ///< both
+};
+
 /// How walkers are resolved; no choice changes any result.
 struct LaneOptions {
   bool lanes = true;            ///< false: one walker after the other
@@ -46,11 +53,11 @@ class WalkerResolver {
   Resolver& alone();
 
   /// Moves the positions of all walkers as Resolver::resolve moves one's; they share root and step.
-  /// `summaries` has one of each walker; their seconds are a walker's share of its group's, and
-  /// their rms_residual is -1 (not measured) unless asked for. Asked to stop, walkers that are not
-  /// begun stay where they are: their sweeps are -1. Throws OptionError as Resolver::resolve.
+  /// `summaries` has one of each walker; their seconds are a walker's share of its group's. Asked
+  /// to stop, walkers that are not begun stay where they are: their sweeps are -1. Throws
+  /// OptionError as Resolver::resolve.
   void resolve(std::span<const WalkerPositions> walkers, std::span<ResolveSummary> summaries,
-               Joint root = 0, std::int64_t step = 0, bool rms_residual = false);
+               Joint root = 0, std::int64_t step = 0, Measured measured = Measured::max_residual);
 
  private:
   struct Plan;

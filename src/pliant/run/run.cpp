@@ -88,8 +88,9 @@ class Together {
     for (Walk* walk : alike_)
       positions_.push_back({walk->number(), walk->positions(), walk->previous()});
     resolved_.resize(alike_.size());
-    resolver_.resolve(positions_, resolved_, *root_, alike_.front()->step(),
-                      alike_.front()->shows_this_step());
+    resolver_.resolve(
+        positions_, resolved_, *root_, alike_.front()->step(),
+        alike_.front()->shows_this_step() ? Measured::rms_residual : Measured::max_residual);
     for (std::size_t k = 0; k < alike_.size(); ++k) alike_[k]->finish_together(resolved_[k]);
   }
 
