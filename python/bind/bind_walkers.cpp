@@ -143,8 +143,8 @@ void bind_walkers(nb::module_& module) {
       .def_prop_ro("level", &SharedWalkerResolver::level,
                    "The instructions in use; empty if walkers go one after the other.")
       .def("resolve", &SharedWalkerResolver::resolve, "positions"_a, "root"_a = 0, nb::kw_only(),
-           "step"_a = 0, "first_walker"_a = 0, "reference"_a = nb::none(), "rms_residual"_a = false,
-           resolve_doc);
+           "step"_a = 0, "first_walker"_a = 0, "reference"_a = nb::none(),
+           "measured"_a = "max_residual", resolve_doc);
 }
 
 }  // namespace pliant::python
