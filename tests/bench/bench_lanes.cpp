@@ -29,7 +29,7 @@ struct Pieces {
   BlockSolver blocks;
   LaneScratch scratch;
   std::vector<OutwardStep> entries;  ///< into blocks
-  std::vector<LaneBridge> bridges;
+  std::vector<LaneBar> bridges;
   std::vector<std::vector<Vec3>> conformers;
   std::vector<LaneVector> broken, positions;
 
@@ -48,7 +48,8 @@ struct Pieces {
       if (step.block != no_block) {
         entries.push_back(step);
       } else {
-        bridges.push_back({step.near, step.far, of->framework.rest_lengths()[step.bar]});
+        const double rest = of->framework.rest_lengths()[step.bar];
+        bridges.push_back(lane_bar(step.near, step.far, rest, tolerance.of(rest)));
       }
     }
     push();
@@ -119,10 +120,10 @@ void time_piece(benchmark::State& state, const SharedMolecule& molecule, const L
 void time_roots(benchmark::State& state, const LaneKernels* kernels) {
   constexpr std::uint32_t count = 64;
   std::vector<LaneVector> positions(count + 1);
-  std::vector<LaneBridge> star;
+  std::vector<LaneBar> star;
   for (std::uint32_t joint = 1; joint <= count; ++joint) {
     positions[joint].x = {{1, 2, 3, 4, 5, 6, 7, 8}};
-    star.push_back({0, joint, 1.5});
+    star.push_back(lane_bar(0, joint, 1.5, 1.5e-10));
   }
   for (auto unused : state)
     benchmark::DoNotOptimize(kernels->carry({star.data(), star.size()}, positions.data()));

@@ -6,7 +6,7 @@ from __future__ import annotations
 import os
 import threading
 import time
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
@@ -99,12 +99,12 @@ def throughput(
     broken = np.stack(
         [target.broken(displacement, seed + k) for k in range(conformers * max(threads))]
     )
-    entries = list(_entries(target, techniques, weighting, tolerance, threads))
+    entries = list(_entries(target, techniques, weighting, tolerance, threads, conformers))
     theirs, about = their_contenders(target) if openmm else ([], "OpenMM was not asked")
     races = [(who, _OpenmmRace(who, target, tolerance)) for who in theirs]
     for _ in range(repeats + 1):
         for entry in entries:
-            entry.result = broken[: conformers * entry.threads].copy()
+            np.copyto(entry.result, broken[: conformers * entry.threads])
             entry.times.append(_round(entry.team, entry.result, conformers))
         for _, race in races:
             race.run(broken[:OPENMM_CONFORMERS])
@@ -123,7 +123,8 @@ def _entries(
     weighting: float,
     tolerance: float,
     threads: Sequence[int],
-):
+    conformers: int,
+) -> Iterator[_Entry]:
     for name in techniques:
         for lanes in (False, True):
             entry = _Entry(name, _weighting(name, weighting), 1, lanes)
@@ -131,7 +132,8 @@ def _entries(
                 continue
             for count in threads:
                 team = [_resolver(target, entry, tolerance) for _ in range(count)]
-                yield _Entry(name, entry.weighting, count, lanes, team)
+                room = np.empty((count * conformers, *target.positions.shape))
+                yield _Entry(name, entry.weighting, count, lanes, team, room)
 
 
 class _OpenmmRace:

@@ -73,18 +73,25 @@ LaneResiduals measure(LaneList<LaneBar> bars, const LaneVector* positions, bool 
   return sum_squares ? measure_bars<true>(bars, x) : measure_bars<false>(bars, x);
 }
 
-LaneMask carry(LaneList<LaneBridge> bridges, LaneVector* positions) {
+/// Both ends are at hand, and the arithmetic waits for square roots and divisions: looking whether
+/// the bar is whole now costs next to nothing, which it does in a pass of its own.
+LaneMask carry(LaneList<LaneBar> bridges, LaneVector* positions) {
   LaneVec3* x = vectors(positions);
-  Mask coincident = Mask::all(false);
-  const LaneBridge* const end = bridges.begin + bridges.size;
-  for (const LaneBridge* bridge = bridges.begin; bridge != end; ++bridge) {
-    const LaneVec3 delta = x[bridge->far] - x[bridge->near];
+  Mask well = Mask::all(true);
+  const LaneBar* const end = bridges.begin + bridges.size;
+  for (const LaneBar* bridge = bridges.begin; bridge != end; ++bridge) {
+    const LaneVec3 near = x[bridge->a], delta = x[bridge->b] - near;
     const Lanes squared = norm_squared(delta);
-    coincident |= squared < least_squared_length;
     const Lanes d = sqrt(squared);
-    x[bridge->far] -= ((d - bridge->rest) / d) * delta;
+    const LaneVec3 far = x[bridge->b] - ((d - bridge->rest) / d) * delta;
+    x[bridge->b] = far;
+    well &= squared >= least_squared_length;
+    const Lanes made = norm_squared(far - near);
+    const Mask sure = abs(made - bridge->rest_squared) < bridge->surely_whole;
+    if ((~sure).bits() != 0) [[unlikely]]
+      well &= abs(sqrt(made) - bridge->rest) <= bridge->allowed;
   }
-  return coincident.bits();
+  return well.bits();
 }
 
 PLIANT_LANE_INLINE void project(const LaneVisit& visit, LaneVec3* x, Mask& coincident) {

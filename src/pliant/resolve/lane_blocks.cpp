@@ -18,6 +18,7 @@ class LaneBlocks final : public LaneMethod {
  public:
   explicit LaneBlocks(const LaneSetting& setting)
       : framework_(setting.framework),
+        tolerance_(setting.options.tolerance),
         kernels_(setting.kernels),
         bars_(lane_bars(setting.framework, setting.options.tolerance)),
         planner_(setting.framework),
@@ -31,14 +32,14 @@ class LaneBlocks final : public LaneMethod {
 
   void resolve(const LaneCall& call) override {
     const LaneMask whole = find_whole(call, call.lanes);
-    if (whole != 0) call.end.finish(whole, Stop::converged);
+    if (whole != 0) call.end.finish_whole(whole);
     LaneMask active = LaneMask(call.lanes & ~whole);
     if (active == 0) return;
     if (!planned_ || planned_root_ != call.root) plan(call.root);
     pass(call, active);
     // With several pinned joints bars between them are not free to follow.
     if (framework_.pinned_count() > 1) active = find_whole(call, active);
-    if (active != 0) call.end.finish(active, Stop::converged);
+    if (active != 0) call.end.finish_whole(active);
   }
 
  private:
@@ -56,7 +57,8 @@ class LaneBlocks final : public LaneMethod {
         stretches_.push_back({begin, bridges_.size(), step.block, step.near});
         begin = bridges_.size();
       } else if (!framework_.is_pinned(step.far)) {
-        bridges_.push_back({step.near, step.far, framework_.rest_lengths()[step.bar]});
+        const double rest = framework_.rest_lengths()[step.bar];
+        bridges_.push_back(lane_bar(step.near, step.far, rest, tolerance_.of(rest)));
       }
     }
     stretches_.push_back({begin, bridges_.size(), no_block, 0});
@@ -67,9 +69,9 @@ class LaneBlocks final : public LaneMethod {
 
   void pass(const LaneCall& call, LaneMask& active) {
     for (const Stretch& stretch : stretches_) {
-      const LaneMask coincident = kernels_.carry(
+      const LaneMask well = kernels_.carry(
           {bridges_.data() + stretch.begin, stretch.end - stretch.begin}, call.positions);
-      active = LaneMask(active & ~coincident);
+      active = LaneMask(active & well);
       if (stretch.block != no_block) solve(call, stretch, active);
     }
     call.each(active, [this](ResolveSummary& summary, std::size_t) {
@@ -90,13 +92,14 @@ class LaneBlocks final : public LaneMethod {
   }
 
   const Framework& framework_;
+  Tolerance tolerance_;
   const LaneKernels& kernels_;
   std::vector<LaneBar> bars_;
   OutwardPlanner planner_;
   BlockSolver blocks_;
   LaneScratch scratch_;
   std::vector<OutwardStep> outward_;
-  std::vector<LaneBridge> bridges_;
+  std::vector<LaneBar> bridges_;
   std::vector<Stretch> stretches_;
   std::int64_t bridge_steps_ = 0;  ///< bridges to pinned joints included
   bool planned_ = false;

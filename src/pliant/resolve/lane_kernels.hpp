@@ -40,11 +40,7 @@ struct LaneBar {
 };
 
 LaneBar lane_bar(std::uint32_t a, std::uint32_t b, double rest, double allowed);
-/// A bridge to make whole by moving its far end.
-struct LaneBridge {
-  std::uint32_t near, far;
-  double rest;
-};
+
 /// A bar of a sweep, with the shares of its ends.
 struct LaneVisit {
   std::uint32_t near, far;
@@ -103,8 +99,9 @@ struct LaneKernels {
   LaneMask (*confirm_whole)(LaneList<LaneBar> bars, const LaneVector* x);
   LaneResiduals (*measure)(LaneList<LaneBar> bars, const LaneVector* x, bool sum_squares);
 
-  /// Carries the far ends of bridges, one after another. Returns lanes with coincident joints.
-  LaneMask (*carry)(LaneList<LaneBridge> bridges, LaneVector* x);
+  /// Carries the far ends (b) of bridges, one after another. Returns the lanes in which each was
+  /// whole then, and its joints not in one place before.
+  LaneMask (*carry)(LaneList<LaneBar> bridges, LaneVector* x);
   /// Projects each bar once. Returns lanes with coincident joints.
   LaneMask (*sweep)(LaneList<LaneVisit> visits, bool backwards, LaneVector* x);
   /// As find_whole. Begins at `hint` and leaves there where it ended; adds lanes with a length that

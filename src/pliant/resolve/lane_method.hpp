@@ -16,6 +16,8 @@ class LaneEnd {
   virtual ~LaneEnd() = default;
   /// These lanes are done as they stand: their summaries' counts are final.
   virtual void finish(LaneMask lanes, Stop stop) = 0;
+  /// The same of lanes in which every bar has been seen to be whole where it is.
+  virtual void finish_whole(LaneMask lanes) = 0;
 };
 
 /// One resolve of up to eight walkers that share the root.

@@ -46,7 +46,7 @@ class LaneSweeps final : public LaneMethod {
   bool leave_if_whole(const LaneCall& call, std::size_t& hint, LaneMask& active) const {
     LaneMask not_finite = 0;
     const LaneMask whole = kernels_.look(visits(), call.positions, active, hint, not_finite);
-    if (whole != 0) call.end.finish(whole, Stop::converged);
+    if (whole != 0) call.end.finish_whole(whole);
     active = LaneMask(active & ~(whole | not_finite));
     return active != 0;
   }

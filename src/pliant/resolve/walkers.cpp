@@ -132,16 +132,19 @@ struct WalkerResolver::Plan final : LaneEnd {
 
   /// Lengths that are not finite, and walkers that were believed whole, are looked at alone.
   void finish(LaneMask lanes, Stop stop) override {
-    if (measured == Measured::nothing && stop == Stop::converged) {
-      lanes = LaneMask(lanes & kernels.confirm_whole(bar_list(), positions.data()));
-      return publish(lanes, stop);
-    }
+    if (measured == Measured::nothing && stop == Stop::converged)
+      return publish(LaneMask(lanes & kernels.confirm_whole(bar_list(), positions.data())), stop);
     const LaneResiduals found =
         kernels.measure(bar_list(), positions.data(), measured == Measured::rms_residual);
     lanes = LaneMask(lanes & found.finite);
     if (stop == Stop::converged) lanes = LaneMask(lanes & found.within);
     publish(lanes, stop);
     if (measured != Measured::nothing) note(found, lanes);
+  }
+
+  void finish_whole(LaneMask lanes) override {
+    measured == Measured::nothing ? publish(lanes, Stop::converged)
+                                  : finish(lanes, Stop::converged);
   }
 
   LaneList<LaneBar> bar_list() const { return {bars.data(), bars.size()}; }
