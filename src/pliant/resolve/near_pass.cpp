@@ -7,6 +7,16 @@
 #include "pliant/resolve/project_bar.hpp"
 
 namespace pliant {
+namespace {
+
+/// In large frameworks most of a step is waiting for memory: asks for what is looked at next.
+void fetch_early([[maybe_unused]] const void* address) {
+#if defined(__GNUC__)
+  __builtin_prefetch(address);
+#endif
+}
+
+}  // namespace
 
 NearPass::NearPass(const Framework& framework, const OutwardPlanner& planner, BlockSolver& blocks,
                    const Tolerance& tolerance)
@@ -15,23 +25,22 @@ NearPass::NearPass(const Framework& framework, const OutwardPlanner& planner, Bl
       blocks_(blocks),
       tolerance_(tolerance),
       moved_(framework.joint_count()),
-      reached_(framework.joint_count()),
       is_entered_(blocks.count(), 0) {}
 
 void NearPass::clear() {
   moved_.clear();
-  reached_.clear();
   for (std::uint32_t block : entered_) is_entered_[block] = 0;
   entered_.clear();
 }
 
-void NearPass::reach(Joint joint) { reached_.note(joint, {}); }
-
+/// What the push reaches are the root and the joints that move.
 bool NearPass::run(const ResolveCall& call, ResolveSummary& summary) {
   clear();
-  reach(call.root);
-  for (std::size_t k = 0; k < reached_.joints().size(); ++k)
-    if (!take(reached_.joints()[k], call, summary)) return false;
+  if (!take(call.root, call, summary)) return false;
+  for (std::size_t k = 0; k < moved_.joints().size(); ++k) {
+    const Joint joint = moved_.joints()[k];
+    if (joint != call.root && !take(joint, call, summary)) return false;
+  }
   if (!moved_.joints().empty()) ++summary.sweeps;
   return true;
 }
@@ -41,7 +50,7 @@ bool NearPass::take(Joint joint, const ResolveCall& call, ResolveSummary& summar
     const std::uint32_t block = planner_.block_of(at.bar);
     if (block != no_block) {
       if (!is_entered_[block] && !solve(block, joint, call, summary)) return false;
-    } else if (!reached_.holds(at.joint)) {
+    } else if (at.joint != call.root && !moved_.holds(at.joint)) {
       ++summary.projections;
       project(joint, at, call);
     }
@@ -54,7 +63,7 @@ void NearPass::project(Joint near, const Incidence& at, const ResolveCall& call)
   Vec3 &x_near = call.positions[near], &x_far = call.positions[at.joint];
   if (std::abs(residual(x_near, x_far, rest)) <= tolerance_.of(rest)) return;
   moved_.note(at.joint, x_far);
-  reach(at.joint);
+  fetch_early(framework_.neighbours(at.joint).data());
   carry_far(x_near, x_far, rest,
             [&] { return escape_direction(call.key, at.bar, framework_.is_planar()); });
 }
@@ -69,9 +78,7 @@ bool NearPass::solve(std::uint32_t block, Joint entry, const ResolveCall& call,
   std::size_t k = 0;
   blocks_.each_joint(block, [&](Joint joint) {
     const Vec3 before = before_[k++];
-    if (call.positions[joint] == before) return;
-    moved_.note(joint, before);
-    reach(joint);
+    if (!(call.positions[joint] == before)) moved_.note(joint, before);
   });
   return whole;
 }

@@ -26,7 +26,6 @@ class NearPass {
 
  private:
   void clear();
-  void reach(Joint joint);
   bool take(Joint joint, const ResolveCall& call, ResolveSummary& summary);
   void project(Joint near, const Incidence& at, const ResolveCall& call);
   bool solve(std::uint32_t block, Joint entry, const ResolveCall& call, ResolveSummary& summary);
@@ -35,7 +34,7 @@ class NearPass {
   const OutwardPlanner& planner_;
   BlockSolver& blocks_;
   Tolerance tolerance_;
-  MovedJoints moved_, reached_;
+  MovedJoints moved_;
   std::vector<std::uint8_t> is_entered_;  ///< by block
   std::vector<std::uint32_t> entered_;
   std::vector<Vec3> before_;  ///< of the joints of a block
