@@ -31,7 +31,7 @@ struct Pieces {
   std::vector<OutwardStep> entries;  ///< into blocks
   std::vector<LaneBar> bridges;
   std::vector<std::vector<Vec3>> conformers;
-  std::vector<LaneVector> broken, positions;
+  std::vector<LaneVector> positions;
 
   explicit Pieces(const SharedMolecule& of)
       : molecule(of),
@@ -100,15 +100,19 @@ struct Pieces {
 
 using Piece = void (Pieces::*)(const LaneKernels&);
 
-/// `piece` from broken positions in lanes, which are put back outside the clock.
+/// `piece` from broken or whole positions in lanes, which are put back outside the clock.
 void time_piece(benchmark::State& state, const SharedMolecule& molecule, const LaneKernels* kernels,
-                Piece piece) {
+                Piece piece, bool whole) {
   Pieces pieces(molecule);
   pieces.gather(*kernels);
-  pieces.broken = pieces.positions;
+  if (whole) {
+    pieces.carry(*kernels);
+    pieces.newton(*kernels);
+  }
+  const std::vector<LaneVector> start = pieces.positions;
   for (auto unused : state) {
     state.PauseTiming();
-    pieces.positions = pieces.broken;
+    pieces.positions = start;
     state.ResumeTiming();
     (pieces.*piece)(*kernels);
   }
@@ -135,17 +139,21 @@ void time_roots(benchmark::State& state, const LaneKernels* kernels) {
 }  // namespace
 
 void add_lane_benchmarks(const SharedMolecule& molecule) {
-  const std::pair<const char*, Piece> pieces[] = {
-      {"gather", &Pieces::gather},   {"carry", &Pieces::carry},
-      {"newton", &Pieces::newton},   {"confirm_whole", &Pieces::confirm_whole},
-      {"measure", &Pieces::measure}, {"scatter", &Pieces::scatter}};
+  const struct {
+    const char* name;
+    Piece piece;
+    bool whole;
+  } pieces[] = {
+      {"gather", &Pieces::gather, false},  {"carry", &Pieces::carry, false},
+      {"newton", &Pieces::newton, false},  {"confirm_whole", &Pieces::confirm_whole, true},
+      {"measure", &Pieces::measure, true}, {"scatter", &Pieces::scatter, false}};
   for (const LaneKernels* kernels : lane_levels()) {
     const std::string limit = "lanes/" + molecule->name + "/roots/" + std::string(kernels->level);
     benchmark::RegisterBenchmark(limit.c_str(), time_roots, kernels);
-    for (const auto& [name, piece] : pieces) {
+    for (const auto& [name, piece, whole] : pieces) {
       const std::string full =
           "lanes/" + molecule->name + "/" + name + "/" + std::string(kernels->level);
-      benchmark::RegisterBenchmark(full.c_str(), time_piece, molecule, kernels, piece);
+      benchmark::RegisterBenchmark(full.c_str(), time_piece, molecule, kernels, piece, whole);
     }
   }
 }

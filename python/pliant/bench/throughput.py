@@ -19,6 +19,7 @@ from pliant.bench.target import Target, read_target
 
 CONFORMERS, REPEATS, THREADS = 200, 5, (1, 2)
 TECHNIQUES = ("blocks", "bfs_cycle", "shake", "newton")
+WARM_UP = 16  #: conformers repaired by each thread of a round before its clock starts
 OPENMM_CONFORMERS = 20  #: of each round; their time does not depend on how many there are
 
 
@@ -64,7 +65,9 @@ class ThroughputRow:
     ns_per_bar: float  #: wall time for one bar of one conformer
     processor_ns_per_bar: float  #: the same in processor time of the threads, added up
     same_bits: bool  #: the conformers are those of one thread without lanes, bit by bit
-    openmm_ratio: float | None  #: time of OpenMM's faster way for a bar, over that of this row
+    openmm_ratios: dict[
+        str, float
+    ]  #: time of each of OpenMM's ways for a bar over that of this row
 
 
 @dataclass
@@ -112,8 +115,7 @@ def throughput(
                        os.cpu_count() or 1, pliant.lane_levels())  # fmt: skip
     found.openmm = [race.row() for _, race in races]
     found.about_openmm = about
-    best = min((row.ns_per_bar for row in found.openmm), default=None)
-    found.rows = [_row(entry, entries, target, tolerance, conformers, best) for entry in entries]
+    found.rows = [_row(entry, entries, found, target, conformers) for entry in entries]
     return found
 
 
@@ -161,10 +163,9 @@ class _OpenmmRace:
 def _row(
     entry: _Entry,
     entries: Sequence[_Entry],
+    found: Throughput,
     target: Target,
-    tolerance: float,
     conformers: int,
-    openmm_ns_per_bar: float | None,
 ) -> ThroughputRow:
     alone = next(e for e in entries if e.technique == entry.technique)
     wall, processor = np.median(entry.times[1:], axis=0) / len(entry.result)  # first: plans
@@ -175,12 +176,12 @@ def _row(
         entry.team[0].level,
         entry.threads,
         len(entry.result),
-        sum(target.residual(x) <= tolerance * (1 + 1e-9) for x in entry.result),
+        sum(target.residual(x) <= found.tolerance * (1 + 1e-9) for x in entry.result),
         float(1.0 / wall),
         ns_per_bar,
         float(1e9 * processor / len(target.bars)),
         np.array_equal(entry.result[:conformers], alone.result[:conformers]),
-        None if openmm_ns_per_bar is None else openmm_ns_per_bar / ns_per_bar,
+        {row.method: row.ns_per_bar / ns_per_bar for row in found.openmm},
     )
 
 
@@ -202,23 +203,33 @@ def _resolver(target: Target, entry: _Entry, tolerance: float) -> pliant.WalkerR
 def _round(
     team: Sequence[pliant.WalkerResolver], copies: np.ndarray, each: int
 ) -> tuple[float, float]:
-    """Wall seconds in which every thread repairs its `each` copies; processor seconds of all."""
-    busy = [0.0] * len(team)
+    """Wall seconds in which every thread repairs its `each` copies; processor seconds of all.
+
+    Each thread repairs a few others first, so that what came before it is not in its caches, and
+    all begin together.
+    """
+    busy, wall = [0.0] * len(team), [0.0] * len(team)
+    ready = threading.Barrier(len(team))
 
     def work(number: int) -> None:
-        start = time.thread_time()
-        team[number].resolve(copies[number * each : (number + 1) * each], measured="nothing")
-        busy[number] = time.thread_time() - start
+        mine = copies[number * each : (number + 1) * each]
+        team[number].resolve(mine[:WARM_UP].copy(), measured="nothing")
+        ready.wait()
+        start, start_of_thread = time.perf_counter(), time.thread_time()
+        team[number].resolve(mine, measured="nothing")
+        busy[number] = time.thread_time() - start_of_thread
+        wall[number] = time.perf_counter() - start
 
-    start = time.perf_counter()
     _all_at_once([lambda k=k: work(k) for k in range(len(team))])
-    return time.perf_counter() - start, sum(busy)
+    return max(wall), sum(busy)
 
 
 def _all_at_once(calls: Sequence[Callable[[], None]]) -> None:
-    crew = [threading.Thread(target=call) for call in calls]
+    """The first one in this thread."""
+    crew = [threading.Thread(target=call) for call in calls[1:]]
     for thread in crew:
         thread.start()
+    calls[0]()
     for thread in crew:
         thread.join()
 
@@ -236,7 +247,7 @@ def print_report(found: Throughput) -> None:
         "conformers per second",
         "ns per bar",
         "of processor time",
-        "times OpenMM's",
+        *(f"as fast as {row.method}" for row in found.openmm),
         "whole",
         "same bits",
     ]
@@ -251,7 +262,7 @@ def print_report(found: Throughput) -> None:
                 f"{row.conformers_per_second:.0f}",
                 f"{row.ns_per_bar:.1f}",
                 f"{row.processor_ns_per_bar:.1f}",
-                "-" if row.openmm_ratio is None else f"{row.openmm_ratio:.1f}",
+                *(f"{ratio:.1f} times" for ratio in row.openmm_ratios.values()),
                 f"{row.whole} of {row.conformers}",
                 "yes" if row.same_bits else "no",
             ]
