@@ -16,6 +16,8 @@ from pliant.peers.child import Job, run_jobs
 
 WEIGHTINGS = (0.5, 0.75, 1.0)  #: those of the thesis
 TOLD_INTACT = ("shake",)  #: techniques to which the structure before the push makes a difference
+IN_LANES = ("bfs_cycle", "blocks", "shake", "newton")  #: techniques that race so as well
+WALKERS = 16  #: copies that go together then
 TRIAL_SECONDS = 120.0  #: for OpenMM in a process of its own
 
 
@@ -34,6 +36,7 @@ class Ours:
     """A technique with a weighting; plans are made once for each tolerance and kept."""
 
     whose = "pliant"
+    walkers = 1
 
     def __init__(
         self,
@@ -68,11 +71,54 @@ class Ours:
         return Repair(copy, seconds, summary.stop.name, summary.sweeps, summary.projections)
 
 
+class InLanes:
+    """A technique on many broken copies at once, in SIMD lanes; times are of one copy.
+
+    The copies are broken alike: to each the pushes of the joints are dealt anew.
+    """
+
+    whose = "pliant"
+    walkers = WALKERS
+
+    def __init__(self, target: Target, technique: str, weighting: float | None) -> None:
+        self._target, self._technique, self.weighting = target, technique, weighting
+        self.method = f"{technique}_lanes"
+        self._resolver: pliant.WalkerResolver | None = None
+
+    def prepare(self, tolerance: float) -> None:
+        """As of Ours."""
+        self._resolver = pliant.WalkerResolver(
+            self._target.framework,
+            self._technique,
+            0.5 if self.weighting is None else self.weighting,
+            tolerance=tolerance,
+        )
+
+    def repair(self, broken: np.ndarray) -> Repair:
+        """The first copy; if another one is not whole, that one."""
+        copies = self._copies(broken)
+        start = time.thread_time()
+        summaries = self._resolver.resolve(copies, measured="nothing")
+        seconds = (time.thread_time() - start) / len(copies)
+        worst = next((k for k, s in enumerate(summaries) if not s.converged), 0)
+        summary = summaries[worst]
+        return Repair(
+            copies[worst], seconds, summary.stop.name, summary.sweeps, summary.projections
+        )
+
+    def _copies(self, broken: np.ndarray) -> np.ndarray:
+        deal = np.random.default_rng(0)
+        pushes = broken - self._target.positions
+        others = [self._target.positions + deal.permutation(pushes) for _ in range(WALKERS - 1)]
+        return np.stack([broken, *others])
+
+
 class Theirs:
     """OpenMM in one of its ways."""
 
     whose = "openmm"
     weighting = None
+    walkers = 1
 
     def __init__(self, context: Ccma) -> None:
         self._context, self.method = context, context.name
@@ -88,12 +134,12 @@ class Theirs:
         return Repair(positions, seconds, "")
 
 
-Contender = Ours | Theirs
+Contender = Ours | InLanes | Theirs
 
 
 def our_contenders(
     target: Target, wanted: Sequence[str] = (), mass_weighted: bool = False
-) -> Iterator[Ours]:
+) -> Iterator[Ours | InLanes]:
     """Every row of the table of techniques that takes this framework; `wanted` names, or all."""
     known = [row.name for row in pliant.techniques()]
     for name in wanted:
@@ -104,6 +150,8 @@ def our_contenders(
             continue
         for weighting in WEIGHTINGS if row.has_weighting else (None,):
             yield Ours(target, row.name, weighting, mass_weighted)
+            if row.name in IN_LANES and not mass_weighted:
+                yield InLanes(target, row.name, weighting)
         if row.name in TOLD_INTACT:
             yield Ours(target, row.name, None, mass_weighted, told_intact=True)
 

@@ -47,7 +47,7 @@ class Row:
     displacement_ratio: float = math.nan  #: the same over that of the nearest whole structure
     mass_displacement_ratio: float = math.nan  #: the same, distances weighted by mass
     distance_to_ccma: float = math.nan  #: furthest that a joint is from where CCMA has it, Angstrom
-    walkers: int = 1
+    walkers: int = 1  #: structures that were repaired together; times are of one
     repeats: int = 0
     ratio_to_openmm: float = math.nan  #: CCMA's time to reach this tolerance, over this time
     ratio_to_openmm_in_dynamics: float = math.nan  #: the same, CCMA told the intact directions
@@ -170,6 +170,7 @@ def race(
         entries = []
         for number, contender in enumerate(contenders):
             row = Row(contender.method, contender.weighting, tolerance, note=out.get(number, ""))
+            row.walkers = contender.walkers
             found.rows.append(row)
             if number in out:
                 continue

@@ -23,7 +23,7 @@ OURS = (BLUE, GREEN, SKY, PURPLE, "black", "#555555")
 MARKERS = "osD^vP"
 THEIRS = {"ccma": (VERMILION, "X"), "ccma_dynamics": (ORANGE, "d")}
 GROMACS = {"gromacs_lincs": ("#7A4419", "p"), "gromacs_shake": ("#B9895B", "*")}
-FEATURED = ("blocks", "auto", "units", "newton", "shake")  #: if they take part
+FEATURED = ("blocks", "blocks_lanes", "auto", "units", "newton", "shake")  #: if they take part
 DEFAULT = ("bfs_cycle", 0.5)
 MOST_NAMED = 6  #: of our techniques
 
@@ -95,7 +95,8 @@ def _named(grouped: dict[Entry, list[Row]]) -> list[Entry]:
     for entry in [*featured, *(e for e in finished if e == DEFAULT), *finished]:
         if entry in chosen.values() or entry[0] in names or len(chosen) == MOST_NAMED:
             continue
-        chosen.setdefault(tuple(row.displacement for row in grouped[entry]), entry)
+        answers = (row.displacement for row in grouped[entry])
+        chosen.setdefault((grouped[entry][0].walkers, *answers), entry)
         names.add(entry[0])
     return list(chosen.values())
 

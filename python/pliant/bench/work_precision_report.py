@@ -41,6 +41,8 @@ def entries(rows: Sequence[Row]) -> dict[tuple[str, float | None], list[Row]]:
 def label(method: str, weighting: float | None) -> str:
     """How tables and pictures call an entry."""
     name = (LABELS | TOLD_INTACT).get(method, method)
+    if method.endswith("_lanes"):
+        name = method.removesuffix("_lanes") + ", walkers in lanes"
     return name if weighting is None else f"{name} {weighting:g}"
 
 

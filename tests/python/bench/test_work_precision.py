@@ -30,7 +30,19 @@ def diagram():
 def test_every_technique_that_can_takes_part(diagram):
     raced = {row.method for row in diagram.rows}
     able = {row.name for row in pliant.techniques() if not row.forests_only}
-    assert raced == able | {"ccma", "ccma_dynamics", "shake_dynamics"}
+    lanes = {"bfs_cycle_lanes", "blocks_lanes", "shake_lanes", "newton_lanes"}
+    assert raced == able | {"ccma", "ccma_dynamics", "shake_dynamics"} | lanes
+    assert {row.method for row in diagram.rows if row.walkers > 1} == lanes
+
+
+def test_walkers_in_lanes_answer_as_one_alone(diagram):
+    by_method = {(row.method, row.weighting, row.tolerance): row for row in diagram.rows}
+    for (method, weighting, tolerance), row in by_method.items():
+        if row.walkers > 1:
+            alone = by_method[method.removesuffix("_lanes"), weighting, tolerance]
+            assert (row.sweeps, row.projections) == (alone.sweeps, alone.projections)
+            assert row.max_residual == alone.max_residual
+            assert row.displacement == alone.displacement
 
 
 def test_all_are_whole_and_timed_on_a_small_molecule(diagram):
@@ -84,7 +96,7 @@ def test_what_cannot_be_whole_has_no_nearest_whole_structure():
 class Pretender:
     """Says that it is done and changes nothing, or what the test wants."""
 
-    whose, weighting, method = "pliant", None, "pretender"
+    whose, weighting, method, walkers = "pliant", None, "pretender", 1
 
     def __init__(self, change=lambda x: x):
         self.change, self.asked = change, []
@@ -154,7 +166,7 @@ def test_the_command_writes_json_csv_and_a_picture(tmp_path, capsys):
             "max_residual", "displacement", "walkers"}  # fmt: skip
     assert all(keys <= set(row) for row in said["rows"])
     with open(tmp_path / "a.csv", newline="") as file:
-        assert len(list(csv.DictReader(file))) == len(said["rows"]) == 2 * (1 + 3 + 2)
+        assert len(list(csv.DictReader(file))) == len(said["rows"]) == 2 * (2 * (1 + 3) + 2)
     assert (tmp_path / "a.png").read_bytes().startswith(b"\x89PNG")
 
 
