@@ -39,6 +39,7 @@
 #include "pliant/resolve/project_bar.hpp"   // the kernel
 #include "pliant/resolve/resolve.hpp"       // sweeps until whole
 #include "pliant/resolve/technique.hpp"     // ordering + weighting
+#include "pliant/resolve/walkers.hpp"       // many copies at once
 
 // perturb, run: the loop
 #include "pliant/perturb/force_file.hpp"    // pushes to replay
