@@ -71,13 +71,13 @@ int command_run(const Arguments& arguments) {
   refuse_to_replace(settings);
   settings.record.log = messages.log();
   watch_for_interrupt();
-  const RunSummary summary = added_up(run_walkers(settings, molecule, messages.log()));
+  const std::vector<RunSummary> summaries = run_walkers(settings, molecule, messages.log());
   if (settings.json) {
-    print_run_json(settings, molecule.framework, summary, messages.warnings());
+    print_run_json(settings, molecule.framework, summaries, messages.warnings());
   } else if (!settings.quiet) {
-    print_run_table(settings, molecule.framework, summary);
+    print_run_table(settings, molecule.framework, summaries);
   }
-  return exit_code_of(summary);
+  return exit_code_of(added_up(summaries));
 }
 
 }  // namespace pliant::app

@@ -13,10 +13,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::vector<std::string> outputs_of(const RunSettings& settings) {
+/// Of the walkers that were begun: each shows at least its start.
+std::vector<std::string> outputs_of(const RunSettings& settings,
+                                    const std::vector<RunSummary>& summaries) {
   std::vector<std::string> outputs;
-  for (std::int64_t walker = 0; walker < settings.walkers; ++walker)
-    outputs.push_back(output_of(settings, walker));
+  for (std::size_t walker = 0; walker < summaries.size(); ++walker)
+    if (summaries[walker].frames > 0)
+      outputs.push_back(output_of(settings, static_cast<std::int64_t>(walker)));
   return outputs;
 }
 
@@ -61,7 +64,8 @@ RunSummary added_up(const std::vector<RunSummary>& summaries) {
 }
 
 void print_run_table(const RunSettings& settings, const Framework& framework,
-                     const RunSummary& summary) {
+                     const std::vector<RunSummary>& summaries) {
+  const RunSummary summary = added_up(summaries);
   fmt::print("technique       {}\n", technique_line(settings.run.technique, framework));
   fmt::print("steps           {}, of which {} frames are recorded (the start is one)\n",
              summary.steps, summary.frames);
@@ -76,13 +80,16 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
                summary.steps, summary.first_unconverged_step);
   if (summary.stopped_by_caller) fmt::print("stopped early; what was recorded is whole\n");
   if (settings.topology != "none") fmt::print("topology        {}\n", settings.topology);
-  for (const std::string& output : outputs_of(settings)) fmt::print("trajectory      {}\n", output);
+  for (const std::string& output : outputs_of(settings, summaries))
+    fmt::print("trajectory      {}\n", output);
 }
 
 void print_run_json(const RunSettings& settings, const Framework& framework,
-                    const RunSummary& summary, const std::vector<std::string>& warnings) {
+                    const std::vector<RunSummary>& summaries,
+                    const std::vector<std::string>& warnings) {
+  const RunSummary summary = added_up(summaries);
   const Json json{{"input", settings.molecule.file},
-                  {"outputs", outputs_of(settings)},
+                  {"outputs", outputs_of(settings, summaries)},
                   {"topology", settings.topology},
                   {"technique", settings.run.technique.name},
                   {"technique_used", technique_used(framework, settings.run.technique).name},

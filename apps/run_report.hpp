@@ -13,8 +13,9 @@ namespace pliant::app {
 RunSummary added_up(const std::vector<RunSummary>& summaries);
 
 void print_run_table(const RunSettings& settings, const Framework& framework,
-                     const RunSummary& summary);
+                     const std::vector<RunSummary>& summaries);
 void print_run_json(const RunSettings& settings, const Framework& framework,
-                    const RunSummary& summary, const std::vector<std::string>& warnings);
+                    const std::vector<RunSummary>& summaries,
+                    const std::vector<std::string>& warnings);
 
 }  // namespace pliant::app

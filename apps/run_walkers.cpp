@@ -51,6 +51,11 @@ struct Shared {
   std::int64_t group_size = 1;  ///< walkers that step together
   std::exception_ptr failure = nullptr;
   std::vector<RunSummary> summaries = {};
+
+  /// Holds hdf5. Of the exception being handled; the first is told once all walkers have ended.
+  void keep_failure() {
+    if (!failure) failure = std::current_exception();
+  }
 };
 
 /// One sidecar serves all walkers.
@@ -100,36 +105,60 @@ struct RecordedWalker {
     return run;
   }
 
+  /// A walker that cannot be recorded stops; the others go on.
   bool record(Shared& shared, const Frame& frame) {
     const std::lock_guard hold(shared.hdf5);
-    recorder.record(frame);
+    try {
+      recorder.record(frame);
+    } catch (...) {
+      shared.keep_failure();
+      return true;
+    }
     shared.progress.show(shared.steps_done += frame.step - last_step);
     last_step = frame.step;
     return interrupted();
   }
 
-  void close() {
-    recorder.close();
-    if (forces) forces->publish();
+  /// Holds shared.hdf5.
+  void close(Shared& shared) {
+    try {
+      recorder.close();
+      if (forces) forces->publish();
+    } catch (...) {
+      shared.keep_failure();
+    }
   }
 };
 
+/// Those of walkers [first, end) whose outputs can be made; throws if none can.
+std::deque<RecordedWalker> make_group(Shared& shared, std::int64_t first, std::int64_t end) {
+  std::deque<RecordedWalker> walkers;  // which stay where they are
+  const std::lock_guard hold(shared.hdf5);
+  for (std::int64_t walker = first; walker < end; ++walker) {
+    try {
+      walkers.emplace_back(shared, walker);
+    } catch (...) {
+      shared.keep_failure();
+    }
+  }
+  if (walkers.empty()) std::rethrow_exception(shared.failure);
+  if (first == 0) write_sidecar(shared);
+  return walkers;
+}
+
 /// Walkers [first, end) in step with each other.
 void run_group(Shared& shared, std::int64_t first, std::int64_t end) {
-  std::deque<RecordedWalker> walkers;  // which stay where they are
+  std::deque<RecordedWalker> walkers = make_group(shared, first, end);
   std::vector<WalkerRun> runs;
-  {
-    const std::lock_guard hold(shared.hdf5);
-    for (std::int64_t walker = first; walker < end; ++walker) walkers.emplace_back(shared, walker);
-    if (first == 0) write_sidecar(shared);
-  }
   for (RecordedWalker& walker : walkers) runs.push_back(walker.run(shared));
   RunOptions options = shared.settings.run;
   options.resolve.should_stop = interrupted;
   const auto summaries = pliant::run_walkers(shared.molecule.framework, runs, options);
-  std::copy(summaries.begin(), summaries.end(), shared.summaries.begin() + first);
   const std::lock_guard hold(shared.hdf5);
-  for (RecordedWalker& walker : walkers) walker.close();
+  for (std::size_t k = 0; k < walkers.size(); ++k) {
+    shared.summaries[static_cast<std::size_t>(walkers[k].number)] = summaries[k];
+    walkers[k].close(shared);
+  }
 }
 
 void run_next_groups(Shared& shared) {
@@ -140,7 +169,7 @@ void run_next_groups(Shared& shared) {
       run_group(shared, first, std::min(first + shared.group_size, shared.settings.walkers));
     } catch (...) {
       const std::lock_guard hold(shared.hdf5);
-      if (!shared.failure) shared.failure = std::current_exception();
+      shared.keep_failure();
       return;
     }
   }
@@ -167,6 +196,8 @@ std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule&
     run_next_groups(shared);
   }
   if (shared.failure) std::rethrow_exception(shared.failure);
+  for (RunSummary& summary : shared.summaries)  // a walker that begins shows a frame
+    if (summary.frames == 0) summary.stopped_by_caller = true;
   return std::move(shared.summaries);
 }
 

@@ -31,7 +31,12 @@ class SharedWalkerResolver {
       : framework_(framework),
         resolver_(framework, arguments.chosen(), options_of(arguments), {lanes, level}) {}
 
-  std::string level() { return std::string(resolver_.level()); }
+  /// Makes the lanes' plans if need be, so that another thread's resolve is waited for.
+  std::string level() {
+    const nb::gil_scoped_release no_gil;
+    const std::lock_guard one_at_a_time(mutex_);
+    return std::string(resolver_.level());
+  }
 
   /// Needs the GIL, which it gives up while it works.
   std::vector<ResolveSummary> resolve(const PositionsInPlace& positions, std::int64_t root,

@@ -159,6 +159,36 @@ def test_walkers_do_not_depend_on_how_many_go_together(pliant, ethanol, tmp_path
                 np.testing.assert_array_equal(values, other[dataset], err_msg=dataset)
 
 
+def test_a_walker_without_output_leaves_the_others_theirs(pliant, ethanol, tmp_path):
+    (tmp_path / "o-1.h5md").mkdir()
+    words = ["-o", "o.h5md", "--walkers", 3, "--threads", 1, "--steps", 5]
+    ended = pliant("run", ethanol, *words, "--perturb", "displacement")
+    assert ended.code == 1
+    assert "o-1.h5md: is a directory" in ended.err
+    for walker in (0, 2):
+        positions = contents(tmp_path / f"o-{walker}.h5md")["particles/trajectory/position/value"]
+        assert len(positions) == 6
+
+
+def test_interrupt_names_the_files_of_walkers_that_were_begun(command, ethanol, tmp_path):
+    words = ["run", ethanol, "-o", "o.h5md", "--walkers", "9", "--threads", "1", "--json"]
+    running = subprocess.Popen(
+        [command, *words, "--steps", "1000000000", "--every", "1000"],
+        cwd=tmp_path,
+        stdout=subprocess.PIPE,
+        text=True,
+    )
+    while not (tmp_path / "o-7.h5md").exists():
+        time.sleep(0.02)
+    running.send_signal(signal.SIGINT)
+    out, _ = running.communicate(timeout=20)
+    assert running.returncode == 130
+    assert json.loads(out)["outputs"] == [f"o-{walker}.h5md" for walker in range(8)]
+    for walker in range(8):
+        with h5py.File(tmp_path / f"o-{walker}.h5md") as file:
+            assert len(file["particles/trajectory/position/step"]) > 0
+
+
 def test_pinned_atoms_stay(pliant, ethanol, tmp_path):
     ended = pliant("run", ethanol, "-o", "o.h5md", "--pin", "index 0", "--steps", 20)
     assert ended.code == 0

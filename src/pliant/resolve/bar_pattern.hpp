@@ -15,7 +15,9 @@ struct EquationEnds {
 /// Consecutive columns, bars, joints or entries.
 struct PartRange {
   std::uint32_t begin = 0, end = 0;
-  std::uint32_t size() const { return end - begin; }
+  /// Never a function of its own, not even unoptimized: lane_level.cpp compiles it for each level
+  /// of instructions, and the linker would keep any one of them.
+  [[gnu::always_inline]] std::uint32_t size() const { return end - begin; }
 };
 
 /// Where the entries of L are; see SparseLdl.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/lane_kernels.hpp"
 
+#include <algorithm>
+#include <limits>
 #include <vector>
 
 #include "pliant/base/vec3.hpp"
@@ -25,15 +27,15 @@ extern const LaneKernels kernels;
 namespace {
 
 #ifdef PLIANT_LANES_X86
+// Asks for no more than the compiler was allowed for the level: see CMakeLists.txt.
 bool has_v2() { return __builtin_cpu_supports("sse4.2") && __builtin_cpu_supports("popcnt"); }
 bool has_v3() {
-  return has_v2() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") &&
-         __builtin_cpu_supports("bmi") && __builtin_cpu_supports("bmi2");
+  return has_v2() && __builtin_cpu_supports("avx2") && __builtin_cpu_supports("bmi") &&
+         __builtin_cpu_supports("bmi2");
 }
 bool has_v4() {
   return has_v3() && __builtin_cpu_supports("avx512f") && __builtin_cpu_supports("avx512bw") &&
-         __builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512dq") &&
-         __builtin_cpu_supports("avx512vl");
+         __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl");
 }
 #endif
 
@@ -56,7 +58,9 @@ LaneBar lane_bar(std::uint32_t a, std::uint32_t b, double rest, double allowed) 
   const double relative = allowed / rest, squared = rest * rest;
   double surely = (2.0 * relative * (1.0 - 4.0 * relative) - 0x1p-46) * squared;
   if (squared < least_squared_length || !(surely > 0.0)) surely = 0.0;
-  return {a, b, rest, allowed, squared, surely};
+  // However much is allowed, an infinite length is not whole.
+  const double finite = std::min(allowed, std::numeric_limits<double>::max());
+  return {a, b, rest, finite, squared, surely};
 }
 
 std::span<const LaneKernels* const> lane_levels() {

@@ -198,7 +198,9 @@ void WalkerResolver::resolve(std::span<const WalkerPositions> walkers,
     const std::size_t count = std::min(lane_count, walkers.size() - at);
     const auto group = walkers.subspan(at, count);
     if (at > 0 && plan_->options.should_stop && plan_->options.should_stop()) {
-      std::fill(summaries.begin() + std::ptrdiff_t(at), summaries.end(), ResolveSummary{});
+      ResolveSummary not_begun;
+      not_begun.seconds = 0.0;  // callers add them up
+      std::fill(summaries.begin() + std::ptrdiff_t(at), summaries.end(), not_begun);
       return;
     }
     const bool alike = std::all_of(group.begin(), group.end(), [&](const WalkerPositions& walker) {

@@ -49,7 +49,12 @@ class Together {
 
   std::vector<RunSummary> all() {
     for (Walk& walk : walks_) walk.begin();
-    while (step()) continue;
+    try {
+      while (step()) continue;
+    } catch (...) {
+      for (Walk& walk : walks_) walk.take_back_push();
+      throw;
+    }
     std::vector<RunSummary> summaries;
     for (const Walk& walk : walks_) summaries.push_back(walk.summary());
     return summaries;
@@ -71,9 +76,10 @@ class Together {
   /// Moves those from stepping_ to alike_ that can be resolved at once: same step, same root.
   void take_those_alike() {
     alike_.clear();
-    if (stepping_.size() < 2 || resolver_.level().empty()) return;
+    if (stepping_.size() < 2) return;
     root_ = stepping_.front()->whole_resolve_from();
-    if (!root_) return;
+    // Asked last: from the first time on the lanes' plans take memory.
+    if (!root_ || resolver_.level().empty()) return;
     const std::int64_t step = stepping_.front()->step();
     const auto others =
         std::stable_partition(stepping_.begin(), stepping_.end(), [&](const Walk* walk) {

@@ -78,7 +78,7 @@ RunSummary run(const Framework& framework, State& state, const RunOptions& optio
 /// Runs walkers in step with each other, so that those whose pushes moved all joints are resolved
 /// together (WalkerResolver). What a walker does is what run() does with it alone, bit by bit; the
 /// seconds of its summary are its share. A walker that is asked to stop stops alone.
-/// Throws as run(); all walkers end where they are.
+/// Throws as run(); each walker then ends with its last whole step.
 std::vector<RunSummary> run_walkers(const Framework& framework, std::span<WalkerRun> walkers,
                                     const RunOptions& options);
 

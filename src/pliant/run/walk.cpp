@@ -80,6 +80,7 @@ void Walk::push() {
               : apply_forces(request, {&options_.replay[std::size_t(summary_.steps)], 1}, state_);
   ++state_.step;
   state_.time += options_.perturb_options.timestep;
+  is_pushed_ = true;
 }
 
 Joint Walk::root() const {
@@ -129,8 +130,14 @@ ResolveSummary Walk::resolve_all(Joint root) {
   return resolver_.resolve(state_.positions, root, state_.step, state_.previous);
 }
 
+void Walk::take_back_push() {
+  if (is_pushed_) undo_step();
+  is_pushed_ = false;
+}
+
 void Walk::finish(ResolveSummary resolved) {
   const Stopwatch watch(summary_.seconds);
+  is_pushed_ = false;
   summary_.resolve_seconds += resolved.seconds;
   if (resolved.stop == Stop::not_finite) {
     state_.positions = state_.previous;

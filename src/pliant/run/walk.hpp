@@ -28,6 +28,8 @@ class Walk {
   void finish(ResolveSummary resolved);
   /// finish() of a resolve beside others, whose time is in `resolved` and not yet in the summary.
   void finish_together(const ResolveSummary& resolved);
+  /// Back to the last whole step if a push has not been finished.
+  void take_back_push();
 
   std::uint64_t number() const { return number_; }
   std::int64_t step() const { return state_.step; }
@@ -62,6 +64,7 @@ class Walk {
   double time_before_ = 0.0;  ///< the push
   Push push_;
   bool stopping_ = false;
+  bool is_pushed_ = false;    ///< and not finished
   bool is_whole_ = false;     ///< all bars, before the push
   bool knows_moved_ = false;  ///< no joint but those of moved_ has left its previous position
   std::vector<Joint> moved_;

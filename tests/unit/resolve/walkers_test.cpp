@@ -50,6 +50,21 @@ TEST(WalkerResolver, TellsOfPositionsAndSummariesThatDoNotFit) {
             "summaries: 2 for 1 walkers");
 }
 
+TEST(WalkerResolver, TakesNoInfiniteLengthForWholeHoweverMuchIsAllowed) {
+  const Framework framework({.joint_count = 2, .bars = {{0, 1}}, .rest_lengths = {10.0}});
+  ResolveOptions options;
+  options.tolerance.relative = 1e308;
+  for (const Measured measured :
+       {Measured::nothing, Measured::max_residual, Measured::rms_residual}) {
+    std::vector<Vec3> far = {{}, {1e160, 0.0, 0.0}}, near = {{}, {1.0, 0.0, 0.0}};
+    const std::vector<WalkerPositions> walkers = {{0, far}, {1, near}};
+    std::vector<ResolveSummary> summaries(2);
+    WalkerResolver(framework, {"bfs_cycle"}, options).resolve(walkers, summaries, 0, 0, measured);
+    EXPECT_EQ(summaries[0].stop, Stop::not_finite);
+    EXPECT_EQ(summaries[1].stop, Stop::converged);
+  }
+}
+
 TEST(WalkerResolver, MixesWalkersWithAndWithoutReference) {
   const Sketch sketch = chain(9);
   const Framework framework = framework_of(sketch);

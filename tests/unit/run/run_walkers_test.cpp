@@ -3,6 +3,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/framework/examples.hpp"
+#include "pliant/framework/residual.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
 
@@ -111,6 +112,47 @@ TEST(RunWalkers, APushBeyondNumbersIsTakenBackAlone) {
   const auto alone = run_alone(sketch, options, 9);
   expect_same(alone, run_together(sketch, options, 9));
   EXPECT_GT(alone[0].summary.unconverged_steps, 0);
+}
+
+TEST(RunWalkers, AnObserverThatThrowsLeavesTheOthersAtWholeSteps) {
+  const Sketch sketch = chain(12);
+  const Framework framework = framework_of(sketch);
+  for (const char* technique : {"blocks", "random"}) {
+    SCOPED_TRACE(technique);
+    std::vector<State> states(3, State(sketch.positions));
+    std::vector<WalkerRun> walkers;
+    for (std::uint64_t k = 0; k < 3; ++k) walkers.push_back({states[k], k});
+    walkers[1].observers = {[](const Frame& frame) -> bool {
+      if (frame.step == 8) throw InputError("enough");
+      return false;
+    }};
+    RunOptions options = options_of("displacement", technique);
+    options.resolve.max_sweeps = 10000;
+    EXPECT_THROW(run_walkers(framework, walkers, options), InputError);
+    EXPECT_EQ(states[0].step, 8);
+    EXPECT_EQ(states[1].step, 8);
+    EXPECT_EQ(states[2].step, 7);
+    for (const State& state : states)
+      EXPECT_TRUE(measure(framework, state.positions, options.resolve.tolerance).within);
+  }
+}
+
+TEST(RunWalkers, TimesAreNeverNegativeWhereSomeWereNotBegun) {
+  const Sketch sketch = chain(12);
+  const Framework framework = framework_of(sketch);
+  for (int patience = 30; patience < 60; ++patience) {  // ends between groups, and elsewhere
+    RunOptions options = options_of("displacement", "blocks");
+    int asked = 0;
+    options.resolve.should_stop = [&] { return ++asked > patience; };
+    std::vector<State> states(20, State(sketch.positions));
+    std::vector<WalkerRun> walkers;
+    for (std::uint64_t k = 0; k < states.size(); ++k) walkers.push_back({states[k], k});
+    for (const RunSummary& summary : run_walkers(framework, walkers, options)) {
+      EXPECT_TRUE(summary.stopped_by_caller);
+      EXPECT_GE(summary.seconds, 0.0);
+      EXPECT_GE(summary.resolve_seconds, 0.0);
+    }
+  }
 }
 
 TEST(RunWalkers, NoneIsNoError) {
