@@ -36,7 +36,7 @@ LaneOutcome newton(const BarPattern& pattern, const LaneRoom& room, LaneVector* 
   Lanes error = errors.worst, best = select(errors.whole, 0.0, error);
   Lanes bad_steps = 0.0, iterations = 0.0, dropped = 0.0;
   Mask active = errors.finite & ~errors.coincident & ~errors.whole;
-  const Mask hopeless = ~errors.whole & ~active;
+  const Mask hopeless = ~(errors.whole & errors.finite) & ~active;
   for (;;) {
     active &= (best > 1.0) & (error < infinity);
     if (active.bits() == 0) break;

@@ -45,7 +45,8 @@ class LaneSweeps final : public LaneMethod {
   /// Whether any lane is left to sweep.
   bool leave_if_whole(const LaneCall& call, std::size_t& hint, LaneMask& active) const {
     LaneMask not_finite = 0;
-    const LaneMask whole = kernels_.look(visits(), call.positions, active, hint, not_finite);
+    const LaneMask within = kernels_.look(visits(), call.positions, active, hint, not_finite);
+    const auto whole = LaneMask(within & ~not_finite);  // an infinite error may be allowed
     if (whole != 0) call.end.finish_whole(whole);
     active = LaneMask(active & ~(whole | not_finite));
     return active != 0;
