@@ -64,8 +64,9 @@ def _race_options(parser: console.Parser) -> None:
 
 
 def _race(arguments: argparse.Namespace) -> int:
+    from pliant.bench.rows import write_csv
     from pliant.bench.work_precision import work_precision
-    from pliant.bench.work_precision_report import print_report, write_csv
+    from pliant.bench.work_precision_report import print_report
 
     with console.progress("race", arguments.quiet or arguments.json) as show:
         found = work_precision(
@@ -83,7 +84,7 @@ def _race(arguments: argparse.Namespace) -> int:
             progress=show,
         )
     if arguments.csv:
-        write_csv(found, arguments.csv)
+        write_csv(found.rows, arguments.csv)
     if arguments.png:
         from pliant.bench.work_precision_picture import draw
 
@@ -155,10 +156,12 @@ def _throughput_options(parser: console.Parser) -> None:
         help=f"broken copies for each thread (default {CONFORMERS})")  # fmt: skip
     add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
         help=f"rounds, of which the median counts (default {REPEATS})")  # fmt: skip
+    add("--csv", metavar="FILE", help="write the rows as CSV")
     add("--without-openmm", action="store_true", help="time our techniques alone")
 
 
 def _throughput(arguments: argparse.Namespace) -> int:
+    from pliant.bench.rows import write_csv
     from pliant.bench.throughput import print_report, throughput
 
     found = throughput(
@@ -173,8 +176,10 @@ def _throughput(arguments: argparse.Namespace) -> int:
         repeats=arguments.repeats,
         openmm=not arguments.without_openmm,
     )
+    if arguments.csv:
+        write_csv(found.rows, arguments.csv)
     console.print_json(found.as_json()) if arguments.json else print_report(found)
-    return console.EXIT_OK
+    return console.EXIT_FAILED if found.wrong() else console.EXIT_OK
 
 
 def _stress_options(parser: console.Parser) -> None:

@@ -37,6 +37,15 @@ class Throughput:
     openmm: list[OpenmmRow] = field(default_factory=list)
     about_openmm: str = ""  #: why OpenMM takes no part, or what it was not told
 
+    def wrong(self) -> list[str]:
+        """What is not as it must be: conformers not whole, or with other bits than alone."""
+        return [
+            f"{row.technique} {row.lanes or 'one by one'}, {row.threads} threads: {row.whole} of "
+            f"{row.conformers} whole" + ("" if row.same_bits else ", with other bits than alone")
+            for row in self.rows
+            if row.whole < row.conformers or not row.same_bits
+        ]
+
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""
         return {"pliant": pliant.__version__, **asdict(self)}
@@ -181,7 +190,7 @@ def _row(
         ns_per_bar,
         float(1e9 * processor / len(target.bars)),
         np.array_equal(entry.result[:conformers], alone.result[:conformers]),
-        {row.method: row.ns_per_bar / ns_per_bar for row in found.openmm},
+        *(row.ns_per_bar / ns_per_bar for row in found.openmm),
     )
 
 
@@ -254,6 +263,7 @@ def print_report(found: Throughput) -> None:
     table = console.Table("", columns)
     for row in found.rows:
         name = row.technique if row.weighting is None else f"{row.technique} {row.weighting:g}"
+        ratios = (row.ratio_to_openmm, row.ratio_to_openmm_in_dynamics)
         table.rows.append(
             [
                 name,
@@ -262,7 +272,7 @@ def print_report(found: Throughput) -> None:
                 f"{row.conformers_per_second:.0f}",
                 f"{row.ns_per_bar:.1f}",
                 f"{row.processor_ns_per_bar:.1f}",
-                *(f"{ratio:.1f} times" for ratio in row.openmm_ratios.values()),
+                *(f"{ratio:.1f} times" for ratio in ratios[: len(found.openmm)]),
                 f"{row.whole} of {row.conformers}",
                 "yes" if row.same_bits else "no",
             ]
@@ -273,5 +283,6 @@ def print_report(found: Throughput) -> None:
             f"OpenMM {row.method}: {row.ns_per_bar:.1f} ns per bar, worst residual "
             f"{row.max_residual:.1e}"
         )
-    if found.about_openmm:
-        print(found.about_openmm)
+    for note in [found.about_openmm, *found.wrong()]:
+        if note:
+            print(note)

@@ -3,11 +3,8 @@
 
 from __future__ import annotations
 
-import csv
 import math
-import os
 from collections.abc import Sequence
-from dataclasses import asdict, fields
 
 import numpy as np
 
@@ -49,20 +46,6 @@ def label(method: str, weighting: float | None) -> str:
 def at(rows: Sequence[Row], tolerance: float) -> Row | None:
     """The row of that tolerance."""
     return next((r for r in rows if math.isclose(r.tolerance, tolerance, rel_tol=1e-6)), None)
-
-
-def write_csv(found: WorkPrecision, path: str | os.PathLike) -> None:
-    """All rows as CSV; what is not known is empty."""
-    with open(path, "w", encoding="utf-8", newline="") as file:
-        writer = csv.writer(file, lineterminator="\n")
-        writer.writerow([field.name for field in fields(Row)])
-        for row in found.rows:
-            writer.writerow([_cell(value) for value in asdict(row).values()])
-
-
-def _cell(value: object) -> object:
-    unknown = value is None or (isinstance(value, float) and not math.isfinite(value))
-    return "" if unknown else value
 
 
 def print_report(found: WorkPrecision) -> None:

@@ -90,15 +90,29 @@ def test_throughput_is_whole_and_the_same_in_lanes_and_on_two_threads():
     assert all(row.max_residual < 2e-6 for row in found.openmm)
     ccma = found.openmm[0]
     for row in found.rows:
-        assert row.openmm_ratios["ccma"] == pytest.approx(ccma.ns_per_bar / row.ns_per_bar)
+        assert row.ratio_to_openmm == pytest.approx(ccma.ns_per_bar / row.ns_per_bar)
 
 
-def test_throughput_by_the_command(capsys):
-    words = ["throughput", str(CAFFEINE), "--conformers", "2", "--repeats", "1",
-             "--techniques", "blocks", "--without-openmm"]  # fmt: skip
+def test_throughput_says_what_is_wrong():
+    found = throughput(
+        CAFFEINE, conformers=2, repeats=1, techniques=("blocks",), threads=(1,), openmm=False
+    )
+    assert found.wrong() == []
+    found.rows[0].whole = 1
+    found.rows[1].same_bits = False
+    assert found.wrong() == [
+        "blocks one by one, 1 threads: 1 of 2 whole",
+        f"blocks {pliant.lane_levels()[0]}, 1 threads: 2 of 2 whole, with other bits than alone",
+    ]
+
+
+def test_throughput_by_the_command(capsys, tmp_path):
+    words = ["throughput", str(CAFFEINE), "--conformers", "2", "--repeats", "1", "--csv",
+             str(tmp_path / "a.csv"), "--techniques", "blocks", "--without-openmm"]  # fmt: skip
     assert main([*words, "--json"]) == 0
     printed = json.loads(capsys.readouterr().out)
     assert len(printed["rows"]) == 4
-    assert printed["openmm"] == [] and printed["rows"][0]["openmm_ratios"] == {}
+    assert len((tmp_path / "a.csv").read_text().splitlines()) == 5
+    assert printed["openmm"] == [] and printed["rows"][0]["ratio_to_openmm"] is None
     assert main(words) == 0
     assert "conformers per second" in capsys.readouterr().out
