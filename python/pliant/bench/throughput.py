@@ -74,9 +74,8 @@ class ThroughputRow:
     ns_per_bar: float  #: wall time for one bar of one conformer
     processor_ns_per_bar: float  #: the same in processor time of the threads, added up
     same_bits: bool  #: the conformers are those of one thread without lanes, bit by bit
-    openmm_ratios: dict[
-        str, float
-    ]  #: time of each of OpenMM's ways for a bar over that of this row
+    ratio_to_openmm: float = math.nan  #: CCMA's time for a bar over that of this row
+    ratio_to_openmm_in_dynamics: float = math.nan  #: the same, CCMA told the intact structure
 
 
 @dataclass
