@@ -7,7 +7,8 @@
 
 namespace pliant {
 
-/// None for orderings that differ from walker to walker (`random`, `bfs_worst`).
+/// None for orderings that are asked again before each sweep (`random`, `bfs_random`, `bfs_adapt`,
+/// `bfs_worst`): they differ from walker to walker.
 std::unique_ptr<LaneMethod> make_lane_sweeps(const LaneSetting& setting);
 
 /// Of `bfs_local` where more than one joint has moved: sweeps of `bfs_cycle`.

@@ -36,8 +36,9 @@ struct LaneOptions {
 std::span<const std::string_view> lane_level_names();
 
 /// Resolves groups of eight walkers in SIMD lanes where the technique has a way to (sweeps of one
-/// ordering for all, `blocks`, `shake`), others one after the other. Each walker ends with the same
-/// bits as alone in a Resolver, whoever stands beside it. Not for two threads at once.
+/// ordering for all, `blocks`, `newton`, `shake`), others one after the other. Each walker ends
+/// with the same bits as alone in a Resolver, whoever stands beside it. Not for two threads at
+/// once.
 class WalkerResolver {
  public:
   /// As Resolver; options.walker is not looked at. Throws OptionError, also for an unknown level.
