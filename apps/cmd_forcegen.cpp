@@ -10,8 +10,8 @@
 #include "messages.hpp"
 #include "molecule_input.hpp"
 #include "pliant/perturb/force_file.hpp"
-#include "pliant/record/output_file.hpp"
 #include "pliant/resolve/resolve.hpp"
+#include "pliant/text/output_file.hpp"
 
 namespace pliant::app {
 namespace {

@@ -9,7 +9,7 @@
 #include "molecule_input.hpp"
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/order/ordering_file.hpp"
-#include "pliant/record/output_file.hpp"
+#include "pliant/text/output_file.hpp"
 
 namespace pliant::app {
 namespace {

@@ -7,7 +7,8 @@
 #include "command.hpp"
 #include "messages.hpp"
 #include "pliant/framework/graph.hpp"
-#include "pliant/record/output_file.hpp"
+#include "pliant/record/xml/write_graph_xml.hpp"
+#include "pliant/text/output_file.hpp"
 #include "structgen_settings.hpp"
 
 namespace pliant::app {

@@ -7,7 +7,7 @@
 #include "command.hpp"
 #include "options.hpp"
 #include "pliant/perturb/perturbation.hpp"
-#include "pliant/resolve/technique.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant::app {
 namespace {

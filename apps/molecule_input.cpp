@@ -5,9 +5,9 @@
 #include <filesystem>
 
 #include "pliant/base/choices.hpp"
-#include "pliant/molecule/bonds.hpp"
-#include "pliant/molecule/read.hpp"
-#include "pliant/record/graph_xml.hpp"
+#include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/read/read.hpp"
+#include "pliant/record/xml/graph_xml.hpp"
 
 namespace pliant::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "options.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/molecule/build_framework.hpp"
-#include "pliant/molecule/structure.hpp"
+#include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant::app {
 

@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant::app {
 namespace {

@@ -8,6 +8,7 @@
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant::app {
 namespace {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "molecule_input.hpp"
-#include "pliant/record/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/run/run.hpp"
 
 namespace pliant::app {

@@ -14,7 +14,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/record/topology_pdb.hpp"
-#include "pliant/resolve/lane_kernels.hpp"
+#include "pliant/resolve/lanes/lane_kernels.hpp"
 
 namespace pliant::app {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <limits>
 
-#include "pliant/resolve/technique.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant::app {
 namespace {

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "options.hpp"
+#include "pliant/laboratory/make_test_set.hpp"
 #include "pliant/laboratory/test_set.hpp"
 
 namespace pliant::app {

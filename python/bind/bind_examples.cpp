@@ -3,7 +3,7 @@
 #include <nanobind/stl/optional.h>
 
 #include "arrays.hpp"
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 
 namespace pliant::python {
 

@@ -8,7 +8,7 @@
 #include "pliant/framework/framework.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/residual.hpp"
-#include "pliant/molecule/structure.hpp"
+#include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant::python {
 

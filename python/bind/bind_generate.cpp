@@ -2,7 +2,7 @@
 // Generated frameworks: random graphs of the classes of the thesis.
 #include "pliant/generate/random_graphs.hpp"
 
-#include "pliant/record/graph_xml.hpp"
+#include "pliant/record/xml/graph_xml.hpp"
 #include "tables.hpp"
 
 namespace pliant::python {

@@ -9,9 +9,9 @@
 #include "checks.hpp"
 #include "locked.hpp"
 #include "messages.hpp"
+#include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/elements.hpp"
-#include "pliant/molecule/structure.hpp"
+#include "pliant/molecule/structure/structure.hpp"
 #include "structure_columns.hpp"
 
 namespace pliant::python {

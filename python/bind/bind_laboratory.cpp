@@ -4,7 +4,10 @@
 
 #include "arrays.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/laboratory/make_test_set.hpp"
+#include "pliant/laboratory/read_test_set.hpp"
 #include "pliant/laboratory/test_set.hpp"
+#include "pliant/resolve/techniques.hpp"
 #include "test_parts.hpp"
 
 namespace pliant::python {

@@ -5,10 +5,10 @@
 #include "frame.hpp"
 #include "locked.hpp"
 #include "messages.hpp"
+#include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/version.hpp"
-#include "pliant/molecule/elements.hpp"
-#include "pliant/molecule/structure.hpp"
+#include "pliant/molecule/structure/structure.hpp"
 #include "recorded_bonds.hpp"
 
 namespace pliant::python {

@@ -9,6 +9,7 @@
 #include "interrupt.hpp"
 #include "options.hpp"
 #include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/techniques.hpp"
 #include "tables.hpp"
 
 namespace pliant::python {

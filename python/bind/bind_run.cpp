@@ -11,6 +11,7 @@
 #include "messages.hpp"
 #include "options.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
+#include "pliant/resolve/techniques.hpp"
 #include "pushes.hpp"
 
 namespace pliant::python {

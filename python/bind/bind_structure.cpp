@@ -4,8 +4,8 @@
 
 #include "arrays.hpp"
 #include "checks.hpp"
+#include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/elements.hpp"
 #include "structure.hpp"
 #include "structure_columns.hpp"
 

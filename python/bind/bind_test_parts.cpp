@@ -4,6 +4,7 @@
 #include <nanobind/stl/filesystem.h>
 
 #include "orderings.hpp"
+#include "pliant/resolve/techniques.hpp"
 #include "pushes.hpp"
 
 namespace pliant::python {

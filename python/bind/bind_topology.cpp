@@ -5,9 +5,10 @@
 #include "arrays.hpp"
 #include "checks.hpp"
 #include "messages.hpp"
-#include "pliant/molecule/structure.hpp"
-#include "pliant/record/graph_xml.hpp"
+#include "pliant/molecule/structure/structure.hpp"
 #include "pliant/record/topology_pdb.hpp"
+#include "pliant/record/xml/graph_xml.hpp"
+#include "pliant/record/xml/write_graph_xml.hpp"
 #include "recorded_bonds.hpp"
 
 namespace pliant::python {

@@ -6,8 +6,8 @@
 #include <mutex>
 
 #include "bind.hpp"
-#include "pliant/record/h5md_reader.hpp"
-#include "pliant/record/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
 
 namespace pliant::python {
 

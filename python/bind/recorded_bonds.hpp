@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "pliant/molecule/structure.hpp"
-#include "pliant/record/h5md_recorder.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
 
 namespace pliant::python {
 

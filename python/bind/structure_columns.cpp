@@ -5,8 +5,8 @@
 #include <numeric>
 #include <tuple>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/elements.hpp"
 
 namespace pliant::python {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "arrays.hpp"
-#include "pliant/molecule/structure.hpp"
+#include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant::python {
 

@@ -11,10 +11,10 @@
 #include "pliant/base/vec3.hpp"      // Vec3
 
 // molecule: files to structures, structures to frameworks
-#include "pliant/molecule/bonds.hpp"            // bond perception
-#include "pliant/molecule/build_framework.hpp"  // bonds or angles to bars
-#include "pliant/molecule/read.hpp"             // PDB, mmCIF, XYZ, SDF
-#include "pliant/molecule/structure.hpp"        // atoms, positions, bonds
+#include "pliant/molecule/bonds/bonds.hpp"          // bond perception
+#include "pliant/molecule/build_framework.hpp"      // bonds or angles to bars
+#include "pliant/molecule/read/read.hpp"            // PDB, mmCIF, XYZ, SDF
+#include "pliant/molecule/structure/structure.hpp"  // atoms, positions, bonds
 
 // framework: joints, bars and what is known of them
 #include "pliant/framework/atom_table.hpp"       // names of joints
@@ -31,15 +31,15 @@
 #include "pliant/generate/random_graphs.hpp"       // trees, 1-, 2- and n-cycles
 
 // order, resolve: the techniques
-#include "pliant/order/check_ordering.hpp"  // validator
-#include "pliant/order/ordering.hpp"        // the table of orderings
-#include "pliant/order/ordering_file.hpp"   // an ordering stated bar by bar
-#include "pliant/order/traversal.hpp"       // breadth first, depth first
-#include "pliant/resolve/automatic.hpp"     // what auto chooses
-#include "pliant/resolve/project_bar.hpp"   // the kernel
-#include "pliant/resolve/resolve.hpp"       // sweeps until whole
-#include "pliant/resolve/technique.hpp"     // ordering + weighting
-#include "pliant/resolve/walkers.hpp"       // many copies at once
+#include "pliant/order/check_ordering.hpp"        // validator
+#include "pliant/order/ordering.hpp"              // the table of orderings
+#include "pliant/order/ordering_file.hpp"         // an ordering stated bar by bar
+#include "pliant/order/traversal.hpp"             // breadth first, depth first
+#include "pliant/resolve/automatic.hpp"           // what auto chooses
+#include "pliant/resolve/method/project_bar.hpp"  // the kernel
+#include "pliant/resolve/resolve.hpp"             // sweeps until whole
+#include "pliant/resolve/techniques.hpp"          // ordering + weighting
+#include "pliant/resolve/walkers.hpp"             // many copies at once
 
 // perturb, run: the loop
 #include "pliant/perturb/force_file.hpp"    // pushes to replay
@@ -47,12 +47,15 @@
 #include "pliant/run/run.hpp"               // perturb, resolve, show
 
 // record: trajectories and graphs
-#include "pliant/record/graph_xml.hpp"      // frameworks as XML
-#include "pliant/record/h5md_reader.hpp"    // frames of any H5MD file
-#include "pliant/record/h5md_recorder.hpp"  // frames to an H5MD file
-#include "pliant/record/topology_pdb.hpp"   // names and bonds for other programs
+#include "pliant/record/h5md/h5md_reader.hpp"     // frames of any H5MD file
+#include "pliant/record/h5md/h5md_recorder.hpp"   // frames to an H5MD file
+#include "pliant/record/topology_pdb.hpp"         // names and bonds for other programs
+#include "pliant/record/xml/graph_xml.hpp"        // frameworks as XML
+#include "pliant/record/xml/write_graph_xml.hpp"  // and back
 
 // laboratory: graphs, forces and results in folders
 #include "pliant/laboratory/force_recorder.hpp"  // the pushes of a run as a force file
+#include "pliant/laboratory/make_test_set.hpp"   // of random graphs
+#include "pliant/laboratory/read_test_set.hpp"   // from folders
 #include "pliant/laboratory/test_results.hpp"    // what a heuristic did with the forces of a graph
 #include "pliant/laboratory/test_set.hpp"        // the test sets of the thesis

@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/bonds.hpp"
+#include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
-#include "pliant/molecule/read.hpp"
+#include "pliant/molecule/read/read.hpp"
 
 namespace {
 

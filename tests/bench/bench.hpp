@@ -6,7 +6,8 @@
 #include <string>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/molecule/structure.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant::bench {
 

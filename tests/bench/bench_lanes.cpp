@@ -11,9 +11,9 @@
 
 #include "bench/bench.hpp"
 #include "pliant/base/random.hpp"
-#include "pliant/resolve/block_solver.hpp"
-#include "pliant/resolve/lane_method.hpp"
-#include "pliant/resolve/outward_plan.hpp"
+#include "pliant/resolve/blocks/block_solver.hpp"
+#include "pliant/resolve/blocks/outward_plan.hpp"
+#include "pliant/resolve/lanes/lane_method.hpp"
 
 namespace pliant::bench {
 namespace {

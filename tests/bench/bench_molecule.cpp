@@ -2,8 +2,8 @@
 #include <benchmark/benchmark.h>
 
 #include "bench/bench.hpp"
-#include "pliant/molecule/bonds.hpp"
-#include "pliant/molecule/read.hpp"
+#include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/read/read.hpp"
 
 namespace pliant::bench {
 namespace {

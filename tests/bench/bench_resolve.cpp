@@ -12,7 +12,7 @@
 #include "pliant/base/random.hpp"
 #include "pliant/framework/residual.hpp"
 #include "pliant/resolve/resolve.hpp"
-#include "pliant/resolve/technique.hpp"
+#include "pliant/resolve/techniques.hpp"
 #include "pliant/resolve/walkers.hpp"
 
 namespace pliant::bench {

@@ -5,7 +5,7 @@
 #include <span>
 #include <string>
 
-#include "pliant/base/file_text.hpp"
+#include "pliant/text/file_text.hpp"
 
 namespace pliant {
 

@@ -8,7 +8,7 @@
 
 #include "corpus/corpus.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/read.hpp"
+#include "pliant/molecule/read/read.hpp"
 
 namespace pliant {
 namespace {

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <sstream>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/elements.hpp"
 
 namespace pliant {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "pliant/molecule/read.hpp"
+#include "pliant/molecule/read/read.hpp"
 
 namespace pliant {
 

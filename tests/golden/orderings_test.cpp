@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "pliant/order/ordering.hpp"
 #include "pliant/order/ordering_file.hpp"
 

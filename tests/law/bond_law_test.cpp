@@ -7,7 +7,7 @@
 #include <numeric>
 
 #include "pliant/base/random.hpp"
-#include "pliant/molecule/bonds.hpp"
+#include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
 
 namespace pliant {

@@ -8,7 +8,8 @@
 #include "pliant/generate/random_graphs.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_file.hpp"
-#include "pliant/record/graph_xml.hpp"
+#include "pliant/record/xml/graph_xml.hpp"
+#include "pliant/record/xml/write_graph_xml.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
 

@@ -5,9 +5,10 @@
 
 #include <cmath>
 
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "pliant/framework/residual.hpp"
 #include "pliant/resolve/resolve.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant {
 namespace {

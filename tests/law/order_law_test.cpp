@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <ostream>
 
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/order/ordering.hpp"
 #include "support/frameworks.hpp"

@@ -7,6 +7,7 @@
 #include "pliant/framework/residual.hpp"
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/resolve.hpp"
+#include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"
 #include "support/random_frameworks.hpp"
 

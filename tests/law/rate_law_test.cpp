@@ -7,9 +7,10 @@
 #include <cmath>
 #include <numbers>
 
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "pliant/framework/residual.hpp"
 #include "pliant/resolve/resolve.hpp"
+#include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"
 
 namespace pliant {

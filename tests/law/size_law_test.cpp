@@ -7,11 +7,12 @@
 #include <ctime>
 #include <functional>
 
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/residual.hpp"
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/resolve.hpp"
+#include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"
 
 namespace pliant {

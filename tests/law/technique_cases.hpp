@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "pliant/resolve/resolve.hpp"
-#include "pliant/resolve/technique.hpp"
+#include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"
 
 namespace pliant {

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/residual.hpp"
 #include "pliant/perturb/perturbation.hpp"

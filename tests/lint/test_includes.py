@@ -14,15 +14,28 @@ from sources import CPP, ROOT, files, numbered_lines, place, refuse
 # The folders of src/pliant, and which of the others each may include.
 MAY_INCLUDE = {
     "base": (),
+    "text": ("base",),
     "framework": ("base",),
-    "molecule": ("base", "framework"),
+    "examples": ("base", "framework"),
+    "rigidity": ("base", "framework"),
+    "molecule": ("base", "text", "framework"),
     "generate": ("base", "framework"),
-    "order": ("base", "framework"),
-    "perturb": ("base", "framework"),
-    "resolve": ("base", "framework", "order"),
+    "order": ("base", "text", "framework"),
+    "perturb": ("base", "text", "framework"),
+    "resolve": ("base", "framework", "order", "rigidity"),
     "run": ("base", "framework", "order", "resolve", "perturb"),
-    "record": ("base", "framework"),
-    "laboratory": ("base", "framework", "generate", "order", "resolve", "perturb", "record"),
+    "record": ("base", "text", "framework"),
+    "laboratory": (
+        *("base", "text", "framework", "generate", "order", "resolve", "perturb", "record"),
+    ),
+}
+
+# The wings of large folders, in order: each may include those before it. What lies in the folder
+# itself is its door and may include all of them.
+WINGS = {
+    "molecule": ("structure", "read", "bonds"),
+    "record": ("hdf5", "h5md", "xml"),
+    "resolve": ("method", "sweeps", "direct", "blocks", "units", "lanes"),
 }
 
 # Libraries that stay behind .cpp files, so that users of our headers need not have them.
@@ -48,18 +61,99 @@ def folder_of(path: Path) -> str:
     return parts[0] if len(parts) > 1 else ""
 
 
+def wing_of(name: str) -> str:
+    """The wing of `pliant/resolve/blocks/near_pass.hpp`: blocks; empty for a file of the door."""
+    parts = name.split("/")
+    return parts[2] if len(parts) > 3 else ""
+
+
+def may_enter(folder: str, wing: str, other: str) -> bool:
+    """Whether a file of `wing` may include one of the wing `other` of the same folder."""
+    wings = WINGS.get(folder, ())
+    if not wing:
+        return True
+    return other in wings[: wings.index(wing) + 1]
+
+
 def wrong_directions(path: Path) -> Iterator[str]:
-    """One text for each include that goes against MAY_INCLUDE."""
-    folder = folder_of(path)
+    """One text for each include that goes against MAY_INCLUDE or WINGS."""
+    folder, wing = folder_of(path), wing_of(path.relative_to(LIBRARY.parent).as_posix())
     allowed = (folder, *MAY_INCLUDE.get(folder, ()))
     for number, _, name in includes(path):
-        if name.startswith("pliant/") and name.split("/")[1] not in allowed:
+        if not name.startswith("pliant/"):
+            continue
+        if name.split("/")[1] not in allowed:
             yield f"{place(path, number)}: {folder} may not include {name}"
+        elif name.split("/")[1] == folder and not may_enter(folder, wing, wing_of(name)):
+            yield f"{place(path, number)}: {folder}/{wing} may not include {name}"
 
 
 def test_every_folder_is_in_the_table():
     folders = {path.name for path in LIBRARY.iterdir() if path.is_dir()}
     assert folders <= set(MAY_INCLUDE)
+
+
+def test_every_wing_is_in_the_table():
+    wings = {(path.parent.name, path.name) for path in LIBRARY.glob("*/*") if path.is_dir()}
+    assert wings == {(folder, wing) for folder, row in WINGS.items() for wing in row}
+
+
+def unit_of(name: str) -> str:
+    """A header and its source are one unit: `pliant/base/log`."""
+    return name.rsplit(".", 1)[0].removesuffix("_internal")
+
+
+def circles_of_units() -> list[set[str]]:
+    """Groups of units that include each other, directly or not (Tarjan's components)."""
+    needs = {}
+    for path in files(*CPP, folders=("src",)):
+        unit = unit_of(path.relative_to(ROOT / "src").as_posix())
+        names = {unit_of(name) for _, _, name in includes(path) if name.startswith("pliant/")}
+        needs[unit] = needs.get(unit, set()) | (names - {unit})
+    reached = {unit: reach(unit, needs) for unit in needs}
+    return [
+        {other for other in reached[unit] if unit in reached.get(other, ())} | {unit}
+        for unit in sorted(reached)
+        if unit in reached[unit]
+    ]
+
+
+def reach(unit: str, needs: dict[str, set[str]]) -> set[str]:
+    """All that `unit` needs, directly or not."""
+    found: set[str] = set()
+    todo = list(needs[unit])
+    while todo:
+        name = todo.pop()
+        if name not in found:
+            found.add(name)
+            todo.extend(needs.get(name, ()))
+    return found
+
+
+def test_no_circle_of_units_crosses_a_wing():
+    refuse(
+        [
+            "a circle of includes crosses a wing: " + ", ".join(sorted(circle))
+            for circle in circles_of_units()
+            if len({name.rsplit("/", 1)[0] for name in circle}) > 1
+        ]
+    )
+
+
+# Sources that hold rows of a table which another header declares, or are compiled several times.
+WITHOUT_HEADER = re.compile(r"examples_\w+\.cpp|families\.cpp|lane_level\.cpp")
+
+
+def test_every_source_has_a_header_of_its_name():
+    refuse(
+        [
+            f"{place(path, 1)}: no header of this name"
+            for path in files(".cpp", folders=("src",))
+            if not WITHOUT_HEADER.fullmatch(path.name)
+            and not path.with_suffix(".hpp").exists()
+            and not path.with_name(path.stem + "_internal.hpp").exists()
+        ]
+    )
 
 
 def test_the_table_has_no_cycle():
@@ -118,7 +212,7 @@ def test_xml_has_one_door():
             if OPENS_XML.search(line) and path.name != XML_DOOR
         ]
     )
-    door = (LIBRARY / "record" / XML_DOOR).read_text()
+    door = (LIBRARY / "record/xml" / XML_DOOR).read_text()
     assert door.index("check_xml_text(") < door.index("load_buffer(")
     assert "parse_doctype" not in door
     assert "parse_full" not in door

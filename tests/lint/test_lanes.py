@@ -21,7 +21,7 @@ def test_functions_of_a_lane_level_bear_its_name(compiler, level, optimize, tmp_
     if not target.startswith("x86_64"):
         pytest.skip("levels are of x86-64")
     words = [*WORDS, optimize, f"-DPLIANT_LANE_LEVEL=lanes_{level}", *LEVELS[level]]
-    source, compiled = ROOT / "src/pliant/resolve/lane_level.cpp", tmp_path / "lane_level.o"
+    source, compiled = ROOT / "src/pliant/resolve/lanes/lane_level.cpp", tmp_path / "lane_level.o"
     subprocess.run([compiler, *words, "-I", ROOT / "src", source, "-o", compiled], check=True)
     named = subprocess.run(
         ["nm", "--demangle", "--extern-only", "--defined-only", compiled],

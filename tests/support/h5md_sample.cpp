@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "pliant/base/error.hpp"
-#include "pliant/record/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
 
 namespace {
 

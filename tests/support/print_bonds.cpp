@@ -12,11 +12,11 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/framework/graph.hpp"
-#include "pliant/molecule/bonds.hpp"
+#include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
-#include "pliant/molecule/read.hpp"
-#include "pliant/molecule/residue_templates.hpp"
+#include "pliant/molecule/read/read.hpp"
 #include "pliant/molecule/selection.hpp"
+#include "pliant/molecule/structure/residue_templates.hpp"
 
 namespace {
 

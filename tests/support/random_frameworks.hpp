@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 
 namespace pliant::test {
 

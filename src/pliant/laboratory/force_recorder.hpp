@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "pliant/perturb/force_file.hpp"
-#include "pliant/record/output_file.hpp"
+#include "pliant/text/output_file.hpp"
 
 namespace pliant {
 

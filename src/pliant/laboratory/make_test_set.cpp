@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
+#include "pliant/laboratory/make_test_set.hpp"
+
 #include <algorithm>
 #include <cmath>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/laboratory/test_set.hpp"
 #include "pliant/order/ordering_file.hpp"
-#include "pliant/record/output_file.hpp"
+#include "pliant/record/xml/write_graph_xml.hpp"
 #include "pliant/resolve/resolve.hpp"
+#include "pliant/resolve/techniques.hpp"
+#include "pliant/text/output_file.hpp"
 
 namespace pliant {
 namespace {

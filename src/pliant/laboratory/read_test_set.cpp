@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
+#include "pliant/laboratory/read_test_set.hpp"
+
 #include <algorithm>
 #include <charconv>
 
 #include "pliant/base/number.hpp"
-#include "pliant/laboratory/test_set.hpp"
 #include "pliant/order/ordering_file.hpp"
-#include "pliant/record/xml_document_internal.hpp"
-#include "pliant/resolve/technique.hpp"
+#include "pliant/record/xml/xml_document_internal.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/base/text_lines.hpp"
+#include "pliant/text/text_lines.hpp"
 
 namespace pliant {
 namespace {

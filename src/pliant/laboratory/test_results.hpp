@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/base/file_text.hpp"
+#include "pliant/text/file_text.hpp"
 
 namespace pliant {
 

@@ -5,9 +5,9 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/record/output_file.hpp"
-#include "pliant/record/xml_document_internal.hpp"
-#include "pliant/resolve/technique.hpp"
+#include "pliant/record/xml/xml_document_internal.hpp"
+#include "pliant/resolve/techniques.hpp"
+#include "pliant/text/output_file.hpp"
 
 namespace pliant {
 namespace {

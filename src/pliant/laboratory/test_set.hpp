@@ -21,7 +21,8 @@
 #include "pliant/laboratory/test_results.hpp"
 #include "pliant/order/ordering.hpp"
 #include "pliant/perturb/force_file.hpp"
-#include "pliant/record/graph_xml.hpp"
+#include "pliant/record/xml/graph_xml.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant {
 
@@ -34,19 +35,6 @@ struct TestSettings {
   double tolerance_length = 0.01;  ///< largest |length - rest| of a whole bar (Angstrom)
   std::int64_t max_sweeps = 10000;
   GenerateOptions sizes = {};
-};
-
-/// What make_test_set() makes.
-struct TestSetOptions {
-  TestSettings settings = {};
-  std::vector<std::string> classes = {};  ///< names in graph_classes(); empty: all
-  std::int64_t graphs = 20;               ///< of each class, from 1
-  std::int64_t force_files = 1;           ///< files that the forces of a graph are spread over
-  /// Names in techniques(), each for the classes that it resolves; empty: every row of orderings()
-  /// but `input`.
-  std::vector<std::string> techniques = {};
-  std::vector<double> weightings = {0.5, 0.75, 1.0};
-  std::function<void(std::int64_t)> on_graph = {};  ///< told how many graphs are written
 };
 
 /// A technique with a weighting, and what it did if that is known.
@@ -101,17 +89,6 @@ struct TestSet {
   /// results.xml says.
   std::vector<TestRow> read_results(const TestPlace& place) const;
 };
-
-/// Makes the graphs, forces and orderings and writes them into `directory`, which must be new or
-/// empty; results.xml comes last. Graph k of a class is generate() with walker = k, its forces are
-/// random_pushes() with the same key: what it holds depends on the options alone.
-/// Throws OptionError naming an option that is out of its range; FileError.
-TestSet make_test_set(const std::filesystem::path& directory, const TestSetOptions& options = {});
-
-/// Reads results.xml and every graph, ordering and force file that it names.
-/// Throws InputError naming file, line, what was expected and found: nothing may be missing, of
-/// another class, or of other settings. Throws FileError.
-TestSet read_test_set(const std::filesystem::path& directory);
 
 namespace test_set_paths {
 inline constexpr std::string_view index_file = "results.xml";

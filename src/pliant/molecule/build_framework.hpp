@@ -6,7 +6,7 @@
 
 #include "pliant/base/log.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/molecule/structure.hpp"
+#include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant {
 

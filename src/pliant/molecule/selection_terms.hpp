@@ -6,8 +6,8 @@
 #include <string_view>
 #include <vector>
 
-#include "pliant/molecule/residue_templates.hpp"
 #include "pliant/molecule/selection.hpp"
+#include "pliant/molecule/structure/residue_templates.hpp"
 
 namespace pliant::selection {
 

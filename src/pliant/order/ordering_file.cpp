@@ -5,10 +5,10 @@
 #include <unordered_map>
 
 #include "pliant/base/number.hpp"
-#include "pliant/base/text_lines.hpp"
 #include "pliant/base/words.hpp"
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/order/check_ordering.hpp"
+#include "pliant/text/text_lines.hpp"
 
 namespace pliant {
 namespace {

@@ -10,8 +10,8 @@
 #include <filesystem>
 #include <string>
 
-#include "pliant/base/file_text.hpp"
 #include "pliant/order/ordering.hpp"
+#include "pliant/text/file_text.hpp"
 
 namespace pliant {
 

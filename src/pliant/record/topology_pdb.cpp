@@ -10,7 +10,7 @@
 
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/record/output_file.hpp"
+#include "pliant/text/output_file.hpp"
 
 namespace pliant {
 namespace {

@@ -5,7 +5,8 @@
 #include <vector>
 
 #include "pliant/framework/graph.hpp"
-#include "pliant/resolve/method.hpp"
+#include "pliant/resolve/method/method.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant {
 namespace {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "pliant/resolve/technique.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant {
 

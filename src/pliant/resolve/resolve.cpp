@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "pliant/base/error.hpp"
-#include "pliant/base/number.hpp"
-#include "pliant/resolve/method.hpp"
-#include "pliant/resolve/moved_joints.hpp"
+#include "pliant/resolve/method/method.hpp"
+#include "pliant/resolve/method/moved_joints.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant {
 
@@ -148,30 +148,6 @@ ResolveSummary Resolver::resolve_near(std::span<Vec3> positions, Joint root, std
 std::optional<std::span<const Joint>> Resolver::moved() const {
   if (plan_->moved == nullptr) return std::nullopt;
   return plan_->moved->joints();
-}
-
-void check(const ResolveOptions& options) {
-  const auto positive = [](const char* name, double value) {
-    if (!(value > 0.0 && std::isfinite(value)))
-      throw OptionError(std::string(name) + " = " + number_text(value) +
-                        ": must be positive and finite");
-  };
-  positive("tolerance", options.tolerance.relative);
-  if (options.tolerance.length != 0.0) positive("tolerance_length", options.tolerance.length);
-  if (options.max_sweeps < 1)
-    throw OptionError("max_sweeps = " + std::to_string(options.max_sweeps) + ": must be from 1");
-}
-
-std::string ResolveSummary::brief(const Framework& framework) const {
-  std::string text = std::string(name(stop)) + ": " + std::to_string(sweeps) + " sweeps, " +
-                     std::to_string(projections) + " projections";
-  if (framework.bar_count() == 0) return text;
-  text += ", worst bar " + framework.label(framework.bars()[worst_bar]) + " off by " +
-          number_text(max_residual, 2) + " of its length";
-  if (finishing_sweeps > 0)
-    text += "; the last " + std::to_string(finishing_sweeps) + " sweeps finished what was left";
-  if (dropped_bars > 0) text += "; dependent bars left out: " + std::to_string(dropped_bars);
-  return text;
 }
 
 ResolveSummary resolve(const Framework& framework, const Technique& technique,

@@ -4,52 +4,16 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
-#include <string>
 
-#include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/framework/residual.hpp"
-#include "pliant/resolve/technique.hpp"
+#include "pliant/resolve/method/resolve_options.hpp"
+#include "pliant/resolve/method/resolve_summary.hpp"
+#include "pliant/resolve/method/technique.hpp"
 
 namespace pliant {
-
-/// How hard to try. Checked once, when a Resolver is made.
-struct ResolveOptions {
-  Tolerance tolerance = {};                ///< when a bar counts as whole
-  std::int64_t max_sweeps = 10000;         ///< give up after this many sweeps; from 1
-  std::uint64_t seed = 0;                  ///< for random orderings and coincident joints
-  std::uint64_t walker = 0;                ///< which of several independent runs this is
-  std::function<bool()> should_stop = {};  ///< asked after each sweep; true ends the resolve
-};
-
-/// Throws OptionError "max_sweeps = 0: must be from 1" and the like.
-void check(const ResolveOptions& options);
-
-/// What a resolve did. Numbers start at -1 so that "never ran" is visible.
-struct ResolveSummary {
-  Stop stop = Stop::stopped_by_caller;
-  std::int64_t sweeps = -1;       ///< passes over the ordering in one direction
-  std::int64_t projections = -1;  ///< bars looked at, summed over the sweeps
-  double max_residual = -1.0;     ///< largest |length - rest| / rest at the end
-  double rms_residual = -1.0;     ///< its root mean square at the end
-  BarIndex worst_bar = 0;         ///< the bar of max_residual
-  double seconds = -1.0;          ///< wall time
-  /// Direct methods: bars left out of the last equations because they depend on others.
-  std::int64_t dropped_bars = -1;
-  /// Direct methods: sweeps, among `sweeps`, that finished what the method could not.
-  std::int64_t finishing_sweeps = -1;
-  /// `newton`: the largest move towards the nearest whole positions that was still asked for at the
-  /// last look (Angstrom); the last move has been made after it.
-  double off_nearest = -1.0;
-
-  bool converged() const { return stop == Stop::converged; }
-  /// "converged: 12 sweeps, 300 projections, worst bar C1 - C2 off by 8.1e-07 of its length".
-  std::string brief(const Framework& framework) const;
-};
 
 /// Resolves again and again with one technique on one framework, without allocating after the
 /// first call. Holds the plan of the last root joint. Not for two threads at once.

@@ -9,7 +9,8 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/resolve/automatic.hpp"
-#include "pliant/resolve/lane_method.hpp"
+#include "pliant/resolve/lanes/lane_method.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant {
 namespace {

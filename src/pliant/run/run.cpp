@@ -6,6 +6,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/framework/check_positions.hpp"
+#include "pliant/resolve/techniques.hpp"
 #include "pliant/run/walk.hpp"
 
 namespace pliant {

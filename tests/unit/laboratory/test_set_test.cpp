@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/laboratory/test_set.hpp"
+#include "pliant/laboratory/make_test_set.hpp"
+#include "pliant/laboratory/read_test_set.hpp"
 
 #include <gmock/gmock.h>
 #include <unistd.h>

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "pliant/base/elements.hpp"
-#include "pliant/molecule/bonds.hpp"
-#include "pliant/molecule/structure.hpp"
+#include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant::testing {
 

@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "pliant/base/error.hpp"
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "support/error_text.hpp"
 
 namespace pliant {

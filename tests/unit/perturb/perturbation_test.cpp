@@ -6,7 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 

@@ -12,8 +12,8 @@
 #include <fstream>
 
 #include "pliant/base/error.hpp"
-#include "pliant/record/h5md_reader.hpp"
-#include "pliant/record/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
 #include "unit/record/samples.hpp"
 #include "unit/record/write_calls.hpp"
 

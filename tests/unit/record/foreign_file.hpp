@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "pliant/base/error.hpp"
-#include "pliant/record/h5md_reader.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
 #include "unit/record/samples.hpp"
 
 namespace pliant::test {

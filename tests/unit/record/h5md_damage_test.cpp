@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Damaged, hostile and half-written H5MD files.
-#include "pliant/record/h5md_reader.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
 
 #include <fcntl.h>
 #include <gmock/gmock.h>

@@ -12,7 +12,7 @@
 
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/record/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
 
 namespace pliant::test {
 

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/read.hpp"
+#include "pliant/molecule/read/read.hpp"
 #include "unit/record/samples.hpp"
 
 namespace pliant {

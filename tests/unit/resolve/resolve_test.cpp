@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 

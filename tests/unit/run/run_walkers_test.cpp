@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/error.hpp"
-#include "pliant/framework/examples.hpp"
+#include "pliant/examples/examples.hpp"
 #include "pliant/framework/residual.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// Rows of the table of examples, by where they come from; private to the folder.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "pliant/examples/examples.hpp"
+
+namespace pliant {
+
+/// An example before its framework is made.
+struct ExampleRow {
+  std::string_view name, source;
+  Sketch sketch;
+  ExampleFacts facts = {};
+  std::vector<double> rest_lengths = {};  ///< (B) Angstrom; empty: as in the sketch
+  std::vector<double> masses = {};        ///< (N) u; empty: all 1
+  std::vector<Joint> pinned = {};
+};
+
+/// A sketch whose bars are spelled with a letter a joint, as the thesis prints them: "ab bc".
+Sketch spelled(std::string_view bars, std::vector<Vec3> positions);
+
+std::vector<ExampleRow> thesis_examples();       ///< figures of the thesis
+std::vector<ExampleRow> family_examples();       ///< the families at small sizes
+std::vector<ExampleRow> rigidity_examples();     ///< known ranks
+std::vector<ExampleRow> planar_examples();       ///< known ranks, in the plane z = 0
+std::vector<ExampleRow> projection_examples();   ///< systems that other programs are tested with
+std::vector<ExampleRow> feasibility_examples();  ///< at and beyond the edge of what can be
+
+}  // namespace pliant

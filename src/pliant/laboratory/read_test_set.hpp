@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Reading test sets that make_test_set.hpp or others wrote.
+#pragma once
+
+#include <filesystem>
+
+#include "pliant/laboratory/test_set.hpp"
+
+namespace pliant {
+
+/// Reads results.xml and every graph, ordering and force file that it names.
+/// Throws InputError naming file, line, what was expected and found: nothing may be missing, of
+/// another class, or of other settings. Throws FileError.
+TestSet read_test_set(const std::filesystem::path& directory);
+
+}  // namespace pliant

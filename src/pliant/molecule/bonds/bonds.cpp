@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/molecule/bonds/bonds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pliant/base/elements.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/molecule/bonds/distance_bonds.hpp"
+#include "pliant/molecule/bonds/link_bonds.hpp"
+#include "pliant/molecule/bonds/perception.hpp"
+#include "pliant/molecule/bonds/template_bonds.hpp"
+
+namespace pliant {
+namespace {
+
+using perception::Perception;
+using perception::Tally;
+
+// Beyond this (Angstrom) neighbouring doubles are 1e-4 apart: bond lengths lose their meaning.
+constexpr double farthest = 1e12;
+
+void check_positions(const Structure& structure) {
+  if (structure.positions.size() != structure.atoms.size())
+    throw InputError("structure: " + std::to_string(structure.atoms.size()) + " atoms but " +
+                     std::to_string(structure.positions.size()) + " positions");
+  for (std::size_t i = 0; i < structure.size(); ++i) {
+    const Vec3 p = structure.positions[i];
+    if (is_finite(p) && std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= farthest)
+      continue;
+    throw InputError(
+        "position of " + structure.atoms.label(i) +
+        (is_finite(p) ? " is more than 1e12 Angstrom from the origin" : " is not a finite number"));
+  }
+}
+
+/// "1 atom", "3 atoms".
+std::string counted(std::size_t count, std::string_view noun) {
+  return std::to_string(count) + " " + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+void warn(const Log& log, const Tally& tally, std::string_view noun, std::string_view what) {
+  if (tally.count == 0) return;
+  log.warn(counted(tally.count, noun) + " (first: " + tally.first + ") " + std::string(what));
+}
+
+/// Atoms whose element nobody knows and that no bond reaches.
+Tally unknown_atoms(const Structure& structure) {
+  std::vector<bool> bonded(structure.size(), false);
+  for (const Bond& bond : structure.bonds) bonded[bond.a] = bonded[bond.b] = true;
+  Tally tally;
+  for (std::size_t i = 0; i < structure.size(); ++i)
+    if (!bonded[i] && structure.atoms.elements[i] == 0)
+      tally.add([&] { return structure.atoms.label(i); });
+  return tally;
+}
+
+void report(const Perception& perception, const Log& log) {
+  const Structure& structure = perception.structure;
+  warn(log, perception.unplaced, "atom", "at placeholder coordinates: no bonds perceived there");
+  warn(log, perception.repeated, "atom",
+       "on top of an atom of the same name: no bonds perceived there");
+  warn(log, perception.stretched, "bond",
+       "of residue templates too long to be true: left out (is the molecule cut by a periodic "
+       "box?)");
+  warn(log, perception.crowded, "atom",
+       "where atoms crowd: no bonds guessed there (are the coordinates in Angstrom?)");
+  warn(log, unknown_atoms(structure), "atom", "of unknown element without bonds");
+}
+
+}  // namespace
+
+void perceive_bonds(Structure& structure, const BondOptions& options) {
+  check_positions(structure);
+  Perception steps(structure, options);
+  // An SDF file's bond block is whole: nothing is left to guess, and a drawing's distances lie.
+  if (structure.format != "sdf" || structure.bonds.empty()) {
+    add_template_bonds(steps);
+    add_links(steps);
+    perception::sort_and_merge(steps.bonds, structure.size());
+    if (options.guess_distances) add_distance_bonds(steps);
+  }
+  perception::sort_and_merge(steps.bonds, structure.size());
+  structure.bonds = std::move(steps.bonds);
+  report(steps, options.log);
+}
+
+}  // namespace pliant

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/molecule/bonds/distance_bonds.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <span>
+
+#include "pliant/base/cell_list.hpp"
+#include "pliant/base/elements.hpp"
+
+namespace pliant::perception {
+namespace {
+
+// A cube as wide as a bond's cut-off, 2 to 4 Angstrom, holds less than 20 atoms of matter.
+constexpr std::size_t most_in_a_cell = 100;
+
+// No three-membered ring has an angle above this, 80 degrees; four-membered rings are just above.
+constexpr double widest_ring_angle_cosine = 0.17364817766693033;
+
+constexpr std::uint8_t hydrogen = 1;
+
+struct ElementValence {
+  std::uint8_t element;
+  std::uint8_t neighbours;
+};
+
+// The most neighbours (not bond orders) that atoms have in molecules: NH4+, H3O+, SF6, IF7, XeF6.
+constexpr ElementValence valences[] = {{1, 1},  {2, 0},  {5, 4},  {6, 4},  {7, 4},  {8, 3},
+                                       {9, 1},  {10, 0}, {14, 6}, {15, 6}, {16, 6}, {17, 4},
+                                       {18, 0}, {32, 6}, {33, 6}, {34, 6}, {35, 5}, {36, 2},
+                                       {51, 6}, {52, 6}, {53, 7}, {54, 6}, {85, 1}, {86, 2}};
+
+std::uint8_t most_neighbours(std::uint8_t element) {
+  for (const ElementValence& row : valences)
+    if (row.element == element) return row.neighbours;
+  return 6;
+}
+
+bool is_halogen(std::uint8_t element) {
+  return element == 9 || element == 17 || element == 35 || element == 53;
+}
+
+struct Candidate {
+  double ratio;  ///< length / sum of radii
+  std::uint32_t a, b;
+  auto operator<=>(const Candidate&) const = default;
+};
+
+/// The atoms around each atom, over bonds and candidates.
+class Neighbours {
+ public:
+  Neighbours(std::size_t atom_count, const std::vector<Bond>& bonds,
+             const std::vector<Candidate>& candidates)
+      : first_(atom_count + 1, 0), atoms_(2 * (bonds.size() + candidates.size())) {
+    for (const Bond& bond : bonds) ++first_[bond.a + 1], ++first_[bond.b + 1];
+    for (const Candidate& pair : candidates) ++first_[pair.a + 1], ++first_[pair.b + 1];
+    for (std::size_t i = 0; i < atom_count; ++i) first_[i + 1] += first_[i];
+    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+    const auto join = [&](std::uint32_t a, std::uint32_t b) {
+      atoms_[next[a]++] = b;
+      atoms_[next[b]++] = a;
+    };
+    for (const Bond& bond : bonds) join(bond.a, bond.b);
+    for (const Candidate& pair : candidates) join(pair.a, pair.b);
+  }
+
+  std::span<const std::uint32_t> of(std::uint32_t atom) const {
+    return {atoms_.data() + first_[atom], atoms_.data() + first_[atom + 1]};
+  }
+
+ private:
+  std::vector<std::size_t> first_;
+  std::vector<std::uint32_t> atoms_;
+};
+
+class DistanceStep {
+ public:
+  explicit DistanceStep(Perception& perception)
+      : p_(perception), elements_(perception.structure.atoms.elements) {}
+
+  void run() {
+    choose_atoms();
+    if (!anything_open_) return;
+    count_known_bonds();
+    collect_candidates();
+    drop_ends_of_angles();
+    accept(heavy_);
+    // Two hydrogens are a molecule only when neither has anything else to be bonded to.
+    accept(hydrogen_pairs_);
+  }
+
+ private:
+  /// Who can be bonded by distance: all but metals, ions, waters, dummies and placeholders.
+  void choose_atoms() {
+    water_.assign(p_.structure.size(), false);
+    for (const Unit& unit : p_.units) {
+      const bool water = unit.shape && unit.shape->kind == ResidueKind::water;
+      if (water && is_settled(unit)) continue;
+      for (std::uint32_t atom = unit.first; atom < unit.last; ++atom) {
+        if (p_.excluded[atom] || !makes_bonds(atom, unit)) continue;
+        water_[atom] = water;
+        atoms_.push_back(atom);
+        anything_open_ |= !p_.settled[atom];
+      }
+    }
+  }
+
+  bool is_settled(const Unit& unit) const {
+    for (std::uint32_t atom = unit.first; atom < unit.last; ++atom)
+      if (!p_.settled[atom]) return false;
+    return true;
+  }
+
+  bool makes_bonds(std::uint32_t atom, const Unit& unit) const {
+    const std::uint8_t element = elements_[atom];
+    if (covalent_radius(element) <= 0.0 || is_metal(element)) return false;
+    if (unit.last - unit.first == 1 && is_halogen(element)) return false;
+    return most_neighbours(element) > 0;
+  }
+
+  /// Bonds are sorted here: those of atom i as `a` are [first_bond_[i], first_bond_[i + 1]).
+  void count_known_bonds() {
+    neighbours_.assign(p_.structure.size(), 0);
+    first_bond_.assign(p_.structure.size() + 1, 0);
+    for (const Bond& bond : p_.bonds) {
+      ++first_bond_[bond.a + 1];
+      ++neighbours_[bond.a], ++neighbours_[bond.b];
+    }
+    for (std::size_t i = 0; i < p_.structure.size(); ++i) first_bond_[i + 1] += first_bond_[i];
+  }
+
+  bool is_known(std::uint32_t a, std::uint32_t b) const {
+    for (std::size_t k = first_bond_[a]; k < first_bond_[a + 1]; ++k)
+      if (p_.bonds[k].b == b) return true;
+    return false;
+  }
+
+  /// Water is bonded to nothing else, least of all to other water.
+  bool leaves_water(std::uint32_t a, std::uint32_t b) const {
+    const auto& residue_of = p_.structure.atoms.residue_of;
+    return (water_[a] || water_[b]) && residue_of[a] != residue_of[b];
+  }
+
+  std::vector<Vec3> positions() const {
+    std::vector<Vec3> points;
+    points.reserve(atoms_.size());
+    for (std::uint32_t atom : atoms_) points.push_back(p_.structure.positions[atom]);
+    return points;
+  }
+
+  double largest_cutoff() const {
+    double radius = 0.0;
+    for (std::uint32_t atom : atoms_) radius = std::max(radius, covalent_radius(elements_[atom]));
+    return 2.0 * radius + p_.options.slack;
+  }
+
+  CellList uncrowded_cells() {
+    const double cutoff = largest_cutoff();
+    CellList cells(positions(), cutoff);
+    const std::vector<std::uint32_t> crowded = cells.points_in_cells_above(most_in_a_cell);
+    if (crowded.empty()) return cells;
+    for (std::uint32_t point : crowded) {
+      p_.crowded.add([&] { return p_.structure.atoms.label(atoms_[point]); });
+      atoms_[point] = none;
+    }
+    std::erase(atoms_, none);
+    return CellList(positions(), cutoff);
+  }
+
+  void collect_candidates() {
+    uncrowded_cells().for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
+      const auto [a, b] = std::minmax(atoms_[i], atoms_[j]);
+      if ((p_.settled[a] && p_.settled[b]) || leaves_water(a, b)) return;
+      const double length = std::sqrt(squared);
+      const double radii = covalent_radius(elements_[a]) + covalent_radius(elements_[b]);
+      if (length <= p_.options.shortest || length > radii + p_.options.slack) return;
+      if (is_known(a, b)) return;
+      const bool hydrogens = elements_[a] == hydrogen && elements_[b] == hydrogen;
+      (hydrogens ? hydrogen_pairs_ : heavy_).push_back({length / radii, a, b});
+    });
+  }
+
+  /// Drops pairs that only look bonded because both are bonded to a third atom, as across the rings
+  /// of cyclobutadiene, 1,3-dithietane and cyclodisiloxane.
+  void drop_ends_of_angles() {
+    const Neighbours neighbours(p_.structure.size(), p_.bonds, heavy_);
+    std::erase_if(heavy_, [&](const Candidate& c) {
+      const double length = p_.length(c.a, c.b);
+      const auto around_b = neighbours.of(c.b);
+      return std::ranges::any_of(neighbours.of(c.a), [&](std::uint32_t centre) {
+        return elements_[centre] != hydrogen &&
+               std::ranges::find(around_b, centre) != around_b.end() &&
+               subtends_wide_angle(length, p_.length(centre, c.a), p_.length(centre, c.b));
+      });
+    });
+  }
+
+  static bool subtends_wide_angle(double across, double leg, double other) {
+    if (across <= std::max(leg, other)) return false;
+    return leg * leg + other * other - across * across <
+           2.0 * leg * other * widest_ring_angle_cosine;
+  }
+
+  bool has_room(std::uint32_t atom, const std::vector<std::uint32_t>& counts) const {
+    return counts[atom] < most_neighbours(elements_[atom]);
+  }
+
+  /// Bonds candidates from the shortest (against the radii) to the longest while both atoms have
+  /// room. Only those at an atom with more candidates than room need to be in that order.
+  void accept(std::vector<Candidate>& candidates) {
+    std::vector<std::uint32_t> wanted(neighbours_);
+    for (const Candidate& c : candidates) ++wanted[c.a], ++wanted[c.b];
+    const auto is_free = [&](const Candidate& c) {
+      return wanted[c.a] <= most_neighbours(elements_[c.a]) &&
+             wanted[c.b] <= most_neighbours(elements_[c.b]);
+    };
+    std::sort(std::partition(candidates.begin(), candidates.end(), is_free), candidates.end());
+    for (const Candidate& c : candidates) {
+      if (!has_room(c.a, neighbours_) || !has_room(c.b, neighbours_)) continue;
+      ++neighbours_[c.a], ++neighbours_[c.b];
+      p_.add(c.a, c.b, BondOrigin::distance, 0);
+    }
+  }
+
+  static constexpr std::uint32_t none = 0xffffffffU;
+  Perception& p_;
+  const std::vector<std::uint8_t>& elements_;
+  std::vector<std::uint32_t> atoms_;       ///< that can be bonded by distance
+  std::vector<bool> water_;                ///< (N) whether it is part of a water molecule
+  bool anything_open_ = false;             ///< whether any of them is not settled
+  std::vector<std::uint32_t> neighbours_;  ///< (N) bonds so far
+  std::vector<std::size_t> first_bond_;
+  std::vector<Candidate> heavy_, hydrogen_pairs_;
+};
+
+}  // namespace
+
+void add_distance_bonds(Perception& perception) { DistanceStep(perception).run(); }
+
+}  // namespace pliant::perception

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/molecule/bonds/link_bonds.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "pliant/base/cell_list.hpp"
+
+namespace pliant::perception {
+namespace {
+
+// Peptide bonds are 1.33 Angstrom long, O3'-P 1.6, disulphides 2.05; two chain ends that do not
+// belong together are never as close as these.
+constexpr double longest_link = 2.0;
+constexpr double longest_disulphide = 2.5;
+
+const AtomKey name_c = atom_key("C", false), name_n = atom_key("N", false),
+              name_ca = atom_key("CA", false), name_oxt = atom_key("OXT", false),
+              name_o3 = atom_key("O3'", false), name_p = atom_key("P", false),
+              name_sg = atom_key("SG", false);
+
+/// The atoms by which a unit is linked; the size of the structure where there is none.
+struct Ends {
+  std::uint32_t head;   ///< N or P: bonds to the unit before
+  std::uint32_t tail;   ///< C or O3': bonds to the unit after
+  bool tail_is_closed;  ///< has OXT
+};
+
+class LinkStep {
+ public:
+  explicit LinkStep(Perception& perception)
+      : p_(perception), none_(static_cast<std::uint32_t>(perception.structure.size())) {}
+
+  void run() {
+    std::size_t begin = 0;  // of the row of linked units
+    for (std::size_t k = 0; k < p_.units.size(); ++k) {
+      ends_.push_back(ends_of(p_.units[k]));
+      if (k > 0 && !link(k - 1, k)) {
+        close_ring(begin, k - 1);
+        begin = k;
+      }
+    }
+    if (!ends_.empty()) close_ring(begin, ends_.size() - 1);
+    add_disulphides();
+  }
+
+ private:
+  Ends ends_of(const Unit& unit) const {
+    const ResidueKind kind = unit.shape ? unit.shape->kind : ResidueKind::amino_acid;
+    if (kind == ResidueKind::water) return {none_, none_, false};
+    if (kind == ResidueKind::nucleotide)
+      return {p_.find(unit, name_p), p_.find(unit, name_o3), false};
+    Ends ends{p_.find(unit, name_n), p_.find(unit, name_c), false};
+    ends.tail_is_closed = p_.exists(p_.find(unit, name_oxt));
+    const bool whole = p_.exists(ends.head) && p_.exists(ends.tail);
+    // An unknown residue counts as one of a peptide if it has that backbone.
+    if (!unit.shape && !(whole && p_.exists(p_.find(unit, name_ca)))) return {none_, none_, false};
+    // The C of a cap that has an N is its methyl group.
+    if (kind == ResidueKind::cap && whole) ends.tail = none_;
+    return ends;
+  }
+
+  bool are_close(std::uint32_t a, std::uint32_t b) const {
+    if (!p_.exists(a) || !p_.exists(b) || p_.excluded[a] || p_.excluded[b]) return false;
+    const double length = p_.length(a, b);
+    return length > p_.options.shortest && length < longest_link;
+  }
+
+  /// A unit of an unknown residue may only be linked to one of a known residue: between two of
+  /// them distances decide.
+  bool link(std::size_t before, std::size_t after) {
+    const Unit& one = p_.units[before];
+    const Unit& other = p_.units[after];
+    const auto& atoms = p_.structure.atoms;
+    const std::uint32_t residue = atoms.residue_of[one.first];
+    const std::uint32_t next = atoms.residue_of[other.first];
+    if (!one.shape && !other.shape) return false;
+    if (kind(one) != kind(other) || atoms.residues[residue].chain != atoms.residues[next].chain)
+      return false;
+    const auto& ends = p_.structure.chain_end;
+    if (residue != next && residue < ends.size() && ends[residue]) return false;
+    if (!are_close(ends_[before].tail, ends_[after].head)) return false;
+    p_.add(ends_[before].tail, ends_[after].head, BondOrigin::link, 1);
+    return true;
+  }
+
+  /// Nucleotides link among themselves; amino acids, caps and unknown residues among themselves.
+  static bool kind(const Unit& unit) {
+    return unit.shape && unit.shape->kind == ResidueKind::nucleotide;
+  }
+
+  /// Head to tail, for cyclic peptides and nucleic acids.
+  void close_ring(std::size_t first, std::size_t last) {
+    if (first == last || ends_[last].tail_is_closed) return;
+    if (are_close(ends_[last].tail, ends_[first].head))
+      p_.add(ends_[last].tail, ends_[first].head, BondOrigin::link, 1);
+  }
+
+  /// Sulphur atoms of cysteines without a hydrogen.
+  std::vector<std::uint32_t> free_sulphurs() const {
+    const AtomKey hydrogens[] = {atom_key("HG", false), atom_key("HG1", false)};
+    std::vector<std::uint32_t> atoms;
+    for (const Unit& unit : p_.units) {
+      if (!unit.shape || unit.shape->kind != ResidueKind::amino_acid) continue;
+      const std::uint32_t sulphur = p_.find(unit, name_sg);
+      const bool thiol = std::any_of(std::begin(hydrogens), std::end(hydrogens),
+                                     [&](AtomKey key) { return p_.exists(p_.find(unit, key)); });
+      if (p_.exists(sulphur) && !thiol && !p_.excluded[sulphur]) atoms.push_back(sulphur);
+    }
+    return atoms;
+  }
+
+  /// Nearest pairs first, one bond a sulphur atom.
+  void add_disulphides() {
+    struct Candidate {
+      double squared;
+      std::uint32_t a, b;
+      auto operator<=>(const Candidate&) const = default;
+    };
+    const std::vector<std::uint32_t> sulphurs = free_sulphurs();
+    std::vector<Vec3> positions;
+    for (std::uint32_t atom : sulphurs) positions.push_back(p_.structure.positions[atom]);
+    std::vector<Candidate> candidates;
+    CellList(positions, longest_disulphide)
+        .for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
+          if (squared > p_.options.shortest * p_.options.shortest)
+            candidates.push_back({squared, sulphurs[i], sulphurs[j]});
+        });
+    std::sort(candidates.begin(), candidates.end());
+    std::vector<bool> taken(p_.structure.size(), false);
+    for (const Candidate& pair : candidates) {
+      if (taken[pair.a] || taken[pair.b]) continue;
+      taken[pair.a] = taken[pair.b] = true;
+      p_.add(pair.a, pair.b, BondOrigin::link, 1);
+    }
+  }
+
+  Perception& p_;
+  std::uint32_t none_;
+  std::vector<Ends> ends_;  ///< by unit
+};
+
+}  // namespace
+
+void add_links(Perception& perception) { LinkStep(perception).run(); }
+
+}  // namespace pliant::perception

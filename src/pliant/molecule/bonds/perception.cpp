@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/molecule/bonds/perception.hpp"
+
+#include <algorithm>
+
+namespace pliant::perception {
+namespace {
+
+/// 9999.999 is what fits a PDB field, 9999 what CHARMM writes: a position that nobody knew.
+bool is_placeholder(Vec3 p) {
+  return p.x == p.y && p.y == p.z && (p.x == 9999.999 || p.x == 9999.0);
+}
+
+}  // namespace
+
+Perception::Perception(const Structure& given, const BondOptions& chosen)
+    : structure(given), options(chosen), settled(given.size(), false), bonds(given.bonds) {
+  keys.reserve(given.size());
+  excluded.reserve(given.size());
+  for (std::size_t i = 0; i < given.size(); ++i) {
+    keys.push_back(atom_key(given.atoms.names[i], given.atoms.elements[i] == 1));
+    excluded.push_back(is_placeholder(given.positions[i]));
+    if (excluded[i]) unplaced.add([&] { return given.atoms.label(i); });
+  }
+}
+
+std::uint32_t Perception::find(const Unit& unit, AtomKey key) const {
+  for (std::uint32_t atom = unit.first; atom < unit.last; ++atom)
+    if (keys[atom] == key) return atom;
+  return static_cast<std::uint32_t>(structure.size());
+}
+
+void sort_and_merge(std::vector<Bond>& bonds, std::size_t atom_count) {
+  std::vector<std::size_t> first(atom_count + 1, 0);
+  for (const Bond& bond : bonds) ++first[bond.a + 1];
+  for (std::size_t i = 0; i < atom_count; ++i) first[i + 1] += first[i];
+  std::vector<Bond> sorted(bonds.size());
+  std::vector<std::size_t> next(first.begin(), first.end() - 1);
+  for (const Bond& bond : bonds) sorted[next[bond.a]++] = bond;
+  bonds.clear();
+  for (std::size_t i = 0; i < atom_count; ++i) {
+    const auto begin = sorted.begin() + first[i], end = sorted.begin() + first[i + 1];
+    std::stable_sort(begin, end, [](const Bond& x, const Bond& y) {
+      return x.b != y.b ? x.b < y.b : x.origin < y.origin;
+    });
+    for (auto bond = begin; bond != end; ++bond) {
+      const bool repeats = bond != begin && bond->b == bonds.back().b;
+      if (!repeats) bonds.push_back(*bond);
+      if (repeats && bonds.back().order == 0) bonds.back().order = bond->order;
+    }
+  }
+}
+
+}  // namespace pliant::perception

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The steps of bond perception and what they share. Not for users: see bonds.hpp.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/structure/residue_templates.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+
+namespace pliant::perception {
+
+/// The atoms [first, last) of one residue. A residue of the file makes several units when its
+/// names repeat: waters and residues that all have one number.
+struct Unit {
+  std::uint32_t first = 0, last = 0;
+  const ResidueTemplate* shape = nullptr;  ///< null where the residue is unknown
+};
+
+/// Counts one kind of oddity and keeps its first case, so that it is said once.
+struct Tally {
+  std::size_t count = 0;
+  std::string first;
+
+  /// Counts; `describe` is called for the first case only.
+  template <class Describe>
+  void add(const Describe& describe) {
+    if (count++ == 0) first = describe();
+  }
+};
+
+/// What the steps hand on to each other.
+struct Perception {
+  const Structure& structure;
+  const BondOptions& options;
+  std::vector<AtomKey> keys;   ///< (N) names in one spelling
+  std::vector<bool> excluded;  ///< (N) gets no bond but the file's
+  std::vector<bool> settled;   ///< (N) a template tells all bonds within the residue
+  std::vector<Unit> units;     ///< in the order of the atoms
+  std::vector<Bond> bonds;     ///< the file's, then what each step adds; may repeat pairs
+  Tally unplaced;              ///< atoms with a placeholder for a position
+  Tally repeated;              ///< atoms that lie on an atom of the same name
+  Tally stretched;             ///< template bonds too long to be true
+  Tally crowded;               ///< atoms too close to too many others
+
+  explicit Perception(const Structure& structure, const BondOptions& options);
+
+  double length(std::uint32_t a, std::uint32_t b) const {
+    return distance(structure.positions[a], structure.positions[b]);
+  }
+  void add(std::uint32_t a, std::uint32_t b, BondOrigin origin, int order) {
+    bonds.push_back({std::min(a, b), std::max(a, b), origin, static_cast<std::uint8_t>(order)});
+  }
+  /// The atom of `unit` called `key`, or the size of the structure.
+  std::uint32_t find(const Unit& unit, AtomKey key) const;
+  bool exists(std::uint32_t atom) const { return atom < structure.size(); }
+};
+
+/// Sorts by (a, b) and keeps of each pair the best origin, with the best known order. Linear.
+void sort_and_merge(std::vector<Bond>& bonds, std::size_t atom_count);
+
+}  // namespace pliant::perception

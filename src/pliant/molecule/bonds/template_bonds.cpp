@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/molecule/bonds/template_bonds.hpp"
+
+#include <algorithm>
+
+namespace pliant::perception {
+namespace {
+
+// A bond of a template longer than this (Angstrom) is none: the model is cut by a periodic box, or
+// the name means another atom than we think. The longest true ones are C-S and C-Se, 1.8 and 1.95.
+constexpr double longest_heavy = 3.0;
+constexpr double longest_to_hydrogen = 2.0;
+
+constexpr std::uint8_t hydrogen = 1;
+
+/// Bonds the atoms of one unit at a time; keeps its scratch between units.
+class TemplateStep {
+ public:
+  explicit TemplateStep(Perception& perception) : p_(perception) {}
+
+  void run() {
+    const auto& residue_of = p_.structure.atoms.residue_of;
+    const auto count = static_cast<std::uint32_t>(p_.structure.size());
+    for (std::uint32_t first = 0, last = 0; first < count; first = last) {
+      while (last < count && residue_of[last] == residue_of[first]) ++last;
+      const auto& residue = p_.structure.atoms.residues[residue_of[first]];
+      add_residue(first, last, find_residue_template(residue.name));
+    }
+  }
+
+ private:
+  void add_residue(std::uint32_t first, std::uint32_t last, const ResidueTemplate* shape) {
+    unit_ = {first, last, shape};
+    if (shape == nullptr) return p_.units.push_back(unit_);
+    atom_at_.assign(shape->names.size(), none);
+    for (std::uint32_t atom = first; atom < last; ++atom) place(atom);
+    finish_unit(last);
+  }
+
+  /// Puts an atom where its name says; a name met before begins a new unit.
+  void place(std::uint32_t atom) {
+    const int slot = unit_.shape->find(p_.keys[atom]);
+    if (slot == ResidueTemplate::none || p_.excluded[atom]) return;
+    p_.settled[atom] = true;
+    if (atom_at_[slot] != none) {
+      if (lies_on(atom, atom_at_[slot])) return;
+      finish_unit(atom);
+    }
+    atom_at_[slot] = atom;
+  }
+
+  bool lies_on(std::uint32_t atom, std::uint32_t earlier) {
+    if (p_.length(atom, earlier) > p_.options.shortest) return false;
+    p_.excluded[atom] = true;
+    p_.repeated.add([&] { return p_.structure.atoms.label(atom); });
+    return true;
+  }
+
+  void finish_unit(std::uint32_t last) {
+    unit_.last = last;
+    p_.units.push_back(unit_);
+    for (const ResidueTemplate::Edge& edge : unit_.shape->edges)
+      if (atom_at_[edge.a] != none && atom_at_[edge.b] != none)
+        add_bond(atom_at_[edge.a], atom_at_[edge.b], edge.order);
+    std::fill(atom_at_.begin(), atom_at_.end(), none);
+    unit_.first = last;
+  }
+
+  void add_bond(std::uint32_t a, std::uint32_t b, std::uint8_t order) {
+    const auto& elements = p_.structure.atoms.elements;
+    const bool to_hydrogen = elements[a] == hydrogen || elements[b] == hydrogen;
+    if (p_.length(a, b) <= (to_hydrogen ? longest_to_hydrogen : longest_heavy))
+      return p_.add(a, b, BondOrigin::residue, order);
+    p_.stretched.add([&] { return describe(a, b); });
+    p_.settled[a] = p_.settled[b] = false;
+  }
+
+  std::string describe(std::uint32_t a, std::uint32_t b) const {
+    char length[32];
+    std::snprintf(length, sizeof length, ", %.2f", p_.length(a, b));
+    return p_.structure.atoms.label(a) + " - " + p_.structure.atoms.label(b) + length;
+  }
+
+  static constexpr std::uint32_t none = 0xffffffffU;
+  Perception& p_;
+  Unit unit_;
+  std::vector<std::uint32_t> atom_at_;  ///< by the template's numbers
+};
+
+}  // namespace
+
+void add_template_bonds(Perception& perception) { TemplateStep(perception).run(); }
+
+}  // namespace pliant::perception

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+// PDBx/mmCIF: the data block with an atom_site table, one of its models, and the bonds that
+// struct_conn and chem_comp_bond state.
+#include "pliant/molecule/read/mmcif.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "pliant/molecule/read/cif_document.hpp"
+#include "pliant/molecule/read/cif_grammar.hpp"
+#include "pliant/molecule/read/mmcif_atoms.hpp"
+#include "pliant/molecule/read/mmcif_bonds.hpp"
+#include "pliant/molecule/read/reading.hpp"
+#include "pliant/text/text_lines.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr std::string_view atom_site = "_atom_site";
+constexpr std::string_view struct_conn = "_struct_conn";
+constexpr std::string_view component_bonds = "_chem_comp_bond";
+constexpr std::string_view structure_title = "_struct";
+
+/// The grammar knows LF and CRLF; a text with lone CRs gets LFs in `copy`, and is otherwise
+/// returned as it is.
+std::string_view with_line_feeds(std::string_view text, std::string& copy) {
+  if (text.find('\r') == std::string_view::npos || text.find('\n') != std::string_view::npos)
+    return text;
+  copy = text;
+  std::replace(copy.begin(), copy.end(), '\r', '\n');
+  return copy;
+}
+
+/// The first data block that has atoms.
+const CifBlock& choose_block(const CifDocument& document, Remarks& remarks) {
+  const auto& blocks = document.blocks;
+  const auto has_atoms = [](const CifBlock& block) { return block.table(atom_site) != nullptr; };
+  const auto found = std::find_if(blocks.begin(), blocks.end(), has_atoms);
+  if (found == blocks.end()) {
+    const bool small = std::any_of(blocks.begin(), blocks.end(),
+                                   [](const CifBlock& block) { return block.has_fractions; });
+    fail(remarks.place(0), small ? "no atom_site category: a CIF of a small molecule, with "
+                                   "fractional coordinates, is not read"
+                                 : "no atom_site category: no atoms");
+  }
+  if (blocks.size() > 1)
+    remarks.note("data block " + pliant::quoted(found->name) + " of " +
+                 std::to_string(blocks.size()) + " used");
+  return *found;
+}
+
+std::string title_of(const CifDocument& document, const CifBlock& block) {
+  const CifTable* table = block.table(structure_title);
+  if (table == nullptr || table->rows() == 0) return {};
+  const auto column = table->column("title");
+  if (!column) return {};
+  const std::string_view words = document.word(table->at(0, *column));
+  std::string title(words.substr(std::min(words.find_first_not_of(" \t\r\n"), words.size())));
+  std::replace_if(
+      title.begin(), title.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+  return title;
+}
+
+void add_bonds(const CifDocument& document, const CifBlock& block, AtomSites& sites,
+               Remarks& remarks) {
+  if (const CifTable* table = block.table(component_bonds))
+    add_component_bonds(document, *table, sites.structure);
+  if (const CifTable* table = block.table(struct_conn))
+    add_stated_links(sites, struct_conn_links(document, *table, remarks), remarks);
+  sort_bonds(sites.structure.bonds);
+}
+
+Structure read_block(const CifDocument& document, const CifBlock& block, const ReadOptions& options,
+                     Remarks& remarks) {
+  const CifTable& table = *block.table(atom_site);
+  std::size_t model_count = 0;
+  AtomSites sites = read_atom_sites(document, table, options.model, model_count, remarks);
+  if (model_count == 0) fail(remarks.place(table.line), "atom_site has no rows: no atoms");
+  take_model_count(sites.structure, model_count, options, "model", remarks);
+  choose_atoms(sites, remarks);
+  warn_of_placeholders(sites, remarks);
+  sites.structure.title = title_of(document, block);
+  add_bonds(document, block, sites, remarks);
+  return std::move(sites.structure);
+}
+
+}  // namespace
+
+bool looks_like_mmcif(std::string_view text) {
+  Lines lines(text);
+  while (lines.next()) {
+    std::string_view line = lines.line();
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    if (line.empty() || line[0] == '#') continue;
+    return line.starts_with("data_") || line.starts_with("DATA_") || line.starts_with("Data_");
+  }
+  return false;
+}
+
+Structure read_mmcif(const SourceText& source, const ReadOptions& options) {
+  Remarks remarks(source.name, options.log);
+  std::string copy;
+  const SourceText text{source.name, with_line_feeds(source.text, copy)};
+  const CifDocument document =
+      parse_cif(text, {atom_site, struct_conn, component_bonds, structure_title});
+  const CifBlock& block = choose_block(document, remarks);
+  return finish(read_block(document, block, options, remarks), source, "mmcif", remarks);
+}
+
+}  // namespace pliant

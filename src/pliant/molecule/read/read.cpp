@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/molecule/read/read.hpp"
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "pliant/base/choices.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/molecule/read/mmcif.hpp"
+#include "pliant/molecule/read/pdb.hpp"
+#include "pliant/molecule/read/sdf.hpp"
+#include "pliant/molecule/read/xyz.hpp"
+#include "pliant/text/file_text.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr std::array<std::string_view, 2> pdb_extensions{".pdb", ".ent"};
+constexpr std::array<std::string_view, 4> sdf_extensions{".sdf", ".sd", ".mol", ".mdl"};
+constexpr std::array<std::string_view, 3> mmcif_extensions{".cif", ".mmcif", ".mcif"};
+constexpr std::array<std::string_view, 2> xyz_extensions{".xyz", ".extxyz"};
+
+// Looked through by content in this order: XYZ last, as a number on the first line says least.
+const std::array<Format, 4> table{{
+    {"pdb", "Protein Data Bank, fixed columns", pdb_extensions, looks_like_pdb, read_pdb},
+    {"mmcif", "PDBx/mmCIF", mmcif_extensions, looks_like_mmcif, read_mmcif},
+    {"sdf", "MDL molfile and SDF, V2000 and V3000", sdf_extensions, looks_like_sdf, read_sdf},
+    {"xyz", "XYZ and extended XYZ", xyz_extensions, looks_like_xyz, read_xyz},
+}};
+
+/// The extension in lower case, below a final ".gz": ".pdb" of "1ABC.PDB.gz".
+std::string extension_of(std::string_view name) {
+  std::string lower(name);
+  std::transform(lower.begin(), lower.end(), lower.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  std::filesystem::path path(lower);
+  if (path.extension() == ".gz") path = path.stem();
+  return path.extension().string();
+}
+
+const Format* format_by_extension(std::string_view name) {
+  const std::string extension = extension_of(name);
+  for (const Format& format : table)
+    for (std::string_view known : format.extensions)
+      if (known == extension) return &format;
+  return nullptr;
+}
+
+const Format* format_by_content(std::string_view text) {
+  for (const Format& format : table)
+    if (format.looks_like(text)) return &format;
+  return nullptr;
+}
+
+[[noreturn]] void fail_unknown(std::string_view name) {
+  std::string message = "neither extension nor content tell a known format; known:";
+  for (const Format& format : table) {
+    message.append(&format == table.data() ? " " : "; ").append(format.name);
+    for (std::string_view extension : format.extensions) message.append(" ").append(extension);
+  }
+  fail({name}, message);
+}
+
+const Format& format_of(const SourceText& source, std::string_view wanted) {
+  if (!wanted.empty()) return choose(table, "format", wanted);
+  if (const Format* format = format_by_extension(source.name)) return *format;
+  if (const Format* format = format_by_content(source.text)) return *format;
+  fail_unknown(source.name);
+}
+
+void check(const ReadOptions& options) {
+  if (options.model == 0) throw OptionError("model is 0: models are counted from 1");
+  if (!options.format.empty()) choose(table, "format", options.format);
+}
+
+/// A file whose extension speaks of another format than its content fails in a way that says
+/// little: the content may say more.
+[[noreturn]] void fail_with_hint(const InputError& error, const SourceText& source,
+                                 const Format& format) {
+  const Format* other = format_by_content(source.text);
+  if (other == nullptr || other == &format || format.looks_like(source.text)) throw error;
+  throw InputError(std::string(error.what()) + " (read as " + std::string(format.name) +
+                   "; the content looks like " + std::string(other->name) + ")");
+}
+
+}  // namespace
+
+std::span<const Format> formats() { return table; }
+
+Structure read_structure(const std::filesystem::path& path, const ReadOptions& options) {
+  check(options);
+  const std::string bytes = read_bytes(path);
+  const std::string name = path.string();
+  return read_structure(SourceText{name, bytes}, options);
+}
+
+Structure read_structure(const SourceText& source, const ReadOptions& options) {
+  check(options);
+  const SourceText plain{source.name, without_byte_order_mark(source.text)};
+  check_text(plain);
+  const Format& format = format_of(plain, options.format);
+  try {
+    return format.read(plain, options);
+  } catch (const InputError& error) {
+    fail_with_hint(error, plain, format);
+  }
+}
+
+}  // namespace pliant

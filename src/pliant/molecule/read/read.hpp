@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Reading molecules: the table of formats, and the one function that callers use.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+
+#include "pliant/base/log.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+#include "pliant/text/file_text.hpp"
+
+namespace pliant {
+
+/// How to read; checked by read_structure.
+struct ReadOptions {
+  std::size_t model = 1;    ///< which model, frame or record, from 1
+  std::string format = "";  ///< a name in formats(); "": by extension, then by content
+  Log log = {};             ///< where notes and warnings go
+};
+
+/// A format: one row of the table of formats.
+struct Format {
+  std::string_view name;                         ///< "pdb"
+  std::string_view summary;                      ///< one line for help
+  std::span<const std::string_view> extensions;  ///< ".pdb", ".ent"
+  bool (*looks_like)(std::string_view text);     ///< whether the content could be this format
+  Structure (*read)(const SourceText& source, const ReadOptions& options);
+};
+
+std::span<const Format> formats();
+
+/// Reads one model of a molecule file; gzip is undone by content.
+/// Bonds are those the file states: perceive_bonds() adds the others.
+/// Throws InputError (file, line, field, expected, found), FileError (with the system's reason),
+/// OptionError (unknown format, model 0).
+Structure read_structure(const std::filesystem::path& path, const ReadOptions& options = {});
+
+/// The same for text in memory. `source.name` gives the extension.
+Structure read_structure(const SourceText& source, const ReadOptions& options = {});
+
+}  // namespace pliant

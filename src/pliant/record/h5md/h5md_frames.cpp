@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/record/h5md/h5md_frames.hpp"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <array>
+#include <string>
+
+#include "pliant/record/h5md/h5md_static.hpp"
+#include "pliant/record/hdf5/hdf5_write.hpp"
+
+namespace pliant {
+namespace {
+
+/// Number types of a series of numbers.
+enum class NumberKind { integer, real, truth, stop };
+
+/// One row an observable. MDAnalysis takes numbers with one value a frame only, no vectors.
+struct Observable {
+  const char* name;
+  const char* unit;  // "" for none
+  NumberKind kind;
+  void (*add)(const Frame& frame, Series& series);
+};
+
+constexpr char force_unit[] = "kJ mol-1 Angstrom-1";
+using enum NumberKind;
+
+constexpr Observable observables[] = {
+    {"sweeps", "", integer, [](const Frame& f, Series& s) { s.add(f.sweeps); }},
+    {"projections", "", integer, [](const Frame& f, Series& s) { s.add(f.projections); }},
+    {"max_residual", "", real, [](const Frame& f, Series& s) { s.add(f.max_residual); }},
+    {"rms_residual", "", real, [](const Frame& f, Series& s) { s.add(f.rms_residual); }},
+    {"converged", "", truth,
+     [](const Frame& f, Series& s) { s.add(std::uint8_t{f.stop == Stop::converged}); }},
+    {"stop", "", stop, [](const Frame& f, Series& s) { s.add(static_cast<std::uint8_t>(f.stop)); }},
+    {"root_joint", "", integer, [](const Frame& f, Series& s) { s.add(f.root_joint); }},
+    {"force_x", force_unit, real, [](const Frame& f, Series& s) { s.add(f.force.x); }},
+    {"force_y", force_unit, real, [](const Frame& f, Series& s) { s.add(f.force.y); }},
+    {"force_z", force_unit, real, [](const Frame& f, Series& s) { s.add(f.force.z); }},
+};
+
+std::vector<std::string> stop_names() {
+  std::vector<std::string> names;
+  for (const Stop stop :
+       {Stop::converged, Stop::max_sweeps, Stop::not_finite, Stop::stopped_by_caller})
+    names.emplace_back(name(stop));
+  return names;
+}
+
+Series make_series(std::int64_t file, const std::string& path, NumberKind kind) {
+  const Hid type = kind == truth ? boolean_type() : named_number_type(stop_names());
+  switch (kind) {
+    case integer:
+      return {file, path, H5T_STD_I64LE, H5T_NATIVE_INT64};
+    case real:
+      return {file, path, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE};
+    default:
+      return {file, path, type, type};
+  }
+}
+
+// A chunk of positions holds one frame, which is what readers ask for. Small frames share one:
+// every chunk costs its way through a tree.
+std::uint64_t frames_per_chunk(std::size_t frame_bytes, bool compress) {
+  constexpr std::size_t chunk_bytes = std::size_t{32} << 10;
+  // A shared chunk would be compressed anew with each commit and change its place.
+  if (compress) return 1;
+  return std::clamp<std::uint64_t>(chunk_bytes / frame_bytes, 1, 256);
+}
+
+constexpr const char* position_parts[] = {"/value", "/time", "/step"};
+
+}  // namespace
+
+FrameSeries::FrameSeries(std::int64_t file, std::size_t joint_count, const H5mdOptions& options)
+    : single_(options.single) {
+  make_positions(file, joint_count, options);
+  make_observables(file);
+}
+
+/// In the order value, time, step: HDF5 itself then also writes them in this order.
+void FrameSeries::make_positions(std::int64_t file, std::size_t joint_count,
+                                 const H5mdOptions& options) {
+  const std::size_t position_bytes = joint_count * 3 * (single_ ? sizeof(float) : sizeof(double));
+  frame_bytes_ = position_bytes + (2 + std::size(observables)) * sizeof(double);
+  const SeriesLayout layout{.row = {joint_count, 3},
+                            .chunk_rows = frames_per_chunk(position_bytes, options.compress),
+                            .compress = options.compress,
+                            .fill_with_nan = true};
+  const std::string group = h5md::position;
+  make_group(file, group);
+  positions_.emplace_back(file, group + "/value", single_ ? H5T_IEEE_F32LE : H5T_IEEE_F64LE,
+                          single_ ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE, layout);
+  positions_.push_back(make_series(file, group + "/time", real));
+  positions_.push_back(make_series(file, group + "/step", integer));
+  write_text_attribute(positions_[0].dataset(), "unit", "Angstrom");
+  write_text_attribute(positions_[1].dataset(), "unit", "ps");
+}
+
+void FrameSeries::make_observables(std::int64_t file) {
+  for (const Observable& observable : observables) {
+    const std::string group = std::string(h5md::observables) + "/" + observable.name;
+    make_group(file, group);
+    observables_.push_back(make_series(file, group + "/value", observable.kind));
+    if (*observable.unit != '\0')
+      write_text_attribute(observables_.back().dataset(), "unit", observable.unit);
+    for (const char* part : {"/time", "/step"})
+      checked(H5Lcreate_hard(file, (std::string(h5md::position) + part).c_str(), file,
+                             (group + part).c_str(), H5P_DEFAULT, H5P_DEFAULT),
+              "link " + group + part);
+  }
+}
+
+std::vector<std::uint64_t> FrameSeries::addresses(std::int64_t file) const {
+  std::vector<std::uint64_t> addresses;
+  for (const Observable& observable : observables)
+    addresses.push_back(
+        object_address(file, std::string(h5md::observables) + "/" + observable.name + "/value"));
+  for (const char* part : position_parts)
+    addresses.push_back(object_address(file, std::string(h5md::position) + part));
+  return addresses;
+}
+
+void FrameSeries::add(const Frame& frame) {
+  add_positions(frame.positions);
+  positions_[1].add(frame.time);
+  positions_[2].add(frame.step);
+  for (std::size_t k = 0; k < std::size(observables); ++k)
+    observables[k].add(frame, observables_[k]);
+  ++waiting_frames_;
+}
+
+void FrameSeries::add_positions(std::span<const Vec3> positions) {
+  if (!single_) return positions_[0].add_bytes(std::as_bytes(positions));
+  singles_.clear();
+  for (const Vec3 p : positions)
+    for (const double x : {p.x, p.y, p.z}) singles_.push_back(static_cast<float>(x));
+  positions_[0].add_bytes(std::as_bytes(std::span(singles_)));
+}
+
+void FrameSeries::write() {
+  for (Series& series : observables_) series.write(waiting_frames_);
+  for (Series& series : positions_) series.write(waiting_frames_);
+  waiting_frames_ = 0;
+}
+
+}  // namespace pliant

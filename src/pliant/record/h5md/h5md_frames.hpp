@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+// The part of our H5MD files that grows with each frame: positions, step, time and observables.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_series.hpp"
+
+namespace pliant {
+
+/// All series of a file. Frames wait in memory between add() and write().
+class FrameSeries {
+ public:
+  /// Makes empty series in the HDF5 file `file` (hid_t). Throws FileError.
+  FrameSeries(std::int64_t file, std::size_t joint_count, const H5mdOptions& options);
+
+  void add(const Frame& frame);
+  /// Hands the waiting frames to HDF5. Throws FileError.
+  void write();
+
+  std::uint64_t waiting_frames() const { return waiting_frames_; }
+  std::size_t waiting_bytes() const { return waiting_frames_ * frame_bytes_; }
+
+  /// Addresses of the series' object headers in the order in which their extents must grow: a
+  /// reader that finds a step finds all else of the frame, and MDAnalysis, which counts frames by
+  /// positions, ends at the first step it does not find.
+  std::vector<std::uint64_t> addresses(std::int64_t file) const;
+
+ private:
+  void make_positions(std::int64_t file, std::size_t joint_count, const H5mdOptions& options);
+  void make_observables(std::int64_t file);
+  void add_positions(std::span<const Vec3> positions);
+
+  bool single_;
+  std::size_t frame_bytes_ = 0;
+  std::uint64_t waiting_frames_ = 0;
+  std::vector<float> singles_;       // scratch of add_positions
+  std::vector<Series> positions_;    // value, time, step
+  std::vector<Series> observables_;  // in the order of the table
+};
+
+}  // namespace pliant

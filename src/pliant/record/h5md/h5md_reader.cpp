@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/record/h5md/h5md_reader.hpp"
+
+#include "pliant/base/error.hpp"
+#include "pliant/record/h5md/h5md_frame_reader.hpp"
+#include "pliant/record/h5md/h5md_static_reader.hpp"
+
+namespace pliant {
+
+class H5mdReader::File {
+ public:
+  /// Calls `read` alone with HDF5, and puts the file's name before its errors.
+  template <class Read>
+  auto guarded(Read read) const {
+    const Hdf5Session session;
+    try {
+      return read();
+    } catch (const InputError& error) {
+      throw InputError(name_ + ": " + error.what());
+    } catch (const FileError& error) {
+      throw FileError(name_ + ": " + error.what());
+    }
+  }
+
+  File(const std::filesystem::path& path, const H5mdReadOptions& options) : name_(path.string()) {
+    const Hdf5Session session;
+    hdf5_ = open_hdf5(path);
+    try {
+      guarded([&] { frames_.emplace(hdf5_, options.group, name_, options.log); });
+    } catch (...) {
+      release();
+      throw;
+    }
+  }
+  ~File() {
+    const Hdf5Session session;
+    release();
+  }
+
+  const FrameReader& frames() const { return *frames_; }
+  StaticReader fixed() const { return {hdf5_, frames_->group(), frames_->joint_count()}; }
+
+ private:
+  void release() {
+    frames_.reset();
+    hdf5_.reset();
+  }
+
+  std::string name_;
+  Hid hdf5_;
+  std::optional<FrameReader> frames_;
+};
+
+H5mdReader::H5mdReader(const std::filesystem::path& path, const H5mdReadOptions& options)
+    : file_(std::make_unique<File>(path, options)) {}
+H5mdReader::~H5mdReader() = default;
+H5mdReader::H5mdReader(H5mdReader&&) noexcept = default;
+H5mdReader& H5mdReader::operator=(H5mdReader&&) noexcept = default;
+
+std::int64_t H5mdReader::frames() const { return file_->frames().frames(); }
+std::int64_t H5mdReader::frames_left_out() const { return file_->frames().frames_left_out(); }
+std::size_t H5mdReader::joint_count() const { return file_->frames().joint_count(); }
+const std::string& H5mdReader::group() const { return file_->frames().group(); }
+std::size_t H5mdReader::bytes_per_coordinate() const {
+  return file_->frames().bytes_per_coordinate();
+}
+bool H5mdReader::has_time() const { return file_->frames().has_time(); }
+
+std::vector<Vec3> H5mdReader::positions(std::int64_t frame) const {
+  return file_->guarded([&] { return file_->frames().positions(frame); });
+}
+
+void H5mdReader::read_positions(std::int64_t frame, std::span<Vec3> positions) const {
+  file_->guarded([&] { file_->frames().read_positions(frame, positions); });
+}
+
+std::int64_t H5mdReader::step(std::int64_t frame) const {
+  return file_->guarded([&] { return file_->frames().step(frame); });
+}
+
+double H5mdReader::time(std::int64_t frame) const {
+  return file_->guarded([&] { return file_->frames().time(frame); });
+}
+
+std::vector<std::string> H5mdReader::observables() const {
+  return file_->guarded([&] { return file_->frames().observables(); });
+}
+
+std::vector<double> H5mdReader::observable(const std::string& name) const {
+  return file_->guarded([&] { return file_->frames().observable(name); });
+}
+
+std::shared_ptr<const AtomTable> H5mdReader::atoms() const {
+  return file_->guarded([&] { return file_->fixed().atoms(); });
+}
+
+std::vector<Bar> H5mdReader::bars() const {
+  return file_->guarded([&] { return file_->fixed().bars(); });
+}
+
+std::vector<double> H5mdReader::rest_lengths() const {
+  return file_->guarded([&] { return file_->fixed().rest_lengths(); });
+}
+
+std::vector<double> H5mdReader::masses() const {
+  return file_->guarded([&] { return file_->fixed().masses(); });
+}
+
+std::vector<Joint> H5mdReader::pinned() const {
+  return file_->guarded([&] { return file_->fixed().pinned(); });
+}
+
+std::vector<RecordedBond> H5mdReader::bonds() const {
+  return file_->guarded([&] { return file_->fixed().bonds(); });
+}
+
+std::vector<std::string> H5mdReader::bond_origin_names() const {
+  return file_->guarded([&] { return file_->fixed().bond_origin_names(); });
+}
+
+std::vector<NamedParameter> H5mdReader::parameters() const {
+  return file_->guarded([&] { return file_->fixed().parameters(); });
+}
+
+Framework H5mdReader::framework() const {
+  return file_->guarded([&] { return file_->fixed().framework(); });
+}
+
+}  // namespace pliant

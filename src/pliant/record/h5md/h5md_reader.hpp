@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: MIT
+// H5MD reader (trajectory reader): frames, names, bars and parameters of an H5MD file, ours or
+// another program's.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/base/log.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
+
+namespace pliant {
+
+struct H5mdReadOptions {
+  std::string group =
+      "";        ///< a name below /particles; "": "trajectory", or the first with positions
+  Log log = {};  ///< where notes and warnings go
+};
+
+/// An open H5MD file. Frames are read when they are asked for; memory is taken for what the file
+/// holds, never for what it says to hold. Links and datasets that lead to other files are refused.
+///
+/// Every call throws FileError when HDF5 cannot read (the message ends with its reason) and
+/// InputError when what was read makes no sense; both name the file and the path within it.
+class H5mdReader {
+ public:
+  /// Opens the file, which another program may be writing. Notes how many frames are left out
+  /// when positions, steps and times differ in number; warns when steps do not increase.
+  explicit H5mdReader(const std::filesystem::path& path, const H5mdReadOptions& options = {});
+  ~H5mdReader();
+  H5mdReader(H5mdReader&&) noexcept;
+  H5mdReader& operator=(H5mdReader&&) noexcept;
+
+  std::int64_t frames() const;           ///< with positions, step and time
+  std::int64_t frames_left_out() const;  ///< with one or two of the three only
+  std::size_t joint_count() const;
+  const std::string& group() const;  ///< "trajectory"
+  /// "double" or "single", say: the type of the positions in the file.
+  std::size_t bytes_per_coordinate() const;
+
+  /// Positions of frame 0 to frames() - 1 (Angstrom), converted from nm, pm and what numbers the
+  /// file has. InputError names the first joint whose position is not finite: the frame is damaged.
+  std::vector<Vec3> positions(std::int64_t frame) const;
+  void read_positions(std::int64_t frame, std::span<Vec3> positions) const;
+  std::int64_t step(std::int64_t frame) const;  ///< the frame's number where the file has no steps
+  bool has_time() const;
+  double time(std::int64_t frame) const;  ///< ps; InputError where the file has no times
+
+  /// Names of what is recorded once a frame as a number, sorted: "max_residual", "thermo/energy".
+  std::vector<std::string> observables() const;
+  /// At most frames() values in the file's unit; truth values are 0 and 1.
+  std::vector<double> observable(const std::string& name) const;
+
+  std::shared_ptr<const AtomTable> atoms() const;  ///< null where the file has no atom table
+  std::vector<Bar> bars() const;                   ///< empty where the file has none
+  std::vector<double> rest_lengths() const;        ///< (B) Angstrom
+  std::vector<double> masses() const;              ///< (N) u; empty where the file has none
+  std::vector<Joint> pinned() const;
+  std::vector<RecordedBond> bonds() const;
+  std::vector<std::string> bond_origin_names() const;
+  /// The scalars below /parameters, sorted by path, but for those of our own groups.
+  std::vector<NamedParameter> parameters() const;
+
+  /// The framework that was recorded. Throws InputError where the file has no bars.
+  Framework framework() const;
+
+ private:
+  class File;
+  std::unique_ptr<File> file_;
+};
+
+}  // namespace pliant

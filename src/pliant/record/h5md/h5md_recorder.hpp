@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: MIT
+// H5MD recorder (trajectory writer, reporter): writes frames to an H5MD 1.1 file that MDAnalysis,
+// h5py and every other HDF5 program open, at any moment and after any death of the writer.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pliant/base/log.hpp"
+#include "pliant/framework/frame.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/record/hdf5/parameter.hpp"
+
+namespace pliant {
+
+/// How to record.
+struct H5mdOptions {
+  bool single = false;         ///< positions as 32-bit floats: half the size, 1e-7 relative
+  bool compress = false;       ///< shuffle and gzip 1: about 0.8 of the size, ten times the time
+  bool overwrite = false;      ///< replace an existing file once the new one can be written
+  double flush_seconds = 1.0;  ///< frames are committed to the file this often (s); 0: each frame
+  Log log = {};                ///< where warnings go
+};
+
+/// A bond of the atom table: chemistry, which need not be a bar.
+struct RecordedBond {
+  Joint a = 0, b = 0;
+  std::uint8_t origin = 0;  ///< index into the names of origins
+  std::uint8_t order = 0;   ///< 1, 2, 3; 4 aromatic; 0 not known
+
+  friend bool operator==(const RecordedBond&, const RecordedBond&) = default;
+};
+
+/// What a file says besides the framework and the frames.
+struct H5mdHeader {
+  std::vector<RecordedBond> bonds;
+  std::vector<std::string> bond_origin_names;  ///< what RecordedBond::origin means; may be empty
+  std::vector<double> masses;                  ///< (N) u; empty: the framework's, 1 if pinned
+  std::string creator = "pliant";
+  std::string creator_version = "";
+  std::string author = "unknown";
+  std::vector<NamedParameter> parameters;  ///< every option of the run; no path twice
+};
+
+/// Writes frames to one file, which holds the group /particles/trajectory.
+///
+/// Frames are gathered in memory and committed together: about every `flush_seconds`, whenever
+/// some megabytes have gathered, on flush(), on close() and by the destructor. The order of
+/// writes within a commit is such that the file opens after the writer was killed at any moment,
+/// with every frame committed before, and while the writer lives.
+///
+/// A failed write (disk full, file size limit) ends the recording: the frames committed before it
+/// stay readable, later calls throw the same error, and the destructor does nothing.
+class H5mdRecorder {
+ public:
+  /// Creates the file and commits all but the frames. It appears under its name only when it is
+  /// complete; until then an existing file is as it was.
+  /// Throws FileError (with the system's reason) when the directory is missing, the file exists
+  /// and may not be overwritten, is not a regular file, or is being written by another recorder
+  /// (named by its process id); OptionError on bad options or parameters.
+  H5mdRecorder(const std::filesystem::path& path, const Framework& framework,
+               const H5mdHeader& header = {}, const H5mdOptions& options = {});
+  ~H5mdRecorder();
+  H5mdRecorder(H5mdRecorder&&) noexcept;
+  H5mdRecorder& operator=(H5mdRecorder&&) noexcept;
+
+  /// Adds one frame. Throws InputError when the number of positions is not that of the joints,
+  /// when a position is not finite (naming the joint) or when the step does not increase;
+  /// FileError when it cannot be written.
+  void record(const Frame& frame);
+
+  /// Commits what was recorded: it survives whatever happens to this process.
+  void flush();
+
+  /// Commits and closes the file; further calls do nothing. Throws FileError, which the destructor
+  /// would only log.
+  void close();
+
+  std::int64_t frames() const;            ///< recorded
+  std::int64_t committed_frames() const;  ///< recorded, and certain to be in the file
+  const std::filesystem::path& path() const;
+
+ private:
+  class Writer;
+  std::unique_ptr<Writer> writer_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/record/h5md/h5md_series.hpp"
+
+#include <hdf5.h>
+
+#include <algorithm>
+#include <limits>
+#include <type_traits>
+
+namespace pliant {
+namespace {
+
+static_assert(sizeof(hsize_t) == sizeof(std::uint64_t));
+
+// A chunk is smaller than 4 GiB: longer rows are cut.
+constexpr std::uint64_t longest_chunk_row = std::uint64_t{1} << 26;
+
+Hid creation_properties(const SeriesLayout& layout) {
+  Hid properties = owned(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make dataset properties");
+  std::vector<hsize_t> chunk{layout.chunk_rows};
+  for (const std::uint64_t extent : layout.row)
+    chunk.push_back(std::min<hsize_t>(extent, longest_chunk_row));
+  checked(H5Pset_chunk(properties, static_cast<int>(chunk.size()), chunk.data()),
+          "choose the chunks");
+  checked(H5Pset_obj_track_times(properties, false), "switch time stamps off");
+  if (layout.compress) {
+    checked(H5Pset_shuffle(properties), "choose the shuffle filter");
+    checked(H5Pset_deflate(properties, 1), "choose the gzip filter");
+  }
+  if (layout.fill_with_nan) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    checked(H5Pset_fill_value(properties, H5T_NATIVE_DOUBLE, &nan), "choose the fill value");
+  }
+  return properties;
+}
+
+/// Rows come in whole chunks or once only: HDF5's chunk cache would keep them for nothing.
+Hid access_properties(const SeriesLayout& layout) {
+  Hid properties = owned(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, "make access properties");
+  if (layout.chunk_rows == 1)
+    checked(H5Pset_chunk_cache(properties, 0, 0, H5D_CHUNK_CACHE_W0_DEFAULT),
+            "switch the chunk cache off");
+  return properties;
+}
+
+bool is_chunk_as_it_stands(const SeriesLayout& layout, hid_t file_type, hid_t memory_type) {
+  return layout.chunk_rows == 1 && !layout.compress && !layout.row.empty() &&
+         *std::max_element(layout.row.begin(), layout.row.end()) <= longest_chunk_row &&
+         H5Tequal(file_type, memory_type) > 0;
+}
+
+}  // namespace
+
+Series::Series(std::int64_t location, const std::string& path, std::int64_t file_type,
+               std::int64_t memory_type, const SeriesLayout& layout)
+    : path_(path),
+      row_is_chunk_(is_chunk_as_it_stands(layout, file_type, memory_type)),
+      extents_{0} {
+  extents_.insert(extents_.end(), layout.row.begin(), layout.row.end());
+  std::vector<hsize_t> start(extents_.begin(), extents_.end()), limit = start;
+  limit[0] = H5S_UNLIMITED;
+  const Hid space =
+      owned(H5Screate_simple(static_cast<int>(start.size()), start.data(), limit.data()), H5Sclose,
+            "make a dataspace");
+  memory_type_ = owned(H5Tcopy(memory_type), H5Tclose, "copy a type");
+  dataset_ = owned(H5Dcreate2(location, path.c_str(), file_type, space, H5P_DEFAULT,
+                              creation_properties(layout), access_properties(layout)),
+                   H5Dclose, "make " + path);
+}
+
+void Series::write(std::uint64_t rows) {
+  const std::uint64_t first = extents_[0];
+  extents_[0] += rows;
+  const std::vector<hsize_t> extents(extents_.begin(), extents_.end());
+  checked(H5Dset_extent(dataset_, extents.data()), "extend " + path_);
+  row_is_chunk_ ? write_chunks(first, rows) : write_selected(first, rows);
+  waiting_.clear();
+}
+
+void Series::write_selected(std::uint64_t first, std::uint64_t rows) {
+  std::vector<hsize_t> start(extents_.size(), 0), count(extents_.begin(), extents_.end());
+  start[0] = first;
+  count[0] = rows;
+  const Hid file_space = owned(H5Dget_space(dataset_), H5Sclose, "look at " + path_);
+  checked(
+      H5Sselect_hyperslab(file_space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+      "select rows of " + path_);
+  const Hid memory_space =
+      owned(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr), H5Sclose,
+            "make a dataspace");
+  checked(H5Dwrite(dataset_, memory_type_, memory_space, file_space, H5P_DEFAULT, waiting_.data()),
+          "write " + path_);
+}
+
+/// Straight to the file: H5Dwrite would make a chunk of fill values first and copy the row into it.
+void Series::write_chunks(std::uint64_t first, std::uint64_t rows) {
+  if (rows == 0) return;
+  const std::size_t row_bytes = waiting_.size() / rows;
+  std::vector<hsize_t> start(extents_.size(), 0);
+  for (std::uint64_t row = 0; row < rows; ++row) {
+    start[0] = first + row;
+    checked(H5Dwrite_chunk(dataset_, H5P_DEFAULT, 0, start.data(), row_bytes,
+                           waiting_.data() + row * row_bytes),
+            "write " + path_);
+  }
+}
+
+}  // namespace pliant

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Series: a growing HDF5 dataset with one row a frame, and the rows that wait to be written.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/record/hdf5/hdf5_session.hpp"
+
+namespace pliant {
+
+/// The shape of a series on the disk.
+struct SeriesLayout {
+  std::vector<std::uint64_t> row;  ///< extents of one row; empty: a number
+  std::uint64_t chunk_rows = 256;  ///< rows a chunk
+  bool compress = false;           ///< shuffle and gzip 1; chunk_rows must be 1
+  bool fill_with_nan = false;      ///< what readers see where a chunk was lost
+};
+
+/// Rows are added in memory, then written together.
+class Series {
+ public:
+  /// Makes an empty dataset at `path`. Types are hid_t; rows are given in `memory_type`.
+  Series(std::int64_t location, const std::string& path, std::int64_t file_type,
+         std::int64_t memory_type, const SeriesLayout& layout = {});
+
+  template <class T>
+  void add(const T& value) {
+    add_bytes(std::as_bytes(std::span(&value, 1)));
+  }
+  void add_bytes(std::span<const std::byte> bytes) {
+    waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
+  }
+  /// Appends `rows` waiting rows to the dataset. Throws FileError.
+  void write(std::uint64_t rows);
+
+  std::int64_t dataset() const { return dataset_; }
+
+ private:
+  void write_selected(std::uint64_t first, std::uint64_t rows);
+  void write_chunks(std::uint64_t first, std::uint64_t rows);
+
+  std::string path_;
+  Hid memory_type_;
+  Hid dataset_;
+  bool row_is_chunk_;  ///< and has in memory the bytes that it has in the file
+  std::vector<std::uint64_t> extents_;
+  std::vector<std::byte> waiting_;
+};
+
+}  // namespace pliant

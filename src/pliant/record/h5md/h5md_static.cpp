@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/record/h5md/h5md_static.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+
+#include "pliant/base/elements.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/record/hdf5/hdf5_write.hpp"
+
+namespace pliant {
+namespace {
+
+// H5MD 1.1.0 (https://www.nongnu.org/h5md/h5md.html): group /h5md, module units 1.0.
+void write_provenance(std::int64_t file, const H5mdHeader& header) {
+  constexpr std::array version{1, 1}, units_version{1, 0};
+  const Hid root = make_group(file, "/h5md");
+  write_integer_attribute(root, "version", version);
+  const Hid author = make_group(file, "/h5md/author");
+  write_text_attribute(author, "name", header.author);
+  const Hid creator = make_group(file, "/h5md/creator");
+  write_text_attribute(creator, "name", header.creator);
+  write_text_attribute(creator, "version", header.creator_version);
+  const Hid units = make_group(file, "/h5md/modules/units");
+  write_integer_attribute(units, "version", units_version);
+  write_text_attribute(units, "system", "SI");
+}
+
+void write_box(std::int64_t file) {
+  const std::array<std::string, 3> boundary{"none", "none", "none"};
+  const Hid box = make_group(file, std::string(h5md::trajectory) + "/box");
+  write_integer_attribute(box, "dimension", 3);
+  write_text_attribute(box, "boundary", boundary);
+}
+
+std::vector<double> masses_of(const Framework& framework, const H5mdHeader& header) {
+  if (!header.masses.empty()) return header.masses;
+  std::vector<double> masses;
+  for (const double inverse : framework.inverse_masses())
+    masses.push_back(inverse > 0.0 ? 1.0 / inverse : 1.0);
+  return masses;
+}
+
+void write_particles(std::int64_t file, const Framework& framework, const H5mdHeader& header) {
+  const std::vector<double> masses = masses_of(framework, header);
+  if (masses.size() != framework.joint_count())
+    throw OptionError("H5mdHeader::masses has " + std::to_string(masses.size()) + " values for " +
+                      std::to_string(framework.joint_count()) + " joints");
+  const std::string group = h5md::trajectory;
+  write_text_attribute(write_numbers(file, group + "/mass", masses), "unit", "u");
+  if (framework.atoms()) write_numbers(file, group + "/species", framework.atoms()->elements);
+}
+
+void write_connectivity(std::int64_t file, const char* path, std::span<const Bar> pairs) {
+  const Hid dataset = write_pairs(file, path, pairs);
+  write_reference_attribute(dataset, "particles_group", h5md::trajectory);
+}
+
+void write_framework(std::int64_t file, const Framework& framework) {
+  write_connectivity(file, h5md::bars, framework.bars());
+  const std::string group = h5md::framework;
+  write_text_attribute(write_numbers(file, group + "/rest_length", framework.rest_lengths()),
+                       "unit", "Angstrom");
+  std::vector<std::uint8_t> pinned;
+  for (const double inverse : framework.inverse_masses()) pinned.push_back(inverse == 0.0);
+  write_booleans(file, group + "/pinned", pinned);
+}
+
+void write_bonds(std::int64_t file, const H5mdHeader& header) {
+  std::vector<Bar> pairs;
+  std::vector<std::uint8_t> origins, orders;
+  for (const RecordedBond& bond : header.bonds) {
+    pairs.push_back({bond.a, bond.b});
+    origins.push_back(bond.origin);
+    orders.push_back(bond.order);
+  }
+  write_connectivity(file, h5md::bonds, pairs);
+  const std::string group = h5md::topology;
+  write_named_numbers(file, group + "/bond_origin", origins, header.bond_origin_names);
+  write_numbers(file, group + "/bond_order", orders);
+}
+
+void write_residues(std::int64_t file, const std::vector<Residue>& residues) {
+  std::vector<std::string> names, insertion_codes, chains;
+  std::vector<std::int64_t> numbers;
+  for (const Residue& residue : residues) {
+    names.push_back(residue.name);
+    numbers.push_back(residue.number);
+    insertion_codes.emplace_back(residue.insertion_code == ' ' ? 0 : 1, residue.insertion_code);
+    chains.push_back(residue.chain);
+  }
+  const std::string group = h5md::topology;
+  write_texts(file, group + "/residue_name", names);
+  write_numbers(file, group + "/residue_number", numbers);
+  write_texts(file, group + "/insertion_code", insertion_codes);
+  write_texts(file, group + "/chain", chains);
+}
+
+/// "" where there is none.
+std::vector<std::string> symbols_of(const std::vector<std::uint8_t>& elements) {
+  std::vector<std::string> symbols;
+  symbols.reserve(elements.size());
+  for (const std::uint8_t element : elements)
+    symbols.emplace_back(element == 0 ? "" : element_symbol(element));
+  return symbols;
+}
+
+void write_atoms(std::int64_t file, const AtomTable& atoms) {
+  const std::string group = h5md::topology;
+  write_texts(file, group + "/atom_name", atoms.names);
+  write_texts(file, group + "/element", symbols_of(atoms.elements));
+  write_numbers(file, group + "/atomic_number", atoms.elements);
+  write_numbers(file, group + "/atom_serial", atoms.serials);
+  write_numbers(file, group + "/residue_of", atoms.residue_of);
+  write_residues(file, atoms.residues);
+}
+
+[[noreturn]] void refuse_parameter(const std::string& path, const std::string& why) {
+  throw OptionError("parameter " + pliant::quoted(path) + ": " + why);
+}
+
+void check_parameters(const std::vector<NamedParameter>& parameters) {
+  std::set<std::string> paths;
+  for (const auto& [path, value] : parameters) {
+    if (path.empty() || path.front() == '/' || path.back() == '/')
+      refuse_parameter(path, "must be a path below /parameters, such as run/seed");
+    if (path.starts_with("framework/") || path.starts_with("topology/"))
+      refuse_parameter(path, "the groups framework and topology are the file's own");
+    if (!paths.insert(path).second) refuse_parameter(path, "is given twice");
+    const double* number = std::get_if<double>(&value);
+    if (number != nullptr && std::isnan(*number)) refuse_parameter(path, "is not a number");
+  }
+}
+
+void write_parameters(std::int64_t file, const std::vector<NamedParameter>& parameters) {
+  for (const auto& [path, value] : parameters) write_parameter(file, "/parameters/" + path, value);
+}
+
+}  // namespace
+
+void write_static_part(std::int64_t file, const Framework& framework, const H5mdHeader& header) {
+  check_parameters(header.parameters);
+  write_provenance(file, header);
+  write_box(file);
+  write_particles(file, framework, header);
+  write_framework(file, framework);
+  write_bonds(file, header);
+  if (framework.atoms()) write_atoms(file, *framework.atoms());
+  write_parameters(file, header.parameters);
+}
+
+}  // namespace pliant

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/record/h5md/h5md_static_reader.hpp"
+
+#include <limits>
+
+#include "pliant/base/error.hpp"
+#include "pliant/record/h5md/h5md_static.hpp"
+#include "pliant/record/hdf5/hdf5_dataset.hpp"
+#include "pliant/record/hdf5/hdf5_read.hpp"
+
+namespace pliant {
+namespace {
+
+const std::string topology = h5md::topology;
+const std::string framework_group = h5md::framework;
+
+constexpr auto least_integer = std::numeric_limits<std::int64_t>::min();
+constexpr auto most_integer = std::numeric_limits<std::int64_t>::max();
+
+void check_count(const std::string& path, std::size_t found, std::size_t expected) {
+  if (found != expected)
+    throw InputError(path + " has " + std::to_string(found) + " values; expected " +
+                     std::to_string(expected));
+}
+
+std::size_t rows_of(const Hdf5Dataset& dataset) {
+  return dataset.extents().empty() ? 1 : dataset.extents()[0];
+}
+
+std::optional<Parameter> parameter_at(const Hdf5Dataset& dataset) {
+  if (!dataset.extents().empty()) return std::nullopt;
+  switch (dataset.value_class()) {
+    case ValueClass::integer:
+    case ValueClass::named:
+      return dataset.integers().at(0);
+    case ValueClass::real:
+      return dataset.reals().at(0);
+    case ValueClass::truth:
+      return dataset.integers().at(0) != 0;
+    case ValueClass::text:
+      return dataset.texts().at(0);
+    case ValueClass::other:
+      break;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::vector<double> StaticReader::reals(const std::string& path, std::size_t count) const {
+  std::vector<double> values = Hdf5Dataset(file_, path).reals();
+  check_count(path, values.size(), count);
+  return values;
+}
+
+std::vector<std::int64_t> StaticReader::integers(const std::string& path, std::size_t count,
+                                                 std::int64_t least, std::int64_t most) const {
+  std::vector<std::int64_t> values = Hdf5Dataset(file_, path).integers();
+  check_count(path, values.size(), count);
+  for (std::size_t i = 0; i < count; ++i)
+    if (values[i] < least || values[i] > most)
+      throw InputError(path + ": value " + std::to_string(i) + " is " + std::to_string(values[i]) +
+                       "; expected " + std::to_string(least) + " to " + std::to_string(most));
+  return values;
+}
+
+std::vector<std::string> StaticReader::texts(const std::string& path, std::size_t count) const {
+  std::vector<std::string> values = Hdf5Dataset(file_, path).texts();
+  check_count(path, values.size(), count);
+  return values;
+}
+
+std::vector<Bar> StaticReader::pairs(const std::string& path) const {
+  if (!has_object(file_, path)) return {};
+  const Hdf5Dataset dataset(file_, path);
+  if (dataset.extents().size() != 2 || dataset.extents()[1] != 2)
+    throw InputError(path + " has shape " + dataset.shape() + "; expected (pairs, 2)");
+  const auto ends =
+      integers(path, dataset.integers().size(), 0, static_cast<std::int64_t>(joint_count_) - 1);
+  std::vector<Bar> pairs(ends.size() / 2);
+  for (std::size_t k = 0; k < pairs.size(); ++k)
+    pairs[k] = {static_cast<Joint>(ends[2 * k]), static_cast<Joint>(ends[2 * k + 1])};
+  return pairs;
+}
+
+std::vector<Bar> StaticReader::bars() const { return pairs(h5md::bars); }
+
+std::vector<double> StaticReader::rest_lengths() const {
+  const std::string path = framework_group + "/rest_length";
+  if (!has_object(file_, path)) return {};
+  return reals(path, bars().size());
+}
+
+std::vector<double> StaticReader::masses() const {
+  const std::string path = "/particles/" + group_ + "/mass";
+  if (!has_object(file_, path)) return {};
+  return reals(path, joint_count_);
+}
+
+std::vector<Joint> StaticReader::pinned() const {
+  const std::string path = framework_group + "/pinned";
+  if (!has_object(file_, path)) return {};
+  const auto flags = integers(path, joint_count_, 0, 1);
+  std::vector<Joint> joints;
+  for (std::size_t i = 0; i < flags.size(); ++i)
+    if (flags[i] != 0) joints.push_back(static_cast<Joint>(i));
+  return joints;
+}
+
+std::vector<RecordedBond> StaticReader::bonds() const {
+  const std::vector<Bar> ends = pairs(h5md::bonds);
+  std::vector<RecordedBond> bonds;
+  for (const Bar pair : ends) bonds.push_back({pair.a, pair.b});
+  if (has_object(file_, topology + "/bond_origin")) {
+    const auto origins = integers(topology + "/bond_origin", bonds.size(), 0, 255);
+    for (std::size_t k = 0; k < bonds.size(); ++k)
+      bonds[k].origin = static_cast<std::uint8_t>(origins[k]);
+  }
+  if (has_object(file_, topology + "/bond_order")) {
+    const auto orders = integers(topology + "/bond_order", bonds.size(), 0, 255);
+    for (std::size_t k = 0; k < bonds.size(); ++k)
+      bonds[k].order = static_cast<std::uint8_t>(orders[k]);
+  }
+  return bonds;
+}
+
+std::vector<std::string> StaticReader::bond_origin_names() const {
+  const std::string path = topology + "/bond_origin";
+  return has_object(file_, path) ? Hdf5Dataset(file_, path).value_names()
+                                 : std::vector<std::string>{};
+}
+
+std::vector<Residue> StaticReader::residues() const {
+  const std::size_t count = rows_of(Hdf5Dataset(file_, topology + "/residue_name"));
+  const auto names = texts(topology + "/residue_name", count);
+  const auto numbers = integers(topology + "/residue_number", count, least_integer, most_integer);
+  const auto insertion_codes = texts(topology + "/insertion_code", count);
+  const auto chains = texts(topology + "/chain", count);
+  std::vector<Residue> residues;
+  for (std::size_t r = 0; r < count; ++r)
+    residues.push_back({names[r], numbers[r],
+                        insertion_codes[r].empty() ? ' ' : insertion_codes[r][0], chains[r]});
+  return residues;
+}
+
+std::shared_ptr<const AtomTable> StaticReader::atoms() const {
+  if (!has_object(file_, topology + "/atom_name")) return nullptr;
+  auto atoms = std::make_shared<AtomTable>();
+  atoms->names = texts(topology + "/atom_name", joint_count_);
+  atoms->serials = integers(topology + "/atom_serial", joint_count_, least_integer, most_integer);
+  atoms->residues = residues();
+  for (const auto number : integers(topology + "/atomic_number", joint_count_, 0, 255))
+    atoms->elements.push_back(static_cast<std::uint8_t>(number));
+  const auto last = static_cast<std::int64_t>(atoms->residues.size()) - 1;
+  for (const auto residue : integers(topology + "/residue_of", joint_count_, 0, last))
+    atoms->residue_of.push_back(static_cast<std::uint32_t>(residue));
+  return atoms;
+}
+
+std::vector<NamedParameter> StaticReader::parameters() const {
+  std::vector<NamedParameter> parameters;
+  for (const std::string& path : datasets_below(file_, "/parameters")) {
+    if (path.starts_with("framework/") || path.starts_with("topology/")) continue;
+    if (auto value = parameter_at(Hdf5Dataset(file_, "/parameters/" + path)))
+      parameters.emplace_back(path, std::move(*value));
+  }
+  return parameters;
+}
+
+Framework StaticReader::framework() const {
+  if (!has_object(file_, h5md::bars) || !has_object(file_, framework_group + "/rest_length"))
+    throw InputError("no bars with rest lengths: " + std::string(h5md::bars) + " or " +
+                     framework_group + "/rest_length is missing");
+  return Framework({.joint_count = joint_count_,
+                    .bars = bars(),
+                    .rest_lengths = rest_lengths(),
+                    .masses = masses(),
+                    .pinned = pinned(),
+                    .atoms = atoms()});
+}
+
+}  // namespace pliant

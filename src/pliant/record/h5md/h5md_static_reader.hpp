@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The part of an H5MD file that does not depend on time, as it is read.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "pliant/framework/framework.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
+
+namespace pliant {
+
+/// See H5mdReader, which this is the inside of. Callers hold an Hdf5Session.
+class StaticReader {
+ public:
+  /// `file` is a hid_t, `group` a name below /particles.
+  StaticReader(std::int64_t file, std::string group, std::size_t joint_count)
+      : file_(file), group_(std::move(group)), joint_count_(joint_count) {}
+
+  std::shared_ptr<const AtomTable> atoms() const;
+  std::vector<Bar> bars() const;
+  std::vector<double> rest_lengths() const;
+  std::vector<double> masses() const;
+  std::vector<Joint> pinned() const;
+  std::vector<RecordedBond> bonds() const;
+  std::vector<std::string> bond_origin_names() const;
+  std::vector<NamedParameter> parameters() const;
+  Framework framework() const;
+
+ private:
+  std::vector<double> reals(const std::string& path, std::size_t count) const;
+  std::vector<std::int64_t> integers(const std::string& path, std::size_t count, std::int64_t least,
+                                     std::int64_t most) const;
+  std::vector<std::string> texts(const std::string& path, std::size_t count) const;
+  std::vector<Bar> pairs(const std::string& path) const;
+  std::vector<Residue> residues() const;
+
+  std::int64_t file_;
+  std::string group_;
+  std::size_t joint_count_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/record/hdf5/committed_file.hpp"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace pliant {
+namespace {
+
+constexpr std::uint64_t page_size = 4096;
+
+// Ranks of blocks within a commit. Tree nodes lie between, by falling level.
+constexpr int new_rank = 0;
+constexpr int superblock_rank = 1;
+constexpr int root_node_rank = 2;  // level 255, the highest that a byte holds
+constexpr int in_place_rank = 300;
+
+/// Level of a version 1 B-tree node (0: leaf). HDF5 File Format Specification, III.A.1.
+int tree_level(std::span<const std::byte> node) {
+  constexpr char signature[] = {'T', 'R', 'E', 'E'};
+  if (node.size() < 6 || std::memcmp(node.data(), signature, sizeof signature) != 0) return 0;
+  return std::to_integer<int>(node[5]);
+}
+
+/// Copies the part of a block that lies in the window [address, address + window.size()).
+void overlay(std::uint64_t block_address, std::span<const std::byte> block, std::uint64_t address,
+             std::span<std::byte> window) {
+  const std::uint64_t first = std::max(block_address, address);
+  const std::uint64_t last =
+      std::min(block_address + block.size(), address + std::uint64_t{window.size()});
+  if (first < last)
+    std::memcpy(window.data() + (first - address), block.data() + (first - block_address),
+                last - first);
+}
+
+}  // namespace
+
+CommittedFile::CommittedFile(int descriptor) : descriptor_(descriptor), owner_(::getpid()) {}
+
+void CommittedFile::write(BlockKind kind, std::uint64_t address, std::span<const std::byte> bytes) {
+  if (kind == BlockKind::data) return write_through(address, bytes);
+  pending_[address] = {kind, {bytes.begin(), bytes.end()}};
+}
+
+void CommittedFile::read(std::uint64_t address, std::span<std::byte> bytes) const {
+  std::size_t done = 0;
+  while (done < bytes.size()) {
+    const ssize_t count = ::pread(descriptor_, bytes.data() + done, bytes.size() - done,
+                                  static_cast<off_t>(address + done));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) break;
+    done += static_cast<std::size_t>(count);
+  }
+  std::fill(bytes.begin() + static_cast<std::ptrdiff_t>(done), bytes.end(), std::byte{0});
+  for (const auto& [block_address, block] : pending_)
+    overlay(block_address, block.bytes, address, bytes);
+}
+
+std::uint64_t CommittedFile::size() const {
+  std::uint64_t size = written_end_;
+  if (!pending_.empty()) {
+    const auto& [address, block] = *pending_.rbegin();
+    size = std::max(size, address + block.bytes.size());
+  }
+  return size;
+}
+
+int CommittedFile::rank(const Blocks::value_type& entry) const {
+  const auto& [address, block] = entry;
+  if (!written_.contains(address)) return new_rank;
+  if (block.kind == BlockKind::superblock) return superblock_rank;
+  if (block.kind == BlockKind::tree_node) return root_node_rank + 255 - tree_level(block.bytes);
+  const auto place = std::find(last_.begin(), last_.end(), address);
+  return in_place_rank + (place == last_.end() ? 0 : 1 + static_cast<int>(place - last_.begin()));
+}
+
+std::vector<CommittedFile::Ranked> CommittedFile::in_commit_order() const {
+  std::vector<Ranked> order;
+  order.reserve(pending_.size());
+  for (const auto& entry : pending_) order.push_back({rank(entry), &entry});
+  std::stable_sort(order.begin(), order.end(),
+                   [](const Ranked& a, const Ranked& b) { return a.rank < b.rank; });
+  return order;
+}
+
+void CommittedFile::commit() {
+  if (!may_write()) return;
+  const std::vector<Ranked> order = in_commit_order();
+  const auto in_place = std::find_if(order.begin(), order.end(),
+                                     [](const Ranked& block) { return block.rank != new_rank; });
+  for (auto at = order.begin(); at != in_place; ++at)
+    write_through(at->entry->first, at->entry->second.bytes);
+  if (written_end_ < end_) resize(end_);  // the superblock must not promise more than there is
+  if (failure_ != 0) {
+    // The file is still as the last commit left it: what lies beyond only takes space.
+    [[maybe_unused]] const int ignored =
+        ::ftruncate(descriptor_, static_cast<off_t>(committed_end_));
+    return;
+  }
+  for (auto at = in_place; at != order.end(); ++at)
+    write_backwards(at->entry->first, at->entry->second.bytes);
+  if (written_end_ > end_) resize(end_);
+  if (failure_ != 0) return;
+  for (const auto& [address, block] : pending_) written_.insert(address);
+  pending_.clear();
+  committed_end_ = end_;
+}
+
+void CommittedFile::write_backwards(std::uint64_t address, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const std::uint64_t last_page = (address + bytes.size() - 1) / page_size * page_size;
+    const std::uint64_t start = std::max(address, last_page);
+    write_through(start, bytes.subspan(start - address));
+    bytes = bytes.first(start - address);
+  }
+}
+
+void CommittedFile::resize(std::uint64_t size) {
+  if (!may_write()) return;
+  if (::ftruncate(descriptor_, static_cast<off_t>(size)) != 0) failure_ = errno;
+  written_end_ = size;
+}
+
+bool CommittedFile::may_write() const { return failure_ == 0 && owner_ == ::getpid(); }
+
+void CommittedFile::write_through(std::uint64_t address, std::span<const std::byte> bytes) {
+  if (!may_write()) return;
+  written_end_ = std::max(written_end_, address + bytes.size());
+  while (!bytes.empty()) {
+    const ssize_t count =
+        ::pwrite(descriptor_, bytes.data(), bytes.size(), static_cast<off_t>(address));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) {
+      failure_ = count < 0 ? errno : EIO;
+      return;
+    }
+    bytes = bytes.subspan(static_cast<std::size_t>(count));
+    address += static_cast<std::uint64_t>(count);
+  }
+}
+
+}  // namespace pliant

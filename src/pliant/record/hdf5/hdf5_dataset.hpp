@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// A dataset of an HDF5 file that nobody vouches for: nothing is read that the file does not hold.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/record/hdf5/hdf5_session.hpp"
+
+namespace pliant {
+
+enum class ValueClass { integer, real, truth, named, text, other };
+
+/// An open dataset whose values lie within the file and can be decoded here.
+class Hdf5Dataset {
+ public:
+  /// Throws FileError on a filter that is not installed and on values in other files, InputError
+  /// when `path` is no dataset.
+  Hdf5Dataset(std::int64_t location, const std::string& path);
+
+  std::int64_t id() const { return id_; }
+  const std::string& path() const { return path_; }
+  const std::vector<std::uint64_t>& extents() const { return extents_; }
+  std::string shape() const;  ///< "(5, 10, 3)"
+  ValueClass value_class() const { return class_; }
+  std::size_t value_bytes() const { return value_bytes_; }
+
+  /// Rows [first, first + count) of the first dimension, converted to the type of `out`, which
+  /// has room for them. Throws InputError when they were never written.
+  void read_rows(std::uint64_t first, std::uint64_t count, std::span<double> out) const;
+  void read_rows(std::uint64_t first, std::uint64_t count, std::span<std::int64_t> out) const;
+
+  /// All values. Throws InputError when the dataset states more than its file can hold.
+  std::vector<double> reals() const;
+  std::vector<std::int64_t> integers() const;
+  std::vector<std::string> texts() const;
+
+  /// Throws InputError unless `values` values can be in the file.
+  void check_plausible(std::uint64_t values) const;
+  /// Names of an enumeration type by value, "" for those without; empty for other types.
+  std::vector<std::string> value_names() const;
+
+ private:
+  void check_source() const;
+  void check_written(std::uint64_t first, std::uint64_t count) const;
+  void read_numbers(std::uint64_t first, std::uint64_t count, std::int64_t memory_type,
+                    void* out) const;
+  std::uint64_t row_values() const;
+  std::uint64_t value_count() const;
+  std::vector<std::string> fixed_texts(std::size_t length) const;
+  std::vector<std::string> variable_texts() const;
+
+  std::string path_;
+  Hid id_;
+  Hid properties_;
+  std::vector<std::uint64_t> extents_;
+  std::vector<std::uint64_t> chunk_;  // empty: not chunked
+  std::size_t value_bytes_ = 0;
+  ValueClass class_ = ValueClass::other;
+};
+
+}  // namespace pliant

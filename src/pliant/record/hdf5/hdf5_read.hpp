@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Reading HDF5 files that nobody vouches for: no way out of the file, no memory for what is only
+// stated, and errors that name the path. Identifiers are HDF5's hid_t.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pliant/record/hdf5/hdf5_session.hpp"
+
+namespace pliant {
+
+/// Opens a file for reading. Throws FileError with a reason that says what to do.
+Hid open_hdf5(const std::filesystem::path& path);
+
+/// Whether `path` leads to an object within the file. Throws FileError on a link that leaves the
+/// file.
+bool has_object(std::int64_t location, const std::string& path);
+/// A group or dataset; throws like has_object, and when there is none.
+Hid open_object(std::int64_t location, const std::string& path);
+/// Names in the group, sorted; empty if there is no such group.
+std::vector<std::string> names_in(std::int64_t location, const std::string& group);
+/// Paths of all datasets below `group`, relative to it, sorted; soft links are not followed.
+std::vector<std::string> datasets_below(std::int64_t location, const std::string& group);
+
+/// The text of an attribute of fixed or variable length; nothing if there is none.
+std::optional<std::string> text_attribute(std::int64_t object, const char* name);
+std::optional<double> number_attribute(std::int64_t object, const char* name);
+
+}  // namespace pliant

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Graph XML: a framework with its positions in a text file, as StructGen of the thesis wrote them.
+//
+//   <graph dimension="3">
+//     <joint id="a" x="0" y="0" z="0" mass="12" pinned="true"/>
+//     <joint id="b" x="1" y="0" z="0"/>
+//     <bar a="a" b="b" length="1"/>
+//     <cycle joints="a b c"/>
+//   </graph>
+//
+// Positions and lengths are in Angstrom, masses in u. mass, pinned, length and cycle may be left
+// out: 1, false, the distance of the joints, and no word on cycles. dimension="2" is a framework of
+// the plane: joints without z have z = 0, and no push changes the z of a joint.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pliant/base/log.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/text/file_text.hpp"
+
+namespace pliant {
+
+/// What a graph XML file holds. The ids of joints are the names of `framework`'s atoms.
+struct Graph {
+  Framework framework;
+  std::vector<Vec3> positions;             ///< (N) Angstrom
+  std::vector<std::vector<Joint>> cycles;  ///< each as the joints along it
+};
+
+/// Whether a text looks like XML.
+bool looks_like_xml(std::string_view text);
+
+/// Throws InputError naming file, line and attribute; FileError if the file cannot be read.
+/// Warns of bars that cannot hold together and of bars given twice.
+Graph read_graph_xml(const std::filesystem::path& path, const Log& log = {});
+Graph parse_graph_xml(const SourceText& source, const Log& log = {});
+
+}  // namespace pliant

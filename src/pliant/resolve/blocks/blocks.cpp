@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/blocks/blocks.hpp"
+
+#include <memory>
+#include <vector>
+
+#include "pliant/resolve/blocks/block_solver.hpp"
+#include "pliant/resolve/blocks/near_pass.hpp"
+#include "pliant/resolve/blocks/outward_plan.hpp"
+#include "pliant/resolve/method/project_bar.hpp"
+#include "pliant/resolve/sweeps/sweeps.hpp"
+
+namespace pliant {
+namespace {
+
+/// A step of the pass with what the kernel needs beside it in memory.
+struct PassStep {
+  Joint near, far;
+  double rest;
+  BarIndex bar;
+  std::uint32_t block;
+};
+
+class BlockPass final : public Method {
+ public:
+  BlockPass(const Framework& framework, const Technique& technique, const ResolveOptions& options)
+      : framework_(framework),
+        options_(options),
+        planner_(framework),
+        finish_by_sweeps_({"bfs_reverse", 0.5, technique.mass_weighted}),
+        blocks_(framework, technique, options.tolerance, planner_.blocks()) {}
+
+  const MovedJoints* resolve_near(const ResolveCall& call, ResolveSummary& summary) override {
+    if (framework_.has_pinned_joints() || !blocks_.holds_all()) return nullptr;
+    if (!near_)
+      near_ = std::make_unique<NearPass>(framework_, planner_, blocks_, options_.tolerance);
+    const ResolveSummary before = summary;
+    if (near_->run(call, summary)) {
+      summary.stop = Stop::converged;
+      return &near_->moved();
+    }
+    near_->moved().put_back(call.positions);
+    summary = before;
+    return nullptr;
+  }
+
+  Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
+    if (is_whole(call.positions)) return Stop::converged;
+    if (!planned_ || planned_root_ != call.root) plan(call.root);
+    const bool all_whole = pass(call, summary);
+    ++summary.sweeps;
+    if (all_whole && !several_pinned()) return Stop::converged;
+    if (is_whole(call.positions)) return Stop::converged;
+    return sweep_the_rest(call, summary);
+  }
+
+ private:
+  /// With two or more pinned joints in one component bars between them are not free to follow.
+  bool several_pinned() const { return framework_.pinned_count() > 1; }
+
+  bool is_whole(std::span<const Vec3> positions) const {
+    return pliant::is_whole(framework_, positions, options_.tolerance);
+  }
+
+  void plan(Joint root) {
+    planner_.plan(root, outward_);
+    steps_.clear();
+    for (const OutwardStep& step : outward_)
+      steps_.push_back({step.near, step.far,
+                        step.block == no_block ? framework_.rest_lengths()[step.bar] : 0.0,
+                        step.bar, step.block});
+    planned_ = true;
+    planned_root_ = root;
+  }
+
+  bool pass(const ResolveCall& call, ResolveSummary& summary) {
+    bool all_whole = true;
+    for (const PassStep& step : steps_) {
+      if (step.block == no_block) {
+        project(call, step);
+        ++summary.projections;
+      } else {
+        all_whole =
+            blocks_.solve(step.block, step.near, call.key, call.positions, summary) && all_whole;
+      }
+    }
+    return all_whole;
+  }
+
+  void project(const ResolveCall& call, const PassStep& step) const {
+    if (framework_.is_pinned(step.far)) return;
+    carry_far(call.positions[step.near], call.positions[step.far], step.rest,
+              [&] { return escape_direction(call.key, step.bar, framework_.is_planar()); });
+  }
+
+  /// What Newton could not finish (redundant bars far from whole, coincident joints, impossible
+  /// lengths) is left to plain sweeps of all bars.
+  Stop sweep_the_rest(const ResolveCall& call, ResolveSummary& summary) {
+    if (!sweeps_) sweeps_ = make_sweeps(framework_, finish_by_sweeps_, options_);
+    const std::int64_t before = summary.sweeps;
+    const Stop stop = sweeps_->resolve(call, summary);
+    summary.finishing_sweeps = summary.sweeps - before;
+    return stop;
+  }
+
+  const Framework& framework_;
+  ResolveOptions options_;
+  OutwardPlanner planner_;
+  Technique finish_by_sweeps_;
+  BlockSolver blocks_;
+  std::vector<OutwardStep> outward_;
+  std::vector<PassStep> steps_;
+  std::unique_ptr<NearPass> near_;
+  std::unique_ptr<Method> sweeps_;
+  bool planned_ = false;
+  Joint planned_root_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Method> make_blocks(const Framework& framework, const Technique& technique,
+                                    const ResolveOptions& options) {
+  return std::make_unique<BlockPass>(framework, technique, options);
+}
+
+}  // namespace pliant

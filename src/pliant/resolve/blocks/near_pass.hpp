@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The outward pass of `blocks` after a push of one joint: it ends where nothing has moved.
+#pragma once
+
+#include <vector>
+
+#include "pliant/resolve/blocks/block_solver.hpp"
+#include "pliant/resolve/blocks/outward_plan.hpp"
+#include "pliant/resolve/method/method.hpp"
+#include "pliant/resolve/method/moved_joints.hpp"
+
+namespace pliant {
+
+/// Breadth first from the pushed joint over broken bars and blocks. A bar that is whole is left
+/// alone and nothing behind it is looked at. A bond behind which the chain bends passes on a part
+/// of the push only, so the region is small.
+class NearPass {
+ public:
+  /// All three must outlive it.
+  NearPass(const Framework& framework, const OutwardPlanner& planner, BlockSolver& blocks,
+           const Tolerance& tolerance);
+
+  /// False if a block could not be resolved; moved() then tells what to put back.
+  bool run(const ResolveCall& call, ResolveSummary& summary);
+  const MovedJoints& moved() const { return moved_; }
+
+ private:
+  void clear();
+  bool take(Joint joint, const ResolveCall& call, ResolveSummary& summary);
+  void project(Joint near, const Incidence& at, const ResolveCall& call);
+  bool solve(std::uint32_t block, Joint entry, const ResolveCall& call, ResolveSummary& summary);
+
+  const Framework& framework_;
+  const OutwardPlanner& planner_;
+  BlockSolver& blocks_;
+  Tolerance tolerance_;
+  MovedJoints moved_;
+  std::vector<std::uint8_t> is_entered_;  ///< by block
+  std::vector<std::uint32_t> entered_;
+  std::vector<Vec3> before_;  ///< of the joints of a block
+};
+
+}  // namespace pliant

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Bars that are swept together on positions of their own, plainly or with Anderson acceleration.
+//
+// Acceleration guards itself:
+// - An extrapolation moves the joints no further than all sweeps and extrapolations before it.
+// - A step of extrapolation after which a sweep moves the joints more than twice as far as the
+//   sweep before is taken back.
+// - Sweeps are accelerated for a while, then plain from the start for as long, then accelerated
+//   from where that was left for twice as long, and so on. What P plain sweeps resolve takes at
+//   most 3 P + 50 sweeps, wherever extrapolation leads.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pliant/resolve/sweeps/anderson.hpp"
+#include "pliant/resolve/sweeps/sweep_plan.hpp"
+
+namespace pliant {
+
+class SweepGroup {
+ public:
+  static constexpr std::int64_t first_stretch = 50;  ///< sweeps
+
+  /// `joints` are the ends of the group's bars, sorted.
+  SweepGroup(std::vector<Joint> joints, bool accelerated);
+
+  std::span<const Joint> joints() const { return joints_; }
+  std::size_t size() const { return plan_.size(); }  ///< bars
+
+  void clear_plan() { plan_.clear(); }
+  /// `visit` names joints of the framework.
+  void add(PlannedBar visit);
+
+  /// Takes the positions of its joints out of all `positions`.
+  void begin(std::span<const Vec3> positions);
+  /// The positions of joints() at this moment.
+  std::span<const Vec3> positions() const { return x_; }
+  Vec3 position(Joint joint) const { return x_[place(joint)]; }
+
+  /// Are the bars whole, by the last look?
+  Look state() const { return state_; }
+  /// Projects each bar once; then looks, and goes further if it is accelerated.
+  void sweep(const RandomKey& key);
+
+ private:
+  Joint place(Joint joint) const;
+  void accelerate(const RandomKey& key);
+  void change_track();
+  void go_no_further_than_the_path();
+
+  std::vector<Joint> joints_;
+  bool accelerated_;
+  SweepPlan plan_;
+  Look state_ = Look::broken;
+  std::vector<Vec3> x_;       ///< (joints) where sweeps happen
+  std::vector<Vec3> other_;   ///< the track that rests: plain while accelerated, and the reverse
+  std::vector<Vec3> f_;       ///< what a sweep did
+  std::vector<Vec3> last_g_;  ///< after the sweep before the last extrapolation
+  AndersonMixing mixing_;
+  double last_step_ = 0.0;     ///< square of how far the last accelerated sweep moved the joints
+  double path_ = 0.0;          ///< summed lengths of accelerated sweeps and extrapolations
+  bool extrapolated_ = false;  ///< x_ is an extrapolation of the last sweep
+  bool on_plain_track_ = false;
+  std::int64_t stretch_ = first_stretch, left_ = first_stretch;  ///< sweeps
+};
+
+}  // namespace pliant

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// In which sequence the bars are eliminated when the equations of all of them are solved at once
+// (fill-reducing ordering of the Gram matrix of the bars, whose graph is the line graph).
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pliant/resolve/direct/bar_pattern.hpp"
+
+namespace pliant {
+
+/// A sequence of the bars, as indices into `ends`. Bars that hang on a tree come first, leaves
+/// before what they hang on, which makes no entry that was not there; the others, on and between
+/// rings, follow by approximate minimum degree (Amestoy, Davis, Duff, SIAM J. Matrix Anal. 17
+/// (1996) 886). Linear in the bars and the pairs of bars that share a joint.
+std::vector<std::uint32_t> elimination_order(std::span<const EquationEnds> ends,
+                                             std::size_t joint_count);
+
+}  // namespace pliant

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: MIT
+// The nearest whole positions: of all positions x at which the bars of a part are whole, those that
+// minimise 1/2 sum_j m_j |x_j - y_j|^2, y being the broken ones (projection onto the constraint
+// manifold in the mass-weighted norm). With d, J, W of BarEquations and M = W^-1 the conditions are
+//
+//   M (x - y) + J(x)^T lambda = 0,   |d_k| = L_k                                (Karush, Kuhn,
+//   Tucker)
+//
+// and the Lagrange-Newton step (sequential quadratic programming) minimises
+// 1/2 s^T H s + (M (x - y) + J^T lambda)^T s over J s = -C with H = M + sum_k lambda_k (Laplacian
+// of bar k). s = n + t: n = -W J^T (J W J^T)^-1 C restores the bars, t keeps them to first order
+// and is found by conjugate gradients preconditioned with the projection onto such moves (Gould,
+// Hribar, Nocedal, SIAM J. Sci. Comput. 23 (2001) 1376), so that J W J^T is the only matrix ever
+// factored.
+#pragma once
+
+#include <vector>
+
+#include "pliant/resolve/direct/bar_newton.hpp"
+
+namespace pliant {
+
+/// What moves are weighed by, of the joints of the equations.
+struct JointScales {
+  std::vector<double> masses;   ///< u; 0 for pinned joints
+  std::vector<double> allowed;  ///< Angstrom, the least error that any of its bars is allowed
+};
+JointScales joint_scales(const BarEquations& equations);
+
+class NearestPoint {
+ public:
+  explicit NearestPoint(BarEquations& equations) : equations_(equations), newton_(equations) {}
+
+  struct Outcome {
+    bool whole = false;
+    std::int64_t iterations = 0;
+    std::int64_t dropped_bars = 0;
+    double off_nearest = 0.0;  ///< Angstrom, the largest move towards the nearest point still asked
+  };
+
+  /// Moves equations.positions() of the part to whole positions nearest to `broken` (of the joints
+  /// of the equations, in mass-weighted distance), beginning where they are.
+  Outcome find(BarEquations::Part part, std::span<const Vec3> broken, const RandomKey& key,
+               const MayGoOn& may_go_on);
+
+ private:
+  using Part = BarEquations::Part;
+
+  void reserve();
+  bool iterate(Part part, const MayGoOn& may_go_on, Outcome& outcome);
+  void slide(Part part, const MayGoOn& may_go_on, Outcome& outcome);
+  bool try_slide(Part part, const MayGoOn& may_go_on, Outcome& outcome);
+  bool restore(Part part, const MayGoOn& may_go_on, Outcome& outcome);
+  void find_moves(Part part, double radius, Outcome& outcome);
+  void polish(Part part, const BarEquations::Errors& before);
+
+  void find_restoring_move(Part part);
+  void find_multipliers(Part part);
+  void find_sliding_move(Part part, double radius);
+  bool is_loaded(Part part) const;
+  bool search(Part part, double radius, double& squared);
+  bool is_within(Part part, double step, double radius) const;
+  double step_to(Part part, double radius) const;
+  void project(Part part, std::span<Vec3> v);
+  void add_bent(Part part, std::span<const Vec3> v, std::span<Vec3> out) const;
+
+  double product(Part part, std::span<const Vec3> v, std::span<const Vec3> w) const;
+  double distance(Part part);
+  double largest(Part part, std::span<const Vec3> move) const;
+  double asked(Part part, std::span<const Vec3> move);
+  void clear(Part part, std::span<Vec3> v) const;
+  void add(Part part, double factor, std::span<const Vec3> v, std::span<Vec3> out) const;
+  void copy(Part part, std::span<const Vec3> from, std::span<Vec3> to) const;
+
+  BarEquations& equations_;
+  BarNewton newton_;
+  std::span<const Vec3> broken_;
+  RandomKey key_;
+  std::vector<double> lambda_, bars_;                ///< of bars: the multipliers, and scratch
+  std::vector<double> masses_, allowed_;             ///< of joints; 0 for pinned ones
+  std::vector<Vec3> restoring_, sliding_, kept_;     ///< of joints
+  std::vector<Vec3> residual_, direction_, curved_;  ///< of joints, of conjugate gradients
+};
+
+}  // namespace pliant

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/direct/newton.hpp"
+
+#include "pliant/resolve/direct/direct_method.hpp"
+#include "pliant/resolve/direct/nearest_point.hpp"
+
+namespace pliant {
+namespace {
+
+class NewtonSolver final : public PartSolver {
+ public:
+  explicit NewtonSolver(BarEquations& equations) : nearest_(equations) {}
+
+  Outcome solve(BarEquations::Part part, std::span<const Vec3> broken, const ResolveCall& call,
+                const MayGoOn& may_go_on) override {
+    const NearestPoint::Outcome found = nearest_.find(part, broken, call.key, may_go_on);
+    return {found.whole, found.iterations, found.dropped_bars, found.off_nearest};
+  }
+
+ private:
+  NearestPoint nearest_;
+};
+
+}  // namespace
+
+std::unique_ptr<Method> make_newton(const Framework& framework, const Technique&,
+                                    const ResolveOptions& options) {
+  return make_direct_method(framework, options, [](BarEquations& equations) {
+    return std::unique_ptr<PartSolver>(std::make_unique<NewtonSolver>(equations));
+  });
+}
+
+}  // namespace pliant

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// L D L^T (square-root free Cholesky) of very sparse symmetric matrices whose pattern stays the
+// same while their values change. What goes where is found out once and kept as one list of places,
+// so that a factorization is a single run through memory without search, branch or allocation:
+// molecules have two or three entries a column, where general solvers spend their time on
+// book-keeping.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pliant/resolve/direct/bar_pattern.hpp"
+
+namespace pliant {
+
+/// Several matrices beside one another on one diagonal: consecutive columns that no entry joins.
+class SparseLdl {
+ public:
+  /// An entry below the diagonal.
+  struct Entry {
+    std::uint32_t column, row;
+  };
+  /// Columns that are factored together.
+  using Range = PartRange;
+
+  /// Appends a matrix of `size` columns; `entries` count columns and rows from 0, in any order.
+  /// Returns its columns, or none (and appends nothing) where the factor would have too many
+  /// entries to be of use.
+  Range append(std::uint32_t size, std::vector<Entry> entries);
+
+  /// Entries below the diagonal of column k, those included that only factoring fills.
+  Range column(std::uint32_t k) const { return {column_begin_[k], column_begin_[k + 1]}; }
+  std::uint32_t row(std::uint32_t entry) const { return rows_[entry]; }
+  std::size_t entry_count() const { return rows_.size(); }
+  LdlPattern pattern() const {
+    return {column_begin_.data(), rows_.data(), target_begin_.data(), targets_.data()};
+  }
+
+  /// The matrix to be factored; `factor` overwrites it.
+  std::span<double> diagonal() { return diagonal_; }
+  std::span<double> lower() { return lower_; }
+
+  /// Columns whose pivot vanishes beside the diagonal entry they began with (they depend on earlier
+  /// ones) are left out: their unknown will be 0. Returns how many.
+  std::int64_t factor(Range range);
+  /// Solves in place; `b` has the length of the whole diagonal.
+  void solve(Range range, std::span<double> b) const;
+
+ private:
+  bool find_pattern(std::uint32_t size, std::uint32_t base, const std::vector<Entry>& entries);
+  void find_targets(Range range);
+  void truncate(std::uint32_t columns);
+
+  std::vector<std::uint32_t> column_begin_{0};  ///< (columns + 1) into rows_
+  std::vector<std::uint32_t> rows_;
+  std::vector<std::uint64_t> target_begin_{0};  ///< (columns + 1) into targets_
+  std::vector<std::uint32_t>
+      targets_;  ///< for each pair of entries of a column: the one they change
+  std::vector<double> diagonal_, inverse_, lower_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/lanes/lane_direct.hpp"
+
+#include <algorithm>
+
+#include "pliant/resolve/direct/direct_method.hpp"
+#include "pliant/resolve/direct/nearest_point.hpp"
+
+namespace pliant {
+namespace {
+
+/// The loop over components.
+class LaneDirect : public LaneMethod {
+ public:
+  explicit LaneDirect(const LaneSetting& setting)
+      : kernels_(setting.kernels),
+        most_iterations_(setting.options.max_sweeps),
+        components_(setting.framework, setting.options.tolerance) {
+    for (const BarEquations::Part part : components_.parts())
+      scratch_.fit(components_.equations().pattern(part));
+  }
+
+  bool is_entangled() const { return components_.entangled(); }
+  bool any_overbraced() const {
+    return std::any_of(components_.parts().begin(), components_.parts().end(),
+                       BarNewton::is_overbraced);
+  }
+
+  void resolve(const LaneCall& call) override {
+    LaneMask active = call.lanes;
+    for (const BarEquations::Part part : components_.parts())
+      count(call, part, solve(call, components_.equations().pattern(part)), active);
+    if (active != 0) call.end.finish(active, Stop::converged);
+  }
+
+ protected:
+  virtual LaneOutcome solve(const LaneCall& call, const BarPattern& part) = 0;
+
+  const LaneKernels& kernels_;
+  std::int64_t most_iterations_;
+  ComponentEquations components_;
+  LaneScratch scratch_;
+
+ private:
+  static void count(const LaneCall& call, BarEquations::Part part, const LaneOutcome& outcome,
+                    LaneMask& active) {
+    active = LaneMask(active & outcome.whole);
+    call.each(active, [&](ResolveSummary& summary, std::size_t lane) {
+      const auto iterations = static_cast<std::int64_t>(outcome.iterations[lane]);
+      summary.sweeps = std::max(summary.sweeps, iterations);
+      summary.projections += iterations * std::int64_t(part.bars.size());
+      summary.dropped_bars += static_cast<std::int64_t>(outcome.dropped_bars[lane]);
+      summary.off_nearest = std::max(summary.off_nearest, outcome.off_nearest[lane]);
+    });
+  }
+};
+
+class LaneShake final : public LaneDirect {
+ public:
+  using LaneDirect::LaneDirect;
+  bool needs_reference() const override { return true; }
+
+ private:
+  LaneOutcome solve(const LaneCall& call, const BarPattern& part) override {
+    return kernels_.shake(part, scratch_.room(), call.reference, most_iterations_, call.positions);
+  }
+};
+
+class LaneNewton final : public LaneDirect {
+ public:
+  explicit LaneNewton(const LaneSetting& setting)
+      : LaneDirect(setting), scales_(joint_scales(components_.equations())) {
+    std::size_t joints = 0, bars = 0;
+    for (const BarEquations::Part part : components_.parts()) {
+      joints = std::max<std::size_t>(joints, part.joints.size());
+      bars = std::max<std::size_t>(bars, part.bars.size());
+    }
+    for (auto& of_joints : of_joints_) of_joints.resize(joints);
+    for (auto& of_bars : of_bars_) of_bars.resize(bars);
+  }
+
+ private:
+  LaneOutcome solve(const LaneCall& call, const BarPattern& part) override {
+    return kernels_.nearest(part, scratch_.room(), nearest_room(part), most_iterations_,
+                            call.positions);
+  }
+
+  LaneNearestRoom nearest_room(const BarPattern& part) {
+    auto& v = of_joints_;
+    return {v[0].data(),
+            v[1].data(),
+            v[2].data(),
+            v[3].data(),
+            v[4].data(),
+            v[5].data(),
+            of_bars_[0].data(),
+            of_bars_[1].data(),
+            scales_.masses.data() + part.joints.begin,
+            scales_.allowed.data() + part.joints.begin};
+  }
+
+  JointScales scales_;
+  std::vector<LaneVector> of_joints_[6];
+  std::vector<LaneValue> of_bars_[2];
+};
+
+}  // namespace
+
+std::unique_ptr<LaneMethod> make_lane_newton(const LaneSetting& setting) {
+  auto method = std::make_unique<LaneNewton>(setting);
+  if (method->is_entangled() || method->any_overbraced()) return nullptr;
+  return method;
+}
+
+std::unique_ptr<LaneMethod> make_lane_shake(const LaneSetting& setting) {
+  auto method = std::make_unique<LaneShake>(setting);
+  if (method->is_entangled()) return nullptr;
+  return method;
+}
+
+}  // namespace pliant

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+// What a resolve did: why it stopped, how far it came, what it took.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "pliant/framework/frame.hpp"
+#include "pliant/framework/framework.hpp"
+
+namespace pliant {
+
+/// What a resolve did. Numbers start at -1 so that "never ran" is visible.
+struct ResolveSummary {
+  Stop stop = Stop::stopped_by_caller;
+  std::int64_t sweeps = -1;       ///< passes over the ordering in one direction
+  std::int64_t projections = -1;  ///< bars looked at, summed over the sweeps
+  double max_residual = -1.0;     ///< largest |length - rest| / rest at the end
+  double rms_residual = -1.0;     ///< its root mean square at the end
+  BarIndex worst_bar = 0;         ///< the bar of max_residual
+  double seconds = -1.0;          ///< wall time
+  /// Direct methods: bars left out of the last equations because they depend on others.
+  std::int64_t dropped_bars = -1;
+  /// Direct methods: sweeps, among `sweeps`, that finished what the method could not.
+  std::int64_t finishing_sweeps = -1;
+  /// `newton`: the largest move towards the nearest whole positions that was still asked for at the
+  /// last look (Angstrom); the last move has been made after it.
+  double off_nearest = -1.0;
+
+  bool converged() const { return stop == Stop::converged; }
+  /// "converged: 12 sweeps, 300 projections, worst bar C1 - C2 off by 8.1e-07 of its length".
+  std::string brief(const Framework& framework) const;
+};
+
+}  // namespace pliant

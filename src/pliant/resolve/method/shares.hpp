@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Shares: how much of a bar's correction each of its joints takes.
+#pragma once
+
+#include <utility>
+
+#include "pliant/framework/framework.hpp"
+#include "pliant/resolve/method/technique.hpp"
+
+namespace pliant {
+
+/// Shares (near, far) of a correction. They sum to 1; both are 0 when both joints are pinned. A
+/// pinned joint takes nothing, and its partner all.
+std::pair<double, double> shares(const Technique& technique, const OrderedBar& visit,
+                                 const Framework& framework);
+
+}  // namespace pliant

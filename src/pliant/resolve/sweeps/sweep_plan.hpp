@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// A planned sweep: bars in the order of their visits, each with all that the kernel needs.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pliant/framework/framework.hpp"
+#include "pliant/framework/residual.hpp"
+#include "pliant/resolve/method/technique.hpp"
+
+namespace pliant {
+
+/// A visit with everything that the kernel needs beside it in memory.
+struct PlannedBar {
+  Joint near, far;  ///< places in the positions that are swept
+  double rest, near_share, far_share;
+  double allowed;  ///< largest |length - rest| that counts as whole
+  BarIndex bar;
+  bool planar;  ///< joints that coincide part in the plane
+};
+
+/// `visit` with its shares and tolerance.
+PlannedBar planned(const Framework& framework, const Technique& technique,
+                   const Tolerance& tolerance, const OrderedBar& visit);
+
+enum class Look { all_whole, broken, not_finite };
+
+class SweepPlan {
+ public:
+  void clear() { visits_.clear(); }
+  void add(const PlannedBar& visit) { visits_.push_back(visit); }
+  std::size_t size() const { return visits_.size(); }
+
+  /// Projects each bar once. `key` gives the directions in which coincident joints part.
+  void sweep(std::span<Vec3> positions, const RandomKey& key, bool backwards = false) const;
+
+  /// Is every bar whole? Begins where the last look found a broken bar, so that as long as much is
+  /// broken a look costs next to nothing.
+  Look look(std::span<const Vec3> positions);
+  /// Forgets where the last look ended, so that a resolve depends on no resolve before it.
+  void begin() { hint_ = 0; }
+
+ private:
+  Look look_at(std::span<const Vec3> positions, std::size_t from, std::size_t to);
+
+  std::vector<PlannedBar> visits_;
+  std::size_t hint_ = 0;
+};
+
+}  // namespace pliant

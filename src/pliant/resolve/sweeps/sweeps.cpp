@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/sweeps/sweeps.hpp"
+
+#include "pliant/resolve/sweeps/sweep_plan.hpp"
+
+namespace pliant {
+namespace {
+
+/// The plan (ordering with shares) and the loop over sweeps.
+class Sweeps final : public Method {
+ public:
+  Sweeps(const Framework& framework, const Technique& technique, const ResolveOptions& options)
+      : framework_(framework),
+        technique_(technique),
+        options_(options),
+        entry_(find_ordering(technique.name)) {}
+
+  Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
+    key_ = call.key;
+    return sweep_until_whole(call.positions, call.root, summary);
+  }
+
+ private:
+  Stop sweep_until_whole(std::span<Vec3> positions, Joint root, ResolveSummary& summary) {
+    prepare_first(positions, root);
+    for (;;) {
+      switch (plan_.look(positions)) {
+        case Look::all_whole:
+          return Stop::converged;
+        case Look::not_finite:
+          return Stop::not_finite;
+        case Look::broken:
+          break;
+      }
+      if (summary.sweeps == options_.max_sweeps) return Stop::max_sweeps;
+      if (summary.sweeps > 0) {
+        if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
+        if (entry_.repeat == Repeat::reorder) plan_sweep(positions, root, summary.sweeps);
+      }
+      plan_.sweep(positions, key_, entry_.repeat == Repeat::reverse && summary.sweeps % 2 == 1);
+      ++summary.sweeps;
+      summary.projections += static_cast<std::int64_t>(plan_.size());
+    }
+  }
+
+  /// The plan of the last call is kept if it would come out the same.
+  void prepare_first(std::span<const Vec3> positions, Joint root) {
+    plan_.begin();
+    if (entry_.repeat != Repeat::reorder && planned_ && planned_root_ == root) return;
+    plan_sweep(positions, root, 0);
+    planned_ = true;
+    planned_root_ = root;
+  }
+
+  void plan_sweep(std::span<const Vec3> positions, Joint root, std::int64_t sweep) {
+    std::swap(ordering_, last_ordering_);
+    entry_.order({framework_, root, sweep, key_, positions, sweep > 0 ? &last_ordering_ : nullptr,
+                  technique_.ordering.get()},
+                 scratch_, ordering_);
+    plan_.clear();
+    for (const OrderedBar& visit : ordering_)
+      plan_.add(planned(framework_, technique_, options_.tolerance, visit));
+  }
+
+  const Framework& framework_;
+  Technique technique_;
+  ResolveOptions options_;
+  const OrderingEntry& entry_;
+  RandomKey key_;
+  Ordering ordering_, last_ordering_;
+  OrderScratch scratch_;
+  SweepPlan plan_;
+  bool planned_ = false;
+  Joint planned_root_ = 0;
+};
+
+}  // namespace
+
+std::unique_ptr<Method> make_sweeps(const Framework& framework, const Technique& technique,
+                                    const ResolveOptions& options) {
+  return std::make_unique<Sweeps>(framework, technique, options);
+}
+
+}  // namespace pliant

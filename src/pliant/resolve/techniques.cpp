@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/techniques.hpp"
+
+#include <vector>
+
+#include "pliant/base/choices.hpp"
+#include "pliant/base/number.hpp"
+#include "pliant/framework/graph.hpp"
+#include "pliant/order/check_ordering.hpp"
+#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/blocks/blocks.hpp"
+#include "pliant/resolve/blocks/ring_sweeps.hpp"
+#include "pliant/resolve/direct/newton.hpp"
+#include "pliant/resolve/direct/shake.hpp"
+#include "pliant/resolve/lanes/lane_blocks.hpp"
+#include "pliant/resolve/lanes/lane_direct.hpp"
+#include "pliant/resolve/lanes/lane_sweeps.hpp"
+#include "pliant/resolve/method/method.hpp"
+#include "pliant/resolve/sweeps/local_sweeps.hpp"
+#include "pliant/resolve/sweeps/sweeps.hpp"
+#include "pliant/resolve/units/units.hpp"
+
+namespace pliant {
+namespace {
+
+std::vector<TechniqueEntry> all_techniques() {
+  std::vector<TechniqueEntry> rows;
+  rows.push_back({"auto", "chosen by what the bars form: blocks, units, newton or anderson", false,
+                  false, make_automatic});
+  for (const OrderingEntry& row : orderings())
+    rows.push_back({row.name, row.summary, row.forests_only, true, make_sweeps, make_lane_sweeps});
+  rows.push_back({"bfs_local", "bfs_cycle, of the region that a push of one joint disturbs", false,
+                  true, make_local_sweeps, make_lane_local_sweeps});
+  rows.push_back({"blocks",
+                  "bridges exact in one outward pass, each ring system alone by Newton's method",
+                  false, false, make_blocks, make_lane_blocks});
+  rows.push_back({"anderson", "bfs_cycle with Anderson acceleration from sweep to sweep", false,
+                  true, make_anderson});
+  rows.push_back({"rings_first",
+                  "each ring system alone by bfs_cycle, then bridges in one outward pass", false,
+                  false, make_rings_first});
+  rows.push_back({"rings_anderson", "rings_first with Anderson acceleration in each ring system",
+                  false, false, make_rings_anderson});
+  rows.push_back({"newton", "the nearest whole positions, weighted by mass", false, false,
+                  make_newton, make_lane_newton});
+  rows.push_back({"shake",
+                  "along the bars as they were before the push, by inverse mass (SHAKE, CCMA)",
+                  false, false, make_shake, make_lane_shake});
+  rows.push_back(
+      {"units", "rigid units (angles, small rings) placed exactly in one outward pass over hinges",
+       false, false, make_units});
+  rows.push_back({"units_nearest",
+                  "units, then all hinges turned at once towards where the joints were", false,
+                  false, make_units_nearest});
+  return rows;
+}
+
+void check_given_ordering(const Technique& technique, const Framework& framework) {
+  if (!technique.ordering) return;
+  const std::string fault = check_ordering(framework, *technique.ordering, {.tree_bars = false});
+  if (!fault.empty()) throw OptionError("ordering: " + fault);
+}
+
+}  // namespace
+
+std::span<const TechniqueEntry> techniques() {
+  static const std::vector<TechniqueEntry> rows = all_techniques();
+  return rows;
+}
+
+const TechniqueEntry& find_technique(std::string_view name) {
+  return choose(techniques(), "technique", name);
+}
+
+void check(const Technique& technique) {
+  find_technique(technique.name);
+  if (!(technique.weighting >= 0.0 && technique.weighting <= 1.0))
+    throw OptionError("weighting = " + number_text(technique.weighting) + ": must be from 0 to 1");
+  if (technique.ordering && technique.name != "input")
+    throw OptionError("ordering: goes with the technique input, not with " + technique.name);
+}
+
+void check(const Technique& technique, const Framework& framework) {
+  check(technique);
+  check_given_ordering(technique, framework);
+  if (!find_technique(technique.name).forests_only) return;
+  const GraphFacts facts = graph_facts(framework);
+  if (facts.is_forest()) return;
+  throw OptionError("technique = " + technique.name +
+                    ": is for trees only, but the framework has " + std::to_string(facts.cycles) +
+                    (facts.cycles == 1 ? " independent cycle" : " independent cycles"));
+}
+
+}  // namespace pliant

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// The table of techniques: every ordering is a row, and every direct method.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+#include "pliant/framework/framework.hpp"
+#include "pliant/resolve/method/technique.hpp"
+
+namespace pliant {
+
+class Method;
+class LaneMethod;
+struct LaneSetting;
+struct ResolveOptions;
+
+/// One row of the table of techniques: every ordering is a row, and every direct method.
+struct TechniqueEntry {
+  std::string_view name;
+  std::string_view summary;
+  bool forests_only = false;  ///< leaves bars out that close a cycle
+  bool has_weighting = true;  ///< Technique::weighting means something
+  /// Makes what resolves; all three outlive it.
+  std::unique_ptr<Method> (*make)(const Framework& framework, const Technique& technique,
+                                  const ResolveOptions& options) = nullptr;
+  /// Makes what resolves eight walkers at once, or none for such a framework. Null: no such way.
+  std::unique_ptr<LaneMethod> (*make_lanes)(const LaneSetting& setting) = nullptr;
+};
+
+std::span<const TechniqueEntry> techniques();
+
+/// The row of that name. Throws OptionError listing the known names.
+const TechniqueEntry& find_technique(std::string_view name);
+
+/// Throws OptionError if the technique is unknown, the weighting is not in [0, 1], or an ordering
+/// goes with another technique than `input`.
+void check(const Technique& technique);
+
+/// Throws OptionError if the technique leaves bars of this framework out, or if its ordering is
+/// none of this framework.
+void check(const Technique& technique, const Framework& framework);
+
+}  // namespace pliant

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/units/loop_closure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant {
+namespace {
+
+constexpr std::size_t most_gaps = 60;
+constexpr std::size_t most_turns = 4000;
+constexpr int most_steps = 60;
+constexpr int most_halvings = 8;
+/// Largest turn of one step (radians): beyond it first order says little.
+constexpr double largest_turn = 0.5;
+/// Least pivot, relative to its diagonal, of loops that torsions can close: flat rings, all of
+/// whose hinges lie in one plane, are beyond it.
+constexpr double least_pivot = 1e-7;
+
+/// Solves A x = b in place by Cholesky's L L^T; A (n x n) is overwritten. False if A is not
+/// positive.
+bool solve_positive(std::vector<double>& a, std::vector<double>& b) {
+  const std::size_t n = b.size();
+  for (std::size_t j = 0; j < n; ++j) {
+    const double diagonal = a[j * n + j];
+    for (std::size_t k = 0; k < j; ++k)
+      for (std::size_t i = j; i < n; ++i) a[i * n + j] -= a[i * n + k] * a[j * n + k];
+    if (!(a[j * n + j] > least_pivot * diagonal)) return false;
+    const double inverse = 1.0 / std::sqrt(a[j * n + j]);
+    for (std::size_t i = j; i < n; ++i) a[i * n + j] *= inverse;
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t k = 0; k < i; ++k) b[i] -= a[i * n + k] * b[k];
+    b[i] /= a[i * n + i];
+  }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t k = i + 1; k < n; ++k) b[i] -= a[k * n + i] * b[k];
+    b[i] /= a[i * n + i];
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<LoopClosure> LoopClosure::make(const UnitSet& set, const UnitShapes& shapes,
+                                             const UnitGraph& graph) {
+  LoopClosure made;
+  std::vector<std::int32_t> body_of(set.size(), -1), owner_of(graph.connections.size(), -1);
+  std::vector<std::uint32_t> waiting{0};
+  body_of[0] = 0;
+  made.add_body(set, shapes, 0);
+  for (std::size_t next = 0; next < waiting.size(); ++next)
+    for (const Incidence& link : graph.links.neighbours(waiting[next])) {
+      std::int32_t& owner = owner_of[link.joint - graph.units];
+      if (owner >= 0) continue;
+      owner = static_cast<std::int32_t>(next);
+      const UnitConnection& at = graph.connection(link.joint);
+      for (const Incidence& to : graph.links.neighbours(link.joint)) {
+        if (to.joint == waiting[next]) continue;
+        if (body_of[to.joint] >= 0) {
+          made.add_gaps(std::size_t(body_of[to.joint]), next, at);
+          continue;
+        }
+        body_of[to.joint] = static_cast<std::int32_t>(made.bodies_.size());
+        waiting.push_back(to.joint);
+        made.add_body(set, shapes, to.joint);
+        made.hang(made.bodies_.size() - 1, next, at);
+      }
+    }
+  if (waiting.size() < set.size() || made.gaps_.size() > most_gaps ||
+      made.turns_.size() > most_turns)
+    return std::nullopt;
+  made.places_ = made.targets_ = made.kept_ = made.shape_;
+  made.motions_.resize(made.bodies_.size());
+  made.side_.resize(made.bodies_.size());
+  made.residual_.resize(made.equations_);
+  made.jacobian_.resize(made.residual_.size() * made.turns_.size());
+  made.matrix_.resize(made.residual_.size() * made.residual_.size());
+  made.step_.resize(made.turns_.size());
+  return made;
+}
+
+void LoopClosure::add_body(const UnitSet& set, const UnitShapes& shapes, std::uint32_t unit) {
+  Body body;
+  body.first = static_cast<std::uint32_t>(joints_.size());
+  body.count = static_cast<std::uint32_t>(set.of(unit).size());
+  body.mirror_allowed = shapes.kinds[unit] == ShapeKind::lengths;
+  joints_.insert(joints_.end(), set.of(unit).begin(), set.of(unit).end());
+  for (std::size_t k = set.first[unit]; k < set.first[unit + 1]; ++k)
+    shape_.push_back(shapes.points[k]);
+  bodies_.push_back(body);
+}
+
+std::uint32_t LoopClosure::copy_of(std::size_t body, Joint joint) const {
+  const auto first = joints_.begin() + bodies_[body].first;
+  return static_cast<std::uint32_t>(std::lower_bound(first, first + bodies_[body].count, joint) -
+                                    joints_.begin());
+}
+
+void LoopClosure::hang(std::size_t index, std::size_t parent, const UnitConnection& at) {
+  Body& body = bodies_[index];
+  body.parent = static_cast<std::int32_t>(parent);
+  body.a = copy_of(parent, at.a), body.b = copy_of(parent, at.b);
+  body.own_a = copy_of(index, at.a), body.own_b = copy_of(index, at.b);
+  body.first_turn = static_cast<std::uint32_t>(turns_.size());
+  body.turns = static_cast<std::uint32_t>(at.freedom());
+  turns_.resize(turns_.size() + body.turns);
+}
+
+void LoopClosure::add_gaps(std::size_t body, std::size_t owner, const UnitConnection& at) {
+  for (Joint joint : {at.a, at.b}) {
+    gaps_.push_back({copy_of(body, joint), copy_of(owner, joint), static_cast<std::int32_t>(body),
+                     static_cast<std::int32_t>(owner), 0, false});
+    gaps_.back().first = equations_;
+    gaps_.back().is_second = joint != at.a;
+    equations_ += joint == at.a ? 3 : 2;
+    if (!at.is_hinge()) break;
+  }
+}
+
+void LoopClosure::place_all(std::span<const Vec3> positions, Vec3 origin) {
+  for (std::size_t k = 0; k < joints_.size(); ++k) targets_[k] = positions[joints_[k]] - origin;
+  for (const Body& body : bodies_) {
+    if (body.turns == 1) {
+      place_by_torsion(body);
+    } else {
+      place_by_rotation(body);
+    }
+  }
+}
+
+/// About the shared joint, or about the centroid of the first body.
+void LoopClosure::place_by_rotation(const Body& body) {
+  Vec3 middle, goal;
+  for (std::size_t k = body.first; k < body.first + body.count; ++k) {
+    middle += (1.0 / body.count) * shape_[k];
+    goal += (1.0 / body.count) * targets_[k];
+  }
+  if (body.parent >= 0) middle = shape_[body.own_a], goal = places_[body.a];
+  RotationFit fit;
+  for (std::size_t k = body.first; k < body.first + body.count; ++k)
+    fit.add(shape_[k] - middle, targets_[k] - goal, 1.0);
+  Rotation rotation;
+  const bool mirrored = fit.solve(body.mirror_allowed, rotation) == RotationFit::Outcome::mirrored;
+  for (std::size_t k = body.first; k < body.first + body.count; ++k)
+    places_[k] = goal + (mirrored ? -1.0 : 1.0) * rotation(shape_[k] - middle);
+}
+
+void LoopClosure::place_by_torsion(const Body& body) {
+  const auto unit = [](Vec3 v) { return (1.0 / norm(v)) * v; };
+  const Vec3 from = shape_[body.own_a], to = places_[body.a];
+  const AxisBasis own(unit(shape_[body.own_b] - from)), here(unit(places_[body.b] - to));
+  TorsionFit fit;
+  for (std::size_t k = body.first; k < body.first + body.count; ++k) {
+    const Vec3 s = shape_[k] - from, t = targets_[k] - to;
+    fit.add(dot(s, own.e1), dot(s, own.e2), dot(t, here.e1), dot(t, here.e2), 1.0);
+  }
+  TorsionFit::Turn turn = fit.solve(body.mirror_allowed);
+  if (!(turn.strength > 0.0)) turn = {};
+  const Vec3 c1 = turn.cosine * here.e1 + turn.sine * here.e2;
+  const Vec3 c2 = turn.v_sign * (turn.cosine * here.e2 - turn.sine * here.e1);
+  for (std::size_t k = body.first; k < body.first + body.count; ++k) {
+    const Vec3 s = shape_[k] - from;
+    places_[k] = to + (dot(s, own.axis) * here.axis + dot(s, own.e1) * c1 + dot(s, own.e2) * c2);
+  }
+}
+
+double LoopClosure::measure_gaps() {
+  double widest = 0.0;
+  for (const Gap& gap : gaps_) {
+    const double width = distance(places_[gap.one], places_[gap.other]);
+    if (!(width <= widest)) widest = width;
+  }
+  return widest;
+}
+
+void LoopClosure::find_turns() {
+  constexpr Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+  for (const Body& body : bodies_) {
+    const Vec3 through = body.parent >= 0 ? places_[body.a] : Vec3{};
+    for (std::uint32_t k = 0; k < body.turns; ++k) turns_[body.first_turn + k] = {axes[k], through};
+    if (body.turns != 1) continue;
+    const Vec3 along = places_[body.b] - through;
+    turns_[body.first_turn].axis = (1.0 / norm(along)) * along;
+  }
+}
+
+/// The second joint of a hinge is at its distance from the first already: it meets its copy if it
+/// does so at right angles to the hinge.
+void LoopClosure::set_directions(const Gap& gap) {
+  directions_ = {Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
+  if (!gap.is_second) return;
+  const Vec3 along = places_[gap.other] - places_[(&gap - 1)->other];
+  const AxisBasis basis((1.0 / norm(along)) * along);
+  directions_ = {basis.e1, basis.e2, Vec3{}};
+}
+
+/// The rows of one gap: turns on the way to one copy only. What turns both changes nothing.
+void LoopClosure::fill_rows(const Gap& gap) {
+  set_directions(gap);
+  const std::size_t rows = gap.is_second ? 2 : 3, n = turns_.size();
+  const Vec3 r = places_[gap.one] - places_[gap.other];
+  for (std::size_t i = 0; i < rows; ++i) residual_[gap.first + i] = dot(directions_[i], r);
+  std::fill(side_.begin(), side_.end(), std::int8_t{0});
+  for (std::int32_t k = gap.body; k >= 0; k = bodies_[std::size_t(k)].parent)
+    side_[std::size_t(k)] += 1;
+  for (std::int32_t k = gap.other_body; k >= 0; k = bodies_[std::size_t(k)].parent)
+    side_[std::size_t(k)] -= 1;
+  const auto fill_way = [&](std::int32_t from, std::int8_t side, Vec3 point) {
+    for (std::int32_t k = from; k >= 0; k = bodies_[std::size_t(k)].parent) {
+      const Body& body = bodies_[std::size_t(k)];
+      if (side_[std::size_t(k)] != side) continue;
+      for (std::uint32_t t = body.first_turn; t < body.first_turn + body.turns; ++t) {
+        const Vec3 d = double(side) * cross(turns_[t].axis, point - turns_[t].through);
+        for (std::size_t i = 0; i < rows; ++i)
+          jacobian_[(gap.first + i) * n + t] = dot(directions_[i], d);
+      }
+    }
+  };
+  fill_way(gap.body, 1, places_[gap.one]);
+  fill_way(gap.other_body, -1, places_[gap.other]);
+}
+
+bool LoopClosure::solve_step() {
+  find_turns();
+  std::fill(jacobian_.begin(), jacobian_.end(), 0.0);
+  for (const Gap& gap : gaps_) fill_rows(gap);
+  const std::size_t m = residual_.size(), n = turns_.size();
+  for (std::size_t i = 0; i < m; ++i)
+    for (std::size_t j = 0; j <= i; ++j) {
+      double sum = 0.0;
+      for (std::size_t k = 0; k < n; ++k) sum += jacobian_[i * n + k] * jacobian_[j * n + k];
+      matrix_[i * m + j] = sum;
+    }
+  if (!solve_positive(matrix_, residual_)) return false;
+  double largest = 0.0;
+  for (std::size_t k = 0; k < n; ++k) {
+    step_[k] = 0.0;
+    for (std::size_t i = 0; i < m; ++i) step_[k] -= jacobian_[i * n + k] * residual_[i];
+  }
+  for (const Body& body : bodies_) largest = std::max(largest, norm(turn_vector(body)));
+  if (largest > largest_turn)
+    for (double& turn : step_) turn *= largest_turn / largest;
+  return std::isfinite(largest);
+}
+
+/// Axis times angle of the turns of a body together (radians).
+Vec3 LoopClosure::turn_vector(const Body& body) const {
+  Vec3 sum;
+  for (std::uint32_t t = body.first_turn; t < body.first_turn + body.turns; ++t)
+    sum += step_[t] * turns_[t].axis;
+  return sum;
+}
+
+/// Turns every body about the hinges on its way from the first, innermost last.
+void LoopClosure::apply(double share) {
+  for (std::size_t k = 0; k < bodies_.size(); ++k) {
+    const Body& body = bodies_[k];
+    Motion& motion = motions_[k];
+    motion = body.parent >= 0 ? motions_[std::size_t(body.parent)] : Motion{};
+    const Vec3 vector = turn_vector(body);
+    const double angle = norm(vector);
+    if (angle > 0.0) {
+      const Rotation turn = turn_about((1.0 / angle) * vector, 0.5 * share * angle);
+      const Vec3 through = turns_[body.first_turn].through;
+      motion = {product(motion.rotation, turn), motion(through - turn(through))};
+    }
+    for (std::size_t j = body.first; j < body.first + body.count; ++j)
+      places_[j] = motion(kept_[j]);
+  }
+}
+
+bool LoopClosure::close(std::span<Vec3> positions, double gap) {
+  const Vec3 origin = positions[joints_[0]];
+  place_all(positions, origin);
+  double width = measure_gaps();
+  for (int step = 0; step < most_steps && width > gap; ++step) {
+    keep();
+    if (!std::isfinite(width) || !solve_step()) return false;
+    double share = 1.0, now = width;
+    for (int halving = 0; halving <= most_halvings; ++halving, share *= 0.5) {
+      apply(share);
+      now = measure_gaps();
+      if (now < width) break;
+    }
+    if (!(now < width)) return false;
+    width = now;
+  }
+  if (!(width <= gap)) return false;
+  for (std::size_t k = joints_.size(); k-- > 0;) positions[joints_[k]] = origin + places_[k];
+  return true;
+}
+
+}  // namespace pliant

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Closes loops of rigid units by their torsions (ring closure, inverse kinematics of closed
+// chains).
+//
+// The units are placed outward along a tree, each where it fits best; where the tree leaves a loop
+// open two units have different places for the same joints. The gaps r are closed by the smallest
+// change of the torsions d that does so to first order, again and again:
+//
+//   d = - J^T (J J^T)^-1 r,   J = dr/dd: n x (x - a) for a joint x beyond a hinge n through a
+//
+// (Gauss, Newton; of least norm as in Deuflhard, Newton Methods for Nonlinear Problems, 4.4). A
+// step that does not pay is halved. Bonds and angles stay exact all the while.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pliant/base/best_fit.hpp"
+#include "pliant/rigidity/unit_graph.hpp"
+#include "pliant/rigidity/unit_shape.hpp"
+
+namespace pliant {
+
+class LoopClosure {
+ public:
+  /// Of the units of `set`, whose shapes are all known, hanging together as `graph` says. Null if
+  /// the loops are too many for dense equations. Nothing of this needs to outlive it.
+  static std::optional<LoopClosure> make(const UnitSet& set, const UnitShapes& shapes,
+                                         const UnitGraph& graph);
+
+  /// Moves `positions` (N) until no gap is wider than `gap` (Angstrom). False, and nothing moved,
+  /// if the gaps stop closing.
+  bool close(std::span<Vec3> positions, double gap);
+
+ private:
+  struct Body {
+    std::uint32_t first = 0, count = 0;  ///< into joints_, shape_, places_
+    std::int32_t parent = -1;            ///< place in bodies_; the parent comes before
+    std::uint32_t a = 0, b = 0;          ///< places of the shared joints with the parent in joints_
+    std::uint32_t own_a = 0, own_b = 0;  ///< the same joints as the body's own
+    std::uint32_t first_turn = 0;        ///< into turns_: one for a hinge, three for a ball
+    std::uint32_t turns = 0;
+    bool mirror_allowed = false;
+  };
+  /// Two copies of one joint that must meet.
+  struct Gap {
+    std::uint32_t one, other;  ///< places in joints_
+    std::int32_t body, other_body;
+    std::uint32_t first;  ///< of its equations: three, or two
+    bool is_second;       ///< of a hinge, whose first joint is the gap before
+  };
+  struct Turn {
+    Vec3 axis, through;
+  };
+  struct Motion {
+    Rotation rotation;
+    Vec3 shift;
+    Vec3 operator()(Vec3 p) const { return rotation(p) + shift; }
+  };
+
+  LoopClosure() = default;
+  void add_body(const UnitSet& set, const UnitShapes& shapes, std::uint32_t unit);
+  void hang(std::size_t body, std::size_t parent, const UnitConnection& at);
+  std::uint32_t copy_of(std::size_t body, Joint joint) const;
+  void add_gaps(std::size_t body, std::size_t owner, const UnitConnection& at);
+  void place_all(std::span<const Vec3> positions, Vec3 origin);
+  void place_by_rotation(const Body& body);
+  void place_by_torsion(const Body& body);
+  double measure_gaps();
+  void find_turns();
+  bool solve_step();
+  void set_directions(const Gap& gap);
+  void fill_rows(const Gap& gap);
+  Vec3 turn_vector(const Body& body) const;
+  void apply(double share);
+  void keep() { kept_ = places_; }
+
+  std::vector<Body> bodies_;
+  std::vector<Joint> joints_;  ///< copies, body by body
+  std::vector<Vec3> shape_, places_, targets_, kept_;
+  std::vector<Gap> gaps_;
+  std::uint32_t equations_ = 0;
+  std::array<Vec3, 3> directions_;
+  std::vector<Turn> turns_;
+  std::vector<Motion> motions_;
+  std::vector<std::int8_t> side_;  ///< of bodies: on the way to one end of a gap, the other, both
+  std::vector<double> jacobian_, matrix_, residual_, step_;
+};
+
+}  // namespace pliant

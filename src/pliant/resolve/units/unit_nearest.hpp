@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// The nearest place of a tree of rigid units: turns all hinges at once so that the joints come as
+// near as they can to given points, sum w |x - t|^2 least.
+//
+// An outward pass fits each unit to its own joints and swings all that hangs on it; this counts
+// what hangs on it too. One step of Gauss and Newton's method for all torsions is what the
+// acceleration of a chain of rigid bodies at rest under forces w (t - x) is, and is found in linear
+// time as that is, by articulated body inertias (Featherstone, Int. J. Robot. Res. 2 (1983) 13):
+// inward
+//
+//   u_k = I_k s_k,  d_k = s_k . u_k,  I_parent += I_k - u_k u_k^T / d_k,
+//   p_parent += p_k - u_k (s_k . p_k) / d_k
+//
+// then outward q_k = (s_k . p_k - u_k . v_parent) / d_k, v_k = v_parent + s_k q_k. I: 6 x 6 inertia
+// of the joints of the unit, p: force and moment on them, s: the twist of the hinge, v: twist.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "pliant/base/best_fit.hpp"
+#include "pliant/resolve/units/unit_plan.hpp"
+
+namespace pliant {
+
+class UnitNearest {
+ public:
+  /// Moves `positions` (N), at which the units of the plan are placed, by rigid motions of the
+  /// units about their connections towards `targets` (N), until a step gains less than a thousandth
+  /// of the sum. Components with pinned joints stay.
+  void approach(UnitPlan& plan, std::span<Vec3> positions, std::span<const Vec3> targets);
+
+ private:
+  using Twist = std::array<double, 6>;  ///< (turn, shift at the origin), or (moment, force)
+  /// One way in which a unit turns against its parent, after elimination.
+  struct Turn {
+    Twist s{}, u{};      ///< s begins with the axis
+    double d = 0.0;      ///< s . u; 0: nothing turns
+    double angle = 0.0;  ///< going inward, s . p
+    Vec3 axis() const { return {s[0], s[1], s[2]}; }
+  };
+  /// The motion of a step, x -> rotation(x) + shift from the origin.
+  struct Motion {
+    Rotation rotation;
+    Vec3 shift;
+  };
+  /// What is needed one after the other shares its room: on long chains there are millions.
+  struct Body {
+    std::array<double, 21> inertia;  ///< lower triangle, by rows; then the motion
+    Twist force;                     ///< then the twist
+
+    void set_motion(const Motion& motion);
+    Motion motion() const;
+  };
+
+  double gather(UnitPlan& plan, std::span<const Vec3> positions, std::span<const Vec3> targets);
+  void set_turns(const UnitStep& step, std::size_t index, std::span<const Vec3> positions);
+  void go_inward(std::span<const UnitStep> steps);
+  void eliminate(Body& body, Turn& turn) const;
+  void go_outward(std::span<const UnitStep> steps);
+  Vec3 turn_vector(std::size_t index) const;
+  std::span<Turn> turns(std::size_t index) {
+    return {turns_.data() + first_turn_[index], turns_.data() + first_turn_[index + 1]};
+  }
+  std::span<const Turn> turns(std::size_t index) const {
+    return {turns_.data() + first_turn_[index], turns_.data() + first_turn_[index + 1]};
+  }
+  double longest_share() const;
+  double step_nearer(UnitPlan& plan, std::span<Vec3> positions, std::span<const Vec3> targets,
+                     double before);
+  double move(UnitPlan& plan, double share, std::span<Vec3> positions,
+              std::span<const Vec3> targets);
+  void set_motion(const UnitStep& step, std::size_t index, double share);
+
+  std::vector<Body> bodies_;  ///< of the steps of the plan
+  std::vector<Turn> turns_;   ///< of all bodies: hinges have one, what begins a component none
+  std::vector<std::uint32_t> first_turn_;  ///< of each body, and one more
+  std::vector<Vec3> kept_;                 ///< where the step began
+  Vec3 origin_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/units/unit_pass.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include "pliant/base/best_fit.hpp"
+#include "pliant/resolve/method/project_bar.hpp"
+
+namespace pliant {
+namespace {
+
+/// Relative error of a hinge that counts as wrong: pinned joints may hold one apart.
+constexpr double most_hinge_error = 1e-6;
+/// Below this share of what its joints could give, the direction of a torsion is rounding.
+constexpr double weakest_turn = 1e-13;
+/// A unit whose joints are this close to its hinge, in lengths of the hinge, has no torsion.
+constexpr double thinnest_unit = 1e-10;
+
+RandomSequence escape_draws(RandomKey key, Joint joint) {
+  key.domain = Domain::escape;
+  key.joint = joint;
+  return RandomSequence(key);
+}
+
+}  // namespace
+
+UnitPass::UnitPass(const Framework& framework, UnitSet bodies, const Technique& technique,
+                   const ResolveOptions& options)
+    : framework_(framework),
+      forest_(find_unit_forest(framework, std::move(bodies), options.tolerance)),
+      plan_(framework, forest_, technique.mass_weighted) {
+  if (!forest_.has_unknown()) return;
+  make_loops(technique, options);
+  close_by_torsions(options);
+  forest_.rigid = {}, forest_.of_rigid = {};
+}
+
+void UnitPass::make_loops(const Technique& technique, const ResolveOptions& options) {
+  const UnitsOfJoints units(forest_.set, framework_.joint_count());
+  std::vector<std::pair<std::uint32_t, BarIndex>> bars;  // of units without a shape
+  std::vector<std::uint32_t> both;
+  for (std::size_t k = 0; k < framework_.bar_count(); ++k) {
+    units.common(framework_.bars()[k].a, framework_.bars()[k].b, both);
+    for (std::uint32_t unit : both)
+      if (forest_.shapes.kinds[unit] == ShapeKind::unknown)
+        bars.emplace_back(unit, static_cast<BarIndex>(k));
+  }
+  std::sort(bars.begin(), bars.end());
+  std::vector<BarIndex> own;
+  for (std::size_t k = 0; k < bars.size(); ++k) {
+    own.push_back(bars[k].second);
+    if (k + 1 < bars.size() && bars[k + 1].first == bars[k].first) continue;
+    make_loop(bars[k].first, own, technique, options);
+    own.clear();
+  }
+}
+
+void UnitPass::make_loop(std::uint32_t unit, std::span<const BarIndex> bars,
+                         const Technique& technique, const ResolveOptions& options) {
+  loops_.push_back(
+      std::make_unique<UnitLoop>(framework_, forest_.set.of(unit), bars, technique, options));
+  loop_of_.resize(unit + 1, nullptr);
+  loop_of_[unit] = loops_.back().get();
+}
+
+/// Gives each loop the rigid units that it is made of.
+void UnitPass::close_by_torsions(const ResolveOptions& options) {
+  struct Parts {
+    UnitSet rigid;
+    UnitShapes shapes;
+  };
+  std::map<std::uint32_t, Parts> parts_of;
+  const UnitShapes shapes = find_unit_shapes(framework_, forest_.rigid, options.tolerance);
+  std::vector<Vec3> room;
+  for (std::uint32_t k = 0; k < forest_.rigid.size(); ++k) {
+    const std::uint32_t unit = forest_.of_rigid[k];
+    if (unit >= loop_of_.size() || loop_of_[unit] == nullptr) continue;
+    Parts& parts = parts_of[unit];
+    parts.rigid.add(forest_.rigid.of(k));
+    parts.shapes.kinds.push_back(shapes.kinds[k]);
+    const auto points = points_of(framework_, forest_.rigid, shapes, k, room);
+    parts.shapes.points.insert(parts.shapes.points.end(), points.begin(), points.end());
+  }
+  for (auto& [unit, parts] : parts_of)
+    loop_of_[unit]->close_by_torsions(std::move(parts.rigid), parts.shapes);
+}
+
+UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
+  if (!planned_ || planned_root_ != call.root) {
+    plan_.plan(call.root);
+    planned_ = true;
+    planned_root_ = call.root;
+  }
+  Outcome worst = Outcome::placed;
+  for (auto& loop : loops_)
+    if (!loop->find_shape(call)) worst = Outcome::unfit;
+  for (UnitStep& step : plan_.steps()) {
+    if (step.entry == UnitEntry::still) place_still(call, step);
+    worst = std::max(worst, place(call, step));
+  }
+  return worst;
+}
+
+UnitPass::Outcome UnitPass::approach(const ResolveCall& call, std::span<const Vec3> targets) {
+  nearest_.approach(plan_, call.positions, targets);
+  Outcome worst = Outcome::placed;
+  for (UnitStep& step : plan_.steps()) worst = std::max(worst, place(call, step));
+  return worst;
+}
+
+UnitPass::Outcome UnitPass::place(const ResolveCall& call, UnitStep& step) {
+  if (!step.is_known && step.entry != UnitEntry::still)
+    plan_.set_shape(step, loop_of_[step.unit]->shape());
+  switch (step.entry) {
+    case UnitEntry::hinge:
+      return place_by_torsion(call, step);
+    case UnitEntry::free:
+    case UnitEntry::ball:
+      return place_by_rotation(call.positions, step);
+    case UnitEntry::rod:
+      place_rod(call, step, framework_);
+      return Outcome::placed;
+    case UnitEntry::still:
+      break;
+  }
+  return Outcome::placed;
+}
+
+void UnitPass::place_still(const ResolveCall& call, const UnitStep& step) const {
+  const auto joints = forest_.set.of(step.unit);
+  const auto shape = loop_of_[step.unit]->shape();
+  for (std::size_t k = 0; k < joints.size(); ++k) call.positions[joints[k]] = shape[k];
+}
+
+void UnitPass::place_rod(const ResolveCall& call, const UnitStep& step,
+                         const Framework& framework) {
+  if (framework.is_pinned(step.b)) return;
+  carry_far(call.positions[step.a], call.positions[step.b], step.length,
+            [&] { return framework.random_direction(escape_draws(call.key, step.b)); });
+}
+
+UnitPass::Outcome UnitPass::place_by_rotation(std::span<Vec3> positions, const UnitStep& step) {
+  const auto joints = plan_.joints(step);
+  Vec3 origin = positions[step.a];
+  if (step.entry == UnitEntry::free) {
+    double sum = 0.0;
+    origin = {};
+    for (const JointInUnit& joint : joints) {
+      origin += joint.weight * positions[joint.joint];
+      sum += joint.weight;
+    }
+    origin *= 1.0 / sum;
+  }
+  RotationFit fit;
+  for (const JointInUnit& joint : joints)
+    fit.add(joint.at, positions[joint.joint] - origin, joint.weight);
+  Rotation rotation;
+  const auto outcome = fit.solve(step.mirror_allowed, rotation);
+  if (outcome == RotationFit::Outcome::not_finite) return Outcome::not_finite;
+  if (outcome == RotationFit::Outcome::undefined) return Outcome::unfit;
+  const double sign = outcome == RotationFit::Outcome::mirrored ? -1.0 : 1.0;
+  for (const JointInUnit& joint : joints)
+    positions[joint.joint] = origin + sign * rotation(joint.at);
+  return Outcome::placed;
+}
+
+UnitPass::Outcome UnitPass::place_by_torsion(const ResolveCall& call, const UnitStep& step) {
+  const std::span<Vec3> x = call.positions;
+  const Vec3 a = x[step.a], along = x[step.b] - a;
+  const double length = norm(along);
+  if (!std::isfinite(length)) return Outcome::not_finite;
+  if (!(std::abs(length - step.length) <= most_hinge_error * step.length)) return Outcome::unfit;
+  const AxisBasis basis((1.0 / length) * along);
+  const auto joints = plan_.joints(step);
+  TorsionFit fit;
+  for (const JointInUnit& joint : joints) {
+    const Vec3 d = x[joint.joint] - a;
+    fit.add(joint.at.y, joint.at.z, dot(d, basis.e1), dot(d, basis.e2), joint.weight);
+  }
+  TorsionFit::Turn turn = fit.solve(step.mirror_allowed);
+  if (!(turn.strength > weakest_turn * step.spread)) {
+    if (std::isnan(turn.strength)) return Outcome::not_finite;
+    turn = {};
+    if (step.spread > thinnest_unit * thinnest_unit * length * length) {
+      const AxisBasis any(framework_.random_direction(escape_draws(call.key, step.b)));
+      const double size = std::sqrt(any.e1.x * any.e1.x + any.e1.y * any.e1.y);
+      if (size > 0.0) turn.cosine = any.e1.x / size, turn.sine = any.e1.y / size;
+    }
+  } else if (!std::isfinite(turn.strength)) {
+    return Outcome::not_finite;
+  }
+  const Vec3 c1 = turn.cosine * basis.e1 + turn.sine * basis.e2;
+  const Vec3 c2 = turn.v_sign * (turn.cosine * basis.e2 - turn.sine * basis.e1);
+  for (const JointInUnit& joint : joints)
+    x[joint.joint] = a + (joint.at.x * basis.axis + joint.at.y * c1 + joint.at.z * c2);
+  return Outcome::placed;
+}
+
+}  // namespace pliant

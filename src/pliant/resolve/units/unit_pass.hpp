@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// The outward pass over rigid units: each is placed as a whole, exactly, where it fits its joints
+// best among the places that what was placed before leaves it. Every joint is written once.
+//
+//   free   R = argmin sum w |t - tm - R (s - sm)|^2      (Horn 1987), x = tm + R (s - sm)
+//   ball   the same about the joint shared with what is placed
+//   hinge  tan t = sum w (u t2 - v t1) / sum w (u t1 + v t2), x = a + z n + turned (u, v)
+//
+// s: shape, t: joints as they are, n: along the hinge. Shapes are drawn or known from lengths to
+// rounding and every placement is a rigid motion to rounding, so that the bars of the last unit of
+// a chain are as exact as those of the first. Two units share no more than a hinge, and so a
+// molecule whose bars fix all bonds and angles is exact after one pass.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "pliant/resolve/units/unit_loop.hpp"
+#include "pliant/resolve/units/unit_nearest.hpp"
+#include "pliant/resolve/units/unit_plan.hpp"
+
+namespace pliant {
+
+class UnitPass {
+ public:
+  /// `bodies` as find_unit_bodies() gives them; the framework outlives it.
+  UnitPass(const Framework& framework, UnitSet bodies, const Technique& technique,
+           const ResolveOptions& options);
+
+  enum class Outcome { placed, unfit, not_finite };
+  /// Finds the shapes of units that have none, each alone, then places all. unfit: a unit was
+  /// left as it was (no shape, or its joints all at one point), or pinned joints hold one wrongly.
+  Outcome run(const ResolveCall& call);
+
+  /// After run(): turns all hinges at once towards the nearest place to `targets` (N), weighted by
+  /// mass or not, and places every unit once more, exactly.
+  Outcome approach(const ResolveCall& call, std::span<const Vec3> targets);
+
+ private:
+  void make_loops(const Technique& technique, const ResolveOptions& options);
+  void make_loop(std::uint32_t unit, std::span<const BarIndex> bars, const Technique& technique,
+                 const ResolveOptions& options);
+  void close_by_torsions(const ResolveOptions& options);
+  Outcome place(const ResolveCall& call, UnitStep& step);
+  Outcome place_by_rotation(std::span<Vec3> positions, const UnitStep& step);
+  Outcome place_by_torsion(const ResolveCall& call, const UnitStep& step);
+  void place_still(const ResolveCall& call, const UnitStep& step) const;
+  static void place_rod(const ResolveCall& call, const UnitStep& step, const Framework& framework);
+
+  const Framework& framework_;
+  UnitForest forest_;
+  UnitPlan plan_;
+  std::vector<std::unique_ptr<UnitLoop>> loops_;  ///< of units without a shape
+  std::vector<UnitLoop*> loop_of_;                ///< of each unit up to the last that has one
+  UnitNearest nearest_;
+  bool planned_ = false;
+  Joint planned_root_ = 0;
+};
+
+}  // namespace pliant

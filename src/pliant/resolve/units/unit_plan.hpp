@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+// The outward pass over rigid units, planned: which unit comes when, by which joints it hangs on
+// what was placed before, and where its other joints lie seen from there.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pliant/rigidity/unit_graph.hpp"
+#include "pliant/rigidity/unit_shape.hpp"
+
+namespace pliant {
+
+/// What an outward pass needs of a graph of units, in a fifth of the memory.
+struct UnitLinks {
+  std::size_t units = 0;
+  std::vector<UnitConnection> connections;
+  std::vector<std::uint32_t> first;  ///< (nodes + 1) into `to`
+  std::vector<Joint> to;             ///< neighbours of each node, in the graph's sequence
+
+  std::size_t node_count() const { return first.size() - 1; }
+  std::span<const Joint> neighbours(Joint node) const {
+    return {to.data() + first[node], to.data() + first[node + 1]};
+  }
+  const UnitConnection& connection(Joint node) const { return connections[node - units]; }
+};
+
+/// The units of a framework, as a forest.
+struct UnitForest {
+  UnitSet set;        ///< without any loops
+  UnitLinks links;    ///< of `set`
+  UnitShapes shapes;  ///< of `set`; loops with freedom are unknown
+  UnitSet rigid;      ///< whose shape is known if it is drawn, or complete; none if `set` says all
+  std::vector<std::uint32_t> of_rigid;  ///< the unit in `set` of each rigid one
+
+  bool has_unknown() const;
+};
+
+UnitForest find_unit_forest(const Framework& framework, UnitSet bodies, const Tolerance& tolerance);
+
+/// How a unit meets what is placed.
+enum class UnitEntry : std::uint8_t {
+  free,   ///< nothing is placed: best fit
+  still,  ///< nothing is placed, and it has its shape already: stays
+  ball,   ///< one joint, `a`: best rotation about it
+  hinge,  ///< two joints, `a` and `b`: best torsion about the line through them
+  rod     ///< joint `a`: joint `b` follows on the line
+};
+
+/// A joint to place, or that a unit held still or a rod moves along with it. Of a free unit its
+/// place from the weighted centroid, of a ball's from `a`; of a hinge's (along the axis from a, and
+/// at right angles to it along the basis of the axis).
+struct JointInUnit {
+  Vec3 at;
+  double weight = 1.0;  ///< in the fit; the heaviest of a unit has 1
+  Joint joint = 0;
+};
+
+struct UnitStep {
+  double length = 0.0;  ///< of the hinge or rod (Angstrom)
+  double spread = 0.0;  ///< of a hinge: sum of weight times squared distance from it
+  double scale = 1.0;   ///< of the weights: the mass of the heaviest joint (u), or 1
+  std::uint32_t unit = 0;
+  Joint a = 0, b = 0;
+  std::uint32_t first = 0, count = 0;  ///< joints to place, in UnitPlan::joints
+  std::int32_t parent = -1;            ///< the step on which it hangs; -1: first of its component
+  UnitEntry entry = UnitEntry::free;
+  bool mirror_allowed = false;
+  bool is_held = false;  ///< hangs on pinned joints alone
+  bool is_known = true;  ///< else its shape is to be set each time
+};
+
+/// Plans passes from any root; linear in joints.
+class UnitPlan {
+ public:
+  /// Both outlive it. Fits are weighted by mass, or all joints count the same.
+  UnitPlan(const Framework& framework, const UnitForest& forest, bool mass_weighted);
+
+  /// A component with pinned joints begins at the unit that holds them all; if there is none it is
+  /// left out. The root's component begins at a unit of the root, others at their lowest joint's.
+  void plan(Joint root);
+
+  std::span<UnitStep> steps() { return steps_; }
+  std::span<JointInUnit> joints(const UnitStep& step) {
+    return {joints_.data() + step.first, step.count};
+  }
+  /// Writes where the joints of a step lie, from the shape of its unit (as UnitSet::of).
+  void set_shape(UnitStep& step, std::span<const Vec3> points);
+
+ private:
+  void find_pins();
+  void start_at(Joint joint, std::span<const Joint> pins);
+  void spread(std::uint32_t unit);
+  void add_step(std::uint32_t unit, UnitEntry entry, Joint a, Joint b);
+  void add_joints(UnitStep& step);
+  bool holds_all(std::uint32_t unit, std::span<const Joint> joints) const;
+  void set_hinge(UnitStep& step, std::span<const Vec3> points, Vec3 a, Vec3 b);
+
+  const Framework& framework_;
+  const UnitForest& forest_;
+  bool mass_weighted_;
+  UnitsOfJoints units_of_;
+  std::vector<std::vector<Joint>> pins_;  ///< of each component that has any
+  std::vector<UnitStep> steps_;
+  std::vector<JointInUnit> joints_;
+  std::vector<bool> seen_;    ///< nodes of the graph of units
+  std::vector<bool> placed_;  ///< joints
+  std::vector<std::uint32_t> waiting_;
+  std::vector<std::int32_t> step_of_;  ///< of units
+  std::vector<Vec3> points_;           ///< of the unit in hand
+};
+
+}  // namespace pliant

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/units/units.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "pliant/resolve/blocks/blocks.hpp"
+#include "pliant/resolve/units/unit_pass.hpp"
+
+namespace pliant {
+namespace {
+
+/// Units of three or more joints; without any there is nothing to gain.
+bool has_bodies(const UnitSet& set) { return set.joints.size() > 2 * set.size(); }
+
+class Units final : public Method {
+ public:
+  Units(const Framework& framework, const Technique& technique, const ResolveOptions& options,
+        bool nearest)
+      : framework_(framework), technique_(technique), options_(options), nearest_(nearest) {
+    UnitSet bodies = find_unit_bodies(framework);
+    if (has_bodies(bodies))
+      pass_ = std::make_unique<UnitPass>(framework, std::move(bodies), technique, options);
+  }
+
+  Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
+    if (!pass_) return leave_to_blocks(call, summary);
+    if (is_whole(call.positions)) return Stop::converged;
+    before_.assign(call.positions.begin(), call.positions.end());
+    const UnitPass::Outcome outcome = pass_->run(call);
+    if (outcome == UnitPass::Outcome::not_finite) return Stop::not_finite;
+    ++summary.sweeps;
+    summary.projections += static_cast<std::int64_t>(framework_.bar_count());
+    if (is_whole(call.positions)) return nearest_ ? approach(call, summary) : Stop::converged;
+    if (summary.sweeps >= options_.max_sweeps) return Stop::max_sweeps;
+    if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
+    if (!(largest_error(call.positions) < largest_error(before_)))
+      std::copy(before_.begin(), before_.end(), call.positions.begin());
+    return leave_to_blocks(call, summary);
+  }
+
+ private:
+  /// A second pass, nearer to where the joints were; what the first gave is kept if it fails.
+  Stop approach(const ResolveCall& call, ResolveSummary& summary) {
+    if (summary.sweeps >= options_.max_sweeps) return Stop::converged;
+    after_.assign(call.positions.begin(), call.positions.end());
+    const UnitPass::Outcome outcome = pass_->approach(call, before_);
+    ++summary.sweeps;
+    summary.projections += static_cast<std::int64_t>(framework_.bar_count());
+    if (outcome != UnitPass::Outcome::placed || !is_whole(call.positions))
+      std::copy(after_.begin(), after_.end(), call.positions.begin());
+    return Stop::converged;
+  }
+
+  double error(std::span<const Vec3> positions, std::size_t bar) const {
+    const Bar ends = framework_.bars()[bar];
+    return std::abs(residual(positions[ends.a], positions[ends.b], framework_.rest_lengths()[bar]));
+  }
+
+  bool is_whole(std::span<const Vec3> positions) const {
+    return pliant::is_whole(framework_, positions, options_.tolerance);
+  }
+
+  /// In units of what is allowed; infinite if a length is no number.
+  double largest_error(std::span<const Vec3> positions) const {
+    double largest = 0.0;
+    for (std::size_t k = 0; k < framework_.bar_count(); ++k) {
+      const double here = error(positions, k) / options_.tolerance.of(framework_.rest_lengths()[k]);
+      if (!(here <= largest)) largest = std::isnan(here) ? HUGE_VAL : here;
+    }
+    return largest;
+  }
+
+  Stop leave_to_blocks(const ResolveCall& call, ResolveSummary& summary) {
+    if (!blocks_) blocks_ = make_blocks(framework_, technique_, options_);
+    return blocks_->resolve(call, summary);
+  }
+
+  const Framework& framework_;
+  Technique technique_;
+  ResolveOptions options_;
+  std::unique_ptr<UnitPass> pass_;  ///< null: no rigid bodies
+  std::unique_ptr<Method> blocks_;
+  bool nearest_;
+  std::vector<Vec3> before_, after_;
+};
+
+}  // namespace
+
+std::unique_ptr<Method> make_units(const Framework& framework, const Technique& technique,
+                                   const ResolveOptions& options) {
+  return std::make_unique<Units>(framework, technique, options, false);
+}
+
+std::unique_ptr<Method> make_units_nearest(const Framework& framework, const Technique& technique,
+                                           const ResolveOptions& options) {
+  return std::make_unique<Units>(framework, technique, options, true);
+}
+
+}  // namespace pliant

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/record/hdf5/committed_file.hpp"
+
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <string>
+
+#include "unit/record/samples.hpp"
+#include "unit/record/write_calls.hpp"
+
+namespace pliant {
+namespace {
+
+using test::TempDirectory;
+using test::WriteWatch;
+
+std::span<const std::byte> bytes_of(const std::string& text) {
+  return std::as_bytes(std::span(text));
+}
+
+/// A version 1 B-tree node of this level, as far as the order of writes looks at it.
+std::string node(char level) { return std::string("TREE\1") + level; }
+
+class CommittedFileTest : public ::testing::Test {
+ protected:
+  CommittedFileTest()
+      : descriptor_(::open((directory_ / "file").c_str(), O_RDWR | O_CREAT, 0600)),
+        file_(descriptor_) {}
+  ~CommittedFileTest() override { ::close(descriptor_); }
+
+  void write(BlockKind kind, std::uint64_t address, const std::string& text) {
+    file_.write(kind, address, bytes_of(text));
+  }
+  std::string read(std::uint64_t address, std::size_t size) const {
+    std::string text(size, '?');
+    file_.read(address, std::as_writable_bytes(std::span(text)));
+    return text;
+  }
+  off_t size() const {
+    struct stat status {};
+    ::fstat(descriptor_, &status);
+    return status.st_size;
+  }
+
+  TempDirectory directory_;
+  int descriptor_;
+  CommittedFile file_;
+};
+
+TEST_F(CommittedFileTest, MetadataWaitsForTheCommitAndDataDoesNot) {
+  write(BlockKind::data, 0, "data");
+  EXPECT_EQ(size(), 4);
+  write(BlockKind::other_metadata, 10, "meta");
+  EXPECT_EQ(size(), 4);
+  EXPECT_EQ(file_.size(), 14u);
+  file_.set_end(20);
+  file_.commit();
+  EXPECT_EQ(size(), 20);
+  EXPECT_EQ(read(10, 4), "meta");
+}
+
+TEST_F(CommittedFileTest, ReadsWhatWaits) {
+  write(BlockKind::data, 0, "0123456789");
+  write(BlockKind::tree_node, 4, "TR");
+  write(BlockKind::other_metadata, 8, "abcd");
+  EXPECT_EQ(read(2, 8), "23TR67ab");
+  EXPECT_EQ(read(9, 5), std::string("bcd\0\0", 5));
+}
+
+TEST_F(CommittedFileTest, WritesInTheOrderThatKeepsTheFileReadable) {
+  write(BlockKind::superblock, 0, "super");
+  write(BlockKind::tree_node, 100, node(1));
+  write(BlockKind::tree_node, 200, node(0));
+  for (const std::uint64_t header : {300, 400, 500}) write(BlockKind::other_metadata, header, "h");
+  file_.set_end(600);
+  file_.commit();
+  file_.write_last({500, 300});
+  WriteWatch watch;
+  watch.keep = true;
+  for (const std::uint64_t header : {300, 400, 500}) write(BlockKind::other_metadata, header, "H");
+  write(BlockKind::tree_node, 200, node(0));
+  write(BlockKind::tree_node, 100, node(1));
+  write(BlockKind::superblock, 0, "SUPER");
+  write(BlockKind::tree_node, 700, node(0));
+  file_.set_end(800);
+  file_.commit();
+  std::vector<off_t> order;
+  for (const auto& call : watch.calls) order.push_back(call.truncates ? -call.offset : call.offset);
+  EXPECT_EQ(order, (std::vector<off_t>{700, -800, 0, 100, 200, 400, 500, 300}));
+}
+
+TEST_F(CommittedFileTest, GivesSpaceBackWhenTheEndMovesDown) {
+  write(BlockKind::other_metadata, 0, "header");
+  file_.set_end(5000);
+  file_.commit();
+  EXPECT_EQ(size(), 5000);
+  file_.set_end(6);
+  file_.commit();
+  EXPECT_EQ(size(), 6);
+}
+
+TEST_F(CommittedFileTest, LeavesTheLastCommitWhenTheDiskIsFull) {
+  write(BlockKind::other_metadata, 0, "first");
+  file_.set_end(5);
+  file_.commit();
+  WriteWatch watch;
+  watch.fail_at = 1;
+  watch.error = ENOSPC;
+  write(BlockKind::data, 100, "data that finds room");
+  write(BlockKind::other_metadata, 0, "FIRST");
+  write(BlockKind::other_metadata, 200, "no room");
+  file_.set_end(207);
+  file_.commit();
+  EXPECT_EQ(file_.failure(), ENOSPC);
+  EXPECT_EQ(read(0, 5), "FIRST") << "the library above goes on as if nothing had happened";
+  watch.fail_at = -1;
+  file_.commit();
+  std::string text(5, '?');
+  ASSERT_EQ(::pread(descriptor_, text.data(), 5, 0), 5);
+  EXPECT_EQ(text, "first") << "nothing more reaches the disk";
+}
+
+TEST_F(CommittedFileTest, ForkedChildWritesNothing) {
+  write(BlockKind::other_metadata, 0, "parent");
+  file_.set_end(6);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    write(BlockKind::data, 0, "child");
+    file_.commit();
+    ::_exit(0);
+  }
+  ::waitpid(child, nullptr, 0);
+  EXPECT_EQ(size(), 0);
+}
+
+}  // namespace
+}  // namespace pliant

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/text/file_text.hpp"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+#include <zlib.h>
+
+#include <fstream>
+#include <thread>
+
+#include "pliant/text/gzip.hpp"
+#include "support/error_text.hpp"
+
+namespace pliant {
+namespace {
+
+using test::error_text;
+
+/// A folder that goes with the test.
+class FileText : public testing::Test {
+ protected:
+  FileText() { std::filesystem::create_directory(folder_); }
+  ~FileText() override { std::filesystem::remove_all(folder_); }
+
+  std::string path(const std::string& name) const { return (folder_ / name).string(); }
+  std::string write(const std::string& name, const std::string& bytes) const {
+    std::ofstream(path(name), std::ios::binary) << bytes;
+    return path(name);
+  }
+
+ private:
+  std::filesystem::path folder_ =
+      std::filesystem::temp_directory_path() / ("pliant_file_text_" + std::to_string(::getpid()));
+};
+
+std::string gzipped(const std::string& text) {
+  z_stream stream{};
+  deflateInit2(&stream, 9, Z_DEFLATED, 16 + MAX_WBITS, 9, Z_DEFAULT_STRATEGY);
+  std::string out(deflateBound(&stream, text.size()) + 64, '\0');
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(text.data()));
+  stream.avail_in = static_cast<uInt>(text.size());
+  stream.next_out = reinterpret_cast<Bytef*>(out.data());
+  stream.avail_out = static_cast<uInt>(out.size());
+  deflate(&stream, Z_FINISH);
+  out.resize(stream.total_out);
+  deflateEnd(&stream);
+  return out;
+}
+
+TEST_F(FileText, ReadsAllBytes) {
+  const std::string bytes("a\r\n\0b\xff", 6);
+  EXPECT_EQ(read_bytes(write("plain", bytes)), bytes);
+  EXPECT_EQ(read_bytes(write("empty", "")), "");
+}
+
+TEST_F(FileText, UndoesGzipByContentMemberByMember) {
+  EXPECT_EQ(read_bytes(write("one.pdb", gzipped("ATOM"))), "ATOM");
+  EXPECT_EQ(read_bytes(write("two.gz", gzipped("one\n") + gzipped("two\n"))), "one\ntwo\n");
+  EXPECT_EQ(read_bytes(write("named.gz", "no gzip at all")), "no gzip at all");
+  const std::string large(3'000'000, 'x');
+  EXPECT_EQ(read_bytes(write("large.gz", gzipped(large))), large);
+}
+
+TEST_F(FileText, NamesTheSystemsReason) {
+  EXPECT_EQ(error_text<FileError>([&] { read_bytes(path("none")); }),
+            "cannot read " + path("none") + ": No such file or directory");
+  EXPECT_EQ(error_text<FileError>([&] { read_bytes(path("")); }),
+            "cannot read " + path("") + ": Is a directory");
+}
+
+TEST_F(FileText, RefusesDevicesThatNeverEnd) {
+  for (const char* device : {"/dev/zero", "/dev/null", "/dev/urandom"})
+    EXPECT_EQ(error_text<FileError>([&] { read_bytes(device); }),
+              "cannot read " + std::string(device) + ": is a device, not a file");
+}
+
+TEST_F(FileText, ReadsPipes) {
+  const std::string pipe = path("pipe");
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const std::string text(200'000, 'y');
+  std::jthread writer([&] { std::ofstream(pipe) << text; });
+  EXPECT_EQ(read_bytes(pipe), text);
+}
+
+TEST_F(FileText, RefusesFilesThatAreTooLargeBeforeReadingThem) {
+  const std::string huge = write("huge", "");
+  std::filesystem::resize_file(huge, largest_text + 1);  // a hole: takes no room on disk
+  EXPECT_EQ(error_text<InputError>([&] { read_bytes(huge); }),
+            huge + ": is larger than 4294967296 bytes, which is refused");
+}
+
+TEST_F(FileText, NamesOtherCompressions) {
+  using namespace std::string_literals;
+  const auto refusal = [&](const std::string& bytes) {
+    const std::string file = write("packed", bytes);
+    return error_text<InputError>([&] { read_bytes(file); }).substr(file.size());
+  };
+  EXPECT_EQ(refusal("BZh91AY"), ": is compressed with bzip2: only gzip is read");
+  EXPECT_EQ(refusal("\xfd"
+                    "7zXZ\0\0"s),
+            ": is compressed with xz: only gzip is read");
+  EXPECT_EQ(refusal("\x28\xb5\x2f\xfd\x04"s), ": is compressed with zstd: only gzip is read");
+  EXPECT_EQ(refusal("\x1f\x9d\x90"s), ": is compressed with compress: only gzip is read");
+  EXPECT_EQ(refusal("PK\x03\x04\x14"s), ": is compressed with zip: only gzip is read");
+}
+
+TEST(Gzip, RefusesWhatIsCutAtEveryByte) {
+  const std::string whole = gzipped("ATOM      1  N   ALA A   1       0.000   0.000   0.000\n");
+  for (std::size_t size = 2; size < whole.size(); ++size) {
+    const std::string message =
+        error_text<InputError>([&] { gunzip(whole.substr(0, size), "cut.gz"); });
+    EXPECT_TRUE(message.starts_with("cut.gz: gzip: the compressed data end early, after "))
+        << size << ": " << message;
+  }
+}
+
+TEST(Gzip, RefusesDamage) {
+  std::string damaged = gzipped(std::string(1000, 'x') + "ATOM");
+  damaged[damaged.size() - 6] ^= 1;  // in the checksum
+  EXPECT_EQ(error_text<InputError>([&] { gunzip(damaged, "x.gz"); }),
+            "x.gz: gzip: damaged: incorrect data check");
+  EXPECT_EQ(error_text<InputError>([&] { gunzip("\x1f\x8b\x07\x01 garbage", "x.gz"); }),
+            "x.gz: gzip: damaged: unknown compression method");
+}
+
+TEST(Gzip, LeavesOutWhatFollowsTheLastMember) {
+  EXPECT_EQ(gunzip(gzipped("text") + "padding", "x.gz"), "text");
+}
+
+TEST(Gzip, RefusesAbsurdInflation) {
+  const std::string bomb = gzipped(std::string(std::size_t{65} << 20, '\0'));
+  ASSERT_LT(bomb.size() * 300, std::size_t{64} << 20);
+  EXPECT_EQ(error_text<InputError>([&] { gunzip(bomb, "bomb.gz"); }),
+            "bomb.gz: gzip: inflates to more than 67108864 bytes, which is refused");
+}
+
+TEST(CheckText, TakesText) {
+  for (const char* text : {"ATOM\n", "\t\v\f\r\n", "\xc3\xa5\n", "end\x1a"})
+    EXPECT_NO_THROW(check_text({"x", text})) << text;
+}
+
+TEST(CheckText, RefusesEmptyAndWideText) {
+  using namespace std::string_view_literals;
+  const auto refusal = [](std::string_view text) {
+    return error_text<InputError>([&] { check_text({"x.pdb", text}); });
+  };
+  EXPECT_EQ(refusal(""), "x.pdb: is empty");
+  for (const auto text : {"\xff\xfe"
+                          "A\0"sv,
+                          "\xfe\xff\0A"sv, "A\0T\0"sv, "\0A\0T"sv})
+    EXPECT_EQ(refusal(text), "x.pdb: is UTF-16 text: save it as UTF-8 or ASCII");
+  for (const auto text : {"\xff\xfe\0\0"sv, "\0\0\xfe\xff"sv})
+    EXPECT_EQ(refusal(text), "x.pdb: is UTF-32 text: save it as UTF-8 or ASCII");
+}
+
+TEST(CheckText, NamesTheLineOfTheFirstBinaryByte) {
+  std::string text = std::string(5000, 'a') + "\n" + std::string(5000, 'b') + "\n";
+  for (const char byte : {'\0', '\x01', '\x08', '\x0e', '\x1b', '\x1f'}) {
+    text[7000] = byte;
+    const std::string message = error_text<InputError>([&] { check_text({"x", text}); });
+    EXPECT_TRUE(message.starts_with("x:2: holds the byte 0x")) << message;
+  }
+  text[7000] = '\x1b';
+  EXPECT_EQ(error_text<InputError>([&] {
+              check_text({"x", text});
+            }),
+            "x:2: holds the byte 0x1b: a binary file, not a molecule in text");
+}
+
+TEST(ByteOrderMark, IsTakenOff) {
+  EXPECT_EQ(without_byte_order_mark("\xef\xbb\xbf"
+                                    "ATOM"),
+            "ATOM");
+  EXPECT_EQ(without_byte_order_mark("ATOM"), "ATOM");
+}
+
+}  // namespace
+}  // namespace pliant
