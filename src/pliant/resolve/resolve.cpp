@@ -145,6 +145,13 @@ ResolveSummary Resolver::resolve_near(std::span<Vec3> positions, Joint root, std
   return summary;
 }
 
+ResolveSummary Resolver::resolve(std::span<Vec3> positions, const Disturbed& disturbed,
+                                 std::int64_t step, std::span<const Vec3> reference) {
+  if (!disturbed.all && disturbed.joints.size() == 1)
+    return resolve_near(positions, disturbed.root, step, reference);
+  return resolve(positions, disturbed.root, step, reference);
+}
+
 std::optional<std::span<const Joint>> Resolver::moved() const {
   if (plan_->moved == nullptr) return std::nullopt;
   return plan_->moved->joints();

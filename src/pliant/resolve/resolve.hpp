@@ -8,6 +8,7 @@
 #include <optional>
 #include <span>
 
+#include "pliant/framework/disturbed.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/resolve/method/resolve_options.hpp"
 #include "pliant/resolve/method/resolve_summary.hpp"
@@ -41,6 +42,10 @@ class Resolver {
   /// those of the bars at moved(), and rms_residual is -1.
   ResolveSummary resolve_near(std::span<Vec3> positions, Joint root, std::int64_t step = 0,
                               std::span<const Vec3> reference = {});
+
+  /// What was disturbed decides: all joints as resolve(), one as resolve_near().
+  ResolveSummary resolve(std::span<Vec3> positions, const Disturbed& disturbed,
+                         std::int64_t step = 0, std::span<const Vec3> reference = {});
 
   /// Random draws are this walker's from now on (ResolveOptions::walker).
   void set_walker(std::uint64_t walker);
