@@ -4,8 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "made_structure.hpp"
 #include "pliant/base/error.hpp"
+#include "unit/molecule/made_structure.hpp"
 
 namespace pliant::testing {
 namespace {

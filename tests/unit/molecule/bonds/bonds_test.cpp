@@ -6,8 +6,8 @@
 
 #include <limits>
 
-#include "made_structure.hpp"
 #include "pliant/base/error.hpp"
+#include "unit/molecule/made_structure.hpp"
 
 namespace pliant::testing {
 namespace {

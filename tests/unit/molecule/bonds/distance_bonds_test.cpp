@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "made_structure.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
+#include "unit/molecule/made_structure.hpp"
 
 namespace pliant::testing {
 namespace {
