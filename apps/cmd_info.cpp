@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <set>
 
 #include "command.hpp"
+#include "json.hpp"
 #include "messages.hpp"
 #include "molecule_input.hpp"
 #include "pliant/base/elements.hpp"
@@ -15,23 +15,34 @@
 namespace pliant::app {
 namespace {
 
-using Json = nlohmann::ordered_json;
+/// How many there are of each name.
+using Counts = std::vector<std::pair<std::string, std::size_t>>;
 
-Json elements_of(const Structure& structure) {
+struct Facts {
+  const MoleculeOptions& options;
+  const Structure& structure;
+  GraphFacts graph;
+  std::size_t pinned;
+  Counts elements, bonds_by_origin;
+  std::size_t chains;
+
+  /// A graph XML file has joints and bars, and nothing of chemistry.
+  bool has_atoms() const { return structure.format != "graph"; }
+};
+
+Counts elements_of(const Structure& structure) {
   std::map<std::uint8_t, std::size_t> counts;
   for (std::uint8_t element : structure.atoms.elements) ++counts[element];
-  Json json = Json::object();
-  for (const auto& [element, count] : counts) json[std::string(element_symbol(element))] = count;
-  return json;
+  Counts named;
+  for (const auto& [element, count] : counts) named.emplace_back(element_symbol(element), count);
+  return named;
 }
 
-Json bonds_by_origin(const Structure& structure) {
-  std::array<std::size_t, bond_origin_names.size()> counts{};
-  for (const Bond& bond : structure.bonds) ++counts[static_cast<std::size_t>(bond.origin)];
-  Json json = Json::object();
-  for (std::size_t k = 0; k < counts.size(); ++k)
-    json[std::string(bond_origin_names[k])] = counts[k];
-  return json;
+Counts bonds_by_origin(const Structure& structure) {
+  Counts counts;
+  for (const std::string_view name : bond_origin_names) counts.emplace_back(name, 0);
+  for (const Bond& bond : structure.bonds) ++counts[static_cast<std::size_t>(bond.origin)].second;
+  return counts;
 }
 
 std::size_t chains_of(const Structure& structure) {
@@ -40,120 +51,139 @@ std::size_t chains_of(const Structure& structure) {
   return chains.size();
 }
 
-/// A graph XML file has joints and bars, and nothing of chemistry.
-bool is_graph(const Structure& structure) { return structure.format == "graph"; }
-
-Json atoms_and_bonds_of(const MoleculeOptions& options, const Structure& structure) {
-  if (is_graph(structure)) return Json::object();
-  return {{"atoms", structure.size()},       {"residues", structure.atoms.residues.size()},
-          {"chains", chains_of(structure)},  {"elements", elements_of(structure)},
-          {"bonds", structure.bonds.size()}, {"bonds_by_origin", bonds_by_origin(structure)},
-          {"bar_kind", options.bars}};
+Facts facts_of(const MoleculeOptions& options, const Molecule& molecule) {
+  const auto& [structure, framework] = molecule;
+  return {options,
+          structure,
+          graph_facts(framework),
+          framework.pinned_count(),
+          elements_of(structure),
+          bonds_by_origin(structure),
+          chains_of(structure)};
 }
 
-Json bars_of(const Framework& framework) {
-  const GraphFacts facts = graph_facts(framework);
-  return {{"joints", framework.joint_count()},
-          {"bars", facts.bars},
-          {"pinned", framework.pinned_count()},
-          {"components", facts.components},
-          {"cycles", facts.cycles},
-          {"bridges", facts.bridges},
-          {"blocks", facts.blocks},
-          {"largest_block", facts.largest_block},
-          {"bars_in_blocks", facts.bars_in_blocks}};
+Json as_object(const Counts& counts) {
+  return Json::object(std::vector<std::pair<std::string, Json>>(counts.begin(), counts.end()));
 }
 
-Json facts_of(const MoleculeOptions& options, const Molecule& molecule, const Messages& messages) {
-  const Structure& structure = molecule.structure;
-  Json facts{{"file", options.file},
-             {"format", structure.format},
-             {"title", structure.title},
-             {"model", structure.model},
-             {"models", structure.model_count}};
-  facts.update(atoms_and_bonds_of(options, structure));
-  facts.update(bars_of(molecule.framework));
-  facts.update({{"warnings", messages.warnings()}, {"notes", messages.notes()}});
-  return facts;
+Json json_of_file(const Facts& facts) {
+  const Structure& structure = facts.structure;
+  return {{"file", facts.options.file},
+          {"format", structure.format},
+          {"title", structure.title},
+          {"model", structure.model},
+          {"models", structure.model_count}};
 }
 
-std::string listed(const Json& counts) {
+Json json_of_atoms(const Facts& facts) {
+  return {{"atoms", facts.structure.size()},
+          {"residues", facts.structure.atoms.residues.size()},
+          {"chains", facts.chains},
+          {"elements", as_object(facts.elements)},
+          {"bonds", facts.structure.bonds.size()},
+          {"bonds_by_origin", as_object(facts.bonds_by_origin)},
+          {"bar_kind", facts.options.bars}};
+}
+
+Json json_of_bars(const Facts& facts) {
+  const GraphFacts& graph = facts.graph;
+  return {{"joints", graph.joints},
+          {"bars", graph.bars},
+          {"pinned", facts.pinned},
+          {"components", graph.components},
+          {"cycles", graph.cycles},
+          {"bridges", graph.bridges},
+          {"blocks", graph.blocks},
+          {"largest_block", graph.largest_block},
+          {"bars_in_blocks", graph.bars_in_blocks}};
+}
+
+void print_facts_as_json(const Facts& facts, const Messages& messages) {
+  const Json atoms = facts.has_atoms() ? json_of_atoms(facts) : Json{};
+  print_json(json_of_file(facts) + atoms + json_of_bars(facts) +
+             Json{{"warnings", messages.warnings()}, {"notes", messages.notes()}});
+}
+
+std::string listed(const Counts& counts) {
   std::string text;
-  for (const auto& [key, count] : counts.items())
-    if (count != 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", key, count.dump());
+  for (const auto& [name, count] : counts)
+    if (count != 0) text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, count);
   return text.empty() ? "none" : text;
 }
 
-void print_row(std::string_view label, const Json& value, std::string_view comment) {
-  fmt::print("{:<12}{:>10}{}{}\n", label, value.dump(), comment.empty() ? "" : "   ", comment);
+std::string numbered(std::size_t count, const char* one, const char* many) {
+  return fmt::format("{} {}", count, count == 1 ? one : many);
+}
+
+void print_row(std::string_view label, std::size_t value, std::string_view comment) {
+  fmt::print("{:<12}{:>10}{}{}\n", label, value, comment.empty() ? "" : "   ", comment);
 }
 
 /// Warnings tell of other guesses; they are on stderr by now.
-void print_guesses(const Json& facts) {
-  const Json by_distance = facts.value("/bonds_by_origin/distance"_json_pointer, Json(0));
+void print_guesses(const Facts& facts, const Messages& messages) {
+  const auto origin = static_cast<std::size_t>(BondOrigin::distance);
+  const std::size_t by_distance = facts.has_atoms() ? facts.bonds_by_origin[origin].second : 0;
   if (by_distance != 0)
-    fmt::print("guessed: {} bonds, from distances and covalent radii\n", by_distance.dump());
-  else if (facts["warnings"].empty())
+    fmt::print("guessed: {} bonds, from distances and covalent radii\n", by_distance);
+  else if (messages.warnings().empty())
     fmt::print("nothing was guessed\n");
 }
 
-std::string pinned_joints(const Json& facts) {
-  if (facts["pinned"] == 0) return "";
-  return facts["pinned"].dump() + (facts["pinned"] == 1 ? " joint pinned" : " joints pinned");
+std::string pinned_joints(const Facts& facts) {
+  return facts.pinned == 0 ? "" : numbered(facts.pinned, "joint pinned", "joints pinned");
 }
 
-void print_molecule_rows(const Json& facts) {
-  fmt::print("{} ({}, model {} of {})\n", facts["file"].get<std::string>(),
-             facts["format"].get<std::string>(), facts["model"].dump(), facts["models"].dump());
-  print_row("atoms", facts["atoms"], listed(facts["elements"]));
-  print_row("residues", facts["residues"],
-            facts["chains"].dump() + (facts["chains"] == 1 ? " chain" : " chains"));
-  print_row("bonds", facts["bonds"], "from " + listed(facts["bonds_by_origin"]));
+void print_molecule_rows(const Facts& facts) {
+  const Structure& structure = facts.structure;
+  fmt::print("{} ({}, model {} of {})\n", facts.options.file, structure.format, structure.model,
+             structure.model_count);
+  print_row("atoms", structure.size(), listed(facts.elements));
+  print_row("residues", structure.atoms.residues.size(), numbered(facts.chains, "chain", "chains"));
+  print_row("bonds", structure.bonds.size(), "from " + listed(facts.bonds_by_origin));
   const std::string pinned = pinned_joints(facts);
-  print_row("bars", facts["bars"],
-            facts["bar_kind"].get<std::string>() + (pinned.empty() ? "" : ", " + pinned));
+  print_row("bars", facts.graph.bars, facts.options.bars + (pinned.empty() ? "" : ", " + pinned));
 }
 
-void print_graph_rows(const Json& facts) {
-  fmt::print("{} (graph)\n", facts["file"].get<std::string>());
-  print_row("joints", facts["joints"], pinned_joints(facts));
-  print_row("bars", facts["bars"], "");
+void print_graph_rows(const Facts& facts) {
+  fmt::print("{} (graph)\n", facts.options.file);
+  print_row("joints", facts.graph.joints, pinned_joints(facts));
+  print_row("bars", facts.graph.bars, "");
 }
 
-void print_table(const Json& facts) {
-  const bool has_atoms = facts.contains("atoms");
-  has_atoms ? print_molecule_rows(facts) : print_graph_rows(facts);
-  print_row("components", facts["components"], "");
-  print_row("cycles", facts["cycles"],
-            fmt::format("independent: bars - {} + components", has_atoms ? "atoms" : "joints"));
-  print_row("bridges", facts["bridges"], "bars on no cycle");
-  print_row("blocks", facts["blocks"],
+void print_table(const Facts& facts) {
+  const GraphFacts& graph = facts.graph;
+  facts.has_atoms() ? print_molecule_rows(facts) : print_graph_rows(facts);
+  print_row("components", graph.components, "");
+  print_row(
+      "cycles", graph.cycles,
+      fmt::format("independent: bars - {} + components", facts.has_atoms() ? "atoms" : "joints"));
+  print_row("bridges", graph.bridges, "bars on no cycle");
+  print_row("blocks", graph.blocks,
             fmt::format("ring systems, with {} bars in all, {} in the largest",
-                        facts["bars_in_blocks"].dump(), facts["largest_block"].dump()));
-  print_guesses(facts);
+                        graph.bars_in_blocks, graph.largest_block));
 }
 
 }  // namespace
 
 int command_info(const Arguments& arguments) {
-  CLI::App app{
+  CommandLine line(
+      "pliant info",
       "Tells what a molecule file holds: atoms, bonds and where each comes from, bars,\n"
-      "components, independent cycles, bridges and blocks. Says what was guessed.",
-      "pliant info"};
-  prepare(app);
+      "components, independent cycles, bridges and blocks. Says what was guessed.");
   MoleculeOptions options;
   bool as_json = false;
-  add_molecule_options(app, options);
-  start_group(app, "Output");
-  app.add_flag("--json", as_json, "print one JSON object");
-  if (const int code = parse(app, arguments); code >= 0) return code;
+  add_molecule_options(line, options);
+  line.start_group("Output");
+  line.add_flag("--json", as_json, "print one JSON object");
+  if (const int code = line.parse(arguments); code >= 0) return code;
   Messages messages(as_json);
   const Molecule molecule = load(options, messages.log());
-  const Json facts = facts_of(options, molecule, messages);
+  const Facts facts = facts_of(options, molecule);
   if (as_json) {
-    fmt::print("{}\n", facts.dump(2, ' ', false, Json::error_handler_t::replace));
+    print_facts_as_json(facts, messages);
   } else {
     print_table(facts);
+    print_guesses(facts, messages);
   }
   return exit_ok;
 }

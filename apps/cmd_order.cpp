@@ -2,11 +2,11 @@
 // pliant order: the ordering file (the thesis' constraint file) of a technique's first sweep.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "command.hpp"
+#include "json.hpp"
 #include "messages.hpp"
 #include "molecule_input.hpp"
+#include "pliant/base/choices.hpp"
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/text/output_file.hpp"
@@ -21,19 +21,18 @@ struct OrderSettings {
   bool overwrite = false, json = false;
 };
 
-void add_options(CLI::App& app, OrderSettings& settings) {
-  add_molecule_options(app, settings.molecule);
-  start_group(app, "Ordering");
-  add_choice(app, "--ordering", settings.ordering, names_of(orderings()),
-             "which: see pliant techniques");
-  app.add_option("--root", settings.root, "joint where it begins: its name, or index from 0")
-      ->type_name("JOINT");
-  add_seed(app, "--seed", settings.seed, "of random orderings");
-  start_group(app, "Output");
-  app.add_option("-o,--output", settings.output, "ordering file (default: print it)")
-      ->type_name("FILE");
-  app.add_flag("--overwrite", settings.overwrite, "replace an existing file");
-  app.add_flag("--json", settings.json, "print one JSON object");
+void add_options(CommandLine& line, OrderSettings& settings) {
+  add_molecule_options(line, settings.molecule);
+  line.start_group("Ordering");
+  line.add_choice("--ordering", settings.ordering, names_of(orderings()),
+                  "which: see pliant techniques");
+  line.add_text("--root", settings.root, "JOINT",
+                "joint where it begins: its name, or index from 0");
+  line.add_seed("--seed", settings.seed, "of random orderings");
+  line.start_group("Output");
+  line.add_text("-o,--output", settings.output, "FILE", "ordering file (default: print it)");
+  line.add_flag("--overwrite", settings.overwrite, "replace an existing file");
+  line.add_flag("--json", settings.json, "print one JSON object");
 }
 
 Ordering ordering_of(const OrderSettings& settings, const Framework& framework) {
@@ -48,8 +47,7 @@ Ordering ordering_of(const OrderSettings& settings, const Framework& framework) 
 
 void print_json(const OrderSettings& settings, const Framework& framework,
                 const Ordering& ordering) {
-  using Json = nlohmann::ordered_json;
-  Json bars = Json::array();
+  std::vector<Json> bars;
   for (const OrderedBar& visit : ordering) {
     const Bar bar = framework.bars()[visit.bar];
     const Joint far = visit.near == bar.a ? bar.b : bar.a;
@@ -58,26 +56,25 @@ void print_json(const OrderSettings& settings, const Framework& framework,
   const Json json{{"input", settings.molecule.file},
                   {"ordering", settings.ordering},
                   {"output", settings.output},
-                  {"bars", bars}};
-  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+                  {"bars", Json::array(bars)}};
+  print_json(json);
 }
 
 }  // namespace
 
 int command_order(const Arguments& arguments) {
-  CLI::App app{
+  CommandLine line(
+      "pliant order",
       "Writes the sequence in which the first sweep of a technique visits the bars, one bar\n"
       "a line: near joint, far joint, tree or non_tree (closes a cycle). pliant run takes\n"
-      "such a file, edited or not, with --ordering.",
-      "pliant order"};
-  prepare(app);
-  app.footer(
+      "such a file, edited or not, with --ordering.");
+  line.set_footer(
       "Examples:\n"
       "  pliant order graph.xml --ordering dfs_cycle --root a\n"
       "  pliant order graph.xml -o ordering.txt && pliant run graph.xml --ordering ordering.txt");
   OrderSettings settings;
-  add_options(app, settings);
-  if (const int code = parse(app, arguments); code >= 0) return code;
+  add_options(line, settings);
+  if (const int code = line.parse(arguments); code >= 0) return code;
   Messages messages(settings.json);
   const Molecule molecule = load(settings.molecule, messages.log());
   const Ordering ordering = ordering_of(settings, molecule.framework);

@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
+#include "pliant/base/error.hpp"
 #include "run_report.hpp"
 #include "run_walkers.hpp"
 
@@ -48,13 +49,12 @@ int exit_code_of(const RunSummary& summary) {
 }  // namespace
 
 int command_run(const Arguments& arguments) {
-  CLI::App app{
+  CommandLine line(
+      "pliant run",
       "Pushes a molecule again and again, resolves the bars that break, and writes what\n"
       "moved to an H5MD trajectory. Every bar of every frame is within the tolerance, or\n"
-      "the frame and the exit code (3) say that it is not.",
-      "pliant run"};
-  prepare(app);
-  app.footer(
+      "the frame and the exit code (3) say that it is not.");
+  line.set_footer(
       "Examples:\n"
       "  pliant run caffeine.sdf\n"
       "  pliant run protein.pdb -o out.h5md --steps 10000 --every 10 --technique blocks\n"
@@ -62,11 +62,11 @@ int command_run(const Arguments& arguments) {
       "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge,\n"
       "130 ended early by Ctrl-C with whole frames.");
   RunSettings settings;
-  add_run_options(app, settings);
-  if (const int code = parse(app, arguments); code >= 0) return code;
+  add_run_options(line, settings);
+  if (const int code = line.parse(arguments); code >= 0) return code;
   Messages messages(settings.json || settings.quiet);
   const Molecule molecule = load(settings.molecule, messages.log());
-  complete(app, settings, molecule.framework);
+  complete(line, settings, molecule.framework);
   refuse_to_overwrite_inputs(settings);
   refuse_to_replace(settings);
   settings.record.log = messages.log();

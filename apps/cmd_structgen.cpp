@@ -2,9 +2,8 @@
 // pliant structgen: random graphs of a class, or a whole test set (the thesis' StructGen).
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "command.hpp"
+#include "json.hpp"
 #include "messages.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/record/xml/write_graph_xml.hpp"
@@ -13,13 +12,6 @@
 
 namespace pliant::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
-void print_json(const Json& json) {
-  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
-}
-
 void write_one(const StructgenSettings& settings) {
   const GraphClass& kind = find_graph_class(settings.kind);
   RandomKey key;
@@ -43,9 +35,9 @@ void write_one(const StructgenSettings& settings) {
 }
 
 Json set_as_json(const TestSet& set) {
-  Json classes = Json::array();
+  std::vector<Json> classes;
   for (const TestClass& kind : set.classes) {
-    Json heuristics = Json::array();
+    std::vector<std::string> heuristics;
     for (const TestHeuristic& row : kind.graphs[0].heuristics) heuristics.push_back(row.name());
     classes.push_back(
         {{"name", kind.name}, {"graphs", kind.graphs.size()}, {"heuristics", heuristics}});
@@ -53,7 +45,7 @@ Json set_as_json(const TestSet& set) {
   return {{"test_set", set.directory.string()},
           {"seed", set.settings.seed},
           {"forces", set.settings.forces},
-          {"classes", classes}};
+          {"classes", Json::array(classes)}};
 }
 
 void print_set(const TestSet& set) {
@@ -79,18 +71,17 @@ void write_set(StructgenSettings& settings) {
 }  // namespace
 
 int command_structgen(const Arguments& arguments) {
-  CLI::App app{
+  CommandLine line(
+      "pliant structgen",
       "Makes random frameworks of a class: a tree, or a graph of 1, 2 or n cycles, each way of\n"
       "making one a class of its own. Writes one as graph XML, or with --test-set a folder a\n"
       "class, a folder a graph in it with its forces and its ordering, a folder a heuristic\n"
       "(technique and weighting) for results, and results.xml on top, which names them all.\n"
-      "Every graph is checked to be of its class; the same seed makes the same files.",
-      "pliant structgen"};
-  prepare(app);
+      "Every graph is checked to be of its class; the same seed makes the same files.");
   StructgenSettings settings;
-  add_structgen_options(app, settings);
-  if (const int code = parse(app, arguments); code >= 0) return code;
-  complete(app, settings);
+  add_structgen_options(line, settings);
+  if (const int code = line.parse(arguments); code >= 0) return code;
+  complete(line, settings);
   settings.directory.empty() ? write_one(settings) : write_set(settings);
   return exit_ok;
 }

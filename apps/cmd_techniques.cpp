@@ -2,32 +2,28 @@
 // pliant techniques: the tables that --technique and --perturb choose from.
 #include <fmt/format.h>
 
-#include <nlohmann/json.hpp>
-
 #include "command.hpp"
-#include "options.hpp"
+#include "command_line.hpp"
+#include "json.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
 Json technique_rows() {
-  Json rows = Json::array();
+  std::vector<Json> rows;
   for (const TechniqueEntry& row : techniques())
     rows.push_back({{"name", row.name},
                     {"summary", row.summary},
                     {"applies_to", row.forests_only ? "trees" : "any"}});
-  return rows;
+  return Json::array(rows);
 }
 
 Json perturbation_rows() {
-  Json rows = Json::array();
+  std::vector<Json> rows;
   for (const PerturbationEntry& row : perturbations())
     rows.push_back({{"name", row.name}, {"summary", row.summary}});
-  return rows;
+  return Json::array(rows);
 }
 
 void print_table() {
@@ -46,17 +42,16 @@ void print_table() {
 }  // namespace
 
 int command_techniques(const Arguments& arguments) {
-  CLI::App app{"Lists techniques, weightings and perturbations.", "pliant techniques"};
-  prepare(app);
+  CommandLine line("pliant techniques", "Lists techniques, weightings and perturbations.");
   bool as_json = false;
-  start_group(app, "Output");
-  app.add_flag("--json", as_json, "print one JSON object");
-  if (const int code = parse(app, arguments); code >= 0) return code;
+  line.start_group("Output");
+  line.add_flag("--json", as_json, "print one JSON object");
+  if (const int code = line.parse(arguments); code >= 0) return code;
   if (as_json) {
     const Json tables{{"techniques", technique_rows()},
-                      {"weightings", {0.5, 0.75, 1.0}},
+                      {"weightings", Json::array({0.5, 0.75, 1.0})},
                       {"perturbations", perturbation_rows()}};
-    fmt::print("{}\n", tables.dump(2));
+    print_json(tables);
   } else {
     print_table();
   }

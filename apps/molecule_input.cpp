@@ -38,24 +38,21 @@ bool is_graph(const MoleculeOptions& options) {
 
 }  // namespace
 
-void add_molecule_options(CLI::App& app, MoleculeOptions& options) {
-  start_group(app, "Molecule");
-  app.add_option("input", options.file, "PDB, mmCIF, XYZ, SDF (may be gzipped), or a graph (.xml)")
-      ->type_name("FILE")
-      ->required();
-  add_choice(app, "--format", options.format, names_of(formats()),
-             "pdb, mmcif, xyz or sdf, if not told by extension or content")
-      ->default_str("");
-  add_integer(app, "--model", options.model, 1, most_models, "which model, frame or record");
-  add_choice(app, "--bars", options.bars, names_of(bar_choices),
-             "bonds, or angles: bonds and 1-3 pairs");
-  add_choice(app, "--lengths", options.lengths, names_of(length_choices),
-             "rest lengths from the geometry or a table of bonds");
-  app.add_option("--pin", options.pin, "atoms that never move, such as \"chainID A and name CA\"")
-      ->type_name("SELECTION");
-  app.add_flag_callback(
-      "--no-distance-bonds", [&options] { options.guess_distances = false; },
-      "guess no bond from a distance");
+void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
+  line.start_group("Molecule");
+  line.add_required_text("input", options.file, "FILE",
+                         "PDB, mmCIF, XYZ, SDF (may be gzipped), or a graph (.xml)");
+  line.add_choice("--format", options.format, names_of(formats()),
+                  "pdb, mmcif, xyz or sdf, if not told by extension or content");
+  line.add_integer("--model", options.model, 1, most_models, "which model, frame or record");
+  line.add_choice("--bars", options.bars, names_of(bar_choices),
+                  "bonds, or angles: bonds and 1-3 pairs");
+  line.add_choice("--lengths", options.lengths, names_of(length_choices),
+                  "rest lengths from the geometry or a table of bonds");
+  line.add_text("--pin", options.pin, "SELECTION",
+                "atoms that never move, such as \"chainID A and name CA\"");
+  line.add_opposite("--no-distance-bonds", options.guess_distances,
+                    "guess no bond from a distance");
 }
 
 Molecule load(const MoleculeOptions& options, const Log& log) {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "options.hpp"
+#include "command_line.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/structure/structure.hpp"
@@ -27,7 +27,7 @@ struct Molecule {
   Framework framework;
 };
 
-void add_molecule_options(CLI::App& app, MoleculeOptions& options);
+void add_molecule_options(CommandLine& line, MoleculeOptions& options);
 
 /// Reads the file, perceives its bonds, builds its framework. Throws as the library does.
 Molecule load(const MoleculeOptions& options, const Log& log);

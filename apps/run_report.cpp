@@ -4,16 +4,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "json.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant::app {
 namespace {
-
-using Json = nlohmann::ordered_json;
-
 /// Of the walkers that were begun: each shows at least its start.
 std::vector<std::string> outputs_of(const RunSettings& settings,
                                     const std::vector<RunSummary>& summaries) {
@@ -114,7 +111,7 @@ void print_run_json(const RunSettings& settings, const Framework& framework,
                   {"us_per_step", microseconds_per_step(summary)},
                   {"ns_per_bar_and_sweep", summary.ns_per_bar_and_sweep()},
                   {"warnings", warnings}};
-  fmt::print("{}\n", json.dump(2, ' ', false, Json::error_handler_t::replace));
+  print_json(json);
 }
 
 }  // namespace pliant::app

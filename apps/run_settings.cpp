@@ -5,6 +5,7 @@
 #include <limits>
 #include <thread>
 
+#include "pliant/base/choices.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/resolve/automatic.hpp"
@@ -16,93 +17,88 @@ namespace {
 namespace fs = std::filesystem;
 constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
 
-void add_technique_options(CLI::App& app, RunSettings& settings) {
+void add_technique_options(CommandLine& line, RunSettings& settings) {
   RunOptions& run = settings.run;
-  start_group(app, "Technique");
-  add_choice(app, "--technique", run.technique.name, names_of(techniques()),
-             "how broken bars are resolved: see pliant techniques");
-  app.add_option("--ordering", settings.ordering,
-                 "visit the bars as an ordering file says, in place of --technique")
-      ->type_name("FILE");
-  add_real(app, "--weighting", run.technique.weighting, Range::zero_to_one,
-           "share of a correction that the far end of a bar takes");
-  app.add_flag("--mass-weighted", run.technique.mass_weighted,
-               "share corrections by inverse masses too");
-  add_real(app, "--tolerance", run.resolve.tolerance.relative, Range::positive,
-           "largest |length - rest| / rest of a whole bar");
-  add_real(app, "--tolerance-length", run.resolve.tolerance.length, Range::positive,
-           "largest |length - rest| in Angstrom, in place of --tolerance")
-      ->default_str("");
-  add_integer(app, "--max-sweeps", run.resolve.max_sweeps, 1, no_limit,
-              "sweeps after which a step is given up");
+  line.start_group("Technique");
+  line.add_choice("--technique", run.technique.name, names_of(techniques()),
+                  "how broken bars are resolved: see pliant techniques");
+  line.add_text("--ordering", settings.ordering, "FILE",
+                "visit the bars as an ordering file says, in place of --technique");
+  line.add_real("--weighting", run.technique.weighting, Range::zero_to_one,
+                "share of a correction that the far end of a bar takes");
+  line.add_flag("--mass-weighted", run.technique.mass_weighted,
+                "share corrections by inverse masses too");
+  line.add_real("--tolerance", run.resolve.tolerance.relative, Range::positive,
+                "largest |length - rest| / rest of a whole bar");
+  line.add_real("--tolerance-length", run.resolve.tolerance.length, Range::positive,
+                "largest |length - rest| in Angstrom, in place of --tolerance", "");
+  line.add_integer("--max-sweeps", run.resolve.max_sweeps, 1, no_limit,
+                   "sweeps after which a step is given up");
 }
 
-void add_perturb_options(CLI::App& app, RunSettings& settings) {
+void add_perturb_options(CommandLine& line, RunSettings& settings) {
   RunOptions& run = settings.run;
-  start_group(app, "Perturbation");
-  add_choice(app, "--perturb", run.perturb, names_of(perturbations()),
-             "what breaks the bars: force, force_all, displacement");
-  add_real(app, "--force", run.perturb_options.force, Range::zero_or_more,
-           "size of a random force, kJ/(mol Angstrom)");
-  add_real(app, "--timestep", run.perturb_options.timestep, Range::positive, "of a step, ps");
-  add_real(app, "--damping", run.perturb_options.damping, Range::zero_to_one,
-           "share of its velocity that a pushed joint loses");
-  add_real(app, "--displacement", run.perturb_options.displacement, Range::zero_or_more,
-           "length of a random displacement, Angstrom");
-  app.add_option("--forces", settings.forces,
-                 "replay a force file, one push a step, in place of --perturb")
-      ->type_name("FILE");
-  app.add_option("--record-forces", settings.record_forces,
-                 "write each step's push to a force file, to be replayed with --forces")
-      ->type_name("FILE");
+  line.start_group("Perturbation");
+  line.add_choice("--perturb", run.perturb, names_of(perturbations()),
+                  "what breaks the bars: force, force_all, displacement");
+  line.add_real("--force", run.perturb_options.force, Range::zero_or_more,
+                "size of a random force, kJ/(mol Angstrom)");
+  line.add_real("--timestep", run.perturb_options.timestep, Range::positive, "of a step, ps");
+  line.add_real("--damping", run.perturb_options.damping, Range::zero_to_one,
+                "share of its velocity that a pushed joint loses");
+  line.add_real("--displacement", run.perturb_options.displacement, Range::zero_or_more,
+                "length of a random displacement, Angstrom");
+  line.add_text("--forces", settings.forces, "FILE",
+                "replay a force file, one push a step, in place of --perturb");
+  line.add_text("--record-forces", settings.record_forces, "FILE",
+                "write each step's push to a force file, to be replayed with --forces");
 }
 
-void add_output_options(CLI::App& app, RunSettings& settings) {
-  start_group(app, "Output");
-  app.add_option("-o,--output", settings.output, "H5MD trajectory (default: INPUT's name.h5md)")
-      ->type_name("FILE");
-  app.add_option("--topology", settings.topology,
-                 "PDB with names and bonds, or none (default: OUTPUT's name.pdb)")
-      ->type_name("FILE");
-  app.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
-  app.add_flag("--single", settings.record.single, "positions as 32-bit floats");
-  app.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
-  app.add_flag("--json", settings.json, "print the summary as one JSON object");
-  app.add_flag("--quiet", settings.quiet, "print nothing but errors");
+void add_output_options(CommandLine& line, RunSettings& settings) {
+  line.start_group("Output");
+  line.add_text("-o,--output", settings.output, "FILE",
+                "H5MD trajectory (default: INPUT's name.h5md)");
+  line.add_text("--topology", settings.topology, "FILE",
+                "PDB with names and bonds, or none (default: OUTPUT's name.pdb)");
+  line.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
+  line.add_flag("--single", settings.record.single, "positions as 32-bit floats");
+  line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
+  line.add_flag("--json", settings.json, "print the summary as one JSON object");
+  line.add_flag("--quiet", settings.quiet, "print nothing but errors");
 }
 
 /// A setting of the force file holds where the command line is silent.
 template <class Target, class Value>
-void take(const CLI::App& app, const char* option, const Value& from, Target& to) {
-  if (from && app.count(option) == 0) to = *from;
+void take(const CommandLine& line, const char* option, const Value& from, Target& to) {
+  if (from && !line.was_given(option)) to = *from;
 }
 
 /// A push means nothing without the settings that it was made for.
-void expect_settings(const CLI::App& app, const RunSettings& settings, const ForceFile& file) {
+void expect_settings(const CommandLine& line, const RunSettings& settings, const ForceFile& file) {
   std::string missing;
   const auto expect = [&](bool is_given, const char* option) {
-    if (!is_given && app.count(option) == 0)
+    if (!is_given && !line.was_given(option))
       missing += (missing.empty() ? "" : ", ") + std::string(option);
   };
   expect(file.timestep.has_value(), "--timestep");
-  expect(file.tolerance || file.tolerance_length || app.count("--tolerance-length") > 0,
+  expect(file.tolerance || file.tolerance_length || line.was_given("--tolerance-length"),
          "--tolerance");
   expect(file.max_sweeps.has_value(), "--max-sweeps");
   if (!missing.empty())
     throw InputError(settings.forces + ": does not say, so that the command line must: " + missing);
 }
 
-void take_forces(const CLI::App& app, RunSettings& settings, const Framework& framework) {
+void take_forces(const CommandLine& line, RunSettings& settings, const Framework& framework) {
   const ForceFile file = read_force_file(settings.forces, framework);
   if (file.pushes.empty()) throw InputError(settings.forces + ": holds no push");
-  expect_settings(app, settings, file);
+  expect_settings(line, settings, file);
   RunOptions& run = settings.run;
-  take(app, "--timestep", file.timestep, run.perturb_options.timestep);
-  take(app, "--tolerance", file.tolerance, run.resolve.tolerance.relative);
-  if (app.count("--tolerance") == 0)
-    take(app, "--tolerance-length", file.tolerance_length, run.resolve.tolerance.length);
-  take(app, "--max-sweeps", file.max_sweeps, run.resolve.max_sweeps);
-  if (app.count("--steps") == 0) run.steps = static_cast<std::int64_t>(file.pushes.size());
+  take(line, "--timestep", file.timestep, run.perturb_options.timestep);
+  take(line, "--tolerance", file.tolerance, run.resolve.tolerance.relative);
+  if (!line.was_given("--tolerance"))
+    take(line, "--tolerance-length", file.tolerance_length, run.resolve.tolerance.length);
+  take(line, "--max-sweeps", file.max_sweeps, run.resolve.max_sweeps);
+  if (!line.was_given("--steps")) run.steps = static_cast<std::int64_t>(file.pushes.size());
   if (static_cast<std::size_t>(run.steps) > file.pushes.size())
     throw OptionError("--steps: expected at most " + std::to_string(file.pushes.size()) +
                       ", the pushes in " + settings.forces);
@@ -110,9 +106,9 @@ void take_forces(const CLI::App& app, RunSettings& settings, const Framework& fr
 }
 
 /// The ordering of a file is the technique `input` with another input.
-void take_ordering(const CLI::App& app, RunSettings& settings, const Framework& framework) {
+void take_ordering(const CommandLine& line, RunSettings& settings, const Framework& framework) {
   Technique& technique = settings.run.technique;
-  if (app.count("--technique") == 0) technique.name = "input";
+  if (!line.was_given("--technique")) technique.name = "input";
   if (technique.name != "input")
     throw OptionError("--ordering: goes with --technique input or none, not with " +
                       technique.name);
@@ -142,28 +138,28 @@ std::string default_topology(const RunSettings& settings) {
 
 }  // namespace
 
-void add_run_options(CLI::App& app, RunSettings& settings) {
-  add_molecule_options(app, settings.molecule);
-  start_group(app, "Run");
-  add_integer(app, "--steps", settings.run.steps, 0, no_limit, "steps to do");
-  add_integer(app, "--every", settings.run.every, 1, no_limit, "record every so many steps");
-  add_seed(app, "--seed", settings.run.resolve.seed, "of all random numbers");
-  add_integer(app, "--walkers", settings.walkers, 1, 1'000'000,
-              "independent runs, each with an output of its own");
-  add_integer(app, "--threads", settings.threads, 1, 4096, "threads that share the walkers")
-      ->default_str("all cores");
-  add_technique_options(app, settings);
-  add_perturb_options(app, settings);
-  add_output_options(app, settings);
+void add_run_options(CommandLine& line, RunSettings& settings) {
+  add_molecule_options(line, settings.molecule);
+  line.start_group("Run");
+  line.add_integer("--steps", settings.run.steps, 0, no_limit, "steps to do");
+  line.add_integer("--every", settings.run.every, 1, no_limit, "record every so many steps");
+  line.add_seed("--seed", settings.run.resolve.seed, "of all random numbers");
+  line.add_integer("--walkers", settings.walkers, 1, 1'000'000,
+                   "independent runs, each with an output of its own");
+  line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the walkers",
+                   "all cores");
+  add_technique_options(line, settings);
+  add_perturb_options(line, settings);
+  add_output_options(line, settings);
 }
 
-void complete(const CLI::App& app, RunSettings& settings, const Framework& framework) {
+void complete(const CommandLine& line, RunSettings& settings, const Framework& framework) {
   if (settings.threads == 0) settings.threads = std::thread::hardware_concurrency();
   check_record_forces(settings);
-  if (!settings.forces.empty()) take_forces(app, settings, framework);
-  if (!settings.ordering.empty()) take_ordering(app, settings, framework);
-  const bool is_left_to_auto = app.count("--technique") == 0 && settings.ordering.empty();
-  if (is_left_to_auto && app.count("--weighting") > 0) settings.run.technique.name = "bfs_cycle";
+  if (!settings.forces.empty()) take_forces(line, settings, framework);
+  if (!settings.ordering.empty()) take_ordering(line, settings, framework);
+  const bool is_left_to_auto = !line.was_given("--technique") && settings.ordering.empty();
+  if (is_left_to_auto && line.was_given("--weighting")) settings.run.technique.name = "bfs_cycle";
   if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
   if (settings.topology.empty()) settings.topology = default_topology(settings);
 }

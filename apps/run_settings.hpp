@@ -26,11 +26,11 @@ struct RunSettings {
   bool quiet = false;
 };
 
-void add_run_options(CLI::App& app, RunSettings& settings);
+void add_run_options(CommandLine& line, RunSettings& settings);
 
 /// Fills in what the command line left open: output names, settings of the force file, the
 /// ordering.
-void complete(const CLI::App& app, RunSettings& settings, const Framework& framework);
+void complete(const CommandLine& line, RunSettings& settings, const Framework& framework);
 
 /// Name of the output of a walker: `name` itself if there is but one walker.
 std::string of_walker(const RunSettings& settings, const std::string& name, std::int64_t walker);

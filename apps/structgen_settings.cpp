@@ -3,6 +3,7 @@
 
 #include <limits>
 
+#include "pliant/base/choices.hpp"
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant::app {
@@ -23,55 +24,54 @@ std::string listed(const std::vector<std::string_view>& names) {
   return text;
 }
 
-void add_one_options(CLI::App& app, StructgenSettings& settings) {
-  app.add_option("CLASS", settings.kind, "class of the graph: see below")->type_name("NAME");
-  start_group(app, "One graph");
-  app.add_option("-o,--output", settings.output, "graph XML (default: CLASS.xml)")
-      ->type_name("FILE");
-  add_integer(app, "--number", settings.number, 0, no_limit,
-              "which of all graphs of the class and seed");
-  app.add_flag("--overwrite", settings.overwrite, "replace an existing file");
+void add_one_options(CommandLine& line, StructgenSettings& settings) {
+  line.add_text("CLASS", settings.kind, "NAME", "class of the graph: see below");
+  line.start_group("One graph");
+  line.add_text("-o,--output", settings.output, "FILE", "graph XML (default: CLASS.xml)");
+  line.add_integer("--number", settings.number, 0, no_limit,
+                   "which of all graphs of the class and seed");
+  line.add_flag("--overwrite", settings.overwrite, "replace an existing file");
 }
 
-void add_size_options(CLI::App& app, GenerateOptions& sizes) {
-  start_group(app, "Sizes");
-  add_integer(app, "--depth", sizes.depth, 1, no_limit, "levels of a tree below its root");
-  add_integer(app, "--children", sizes.children, 1, no_limit,
-              "most children of a joint; the number is random");
-  add_integer(app, "--ring", sizes.ring, 3, no_limit,
-              "most joints of a closed chain; the number is random");
-  add_integer(app, "--cycles", sizes.cycles, 0, no_limit, "non-tree bars of an n-cycle");
-  add_integer(app, "--joints", sizes.joints, 0, no_limit,
-              "joints of a tree; 0: as --depth and --children have it");
-  add_real(app, "--box", sizes.box, Range::positive,
-           "edge of the box that positions are drawn from, Angstrom");
+void add_size_options(CommandLine& line, GenerateOptions& sizes) {
+  line.start_group("Sizes");
+  line.add_integer("--depth", sizes.depth, 1, no_limit, "levels of a tree below its root");
+  line.add_integer("--children", sizes.children, 1, no_limit,
+                   "most children of a joint; the number is random");
+  line.add_integer("--ring", sizes.ring, 3, no_limit,
+                   "most joints of a closed chain; the number is random");
+  line.add_integer("--cycles", sizes.cycles, 0, no_limit, "non-tree bars of an n-cycle");
+  line.add_integer("--joints", sizes.joints, 0, no_limit,
+                   "joints of a tree; 0: as --depth and --children have it");
+  line.add_real("--box", sizes.box, Range::positive,
+                "edge of the box that positions are drawn from, Angstrom");
 }
 
-void add_set_options(CLI::App& app, StructgenSettings& settings) {
+void add_set_options(CommandLine& line, StructgenSettings& settings) {
   TestSetOptions& set = settings.set;
-  start_group(app, "Test set");
-  app.add_option("--test-set", settings.directory, "make a test set in this new or empty folder")
-      ->type_name("DIR");
-  add_names(app, "--classes", set.classes, "all", "classes to make, such as tree,2-cycle-path");
-  add_integer(app, "--graphs", set.graphs, 1, most_files, "graphs of each class");
-  add_integer(app, "--forces", set.settings.forces, 1, most_files, "random pushes of each graph");
-  add_integer(app, "--force-files", set.force_files, 1, most_files,
-              "files that the pushes of a graph are spread over");
-  add_names(app, "--techniques", set.techniques, "all orderings",
-            "techniques to make folders for, each for the classes that it resolves");
-  add_reals(app, "--weightings", set.weightings, Range::zero_to_one, "0.5,0.75,1",
-            "weightings of each technique");
+  line.start_group("Test set");
+  line.add_text("--test-set", settings.directory, "DIR",
+                "make a test set in this new or empty folder");
+  line.add_names("--classes", set.classes, "all", "classes to make, such as tree,2-cycle-path");
+  line.add_integer("--graphs", set.graphs, 1, most_files, "graphs of each class");
+  line.add_integer("--forces", set.settings.forces, 1, most_files, "random pushes of each graph");
+  line.add_integer("--force-files", set.force_files, 1, most_files,
+                   "files that the pushes of a graph are spread over");
+  line.add_names("--techniques", set.techniques, "all orderings",
+                 "techniques to make folders for, each for the classes that it resolves");
+  line.add_reals("--weightings", set.weightings, Range::zero_to_one, "0.5,0.75,1",
+                 "weightings of each technique");
 }
 
-void add_force_options(CLI::App& app, TestSettings& settings) {
-  start_group(app, "Forces of a test set");
-  add_real(app, "--force", settings.force, Range::zero_or_more,
-           "size of a push, kJ/(mol Angstrom)");
-  add_real(app, "--timestep", settings.timestep, Range::positive, "of a step, ps");
-  add_real(app, "--tolerance-length", settings.tolerance_length, Range::positive,
-           "largest |length - rest| of a whole bar, Angstrom");
-  add_integer(app, "--max-sweeps", settings.max_sweeps, 1, no_limit,
-              "sweeps after which a step is given up");
+void add_force_options(CommandLine& line, TestSettings& settings) {
+  line.start_group("Forces of a test set");
+  line.add_real("--force", settings.force, Range::zero_or_more,
+                "size of a push, kJ/(mol Angstrom)");
+  line.add_real("--timestep", settings.timestep, Range::positive, "of a step, ps");
+  line.add_real("--tolerance-length", settings.tolerance_length, Range::positive,
+                "largest |length - rest| of a whole bar, Angstrom");
+  line.add_integer("--max-sweeps", settings.max_sweeps, 1, no_limit,
+                   "sweeps after which a step is given up");
 }
 
 std::string footer() {
@@ -87,27 +87,27 @@ std::string footer() {
 
 }  // namespace
 
-void add_structgen_options(CLI::App& app, StructgenSettings& settings) {
-  app.footer(footer());
-  add_one_options(app, settings);
-  add_size_options(app, settings.set.settings.sizes);
-  start_group(app, "Random numbers and output");
-  add_seed(app, "--seed", settings.set.settings.seed, "of all random numbers");
-  app.add_flag("--json", settings.json, "print one JSON object");
-  add_set_options(app, settings);
-  add_force_options(app, settings.set.settings);
+void add_structgen_options(CommandLine& line, StructgenSettings& settings) {
+  line.set_footer(footer());
+  add_one_options(line, settings);
+  add_size_options(line, settings.set.settings.sizes);
+  line.start_group("Random numbers and output");
+  line.add_seed("--seed", settings.set.settings.seed, "of all random numbers");
+  line.add_flag("--json", settings.json, "print one JSON object");
+  add_set_options(line, settings);
+  add_force_options(line, settings.set.settings);
 }
 
-void complete(const CLI::App& app, StructgenSettings& settings) {
+void complete(const CommandLine& line, StructgenSettings& settings) {
   const bool is_set = !settings.directory.empty();
   if (!is_set && settings.kind.empty())
     throw OptionError("expected a class of graphs (" + listed(names_of(graph_classes())) +
                       ") or --test-set");
   for (const char* name : of_one)
-    if (is_set && app.count(name) > 0)
+    if (is_set && line.was_given(name))
       throw OptionError(std::string(name) + ": does not go with --test-set");
   for (const char* name : of_set)
-    if (!is_set && app.count(name) > 0)
+    if (!is_set && line.was_given(name))
       throw OptionError(std::string(name) + ": goes with --test-set alone");
   if (settings.output.empty()) settings.output = settings.kind + ".xml";
 }

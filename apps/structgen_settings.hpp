@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "options.hpp"
+#include "command_line.hpp"
 #include "pliant/laboratory/make_test_set.hpp"
 #include "pliant/laboratory/test_set.hpp"
 
@@ -20,9 +20,9 @@ struct StructgenSettings {
   bool json = false;
 };
 
-void add_structgen_options(CLI::App& app, StructgenSettings& settings);
+void add_structgen_options(CommandLine& line, StructgenSettings& settings);
 
 /// Fills in what was left open. Throws OptionError for what one graph and a test set do not share.
-void complete(const CLI::App& app, StructgenSettings& settings);
+void complete(const CommandLine& line, StructgenSettings& settings);
 
 }  // namespace pliant::app

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-#include "options.hpp"
+#include "command_line.hpp"
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <charconv>
+#include <functional>
 #include <limits>
 
+#include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
 
 namespace pliant::app {
@@ -17,12 +20,10 @@ namespace {
 }
 
 /// An option whose text is parsed by `parse`, which throws on a bad one.
-template <class Parse>
-CLI::Option* add_parsed(CLI::App& app, const std::string& name, const std::string& type,
-                        const std::string& fallback, const std::string& help, Parse parse) {
-  return app.add_option_function<std::string>(name, parse, help)
-      ->type_name(type)
-      ->default_str(fallback);
+void add_parsed(CLI::App& app, const std::string& name, const std::string& type,
+                const std::string& fallback, const std::string& help,
+                const std::function<void(const std::string&)>& parse) {
+  app.add_option_function<std::string>(name, parse, help)->type_name(type)->default_str(fallback);
 }
 
 std::string wording(std::int64_t least, std::int64_t most) {
@@ -87,60 +88,100 @@ std::string single_spaced(std::string text) {
 
 }  // namespace
 
-CLI::Option* add_integer(CLI::App& app, const std::string& name, std::int64_t& value,
-                         std::int64_t least, std::int64_t most, const std::string& help) {
+struct CommandLine::Parser {
+  CLI::App app;
+};
+
+CommandLine::CommandLine(const std::string& command, const std::string& summary)
+    : parser_(new Parser{CLI::App(summary, command)}) {
+  CLI::App& app = parser_->app;
+  app.get_formatter()->column_width(32);
+  app.option_defaults()->always_capture_default(false);
+  app.set_help_flag("-h,--help", "print this text and exit");
+}
+
+CommandLine::~CommandLine() = default;
+
+void CommandLine::set_footer(const std::string& text) { parser_->app.footer(text); }
+
+void CommandLine::start_group(const std::string& heading) {
+  parser_->app.option_defaults()->group(heading);
+}
+
+void CommandLine::add_flag(const std::string& name, bool& value, const std::string& help) {
+  parser_->app.add_flag(name, value, help);
+}
+
+void CommandLine::add_opposite(const std::string& name, bool& value, const std::string& help) {
+  parser_->app.add_flag_callback(
+      name, [&value] { value = false; }, help);
+}
+
+void CommandLine::add_text(const std::string& name, std::string& value, const std::string& type,
+                           const std::string& help) {
+  parser_->app.add_option(name, value, help)->type_name(type);
+}
+
+void CommandLine::add_required_text(const std::string& name, std::string& value,
+                                    const std::string& type, const std::string& help) {
+  parser_->app.add_option(name, value, help)->type_name(type)->required();
+}
+
+void CommandLine::add_integer(const std::string& name, std::int64_t& value, std::int64_t least,
+                              std::int64_t most, const std::string& help, const char* fallback) {
   const auto parse = [name, least, most, &value](const std::string& text) {
     const auto number = parse_integer(text);
     if (!number || has_blanks(text) || *number < least || *number > most)
       refuse(name, wording(least, most), text);
     value = *number;
   };
-  return add_parsed(app, name, "N", std::to_string(value), help, parse);
+  const std::string shown = fallback != nullptr ? fallback : std::to_string(value);
+  add_parsed(parser_->app, name, "N", shown, help, parse);
 }
 
-CLI::Option* add_seed(CLI::App& app, const std::string& name, std::uint64_t& value,
-                      const std::string& help) {
+void CommandLine::add_seed(const std::string& name, std::uint64_t& value, const std::string& help) {
   const auto parse = [name, &value](const std::string& text) {
     const char* end = text.data() + text.size();
     const auto [stop, code] = std::from_chars(text.data(), end, value);
     if (text.empty() || stop != end || code != std::errc{})
       refuse(name, "a whole number from 0 to 18446744073709551615", text);
   };
-  return add_parsed(app, name, "N", std::to_string(value), help, parse);
+  add_parsed(parser_->app, name, "N", std::to_string(value), help, parse);
 }
 
-CLI::Option* add_real(CLI::App& app, const std::string& name, double& value, Range range,
-                      const std::string& help) {
+void CommandLine::add_real(const std::string& name, double& value, Range range,
+                           const std::string& help, const char* fallback) {
   const auto parse = [name, range, &value](const std::string& text) {
     value = real_of(name, range, text);
   };
-  return add_parsed(app, name, "X", fmt::format("{}", value), help, parse);
+  const std::string shown = fallback != nullptr ? fallback : fmt::format("{}", value);
+  add_parsed(parser_->app, name, "X", shown, help, parse);
 }
 
-CLI::Option* add_names(CLI::App& app, const std::string& name, std::vector<std::string>& values,
-                       const std::string& fallback, const std::string& help) {
-  return app.add_option(name, values, help)
+void CommandLine::add_names(const std::string& name, std::vector<std::string>& values,
+                            const std::string& fallback, const std::string& help) {
+  parser_->app.add_option(name, values, help)
       ->type_name("NAMES")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->default_str(fallback);
 }
 
-CLI::Option* add_reals(CLI::App& app, const std::string& name, std::vector<double>& values,
-                       Range range, const std::string& fallback, const std::string& help) {
+void CommandLine::add_reals(const std::string& name, std::vector<double>& values, Range range,
+                            const std::string& fallback, const std::string& help) {
   const auto parse = [name, range, &values](const std::vector<std::string>& texts) {
     values.clear();
     for (const std::string& text : texts) values.push_back(real_of(name, range, text));
   };
-  return app.add_option_function<std::vector<std::string>>(name, parse, help)
+  parser_->app.add_option_function<std::vector<std::string>>(name, parse, help)
       ->type_name("NUMBERS")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->default_str(fallback);
 }
 
-CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& value,
-                        const std::vector<std::string_view>& names, const std::string& help) {
+void CommandLine::add_choice(const std::string& name, std::string& value,
+                             const std::vector<std::string_view>& names, const std::string& help) {
   const auto parse = [name, names, &value](const std::string& text) {
     for (std::string_view known : names)
       if (known == text) {
@@ -149,20 +190,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, std::string& val
       }
     throw CLI::ValidationError(name, unknown_choice("choice", text, names));
   };
-  return add_parsed(app, name, "NAME", value, help, parse);
+  add_parsed(parser_->app, name, "NAME", value, help, parse);
 }
 
-void prepare(CLI::App& app) {
-  app.get_formatter()->column_width(32);
-  app.option_defaults()->always_capture_default(false);
-  app.set_help_flag("-h,--help", "print this text and exit");
-}
-
-void start_group(CLI::App& app, const std::string& heading) {
-  app.option_defaults()->group(heading);
-}
-
-int parse(CLI::App& app, const Arguments& arguments) {
+int CommandLine::parse(const Arguments& arguments) {
+  CLI::App& app = parser_->app;
   Arguments reversed(arguments.rbegin(), arguments.rend());
   try {
     app.parse(reversed);
@@ -178,5 +210,7 @@ int parse(CLI::App& app, const Arguments& arguments) {
   fmt::print(stderr, "{} --help tells more\n", app.get_name());
   return exit_usage;
 }
+
+bool CommandLine::was_given(const std::string& name) const { return parser_->app.count(name) > 0; }
 
 }  // namespace pliant::app
