@@ -45,6 +45,7 @@
 #include "pliant/perturb/force_file.hpp"    // pushes to replay
 #include "pliant/perturb/perturbation.hpp"  // the table of perturbations
 #include "pliant/run/run.hpp"               // perturb, resolve, show
+#include "pliant/run/run_fields.hpp"        // the table of its options
 
 // record: trajectories and graphs
 #include "pliant/record/h5md/h5md_reader.hpp"     // frames of any H5MD file

@@ -7,6 +7,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/framework/check_positions.hpp"
 #include "pliant/resolve/techniques.hpp"
+#include "pliant/run/run_fields.hpp"
 #include "pliant/run/walk.hpp"
 
 namespace pliant {
@@ -112,14 +113,8 @@ class Together {
 }  // namespace
 
 void check(const RunOptions& options) {
+  check_fields(options);
   check(options.technique);
-  check(options.resolve);
-  find_perturbation(options.perturb);
-  check(options.perturb_options);
-  if (options.steps < 0)
-    throw OptionError("steps = " + std::to_string(options.steps) + ": must be from 0");
-  if (options.every < 1)
-    throw OptionError("every = " + std::to_string(options.every) + ": must be from 1");
 }
 
 RunSummary run(const Framework& framework, State& state, const RunOptions& options,
