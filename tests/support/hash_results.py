@@ -12,6 +12,7 @@ earlier file are printed, and the exit code is 1 if there are any.
 import argparse
 import sys
 import warnings
+from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
@@ -57,7 +58,9 @@ def report(found: list[str], count: int) -> int:
     for text in found[:MOST_PRINTED]:
         print(text)
     if len(found) > MOST_PRINTED:
-        print(f"and {len(found) - MOST_PRINTED} more")
+        kinds = Counter(text.split()[0] for text in found)
+        told = ", ".join(f"{number} of {kind}" for kind, number in kinds.items())
+        print(f"and {len(found) - MOST_PRINTED} more; in all {told}")
     print(f"{len(found)} of {count} results differ")
     return int(bool(found))
 
