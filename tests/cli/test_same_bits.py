@@ -19,6 +19,7 @@ SETTINGS = [
     ["--technique", "bfs_random", "--perturb", "force_all", "--mass-weighted"],
     ["--bars", "angles", "--tolerance", "1e-3", "--max-sweeps", "500"],
 ]
+MOLECULES = ["caffeine", "cyclohexane_chair", "peptide_20"]
 
 
 def datasets(path: Path) -> dict[str, np.ndarray]:
@@ -50,7 +51,7 @@ def run(command: Path, folder: Path, molecule: Path, settings: list[str]) -> dic
 
 @pytest.mark.skipif(not PLAIN.exists(), reason="./dev test builds build/debug")
 @pytest.mark.parametrize("settings", SETTINGS, ids=" ".join)
-@pytest.mark.parametrize("name", ["caffeine", "cyclohexane_chair", "peptide_20"])
+@pytest.mark.parametrize("name", MOLECULES)
 def test_debug_and_release_builds_write_the_same_bits(name, settings, tmp_path):
     (molecule,) = (ROOT / "data/molecules").glob(f"{name}.*")
     results = []
