@@ -249,6 +249,7 @@ def compile_alone(header: Path) -> str:
     return result.stderr and f"{name}:\n{result.stderr}"
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not shutil.which("g++"), reason="g++ is not installed")
 def test_headers_compile_alone():
     with ThreadPoolExecutor(max_workers=2) as pool:
