@@ -6,7 +6,6 @@ Units everywhere: length Angstrom, time ps, mass u, force kJ/(mol Angstrom), ene
 
 from __future__ import annotations
 
-import importlib
 from typing import TYPE_CHECKING
 
 from pliant import _core
@@ -80,8 +79,11 @@ from pliant.adapters import (
 )
 
 if TYPE_CHECKING:
-    from pliant.comparison import compare
-    from pliant.openmm_check import check
+    from pliant.check import check
+    from pliant.compare import compare
+else:
+    # Packages that are called; what they need beside NumPy and h5py is imported when they are.
+    from pliant import check, compare
 
 __all__ = [
     "Error",
@@ -162,16 +164,3 @@ del _name
 
 # MDAnalysis.Universe("out.h5md") has names and bonds wherever both are imported.
 import_after("MDAnalysis", "pliant.h5md_parser")
-
-# What needs OpenMM, MDAnalysis or matplotlib is imported when it is first asked for.
-_LATE = {"check": "pliant.openmm_check", "compare": "pliant.comparison"}
-
-
-def __getattr__(name: str) -> object:
-    if name not in _LATE:
-        raise AttributeError(f"module 'pliant' has no attribute '{name}'")
-    return getattr(importlib.import_module(_LATE[name]), name)
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_LATE})
