@@ -69,6 +69,7 @@ from pliant._core import (
     write_topology_pdb,
 )
 from pliant._late import import_after
+from pliant._moved import keep_old_names
 from pliant._run import run
 from pliant.adapters import (
     constraints_from_openmm,
@@ -164,3 +165,5 @@ del _name
 
 # MDAnalysis.Universe("out.h5md") has names and bonds wherever both are imported.
 import_after("MDAnalysis", "pliant.h5md_parser")
+
+keep_old_names()
