@@ -80,11 +80,12 @@ from pliant.adapters import (
 )
 
 if TYPE_CHECKING:
+    from pliant.analyse import analyse
     from pliant.check import check
     from pliant.compare import compare
 else:
     # Packages that are called; what they need beside NumPy and h5py is imported when they are.
-    from pliant import check, compare
+    from pliant import analyse, check, compare
 
 __all__ = [
     "Error",
@@ -122,6 +123,7 @@ __all__ = [
     "TestSet",
     "WalkerResolver",
     "__version__",
+    "analyse",
     "check",
     "choose_technique",
     "compare",

@@ -8,6 +8,8 @@ import sys
 from types import ModuleType
 from typing import TYPE_CHECKING, Any
 
+from pliant._extras import needed_by
+
 if TYPE_CHECKING:
     from collections.abc import Callable, Mapping
     from inspect import Signature
@@ -30,7 +32,8 @@ class CallablePackage(ModuleType):
         """One of the late names; kept, so that it is looked for once."""
         if name not in self._late:
             raise AttributeError(f"module '{self.__name__}' has no attribute '{name}'")
-        module = importlib.import_module(f"{self.__name__}.{self._late[name]}")
+        with needed_by(self.__name__):
+            module = importlib.import_module(f"{self.__name__}.{self._late[name]}")
         value = getattr(module, name)
         setattr(self, name, value)
         return value

@@ -11,10 +11,14 @@ from typing import TYPE_CHECKING
 
 import h5py
 import numpy as np
-from MDAnalysis.core import topologyattrs as attributes
-from MDAnalysis.core.topology import Topology
-from MDAnalysis.topology.base import TopologyReaderBase
-from MDAnalysis.topology.MinimalParser import MinimalParser
+
+from pliant._extras import needed_by
+
+with needed_by("pliant.h5md_parser"):
+    from MDAnalysis.core import topologyattrs as attributes
+    from MDAnalysis.core.topology import Topology
+    from MDAnalysis.topology.base import TopologyReaderBase
+    from MDAnalysis.topology.MinimalParser import MinimalParser
 
 if TYPE_CHECKING:
     import numpy.typing as npt

@@ -8,10 +8,14 @@ import os
 import textwrap
 from collections.abc import Iterator
 
-import matplotlib as mpl
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
+
+from pliant._extras import needed_by
+
+with needed_by("pliant.plotting"):
+    import matplotlib as mpl
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
 
 # Okabe and Ito, "Color universal design" (2008): told apart by colour-blind readers too.
 BLUE, VERMILION, GREEN = "#0072B2", "#D55E00", "#009E73"

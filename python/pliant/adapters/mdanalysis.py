@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant._core import Framework, InputError, PliantWarning, Structure
+from pliant._extras import need
 
 if TYPE_CHECKING:
     import MDAnalysis
@@ -37,6 +38,7 @@ def from_mdanalysis(
     PliantWarning
         The universe has no elements: they are guessed from names, as MDAnalysis does.
     """
+    need("pliant.from_mdanalysis", "MDAnalysis")
     group = atoms.atoms
     bonds, orders = _bonds_within(group)
     structure = Structure(
@@ -68,6 +70,11 @@ def to_mdanalysis(
         One frame or several, kept in memory. Default: the structure's own.
     timestep : float
         Time between frames in ps.
+
+    Raises
+    ------
+    ImportError
+        MDAnalysis is not installed; the message says how to.
     """
     if positions is None:
         if isinstance(source, Framework):
@@ -75,6 +82,7 @@ def to_mdanalysis(
         positions = source.positions
     count = len(source) if isinstance(source, Structure) else source.joint_count
     frames = _frames(positions, count)
+    need("pliant.to_mdanalysis", "MDAnalysis")
     universe = (
         _universe_of_structure(source)
         if isinstance(source, Structure)

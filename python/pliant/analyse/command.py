@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import importlib.util
 import sys
 import warnings
 from pathlib import Path
@@ -85,28 +86,26 @@ def _add_output(add):
 
 def _analyse(options):
     # Imported here, so that --help and errors of usage are immediate.
-    from pliant.analyse import StudyOptions, study_trajectory
-    from pliant.analyse.write import make_folder, write_report
+    from pliant.analyse.suite import analyse
 
-    folder = Path(options.output or f"{Path(options.file).stem}-report")
-    make_folder(folder)
-    chosen = StudyOptions(
-        path=options.file,
-        topology=options.topology,
-        select=options.select,
-        superpose=options.superpose,
-        mass_weighted=options.mass_weighted,
-        hydrogens=options.hydrogens,
-        start=options.start,
-        stop=options.stop,
-        step=options.step,
-        workers=options.workers,
-    )
     with warnings.catch_warnings(), _stages(options.quiet) as on_stage:
         warnings.simplefilter("ignore")
-        study = study_trajectory(chosen, on_stage)
-        on_stage("figures and page")
-        summary = write_report(study, folder, options.dpi)
+        report = analyse(
+            options.file,
+            options.output or f"{Path(options.file).stem}-report",
+            topology=options.topology,
+            select=options.select,
+            superpose=options.superpose,
+            mass_weighted=options.mass_weighted,
+            hydrogens=options.hydrogens,
+            start=options.start,
+            stop=options.stop,
+            step=options.step,
+            workers=options.workers,
+            dpi=options.dpi,
+            on_stage=on_stage,
+        )
+    summary = report.as_json()
     if options.json:
         print_json(summary)
     elif not options.quiet:
@@ -116,8 +115,8 @@ def _analyse(options):
 
 @contextlib.contextmanager
 def _stages(quiet):
-    """Gives a function that shows what is under way; only on a terminal."""
-    if quiet or not sys.stderr.isatty():
+    """Gives a function that shows what is under way; only on a terminal, and with `rich`."""
+    if quiet or not sys.stderr.isatty() or not importlib.util.find_spec("rich"):
         yield lambda name: None
         return
     from rich.console import Console

@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pliant import InputError, OptionError
+from pliant._core import InputError, OptionError
 from pliant.analysis.frame_index import FrameIndex
 
 #: positions up to this size are held in memory

@@ -11,7 +11,7 @@ import h5py
 import MDAnalysis
 
 import pliant.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds from our files)
-from pliant import InputError
+from pliant._core import InputError
 
 
 def open_universe(path, topology=None):

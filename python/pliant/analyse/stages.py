@@ -6,7 +6,7 @@ from __future__ import annotations
 import numpy as np
 from MDAnalysis.exceptions import NoDataError, SelectionError
 
-from pliant import OptionError
+from pliant._core import OptionError
 from pliant.analyse.frames_held import choose_frames
 from pliant.analyse.load import open_universe
 from pliant.analyse.study import Study

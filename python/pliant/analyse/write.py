@@ -3,10 +3,9 @@
 
 from __future__ import annotations
 
-from pliant import InputError
+from pliant._core import InputError
 from pliant.analyse.figures import save_figures
 from pliant.analyse.page import write_page
-from pliant.analyse.summary import summary
 from pliant.analyse.tables import save_tables
 
 
@@ -18,7 +17,7 @@ def make_folder(folder):
 
 
 def write_report(study, folder, dpi=200):
-    """Writes figures, tables and report.html; returns the summary with the paths of all.
+    """Writes figures, tables and report.html; returns the paths of all.
 
     Files of an earlier report are replaced.
     """
@@ -28,9 +27,8 @@ def write_report(study, folder, dpi=200):
     report = folder / "report.html"
     pictures = [path for _, path in figures]
     write_page(study, figures, [*tables, *pictures], report, dpi)
-    outputs = {
+    return {
         "report": str(report),
         "figures": [str(path) for path in pictures],
         "tables": [str(path) for path in tables],
     }
-    return summary(study, outputs)

@@ -8,7 +8,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
-import pliant
+from pliant._core import Framework, OptionError, Resolver, choose_technique, techniques
 from pliant.check.contest import (
     BUDGET_SECONDS,
     REPEATS,
@@ -26,9 +26,9 @@ TRIAL_SWEEPS = 1000
 TRIAL_SECONDS = 20.0
 
 
-def free_framework(recording: Recording) -> pliant.Framework:
+def free_framework(recording: Recording) -> Framework:
     """The framework of the file with every joint free, as OpenMM is given it."""
-    return pliant.Framework(
+    return Framework(
         recording.bars,
         recording.rest_lengths,
         recording.joint_count,
@@ -40,7 +40,7 @@ def free_framework(recording: Recording) -> pliant.Framework:
 def resolved_copies(recording: Recording, broken: np.ndarray, tolerance: float) -> np.ndarray:
     """Those of the broken structures (S, N, 3) that the default technique resolves, resolved."""
     technique, weighting = DEFAULT
-    resolver = pliant.Resolver(free_framework(recording), technique, weighting, tolerance=tolerance)
+    resolver = Resolver(free_framework(recording), technique, weighting, tolerance=tolerance)
     copies = broken.copy()
     done = [resolver.resolve(copy).converged for copy in copies]
     return copies[np.array(done, bool)]
@@ -51,7 +51,7 @@ def our_methods(contest: Contest) -> list[Method]:
     recording = contest.sample.recording
     framework = free_framework(recording)
     chosen = [("Pliant, default", *DEFAULT), ("Pliant, sweeps of the thesis", *THESIS)]
-    taken = {"auto", pliant.choose_technique(framework)[0]}
+    taken = {"auto", choose_technique(framework)[0]}
     best = quickest_technique(contest, framework)
     if best is not None and best[0] not in taken and best != THESIS:
         chosen.append(("Pliant, quickest here", *best))
@@ -70,18 +70,18 @@ def our_methods(contest: Contest) -> list[Method]:
 
 
 def _weighted(technique: str) -> bool:
-    return next(row.has_weighting for row in pliant.techniques() if row.name == technique)
+    return next(row.has_weighting for row in techniques() if row.name == technique)
 
 
 def _candidates() -> Iterator[tuple[str, float]]:
     # Direct methods first: they are few, and most often the quickest.
-    for row in sorted(pliant.techniques(), key=lambda row: row.has_weighting):
+    for row in sorted(techniques(), key=lambda row: row.has_weighting):
         for weighting in WEIGHTINGS if row.has_weighting else WEIGHTINGS[:1]:
             if row.name != "auto":  # it is one of the others
                 yield row.name, weighting
 
 
-def quickest_technique(contest: Contest, framework: pliant.Framework) -> tuple[str, float] | None:
+def quickest_technique(contest: Contest, framework: Framework) -> tuple[str, float] | None:
     """Technique and weighting that repair one structure soonest; None if none repairs it.
 
     The structure is that of the middle displacement. Tried for TRIAL_SECONDS at most.
@@ -92,14 +92,14 @@ def quickest_technique(contest: Contest, framework: pliant.Framework) -> tuple[s
         if time.perf_counter() - begun > TRIAL_SECONDS:
             break
         try:
-            resolver = pliant.Resolver(
+            resolver = Resolver(
                 framework,
                 technique,
                 weighting,
                 tolerance=contest.tolerance,
                 max_sweeps=TRIAL_SWEEPS,
             )
-        except pliant.OptionError:  # for forests only, and this is none
+        except OptionError:  # for forests only, and this is none
             continue
         _, seconds, converged = _once(resolver, broken)
         if converged:
@@ -108,7 +108,7 @@ def quickest_technique(contest: Contest, framework: pliant.Framework) -> tuple[s
     return min(times, key=times.get) if times else None
 
 
-def _once(resolver: pliant.Resolver, broken: np.ndarray) -> tuple[np.ndarray, float, bool]:
+def _once(resolver: Resolver, broken: np.ndarray) -> tuple[np.ndarray, float, bool]:
     """The structure after resolving, the seconds it took, and whether it is said to be whole."""
     copy = broken.copy()
     start = time.perf_counter()
@@ -117,10 +117,10 @@ def _once(resolver: pliant.Resolver, broken: np.ndarray) -> tuple[np.ndarray, fl
 
 
 def _repair(
-    contest: Contest, j: int, framework: pliant.Framework, technique: str, weighting: float
+    contest: Contest, j: int, framework: Framework, technique: str, weighting: float
 ) -> Result:
     begun = time.perf_counter()
-    resolver = pliant.Resolver(framework, technique, weighting, tolerance=contest.tolerance)
+    resolver = Resolver(framework, technique, weighting, tolerance=contest.tolerance)
     _once(resolver, contest.broken[j][0])
     ready = time.perf_counter() - begun
     after, seconds, claims = [], [], []
@@ -139,7 +139,7 @@ def _repair(
 
 
 def _repeat(
-    resolver: pliant.Resolver, structure: np.ndarray, begun: float
+    resolver: Resolver, structure: np.ndarray, begun: float
 ) -> tuple[np.ndarray, bool, list[float]]:
     times = []
     for _ in range(REPEATS):

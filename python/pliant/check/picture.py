@@ -13,8 +13,8 @@ from pliant.plotting import BLUE, DASHED, GREY, PALETTE, VERMILION, figure, save
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
+    from pliant.check.check_report import CheckReport
     from pliant.check.contest import Method
-    from pliant.check.suite import CheckReport
 
 LEAST_RESIDUAL = 1e-17  #: where exact zeros are drawn
 LOST = 3.0  #: residuals from here on are drawn as lost

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import h5py
 import numpy as np
 
-from pliant import InputError
+from pliant._core import InputError
 
 ANGSTROM_PER_UNIT = {"Angstrom": 1.0, "A": 1.0, "nm": 10.0, "pm": 0.01}
 BLOCK_BYTES = 32 << 20  #: frames are read in pieces of about this size

@@ -5,9 +5,9 @@ from __future__ import annotations
 
 import math
 
+from pliant.check.check_report import CheckReport
 from pliant.check.contest import Method, Result
 from pliant.check.findings import CANNOT, FAILED, Finding
-from pliant.check.suite import CheckReport
 from pliant.console import Table
 
 

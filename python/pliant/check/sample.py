@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pliant import InputError
+from pliant._core import InputError
 from pliant.check.recording import Recording
 from pliant.lab.peers import measure
 from pliant.lab.peers.child import Job

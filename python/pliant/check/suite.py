@@ -5,18 +5,17 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from dataclasses import dataclass, field
-from typing import Any
 
 import numpy as np
 
+from pliant._extras import need
 from pliant.check import contest as side_by_side
 from pliant.check import ours, theirs
 from pliant.check.check_energy import check_energy, energy_job
 from pliant.check.check_frames import broken_copies, check_frames, frame_job
-from pliant.check.check_record import Remeasured, check_record, remeasure
-from pliant.check.contest import DISPLACEMENTS, Contest, Method
-from pliant.check.findings import FAILED, Finding
+from pliant.check.check_record import check_record, remeasure
+from pliant.check.check_report import CheckReport
+from pliant.check.contest import DISPLACEMENTS, Contest
 from pliant.check.recording import Recording, read_recording
 from pliant.check.sample import Sample, take_sample
 from pliant.console import progress
@@ -26,51 +25,6 @@ from pliant.lab.peers.child import TIME_LIMIT, Outcome, run_jobs
 FRAMES = 20
 ENERGY_DISPLACEMENT = 0.1  #: Angstrom; of the copies whose energies are compared
 MOST_ENERGIES = 10
-
-
-@dataclass
-class CheckReport:
-    """What `check` found. ``passed`` is the answer; the rest says why."""
-
-    recording: Recording
-    sample: Sample
-    remeasured: Remeasured
-    findings: list[Finding]
-    methods: list[Method]
-    openmm_version: str
-    tolerance: float  #: relative, at which bars were repaired side by side
-    notes: list[str] = field(default_factory=list)
-    picture: str | None = None
-
-    @property
-    def passed(self) -> bool:
-        """No finding failed. What OpenMM cannot do is not a failure of the trajectory."""
-        return all(finding.status != FAILED for finding in self.findings)
-
-    def as_json(self) -> dict[str, Any]:
-        """All of it as one JSON object."""
-        import pliant
-
-        recording = self.recording
-        return {
-            "file": recording.path,
-            "passed": self.passed,
-            "pliant": pliant.__version__,
-            "openmm": self.openmm_version,
-            "atoms": recording.joint_count,
-            "bars": len(recording.bars),
-            "pinned": int(recording.pinned.sum()),
-            "tolerance": dict(vars(recording.tolerance)),
-            "frames": {
-                "total": recording.frame_count,
-                "not_converged": int((~recording.converged).sum()),
-                "shown_to_openmm": self.sample.frames.tolist(),
-            },
-            "checks": [finding.as_json() for finding in self.findings],
-            "side_by_side": side_by_side.as_json(self.methods),
-            "notes": self.notes,
-            "picture": self.picture,
-        }
 
 
 def check(
@@ -109,11 +63,16 @@ def check(
 
     Raises
     ------
+    ImportError
+        OpenMM, or matplotlib for a picture, is not installed; the message says how to.
     InputError
         The file is no trajectory of ours; the message says what is missing.
     OSError
         The file cannot be read, or the picture cannot be written.
     """
+    need("pliant.check", "openmm")
+    if picture is not None:
+        need("a picture of pliant.check", "matplotlib")
     recording = read_recording(path)
     with progress("measuring frames", quiet) as show:
         remeasured = remeasure(recording, show)

@@ -6,8 +6,9 @@ from typing import TYPE_CHECKING
 from pliant._callable_package import make_callable
 
 if TYPE_CHECKING:
-    from pliant.compare.suite import ComparisonReport, compare
+    from pliant.compare.comparison_report import ComparisonReport
+    from pliant.compare.suite import compare
 
 __all__ = ["ComparisonReport", "compare"]
 
-make_callable(__name__, {"compare": "suite", "ComparisonReport": "suite"})
+make_callable(__name__, {"compare": "suite", "ComparisonReport": "comparison_report"})

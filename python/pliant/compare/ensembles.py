@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant import InputError
+from pliant._core import InputError
 from pliant.check.recording import Recording
 from pliant.check.sample import choose_frames
 from pliant.compare.pairing import Pairing

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant import InputError
+from pliant._core import InputError
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup, Universe

@@ -14,7 +14,7 @@ from pliant.plotting import BLUE, VERMILION, figure, save
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from pliant.compare.suite import ComparisonReport, Fluctuations, TorsionComparison
+    from pliant.compare.comparison_report import ComparisonReport, Fluctuations, TorsionComparison
 
 MOST_TORSIONS = 24  #: panels; those that differ most are drawn
 MOST_NAMES = 30  #: labels on an axis

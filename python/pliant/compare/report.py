@@ -8,8 +8,8 @@ from typing import Any
 
 import numpy as np
 
-import pliant
-from pliant.compare.suite import ComparisonReport, Fluctuations
+from pliant import _core
+from pliant.compare.comparison_report import ComparisonReport, Fluctuations
 from pliant.console import Table
 
 MOST_TORSIONS = 40  #: rows that the table shows
@@ -92,7 +92,7 @@ def as_json(report: ComparisonReport) -> dict[str, Any]:
     ensembles, modes, bars = report.ensembles, report.modes, report.bars
     residues = report.residue_fluctuations
     return {
-        "pliant": pliant.__version__,
+        "pliant": _core.version(),
         "ours": {"file": ensembles.recording.path, "frames": len(ensembles.ours)},
         "theirs": {"file": report.theirs_path, "frames": len(ensembles.theirs)},
         "atoms": len(ensembles.atoms),

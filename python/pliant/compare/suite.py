@@ -5,13 +5,20 @@ from __future__ import annotations
 
 import os
 import pathlib
-from dataclasses import dataclass, field
 
 import numpy as np
 
-from pliant import InputError
+from pliant._core import InputError
+from pliant._extras import need
 from pliant.check.recording import read_recording
 from pliant.compare import numbers
+from pliant.compare.comparison_report import (
+    BarLengths,
+    ComparisonReport,
+    Fluctuations,
+    ModeComparison,
+    TorsionComparison,
+)
 from pliant.compare.ensembles import Ensembles, alpha_carbons, fit_atoms, read_ensembles
 from pliant.compare.pairing import choose, open_theirs, open_universe, pair
 from pliant.lab.peers.measure import lengths
@@ -19,73 +26,6 @@ from pliant.lab.peers.measure import lengths
 FRAMES = 2000
 MODES = 10
 BINS = 36  #: of torsion angles: 10 degrees each
-
-
-@dataclass
-class Fluctuations:
-    """RMSF of both, and how they go together."""
-
-    kind: str  #: "atom" or "residue": what the labels name
-    labels: list[str]
-    ours: np.ndarray  #: (n,) Angstrom
-    theirs: np.ndarray  #: (n,) Angstrom
-
-    @property
-    def pearson(self) -> float:
-        """Correlation of the two profiles."""
-        return numbers.pearson(self.ours, self.theirs)
-
-
-@dataclass
-class ModeComparison:
-    """Principal components of both, and how far they span the same motions."""
-
-    atoms: int
-    overlaps: np.ndarray  #: (K, L) |u_i . v_j|
-    rmsip: float
-    chance: float  #: RMSIP of random subspaces of these dimensions
-    halves_ours: float  #: RMSIP of the first and the second half of our frames
-    halves_theirs: float
-    share_ours: float  #: of the variance, in these modes
-    share_theirs: float
-
-
-@dataclass
-class TorsionComparison:
-    """Distributions of one torsion angle."""
-
-    label: str
-    ours: np.ndarray  #: (bins,) share of the frames
-    theirs: np.ndarray  #: (bins,)
-    distance: float  #: Jensen-Shannon, 0 to 1
-    halves_theirs: float  #: the same between the halves of theirs: what is noise
-
-
-@dataclass
-class BarLengths:
-    """How far bars vary over the frames of each; Angstrom unless stated."""
-
-    labels: list[str]
-    spread_ours: np.ndarray  #: (B,) standard deviations
-    spread_theirs: np.ndarray  #: (B,)
-    residual_ours: float  #: largest |length - rest| / rest of all frames
-    residual_theirs: float
-
-
-@dataclass
-class ComparisonReport:
-    """What `compare` found."""
-
-    ensembles: Ensembles
-    theirs_path: str
-    atom_fluctuations: Fluctuations
-    residue_fluctuations: Fluctuations | None  #: of alpha carbons; None if it is no protein
-    modes: ModeComparison
-    torsions: list[TorsionComparison]
-    bars: BarLengths
-    radii: tuple[np.ndarray, np.ndarray]  #: radii of gyration (F,), (G,), Angstrom
-    notes: list[str] = field(default_factory=list)
-    pictures: list[str] = field(default_factory=list)
 
 
 def compare(
@@ -121,9 +61,14 @@ def compare(
 
     Raises
     ------
+    ImportError
+        MDAnalysis, or matplotlib for pictures, is not installed; the message says how to.
     InputError
         A file cannot be read, or the chosen atoms of both are not the same.
     """
+    need("pliant.compare", "MDAnalysis")
+    if pictures is not None:
+        need("a picture of pliant.compare", "matplotlib")
     recording = read_recording(ours)
     our_universe = open_universe(ours)
     their_universe, named = open_theirs(theirs, topology, our_universe)

@@ -10,6 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import pliant
+from pliant._extras import need
 from pliant.lab.bench.target import Target
 from pliant.lab.peers.ccma import Ccma, CcmaInDynamics, why_no_angles
 from pliant.lab.peers.child import Job, run_jobs
@@ -162,6 +163,7 @@ def _takes(row: pliant.TechniqueEntry, target: Target) -> bool:
 
 def their_contenders(target: Target) -> tuple[list[Theirs], str]:
     """OpenMM's ways that leave their process alive, and what is to be said of them."""
+    need("a race with OpenMM", "openmm", extra="lab")
     why = why_no_angles(target.bars)
     outcome = _trial(target)
     if not outcome.done:

@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pliant.lab.bench.target import Target
-from pliant.lab.bench.work_precision import FAILED, LOST, SHORT, WHOLE, Row, WorkPrecision
+from pliant.lab.bench.work_precision_rows import FAILED, LOST, SHORT, WHOLE, Row, WorkPrecision
 from pliant.lab.peers.gromacs import Gromacs, Program, Run, Setting, lincs_settings, programs
 
 ORDERS = (4, 8)  #: of LINCS: the default, and what GROMACS' manual recommends for large steps

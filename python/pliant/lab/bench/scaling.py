@@ -16,6 +16,7 @@ import numpy as np
 
 import pliant
 from pliant import console
+from pliant._extras import need
 from pliant.lab.bench.large_frameworks import KINDS
 
 SIZES = (1e3, 1e4, 1e5, 1e6, 1e7)
@@ -98,6 +99,7 @@ def scaling(
     progress: Callable[[int, int], None] = lambda *_: None,
 ) -> Scaling:
     """Measures each kind at each size, each in a process of its own."""
+    need("pliant bench scaling", "scipy")
     for kind in kinds:
         if kind not in KINDS:
             raise pliant.OptionError(f'no kind named "{kind}"; known: {", ".join(KINDS)}')

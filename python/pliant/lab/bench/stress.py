@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 import pliant
+from pliant._extras import need
 from pliant.lab.bench.least_squares import MOST_BARS, least_squares_floor
 from pliant.lab.bench.stress_cases import Broken, Case
 from pliant.lab.peers import measure
@@ -99,6 +100,7 @@ def stress(
     progress: Callable[[int, int], None] = lambda *_: None,
 ) -> Stress:
     """Tries all techniques, or those named, on all cases."""
+    need("pliant bench stress", "openmm", "scipy", extra="lab")
     for name in techniques:
         pliant.Resolver(pliant.Framework([[0, 1]], [1.0]), name)  # refuses unknown names
     found = Stress([])

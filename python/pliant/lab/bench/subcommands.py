@@ -8,6 +8,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from pliant import OptionError, console
+from pliant._extras import need
 
 
 @dataclass(frozen=True)
@@ -68,6 +69,8 @@ def _race(arguments: argparse.Namespace) -> int:
     from pliant.lab.bench.work_precision import work_precision
     from pliant.lab.bench.work_precision_report import print_report
 
+    if arguments.png:
+        need("a picture of pliant bench", "matplotlib", extra="lab")
     with console.progress("race", arguments.quiet or arguments.json) as show:
         found = work_precision(
             arguments.file,

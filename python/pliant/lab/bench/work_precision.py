@@ -11,85 +11,20 @@ from __future__ import annotations
 import math
 import os
 from collections.abc import Callable, Sequence
-from dataclasses import asdict, dataclass, field
-from typing import Any
 
 import numpy as np
 
-import pliant
+from pliant._extras import need
 from pliant.lab.bench.contenders import Contender, Repair, our_contenders, their_contenders
+from pliant.lab.bench.gromacs_race import race_gromacs
 from pliant.lab.bench.nearest import nearest_whole
 from pliant.lab.bench.target import Target, read_target
 from pliant.lab.bench.time_limit import TimeUp, time_limit
+from pliant.lab.bench.work_precision_rows import LOST, SHORT, TOLERANCES, WHOLE, Row, WorkPrecision
 from pliant.lab.peers import measure
-from pliant.lab.peers.gromacs import Program
 
-TOLERANCES = tuple(10.0**-k for k in range(2, 13))
 REPEATS = 7
 LIMIT_SECONDS = 2.0  #: for one contender at one tolerance
-WHOLE, STOPPED, SHORT, LOST = "whole", "stopped", "not converged", "not finite"
-FAILED = "failed"  #: GROMACS gave up; the note says why
-
-
-@dataclass
-class Row:
-    """One contender at one tolerance."""
-
-    method: str
-    weighting: float | None
-    tolerance: float  #: relative, as asked for
-    outcome: str = STOPPED  #: "whole", "not converged", "not finite", "failed"; or not asked for
-    ns_per_bar: float = math.nan  #: median over the repeats
-    sweeps: int | None = None
-    projections: int | None = None
-    max_residual: float = math.nan  #: largest |length - rest| / rest, measured anew
-    displacement: float = math.nan  #: rms distance moved from the broken structure, Angstrom
-    displacement_ratio: float = math.nan  #: the same over that of the nearest whole structure
-    mass_displacement_ratio: float = math.nan  #: the same, distances weighted by mass
-    distance_to_ccma: float = math.nan  #: furthest that a joint is from where CCMA has it, Angstrom
-    walkers: int = 1  #: structures that were repaired together; times are of one
-    repeats: int = 0
-    ratio_to_openmm: float = math.nan  #: CCMA's time to reach this tolerance, over this time
-    ratio_to_openmm_in_dynamics: float = math.nan  #: the same, CCMA told the intact directions
-    note: str = ""
-
-
-@dataclass
-class WorkPrecision:
-    """The whole diagram."""
-
-    target: Target
-    bars: str
-    displacement: float  #: Angstrom, standard deviation of each coordinate
-    nearest_displacement: float  #: rms, Angstrom; not a number if not known
-    nearest_mass_displacement: float  #: the same, distances weighted by mass
-    initial_residual: float
-    tolerances: Sequence[float] = TOLERANCES
-    rows: list[Row] = field(default_factory=list)
-    notes: list[str] = field(default_factory=list)
-    #: OpenMM's answers by method and tolerance
-    openmm_answers: dict[tuple[str, float], np.ndarray] = field(default_factory=dict)
-    gromacs: list[Program] = field(default_factory=list)  #: the builds that took part
-
-    def as_json(self) -> dict[str, Any]:
-        """All of it as one JSON object."""
-        import openmm
-
-        return {
-            "input": self.target.name,
-            "pliant": pliant.__version__,
-            "openmm": openmm.version.version,
-            "gromacs": [asdict(program) for program in self.gromacs],
-            "joints": len(self.target.positions),
-            "bars": len(self.target.bars),
-            "bars_of": self.bars,
-            "displaced_by": self.displacement,
-            "initial_residual": self.initial_residual,
-            "nearest_displacement": self.nearest_displacement,
-            "nearest_mass_displacement": self.nearest_mass_displacement,
-            "rows": [asdict(row) for row in self.rows],
-            "notes": self.notes,
-        }
 
 
 def work_precision(
@@ -112,6 +47,7 @@ def work_precision(
     `techniques` are names in ``pliant.techniques()``, or all. Raises InputError, OptionError or
     FileError for what the user gave wrong.
     """
+    need("pliant bench work-precision", "scipy")
     target = read_target(path, bars)
     ours = list(our_contenders(target, techniques, mass_weighted))
     theirs, note = their_contenders(target) if openmm else ([], "OpenMM was not asked to take part")
@@ -120,8 +56,6 @@ def work_precision(
     race(found, [*theirs, *ours], target.broken(displacement, seed), repeats, limit_seconds,
          progress)  # fmt: skip
     if gromacs:
-        from pliant.lab.bench.gromacs_race import race_gromacs
-
         race_gromacs(found, repeats, progress)
     compare_with_openmm(found.rows)
     return found

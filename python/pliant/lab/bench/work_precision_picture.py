@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant.lab.bench.work_precision import WHOLE, Row, WorkPrecision
 from pliant.lab.bench.work_precision_report import LABELS, entries, label, reached
+from pliant.lab.bench.work_precision_rows import WHOLE, Row, WorkPrecision
 from pliant.lab.peers.gromacs import NAMES
 from pliant.plotting import BLUE, DASHED, GREEN, GREY, ORANGE, PURPLE, SKY, VERMILION, figure, save
 

@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pliant import console
-from pliant.lab.bench.work_precision import WHOLE, Row, WorkPrecision
+from pliant.lab.bench.work_precision_rows import WHOLE, Row, WorkPrecision
 from pliant.lab.peers.gromacs import Program
 
 SHOWN = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)  #: tolerances that the table has columns for

@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from pliant import OptionError, console
+from pliant.lab.experiment.options import add_running
 from pliant.lab.experiment.pool import usable_cores
 from pliant.lab.experiment.settings import Settings
 
@@ -111,14 +112,6 @@ def _add_test_set(parser: console.Parser) -> None:
     add("--folders", metavar="FOLDER", type=Path,
         help="put the results into a test set, too: made of the same graphs and forces if FOLDER "
              "is not there")  # fmt: skip
-
-
-def add_running(parser: console.Parser) -> None:
-    """Options on how, not what."""
-    parser.add_argument("--workers", metavar="N", type=console.whole_number(1),
-                        help="processes (default: one a core)")  # fmt: skip
-    parser.add_argument("--quiet", action="store_true", help="show no progress")
-    parser.add_argument("--json", action="store_true", help="print the summary as JSON")
 
 
 def main(words: Sequence[str] | None = None) -> int:

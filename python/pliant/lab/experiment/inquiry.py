@@ -7,14 +7,11 @@ import importlib
 import pkgutil
 from pathlib import Path
 from types import ModuleType
-from typing import TYPE_CHECKING
 
 from pliant import console
 from pliant.lab.experiment import questions
 from pliant.lab.experiment.answer import Answer
-
-if TYPE_CHECKING:
-    from pliant.lab.experiment.report import Choices
+from pliant.lab.experiment.choices import Choices
 
 FOLDER = "questions"
 

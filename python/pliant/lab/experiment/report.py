@@ -4,32 +4,20 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from pliant import FileError, console
+from pliant import FileError
 from pliant.lab.experiment import document, drawings, heat_maps, sections
 from pliant.lab.experiment import table as tables
+from pliant.lab.experiment.choices import Choices
 from pliant.lab.experiment.inquiry import run_questions
 from pliant.lab.experiment.settled import Settled, settle
-from pliant.lab.experiment.statistics import REPLICATES, Study
+from pliant.lab.experiment.statistics import Study
 from pliant.lab.experiment.sweep import Point, read_sweep, run_sweep
 
 REPORT = "report.html"
 FIGURES = "figures"
-
-
-@dataclass
-class Choices:
-    """What the report holds and how it is made."""
-
-    sweep: bool = True
-    questions: bool = True
-    quick: bool = False  #: small sizes: to look at, not to cite
-    workers: int = 1
-    replicates: int = REPLICATES
-    progress: Callable[[str], object] = lambda what: console.progress(what, quiet=True)
 
 
 @dataclass

@@ -8,7 +8,7 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from pliant import console
-from pliant.lab.experiment.command import add_running
+from pliant.lab.experiment.options import add_running
 from pliant.lab.experiment.pool import usable_cores
 
 REPORT_EPILOG = """\

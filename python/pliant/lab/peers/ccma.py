@@ -31,6 +31,15 @@ def why_no_angles(bars: np.ndarray) -> str:
     return ""
 
 
+def openmm_version() -> str:
+    """That which is installed; empty if none is."""
+    try:
+        import openmm
+    except ModuleNotFoundError:
+        return ""
+    return str(openmm.version.version)
+
+
 class Ccma:
     """A Context of OpenMM's Reference platform that repairs broken structures.
 

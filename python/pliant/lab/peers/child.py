@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pliant import InputError
+from pliant._core import InputError
 
 WORKER = pathlib.Path(__file__).with_name("worker.py")
 TIME_LIMIT = 300.0  #: seconds for one job

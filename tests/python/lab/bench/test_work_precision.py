@@ -13,7 +13,8 @@ from pliant.lab.bench.command import main
 from pliant.lab.bench.contenders import Repair
 from pliant.lab.bench.nearest import nearest_whole
 from pliant.lab.bench.target import read_target, target_of
-from pliant.lab.bench.work_precision import Row, compare_with_openmm, fastest_to
+from pliant.lab.bench.work_precision import compare_with_openmm, fastest_to
+from pliant.lab.bench.work_precision_rows import Row
 from scipy.optimize import minimize
 
 import pliant

@@ -13,9 +13,10 @@ from types import SimpleNamespace
 import pytest
 from pliant.lab.experiment import command, inquiry
 from pliant.lab.experiment.answer import Answer, Figure, Table
+from pliant.lab.experiment.choices import Choices
 from pliant.lab.experiment.claims import CLAIMS, studies_of
 from pliant.lab.experiment.drawings import BAR_CHARTS, HISTOGRAMS
-from pliant.lab.experiment.report import Choices, make_report
+from pliant.lab.experiment.report import make_report
 from pliant.lab.experiment.settings import Settings
 from pliant.lab.experiment.settled import settle
 from pliant.lab.experiment.statistics import Study
