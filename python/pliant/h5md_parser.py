@@ -28,7 +28,7 @@ _TOPOLOGY = "parameters/topology"
 _TRAJECTORY = "particles/trajectory"
 
 
-class H5MDParser(TopologyReaderBase):
+class H5MDParser(TopologyReaderBase):  # type: ignore[misc]  # MDAnalysis has no types
     """Read the topology of an H5MD file.
 
     A file with our atom table gives names, elements (as types, too), masses, serials (`ids`),
@@ -64,7 +64,7 @@ def _particle_count(file: h5py.File) -> int | None:
         for name in ("position", "velocity", "force"):
             value = group.get(f"{name}/value")
             if isinstance(value, h5py.Dataset) and value.ndim == 3:
-                return value.shape[1]
+                return int(value.shape[1])
     return None
 
 
@@ -161,4 +161,4 @@ def _bonds(file: h5py.File, count: int) -> list[attributes.Bonds]:
 
 def _guessed(origins: h5py.Dataset) -> list[bool]:
     names = h5py.check_enum_dtype(origins.dtype) or {}
-    return (origins[()] == names.get("distance", -1)).tolist()
+    return [bool(origin == names.get("distance", -1)) for origin in origins[()]]

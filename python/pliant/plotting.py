@@ -7,6 +7,7 @@ import contextlib
 import os
 import textwrap
 from collections.abc import Iterator
+from typing import Any
 
 import numpy as np
 
@@ -25,7 +26,7 @@ DASHED = (0, (4, 2))
 DPI = 150
 PANEL = (5.4, 3.6)  #: inches
 
-_STYLE = {
+_STYLE: dict[Any, Any] = {
     "font.size": 9.5,
     "axes.titlesize": 10,
     "axes.titleweight": "bold",
@@ -54,7 +55,7 @@ def figure(
         yield plot, plot.subplots(rows, columns, squeeze=False)
 
 
-def save(plot: Figure, path: str | os.PathLike) -> None:
+def save(plot: Figure, path: str | os.PathLike[str]) -> None:
     """Writes a PNG; makes the folder if it is missing."""
     folder = os.path.dirname(os.fspath(path))
     if folder:

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import numpy.typing as npt
@@ -126,8 +126,8 @@ def _guesser() -> Callable[[str], str]:
     except ImportError:  # before 2.8
         from MDAnalysis.topology.guessers import guess_atom_element
 
-        return guess_atom_element
-    return DefaultGuesser(None).guess_atom_element
+        return cast("Callable[[str], str]", guess_atom_element)
+    return cast("Callable[[str], str]", DefaultGuesser(None).guess_atom_element)
 
 
 def _bonds_within(group: Any) -> tuple[npt.NDArray[np.int64] | None, list[int] | None]:
@@ -156,7 +156,7 @@ def _order(order: object) -> int:
 
 
 def _frames(positions: npt.ArrayLike, count: int) -> npt.NDArray[np.float64]:
-    frames = np.asarray(positions, dtype=np.float64)
+    frames = np.array(positions, dtype=np.float64)
     if frames.ndim == 2:
         frames = frames[np.newaxis]
     if frames.ndim != 3 or frames.shape[1:] != (count, 3):
@@ -164,7 +164,7 @@ def _frames(positions: npt.ArrayLike, count: int) -> npt.NDArray[np.float64]:
             f"positions: expected shape ({count}, 3) or (F, {count}, 3), "
             f"found {np.shape(positions)}"
         )
-    return frames.copy()
+    return frames
 
 
 def _universe_of_framework(framework: Framework) -> MDAnalysis.Universe:

@@ -3,11 +3,14 @@
 
 from __future__ import annotations
 
+import argparse
 import contextlib
 import importlib.util
 import sys
 import warnings
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
+from typing import Any
 
 from pliant.console import EXIT_OK, Parser, note, print_json, run_command, whole_number
 
@@ -30,13 +33,13 @@ Exit code: 0 analysed (also when bars are beyond tolerance: see the verdict, or 
 1 the input cannot be read, 2 wrong usage."""
 
 
-def main(arguments=None):
+def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the subcommand with a list of arguments (default: sys.argv); returns the exit code."""
     options = _parser().parse_args(arguments)
     return run_command("analyse", lambda: _analyse(options))
 
 
-def _parser():
+def _parser() -> Parser:
     parser = Parser("analyse", DESCRIPTION, EPILOG)
     add = parser.add_argument
     add("file", metavar="FILE", help="trajectory: OUT.h5md of pliant run, or another")
@@ -54,7 +57,7 @@ def _parser():
     return parser
 
 
-def _add_choice_of_atoms(add):
+def _add_choice_of_atoms(add: Callable[..., object]) -> None:
     add("--select", metavar="SELECTION", default="all", help="atoms to analyse (default: all)")
     add(
         "--superpose", metavar="SELECTION",
@@ -65,7 +68,7 @@ def _add_choice_of_atoms(add):
     add("--mass-weighted", action="store_true", help="weigh the PCA by masses")
 
 
-def _add_choice_of_frames(add):
+def _add_choice_of_frames(add: Callable[..., object]) -> None:
     add("--start", type=int, metavar="N", help="first frame, from 0 (negative: from the end)")
     add("--stop", type=int, metavar="N", help="frame before which to stop")
     add("--step", type=whole_number(1), metavar="N", help="take every N-th frame")
@@ -75,7 +78,7 @@ def _add_choice_of_frames(add):
     )  # fmt: skip
 
 
-def _add_output(add):
+def _add_output(add: Callable[..., object]) -> None:
     add(
         "--dpi", type=whole_number(50), default=200, metavar="N",
         help="resolution of the figures (default: 200)",
@@ -84,7 +87,7 @@ def _add_output(add):
     add("--quiet", action="store_true", help="print nothing but errors")
 
 
-def _analyse(options):
+def _analyse(options: argparse.Namespace) -> int:
     # Imported here, so that --help and errors of usage are immediate.
     from pliant.analyse.suite import analyse
 
@@ -114,7 +117,7 @@ def _analyse(options):
 
 
 @contextlib.contextmanager
-def _stages(quiet):
+def _stages(quiet: bool) -> Iterator[Callable[[str], None]]:
     """Gives a function that shows what is under way; only on a terminal, and with `rich`."""
     if quiet or not sys.stderr.isatty() or not importlib.util.find_spec("rich"):
         yield lambda name: None
@@ -126,7 +129,7 @@ def _stages(quiet):
         yield lambda name: status.update(f"{name} ...")
 
 
-def _print_summary(summary):
+def _print_summary(summary: Mapping[str, Any]) -> None:
     for text in summary["notes"]:
         note(text)
     for name, why in summary["skipped"].items():

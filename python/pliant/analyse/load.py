@@ -4,8 +4,10 @@
 from __future__ import annotations
 
 import contextlib
+import os
 import warnings
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 import h5py
 import MDAnalysis
@@ -13,8 +15,13 @@ import MDAnalysis
 import pliant.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds from our files)
 from pliant._core import InputError
 
+if TYPE_CHECKING:
+    from MDAnalysis import Universe
 
-def open_universe(path, topology=None):
+
+def open_universe(
+    path: str | os.PathLike[str], topology: str | os.PathLike[str] | None = None
+) -> Universe:
     """The MDAnalysis.Universe of a trajectory file, with a topology file or its own.
 
     Raises InputError with one line: no such file, not HDF5, no frames, no or a wrong topology.
@@ -34,7 +41,7 @@ def open_universe(path, topology=None):
     return universe
 
 
-def _check_file(path):
+def _check_file(path: Path) -> None:
     if not path.exists():
         raise InputError(f"{path}: no such file")
     if path.is_dir():
@@ -55,7 +62,7 @@ def _check_file(path):
             raise InputError(f"{path}: holds no frames")
 
 
-def _open(path, topology):
+def _open(path: Path, topology: str | os.PathLike[str] | None) -> Universe:
     options = {"format": "H5MD"} if path.suffix.lower() in (".h5md", ".h5", ".hdf5") else {}
     try:
         if topology is not None:

@@ -6,16 +6,23 @@ from __future__ import annotations
 import base64
 import json
 import re
+from collections.abc import Iterable, Mapping, Sequence
 from html import escape
 from importlib import metadata, resources
 from pathlib import Path
 from string import Template
+from typing import TYPE_CHECKING, Any
 
 from pliant._core import techniques
 from pliant.analyse.figures.style import WIDE
 from pliant.analyse.scene import scene
 from pliant.analyse.summary import facts, tables, title, verdict
 from pliant.console import plain
+
+if TYPE_CHECKING:
+    from pliant.analyse.figures import FigureKind
+    from pliant.analyse.study import Study
+
 
 MARKS = {"good": "✓", "mixed": "!", "bad": "✕", "open": "–"}
 
@@ -43,13 +50,21 @@ METHODS = (
 )  # fmt: skip
 
 
-def write_page(study, figures, files, path, dpi):
+def write_page(
+    study: Study,
+    figures: Sequence[tuple[FigureKind, Path]],
+    files: Sequence[Path],
+    path: Path,
+    dpi: int,
+) -> None:
     """Writes the page. figures: [(FigureKind, PNG path)]; files: outputs to link to."""
     text = page(study, figures, files, dpi)
     Path(path).write_text(text, encoding="utf-8")
 
 
-def page(study, figures, files, dpi):
+def page(
+    study: Study, figures: Sequence[tuple[FigureKind, Path]], files: Sequence[Path], dpi: int
+) -> str:
     """The page as text."""
     judged = verdict(study)
     javascript = viewer_script()
@@ -76,28 +91,28 @@ def page(study, figures, files, dpi):
     )
 
 
-def viewer_script():
+def viewer_script() -> str:
     """The text of 3Dmol.js, or "" when the package was built without it."""
     file = resources.files("pliant") / "static" / "3Dmol-min.js"
     return file.read_text(encoding="utf-8") if file.is_file() else ""
 
 
-def _text(name):
+def _text(name: str) -> str:
     return (resources.files("pliant.analyse") / name).read_text(encoding="utf-8")
 
 
-def _template(name):
+def _template(name: str) -> Template:
     return Template(_text(name))
 
 
-def _version():
+def _version() -> str:
     try:
         return metadata.version("pliant")
     except metadata.PackageNotFoundError:
         return ""
 
 
-def _subtitle(study):
+def _subtitle(study: Study) -> str:
     parts = [f"{len(study.universe.atoms):,} atoms"]
     if study.residuals is not None:
         parts.append(f"{len(study.residuals.bars):,} bars")
@@ -111,21 +126,21 @@ def _subtitle(study):
     return " · ".join(parts)
 
 
-def _technique(run):
+def _technique(run: Mapping[str, Any]) -> str:
     """What a run was resolved with, from its parameters."""
     used = run.get("run/technique_used", run["run/technique"])
     weighted = any(row.name == used and row.has_weighting for row in techniques())
     return f"{used}, weighting {run.get('run/weighting', '?')}" if weighted else used
 
 
-def _fact(number, unit, meaning):
+def _fact(number: str, unit: str, meaning: str) -> str:
     unit = f"<small>{escape(unit)}</small>" if unit else ""
     return (
         f'<div class="fact card"><b>{escape(number)}{unit}</b><span>{escape(meaning)}</span></div>'
     )
 
 
-def _figure(kind, png, dpi):
+def _figure(kind: FigureKind, png: Path, dpi: int) -> str:
     content = Path(png).read_bytes()
     width, height = (int.from_bytes(content[k : k + 4], "big") for k in (16, 20))  # of the PNG
     tall = ' class="card tall"' if height > 0.9 * width else ' class="card"'
@@ -138,19 +153,19 @@ def _figure(kind, png, dpi):
     )
 
 
-def _table(caption, headers, rows):
+def _table(caption: str, headers: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     title = f"<caption>{escape(caption)}</caption>" if caption else ""
     body = _row("th", headers) + "".join(_row("td", row) for row in rows)
     return f'<div class="table card"><table>{title}{body}</table></div>'
 
 
-def _row(tag, texts):
+def _row(tag: str, texts: Iterable[str]) -> str:
     first, *others = (escape(text) for text in texts)
     numbers = "".join(f'<{tag} class="n">{text}</{tag}>' for text in others)
     return f"<tr><{tag}>{first}</{tag}>{numbers}</tr>"
 
 
-def _notes(study, shown):
+def _notes(study: Study, shown: Mapping[str, Any] | None) -> str:
     notes = [*study.notes]
     notes += [f"No {name}: {why}." for name, why in study.skipped.items()]
     if shown and shown["notes"]:
@@ -161,11 +176,11 @@ def _notes(study, shown):
     return f'<h2>Please note</h2><section class="notes card"><ul>{items}</ul></section>'
 
 
-def _sentence(text):
+def _sentence(text: str) -> str:
     return text[:1].upper() + text[1:].rstrip(".") + "."
 
 
-def _details(study, files):
+def _details(study: Study, files: Sequence[Path]) -> str:
     parts = [
         _disclosure(
             "Methods", "".join(f"<p><b>{escape(a)}.</b> {escape(b)}</p>" for a, b in METHODS)
@@ -188,13 +203,13 @@ def _details(study, files):
     return "\n".join(parts)
 
 
-def _disclosure(summary, content):
+def _disclosure(summary: str, content: str) -> str:
     return (
         f'<details class="card"><summary>{escape(summary)}</summary><div>{content}</div></details>'
     )
 
 
-def _scripts(javascript, shown):
+def _scripts(javascript: str, shown: Mapping[str, Any]) -> str:
     data = json.dumps(plain(shown), separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
     parts = [f'<script type="application/json" id="scene">{data}</script>']
     for code in (javascript, _text("timeline.js"), _text("viewer.js")):
@@ -202,6 +217,6 @@ def _scripts(javascript, shown):
     return "\n".join(parts)
 
 
-def _inline(code):
+def _inline(code: str) -> str:
     """JavaScript that may stand inside a script element."""
     return re.sub(r"</(script)", r"<\\/\1", code, flags=re.IGNORECASE).replace("<!--", "<\\!--")

@@ -7,14 +7,24 @@ import base64
 import contextlib
 import warnings
 from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+import numpy.typing as npt
 
 from pliant.analyse.names import chains_of, numbers_of
+from pliant.analyse.study import known
 from pliant.analysis.frames import weights_of
 from pliant.analysis.residuals import bar_residuals
 from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.superposition import Superposition
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+
+    from pliant.analyse.study import Study
+    from pliant.analysis.residuals import BarResiduals
+
 
 #: atoms that a browser draws fluently
 MAX_ATOMS = 12_000
@@ -33,11 +43,11 @@ class Thinned:
 
     atoms: np.ndarray  #: (n,) indices in the universe
     frames: np.ndarray  #: (f,) places among the frames analysed
-    notes: list  #: says what is left out
+    notes: list[str]  #: says what is left out
     trace_only: bool  #: the atoms shown are not bonded to each other
 
 
-def thinned(study, max_atoms=MAX_ATOMS, max_bytes=MAX_BYTES):
+def thinned(study: Study, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES) -> Thinned:
     """Chooses atoms and frames so that the page stays small."""
     atoms, notes = _shown_atoms(study.atoms, max_atoms)
     trace_only = bool(notes) and notes[0].endswith("only")
@@ -49,7 +59,7 @@ def thinned(study, max_atoms=MAX_ATOMS, max_bytes=MAX_BYTES):
     return Thinned(atoms.ix, frames, notes, trace_only)
 
 
-def _shown_atoms(atoms, max_atoms):
+def _shown_atoms(atoms: AtomGroup, max_atoms: int) -> tuple[AtomGroup, list[str]]:
     if len(atoms) <= max_atoms:
         return atoms, []
     heavy = atoms[~is_hydrogen(atoms)]
@@ -64,7 +74,7 @@ def _shown_atoms(atoms, max_atoms):
     return atoms[::stride], [f"every {stride}th atom only"]
 
 
-def scene(study, max_atoms=MAX_ATOMS, max_bytes=MAX_BYTES):
+def scene(study: Study, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES) -> dict[str, Any]:
     """The scene as JSON-ready values; arrays of numbers are base64 of little-endian integers."""
     shown = thinned(study, max_atoms, max_bytes)
     atoms = study.universe.atoms[shown.atoms]
@@ -89,13 +99,13 @@ def scene(study, max_atoms=MAX_ATOMS, max_bytes=MAX_BYTES):
     }
 
 
-def _bonds(study):
+def _bonds(study: Study) -> npt.ArrayLike:
     if hasattr(study.universe, "bonds") and len(study.universe.bonds):
-        return study.universe.bonds.indices
+        return np.asarray(study.universe.bonds.indices)
     return study.residuals.bars if study.residuals else ()
 
 
-def _pairs_among(pairs, place):
+def _pairs_among(pairs: npt.ArrayLike, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Pairs (P, 2) of shown atoms, in the numbers that those have, and which pairs they are."""
     pairs = np.asarray(pairs, dtype=np.int64).reshape(-1, 2)
     renamed = place[pairs]
@@ -103,7 +113,9 @@ def _pairs_among(pairs, place):
     return renamed[kept], kept
 
 
-def _positions_and_codes(study, shown, bar_numbers):
+def _positions_and_codes(
+    study: Study, shown: Thinned, bar_numbers: np.ndarray
+) -> tuple[np.ndarray, np.ndarray]:
     """Positions (f, n, 3) around the origin, superposed on the first; residual codes (f, b)."""
     positions = np.empty((len(shown.frames), len(shown.atoms), 3))
     codes = np.zeros((len(shown.frames), len(bar_numbers)), dtype=np.uint8)
@@ -115,28 +127,32 @@ def _positions_and_codes(study, shown, bar_numbers):
             superposition = Superposition(fitted, weights_of(study.fitted, None))
         positions[k] = superposition.apply(every[shown.atoms], fitted)
         if len(bar_numbers):
-            codes[k] = _codes(study.residuals, every, bar_numbers)
+            codes[k] = _codes(known(study.residuals), every, bar_numbers)
     return _facing_the_reader(positions), codes
 
 
-def _facing_the_reader(positions):
+def _facing_the_reader(positions: np.ndarray) -> np.ndarray:
     """Turned so that the first frame is longest along x and thinnest along z, around 0."""
     positions = positions - positions[0].mean(axis=0)
     _, _, axes = np.linalg.svd(positions[0], full_matrices=True)
     if np.linalg.det(axes) < 0:
         axes[2] = -axes[2]
-    return positions @ axes.T
+    turned: np.ndarray = positions @ axes.T
+    return turned
 
 
-def _codes(residuals, positions, bar_numbers):
+def _codes(residuals: BarResiduals, positions: np.ndarray, bar_numbers: np.ndarray) -> np.ndarray:
     rest = residuals.rest_lengths[bar_numbers]
     error = np.abs(bar_residuals(positions, residuals.bars[bar_numbers], rest)) * rest
     with np.errstate(divide="ignore"):
         decades = np.log10(error / residuals.accepted[bar_numbers]) - LOWEST_DECADE
-    return np.clip(np.nan_to_num(decades * CODES_PER_DECADE, nan=255), 0, 255).astype(np.uint8)
+    codes: np.ndarray = np.clip(np.nan_to_num(decades * CODES_PER_DECADE, nan=255), 0, 255).astype(
+        np.uint8
+    )
+    return codes
 
 
-def _atom_columns(atoms, study):
+def _atom_columns(atoms: AtomGroup, study: Study) -> dict[str, Any]:
     columns = {
         "names": [str(name) for name in getattr(atoms, "names", [""] * len(atoms))],
         "elements": _elements(atoms),
@@ -151,7 +167,7 @@ def _atom_columns(atoms, study):
     return columns
 
 
-def _elements(atoms):
+def _elements(atoms: AtomGroup) -> list[str]:
     """Symbols for colours and sizes; "C" where nothing is known."""
     elements = [str(e).capitalize() for e in getattr(atoms, "elements", [""] * len(atoms))]
     hydrogen = is_hydrogen(atoms)
@@ -164,7 +180,7 @@ def _elements(atoms):
     ]
 
 
-def _secondary_structure(atoms, study):
+def _secondary_structure(atoms: AtomGroup, study: Study) -> str:
     """One letter an atom, h s or c, for the cartoon of a protein; empty if there is no protein."""
     if not hasattr(atoms, "resnames") or len(set(atoms.resindices)) < 4:
         return ""
@@ -181,7 +197,7 @@ def _secondary_structure(atoms, study):
     return "".join(letters[atoms.resindices])
 
 
-def _series(study, frames):
+def _series(study: Study, frames: np.ndarray) -> dict[str, Any]:
     """What the timeline can show: name -> label, unit, values, whether logarithmic."""
     series = {}
     if study.residuals is not None:
@@ -203,9 +219,9 @@ def _series(study, frames):
     return series
 
 
-def _rounded(values):
+def _rounded(values: np.ndarray) -> list[float]:
     return [float(f"{value:.4g}") for value in np.asarray(values, dtype=float)]
 
 
-def _base64(array):
+def _base64(array: np.ndarray) -> str:
     return base64.b64encode(np.ascontiguousarray(array).tobytes()).decode("ascii")

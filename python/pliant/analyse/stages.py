@@ -3,6 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
 import numpy as np
 from MDAnalysis.exceptions import NoDataError, SelectionError
 
@@ -22,11 +25,22 @@ from pliant.analysis import (
 from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.stored import StoredPositions
 
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup, Universe
+    from MDAnalysis.analysis.base import Results
+
+    from pliant.analyse.study import StudyOptions
+    from pliant.analysis.frames import FrameAnalysis
+    from pliant.analysis.record import RunRecord
+
+
 #: the table of coordinates that the PCA makes may be this large
 PCA_BYTES = 1 << 29
 
 
-def study_trajectory(options, on_stage=lambda name: None):
+def study_trajectory(
+    options: StudyOptions, on_stage: Callable[[str], None] = lambda name: None
+) -> Study:
     """Opens the trajectory and runs everything on it; `on_stage` is told what is under way.
 
     Raises InputError (one line) when the file cannot be used, OptionError when the choice of atoms
@@ -34,10 +48,10 @@ def study_trajectory(options, on_stage=lambda name: None):
     """
     on_stage("reading")
     universe = open_universe(options.path, options.topology)
-    study = Study(options, universe, _record(options.path))
+    stored = StoredPositions(universe.trajectory)
+    study = Study(options, universe, _record(options.path), stored)
     study.atoms = _select(universe, options.select, "--select")
     study.fitted, study.fitted_name = _fitted(study)
-    study.stored = StoredPositions(universe.trajectory)
     choose_frames(study)
     runner = Runner(study)
     for name, stage in STAGES.items():
@@ -49,7 +63,7 @@ def study_trajectory(options, on_stage=lambda name: None):
     return study
 
 
-def fitted_atoms(atoms):
+def fitted_atoms(atoms: AtomGroup) -> tuple[AtomGroup, str]:
     """The atoms to superpose when none are named, and what to call them.
 
     One atom a residue where there is a chain of them (CA, P), else what is no hydrogen.
@@ -65,31 +79,31 @@ def fitted_atoms(atoms):
 class Runner:
     """Runs analyses over the frames of a study, in as many processes as were asked for."""
 
-    def __init__(self, study):
+    def __init__(self, study: Study) -> None:
         self._frames = np.arange(len(study.frames)) if study.held else study.frames
         self._backend = {}
         if study.options.workers > 1:
             self._backend = {"backend": "multiprocessing", "n_workers": study.options.workers}
 
-    def run(self, analysis, stride=1):
+    def run(self, analysis: FrameAnalysis, stride: int = 1) -> Results:
         """`analysis` after its run over the frames of the study, or every `stride`-th."""
         analysis.run(frames=self._frames[::stride], **self._backend)
         return analysis.results
 
     @property
-    def first(self):
+    def first(self) -> int:
         """Number of the first frame, as the universe counts now."""
         return int(self._frames[0])
 
 
-def _record(path):
+def _record(path: str) -> RunRecord | None:
     try:
         return read_record(path)
     except OSError:
         return None
 
 
-def _select(universe, selection, option):
+def _select(universe: Universe, selection: str, option: str) -> AtomGroup:
     try:
         atoms = universe.select_atoms(selection)
     except (SelectionError, NoDataError, AttributeError, ValueError, TypeError) as error:
@@ -99,14 +113,14 @@ def _select(universe, selection, option):
     return atoms
 
 
-def _fitted(study):
+def _fitted(study: Study) -> tuple[AtomGroup, str]:
     selection = study.options.superpose
     if selection is None:
         return fitted_atoms(study.atoms)
     return _select(study.universe, selection, "--superpose"), f"atoms '{selection}'"
 
 
-def _bar_residuals(study, runner):
+def _bar_residuals(study: Study, runner: Runner) -> None:
     residuals = _bar_residuals_of(study)
     runner.run(residuals)
     study.residuals = residuals
@@ -116,7 +130,7 @@ def _bar_residuals(study, runner):
         )
 
 
-def _bar_residuals_of(study):
+def _bar_residuals_of(study: Study) -> BarResiduals:
     record = study.record
     if record is None or record.bars is None:
         raise ValueError("the trajectory holds no bars with rest lengths")
@@ -130,12 +144,12 @@ def _bar_residuals_of(study):
     )
 
 
-def _sweeps(study, runner):
+def _sweeps(study: Study, runner: Runner) -> None:
     if study.observable("sweeps") is None:
         raise ValueError("the file holds no /observables/sweeps")
 
 
-def _rmsd(study, runner):
+def _rmsd(study: Study, runner: Runner) -> None:
     first = runner.first
     study.rmsd = runner.run(RmsdToStart(study.fitted, reference_frame=first)).rmsd
     if set(study.atoms.ix) != set(study.fitted.ix):
@@ -143,7 +157,7 @@ def _rmsd(study, runner):
         study.rmsd_all = runner.run(every).rmsd
 
 
-def _rmsf(study, runner):
+def _rmsf(study: Study, runner: Runner) -> None:
     if len(study.frames) < 2:
         raise ValueError("a single frame does not fluctuate")
     rmsf = Rmsf(study.atoms, superpose_on=study.fitted)
@@ -153,13 +167,13 @@ def _rmsf(study, runner):
         study.notes.append("the average structure of the RMSF did not come to rest")
 
 
-def _radius_of_gyration(study, runner):
+def _radius_of_gyration(study: Study, runner: Runner) -> None:
     weights = "mass" if hasattr(study.atoms, "masses") and study.atoms.masses.sum() > 0 else None
     study.radius_weights = weights or "equal"
     study.radius = runner.run(RadiusOfGyration(study.atoms, weights=weights)).radius
 
 
-def _torsions(study, runner):
+def _torsions(study: Study, runner: Runner) -> None:
     bonds = None
     if not hasattr(study.universe, "bonds") and study.record and study.record.bars is not None:
         bonds = study.record.bars
@@ -173,7 +187,7 @@ def _torsions(study, runner):
     study.torsions = torsions
 
 
-def _principal_components(study, runner):
+def _principal_components(study: Study, runner: Runner) -> None:
     if len(study.frames) < 3:
         raise ValueError("it needs at least 3 frames")
     size = 24 * len(study.fitted) * len(study.frames)

@@ -3,13 +3,23 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pliant.analyse.figures.torsion_figures import most_mobile
 from pliant.analyse.names import bar_labels, greek, residue_labels
+from pliant.analyse.study import known
+
+if TYPE_CHECKING:
+    from pliant.analyse.study import Study
+
+
+#: A table of the page: caption, headers, rows of text.
+PageTable = tuple[str, Sequence[str], Sequence[Sequence[str]]]
 
 
 @dataclass(frozen=True)
@@ -21,7 +31,7 @@ class Verdict:
     details: str
 
 
-def verdict(study):
+def verdict(study: Study) -> Verdict:
     """Judges the bars of all frames analysed, from the coordinates."""
     if study.residuals is None:
         return Verdict(
@@ -44,14 +54,15 @@ def verdict(study):
     return Verdict("mixed", sentence, details)
 
 
-def tolerance_text(study):
+def tolerance_text(study: Study) -> str:
     """The tolerance with its unit."""
-    if study.residuals.tolerance_length > 0:
-        return f"{study.residuals.tolerance_length:g} Å"
-    return scientific(study.residuals.tolerance, 0)
+    residuals = known(study.residuals)
+    if residuals.tolerance_length > 0:
+        return f"{residuals.tolerance_length:g} Å"
+    return scientific(residuals.tolerance, 0)
 
 
-def scientific(value, digits=2):
+def scientific(value: float, digits: int = 2) -> str:
     """A small number for readers: 9.97 × 10⁻⁷; for 10⁻⁶ sharp only the power."""
     mantissa, exponent = f"{value:.{digits}e}".split("e")
     power = "10" + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
@@ -60,10 +71,11 @@ def scientific(value, digits=2):
     return power if mantissa == "1" else f"{mantissa} × {power}"
 
 
-def _worst(study):
-    found = study.residuals.results
+def _worst(study: Study) -> str:
+    residuals = known(study.residuals)
+    found = residuals.results
     k = int(np.argmax(found.max_relative))
-    bar = study.residuals.bars[found.worst_bar[k]]
+    bar = residuals.bars[found.worst_bar[k]]
     (name,) = bar_labels(study.universe.atoms, [bar])
     where = f"frame {study.frames[k]}"
     if study.steps is not None:
@@ -71,12 +83,12 @@ def _worst(study):
     return (
         f"The worst is off by {scientific(found.max_relative[k])} of its length (tolerance "
         f"{tolerance_text(study)}): bar {name} in {where}. Computed anew from the "
-        f"{'double' if study.residuals.precision == 'float64' else 'single'} precision "
+        f"{'double' if residuals.precision == 'float64' else 'single'} precision "
         "coordinates in the file."
     )
 
 
-def summary(study, outputs):
+def summary(study: Study, outputs: Mapping[str, Any]) -> dict[str, Any]:
     """The study as JSON-ready values."""
     judged = verdict(study)
     values = {
@@ -95,7 +107,7 @@ def summary(study, outputs):
     return values | {"skipped": study.skipped, "notes": study.notes, "outputs": outputs}
 
 
-def _residual_values(study):
+def _residual_values(study: Study) -> dict[str, Any]:
     if study.residuals is None:
         return {}
     found = study.residuals.results
@@ -109,12 +121,12 @@ def _residual_values(study):
     }
     if study.converged is not None:
         values["frames_not_converged"] = int(np.count_nonzero(~study.converged))
-        values["converged_but_beyond"] = int(np.count_nonzero(study.broken_promises))
+        values["converged_but_beyond"] = int(np.count_nonzero(known(study.broken_promises)))
     return values
 
 
-def _motion_values(study):
-    values = {}
+def _motion_values(study: Study) -> dict[str, Any]:
+    values: dict[str, Any] = {}
     sweeps = study.observable("sweeps")
     if sweeps is not None:
         values |= {"sweeps_mean": float(np.mean(sweeps)), "sweeps_max": int(np.max(sweeps))}
@@ -130,13 +142,13 @@ def _motion_values(study):
     return values
 
 
-def _torsion_values(study):
+def _torsion_values(study: Study) -> dict[str, Any]:
     if study.torsions is None:
         return {}
     return {"rotatable_bonds": len(study.torsions.torsions)}
 
 
-def _pca_values(study):
+def _pca_values(study: Study) -> dict[str, Any]:
     if study.pca is None:
         return {}
     found = study.pca.results
@@ -146,7 +158,7 @@ def _pca_values(study):
     return values
 
 
-def facts(study):
+def facts(study: Study) -> list[tuple[str, str, str]]:
     """Up to seven (number, unit, meaning) for the side of the page."""
     rows = []
     if study.residuals is not None:
@@ -183,7 +195,7 @@ def facts(study):
     return rows
 
 
-def tables(study):
+def tables(study: Study) -> list[PageTable]:
     """Tables for the page: (caption, headers, rows of text)."""
     made = []
     if study.residuals is not None:
@@ -197,11 +209,12 @@ def tables(study):
     return made
 
 
-def _bar_table(study):
-    values = study.residuals.results.bar_max_relative
+def _bar_table(study: Study) -> PageTable:
+    residuals = known(study.residuals)
+    values = residuals.results.bar_max_relative
     chosen = np.argsort(-values, kind="stable")[:8]
-    names = bar_labels(study.universe.atoms, study.residuals.bars[chosen])
-    lengths = study.residuals.rest_lengths[chosen]
+    names = bar_labels(study.universe.atoms, residuals.bars[chosen])
+    lengths = residuals.rest_lengths[chosen]
     rows = [
         (n, f"{length:.4f}", scientific(values[k]))
         for n, length, k in zip(names, lengths, chosen, strict=True)
@@ -209,29 +222,30 @@ def _bar_table(study):
     return "Bars that were furthest off", ("bar", "rest length (Å)", "largest residual"), rows
 
 
-def _residue_table(study):
-    found = study.rmsf.results
+def _residue_table(study: Study) -> PageTable:
+    found = known(study.rmsf).results
     chosen = np.argsort(-found.residue_rmsf, kind="stable")[:8]
     names = residue_labels(study.universe.residues)
     rows = [(names[found.residues[k]], f"{found.residue_rmsf[k]:.3f}") for k in chosen]
     return "Most mobile residues", ("residue", "RMSF (Å)"), rows
 
 
-def _torsion_table(study):
-    found = study.torsions.results
+def _torsion_table(study: Study) -> PageTable:
+    torsions = known(study.torsions)
+    found = torsions.results
     rows = [
         (
-            greek(study.torsions.torsions[k].label),
+            greek(torsions.torsions[k].label),
             f"{found.mean[k]:.0f}°",
             f"{found.spread[k]:.0f}°",
         )
-        for k in sorted(most_mobile(study.torsions, 8), key=lambda k: -found.spread[k])
+        for k in sorted(most_mobile(torsions, 8), key=lambda k: -found.spread[k])
     ]
     return "Most mobile torsions", ("torsion", "circular mean", "spread"), rows
 
 
-def _component_table(study):
-    found = study.pca.results
+def _component_table(study: Study) -> PageTable:
+    found = known(study.pca).results
     rows = []
     for k, share in enumerate(found.explained[:5]):
         cosine = f"{found.cosine_content[k]:.2f}" if k < len(found.cosine_content) else "–"
@@ -240,7 +254,7 @@ def _component_table(study):
     return "Principal components", ("", f"variance ({unit})", "share", "cosine content"), rows
 
 
-def title(study):
+def title(study: Study) -> str:
     """Name of the molecule's file, or of the trajectory."""
     if study.record and study.record.parameters.get("input/file"):
         return Path(str(study.record.parameters["input/file"])).name

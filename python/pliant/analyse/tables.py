@@ -7,10 +7,25 @@ Numbers are written with all their digits; atoms, residues, bars and frames coun
 from __future__ import annotations
 
 import csv
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pliant.analyse.names import atom_labels, bar_labels
+from pliant.analyse.study import known
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+    from MDAnalysis.core.groups import ResidueGroup
+
+    from pliant.analyse.study import Study
+    from pliant.analysis.rotatable import Torsion
+
+
+#: Columns of equal length (arrays or lists) by their headers.
+Columns = dict[str, Any]
 
 #: components whose projections stand in frames.csv
 PROJECTIONS = 10
@@ -19,7 +34,7 @@ PROJECTIONS = 10
 MAX_ANGLES = 5_000_000
 
 
-def save_tables(study, folder):
+def save_tables(study: Study, folder: Path) -> list[Path]:
     """Writes the CSV files that the study gives into a folder; returns their paths."""
     tables = {
         "frames": frame_columns(study),
@@ -40,7 +55,7 @@ def save_tables(study, folder):
     return written
 
 
-def write_csv(path, columns):
+def write_csv(path: Path, columns: Columns) -> None:
     """Writes columns {header: values of equal length} as CSV with a header line."""
     values = [
         column.tolist() if hasattr(column, "tolist") else column for column in columns.values()
@@ -51,9 +66,9 @@ def write_csv(path, columns):
         writer.writerows(zip(*values, strict=True))
 
 
-def frame_columns(study):
+def frame_columns(study: Study) -> Columns:
     """One row a frame analysed."""
-    columns = {"frame": study.frames}
+    columns: Columns = {"frame": study.frames}
     if study.steps is not None:
         columns["step"] = study.steps
     columns["time_ps"] = study.times
@@ -71,10 +86,11 @@ def frame_columns(study):
     return columns | _projection_columns(study)
 
 
-def _residual_columns(study):
-    found = study.residuals.results
-    ends = study.residuals.bars[found.worst_bar]
-    columns = {
+def _residual_columns(study: Study) -> Columns:
+    residuals = known(study.residuals)
+    found = residuals.results
+    ends = residuals.bars[found.worst_bar]
+    columns: Columns = {
         "max_relative_residual": found.max_relative,
         "rms_relative_residual": found.rms_relative,
         "max_residual_angstrom": found.max_length,
@@ -88,7 +104,7 @@ def _residual_columns(study):
     return columns
 
 
-def _projection_columns(study):
+def _projection_columns(study: Study) -> Columns:
     if study.pca is None or study.pca_stride > 1:
         return {}
     projections = study.pca.results.projections
@@ -97,12 +113,12 @@ def _projection_columns(study):
     return {f"pc{k + 1}_{unit}": projections[:, k] for k in range(count)}
 
 
-def atom_columns(study):
+def atom_columns(study: Study) -> Columns:
     """One row an atom analysed: its place in the molecule and how much it moves."""
     if study.rmsf is None:
         return {}
     atoms = study.atoms
-    columns = {"atom": atoms.ix}
+    columns: Columns = {"atom": atoms.ix}
     for name, attribute in {"name": "names", "element": "elements"}.items():
         if hasattr(atoms, attribute):
             columns[name] = getattr(atoms, attribute)
@@ -114,23 +130,23 @@ def atom_columns(study):
     return columns
 
 
-def _residue_columns_of(group):
+def _residue_columns_of(group: AtomGroup | ResidueGroup) -> Columns:
     """Name, number and chain of the residue of each atom, or of each residue."""
     attributes = {"residue_name": "resnames", "residue_number": "resids", "chain": "segids"}
     return {name: getattr(group, a) for name, a in attributes.items() if hasattr(group, a)}
 
 
-def residue_columns(study):
+def residue_columns(study: Study) -> Columns:
     """One row a residue."""
     if study.rmsf is None:
         return {}
     found = study.rmsf.results
     residues = study.universe.residues[found.residues]
-    columns = {"residue": found.residues} | _residue_columns_of(residues)
+    columns: Columns = {"residue": found.residues} | _residue_columns_of(residues)
     return columns | {"rmsf_angstrom": found.residue_rmsf}
 
 
-def bar_columns(study):
+def bar_columns(study: Study) -> Columns:
     """One row a bar: its rest length and the largest residual it ever had."""
     if study.residuals is None:
         return {}
@@ -145,14 +161,14 @@ def bar_columns(study):
     }
 
 
-def torsion_columns(study):
+def torsion_columns(study: Study) -> Columns:
     """One row a rotatable bond."""
     if study.torsions is None:
         return {}
     torsions, found = study.torsions.torsions, study.torsions.results
     atoms = np.array([t.atoms for t in torsions])
     names = atom_labels(study.universe.atoms)
-    columns = {"torsion": [t.label for t in torsions], "kind": [t.kind for t in torsions]}
+    columns: Columns = {"torsion": [t.label for t in torsions], "kind": [t.kind for t in torsions]}
     for k, letter in enumerate("ijkl"):
         columns[letter] = atoms[:, k]
     columns["bond"] = [f"{names[t.atoms[1]]} – {names[t.atoms[2]]}" for t in torsions]
@@ -161,24 +177,24 @@ def torsion_columns(study):
     return columns
 
 
-def histogram_columns(study):
+def histogram_columns(study: Study) -> Columns:
     """One row a bin, one column a torsion: share of the frames per degree."""
     if study.torsions is None:
         return {}
     edges = study.torsions.results.edges
-    columns = {"from_degrees": edges[:-1], "to_degrees": edges[1:]}
+    columns: Columns = {"from_degrees": edges[:-1], "to_degrees": edges[1:]}
     return columns | _one_column_each(study.torsions.torsions, study.torsions.results.density)
 
 
-def angle_columns(study):
+def angle_columns(study: Study) -> Columns:
     """One row a frame, one column a torsion, degrees; none if that were too many numbers."""
     if study.torsions is None or study.torsions.results.angles.size > MAX_ANGLES:
         return {}
-    columns = {"frame": study.frames}
+    columns: Columns = {"frame": study.frames}
     return columns | _one_column_each(study.torsions.torsions, study.torsions.results.angles.T)
 
 
-def _one_column_each(torsions, rows):
+def _one_column_each(torsions: Sequence[Torsion], rows: np.ndarray) -> Columns:
     """Columns by label; where a label occurs twice the atoms are added."""
     labels = [t.label for t in torsions]
     if len(set(labels)) < len(labels):
@@ -186,7 +202,7 @@ def _one_column_each(torsions, rows):
     return dict(zip(labels, rows, strict=True))
 
 
-def component_columns(study):
+def component_columns(study: Study) -> Columns:
     """One row a principal component."""
     if study.pca is None:
         return {}

@@ -3,20 +3,26 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
 from pliant._core import InputError
 from pliant.analyse.figures import save_figures
 from pliant.analyse.page import write_page
 from pliant.analyse.tables import save_tables
 
+if TYPE_CHECKING:
+    from pliant.analyse.study import Study
 
-def make_folder(folder):
+
+def make_folder(folder: Path) -> None:
     """Makes the folder for the results where there is none."""
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder}: is a file, expected a folder for the results")
     folder.mkdir(parents=True, exist_ok=True)
 
 
-def write_report(study, folder, dpi=200):
+def write_report(study: Study, folder: Path, dpi: int = 200) -> dict[str, Any]:
     """Writes figures, tables and report.html; returns the paths of all.
 
     Files of an earlier report are replaced.

@@ -39,9 +39,11 @@ def frame_job(sample: Sample, broken: np.ndarray) -> Job:
     return constraint_job(sample.recording, "apply_constraints", tolerance, broken=structures)
 
 
-def check_frames(sample: Sample, broken: np.ndarray, outcome: Outcome) -> tuple[Finding, Finding]:
-    """The two findings: frames stay, broken copies move."""
-    if len(sample.recording.bars) == 0:
+def check_frames(
+    sample: Sample, broken: np.ndarray, outcome: Outcome | None
+) -> tuple[Finding, Finding]:
+    """The two findings: frames stay, broken copies move. There is no outcome without bars."""
+    if outcome is None:
         return _without_bars()
     if not outcome.done:
         return (
@@ -56,9 +58,10 @@ def check_frames(sample: Sample, broken: np.ndarray, outcome: Outcome) -> tuple[
 
 
 def _without_bars() -> tuple[Finding, Finding]:
-    return tuple(
-        Finding(name, title, SKIPPED, notes=["the framework has no bar"])
-        for name, title in (("frames_stay", _STAY), ("broken_copies_move", _MOVE))
+    why = ["the framework has no bar"]
+    return (
+        Finding("frames_stay", _STAY, SKIPPED, notes=why),
+        Finding("broken_copies_move", _MOVE, SKIPPED, notes=[*why]),
     )
 
 

@@ -112,7 +112,7 @@ def check_honesty(methods: Sequence[Method]) -> Finding:
     total, whole = sum(r.structures for r in mine), sum(r.whole for r in mine)
     if not total:
         return Finding("resolver_honest", title, SKIPPED, notes=["the framework has no bar"])
-    claimed, false = sum(r.claimed for r in mine), sum(r.false_claims for r in mine)
+    claimed, false = sum(r.claimed or 0 for r in mine), sum(r.false_claims or 0 for r in mine)
     finding = Finding(
         "resolver_honest",
         title,

@@ -43,7 +43,8 @@ def resolved_copies(recording: Recording, broken: np.ndarray, tolerance: float) 
     resolver = Resolver(free_framework(recording), technique, weighting, tolerance=tolerance)
     copies = broken.copy()
     done = [resolver.resolve(copy).converged for copy in copies]
-    return copies[np.array(done, bool)]
+    resolved: np.ndarray = copies[np.array(done, bool)]
+    return resolved
 
 
 def our_methods(contest: Contest) -> list[Method]:
@@ -105,7 +106,7 @@ def quickest_technique(contest: Contest, framework: Framework) -> tuple[str, flo
         if converged:
             again = [_once(resolver, broken)[1] for _ in range(3)]
             times[technique, weighting] = min(seconds, *again)
-    return min(times, key=times.get) if times else None
+    return min(times, key=lambda entry: times[entry]) if times else None
 
 
 def _once(resolver: Resolver, broken: np.ndarray) -> tuple[np.ndarray, float, bool]:

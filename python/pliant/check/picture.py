@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.ticker import LogLocator, NullLocator
@@ -162,7 +162,7 @@ def _places(k: int, method: Method) -> np.ndarray:
     return np.array([r.displacement for r in method.results]) * 1.05 ** (k - 2)
 
 
-def _style(k: int, method: Method) -> dict:
+def _style(k: int, method: Method) -> dict[str, Any]:
     return {
         "color": PALETTE[k % len(PALETTE)],
         "marker": MARKERS[k % len(MARKERS)],

@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import Any
 
 import h5py
 import numpy as np
@@ -41,7 +43,7 @@ class Recording:
     pinned: np.ndarray  #: (N,) bool
     steps: np.ndarray  #: (F,)
     observables: dict[str, np.ndarray]  #: name -> (F,)
-    options: dict[str, object]  #: "technique" -> its value, from /parameters/run
+    options: dict[str, Any]  #: "technique" -> its value, from /parameters/run
     angle_bars: bool  #: bars were made of angles too
     single: bool  #: positions are stored as 32-bit floats
     to_angstrom: float
@@ -82,13 +84,14 @@ class Recording:
         Each coordinate is off by half a unit in the last place, at both ends, along three axes.
         """
         half_unit = 2.0**-24 if self.single else 2.0**-53
-        return 2.0 * np.sqrt(3.0) * half_unit * float(np.abs(positions).max(initial=0.0))
+        return 2.0 * math.sqrt(3.0) * half_unit * float(np.abs(positions).max(initial=0.0))
 
     def positions(self, frames: np.ndarray) -> np.ndarray:
         """(len(frames), N, 3) of ascending frame numbers."""
         with h5py.File(self.path, "r") as file:
             value = file["particles/trajectory/position/value"]
-            return value[np.asarray(frames)].astype(np.float64) * self.to_angstrom
+            positions: np.ndarray = value[np.asarray(frames)].astype(np.float64) * self.to_angstrom
+            return positions
 
     def blocks(self) -> Iterator[tuple[int, np.ndarray]]:
         """All frames in pieces: number of the first frame, positions (n, N, 3)."""
@@ -100,7 +103,7 @@ class Recording:
                 yield first, block.astype(np.float64) * self.to_angstrom
 
 
-def read_recording(path: str | os.PathLike) -> Recording:
+def read_recording(path: str | os.PathLike[str]) -> Recording:
     """Reads all but the positions.
 
     Raises InputError naming the file and the part of it that is missing or has not the shape it
@@ -124,7 +127,9 @@ class _Parts:
     def refuse(self, name: str, expected: str, found: object) -> InputError:
         return InputError(f"{self.path}: /{name}: expected {expected}, found {found}")
 
-    def dataset(self, name: str, kinds: str, shape: tuple, expected: str) -> h5py.Dataset:
+    def dataset(
+        self, name: str, kinds: str, shape: tuple[int | None, ...], expected: str
+    ) -> h5py.Dataset:
         """A dataset whose dtype is of `kinds` and whose shape is `shape` (None: any extent)."""
         item = self.file.get(name)
         if not isinstance(item, h5py.Dataset):
@@ -209,7 +214,8 @@ def _read_masses(parts: _Parts, joints: int) -> np.ndarray:
     if bad.any():
         k = int(np.argmax(bad))
         raise parts.refuse(name, "masses above 0", f"{masses[k]} for joint {k}")
-    return masses.astype(np.float64)
+    exact: np.ndarray = masses.astype(np.float64)
+    return exact
 
 
 def _read_pinned(parts: _Parts, joints: int) -> np.ndarray:
@@ -217,7 +223,8 @@ def _read_pinned(parts: _Parts, joints: int) -> np.ndarray:
     if name not in parts.file:
         return np.zeros(joints, bool)
     wanted = f"one truth value for each of {joints} joints"
-    return parts.dataset(name, "biu", (joints,), wanted)[()].astype(bool)
+    pinned: np.ndarray = parts.dataset(name, "biu", (joints,), wanted)[()].astype(bool)
+    return pinned
 
 
 def _read_observables(parts: _Parts, frames: int) -> dict[str, np.ndarray]:

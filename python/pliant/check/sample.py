@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -27,7 +28,8 @@ class Sample:
     @property
     def converged(self) -> np.ndarray:
         """(S,) bool: what the file says."""
-        return self.recording.converged[self.frames]
+        flags: np.ndarray = self.recording.converged[self.frames]
+        return flags
 
     def openmm_tolerance(self, positions: np.ndarray) -> float:
         """The relative tolerance at which OpenMM accepts whatever the file may call whole.
@@ -52,9 +54,9 @@ class Sample:
 
 def choose_frames(count: int, wanted: int | str, always: int | None = None) -> np.ndarray:
     """Frame numbers spread evenly from the first to the last, `always` among them."""
-    if wanted == "all" or wanted >= count:
+    if isinstance(wanted, str) or wanted >= count:  # "all"
         return np.arange(count)
-    chosen = np.unique(np.linspace(0, count - 1, int(wanted)).round().astype(int))
+    chosen = np.unique(np.linspace(0, count - 1, wanted).round().astype(int))
     if always is not None and always not in chosen:
         # In place of its nearest neighbour, so that the number stays what was asked for.
         chosen[np.argmin(np.abs(chosen - always))] = always
@@ -81,7 +83,7 @@ def take_sample(recording: Recording, wanted: int | str, worst: int | None = Non
     return Sample(recording, frames[finite], positions[finite])
 
 
-def constraint_job(recording: Recording, kind: str, tolerance: float, **more) -> Job:
+def constraint_job(recording: Recording, kind: str, tolerance: float, **more: Any) -> Job:
     """A job on the framework of the file: every joint free, with its mass.
 
     Pinned joints are free here: OpenMM refuses a constraint between a joint of mass 0 and another.
@@ -92,7 +94,12 @@ def constraint_job(recording: Recording, kind: str, tolerance: float, **more) ->
         "bars": recording.bars,
         "rest_lengths": recording.rest_lengths * NM,
     }
-    values = {"tolerance": tolerance, "platform": "Reference", "repeats": 1, "budget_seconds": 60.0}
+    values: dict[str, Any] = {
+        "tolerance": tolerance,
+        "platform": "Reference",
+        "repeats": 1,
+        "budget_seconds": 60.0,
+    }
     for name, value in more.items():
         (arrays if isinstance(value, np.ndarray) else values)[name] = value
     return Job(kind, values, arrays)

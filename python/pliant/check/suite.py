@@ -13,7 +13,7 @@ from pliant.check import contest as side_by_side
 from pliant.check import ours, theirs
 from pliant.check.check_energy import check_energy, energy_job
 from pliant.check.check_frames import broken_copies, check_frames, frame_job
-from pliant.check.check_record import check_record, remeasure
+from pliant.check.check_record import Remeasured, check_record, remeasure
 from pliant.check.check_report import CheckReport
 from pliant.check.contest import DISPLACEMENTS, Contest
 from pliant.check.recording import Recording, read_recording
@@ -28,13 +28,13 @@ MOST_ENERGIES = 10
 
 
 def check(
-    path: str | os.PathLike,
+    path: str | os.PathLike[str],
     *,
     frames: int | str = FRAMES,
     displacements: Sequence[float] = DISPLACEMENTS,
     seed: int = 0,
     time_limit: float = TIME_LIMIT,
-    picture: str | os.PathLike | None = None,
+    picture: str | os.PathLike[str] | None = None,
     quiet: bool = True,
 ) -> CheckReport:
     """Checks a trajectory that ``pliant run`` wrote against OpenMM.
@@ -77,8 +77,7 @@ def check(
     with progress("measuring frames", quiet) as show:
         remeasured = remeasure(recording, show)
     sample = take_sample(recording, frames, remeasured.worst_frame(recording.converged))
-    report = _ask_openmm(recording, sample, displacements, seed, time_limit, quiet)
-    report.remeasured = remeasured
+    report = _ask_openmm(recording, sample, remeasured, displacements, seed, time_limit, quiet)
     report.findings.insert(0, check_record(recording, remeasured))
     if picture is not None:
         from pliant.check.picture import draw
@@ -91,17 +90,19 @@ def check(
 def _ask_openmm(
     recording: Recording,
     sample: Sample,
+    remeasured: Remeasured,
     displacements: Sequence[float],
     seed: int,
     time_limit: float,
     quiet: bool,
 ) -> CheckReport:
-    report = CheckReport(recording, sample, None, [], [], "", 0.0)
+    report = CheckReport(recording, sample, remeasured, [], [], "", 0.0)
     report.notes += _notes_on(recording)
     if len(recording.bars) == 0:
+        none = sample.positions[:0]
         report.findings += [
-            *check_frames(sample, None, None),
-            *check_energy(sample, None, None, None),
+            *check_frames(sample, none, None),
+            *check_energy(sample, none, none, None),
         ]
         return report
     broken = broken_copies(sample)

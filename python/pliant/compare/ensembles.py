@@ -41,7 +41,7 @@ class Ensembles:
 
 
 def read_ensembles(
-    recording: Recording, pairing: Pairing, frames: int | str, path: str | os.PathLike
+    recording: Recording, pairing: Pairing, frames: int | str, path: str | os.PathLike[str]
 ) -> Ensembles:
     """Reads at most `frames` frames of each, spread evenly.
 
@@ -68,7 +68,7 @@ def _bars_among(recording: Recording, atoms: AtomGroup) -> tuple[np.ndarray, np.
     return bars[inside], recording.rest_lengths[inside]
 
 
-def _chosen(count: int, frames: int | str, atoms: int, path: str | os.PathLike) -> np.ndarray:
+def _chosen(count: int, frames: int | str, atoms: int, path: str | os.PathLike[str]) -> np.ndarray:
     chosen = choose_frames(count, frames)
     size = 24 * len(chosen) * atoms
     if size > MOST_BYTES:
@@ -86,7 +86,7 @@ def _read_ours(recording: Recording, atoms: AtomGroup, frames: int | str) -> np.
     return np.concatenate([recording.positions(piece)[:, atoms.ix] for piece in pieces])
 
 
-def _read_theirs(atoms: AtomGroup, frames: int | str, path: str | os.PathLike) -> np.ndarray:
+def _read_theirs(atoms: AtomGroup, frames: int | str, path: str | os.PathLike[str]) -> np.ndarray:
     trajectory = atoms.universe.trajectory
     chosen = _chosen(len(trajectory), frames, len(atoms), path)
     return np.array([atoms.positions.astype(np.float64) for _ in trajectory[chosen.tolist()]])
@@ -97,7 +97,7 @@ def _refuse_torn(
     bars: np.ndarray,
     rest_lengths: np.ndarray,
     atoms: AtomGroup,
-    path: str | os.PathLike,
+    path: str | os.PathLike[str],
 ) -> None:
     if len(bars) == 0:
         return

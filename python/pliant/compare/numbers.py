@@ -25,7 +25,8 @@ def superposed(positions: np.ndarray, reference: np.ndarray, fit: np.ndarray) ->
     target = reference[fit] - reference[fit].mean(axis=0)
     u, _, vt = np.linalg.svd(np.einsum("fni,nj->fij", centred[:, fit], target))
     u[:, :, 2] *= np.sign(np.linalg.det(u) * np.linalg.det(vt))[:, None]
-    return centred @ (u @ vt)
+    turned: np.ndarray = centred @ (u @ vt)
+    return turned
 
 
 def superposed_on_mean(positions: np.ndarray, fit: np.ndarray) -> np.ndarray:
@@ -42,7 +43,8 @@ def superposed_on_mean(positions: np.ndarray, fit: np.ndarray) -> np.ndarray:
 def fluctuations(fitted: np.ndarray) -> np.ndarray:
     """(n,) RMSF: root of the mean squared distance of each atom from its average place."""
     deviation = fitted - fitted.mean(axis=0)
-    return np.sqrt(np.einsum("fni,fni->n", deviation, deviation) / len(fitted))
+    rmsf: np.ndarray = np.sqrt(np.einsum("fni,fni->n", deviation, deviation) / len(fitted))
+    return rmsf
 
 
 def pearson(a: np.ndarray, b: np.ndarray) -> float:
@@ -78,7 +80,8 @@ def principal_modes(fitted: np.ndarray, most: int) -> Modes:
 
 def overlaps(ours: Modes, theirs: Modes) -> np.ndarray:
     """(K, L) |u_i . v_j|: 1 where two modes are the same motion, 0 where they are perpendicular."""
-    return np.abs(ours.vectors @ theirs.vectors.T)
+    products: np.ndarray = np.abs(ours.vectors @ theirs.vectors.T)
+    return products
 
 
 def rmsip(ours: Modes, theirs: Modes) -> float:
@@ -108,7 +111,8 @@ def dihedrals(positions: np.ndarray, quadruples: np.ndarray) -> np.ndarray:
     length = np.linalg.norm(axis, axis=-1)
     sine = np.einsum("fti,fti->ft", first, other) * length
     cosine = np.einsum("fti,fti->ft", normal, other)
-    return np.degrees(np.arctan2(sine, cosine))
+    angles: np.ndarray = np.degrees(np.arctan2(sine, cosine))
+    return angles
 
 
 def shares(angles: np.ndarray, bins: int) -> np.ndarray:
@@ -129,9 +133,11 @@ def jensen_shannon(p: np.ndarray, q: np.ndarray) -> np.ndarray:
 
     def entropy(x: np.ndarray) -> np.ndarray:
         logarithm = np.log2(x, out=np.zeros_like(x), where=x > 0)
-        return -np.sum(x * logarithm, axis=-1)
+        bits: np.ndarray = -np.sum(x * logarithm, axis=-1)
+        return bits
 
-    return np.sqrt(np.maximum(entropy(middle) - (entropy(p) + entropy(q)) / 2, 0.0))
+    distance: np.ndarray = np.sqrt(np.maximum(entropy(middle) - (entropy(p) + entropy(q)) / 2, 0.0))
+    return distance
 
 
 def gyration_radii(positions: np.ndarray, masses: np.ndarray) -> np.ndarray:
@@ -139,4 +145,5 @@ def gyration_radii(positions: np.ndarray, masses: np.ndarray) -> np.ndarray:
     share = masses / masses.sum()
     centre = np.einsum("n,fni->fi", share, positions)
     apart = positions - centre[:, None]
-    return np.sqrt(np.einsum("n,fni,fni->f", share, apart, apart))
+    radii: np.ndarray = np.sqrt(np.einsum("n,fni,fni->f", share, apart, apart))
+    return radii

@@ -14,6 +14,7 @@ from pliant._core import InputError
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup, Universe
+    from MDAnalysis.core.groups import Atom
 
 
 @dataclass
@@ -25,7 +26,7 @@ class Pairing:
     how: str  #: how they were matched, for the report
 
 
-def open_universe(*files: str | os.PathLike) -> Universe:
+def open_universe(*files: str | os.PathLike[str]) -> Universe:
     """A universe of files that are there. Raises InputError in one line when it cannot be made."""
     import MDAnalysis
 
@@ -35,9 +36,9 @@ def open_universe(*files: str | os.PathLike) -> Universe:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of missing masses and the like
-            return MDAnalysis.Universe(*map(os.fspath, files))
+            return MDAnalysis.Universe(*(os.fspath(file) for file in files))
     except Exception as error:  # each of MDAnalysis' readers has its own kinds
-        names = " with ".join(map(os.fspath, files))
+        names = " with ".join(os.fspath(file) for file in files)
         raise InputError(f"{names}: MDAnalysis cannot read this: {_one_line(error)}") from error
 
 
@@ -47,7 +48,7 @@ def _one_line(error: Exception) -> str:
 
 
 def open_theirs(
-    path: str | os.PathLike, topology: str | os.PathLike | None, ours: Universe
+    path: str | os.PathLike[str], topology: str | os.PathLike[str] | None, ours: Universe
 ) -> tuple[Universe, bool]:
     """Their universe, and whether its atoms are named by a file of theirs.
 
@@ -83,13 +84,13 @@ def _nameless_count(path: str) -> int | None:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
             with get_reader_for(path)(path) as reader:
-                return reader.n_atoms
+                return int(reader.n_atoms)
     except Exception as error:  # each of MDAnalysis' readers has its own kinds
         message = f"{path}: MDAnalysis cannot read this: {_one_line(error)}"
         raise InputError(message) from error
 
 
-def choose(universe: Universe, selection: str, path: str | os.PathLike) -> AtomGroup:
+def choose(universe: Universe, selection: str, path: str | os.PathLike[str]) -> AtomGroup:
     """Atoms of a selection. Raises InputError if it is wrong or there are none."""
     from MDAnalysis.exceptions import SelectionError
 
@@ -159,7 +160,7 @@ def _elements(ours: AtomGroup, theirs: AtomGroup) -> tuple[list[str], list[str]]
     return first, second
 
 
-def _label(atom) -> str:
+def _label(atom: Atom) -> str:
     residue = f"{getattr(atom, 'resname', '')}{getattr(atom, 'resid', '')}"
     return f"{residue}:{getattr(atom, 'name', atom.index)}"
 

@@ -61,8 +61,8 @@ def _summary_table(report: ComparisonReport) -> Table:
         add(("  furthest from rest, relative", f"{bars.residual_ours:.1e}",
              f"{bars.residual_theirs:.1e}", ""))  # fmt: skip
     if report.torsions:
-        mean = np.mean([torsion.distance for torsion in report.torsions])
-        noise = np.mean([torsion.halves_theirs for torsion in report.torsions])
+        mean = float(np.mean([torsion.distance for torsion in report.torsions]))
+        noise = float(np.mean([torsion.halves_theirs for torsion in report.torsions]))
         add(("torsions, Jensen-Shannon distance, mean", "", _number(noise) + " between halves",
              _number(mean)))  # fmt: skip
     return table

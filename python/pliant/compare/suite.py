@@ -29,13 +29,13 @@ BINS = 36  #: of torsion angles: 10 degrees each
 
 
 def compare(
-    ours: str | os.PathLike,
-    theirs: str | os.PathLike,
+    ours: str | os.PathLike[str],
+    theirs: str | os.PathLike[str],
     *,
-    topology: str | os.PathLike | None = None,
+    topology: str | os.PathLike[str] | None = None,
     select: str = "all",
     frames: int | str = FRAMES,
-    pictures: str | os.PathLike | None = None,
+    pictures: str | os.PathLike[str] | None = None,
 ) -> ComparisonReport:
     """Compares a trajectory of ours with one of molecular dynamics, or of anything else.
 
@@ -116,7 +116,8 @@ def _turned(positions: np.ndarray, reference: np.ndarray, fit: np.ndarray) -> np
     carried = np.concatenate([mean, mean[fit].mean(axis=0) + corners])[None]
     moved = numbers.superposed(carried, reference, fit)[0, len(mean) :]
     rotation = moved[1:] - moved[0]
-    return (positions - mean[fit].mean(axis=0)) @ rotation
+    turned: np.ndarray = (positions - mean[fit].mean(axis=0)) @ rotation
+    return turned
 
 
 def _labels(ensembles: Ensembles) -> list[str]:

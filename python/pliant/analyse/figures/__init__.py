@@ -5,10 +5,17 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 from pliant.analyse.figures import mobility, series, torsion_figures
 from pliant.analyse.figures.style import styled
 from pliant.analyse.names import has_backbone
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+    from pliant.analyse.study import Study
 
 
 @dataclass(frozen=True)
@@ -16,12 +23,12 @@ class FigureKind:
     """A row of the table of figures."""
 
     name: str  #: of the PNG file
-    draw: Callable
-    applies: Callable  #: of a study: has what is drawn
+    draw: Callable[[Study], Figure]
+    applies: Callable[[Study], bool]  #: of a study: has what is drawn
     caption: str  #: what it shows, for the page
 
 
-def _has(*attributes):
+def _has(*attributes: str) -> Callable[[Study], bool]:
     return lambda study: all(getattr(study, name) is not None for name in attributes)
 
 
@@ -70,7 +77,7 @@ FIGURES = (
 )  # fmt: skip
 
 
-def save_figures(study, folder, dpi=200):
+def save_figures(study: Study, folder: Path, dpi: int = 200) -> list[tuple[FigureKind, Path]]:
     """Writes the PNG of each figure that the study gives; returns [(FigureKind, path)]."""
     written = []
     with styled():

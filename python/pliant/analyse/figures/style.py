@@ -3,8 +3,12 @@
 
 from __future__ import annotations
 
+from contextlib import AbstractContextManager
+from typing import Any
+
 from matplotlib import rc_context
 from matplotlib.figure import Figure
+from matplotlib.layout_engine import ConstrainedLayoutEngine
 
 # M. Okabe, K. Ito, Color Universal Design (2008); grey for what is only a frame of reference.
 BLUE = "#0072B2"
@@ -23,7 +27,7 @@ MAP = "cividis"
 WIDE = (6.4, 2.75)  #: inches: a series along the run
 SQUARE = (4.6, 4.2)
 
-_SETTINGS = {
+_SETTINGS: dict[Any, Any] = {
     "font.family": "DejaVu Sans",
     "font.size": 9.5,
     "axes.titlesize": 10.5,
@@ -57,22 +61,31 @@ _SETTINGS = {
 }
 
 
-def styled():
+def styled() -> AbstractContextManager[None]:
     """Context in which figures are made and saved."""
     return rc_context(_SETTINGS)
 
 
-def new_figure(size=WIDE, rows=1, columns=1, **options):
+def new_figure(
+    size: tuple[float, float] = WIDE, rows: int = 1, columns: int = 1, **options: Any
+) -> tuple[Figure, Any]:
     """A Figure and its axes; no window and no global state are involved."""
     figure = Figure(figsize=size)
     return figure, figure.subplots(rows, columns, **options)
 
 
-def line_width(count):
+def pad(figure: Figure, width: float) -> None:
+    """Leaves more room, in inches, beside the panels of a figure."""
+    engine = figure.get_layout_engine()
+    assert isinstance(engine, ConstrainedLayoutEngine)
+    engine.set(w_pad=width)
+
+
+def line_width(count: int) -> float:
     """Thinner lines for longer series, so that they stay lines."""
     return 1.4 if count <= 500 else 0.9 if count <= 5000 else 0.5
 
 
-def mark_size(count):
+def mark_size(count: int) -> int:
     """Smaller marks for more of them."""
     return 22 if count <= 300 else 10 if count <= 3000 else 3

@@ -3,35 +3,47 @@
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
-from pliant.analyse.figures.style import BLUE, GREY, INK, MAP, VERMILION, WIDE, new_figure
+from pliant.analyse.figures.style import BLUE, GREY, INK, MAP, VERMILION, WIDE, new_figure, pad
 from pliant.analyse.names import greek, phi_psi_pairs
+from pliant.analyse.study import known
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+    from matplotlib.projections.polar import PolarAxes
+
+    from pliant.analyse.study import Study
+    from pliant.analysis.torsions import TorsionDistributions
+
 
 #: roses drawn at most; tables have all torsions
 ROSES = 12
 
 
-def most_mobile(torsions, count=ROSES):
+def most_mobile(torsions: TorsionDistributions, count: int = ROSES) -> np.ndarray:
     """Numbers of the `count` torsions with the largest spread, in their own order."""
     order = np.argsort(-torsions.results.spread, kind="stable")[:count]
     return np.sort(order)
 
 
-def torsions(study):
+def torsions(study: Study) -> Figure:
     """A rose (circular histogram) for each of the most mobile torsions."""
-    chosen = most_mobile(study.torsions)
+    measured = known(study.torsions)
+    chosen = most_mobile(measured)
     columns = min(3, len(chosen))
     rows = -(-len(chosen) // columns)
     polar = {"squeeze": False, "subplot_kw": {"projection": "polar"}}
     figure, axes = new_figure((WIDE[0], 2.1 * rows + 0.4), rows, columns, **polar)
     for place, rose in enumerate(axes.flat):
         if place < len(chosen):
-            _rose(rose, study.torsions, chosen[place])
+            _rose(rose, measured, chosen[place])
         else:
             rose.set_visible(False)
-    figure.get_layout_engine().set(w_pad=0.12)
-    total = len(study.torsions.torsions)
+    pad(figure, 0.12)
+    total = len(measured.torsions)
     shown = "" if len(chosen) == total else f": the {len(chosen)} most mobile of {total}"
     figure.suptitle(
         f"Torsions of rotatable bonds{shown}", x=0.01, ha="left", fontsize=10.5, fontweight="bold"
@@ -39,7 +51,7 @@ def torsions(study):
     return figure
 
 
-def _rose(axes, torsions, k):
+def _rose(axes: PolarAxes, torsions: TorsionDistributions, k: int) -> None:
     """Areas are proportional to the share of frames, hence radii to its root."""
     found = torsions.results
     width = np.radians(found.edges[1] - found.edges[0])
@@ -61,10 +73,11 @@ def _rose(axes, torsions, k):
     axes.set_title(label, fontsize=8.5, fontweight="normal", loc="center", pad=7)
 
 
-def ramachandran(study):
+def ramachandran(study: Study) -> Figure:
     """All phi, psi of a protein in all frames, and where the first frame has them."""
-    phi, psi = phi_psi_pairs(study.torsions.torsions)
-    angles = study.torsions.results.angles
+    torsions = known(study.torsions)
+    phi, psi = phi_psi_pairs(torsions.torsions)
+    angles = torsions.results.angles
     figure, axes = new_figure((4.7, 4.1))
     counts, *_ = np.histogram2d(
         angles[:, phi].ravel(), angles[:, psi].ravel(), bins=72, range=[[-180, 180]] * 2

@@ -69,7 +69,9 @@ class Auto:
 class Entry:
     """A technique with a weighting on one framework at one tolerance."""
 
-    def __init__(self, target: Target, technique: str, weighting: float | None, tolerance: float):
+    def __init__(
+        self, target: Target, technique: str, weighting: float | None, tolerance: float
+    ) -> None:
         self.label = technique if weighting is None else f"{technique} {weighting:g}"
         self.is_fixed = technique != "auto"
         self._target, self._tolerance = target, tolerance
@@ -150,7 +152,7 @@ def molecules() -> list[Path]:
 
 
 def auto(
-    files: Sequence[str | os.PathLike] = (),
+    files: Sequence[str | os.PathLike[str]] = (),
     *,
     bars: Sequence[str] = BARS,
     tolerances: Sequence[float] = TOLERANCES,

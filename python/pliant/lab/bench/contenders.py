@@ -6,6 +6,7 @@ from __future__ import annotations
 import time
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
 
@@ -14,6 +15,10 @@ from pliant._extras import need
 from pliant.lab.bench.target import Target
 from pliant.lab.peers.ccma import Ccma, CcmaInDynamics, why_no_angles
 from pliant.lab.peers.child import Job, run_jobs
+
+if TYPE_CHECKING:
+    from pliant.lab.peers.child import Outcome
+
 
 WEIGHTINGS = (0.5, 0.75, 1.0)  #: those of the thesis
 TOLD_INTACT = ("shake",)  #: techniques to which the structure before the push makes a difference
@@ -65,6 +70,7 @@ class Ours:
 
     def repair(self, broken: np.ndarray) -> Repair:
         """A repaired copy."""
+        assert self._resolver is not None
         copy = broken.copy()
         start = time.thread_time()
         summary = self._resolver.resolve(copy, reference=self._reference)
@@ -97,6 +103,7 @@ class InLanes:
 
     def repair(self, broken: np.ndarray) -> Repair:
         """The first copy; if another one is not whole, that one."""
+        assert self._resolver is not None
         copies = self._copies(broken)
         start = time.thread_time()
         summaries = self._resolver.resolve(copies, measured="nothing")
@@ -173,7 +180,7 @@ def their_contenders(target: Target) -> tuple[list[Theirs], str]:
     return [Theirs(kind(*arguments)) for kind in (Ccma, CcmaInDynamics)], why
 
 
-def _trial(target: Target):
+def _trial(target: Target) -> Outcome:
     broken = target.broken(0.01, 0)[None, None] * 0.1
     arrays = {
         "masses": target.masses,
@@ -181,6 +188,11 @@ def _trial(target: Target):
         "rest_lengths": target.rest_lengths * 0.1,
         "broken": broken,
     }
-    values = {"platform": "Reference", "tolerance": 1e-2, "repeats": 1, "budget_seconds": 10.0}
+    values: dict[str, float | int | str] = {
+        "platform": "Reference",
+        "tolerance": 1e-2,
+        "repeats": 1,
+        "budget_seconds": 10.0,
+    }
     (outcome,), _ = run_jobs([Job("apply_constraints", values, arrays)], TRIAL_SECONDS)
     return outcome

@@ -17,7 +17,8 @@ import numpy as np
 
 from pliant.lab.bench.target import Target
 from pliant.lab.bench.work_precision_rows import FAILED, LOST, SHORT, WHOLE, Row, WorkPrecision
-from pliant.lab.peers.gromacs import Gromacs, Program, Run, Setting, lincs_settings, programs
+from pliant.lab.peers.gromacs import Gromacs, Program, Run, lincs_settings, programs
+from pliant.lab.peers.gromacs_files import Setting
 
 ORDERS = (4, 8)  #: of LINCS: the default, and what GROMACS' manual recommends for large steps
 RUN_SECONDS = 0.5  #: of constraints in a run that counts: the log has thousandths

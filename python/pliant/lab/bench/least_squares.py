@@ -25,14 +25,16 @@ def least_squares_floor(start: Broken) -> np.ndarray | None:
         return None
     free = np.setdiff1d(np.arange(len(start.positions)), start.pinned)
     near = start.positions - start.positions.mean(axis=0)  # where doubles are close together
-    best, lowest = near, np.inf
+    best: np.ndarray = near
+    lowest = np.inf
     for k in range(STARTS):
         x = near.copy()
         x[free] += _jitter(start, len(free), k)
 
         def residuals(values: np.ndarray, x: np.ndarray = x) -> np.ndarray:
             x[free] = values.reshape(-1, 3)
-            return measure.lengths(x, start.bars) / start.rest_lengths - 1.0
+            errors: np.ndarray = measure.lengths(x, start.bars) / start.rest_lengths - 1.0
+            return errors
 
         def slopes(values: np.ndarray, x: np.ndarray = x) -> np.ndarray:
             x[free] = values.reshape(-1, 3)

@@ -11,9 +11,14 @@ of the library's own solvers is used, so that it can judge them.
 
 from __future__ import annotations
 
+from typing import TYPE_CHECKING
+
 import numpy as np
 
 from pliant.lab.bench.target import Target
+
+if TYPE_CHECKING:
+    from scipy.sparse import csr_matrix
 
 MOST_STEPS = 100
 WHOLE = 1e-12  #: largest relative residual of what counts as whole
@@ -29,7 +34,7 @@ def nearest_whole(
 
     weights = diags_array(np.repeat(1.0 / (np.ones(len(broken)) if masses is None else masses), 3))
 
-    x = broken.copy()
+    x: np.ndarray = broken.copy()
     for _ in range(MOST_STEPS):
         jacobian, error = _linearised(target, x)
         gram = (jacobian @ weights @ jacobian.T).tocsc()
@@ -48,7 +53,7 @@ def nearest_whole(
     return None
 
 
-def _linearised(target: Target, x: np.ndarray):
+def _linearised(target: Target, x: np.ndarray) -> tuple[csr_matrix, np.ndarray]:
     from scipy.sparse import csr_matrix
 
     bars = target.bars

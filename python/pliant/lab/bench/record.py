@@ -101,7 +101,7 @@ class _Subject:
 
 
 def record(
-    path: str | os.PathLike = "",
+    path: str | os.PathLike[str] = "",
     *,
     perturbations: Sequence[str] = PERTURBATIONS,
     techniques: Sequence[str] = TECHNIQUES,
@@ -111,7 +111,7 @@ def record(
     seed: int = 0,
     single: bool = False,
     compress: bool = False,
-    folder: str | os.PathLike | None = None,
+    folder: str | os.PathLike[str] | None = None,
     progress: Callable[[int, int], None] = lambda *_: None,
 ) -> Record:
     """Runs and records every pair in rounds that take turns, and looks into the files."""

@@ -11,7 +11,7 @@ from dataclasses import asdict, fields
 from typing import Any
 
 
-def write_csv(rows: Sequence[Any], path: str | os.PathLike) -> None:
+def write_csv(rows: Sequence[Any], path: str | os.PathLike[str]) -> None:
     """All rows under the names of their fields; what is not known is empty."""
     with open(path, "w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")

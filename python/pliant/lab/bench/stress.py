@@ -149,7 +149,7 @@ def _entries(
         if (techniques and row.name not in techniques) or (row.forests_only and not forest):
             continue
         for weighting in weightings if row.has_weighting else (None,):
-            values = {
+            values: dict[str, float | int | str] = {
                 "technique": row.name,
                 "weighting": 0.5 if weighting is None else weighting,
                 "tolerance": case.tolerance,
@@ -182,8 +182,8 @@ def _openmm_job(case: Case, start: Broken) -> Job | None:
         "rest_lengths": start.rest_lengths * NM,
         "broken": start.positions[None, None] * NM,
     }
-    values = {"platform": "Reference", "tolerance": case.tolerance, "repeats": 1,
-              "budget_seconds": 10.0}  # fmt: skip
+    values: dict[str, float | str] = {"platform": "Reference", "tolerance": case.tolerance}
+    values |= {"repeats": 1, "budget_seconds": 10.0}
     return Job("apply_constraints", values, arrays)
 
 

@@ -3,10 +3,13 @@
 
 from __future__ import annotations
 
+import dataclasses
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 
 import numpy as np
+import numpy.typing as npt
 
 import pliant
 from pliant.lab.peers import measure
@@ -38,12 +41,19 @@ class Case:
     mass_weighted: bool = False
 
 
-def broken(positions: object, bars: object, rest_lengths: object = None, **more: object) -> Broken:
+def broken(
+    positions: npt.ArrayLike,
+    bars: npt.ArrayLike,
+    rest_lengths: npt.ArrayLike | None = None,
+    masses: np.ndarray | None = None,
+    pinned: np.ndarray | None = None,
+) -> Broken:
     """From lists; masses default to 1, rest lengths to the distances there are."""
     x = np.asarray(positions, dtype=float).reshape(-1, 3)
     pairs = np.asarray(bars, dtype=np.int64).reshape(-1, 2)
     rest = measure.lengths(x, pairs) if rest_lengths is None else np.array(rest_lengths, float)
-    return Broken(x, pairs, rest, more.pop("masses", np.ones(len(x))), **more)
+    made = Broken(x, pairs, rest, np.ones(len(x)) if masses is None else masses)
+    return made if pinned is None else dataclasses.replace(made, pinned=pinned)
 
 
 def shaken(whole: Broken, size: float, seed: int = 0) -> Broken:
@@ -67,7 +77,7 @@ def _example(example: pliant.Example) -> Broken:
 def examples() -> Iterator[Case]:
     """Every example of the library; whole ones shaken by a tenth of their shortest bar."""
     for row in pliant.examples():
-        yield Case(row.name, "examples", row.source, lambda row=row: _example(row),
+        yield Case(row.name, "examples", row.source, partial(_example, row),
                    feasible=row.facts.feasible)  # fmt: skip
 
 
@@ -113,18 +123,18 @@ def coincident() -> Iterator[Case]:
         "K5": lambda: complete(5),
     }.items():
         yield Case(f"coincident_{name}", "coincident", "closed form",
-                   lambda make=make: _at_one_place(make()))  # fmt: skip
+                   partial(lambda make: _at_one_place(make()), make))  # fmt: skip
 
 
 def lengths() -> Iterator[Case]:
     """Bars of zero length, next to zero, and of twelve decades in one framework."""
     for length in (0.0, 1e-310, 1e200):
         yield Case(f"bar_of_{length:g}", "lengths", "squares of lengths underflow or overflow",
-                   lambda length=length: broken([[0, 0, 0], [1, 0, 0]], [[0, 1]], [length]),
+                   partial(broken, [[0, 0, 0], [1, 0, 0]], [[0, 1]], [length]),
                    feasible=None)  # fmt: skip
     for length in (1e-150, 1e-100, 1e-12, 1e-6, 1e6, 1e100, 1e150):
         yield Case(f"chain_with_a_bar_of_{length:g}", "lengths", "closed form",
-                   lambda length=length: _with_one_length(length),
+                   partial(_with_one_length, length),
                    feasible=None if length < 1e-12 else True)  # fmt: skip
     yield Case("lengths_1e-6_to_1e6_chain", "lengths", "closed form", _thirteen_decades)
     yield Case("lengths_1e-6_to_1e6_ring", "lengths", "closed form", _thirteen_decades_closed)
@@ -160,7 +170,8 @@ def offsets() -> Iterator[Case]:
         for name, make in (("chain_10", lambda: bent_chain(10)), ("ring_17", lambda: ring(17))):
             yield Case(f"{name}_at_1e{exponent}", "offset",
                        "doubles are 2.2e-16 of a coordinate apart",
-                       lambda make=make, e=exponent: _moved(shaken(make(), 0.1), 10.0**e),
+                       partial(lambda make, by: _moved(shaken(make(), 0.1), by), make,
+                               10.0**exponent),
                        feasible=True if exponent <= 8 else None)  # fmt: skip
 
 
@@ -174,7 +185,8 @@ def pushes() -> Iterator[Case]:
         for name, make in (("chain_10", lambda: bent_chain(10)), ("ring_17", lambda: ring(17)),
                            ("K5", lambda: complete(5))):  # fmt: skip
             yield Case(f"{name}_pushed_1e{exponent}", "push", "closed form",
-                       lambda make=make, e=exponent: _pushed(make(), 10.0**e))  # fmt: skip
+                       partial(lambda make, by: _pushed(make(), by), make,
+                               10.0**exponent))  # fmt: skip
 
 
 def _pushed(whole: Broken, by: float) -> Broken:
@@ -186,7 +198,7 @@ def masses() -> Iterator[Case]:
     """Neighbours a million million times as heavy as each other, corrections shared by mass."""
     for name, make in (("chain_10", lambda: bent_chain(10)), ("ring_17", lambda: ring(17))):
         yield Case(f"{name}_of_masses_1e-6_to_1e6", "masses", "closed form",
-                   lambda make=make: _unequal(shaken(make(), 0.1)), mass_weighted=True,
+                   partial(lambda make: _unequal(shaken(make(), 0.1)), make), mass_weighted=True,
                    feasible=True)  # fmt: skip
 
 
@@ -199,7 +211,8 @@ def not_finite() -> Iterator[Case]:
     """Positions that are no numbers, or whose squares overflow: they come back as they were."""
     for value in (np.nan, np.inf, 1e200):
         yield Case(f"start_at_{value:g}", "not_finite", "IEEE 754",
-                   lambda value=value: _moved_joint(ring(6), value), feasible=False)  # fmt: skip
+                   partial(lambda value: _moved_joint(ring(6), value), value),
+                   feasible=False)  # fmt: skip
 
 
 def _moved_joint(whole: Broken, to: float) -> Broken:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 
@@ -41,7 +42,7 @@ def large(shrink: int) -> Iterator[Case]:
     for name, (count, make) in sizes.items():
         size = max(count // shrink, 10)
         yield Case(f"{name}_{size}", "large", "closed form",
-                   lambda make=make, size=size: _bent_once(make(size)),
+                   partial(lambda make, size: _bent_once(make(size)), make, size),
                    max_sweeps=FEW_SWEEPS)  # fmt: skip
     count = max(200 // min(shrink, 20), 10)
     yield Case(f"K_{count}", "large", "3 n - 6 of n (n - 1) / 2 bars are independent",
@@ -66,15 +67,16 @@ def _bent_once(whole: Broken) -> Broken:
 def redundant() -> Iterator[Case]:
     """Bars that ask twice for the same, agreeing or not."""
     closed = "closed form"
+    two = [[0.0, 0.0, 0.0], [1.1, 0.0, 0.0]]
     yield Case("duplicate_bar_same_length", "redundant", closed,
-               lambda: broken([[0, 0, 0], [1.1, 0, 0]], [[0, 1], [1, 0]], [1, 1]))  # fmt: skip
+               lambda: broken(two, [[0, 1], [1, 0]], [1, 1]))  # fmt: skip
     yield Case("duplicate_bar_conflict_1_2", "impossible", closed,
-               lambda: broken([[0, 0, 0], [1.1, 0, 0]], [[0, 1], [1, 0]], [1, 2]),
+               lambda: broken(two, [[0, 1], [1, 0]], [1, 2]),
                feasible=False)  # fmt: skip
     yield Case("dodecahedron_edges", "redundant", "Schlaefli: 20 vertices, 30 edges", _dodecahedron)
     for n in (6, 8):
         yield Case(f"K_{n}_far_off", "redundant", "3 n - 6 of n (n - 1) / 2 bars are independent",
-                   lambda n=n: shaken(complete(n), 1.0), feasible=True)  # fmt: skip
+                   partial(lambda n: shaken(complete(n), 1.0), n), feasible=True)  # fmt: skip
     yield Case("two_far_atoms_of_a_pinned_square", "impossible", closed, _pinned_square,
                feasible=False)  # fmt: skip
 
@@ -106,7 +108,7 @@ def peers() -> Iterator[Case]:
     source = "OpenMM, tests/TestVerletIntegrator.h: unit chain of random directions"
     for count in (10, 1500):
         yield Case(f"openmm_chain_{count}", "peers", source,
-                   lambda count=count: shaken(_random_chain(count), 0.1))  # fmt: skip
+                   partial(lambda count: shaken(_random_chain(count), 0.1), count))  # fmt: skip
 
 
 def _diamond() -> Broken:
@@ -132,8 +134,7 @@ def long_runs(steps: int) -> Iterator[Case]:
     for name in ("peaucellier_cell_2D", "cyclohexane_boat"):
         row = known[name]
         yield Case(f"{name}_{steps}_steps", "steps", row.source,
-                   lambda row=row: broken(row.positions, row.framework.bars,
-                                          row.framework.rest_lengths),
+                   partial(broken, row.positions, row.framework.bars, row.framework.rest_lengths),
                    max_sweeps=1000, steps=steps)  # fmt: skip
 
 

@@ -8,6 +8,8 @@ from __future__ import annotations
 
 import pathlib
 import sys
+from collections.abc import Mapping
+from typing import Any
 
 import numpy as np
 
@@ -15,7 +17,7 @@ import pliant
 from pliant.lab.peers import worker
 
 
-def framework_of(job):
+def framework_of(job: Mapping[str, Any]) -> pliant.Framework:
     """The framework of the job's arrays; joints that are pinned stay where they are."""
     return pliant.Framework(
         job["bars"].astype(np.uint32),
@@ -26,7 +28,7 @@ def framework_of(job):
     )
 
 
-def resolve(job):
+def resolve(job: Mapping[str, Any]) -> dict[str, np.ndarray]:
     """One repair by one technique; numbers: sweeps, residual, how many not converged, seconds."""
     framework, x = framework_of(job), job["positions"].copy()
     summary = pliant.resolve(
@@ -47,7 +49,7 @@ def resolve(job):
     }
 
 
-def run(job):
+def run(job: Mapping[str, Any]) -> dict[str, np.ndarray]:
     """Many steps of random pushes; what is left at the end, and what the worst step left."""
     summary = pliant.run(
         framework_of(job),

@@ -46,7 +46,7 @@ def target_of(
     )
 
 
-def read_target(path: str | os.PathLike, bars: str = "bonds") -> Target:
+def read_target(path: str | os.PathLike[str], bars: str = "bonds") -> Target:
     """The molecule of a file. Raises InputError if it gives no bar."""
     structure = pliant.read(path)
     framework = structure.framework(bars)

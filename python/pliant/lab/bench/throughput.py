@@ -9,6 +9,7 @@ import threading
 import time
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import asdict, dataclass, field
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -93,7 +94,7 @@ class _Entry:
 
 
 def throughput(
-    path: str | os.PathLike,
+    path: str | os.PathLike[str],
     *,
     bars: str = "bonds",
     techniques: Sequence[str] = TECHNIQUES,
@@ -229,7 +230,7 @@ def _round(
         busy[number] = time.thread_time() - start_of_thread
         wall[number] = time.perf_counter() - start
 
-    _all_at_once([lambda k=k: work(k) for k in range(len(team))])
+    _all_at_once([partial(work, number) for number in range(len(team))])
     return max(wall), sum(busy)
 
 
@@ -278,10 +279,10 @@ def print_report(found: Throughput) -> None:
             ]
         )
     table.print()
-    for row in found.openmm:
+    for theirs in found.openmm:
         print(
-            f"OpenMM {row.method}: {row.ns_per_bar:.1f} ns per bar, worst residual "
-            f"{row.max_residual:.1e}"
+            f"OpenMM {theirs.method}: {theirs.ns_per_bar:.1f} ns per bar, worst residual "
+            f"{theirs.max_residual:.1e}"
         )
     for note in [found.about_openmm, *found.wrong()]:
         if note:

@@ -28,7 +28,7 @@ LIMIT_SECONDS = 2.0  #: for one contender at one tolerance
 
 
 def work_precision(
-    path: str | os.PathLike,
+    path: str | os.PathLike[str],
     *,
     bars: str = "bonds",
     displacement: float = 0.1,

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -28,7 +28,7 @@ DEFAULT = ("bfs_cycle", 0.5)
 MOST_NAMED = 6  #: of our techniques
 
 
-def draw(found: WorkPrecision, path: str | os.PathLike) -> None:
+def draw(found: WorkPrecision, path: str | os.PathLike[str]) -> None:
     """Writes the diagram as a PNG."""
     with figure(1, 1, panel=(7.2, 4.6)) as (plot, axes):
         draw_on(axes[0][0], found)
@@ -70,7 +70,7 @@ def _theirs(grouped: dict[Entry, list[Row]]) -> dict[str, tuple[str, str]]:
     return {method: style for method, style in styles.items() if (method, None) in grouped}
 
 
-def _line(axes: Axes, entry: Entry, rows: Sequence[Row], **style: object) -> None:
+def _line(axes: Axes, entry: Entry, rows: Sequence[Row], **style: Any) -> None:
     axes.plot(*reached(rows), label=label(*entry), markersize=5, **style)
 
 

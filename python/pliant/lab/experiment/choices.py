@@ -4,10 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from contextlib import AbstractContextManager
 from dataclasses import dataclass
 
 from pliant import console
 from pliant.lab.experiment.statistics import REPLICATES
+
+#: Gives a function (done, total) while something is under way.
+Progress = AbstractContextManager[Callable[[int, int], None]]
 
 
 @dataclass
@@ -19,4 +23,6 @@ class Choices:
     quick: bool = False  #: small sizes: to look at, not to cite
     workers: int = 1
     replicates: int = REPLICATES
-    progress: Callable[[str], object] = lambda what: console.progress(what, quiet=True)
+    progress: Callable[[str], AbstractContextManager[Callable[[int, int], None]]] = lambda what: (
+        console.progress(what, quiet=True)
+    )

@@ -92,9 +92,10 @@ def _t4(court: Court) -> None:
     """Main effects of a two-way table of means: spread over weightings against orderings."""
     found = [[court.of((technique, w)) for w in WEIGHTINGS]
              for technique in ("bfs_tree", "dfs_tree", "random")]  # fmt: skip
-    if any(cell is None for row in found for cell in row):
+    known = [[cell.mean for cell in row if cell is not None] for row in found]
+    if any(len(row) < len(WEIGHTINGS) for row in known):
         return
-    means = np.array([[cell.mean for cell in row] for row in found])
+    means = np.array(known)
     of_weighting, of_ordering = np.std(means.mean(0), axis=0), np.std(means.mean(1), axis=0)
     court.add("spread of the mean over weightings above that over orderings",
               f"{with_interval(of_weighting)} and {with_interval(of_ordering)}",

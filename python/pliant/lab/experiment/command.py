@@ -10,12 +10,16 @@ import sys
 import time
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pliant import OptionError, console
 from pliant.lab.experiment.options import add_running
 from pliant.lab.experiment.pool import usable_cores
 from pliant.lab.experiment.settings import Settings
+
+if TYPE_CHECKING:
+    from pliant.lab.experiment.folders import Filled
+    from pliant.lab.experiment.table import Table
 
 EPILOG = """\
 DIR gets table.csv and table.h5 (the same bytes whenever the options are the same), and the wall
@@ -128,7 +132,7 @@ def main(words: Sequence[str] | None = None) -> int:
 
 def settings_of(arguments: argparse.Namespace, start: Settings | None = None) -> Settings:
     """`start` (default: Settings()) with the options that were given."""
-    given = {}
+    given: dict[str, Any] = {}
     for field in dataclasses.fields(Settings):
         value = getattr(arguments, field.name, None)
         if value is not None:
@@ -176,7 +180,9 @@ def _refuse_what_the_set_says(arguments: argparse.Namespace) -> None:
             raise OptionError(f"--{option}: not with --test-set, which says it")
 
 
-def _say(arguments: argparse.Namespace, table, filled, seconds: float) -> None:
+def _say(
+    arguments: argparse.Namespace, table: Table, filled: Filled | None, seconds: float
+) -> None:
     count = len(table)
     stuck = int(count - table.columns["converged"].sum())
     if arguments.json:

@@ -35,7 +35,9 @@ class Court:
         """Statistics of a technique with its weighting; None without data."""
         return self.study.of(self.family, *combination)
 
-    def below(self, what: str, one: Combination, other: Combination, or_equal=False) -> None:
+    def below(
+        self, what: str, one: Combination, other: Combination, or_equal: bool = False
+    ) -> None:
         """`what` (mean or sd) of one is below that of the other."""
         a, b = self._both(what, one, other)
         if a is None or b is None:
@@ -72,7 +74,14 @@ class Court:
         """No other has as high a `what`."""
         self._extreme(what, one, others, "the highest", np.greater)
 
-    def _extreme(self, what, one, others, word, wins) -> None:
+    def _extreme(
+        self,
+        what: str,
+        one: Combination,
+        others: Sequence[Combination],
+        word: str,
+        wins: np.ufunc,
+    ) -> None:
         others = [other for other in others if other != one and self.of(other) is not None]
         if self.of(one) is None or not others:
             return
@@ -142,9 +151,14 @@ class Court:
                   for value, count in zip(distinct, counts, strict=True)]  # fmt: skip
         return number(found.mode[0]) + (f" ({', '.join(spread)})" if len(spread) > 1 else "")
 
-    def _both(self, what: str, one: Combination, other: Combination):
-        return tuple(None if found is None else getattr(found, what)
-                     for found in (self.of(one), self.of(other)))  # fmt: skip
+    def _both(
+        self, what: str, one: Combination, other: Combination
+    ) -> tuple[np.ndarray | None, np.ndarray | None]:
+        return self._one(what, one), self._one(what, other)
+
+    def _one(self, what: str, combination: Combination) -> np.ndarray | None:
+        found = self.of(combination)
+        return None if found is None else getattr(found, what)
 
     def _all(self, what: str, combinations: Sequence[Combination]) -> list[np.ndarray]:
         found = [self.of(combination) for combination in combinations]

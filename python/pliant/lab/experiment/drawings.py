@@ -3,16 +3,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
 from pliant.analyse.figures import style
 from pliant.lab.experiment.answer import Figure
 from pliant.lab.experiment.settings import WEIGHTINGS, reverse_techniques
-from pliant.lab.experiment.statistics import Study, interval
+from pliant.lab.experiment.statistics import Statistics, Study, interval
 
 DPI = 130
 LAST_BIN = 20  #: histograms gather what is above
@@ -100,7 +103,7 @@ def _bar_caption(chart: BarChart, reverse: bool) -> str:
     return text
 
 
-def group_bars(axis, study: Study, family: str, techniques: list[str], what: str) -> None:
+def group_bars(axis: Axes, study: Study, family: str, techniques: Sequence[str], what: str) -> None:
     """Bars of one measure: weightings side by side, one bar a technique, whiskers of 95 %."""
     width = 0.82 / len(techniques)
     for k, technique in enumerate(techniques):
@@ -121,11 +124,12 @@ def group_bars(axis, study: Study, family: str, techniques: list[str], what: str
     _finish_bars(axis)
 
 
-def _finish_bars(axis) -> None:
+def _finish_bars(axis: Axes) -> None:
     axis.set_xticks(range(len(WEIGHTINGS)), [f"{weighting:g}" for weighting in WEIGHTINGS])
     axis.grid(axis="x", visible=False)
-    tallest = max((bar.get_height() for bar in axis.patches), default=0.0)
-    shortest = min((bar.get_height() for bar in axis.patches if bar.get_height() > 0), default=1.0)
+    heights = [bar.get_height() for bar in axis.patches if isinstance(bar, Rectangle)]
+    tallest = max(heights, default=0.0)
+    shortest = min((height for height in heights if height > 0), default=1.0)
     if tallest > 30.0 * shortest:
         axis.set_yscale("symlog", linthresh=max(1.0, shortest))
         axis.set_ylim(bottom=0.0)
@@ -150,7 +154,7 @@ def draw_histogram(chart: Histogram, study: Study, folder: Path) -> Figure | Non
                         f"{chart.family} graphs.")  # fmt: skip
 
 
-def _columns(axis, statistics, color: str) -> None:
+def _columns(axis: Axes, statistics: Statistics, color: str) -> None:
     values = np.minimum(statistics.values, LAST_BIN)
     places, counts = np.unique(values, return_counts=True)
     axis.bar(places, 100.0 * counts / len(values), 0.86, color=color)

@@ -8,6 +8,7 @@ import functools
 import hashlib
 import itertools
 import shutil
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -22,6 +23,9 @@ from pliant.lab.experiment.table import Table
 RESULTS = ("sweeps", "passes", "projections", "converged", "final_residual")
 OF_THE_SET = ("seed", "force", "timestep", "tolerance_length", "max_sweeps", *SIZES)
 UNWEIGHTED = 0.5  #: what names the folder of a technique that has no weighting
+
+#: Class, number of the graph, technique, weighting.
+Key = tuple[str, int, str, float]
 
 
 @dataclass
@@ -122,7 +126,7 @@ def fill(folder: Path, table: Table) -> Filled:
     return found
 
 
-def _heuristics(table: Table):
+def _heuristics(table: Table) -> Iterator[tuple[Key, slice]]:
     """((class, graph, technique, weighting), its rows): runs of equal keys of the table."""
     columns = table.columns
     keys = [columns[name] for name in ("class", "graph", "technique", "weighting")]
@@ -135,7 +139,14 @@ def _heuristics(table: Table):
         yield (kind.decode(), int(number), technique.decode(), weighting), slice(begin, end)
 
 
-def _fill_one(made, graph, key, rows: slice, table: Table, found: Filled) -> None:
+def _fill_one(
+    made: pliant.TestSet,
+    graph: pliant.TestGraph,
+    key: Key,
+    rows: slice,
+    table: Table,
+    found: Filled,
+) -> None:
     columns = {name: table.columns[name][rows] for name in RESULTS}
     technique, weighting = key[2:]
     held = [h for h in graph.heuristics if (h.technique, h.weighting) == (technique, weighting)]

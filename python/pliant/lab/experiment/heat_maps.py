@@ -5,8 +5,11 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.image import AxesImage
 
 from pliant.analyse.figures import style
 from pliant.lab.experiment.answer import Figure
@@ -18,7 +21,7 @@ from pliant.lab.experiment.sweep import BOXES, FORCES, SIZES, TOLERANCES, Point
 WORDS = {"sweeps": "sweeps", "passes": "passes", "projections": "work"}
 
 
-Axis = tuple[str, list, list[str], Callable[[Point], object]]
+Axis = tuple[str, list[Any], list[str], Callable[[Point], object]]
 
 
 def axes_of(start: Settings, points: list[Point]) -> list[Axis]:
@@ -45,7 +48,9 @@ def axes_of(start: Settings, points: list[Point]) -> list[Axis]:
     ]  # fmt: skip
 
 
-def shares(points: list[Point], values: list, value_of: Callable) -> np.ndarray:
+def shares(
+    points: list[Point], values: list[Any], value_of: Callable[[Point], object]
+) -> np.ndarray:
     """(values, tolerances) share of the statements that hold; negative where there are none."""
     grid = np.full((len(values), len(TOLERANCES)), -1.0)
     for point in points:
@@ -78,7 +83,7 @@ def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path)
                         "broke a bar.")  # fmt: skip
 
 
-def _draw_grid(axis, grid: np.ndarray, texts: list[str]):
+def _draw_grid(axis: Axes, grid: np.ndarray, texts: list[str]) -> AxesImage:
     shown = np.ma.masked_less(grid, 0.0)
     image = axis.imshow(shown, cmap=style.MAP, vmin=0.0, vmax=1.0, aspect="auto", origin="lower")
     for row, column in np.argwhere(grid == 1.0):

@@ -39,7 +39,8 @@ def run_questions(folder: Path, seed: int, choices: Choices) -> list[tuple[str, 
 def _ask(module: ModuleType, out: Path, seed: int, quick: bool) -> Answer:
     out.mkdir(parents=True, exist_ok=True)
     try:
-        return module.answer(out, seed, quick)
+        found: Answer = module.answer(out, seed, quick)
+        return found
     except Exception as error:  # a page that fails must not cost the others
         console.warn(f"{module.__name__}: {type(error).__name__}: {error}")
         return Answer(module.TITLE, f"not answered: {type(error).__name__}: {error}")

@@ -6,10 +6,14 @@ from __future__ import annotations
 import argparse
 from collections.abc import Sequence
 from pathlib import Path
+from typing import TYPE_CHECKING
 
 from pliant import console
 from pliant.lab.experiment.options import add_running
 from pliant.lab.experiment.pool import usable_cores
+
+if TYPE_CHECKING:
+    from pliant.lab.experiment.settled import Settled
 
 REPORT_EPILOG = """\
 DIR gets report.html, which needs nothing else, figures/ and sweep.csv. A sweep.csv that is there
@@ -76,7 +80,8 @@ def sweep_main(words: Sequence[str]) -> int:
 
 def _report(arguments: argparse.Namespace) -> int:
     from pliant.lab.experiment import sections
-    from pliant.lab.experiment.report import Choices, make_report
+    from pliant.lab.experiment.choices import Choices
+    from pliant.lab.experiment.report import make_report
 
     report = make_report(arguments.folder, Choices(
         sweep=not arguments.no_sweep, questions=not arguments.no_questions, quick=arguments.quick,
@@ -92,7 +97,7 @@ def _report(arguments: argparse.Namespace) -> int:
     return console.EXIT_FAILED if report.failed_questions else console.EXIT_OK
 
 
-def _print_claims(settled) -> None:
+def _print_claims(settled: Sequence[Settled]) -> None:
     from pliant.lab.experiment.settled import settings_text
 
     table = console.Table("claims of the thesis", ["id", "verdict", "settings", "depends on"],

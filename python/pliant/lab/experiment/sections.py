@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 import dataclasses
+from html import escape
+from typing import Any
 
 import numpy as np
 
@@ -73,7 +75,7 @@ def each_claim(settled: list[Settled], maps: dict[str, Figure]) -> str:
 
 def _one_claim(one: Settled, heat_map: Figure | None) -> str:
     claim = one.claim
-    title = document.escape(f"{claim.id} · {claim.text}")
+    title = escape(f"{claim.id} · {claim.text}")
     parts = [f"<h3>{title} {document.badge(one.word)}</h3>",
              document.paragraph(f"Thesis, section {claim.section}; {', '.join(claim.families)}."
                                 + (f" Judged as: {claim.measured_as}." if claim.measured_as else "")
@@ -160,7 +162,7 @@ def settings(table: Rows) -> str:
     return document.block(document.table(made))
 
 
-def as_json(settled: list[Settled]) -> list[dict]:
+def as_json(settled: list[Settled]) -> list[dict[str, Any]]:
     """The claims table for programs."""
     return [
         {"id": one.claim.id, "claim": one.claim.text, "verdict": one.word,

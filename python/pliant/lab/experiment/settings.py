@@ -6,6 +6,7 @@ from __future__ import annotations
 import dataclasses
 import json
 from dataclasses import dataclass
+from typing import Any
 
 import pliant
 from pliant import OptionError
@@ -66,7 +67,7 @@ class Settings:
         _distinct("weighting", self.weightings)
 
     @property
-    def sizes(self) -> dict[str, int | float]:
+    def sizes(self) -> dict[str, Any]:
         """The options of pliant.generate."""
         return {name: getattr(self, name) for name in SIZES}
 
@@ -105,7 +106,7 @@ class Settings:
                 if ours != asked]  # fmt: skip
 
 
-def _fields() -> tuple[dataclasses.Field, ...]:
+def _fields() -> tuple[dataclasses.Field[Any], ...]:
     return dataclasses.fields(Settings)
 
 
@@ -116,7 +117,7 @@ def _choose(what: str, names: tuple[str, ...], known: tuple[str, ...]) -> None:
     _distinct(what, names)
 
 
-def _distinct(what: str, values: tuple) -> None:
+def _distinct(what: str, values: tuple[object, ...]) -> None:
     if not values:
         raise OptionError(f"{what}: at least one is needed")
     for value in values:

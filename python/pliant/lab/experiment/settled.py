@@ -65,7 +65,7 @@ def settings_text(one: Settled) -> str:
 
 def _settings_held(points: list[Point]) -> tuple[int, int]:
     """In how many settings every statement holds by every yardstick, and of how many."""
-    answers: dict[tuple, bool] = {}
+    answers: dict[object, bool] = {}
     for p in points:
         place = (p.tolerance_length, p.force, p.size, p.box, p.consecutive)
         answers[place] = answers.get(place, True) and p.holding == p.statements
@@ -117,4 +117,4 @@ def _by_tolerance(points: list[Point]) -> tuple[list[str], np.ndarray]:
         means.append(np.mean(found) if found else np.nan)
     return [
         f"{tolerance:.0e}".replace("e-0", "e-") for tolerance in TOLERANCES
-    ], np.ma.masked_invalid(means)
+    ], np.ma.masked_invalid(np.array(means))

@@ -87,11 +87,11 @@ def rdkit_molecules(names: list[str], bars: str = "bonds") -> Iterator[Specimen]
     left out.
     """
     from rdkit import Chem
-    from rdkit.Chem import AllChem
+    from rdkit.Chem.rdDistGeom import EmbedMolecule
 
     for name in names:
         molecule = Chem.AddHs(Chem.MolFromSmiles(SMILES[name]))
-        if AllChem.EmbedMolecule(molecule, randomSeed=7) != 0:
+        if EmbedMolecule(molecule, randomSeed=7) != 0:
             continue
         structure = pliant.from_rdkit(molecule)
         yield Specimen(name, "molecule", structure.framework(bars, use_masses=False),

@@ -60,7 +60,8 @@ def _modes(sample: Sample) -> np.ndarray:
     distinct, place = np.unique(sample.values, return_inverse=True)
     histogram = np.zeros((sample.counts.shape[1], len(distinct)))
     np.add.at(histogram, (sample.graphs, place.reshape(-1)), 1.0)
-    return distinct[np.argmax(sample.counts @ histogram, axis=1)]
+    modes: np.ndarray = distinct[np.argmax(sample.counts @ histogram, axis=1)]
+    return modes
 
 
 def resampling(graphs: int, replicates: int, seed: int) -> np.ndarray:
@@ -82,7 +83,9 @@ class Study:
     table: Table
     yardstick: str = "sweeps"
     replicates: int = REPLICATES
-    _known: dict = field(default_factory=dict, repr=False)
+    _known: dict[tuple[str, str, float], Statistics | None] = field(
+        default_factory=dict, repr=False
+    )
 
     def __post_init__(self) -> None:
         columns = self.table.columns
@@ -105,8 +108,10 @@ class Study:
     def rows_of(self, family: str, technique: str, weighting: float) -> np.ndarray:
         """Which rows of the table: all pushes, also those that broke nothing."""
         columns = self.table.columns
-        return ((self._family == family.encode()) & (columns["technique"] == technique.encode())
-                & (columns["weighting"] == weighting))  # fmt: skip
+        rows: np.ndarray = self._family == family.encode()
+        rows &= columns["technique"] == technique.encode()
+        rows &= columns["weighting"] == weighting
+        return rows
 
     def has(self, family: str, technique: str, weighting: float) -> bool:
         """There are pushes that broke a bar, resolved with this technique."""

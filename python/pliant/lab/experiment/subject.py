@@ -58,7 +58,7 @@ def pushed(
 ) -> np.ndarray:
     """Positions after one Verlet step of one joint: 2 x - x_old + 100 F / m dt^2 (appendix A)."""
     joint, force = push
-    moved = positions.copy()
+    moved: np.ndarray = positions.copy()
     gain = ACCELERATION * subject.framework.inverse_masses[joint] * timestep * timestep
     moved[joint] = (
         positions[joint] + (positions[joint] - previous[joint]) + gain * np.asarray(force)

@@ -6,8 +6,10 @@ from __future__ import annotations
 import csv
 import dataclasses
 import functools
+from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 from pliant import InputError, OptionError
 from pliant.lab.experiment import table as tables
@@ -24,7 +26,7 @@ FORCES = (5.0, 20.0, 50.0, 200.0, 500.0)  #: kJ/(mol Angstrom)
 #: depth of trees, most children, longest closed chain: from mostly cycle to mostly tree
 SIZES = ((2, 2, 4), (3, 2, 6), (4, 3, 8), (5, 3, 16), (6, 3, 32))
 #: what the figures of the thesis look like, pushed as its force files are
-SMALL_IN_TURN = {"depth": 2, "children": 2, "ring": 4, "consecutive": True}
+SMALL_IN_TURN: dict[str, Any] = {"depth": 2, "children": 2, "ring": 4, "consecutive": True}
 BOXES = (5.0, 10.0, 20.0, 40.0)  #: Angstrom
 GRAPHS, PUSHES = 20, 25  #: of each family, on each graph
 QUICK_GRAPHS, QUICK_PUSHES = 4, 5
@@ -98,7 +100,7 @@ def _thesis(start: Settings) -> Settings:
                                weightings=Settings().weightings, joints=0)  # fmt: skip
 
 
-def _place(point: Point) -> tuple:
+def _place(point: Point) -> tuple[float | str, ...]:
     return (-point.tolerance_length, point.force, point.joints, *point.size, point.box,
             point.consecutive, point.claim, point.yardstick)  # fmt: skip
 
@@ -137,13 +139,14 @@ def points_of(table: tables.Table, joints: float) -> list[Point]:
     """How every claim fares in one table, by each yardstick."""
     settings = table.settings
     studies = studies_of(Study(table, replicates=0))
-    axes = [getattr(settings, name) for name in AXES]
+    axes = {name: getattr(settings, name) for name in AXES}
     points = []
     for claim in CLAIMS:
         for yardstick in claim.yardsticks:
             statements = claim.judged(studies[yardstick]).statements
             holding = sum(bool(statement.holds[0]) for statement in statements)
-            points.append(Point(*axes, joints, claim.id, yardstick, len(statements), holding))
+            points.append(Point(**axes, joints=joints, claim=claim.id, yardstick=yardstick,
+                                statements=len(statements), holding=holding))  # fmt: skip
     return points
 
 
@@ -160,7 +163,9 @@ def read_sweep(out: Path) -> list[Point]:
     path = out / SWEEP_CSV
     if not path.is_file():
         return []
-    types = dict.fromkeys(("depth", "children", "ring", "statements", "holding"), int)
+    types: dict[str, Callable[[str], Any]] = dict.fromkeys(
+        ("depth", "children", "ring", "statements", "holding"), int
+    )
     types |= {"claim": str, "yardstick": str, "consecutive": "True".__eq__}
     try:
         with open(path, encoding="ascii", newline="") as file:

@@ -63,7 +63,7 @@ def join(settings: Settings, parts: Iterator[tuple[str, int, np.ndarray]]) -> Ta
         pieces["graph"].append(np.full(len(rows), number, np.int64))
         pieces["technique"].append(names[rows["combination"]])
         pieces["weighting"].append(weightings[rows["combination"]])
-        for name in rows.dtype.names[1:]:
+        for name in (rows.dtype.names or ())[1:]:
             pieces[name].append(rows[name])
     return Table(settings, {name: np.concatenate(list_) for name, list_ in pieces.items()})
 

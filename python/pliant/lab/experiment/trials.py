@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 import numpy.typing as npt
@@ -36,7 +37,7 @@ class Trial:
 
     def pushed(self) -> np.ndarray:
         """Positions after the push, to be changed by whoever asks."""
-        moved = self.positions.copy()
+        moved: np.ndarray = self.positions.copy()
         moved[self.root] += self.push
         return moved
 
@@ -57,7 +58,7 @@ def pushes_of(
 
 
 def pushed_graphs(
-    kind: str, graphs: int, pushes: int, seed: int, length: float = PUSH, **sizes: float
+    kind: str, graphs: int, pushes: int, seed: int, length: float = PUSH, **sizes: Any
 ) -> list[Trial]:
     """`pushes` trials on each of `graphs` random graphs of a class; sizes as pliant.generate."""
     trials = []

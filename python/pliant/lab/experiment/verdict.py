@@ -100,7 +100,7 @@ def _shares(answers: dict[str, list[str]]) -> str:
     groups: dict[float, list[str]] = {}
     for value, words in answers.items():
         groups.setdefault(words.count(HOLDS) / len(words), []).append(value)
-    phrases = []
+    phrases: list[str] = []
     for share in sorted(groups, reverse=True):
         count = sum(len(answers[value]) for value in groups[share])
         what = " statements hold" if not phrases else ""

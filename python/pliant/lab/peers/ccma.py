@@ -8,10 +8,15 @@ constraints that depend on each other: try them in a child process first (``chil
 from __future__ import annotations
 
 import time
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from pliant.lab.peers import measure
+
+if TYPE_CHECKING:
+    import openmm
+
 
 NM = 0.1  #: nanometres in an Angstrom
 MOST_ANGLES_PER_BAR = 20  #: with more, as of a star of bars, angles are left out
@@ -72,7 +77,7 @@ class Ccma:
             system, self._integrator, "Reference"
         )
 
-    def _make_integrator(self):
+    def _make_integrator(self) -> openmm.Integrator:
         import openmm
 
         return openmm.VerletIntegrator(0.001)
@@ -94,7 +99,7 @@ class CcmaInDynamics(Ccma):
 
     name = "ccma_dynamics"
 
-    def __init__(self, *arguments, **more) -> None:
+    def __init__(self, *arguments: Any, **more: Any) -> None:
         super().__init__(*arguments, **more)
         masses = np.asarray(arguments[0])
         free = {"masses": masses, "bars": np.empty((0, 2), int), "rest_lengths": np.empty(0)}
@@ -103,7 +108,7 @@ class CcmaInDynamics(Ccma):
             self._worker.make_system(free), self._free_integrator, "Reference"
         )
 
-    def _make_integrator(self):
+    def _make_integrator(self) -> openmm.Integrator:
         import openmm
 
         integrator = openmm.CustomIntegrator(0.001)
@@ -112,7 +117,13 @@ class CcmaInDynamics(Ccma):
         integrator.addConstrainPositions()
         return integrator
 
-    def _step(self, context, integrator, push: np.ndarray, tolerance: float) -> float:
+    def _step(
+        self,
+        context: openmm.Context,
+        integrator: openmm.Integrator,
+        push: np.ndarray,
+        tolerance: float,
+    ) -> float:
         integrator.setConstraintTolerance(tolerance)
         context.setPositions(self._intact)
         integrator.setPerDofVariableByName("push", push)

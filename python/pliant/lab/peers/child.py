@@ -13,6 +13,7 @@ import tempfile
 import time
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -117,11 +118,11 @@ def _run_from(
     outcomes.extend(_outcome(folder, line) for line in ends)
     if len(outcomes) < count:
         outcomes.append(_death(child.returncode, too_slow, time_limit, errors))
-    return events[0]["version"]
+    return str(events[0]["version"])
 
 
 def _wait(
-    child: subprocess.Popen,
+    child: subprocess.Popen[bytes],
     journal: pathlib.Path,
     time_limit: float,
     progress: Callable[[int], None],
@@ -143,13 +144,13 @@ def _wait(
         child.wait()
 
 
-def _events(journal: pathlib.Path) -> list[dict]:
+def _events(journal: pathlib.Path) -> list[dict[str, Any]]:
     """The whole lines of the journal; a torn last line is not one."""
     text = journal.read_text(encoding="utf-8")
     return [json.loads(line) for line in text.splitlines(keepends=True) if line.endswith("\n")]
 
 
-def _outcome(folder: pathlib.Path, line: dict) -> Outcome:
+def _outcome(folder: pathlib.Path, line: dict[str, Any]) -> Outcome:
     files = line.get("files", {})
     arrays = {name: np.load(folder / file) for name, file in files.items()}
     for file in files.values():

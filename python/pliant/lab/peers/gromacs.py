@@ -68,7 +68,7 @@ def programs() -> list[Program]:
 
 
 def _program(name: str, precision: str) -> Program | None:
-    path = shutil.which(name)
+    path = shutil.which(name) or name
     with contextlib.suppress(OSError, subprocess.TimeoutExpired):
         said = subprocess.run(
             [path, "-quiet", "--version"], capture_output=True, text=True, timeout=60, check=False

@@ -25,6 +25,7 @@ import re
 import struct
 from collections.abc import Iterator
 from dataclasses import dataclass
+from typing import BinaryIO
 
 import numpy as np
 
@@ -143,7 +144,7 @@ def complaint(said: str) -> str:
     return found[1].strip().partition(". ")[0] if found else ""
 
 
-def read_frames(path: str | os.PathLike) -> Iterator[tuple[int, np.ndarray]]:
+def read_frames(path: str | os.PathLike[str]) -> Iterator[tuple[int, np.ndarray]]:
     """Steps and positions (N, 3) nm of a .trr file, in double precision whatever the file's is.
 
     XDR, big-endian: a magic number, a version, sizes in bytes of each part, then the parts. Raises
@@ -154,7 +155,7 @@ def read_frames(path: str | os.PathLike) -> Iterator[tuple[int, np.ndarray]]:
             yield _frame(file, head)
 
 
-def _frame(file, head: bytes) -> tuple[int, np.ndarray]:
+def _frame(file: BinaryIO, head: bytes) -> tuple[int, np.ndarray]:
     magic, _, letters = struct.unpack(">3i", _whole(head, 12))
     if magic != TRR_MAGIC:
         raise ValueError(f"a frame begins with {magic} instead of {TRR_MAGIC}")
@@ -177,7 +178,7 @@ def _whole(read: bytes, size: int) -> bytes:
 
 
 def write_input(
-    folder: str | os.PathLike,
+    folder: str | os.PathLike[str],
     positions: np.ndarray,
     masses: np.ndarray,
     bars: np.ndarray,
@@ -190,6 +191,6 @@ def write_input(
     _write(folder, "bars.ndx", groups_text(masses))
 
 
-def _write(folder: str | os.PathLike, name: str, text: str) -> None:
+def _write(folder: str | os.PathLike[str], name: str, text: str) -> None:
     with open(os.path.join(folder, name), "w", encoding="ascii", newline="\n") as file:
         file.write(text)

@@ -11,14 +11,16 @@ FLOAT_ROUNDING = 2.0**-24  #: OpenMM's SETTLE keeps its two distances as 32-bit 
 def lengths(positions: np.ndarray, bars: np.ndarray) -> np.ndarray:
     """(..., B) lengths of the bars (B, 2) at positions (..., N, 3)."""
     between = positions[..., bars[:, 1], :] - positions[..., bars[:, 0], :]
-    return np.sqrt(np.einsum("...i,...i->...", between, between))
+    found: np.ndarray = np.sqrt(np.einsum("...i,...i->...", between, between))
+    return found
 
 
 def relative_residuals(
     positions: np.ndarray, bars: np.ndarray, rest_lengths: np.ndarray
 ) -> np.ndarray:
     """(..., B) |length - rest| / rest."""
-    return np.abs(lengths(positions, bars) - rest_lengths) / rest_lengths
+    residuals: np.ndarray = np.abs(lengths(positions, bars) - rest_lengths) / rest_lengths
+    return residuals
 
 
 def worst_residual(positions: np.ndarray, bars: np.ndarray, rest_lengths: np.ndarray) -> float:
@@ -66,7 +68,7 @@ def stretched(
     """
     near, far = bars[bar]
     along = positions[far] - positions[near]
-    copy = positions.copy()
+    copy: np.ndarray = positions.copy()
     copy[far] = positions[near] + along * (rest_lengths[bar] * (1 + by) / np.linalg.norm(along))
     return copy
 
@@ -84,7 +86,8 @@ def isolated_triangles(bars: np.ndarray, joint_count: int) -> np.ndarray:
     others = far[sequence[first[pairs][:, None] + np.arange(2)]]
     closed = np.sort(np.column_stack([pairs, others]), axis=1)
     triangles, count = np.unique(closed, axis=0, return_counts=True)
-    return triangles[count == 3]
+    isolated: np.ndarray = triangles[count == 3]
+    return isolated
 
 
 def bars_of_triangles(triangles: np.ndarray, bars: np.ndarray, joint_count: int) -> np.ndarray:
@@ -92,7 +95,8 @@ def bars_of_triangles(triangles: np.ndarray, bars: np.ndarray, joint_count: int)
     keys = np.min(bars, axis=1) * joint_count + np.max(bars, axis=1)
     sequence = np.argsort(keys)
     wanted = triangles[:, [0, 0, 1]] * joint_count + triangles[:, [1, 2, 2]]
-    return sequence[np.searchsorted(keys[sequence], wanted)]
+    found: np.ndarray = sequence[np.searchsorted(keys[sequence], wanted)]
+    return found
 
 
 def settle_bound(
@@ -132,7 +136,7 @@ def _triangle_response(corners: np.ndarray, masses: np.ndarray) -> np.ndarray:
     gram = rigidity @ mobility
     flat = np.linalg.cond(gram) > 1e12
     gram[flat] = np.eye(3)
-    response = mobility @ np.linalg.inv(gram)
+    response: np.ndarray = mobility @ np.linalg.inv(gram)
     response[flat] = np.inf
     return response
 
@@ -158,4 +162,5 @@ def angles_between(positions: np.ndarray, triples: np.ndarray) -> np.ndarray:
     u = positions[triples[:, 0]] - positions[triples[:, 1]]
     v = positions[triples[:, 2]] - positions[triples[:, 1]]
     across = np.linalg.norm(np.cross(u, v), axis=1)
-    return np.arctan2(across, np.einsum("ij,ij->i", u, v))
+    angles: np.ndarray = np.arctan2(across, np.einsum("ij,ij->i", u, v))
+    return angles

@@ -13,12 +13,19 @@ import json
 import pathlib
 import sys
 import time
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 import openmm
 
+Values = Mapping[str, Any]  #: numbers, words and arrays of a job
+Arrays = dict[str, np.ndarray]
+Repair = Callable[[openmm.Context, openmm.Integrator, int, int], float]  #: returns seconds
+Kinds = Mapping[str, Callable[[Values], Arrays]]
 
-def make_system(job, angles=None):
+
+def make_system(job: Values, angles: np.ndarray | None = None) -> openmm.System:
     """A System of the job's masses with its bars as constraints.
 
     `angles` (A,) are those of the job's triples, as harmonic terms of force constant 0: CCMA looks
@@ -38,7 +45,9 @@ def make_system(job, angles=None):
     return system
 
 
-def make_context(system, integrator, platform):
+def make_context(
+    system: openmm.System, integrator: openmm.Integrator, platform: str
+) -> tuple[openmm.Context, float]:
     """A Context and the seconds that its making took."""
     start = time.perf_counter()
     chosen = openmm.Platform.getPlatformByName(platform)
@@ -46,13 +55,15 @@ def make_context(system, integrator, platform):
     return context, time.perf_counter() - start
 
 
-def positions_of(context):
+def positions_of(context: openmm.Context) -> np.ndarray:
     """(N, 3) nm."""
     state = context.getState(getPositions=True)
     return np.asarray(state.getPositions(asNumpy=True)._value, dtype=np.float64)
 
 
-def repair_all(job, make_integrator, repair):
+def repair_all(
+    job: Values, make_integrator: Callable[[], openmm.Integrator], repair: Repair
+) -> Arrays:
     """Repairs the broken structures (D, S, N, 3), each as often as the job says.
 
     Returns positions (D, S, N, 3), seconds (D, S), each a median, and ready_seconds (S) of the
@@ -83,11 +94,11 @@ def repair_all(job, make_integrator, repair):
     }
 
 
-def apply_constraints(job):
+def apply_constraints(job: Values) -> Arrays:
     """Context.applyConstraints on broken structures: directions are those of the broken bars."""
     tolerance = float(job["tolerance"])
 
-    def repair(context, _, d, s):
+    def repair(context: openmm.Context, _: openmm.Integrator, d: int, s: int) -> float:
         context.setPositions(job["broken"][d, s])
         start = time.perf_counter()
         context.applyConstraints(tolerance)
@@ -96,10 +107,10 @@ def apply_constraints(job):
     return repair_all(job, lambda: openmm.VerletIntegrator(0.001), repair)
 
 
-def constrain_step(job):
+def constrain_step(job: Values) -> Arrays:
     """One step as in dynamics: directions of the bars are those before the step, unbroken."""
 
-    def make_integrator():
+    def make_integrator() -> openmm.Integrator:
         integrator = openmm.CustomIntegrator(0.001)
         integrator.addPerDofVariable("push", 0.0)
         integrator.addComputePerDof("x", "x + push")
@@ -107,7 +118,7 @@ def constrain_step(job):
         integrator.setConstraintTolerance(float(job["tolerance"]))
         return integrator
 
-    def repair(context, integrator, d, s):
+    def repair(context: openmm.Context, integrator: openmm.Integrator, d: int, s: int) -> float:
         context.setPositions(job["intact"][s])
         integrator.setPerDofVariableByName("push", job["broken"][d, s] - job["intact"][s])
         start = time.perf_counter()
@@ -117,7 +128,7 @@ def constrain_step(job):
     return repair_all(job, make_integrator, repair)
 
 
-def bond_energies(job):
+def bond_energies(job: Values) -> Arrays:
     """Energies of structures under a HarmonicBondForce with a bond for each bar."""
     system = openmm.System()
     for mass in job["masses"].tolist():
@@ -142,13 +153,13 @@ KINDS = {
 }
 
 
-def load_job(folder, job):
+def load_job(folder: pathlib.Path, job: Values) -> dict[str, Any]:
     """The job's arrays; those of files that several jobs share are read from there."""
     arrays = {name: np.load(folder / file) for name, file in job["arrays"].items()}
     return {**job["values"], **arrays}
 
 
-def do_job(folder, number, job, kinds):
+def do_job(folder: pathlib.Path, number: int, job: Values, kinds: Kinds) -> dict[str, Any]:
     """Does one job, saves its arrays, and returns what the journal says of it."""
     try:
         result = kinds[job["kind"]](load_job(folder, job))
@@ -161,12 +172,12 @@ def do_job(folder, number, job, kinds):
     return {"event": "done", "files": files}
 
 
-def main(folder, first, kinds=KINDS):
+def main(folder: pathlib.Path, first: int, kinds: Kinds = KINDS) -> None:
     """Does the jobs from number `first` on; `kinds` are functions by the name of a job's kind."""
     jobs = json.loads((folder / "jobs.json").read_text())
     with open(folder / "journal.jsonl", "a", encoding="utf-8") as journal:
 
-        def say(**line):
+        def say(**line: object) -> None:
             print(json.dumps(line), file=journal, flush=True)
 
         say(event="ready", version=openmm.version.version)

@@ -6,6 +6,7 @@ from __future__ import annotations
 import itertools
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.ticker import NullFormatter, ScalarFormatter
@@ -72,7 +73,11 @@ def _largest_error(framework: pliant.Framework, positions: np.ndarray) -> float:
 
 def observe(trial: Trial, weighting: float) -> Observed | None:
     """None if one sweep was enough (or none): there is then nothing to predict."""
-    options = {"technique": "bfs_cycle", "weighting": weighting, "tolerance_length": TOLERANCE}
+    options: dict[str, Any] = {
+        "technique": "bfs_cycle",
+        "weighting": weighting,
+        "tolerance_length": TOLERANCE,
+    }
     first, rest = trial.pushed(), trial.pushed()
     pliant.resolve(trial.framework, first, root=trial.root, max_sweeps=1, **options)
     summary = pliant.resolve(trial.framework, rest, root=trial.root, max_sweeps=LIMIT, **options)

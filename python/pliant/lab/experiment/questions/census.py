@@ -120,7 +120,7 @@ def _class_table(facts: list[pliant.GraphFacts]) -> Table:
     for name, (low, high) in groups.items():
         own = [f for f in facts if low <= f.cycles <= high]
         if own:
-            table.rows.append([name, len(own), digits(np.mean([f.bars for f in own])),
+            table.rows.append([name, len(own), digits(float(np.mean([f.bars for f in own]))),
                                f"{100 * np.mean([_share(f) for f in own]):.0f} %"])  # fmt: skip
     return table
 
@@ -145,9 +145,9 @@ def _random_table(seed: int, quick: bool) -> Table:
         facts = [pliant.generate(kind, seed, k).framework.graph_facts()
                  for k in range(3 if quick else 20)]  # fmt: skip
         table.rows.append([
-            kind, digits(np.mean([f.bars for f in facts])),
-            digits(np.mean([f.cycles for f in facts])),
-            digits(np.mean([f.blocks for f in facts])),
+            kind, digits(float(np.mean([f.bars for f in facts]))),
+            digits(float(np.mean([f.cycles for f in facts]))),
+            digits(float(np.mean([f.blocks for f in facts]))),
             f"{100 * np.mean([_share(f) for f in facts]):.0f} %",
         ])  # fmt: skip
     return table

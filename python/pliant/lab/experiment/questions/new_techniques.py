@@ -105,7 +105,9 @@ def _best_of_thesis(works: dict[Combination, Work]) -> Combination:
     return min(combinations(THESIS), key=lambda c: works[c].projections.mean())
 
 
-def _gain(works: dict[Combination, Work], new: Combination, seed: int) -> tuple:
+def _gain(
+    works: dict[Combination, Work], new: Combination, seed: int
+) -> tuple[float, float, float]:
     """How many times the new technique's work the thesis' best takes, with its interval."""
     best = works[_best_of_thesis(works)]
     return ratio_interval(best.projections, works[new].projections,

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
@@ -15,7 +16,7 @@ TITLE = "Do the results hold on large graphs?"
 ORDER = 3
 
 #: class -> how many non-tree bars a graph of that many joints gets
-KINDS = {
+KINDS: dict[str, Callable[[int], int]] = {
     "tree": lambda _: 0,
     "1-cycle-bar": lambda _: 1,
     "2-cycle-bars": lambda _: 2,
