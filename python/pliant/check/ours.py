@@ -18,10 +18,10 @@ from pliant.check.contest import (
     describe,
 )
 from pliant.check.recording import Recording
+from pliant.lab.thesis import WEIGHTINGS
 
 DEFAULT = ("auto", 0.5)  #: technique and weighting of `pliant run`
 THESIS = ("bfs_cycle", 0.5)  #: the best plain sweeps of the thesis
-WEIGHTINGS = (0.5, 0.75, 1.0)  #: those of the thesis
 TRIAL_SWEEPS = 1000
 TRIAL_SECONDS = 20.0
 

@@ -15,12 +15,12 @@ from pliant._extras import need
 from pliant.lab.bench.target import Target
 from pliant.lab.peers.ccma import Ccma, CcmaInDynamics, why_no_angles
 from pliant.lab.peers.child import Job, run_jobs
+from pliant.lab.thesis import WEIGHTINGS
 
 if TYPE_CHECKING:
     from pliant.lab.peers.child import Outcome
 
 
-WEIGHTINGS = (0.5, 0.75, 1.0)  #: those of the thesis
 TOLD_INTACT = ("shake",)  #: techniques to which the structure before the push makes a difference
 IN_LANES = ("bfs_cycle", "blocks", "shake", "newton")  #: techniques that race so as well
 WALKERS = 16  #: copies that go together then

@@ -10,8 +10,8 @@ from typing import Any
 
 import pliant
 from pliant import OptionError
+from pliant.lab.thesis import WEIGHTINGS
 
-WEIGHTINGS = (0.5, 0.75, 1.0)  #: of the thesis, section 3.1
 SIZES = ("depth", "children", "ring", "cycles", "joints", "box")
 NO_WEIGHTING = -1.0  #: stands in the weighting column of techniques that have none
 

@@ -12,11 +12,11 @@ import numpy.typing as npt
 
 import pliant
 from pliant.lab.experiment.answer import Table
+from pliant.lab.thesis import WEIGHTINGS
 
 THESIS = (
     "random", "bfs_cycle", "dfs_cycle", "bfs_reverse", "dfs_reverse", "bfs_adapt", "bfs_random",
 )  # fmt: skip
-WEIGHTINGS = (0.5, 0.75, 1.0)
 PUSH = 0.5  #: Angstrom: what 50 kJ/(mol Angstrom) do to 1 u in one step of 0.01 ps
 TOLERANCE = 0.01  #: Angstrom
 LIMIT = 2000  #: sweeps

@@ -18,12 +18,12 @@ from pliant.lab.experiment.sweep_matrix import closing_rate, spectral_radius, sw
 from pliant.lab.experiment.trials import (
     LIMIT,
     TOLERANCE,
-    WEIGHTINGS,
     Trial,
     as_text,
     digits,
     pushed_graphs,
 )
+from pliant.lab.thesis import WEIGHTINGS
 
 TITLE = "Why is bfs_cycle with weighting 1 inconsistent?"
 ORDER = 1

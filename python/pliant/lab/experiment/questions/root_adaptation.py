@@ -10,7 +10,6 @@ import numpy as np
 from pliant import plotting
 from pliant.lab.experiment.answer import Answer, Figure, Table
 from pliant.lab.experiment.trials import (
-    WEIGHTINGS,
     Trial,
     Work,
     as_text,
@@ -21,6 +20,7 @@ from pliant.lab.experiment.trials import (
     with_interval,
     work_of,
 )  # fmt: skip
+from pliant.lab.thesis import WEIGHTINGS
 
 TITLE = "Does adapting the root help?"
 ORDER = 2
