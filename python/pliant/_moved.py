@@ -18,6 +18,7 @@ if TYPE_CHECKING:
 #: Old names and new ones, of packages with all that is in them; the longest that fits counts.
 MOVED = {
     "pliant.bench": "pliant.lab.bench",  # 0.2.0, as all of these
+    "pliant.bench.run_subcommands": "pliant.lab.bench.subcommands",
     "pliant.cli_analyse": "pliant.analyse.command",
     "pliant.comparison": "pliant.compare",
     "pliant.experiment": "pliant.lab.experiment",

@@ -68,6 +68,20 @@ def positive_number(text: str) -> float:
     return value
 
 
+def positive_numbers(text: str) -> tuple[float, ...]:
+    """For ``type=``: numbers above 0 between commas."""
+    try:
+        return tuple(positive_number(word) for word in text.split(","))
+    except argparse.ArgumentTypeError:
+        wanted = "numbers above 0 between commas"
+        raise argparse.ArgumentTypeError(f"expected {wanted}, found '{text}'") from None
+
+
+def words(text: str) -> tuple[str, ...]:
+    """For ``type=``: words between commas."""
+    return tuple(word for word in text.split(",") if word)
+
+
 def run_command(command: str, work: Callable[[], int]) -> int:
     """Calls `work` and returns its exit code; what the user did wrong becomes one line and 1.
 

@@ -34,7 +34,7 @@ def make_parser() -> console.Parser:
     add("file", metavar="FILE", help="H5MD trajectory of pliant run")
     add("--frames", metavar="N", type=console.whole_number(1, "all"), default=20,
         help="frames shown to OpenMM, spread evenly, or all (default 20)")  # fmt: skip
-    add("--break", metavar="A,A,...", type=_displacements, default="0.01,0.03,0.1,0.3",
+    add("--break", metavar="A,A,...", type=console.positive_numbers, default="0.01,0.03,0.1,0.3",
         dest="displacements",
         help="Angstrom, standard deviations by which atoms are displaced for the side by side "
         "(default 0.01,0.03,0.1,0.3)")  # fmt: skip
@@ -48,14 +48,6 @@ def make_parser() -> console.Parser:
     add("--json", action="store_true", help="print the report as one JSON object")
     add("--quiet", action="store_true", help="show no progress")
     return parser
-
-
-def _displacements(text: str) -> tuple[float, ...]:
-    try:
-        return tuple(console.positive_number(word) for word in text.split(","))
-    except argparse.ArgumentTypeError:
-        expected = "numbers above 0 between commas"
-        raise argparse.ArgumentTypeError(f"expected {expected}, found '{text}'") from None
 
 
 def main(words: Sequence[str] | None = None) -> int:

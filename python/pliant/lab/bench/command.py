@@ -4,14 +4,14 @@
 from __future__ import annotations
 
 import argparse
+import importlib
+import pkgutil
 import sys
 from collections.abc import Sequence
+from types import ModuleType
 
 from pliant import console
-from pliant.lab.bench.run_subcommands import RUN_SUBCOMMANDS
-from pliant.lab.bench.subcommands import SUBCOMMANDS, Subcommand
-
-ALL_SUBCOMMANDS = (*SUBCOMMANDS, *RUN_SUBCOMMANDS)
+from pliant.lab.bench import subcommands
 
 EPILOG = """\
 pliant bench SUBCOMMAND --help tells more of each.
@@ -26,10 +26,19 @@ examples:
 """
 
 
+def modules() -> dict[str, ModuleType]:
+    """The subcommands by their names, in the order of the help."""
+    names = [row.name for row in pkgutil.iter_modules(subcommands.__path__)]
+    found = [importlib.import_module(f"{subcommands.__name__}.{name}") for name in names]
+    found.sort(key=lambda module: int(module.ORDER))
+    return {module.__name__.rpartition(".")[2].replace("_", "-"): module for module in found}
+
+
 def make_parser() -> console.Parser:
     """What pliant bench itself takes: the name of a subcommand."""
-    width = max(len(row.name) for row in ALL_SUBCOMMANDS)
-    rows = "\n".join(f"  {row.name.ljust(width)}  {row.summary}" for row in ALL_SUBCOMMANDS)
+    known = modules()
+    width = max(map(len, known))
+    rows = "\n".join(f"  {name.ljust(width)}  {row.SUMMARY}" for name, row in known.items())
     parser = console.Parser(
         "bench",
         "Measures Pliant, with OpenMM's CCMA in the same run. Ratios within one run are what to\n"
@@ -49,19 +58,19 @@ def main(words: Sequence[str] | None = None) -> int:
     parser = make_parser()
     if not words or words[0].startswith("-"):
         parser.parse_args(words)
-    rows = {row.name: row for row in ALL_SUBCOMMANDS}
-    if words[0] not in rows:
-        parser.error(f"unknown subcommand '{words[0]}'; known: {', '.join(rows)}")
-    return _run(rows[words[0]], words[1:])
+    known = modules()
+    if words[0] not in known:
+        parser.error(f"unknown subcommand '{words[0]}'; known: {', '.join(known)}")
+    return _run(words[0], known[words[0]], words[1:])
 
 
-def _run(row: Subcommand, words: list[str]) -> int:
-    parser = console.Parser(f"bench {row.name}", row.description, row.epilog)
+def _run(name: str, row: ModuleType, words: list[str]) -> int:
+    parser = console.Parser(f"bench {name}", row.DESCRIPTION, row.EPILOG)
     row.add_options(parser)
     parser.add_argument("--json", action="store_true", help="print the result as one JSON object")
     parser.add_argument("--quiet", action="store_true", help="show no progress")
     arguments = parser.parse_args(words)
-    return console.run_command(f"bench {row.name}", lambda: row.run(arguments))
+    return console.run_command(f"bench {name}", lambda: int(row.run(arguments)))
 
 
 if __name__ == "__main__":
