@@ -10,7 +10,7 @@ import numpy as np
 import pliant
 from pliant.lab.experiment.settings import NO_WEIGHTING, Combination, Settings, reverse_techniques
 
-Push = tuple[int, tuple[float, float, float]]  #: joint, force in kJ/(mol Angstrom)
+JointForce = tuple[int, tuple[float, float, float]]  #: joint, force in kJ/(mol Angstrom)
 
 #: Angstrom/ps^2 of 1 kJ/(mol Angstrom) on 1 u
 ACCELERATION = 100.0
@@ -38,7 +38,7 @@ class Subject:
     number: int
     framework: pliant.Framework
     positions: np.ndarray  #: (N, 3) Angstrom: at rest, all bars whole
-    pushes: list[Push] = field(default_factory=list)
+    pushes: list[JointForce] = field(default_factory=list)
 
 
 def make_subject(settings: Settings, kind: str, number: int) -> Subject:
@@ -54,7 +54,7 @@ def make_subject(settings: Settings, kind: str, number: int) -> Subject:
 
 
 def pushed(
-    subject: Subject, push: Push, timestep: float, positions: np.ndarray, previous: np.ndarray
+    subject: Subject, push: JointForce, timestep: float, positions: np.ndarray, previous: np.ndarray
 ) -> np.ndarray:
     """Positions after one Verlet step of one joint: 2 x - x_old + 100 F / m dt^2 (appendix A)."""
     joint, force = push
