@@ -194,7 +194,7 @@ void WalkerResolver::resolve(std::span<const WalkerPositions> walkers,
     throw OptionError("summaries: " + std::to_string(summaries.size()) + " for " +
                       std::to_string(walkers.size()) + " walkers");
   for (const WalkerPositions& walker : walkers)
-    plan_->alone.check_arguments(walker.positions, root, walker.reference);
+    plan_->alone.check_arguments(walker.positions, {root}, walker.reference);
   for (std::size_t at = 0; at < walkers.size(); at += lane_count) {
     const std::size_t count = std::min(lane_count, walkers.size() - at);
     const auto group = walkers.subspan(at, count);
