@@ -30,7 +30,7 @@ class RingSweeps final : public Method {
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
-    if (!planned_ || planned_root_ != call.root) plan(call.root);
+    if (!planned_ || planned_root_ != call.disturbed.root) plan(call.disturbed.root);
     bridges_.begin();
     for (Look look = look_at_all(call);;) {
       if (look == Look::all_whole) return Stop::converged;
