@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/run/run_fields.hpp"
@@ -16,6 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t most_walkers = 1'000'000;
 
 /// Adds an option of the table, by the kind of its value.
 struct AddField {
@@ -126,6 +128,21 @@ void take_ordering(const CommandLine& line, RunSettings& settings, const Framewo
   technique.ordering = std::make_shared<Ordering>(read_ordering_file(settings.ordering, framework));
 }
 
+/// Part of an ensemble, whose other walkers run elsewhere.
+void take_shard(const CommandLine& line, RunSettings& settings) {
+  if (line.was_given("--walkers"))
+    throw OptionError("--shard: is given in place of --walkers, not together with it");
+  const std::string_view text = settings.shard;
+  const std::size_t dots = text.find("..");
+  const auto first = parse_integer(text.substr(0, dots));
+  const auto last = dots == text.npos ? std::nullopt : parse_integer(text.substr(dots + 2));
+  if (!first || !last || *first < 0 || *last < *first || *last - *first >= most_walkers)
+    throw OptionError("--shard: expected FIRST..LAST, two walkers' numbers, at most " +
+                      std::to_string(most_walkers) + " walkers, found " + quoted(text));
+  settings.first_walker = *first;
+  settings.walkers = *last - *first + 1;
+}
+
 void check_record_forces(const RunSettings& settings) {
   if (settings.record_forces.empty() || !settings.forces.empty()) return;
   if (settings.run.perturb != "force")
@@ -153,8 +170,10 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
   add_molecule_options(line, settings.molecule);
   line.start_group("Run");
   add_fields(line, settings.run, RunGroup::run);
-  line.add_integer("--walkers", settings.walkers, 1, 1'000'000,
+  line.add_integer("--walkers", settings.walkers, 1, most_walkers,
                    "independent runs, each with an output of its own");
+  line.add_text("--shard", settings.shard, "FIRST..LAST",
+                "of more walkers, those of these numbers only, as 800..899");
   line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the walkers",
                    "all cores");
   add_technique_options(line, settings);
@@ -165,16 +184,18 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
 void complete(const CommandLine& line, RunSettings& settings, const Framework& framework) {
   if (settings.threads == 0) settings.threads = std::thread::hardware_concurrency();
   check_record_forces(settings);
+  if (line.was_given("--shard")) take_shard(line, settings);
   if (!settings.forces.empty()) take_forces(line, settings, framework);
   if (!settings.ordering.empty()) take_ordering(line, settings, framework);
   const bool is_left_to_auto = !line.was_given("--technique") && settings.ordering.empty();
   if (is_left_to_auto && line.was_given("--weighting")) settings.run.technique.name = "bfs_cycle";
   if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
-  if (settings.topology.empty()) settings.topology = default_topology(settings);
+  if (settings.topology.empty())
+    settings.topology = settings.first_walker > 0 ? "none" : default_topology(settings);
 }
 
 std::string of_walker(const RunSettings& settings, const std::string& name, std::int64_t walker) {
-  if (settings.walkers == 1) return name;
+  if (settings.walkers == 1 && settings.shard.empty()) return name;
   const fs::path path(name);
   const std::string numbered =
       path.stem().string() + "-" + std::to_string(walker) + path.extension().string();
