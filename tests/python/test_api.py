@@ -89,6 +89,12 @@ def test_everything_public_is_there():
     assert (Path(pliant.__file__).with_name("py.typed")).exists()
 
 
+def test_pytest_takes_no_class_of_ours_for_tests():
+    named = [name for name in pliant.__all__ if name.startswith("Test")]
+    assert "TestSet" in named
+    assert all(getattr(pliant, name).__test__ is False for name in named)
+
+
 def parameters_made_with(node):
     """Those of a class' constructor."""
     made = [m for m in node.body if isinstance(m, ast.FunctionDef) and m.name == "__init__"]
