@@ -151,9 +151,8 @@ void bind_motion(nb::module_& module) {
   const ResolveOptions resolve;
   const PerturbOptions perturb;
   nb::class_<PythonMotion>(module, "Motion", motion_doc)
-      .def("__init__", &make_motion, nb::keep_alive<1, 2>(), "framework"_a,
-           "state"_a, "technique"_a = technique.name,
-           "weighting"_a = technique.weighting, nb::kw_only(),
+      .def("__init__", &make_motion, nb::keep_alive<1, 2>(), "framework"_a, "state"_a,
+           "technique"_a = technique.name, "weighting"_a = technique.weighting, nb::kw_only(),
            "mass_weighted"_a = technique.mass_weighted, "ordering"_a = nb::none(),
            "push"_a = "force", "force"_a = perturb.force, "timestep"_a = perturb.timestep,
            "damping"_a = perturb.damping, "displacement"_a = perturb.displacement,
