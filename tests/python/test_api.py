@@ -85,7 +85,9 @@ def test_everything_public_is_there():
     for name in pliant.__all__:
         assert hasattr(pliant, name)
     compiled = {node.name for node in stub_nodes()}
-    assert compiled - set(pliant.__all__) == {"ForceRecorder", "run_steps", "version"}
+    assert compiled - set(pliant.__all__) == {
+        *("ForceRecorder", "run_shard", "run_steps", "version"),
+    }
     assert (Path(pliant.__file__).with_name("py.typed")).exists()
 
 

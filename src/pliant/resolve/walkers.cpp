@@ -70,7 +70,8 @@ struct WalkerResolver::Plan {
         options(options_),
         kernels(find_level(lane_options.level)),
         alone(framework_, asked, options_),
-        uses_lanes(lane_options.lanes && find_technique(technique.name).make_lanes != nullptr) {}
+        uses_lanes(lane_options.lanes && !options.on_bar &&
+                   find_technique(technique.name).make_lanes != nullptr) {}
 
   /// A single walker never needs the lanes' plans and memory.
   bool prepare_lanes() {

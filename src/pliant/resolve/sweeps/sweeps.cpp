@@ -37,10 +37,15 @@ class Sweeps final : public Method {
         if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
         if (entry_.repeat == Repeat::reorder) plan_sweep(positions, root, summary.sweeps);
       }
-      plan_.sweep(positions, key_, entry_.repeat == Repeat::reverse && summary.sweeps % 2 == 1);
+      sweep(positions, entry_.repeat == Repeat::reverse && summary.sweeps % 2 == 1);
       ++summary.sweeps;
       summary.projections += static_cast<std::int64_t>(plan_.size());
     }
+  }
+
+  void sweep(std::span<Vec3> positions, bool backwards) const {
+    if (options_.on_bar) return plan_.sweep_watched(positions, key_, backwards, options_.on_bar);
+    plan_.sweep(positions, key_, backwards);
   }
 
   /// The plan of the last call is kept if it would come out the same.
