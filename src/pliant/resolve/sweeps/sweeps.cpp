@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/sweeps/sweeps.hpp"
 
+#include "pliant/resolve/method/plan_of_root.hpp"
 #include "pliant/resolve/sweeps/sweep_plan.hpp"
 
 namespace pliant {
@@ -51,10 +52,10 @@ class Sweeps final : public Method {
   /// The plan of the last call is kept if it would come out the same.
   void prepare_first(std::span<const Vec3> positions, Joint root) {
     plan_.begin();
-    if (entry_.repeat != Repeat::reorder && planned_ && planned_root_ == root) return;
-    plan_sweep(positions, root, 0);
-    planned_ = true;
-    planned_root_ = root;
+    if (entry_.repeat == Repeat::reorder)
+      plan_sweep(positions, root, 0);
+    else
+      planned_.prepare(root, [&](Joint from) { plan_sweep(positions, from, 0); });
   }
 
   void plan_sweep(std::span<const Vec3> positions, Joint root, std::int64_t sweep) {
@@ -75,8 +76,7 @@ class Sweeps final : public Method {
   Ordering ordering_, last_ordering_;
   OrderScratch scratch_;
   SweepPlan plan_;
-  bool planned_ = false;
-  Joint planned_root_ = 0;
+  PlanOfRoot planned_;
 };
 
 }  // namespace

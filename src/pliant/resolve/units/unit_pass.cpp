@@ -89,11 +89,7 @@ void UnitPass::close_by_torsions(const ResolveOptions& options) {
 }
 
 UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
-  if (!planned_ || planned_root_ != call.disturbed.root) {
-    plan_.plan(call.disturbed.root);
-    planned_ = true;
-    planned_root_ = call.disturbed.root;
-  }
+  planned_.prepare(call.disturbed.root, [this](Joint root) { plan_.plan(root); });
   Outcome worst = Outcome::placed;
   for (auto& loop : loops_)
     if (!loop->find_shape(call)) worst = Outcome::unfit;

@@ -15,6 +15,7 @@
 #include <memory>
 #include <vector>
 
+#include "pliant/resolve/method/plan_of_root.hpp"
 #include "pliant/resolve/units/unit_loop.hpp"
 #include "pliant/resolve/units/unit_nearest.hpp"
 #include "pliant/resolve/units/unit_plan.hpp"
@@ -53,8 +54,7 @@ class UnitPass {
   std::vector<std::unique_ptr<UnitLoop>> loops_;  ///< of units without a shape
   std::vector<UnitLoop*> loop_of_;                ///< of each unit up to the last that has one
   UnitNearest nearest_;
-  bool planned_ = false;
-  Joint planned_root_ = 0;
+  PlanOfRoot planned_;
 };
 
 }  // namespace pliant
