@@ -125,7 +125,11 @@ ComponentEquations::ComponentEquations(const Framework& framework, const Toleran
     : equations_(framework, inverse_masses(framework), tolerance) {
   for (const auto& bars : bars_of_components(framework)) {
     const auto part = equations_.append(bars);
-    part ? parts_.push_back(*part) : void(entangled_ = true);
+    if (part) {
+      parts_.push_back(*part);
+    } else {
+      entangled_ = true;
+    }
   }
 }
 
