@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "pliant/base/graph.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/base/vec3.hpp"
 #include "pliant/framework/atom_table.hpp"
@@ -64,10 +65,8 @@ class Framework {
   bool has_pinned_joints() const { return pinned_count_ > 0; }
   std::size_t pinned_count() const { return pinned_count_; }
   /// Bars at `joint` with the joint at their other end, in the order of the bars.
-  std::span<const Incidence> neighbours(Joint joint) const {
-    return {incidences_.data() + first_incidence_[joint],
-            incidences_.data() + first_incidence_[joint + 1]};
-  }
+  std::span<const Incidence> neighbours(Joint joint) const { return graph_.at(joint); }
+  const GraphOf<Incidence>& graph() const { return graph_; }
   /// Whether it is a linkage of the plane: nothing pushes a joint along z.
   bool is_planar() const { return planar_; }
   /// A random unit vector along which joints may be pushed: without z in a planar framework.
@@ -88,14 +87,13 @@ class Framework {
   void check_bars() const;
   void check_drawn() const;
   void merge_duplicate_bars();
-  void index_incidences();
+  void link_joints() { graph_ = {joint_count_, bars()}; }
 
   std::size_t joint_count_ = 0;
   std::vector<Bar> bars_;
   std::vector<double> rest_lengths_;
   std::vector<double> inverse_masses_;
-  std::vector<std::uint32_t> first_incidence_;
-  std::vector<Incidence> incidences_;
+  GraphOf<Incidence> graph_;
   std::shared_ptr<const AtomTable> atoms_;
   std::vector<Vec3> drawn_;
   std::size_t pinned_count_ = 0;

@@ -14,7 +14,7 @@ std::vector<std::vector<BarIndex>> bars_of_components(const Framework& framework
   const Components components = find_components(framework);
   std::vector<std::vector<BarIndex>> bars(components.count);
   for (BarIndex k = 0; k < framework.bar_count(); ++k)
-    bars[components.of_joint[framework.bars()[k].a]].push_back(k);
+    bars[components.of_node[framework.bars()[k].a]].push_back(k);
   std::erase_if(bars, [](const auto& of_component) { return of_component.empty(); });
   return bars;
 }
@@ -118,10 +118,11 @@ ComponentEquations::ComponentEquations(const Framework& framework, const Toleran
     : equations_(framework, inverse_masses(framework), tolerance) {
   for (const auto& bars : bars_of_components(framework)) {
     const auto part = equations_.append(bars);
-    if (part)
+    if (part) {
       parts_.push_back(*part);
-    else
+    } else {
       entangled_ = true;
+    }
   }
 }
 

@@ -82,7 +82,7 @@ class LaneBlocks final : public LaneMethod {
 
   void solve(const LaneCall& call, const Stretch& stretch, LaneMask& active) {
     const BarPattern part = blocks_.hold(stretch.block, stretch.entry);
-    const LaneOutcome outcome = kernels_.newton(part, scratch_.room(), call.positions);
+    const LaneOutcome outcome = kernels_.block_newton(part, scratch_.room(), call.positions);
     active = LaneMask(active & outcome.whole);
     call.each(active, [&](ResolveSummary& summary, std::size_t lane) {
       summary.dropped_bars += static_cast<std::int64_t>(outcome.dropped_bars[lane]);

@@ -50,20 +50,20 @@ std::optional<LoopClosure> LoopClosure::make(const UnitSet& set, const UnitShape
   body_of[0] = 0;
   made.add_body(set, shapes, 0);
   for (std::size_t next = 0; next < waiting.size(); ++next)
-    for (const Incidence& link : graph.links.neighbours(waiting[next])) {
-      std::int32_t& owner = owner_of[link.joint - graph.units];
+    for (const Link& link : graph.links.at(waiting[next])) {
+      std::int32_t& owner = owner_of[link.node - graph.units];
       if (owner >= 0) continue;
       owner = static_cast<std::int32_t>(next);
-      const UnitConnection& at = graph.connection(link.joint);
-      for (const Incidence& to : graph.links.neighbours(link.joint)) {
-        if (to.joint == waiting[next]) continue;
-        if (body_of[to.joint] >= 0) {
-          made.add_gaps(std::size_t(body_of[to.joint]), next, at);
+      const UnitConnection& at = graph.connection(link.node);
+      for (const Link& to : graph.links.at(link.node)) {
+        if (to.node == waiting[next]) continue;
+        if (body_of[to.node] >= 0) {
+          made.add_gaps(std::size_t(body_of[to.node]), next, at);
           continue;
         }
-        body_of[to.joint] = static_cast<std::int32_t>(made.bodies_.size());
-        waiting.push_back(to.joint);
-        made.add_body(set, shapes, to.joint);
+        body_of[to.node] = static_cast<std::int32_t>(made.bodies_.size());
+        waiting.push_back(to.node);
+        made.add_body(set, shapes, to.node);
         made.hang(made.bodies_.size() - 1, next, at);
       }
     }
@@ -83,10 +83,10 @@ std::optional<LoopClosure> LoopClosure::make(const UnitSet& set, const UnitShape
 void LoopClosure::add_body(const UnitSet& set, const UnitShapes& shapes, std::uint32_t unit) {
   Body body;
   body.first = static_cast<std::uint32_t>(joints_.size());
-  body.count = static_cast<std::uint32_t>(set.of(unit).size());
+  body.count = static_cast<std::uint32_t>(set.at(unit).size());
   body.mirror_allowed = shapes.kinds[unit] == ShapeKind::lengths;
-  joints_.insert(joints_.end(), set.of(unit).begin(), set.of(unit).end());
-  for (std::size_t k = set.first[unit]; k < set.first[unit + 1]; ++k)
+  joints_.insert(joints_.end(), set.at(unit).begin(), set.at(unit).end());
+  for (std::size_t k = set.begin_of(unit); k < set.begin_of(unit + 1); ++k)
     shape_.push_back(shapes.points[k]);
   bodies_.push_back(body);
 }

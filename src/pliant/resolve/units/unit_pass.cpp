@@ -61,7 +61,7 @@ void UnitPass::make_loops(const Technique& technique, const ResolveOptions& opti
 void UnitPass::make_loop(std::uint32_t unit, std::span<const BarIndex> bars,
                          const Technique& technique, const ResolveOptions& options) {
   loops_.push_back(
-      std::make_unique<UnitLoop>(framework_, forest_.set.of(unit), bars, technique, options));
+      std::make_unique<UnitLoop>(framework_, forest_.set.at(unit), bars, technique, options));
   loop_of_.resize(unit + 1, nullptr);
   loop_of_[unit] = loops_.back().get();
 }
@@ -79,7 +79,7 @@ void UnitPass::close_by_torsions(const ResolveOptions& options) {
     const std::uint32_t unit = forest_.of_rigid[k];
     if (unit >= loop_of_.size() || loop_of_[unit] == nullptr) continue;
     Parts& parts = parts_of[unit];
-    parts.rigid.add(forest_.rigid.of(k));
+    parts.rigid.add(forest_.rigid.at(k));
     parts.shapes.kinds.push_back(shapes.kinds[k]);
     const auto points = points_of(framework_, forest_.rigid, shapes, k, room);
     parts.shapes.points.insert(parts.shapes.points.end(), points.begin(), points.end());
@@ -126,7 +126,7 @@ UnitPass::Outcome UnitPass::place(const ResolveCall& call, UnitStep& step) {
 }
 
 void UnitPass::place_still(const ResolveCall& call, const UnitStep& step) const {
-  const auto joints = forest_.set.of(step.unit);
+  const auto joints = forest_.set.at(step.unit);
   const auto shape = loop_of_[step.unit]->shape();
   for (std::size_t k = 0; k < joints.size(); ++k) call.positions[joints[k]] = shape[k];
 }

@@ -24,7 +24,7 @@ namespace pliant {
 
 class UnitPass {
  public:
-  /// `bodies` as find_unit_bodies() gives them; the framework outlives it.
+  /// `bodies` as find_units() gives them; the framework outlives it.
   UnitPass(const Framework& framework, UnitSet bodies, const Technique& technique,
            const ResolveOptions& options);
 

@@ -11,13 +11,14 @@ namespace pliant {
 namespace {
 
 UnitLinks links_of(const UnitGraph& graph) {
-  UnitLinks links{graph.units, graph.connections, {0}, {}};
-  const std::size_t nodes = graph.links.joint_count();
-  links.first.reserve(nodes + 1);
-  links.to.reserve(2 * graph.links.bar_count());
-  for (Joint node = 0; node < nodes; ++node) {
-    for (const Incidence& at : graph.links.neighbours(node)) links.to.push_back(at.joint);
-    links.first.push_back(static_cast<std::uint32_t>(links.to.size()));
+  UnitLinks links{graph.units, graph.connections, {}};
+  const std::size_t nodes = graph.links.node_count();
+  links.neighbours.reserve(nodes, 2 * graph.links.edge_count());
+  std::vector<UnitNode> around;
+  for (UnitNode node = 0; node < nodes; ++node) {
+    around.clear();
+    for (const Link& link : graph.links.at(node)) around.push_back(link.node);
+    links.neighbours.add(around);
   }
   return links;
 }
@@ -69,7 +70,7 @@ void UnitPlan::find_pins() {
   const Components components = find_components(framework_);
   std::map<std::uint32_t, std::vector<Joint>> by_component;
   for (Joint joint = 0; joint < framework_.joint_count(); ++joint)
-    if (framework_.is_pinned(joint)) by_component[components.of_joint[joint]].push_back(joint);
+    if (framework_.is_pinned(joint)) by_component[components.of_node[joint]].push_back(joint);
   for (auto& [component, joints] : by_component) pins_.push_back(std::move(joints));
 }
 
@@ -78,7 +79,7 @@ void UnitPlan::plan(Joint root) {
   steps_.reserve(forest_.set.size());
   joints_.clear();
   joints_.reserve(framework_.joint_count());
-  seen_.assign(forest_.links.node_count(), false);
+  seen_.assign(forest_.links.neighbours.size(), false);
   placed_.assign(framework_.joint_count(), false);
   step_of_.assign(forest_.set.size(), -1);
   for (const auto& pins : pins_) start_at(pins[0], pins);
@@ -101,7 +102,7 @@ void UnitPlan::start_at(Joint joint, std::span<const Joint> pins) {
   if (is_unknown) {
     add_step(unit, UnitEntry::still, joint, joint);
   } else if (is_rod) {
-    const auto ends = forest_.set.of(unit);
+    const auto ends = forest_.set.at(unit);
     if (pins.size() < 2)
       add_step(unit, UnitEntry::rod, joint, ends[0] == joint ? ends[1] : ends[0]);
   } else if (pins.size() == 2 && holder != units.end()) {
@@ -117,22 +118,22 @@ void UnitPlan::start_at(Joint joint, std::span<const Joint> pins) {
 }
 
 bool UnitPlan::holds_all(std::uint32_t unit, std::span<const Joint> joints) const {
-  const auto members = forest_.set.of(unit);
+  const auto members = forest_.set.at(unit);
   return std::all_of(joints.begin(), joints.end(), [&](Joint joint) {
     return std::binary_search(members.begin(), members.end(), joint);
   });
 }
 
 void UnitPlan::spread(std::uint32_t unit) {
-  for (const Joint to : forest_.links.neighbours(unit)) {
+  for (const UnitNode to : forest_.links.neighbours.at(unit)) {
     if (seen_[to]) continue;
     seen_[to] = true;
     const UnitConnection& at = forest_.links.connection(to);
-    for (const Joint next : forest_.links.neighbours(to)) {
+    for (const UnitNode next : forest_.links.neighbours.at(to)) {
       if (seen_[next]) continue;
       seen_[next] = true;
       waiting_.push_back(next);
-      const auto ends = forest_.set.of(next);
+      const auto ends = forest_.set.at(next);
       if (forest_.shapes.kinds[next] == ShapeKind::rod) {
         add_step(next, UnitEntry::rod, at.a, ends[0] == at.a ? ends[1] : ends[0]);
       } else {
@@ -163,7 +164,7 @@ void UnitPlan::add_step(std::uint32_t unit, UnitEntry entry, Joint a, Joint b) {
 
 void UnitPlan::add_joints(UnitStep& step) {
   step.first = static_cast<std::uint32_t>(joints_.size());
-  for (Joint joint : forest_.set.of(step.unit)) {
+  for (Joint joint : forest_.set.at(step.unit)) {
     if (placed_[joint]) continue;
     placed_[joint] = true;
     const double weight = mass_weighted_ ? 1.0 / framework_.inverse_masses()[joint] : 1.0;
@@ -177,7 +178,7 @@ void UnitPlan::add_joints(UnitStep& step) {
 }
 
 void UnitPlan::set_shape(UnitStep& step, std::span<const Vec3> points) {
-  const auto members = forest_.set.of(step.unit);
+  const auto members = forest_.set.at(step.unit);
   const auto point_of = [&](Joint joint) {
     return points[std::size_t(std::lower_bound(members.begin(), members.end(), joint) -
                               members.begin())];
@@ -199,7 +200,7 @@ void UnitPlan::set_hinge(UnitStep& step, std::span<const Vec3> points, Vec3 a, V
   step.length = distance(a, b);
   step.spread = 0.0;
   const AxisBasis basis((1.0 / step.length) * (b - a));
-  const auto members = forest_.set.of(step.unit);
+  const auto members = forest_.set.at(step.unit);
   std::size_t place = 0;
   for (JointInUnit& joint : joints(step)) {  // in the order of the members
     while (members[place] != joint.joint) ++place;

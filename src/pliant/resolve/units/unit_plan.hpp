@@ -15,14 +15,9 @@ namespace pliant {
 struct UnitLinks {
   std::size_t units = 0;
   std::vector<UnitConnection> connections;
-  std::vector<std::uint32_t> first;  ///< (nodes + 1) into `to`
-  std::vector<Joint> to;             ///< neighbours of each node, in the graph's sequence
+  Grouped<UnitNode> neighbours;  ///< of each node, in the graph's sequence
 
-  std::size_t node_count() const { return first.size() - 1; }
-  std::span<const Joint> neighbours(Joint node) const {
-    return {to.data() + first[node], to.data() + first[node + 1]};
-  }
-  const UnitConnection& connection(Joint node) const { return connections[node - units]; }
+  const UnitConnection& connection(UnitNode node) const { return connections[node - units]; }
 };
 
 /// The units of a framework, as a forest.
@@ -84,7 +79,7 @@ class UnitPlan {
   std::span<JointInUnit> joints(const UnitStep& step) {
     return {joints_.data() + step.first, step.count};
   }
-  /// Writes where the joints of a step lie, from the shape of its unit (as UnitSet::of).
+  /// Writes where the joints of a step lie, from the shape of its unit (as UnitSet::at).
   void set_shape(UnitStep& step, std::span<const Vec3> points);
 
  private:
