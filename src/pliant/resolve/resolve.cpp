@@ -23,25 +23,33 @@ struct Resolver::Plan {
   std::unique_ptr<Method> method;
   std::vector<Vec3> before;
   const MovedJoints* moved = nullptr;  ///< of the last resolve_near; null: any joint
+  std::vector<std::uint8_t> limits_off;
+  std::unique_ptr<Contacts> contacts;  ///< null: no sterics
 
   Plan(const Framework& framework_, const Technique& technique_, const ResolveOptions& options_)
       : framework(framework_), options(options_), technique(technique_) {
     method = find_technique(technique.name).make(framework, technique, options);
+    if (framework.sterics() != nullptr) contacts = std::make_unique<Contacts>(framework);
+  }
+
+  ResidualSummary measured(std::span<const Vec3> positions) const {
+    return measure(framework, positions, options.tolerance, limits_off, contacts.get());
   }
 
   /// Measures what came out; positions that are not finite are put back first.
   void finish(std::span<Vec3> positions, ResolveSummary& summary) const {
-    ResidualSummary residuals = measure(framework, positions, options.tolerance);
+    ResidualSummary residuals = measured(positions);
     summary.worst_bar = residuals.worst_bar;
     if (!residuals.finite) {
       summary.stop = Stop::not_finite;
       std::copy(before.begin(), before.end(), positions.begin());
-      residuals = measure(framework, positions, options.tolerance);
+      residuals = measured(positions);
     }
     // Never "converged" beyond the tolerance, whatever a method believes.
     if (!residuals.within && summary.stop == Stop::converged) summary.stop = Stop::max_sweeps;
     summary.max_residual = residuals.max_relative;
     summary.rms_residual = residuals.rms_relative;
+    note_violations(residuals, summary);
   }
 
   /// The same where only the joints of `moved` and the root can have changed.
@@ -100,6 +108,14 @@ Resolver::Resolver(Resolver&&) noexcept = default;
 
 void Resolver::set_walker(std::uint64_t walker) { plan_->options.walker = walker; }
 
+void Resolver::set_limits_off(std::span<const std::uint8_t> off) {
+  const std::size_t limit_count = plan_->framework.limits().size();
+  if (!off.empty() && off.size() != limit_count)
+    throw OptionError("limits_off: " + std::to_string(off.size()) + " for " +
+                      std::to_string(limit_count) + " limits");
+  plan_->limits_off.assign(off.begin(), off.end());
+}
+
 void Resolver::check_arguments(std::span<const Vec3> positions, Joint root,
                                std::span<const Vec3> reference) const {
   const std::size_t joint_count = plan_->framework.joint_count();
@@ -123,7 +139,8 @@ ResolveSummary Resolver::resolve(std::span<Vec3> positions, Joint root, std::int
   ResolveSummary summary;
   summary.sweeps = summary.projections = 0;
   summary.dropped_bars = summary.finishing_sweeps = 0;
-  summary.stop = plan_->method->resolve({positions, root, plan_->key(step), reference}, summary);
+  summary.stop = plan_->method->resolve(
+      {positions, root, plan_->key(step), reference, plan_->limits_off}, summary);
   plan_->finish(positions, summary);
   summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return summary;
@@ -132,6 +149,8 @@ ResolveSummary Resolver::resolve(std::span<Vec3> positions, Joint root, std::int
 ResolveSummary Resolver::resolve_near(std::span<Vec3> positions, Joint root, std::int64_t step,
                                       std::span<const Vec3> reference) {
   const auto start = Clock::now();
+  // A joint that moves may touch any other: what is near by bars is not all that is disturbed.
+  if (!plan_->framework.has_bars_only()) return resolve(positions, root, step, reference);
   check_arguments(positions, root, reference);
   ResolveSummary summary;
   summary.sweeps = summary.projections = summary.dropped_bars = summary.finishing_sweeps = 0;

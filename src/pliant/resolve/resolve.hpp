@@ -27,7 +27,8 @@ class Resolver {
   ~Resolver();
   Resolver(Resolver&&) noexcept;
 
-  /// Moves `positions` (N) until all bars are within the tolerance or a limit is met.
+  /// Moves `positions` (N) until all bars, limits and overlaps are within the tolerance, or until
+  /// max_sweeps or a caller ends it.
   /// `root` is the pushed joint, `step` the step number that random draws depend on. If a length
   /// stops being finite the positions are put back as they were.
   /// `reference` (N, or none) are whole positions before the push, in which `shake` looks for the
@@ -49,6 +50,9 @@ class Resolver {
 
   /// Random draws are this walker's from now on (ResolveOptions::walker).
   void set_walker(std::uint64_t walker);
+  /// Limits that are off from now on: (L) 1 for off, or empty for none (State::limits_off).
+  /// Throws OptionError if there are as many neither as limits nor none.
+  void set_limits_off(std::span<const std::uint8_t> off);
   /// Throws what resolve() throws for such arguments.
   void check_arguments(std::span<const Vec3> positions, Joint root,
                        std::span<const Vec3> reference) const;

@@ -62,7 +62,8 @@ struct WalkerResolver::Plan final : LaneEnd {
         options(options_),
         kernels(find_level(lanes.level)),
         alone(framework_, asked, options_),
-        uses_lanes(lanes.lanes && find_technique(technique.name).make_lanes != nullptr) {}
+        uses_lanes(lanes.lanes && framework_.has_bars_only() &&
+                   find_technique(technique.name).make_lanes != nullptr) {}
 
   /// A single walker never needs the lanes' plans and memory.
   bool prepare_lanes() {

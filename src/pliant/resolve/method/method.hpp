@@ -16,6 +16,7 @@ struct ResolveCall {
   Joint root = 0;
   RandomKey key = {};                    ///< seed, walker and step
   std::span<const Vec3> reference = {};  ///< (N) positions before the push, or none
+  LimitsOff limits_off = {};             ///< (L) limits that are switched off, or none
 };
 
 class MovedJoints;

@@ -17,6 +17,8 @@ void check(const ResolveOptions& options) {
   };
   positive("tolerance", options.tolerance.relative);
   if (options.tolerance.length != 0.0) positive("tolerance_length", options.tolerance.length);
+  positive("tolerance_limit", options.tolerance.limit);
+  positive("tolerance_overlap", options.tolerance.overlap);
   if (options.max_sweeps < 1)
     throw OptionError("max_sweeps = " + std::to_string(options.max_sweeps) + ": must be from 1");
 }
