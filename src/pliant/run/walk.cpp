@@ -46,7 +46,7 @@ std::int64_t Walk::steps_to_do() const {
 
 void Walk::begin() {
   const Stopwatch watch(summary_.seconds);
-  const ResidualSummary start = measure(framework_, state_.positions, options_.resolve.tolerance);
+  const ResidualSummary start = measured();
   is_whole_ = start.within;
   ResolveSummary resolved;
   resolved.stop = Stop::converged;
@@ -54,10 +54,9 @@ void Walk::begin() {
   resolved.max_residual = start.max_relative;
   resolved.rms_residual = start.rms_relative;
   resolved.worst_bar = start.worst_bar;
+  note_violations(start, resolved);
   if (!start.within) {
-    log_.warn("the start misses its rest lengths, worst bar " +
-              framework_.label(framework_.bars()[start.worst_bar]) + " by " +
-              number_text(start.max_length, 3) + " Angstrom: resolved first");
+    log_.warn("the start misses its " + what_is_missed(start) + ": resolved first");
     resolved = resolve_all(0);
     is_whole_ = resolved.converged();
     summary_.resolve_seconds += resolved.seconds;
@@ -66,6 +65,18 @@ void Walk::begin() {
   }
   if (resolved.stop == Stop::stopped_by_caller) stopping_ = summary_.stopped_by_caller = true;
   show(resolved);
+}
+
+std::string Walk::what_is_missed(const ResidualSummary& start) const {
+  const auto by = [](double length) { return " by " + number_text(length, 3) + " Angstrom"; };
+  if (!is_whole(framework_, state_.positions, options_.resolve.tolerance))
+    return "rest lengths, worst bar " + framework_.label(framework_.bars()[start.worst_bar]) +
+           by(start.max_length);
+  if (start.max_limit > options_.resolve.tolerance.limit) {
+    const Limit& limit = framework_.limits()[start.worst_limit];
+    return "limits, worst " + framework_.label(Bar{limit.a, limit.b}) + by(start.max_limit);
+  }
+  return "least distances, worst " + framework_.label(start.worst_overlap) + by(start.max_overlap);
 }
 
 void Walk::push() {
@@ -113,6 +124,7 @@ ResolveSummary Walk::resolve() {
 
 ResolveSummary Walk::resolve_near(Joint root) {
   resolver_.set_walker(number_);
+  resolver_.set_limits_off(state_.limits_off);
   const ResolveSummary resolved =
       resolver_.resolve_near(state_.positions, root, state_.step, state_.previous);
   const auto moved = resolver_.moved();
@@ -126,6 +138,7 @@ ResolveSummary Walk::resolve_near(Joint root) {
 
 ResolveSummary Walk::resolve_all(Joint root) {
   resolver_.set_walker(number_);
+  resolver_.set_limits_off(state_.limits_off);
   knows_moved_ = false;
   return resolver_.resolve(state_.positions, root, state_.step, state_.previous);
 }
@@ -174,11 +187,16 @@ void Walk::undo_step() {
   stopping_ = summary_.stopped_by_caller = true;
 }
 
+ResidualSummary Walk::measured() const {
+  return measure(framework_, state_.positions, options_.resolve.tolerance, state_.limits_off);
+}
+
 void Walk::measure_all(ResolveSummary& resolved) const {
-  const ResidualSummary all = measure(framework_, state_.positions, options_.resolve.tolerance);
+  const ResidualSummary all = measured();
   resolved.max_residual = all.max_relative;
   resolved.rms_residual = all.rms_relative;
   resolved.worst_bar = all.worst_bar;
+  note_violations(all, resolved);
 }
 
 void Walk::note(const ResolveSummary& resolved) {
@@ -200,7 +218,8 @@ void Walk::show(ResolveSummary resolved) {
                     state_.positions,      resolved.sweeps,
                     resolved.projections,  resolved.max_residual,
                     resolved.rms_residual, resolved.stop,
-                    push_.root_joint,      push_.force};
+                    push_.root_joint,      push_.force,
+                    resolved.max_limit,    resolved.max_overlap};
   for (const Observer& observer : observers_)
     if (observer(frame)) stopping_ = summary_.stopped_by_caller = true;
   ++summary_.frames;

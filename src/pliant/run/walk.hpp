@@ -42,6 +42,8 @@ class Walk {
  private:
   std::int64_t steps_to_do() const;
   void undo_step();
+  ResidualSummary measured() const;
+  std::string what_is_missed(const ResidualSummary& start) const;
   void measure_all(ResolveSummary& resolved) const;
   bool is_finite_after_push() const;
   Joint root() const;
