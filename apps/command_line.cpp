@@ -32,18 +32,6 @@ std::string wording(std::int64_t least, std::int64_t most) {
   return fmt::format("a whole number from {} to {}", least, most);
 }
 
-bool is_in(Range range, double value) {
-  switch (range) {
-    case Range::positive:
-      return value > 0.0;
-    case Range::zero_or_more:
-      return value >= 0.0;
-    case Range::zero_to_one:
-      return value >= 0.0 && value <= 1.0;
-  }
-  return false;
-}
-
 std::string wording(Range range) {
   switch (range) {
     case Range::positive:
@@ -52,6 +40,8 @@ std::string wording(Range range) {
       return "a number from 0";
     case Range::zero_to_one:
       return "a number from 0 to 1";
+    case Range::any:
+      break;
   }
   return "a number";
 }
@@ -61,7 +51,7 @@ bool has_blanks(const std::string& text) { return text.find_first_of(" \t") != s
 
 double real_of(const std::string& name, Range range, const std::string& text) {
   const auto number = parse_real(text);
-  if (!number || has_blanks(text) || !is_in(range, *number)) refuse(name, wording(range), text);
+  if (!number || has_blanks(text) || !holds(range, *number)) refuse(name, wording(range), text);
   return *number;
 }
 

@@ -10,10 +10,9 @@
 #include <vector>
 
 #include "command.hpp"
+#include "pliant/base/range.hpp"
 
 namespace pliant::app {
-
-enum class Range { positive, zero_or_more, zero_to_one };
 
 /// The options of one subcommand, how its help reads and what was given. Names are "--steps",
 /// "-o,--output", or without a dash for an argument told by its place. Values must outlive it: they

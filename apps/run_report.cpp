@@ -15,9 +15,9 @@ namespace {
 std::vector<std::string> outputs_of(const RunSettings& settings,
                                     const std::vector<RunSummary>& summaries) {
   std::vector<std::string> outputs;
-  for (std::size_t walker = 0; walker < summaries.size(); ++walker)
-    if (summaries[walker].frames > 0)
-      outputs.push_back(output_of(settings, static_cast<std::int64_t>(walker)));
+  for (std::size_t k = 0; k < summaries.size(); ++k)
+    if (summaries[k].frames > 0)
+      outputs.push_back(output_of(settings, settings.first_walker + std::int64_t(k)));
   return outputs;
 }
 

@@ -1,53 +1,66 @@
 // SPDX-License-Identifier: MIT
 #include "run_settings.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <thread>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_file.hpp"
-#include "pliant/resolve/automatic.hpp"
-#include "pliant/resolve/techniques.hpp"
+#include "pliant/run/run_fields.hpp"
 
 namespace pliant::app {
 namespace {
 
 namespace fs = std::filesystem;
 constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t most_walkers = 1'000'000;
+
+/// Adds an option of the table, by the kind of its value.
+struct AddField {
+  CommandLine& line;
+  const RunField& field;
+  std::string option = option_name(field.name);
+  std::string help = std::string(field.summary);
+
+  void operator()(bool* value) const { line.add_flag(option, *value, help); }
+  void operator()(std::uint64_t* value) const { line.add_seed(option, *value, help); }
+  void operator()(std::int64_t* value) const {
+    line.add_integer(option, *value, field.range == Range::positive ? 1 : 0, no_limit, help);
+  }
+  void operator()(double* value) const {
+    line.add_real(option, *value, field.range, help, field.is_optional ? "" : nullptr);
+  }
+  void operator()(std::string* value) const {
+    line.add_choice(option, *value, field.choices(), help);
+  }
+
+  /// "--max-sweeps" of "max_sweeps".
+  static std::string option_name(std::string_view name) {
+    std::string option = "--" + std::string(name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    return option;
+  }
+};
+
+void add_fields(CommandLine& line, RunOptions& run, RunGroup group) {
+  for (const RunField& field : run_fields())
+    if (field.group == group) std::visit(AddField{line, field}, field.place(run));
+}
 
 void add_technique_options(CommandLine& line, RunSettings& settings) {
-  RunOptions& run = settings.run;
   line.start_group("Technique");
-  line.add_choice("--technique", run.technique.name, names_of(techniques()),
-                  "how broken bars are resolved: see pliant techniques");
+  add_fields(line, settings.run, RunGroup::technique);
   line.add_text("--ordering", settings.ordering, "FILE",
                 "visit the bars as an ordering file says, in place of --technique");
-  line.add_real("--weighting", run.technique.weighting, Range::zero_to_one,
-                "share of a correction that the far end of a bar takes");
-  line.add_flag("--mass-weighted", run.technique.mass_weighted,
-                "share corrections by inverse masses too");
-  line.add_real("--tolerance", run.resolve.tolerance.relative, Range::positive,
-                "largest |length - rest| / rest of a whole bar");
-  line.add_real("--tolerance-length", run.resolve.tolerance.length, Range::positive,
-                "largest |length - rest| in Angstrom, in place of --tolerance", "");
-  line.add_integer("--max-sweeps", run.resolve.max_sweeps, 1, no_limit,
-                   "sweeps after which a step is given up");
 }
 
 void add_perturb_options(CommandLine& line, RunSettings& settings) {
-  RunOptions& run = settings.run;
   line.start_group("Perturbation");
-  line.add_choice("--perturb", run.perturb, names_of(perturbations()),
-                  "what breaks the bars: force, force_all, displacement");
-  line.add_real("--force", run.perturb_options.force, Range::zero_or_more,
-                "size of a random force, kJ/(mol Angstrom)");
-  line.add_real("--timestep", run.perturb_options.timestep, Range::positive, "of a step, ps");
-  line.add_real("--damping", run.perturb_options.damping, Range::zero_to_one,
-                "share of its velocity that a pushed joint loses");
-  line.add_real("--displacement", run.perturb_options.displacement, Range::zero_or_more,
-                "length of a random displacement, Angstrom");
+  add_fields(line, settings.run, RunGroup::perturbation);
   line.add_text("--forces", settings.forces, "FILE",
                 "replay a force file, one push a step, in place of --perturb");
   line.add_text("--record-forces", settings.record_forces, "FILE",
@@ -115,6 +128,21 @@ void take_ordering(const CommandLine& line, RunSettings& settings, const Framewo
   technique.ordering = std::make_shared<Ordering>(read_ordering_file(settings.ordering, framework));
 }
 
+/// Part of an ensemble, whose other walkers run elsewhere.
+void take_shard(const CommandLine& line, RunSettings& settings) {
+  if (line.was_given("--walkers"))
+    throw OptionError("--shard: is given in place of --walkers, not together with it");
+  const std::string_view text = settings.shard;
+  const std::size_t dots = text.find("..");
+  const auto first = parse_integer(text.substr(0, dots));
+  const auto last = dots == text.npos ? std::nullopt : parse_integer(text.substr(dots + 2));
+  if (!first || !last || *first < 0 || *last < *first || *last - *first >= most_walkers)
+    throw OptionError("--shard: expected FIRST..LAST, two walkers' numbers, at most " +
+                      std::to_string(most_walkers) + " walkers, found " + quoted(text));
+  settings.first_walker = *first;
+  settings.walkers = *last - *first + 1;
+}
+
 void check_record_forces(const RunSettings& settings) {
   if (settings.record_forces.empty() || !settings.forces.empty()) return;
   if (settings.run.perturb != "force")
@@ -141,11 +169,11 @@ std::string default_topology(const RunSettings& settings) {
 void add_run_options(CommandLine& line, RunSettings& settings) {
   add_molecule_options(line, settings.molecule);
   line.start_group("Run");
-  line.add_integer("--steps", settings.run.steps, 0, no_limit, "steps to do");
-  line.add_integer("--every", settings.run.every, 1, no_limit, "record every so many steps");
-  line.add_seed("--seed", settings.run.resolve.seed, "of all random numbers");
-  line.add_integer("--walkers", settings.walkers, 1, 1'000'000,
+  add_fields(line, settings.run, RunGroup::run);
+  line.add_integer("--walkers", settings.walkers, 1, most_walkers,
                    "independent runs, each with an output of its own");
+  line.add_text("--shard", settings.shard, "FIRST..LAST",
+                "of more walkers, those of these numbers only, as 800..899");
   line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the walkers",
                    "all cores");
   add_technique_options(line, settings);
@@ -156,16 +184,18 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
 void complete(const CommandLine& line, RunSettings& settings, const Framework& framework) {
   if (settings.threads == 0) settings.threads = std::thread::hardware_concurrency();
   check_record_forces(settings);
+  if (line.was_given("--shard")) take_shard(line, settings);
   if (!settings.forces.empty()) take_forces(line, settings, framework);
   if (!settings.ordering.empty()) take_ordering(line, settings, framework);
   const bool is_left_to_auto = !line.was_given("--technique") && settings.ordering.empty();
   if (is_left_to_auto && line.was_given("--weighting")) settings.run.technique.name = "bfs_cycle";
   if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
-  if (settings.topology.empty()) settings.topology = default_topology(settings);
+  if (settings.topology.empty())
+    settings.topology = settings.first_walker > 0 ? "none" : default_topology(settings);
 }
 
 std::string of_walker(const RunSettings& settings, const std::string& name, std::int64_t walker) {
-  if (settings.walkers == 1) return name;
+  if (settings.walkers == 1 && settings.shard.empty()) return name;
   const fs::path path(name);
   const std::string numbered =
       path.stem().string() + "-" + std::to_string(walker) + path.extension().string();
@@ -178,35 +208,20 @@ std::string output_of(const RunSettings& settings, std::int64_t walker) {
 
 std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Framework& framework,
                                           std::int64_t walker) {
-  const RunOptions& run = settings.run;
-  const auto seed =
-      std::to_string(run.resolve.seed);  // 64 bits without sign do not fit a Parameter
-  return {{"input/file", fs::path(settings.molecule.file).filename().string()},
-          {"input/model", settings.molecule.model},
-          {"input/bars", settings.molecule.bars},
-          {"input/lengths", settings.molecule.lengths},
-          {"input/pin", settings.molecule.pin},
-          {"input/distance_bonds", settings.molecule.guess_distances},
-          {"run/technique", run.technique.name},
-          {"run/technique_used", technique_used(framework, run.technique).name},
-          {"run/ordering", fs::path(settings.ordering).filename().string()},
-          {"run/weighting", run.technique.weighting},
-          {"run/mass_weighted", run.technique.mass_weighted},
-          {"run/tolerance", run.resolve.tolerance.relative},
-          {"run/tolerance_length", run.resolve.tolerance.length},
-          {"run/max_sweeps", run.resolve.max_sweeps},
-          {"run/steps", run.steps},
-          {"run/every", run.every},
-          {"run/seed", seed},
-          {"run/walker", walker},
-          {"run/perturb", run.replay.empty() ? run.perturb : "replay"},
-          {"run/forces", fs::path(settings.forces).filename().string()},
-          {"run/force", run.perturb_options.force},
-          {"run/timestep", run.perturb_options.timestep},
-          {"run/damping", run.perturb_options.damping},
-          {"run/displacement", run.perturb_options.displacement},
-          {"record/single", settings.record.single},
-          {"record/compress", settings.record.compress}};
+  RunOptions run = settings.run;
+  run.resolve.walker = static_cast<std::uint64_t>(walker);
+  std::vector<NamedParameter> values = pliant::parameters_of(run, framework);
+  values.insert(values.end(), {{"input/file", fs::path(settings.molecule.file).filename().string()},
+                               {"input/model", settings.molecule.model},
+                               {"input/bars", settings.molecule.bars},
+                               {"input/lengths", settings.molecule.lengths},
+                               {"input/pin", settings.molecule.pin},
+                               {"input/distance_bonds", settings.molecule.guess_distances},
+                               {"run/ordering", fs::path(settings.ordering).filename().string()},
+                               {"run/forces", fs::path(settings.forces).filename().string()},
+                               {"record/single", settings.record.single},
+                               {"record/compress", settings.record.compress}});
+  return values;
 }
 
 }  // namespace pliant::app

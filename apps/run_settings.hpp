@@ -20,7 +20,9 @@ struct RunSettings {
   std::string forces;         ///< force file to replay; "": none
   std::string record_forces;  ///< force file to write; "": none
   std::string ordering;       ///< ordering file in place of a technique's ordering; "": none
-  std::int64_t walkers = 1;
+  std::string shard;          ///< "FIRST..LAST", walkers by number, in place of `walkers`; or ""
+  std::int64_t first_walker = 0;
+  std::int64_t walkers = 1;  ///< from the first one on
   std::int64_t threads = 0;  ///< 0: as many as there are cores
   bool json = false;
   bool quiet = false;
@@ -32,7 +34,8 @@ void add_run_options(CommandLine& line, RunSettings& settings);
 /// ordering.
 void complete(const CommandLine& line, RunSettings& settings, const Framework& framework);
 
-/// Name of the output of a walker: `name` itself if there is but one walker.
+/// The outputs of walkers [first_walker, first_walker + walkers): `name` itself if there is but one
+/// walker, and no shard was asked for.
 std::string of_walker(const RunSettings& settings, const std::string& name, std::int64_t walker);
 std::string output_of(const RunSettings& settings, std::int64_t walker);
 

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "run_walkers.hpp"
 
-#include <algorithm>
-#include <atomic>
-#include <deque>
-#include <exception>
+#include <memory>
 #include <mutex>
 #include <optional>
-#include <thread>
 
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/record/topology_pdb.hpp"
-#include "pliant/resolve/lanes/lane_kernels.hpp"
+#include "pliant/run/ensemble.hpp"
 
 namespace pliant::app {
 namespace {
@@ -39,22 +35,18 @@ H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std:
   return header;
 }
 
-/// What the walkers share. HDF5 as Debian builds it is for one thread at a time, so every use of a
-/// recorder holds `hdf5`.
+/// What the walkers share.
 struct Shared {
   const RunSettings& settings;
   const Molecule& molecule;
   const Log& log;
   ProgressBar& progress;
-  std::mutex hdf5 = {};
-  std::atomic<std::int64_t> next_walker{0}, steps_done{0};
-  std::int64_t group_size = 1;  ///< walkers that step together
-  std::exception_ptr failure = nullptr;
-  std::vector<RunSummary> summaries = {};
+  std::mutex showing = {};
+  std::int64_t steps_done = 0;  ///< under the mutex
 
-  /// Holds hdf5. Of the exception being handled; the first is told once all walkers have ended.
-  void keep_failure() {
-    if (!failure) failure = std::current_exception();
+  void add_steps(std::int64_t steps) {
+    const std::lock_guard hold(showing);
+    progress.show(steps_done += steps);
   }
 };
 
@@ -81,104 +73,41 @@ std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t w
                                       settings.record.overwrite, shared.molecule.framework, forces);
 }
 
-/// A walker with its outputs.
+/// The outputs of a walker.
 struct RecordedWalker {
-  std::int64_t number;
   H5mdRecorder recorder;
   std::optional<ForceRecorder> forces;
-  State state;
   std::int64_t last_step = 0;
 
-  /// Holds shared.hdf5.
   RecordedWalker(const Shared& shared, std::int64_t walker)
-      : number(walker),
-        recorder(output_of(shared.settings, walker), shared.molecule.framework,
+      : recorder(output_of(shared.settings, walker), shared.molecule.framework,
                  header_of(shared.settings, shared.molecule, walker), shared.settings.record),
-        forces(force_recorder(shared, walker)),
-        state(shared.molecule.structure.positions) {}
+        forces(force_recorder(shared, walker)) {}
 
-  WalkerRun run(Shared& shared) {
-    WalkerRun run{state, static_cast<std::uint64_t>(number)};
-    run.observers = {[this, &shared](const Frame& frame) { return record(shared, frame); }};
-    if (forces) run.on_push = [this](const Push& push) { forces->record(push); };
-    if (number == 0) run.log = shared.log;
-    return run;
-  }
-
-  /// A walker that cannot be recorded stops; the others go on.
   bool record(Shared& shared, const Frame& frame) {
-    const std::lock_guard hold(shared.hdf5);
-    try {
-      recorder.record(frame);
-    } catch (...) {
-      shared.keep_failure();
-      return true;
-    }
-    shared.progress.show(shared.steps_done += frame.step - last_step);
+    recorder.record(frame);
+    shared.add_steps(frame.step - last_step);
     last_step = frame.step;
     return interrupted();
   }
 
-  /// Holds shared.hdf5.
-  void close(Shared& shared) {
-    try {
-      recorder.close();
-      if (forces) forces->publish();
-    } catch (...) {
-      shared.keep_failure();
-    }
+  void close() {
+    recorder.close();
+    if (forces) forces->publish();
   }
 };
 
-/// Those of walkers [first, end) whose outputs can be made; throws if none can.
-std::deque<RecordedWalker> make_group(Shared& shared, std::int64_t first, std::int64_t end) {
-  std::deque<RecordedWalker> walkers;  // which stay where they are
-  const std::lock_guard hold(shared.hdf5);
-  for (std::int64_t walker = first; walker < end; ++walker) {
-    try {
-      walkers.emplace_back(shared, walker);
-    } catch (...) {
-      shared.keep_failure();
-    }
-  }
-  if (walkers.empty()) std::rethrow_exception(shared.failure);
-  if (first == 0) write_sidecar(shared);
-  return walkers;
-}
-
-/// Walkers [first, end) in step with each other.
-void run_group(Shared& shared, std::int64_t first, std::int64_t end) {
-  std::deque<RecordedWalker> walkers = make_group(shared, first, end);
-  std::vector<WalkerRun> runs;
-  for (RecordedWalker& walker : walkers) runs.push_back(walker.run(shared));
-  RunOptions options = shared.settings.run;
-  options.resolve.should_stop = interrupted;
-  const auto summaries = pliant::run_walkers(shared.molecule.framework, runs, options);
-  const std::lock_guard hold(shared.hdf5);
-  for (std::size_t k = 0; k < walkers.size(); ++k) {
-    shared.summaries[static_cast<std::size_t>(walkers[k].number)] = summaries[k];
-    walkers[k].close(shared);
-  }
-}
-
-void run_next_groups(Shared& shared) {
-  for (;;) {
-    const std::int64_t first = shared.next_walker.fetch_add(shared.group_size);
-    if (first >= shared.settings.walkers || interrupted()) return;
-    try {
-      run_group(shared, first, std::min(first + shared.group_size, shared.settings.walkers));
-    } catch (...) {
-      const std::lock_guard hold(shared.hdf5);
-      shared.keep_failure();
-      return;
-    }
-  }
-}
-
-/// As many as fit into the lanes, if that leaves no thread without.
-std::int64_t group_size(const RunSettings& settings) {
-  const std::int64_t share = (settings.walkers + settings.threads - 1) / settings.threads;
-  return std::clamp<std::int64_t>(share, 1, std::int64_t(lane_count));
+Watchers recorded(Shared& shared, std::int64_t walker) {
+  const auto outputs = std::make_shared<RecordedWalker>(shared, walker);
+  if (walker == shared.settings.first_walker) write_sidecar(shared);
+  Watchers watchers;
+  watchers.observers = {
+      [outputs, &shared](const Frame& frame) { return outputs->record(shared, frame); }};
+  if (outputs->forces)
+    watchers.on_push = [outputs](const Push& push) { outputs->forces->record(push); };
+  watchers.on_end = [outputs](const RunSummary&) { outputs->close(); };
+  if (walker == shared.settings.first_walker) watchers.log = shared.log;
+  return watchers;
 }
 
 }  // namespace
@@ -187,18 +116,14 @@ std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule&
                                     const Log& log) {
   ProgressBar progress(settings.walkers * settings.run.steps, "steps", settings.quiet);
   Shared shared{settings, molecule, log, progress};
-  shared.summaries.resize(static_cast<std::size_t>(settings.walkers));
-  shared.group_size = group_size(settings);
-  {
-    std::vector<std::jthread> threads;
-    for (std::int64_t i = 1; i < std::min(settings.threads, settings.walkers); ++i)
-      threads.emplace_back([&shared] { run_next_groups(shared); });
-    run_next_groups(shared);
-  }
-  if (shared.failure) std::rethrow_exception(shared.failure);
-  for (RunSummary& summary : shared.summaries)  // a walker that begins shows a frame
-    if (summary.frames == 0) summary.stopped_by_caller = true;
-  return std::move(shared.summaries);
+  const auto first = static_cast<std::uint64_t>(settings.first_walker);
+  EnsembleOptions options{settings.run,
+                          {first, first + static_cast<std::uint64_t>(settings.walkers)},
+                          static_cast<int>(settings.threads)};
+  options.run.resolve.should_stop = interrupted;
+  return run_ensemble(
+      molecule.framework, State(molecule.structure.positions), options,
+      [&](std::uint64_t walker) { return recorded(shared, static_cast<std::int64_t>(walker)); });
 }
 
 }  // namespace pliant::app

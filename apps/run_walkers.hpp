@@ -10,8 +10,8 @@
 namespace pliant::app {
 
 /// Runs all walkers over `settings.threads` threads, up to eight in step on each. What a walker
-/// does depends on the seed and its number alone. Throws what the first failing walker threw, after
-/// all have ended.
+/// does depends on the seed and its number alone. A walker that cannot be recorded stops; the
+/// others go on. Throws what the first failing walker threw, after all have ended.
 std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule& molecule,
                                     const Log& log);
 

@@ -20,6 +20,7 @@ import matplotlib.pyplot as plt
 from MDAnalysisTests import datafiles
 from matplotlib.collections import LineCollection
 from method_picture import make_method_picture
+from structure_picture import make_structure_picture
 from thesis_picture import make_thesis_picture
 
 HERE = Path(__file__).parent
@@ -246,12 +247,18 @@ def draw_methods():
     make_method_picture(HERE / "pictures" / "methods.png")
 
 
+def draw_structure():
+    """How data flows through the folders of the library."""
+    make_structure_picture(HERE / "pictures" / "structure.png")
+
+
 PICTURES = {
     "thesis": draw_thesis,
     "pliant": draw_pliant,
     "work_precision": draw_work_precision,
     "mechanisms": draw_mechanisms,
     "methods": draw_methods,
+    "structure": draw_structure,
 }
 
 

@@ -8,7 +8,7 @@ import numpy as np
 import pliant
 from matplotlib.collections import LineCollection
 from matplotlib.patches import Polygon
-from pliant.report.figures import style
+from pliant.analyse.figures import style
 from rdkit import Chem
 from rdkit.Chem import AllChem
 

@@ -5,15 +5,15 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from pliant.experiment.claims import CLAIMS
-from pliant.experiment.drawings import group_bars
-from pliant.experiment.laboratory import run_experiment
-from pliant.experiment.pool import usable_cores
-from pliant.experiment.settings import Settings
-from pliant.experiment.settled import settle
-from pliant.experiment.statistics import YARDSTICKS, Study
-from pliant.experiment.sweep import run_sweep
-from pliant.report.figures import style
+from pliant.lab.experiment.claims import CLAIMS
+from pliant.lab.experiment.drawings import group_bars
+from pliant.lab.experiment.laboratory import run_experiment
+from pliant.lab.experiment.pool import usable_cores
+from pliant.lab.experiment.settings import Settings
+from pliant.lab.experiment.settled import settle
+from pliant.lab.experiment.statistics import YARDSTICKS, Study
+from pliant.lab.experiment.sweep import run_sweep
+from pliant.analyse.figures import style
 
 SHOWN = ["random", "bfs_cycle", "bfs_reverse", "dfs_cycle", "dfs_reverse"]
 SHORT = {

@@ -3,6 +3,10 @@
 #include "pliant/run/run.hpp"
 
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/variant.h>
+
+#include <cctype>
 
 #include "arrays.hpp"
 #include "frame.hpp"
@@ -11,7 +15,7 @@
 #include "messages.hpp"
 #include "options.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
-#include "pliant/resolve/techniques.hpp"
+#include "pliant/run/run_fields.hpp"
 #include "pushes.hpp"
 
 namespace pliant::python {
@@ -65,22 +69,38 @@ OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state,
   return {summary, nb::borrow(state)};
 }
 
-/// An attribute of RunOptions that lies deeper in the library's struct.
-template <auto Outer, auto Inner>
-void def_nested(nb::class_<RunOptions>& options, const char* name, const char* doc) {
-  using Value = std::remove_cvref_t<decltype((std::declval<RunOptions&>().*Outer).*Inner)>;
-  options.def_prop_rw(
-      name, [](const RunOptions& self) { return (self.*Outer).*Inner; },
-      [](RunOptions& self, Value value) { (self.*Outer).*Inner = std::move(value); }, doc);
+const char* python_type(const RunPlace& place) {
+  constexpr const char* types[] = {"bool", "int", "int", "float", "str"};
+  return types[place.index()];
 }
 
-void bind_technique_options(nb::class_<RunOptions>& options) {
-  def_nested<&RunOptions::technique, &Technique::name>(options, "technique",
-                                                       "A name in ``techniques()``.");
-  def_nested<&RunOptions::technique, &Technique::weighting>(
-      options, "weighting", "Share of a correction that the far joint of a tree bar takes.");
-  def_nested<&RunOptions::technique, &Technique::mass_weighted>(
-      options, "mass_weighted", "Multiply shares by inverse masses.");
+/// "Sweeps after which a step is given up."
+std::string docstring(std::string_view summary) {
+  std::string text(summary);
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  return text + ".";
+}
+
+/// The attribute of one row of the table of options.
+void bind_field(nb::class_<RunOptions>& options, const RunField& field) {
+  RunOptions any;
+  const std::string name(field.name), type = python_type(field.place(any));
+  options.def_prop_rw(
+      name.c_str(),
+      [&field](RunOptions& self) {
+        return std::visit([](const auto* value) { return nb::cast(*value); }, field.place(self));
+      },
+      [&field](RunOptions& self, nb::handle value) {
+        std::visit(
+            [&](auto* place) { *place = nb::cast<std::remove_pointer_t<decltype(place)>>(value); },
+            field.place(self));
+      },
+      nb::for_getter(nb::sig(("def " + name + "(self) -> " + type).c_str())),
+      nb::for_setter(nb::sig(("def " + name + "(self, arg: " + type + ", /) -> None").c_str())),
+      docstring(field.summary).c_str());
+}
+
+void bind_ordering(nb::class_<RunOptions>& options) {
   options.def_prop_rw(
       "ordering",
       [](const RunOptions& self) -> nb::object {
@@ -95,30 +115,6 @@ void bind_technique_options(nb::class_<RunOptions>& options) {
                              "numpy.typing.NDArray[numpy.bool_]] | None")),
       nb::arg().none(),
       "What technique \"input\" visits in place of the bars' own order: (bar, near, is_tree).");
-  def_nested<&RunOptions::resolve, &ResolveOptions::max_sweeps>(
-      options, "max_sweeps", "Sweeps after which a step is given up.");
-  def_nested<&RunOptions::resolve, &ResolveOptions::seed>(options, "seed",
-                                                          "Of all random numbers.");
-  def_nested<&RunOptions::resolve, &ResolveOptions::walker>(
-      options, "walker", "Which of several independent runs this is.");
-  options.def_prop_rw(
-      "tolerance", [](const RunOptions& self) { return self.resolve.tolerance.relative; },
-      [](RunOptions& self, double value) { self.resolve.tolerance.relative = value; },
-      "Largest |length - rest| / rest of a whole bar.");
-  options.def_prop_rw(
-      "tolerance_length", [](const RunOptions& self) { return self.resolve.tolerance.length; },
-      [](RunOptions& self, double value) { self.resolve.tolerance.length = value; },
-      "Largest |length - rest| in Angstrom, in place of tolerance; 0: not used.");
-}
-
-void bind_perturb_options(nb::class_<RunOptions>& options) {
-  def_nested<&RunOptions::perturb_options, &PerturbOptions::force>(
-      options, "force", "Size of a random force, kJ/(mol Angstrom).");
-  def_nested<&RunOptions::perturb_options, &PerturbOptions::timestep>(options, "timestep", "ps.");
-  def_nested<&RunOptions::perturb_options, &PerturbOptions::damping>(
-      options, "damping", "Share of its velocity that a pushed joint loses a step, 0 to 1.");
-  def_nested<&RunOptions::perturb_options, &PerturbOptions::displacement>(
-      options, "displacement", "Length of a random displacement, Angstrom.");
 }
 
 void bind_replay(nb::class_<RunOptions>& options) {
@@ -133,12 +129,24 @@ void bind_options(nb::module_& module) {
   options.def(nb::init<>())
       .def(
           "check", [](const RunOptions& self) { check(self); },
-          "Raises OptionError naming the option, its value and its range.")
-      .def_rw("perturb", &RunOptions::perturb, "A name in ``perturbations()``.")
-      .def_rw("steps", &RunOptions::steps, "Steps to do.")
-      .def_rw("every", &RunOptions::every, "Show every so many steps, and step 0.");
-  bind_technique_options(options);
-  bind_perturb_options(options);
+          "Raises OptionError naming the option, its value and its range.");
+  for (const RunField& field : run_fields()) bind_field(options, field);
+  options.def_prop_rw(
+      "walker", [](const RunOptions& self) { return self.resolve.walker; },
+      [](RunOptions& self, std::uint64_t value) { self.resolve.walker = value; },
+      "Which of several independent runs this is.");
+  options.def(
+      "parameters",
+      [](const RunOptions& self, const Framework& framework) {
+        nb::dict values;
+        for (const auto& [path, value] : parameters_of(self, framework))
+          values[path.c_str()] = nb::cast(value);
+        return values;
+      },
+      "framework"_a,
+      nb::sig("def parameters(self, framework: Framework) -> dict[str, bool | int | float | str]"),
+      "Every option by its path below /parameters of a recorded file: \"run/max_sweeps\".");
+  bind_ordering(options);
   bind_replay(options);
 }
 

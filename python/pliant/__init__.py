@@ -6,7 +6,6 @@ Units everywhere: length Angstrom, time ps, mass u, force kJ/(mol Angstrom), ene
 
 from __future__ import annotations
 
-import importlib
 from typing import TYPE_CHECKING
 
 from pliant import _core
@@ -70,6 +69,7 @@ from pliant._core import (
     write_topology_pdb,
 )
 from pliant._late import import_after
+from pliant._moved import keep_old_names
 from pliant._run import run
 from pliant.adapters import (
     constraints_from_openmm,
@@ -80,8 +80,12 @@ from pliant.adapters import (
 )
 
 if TYPE_CHECKING:
-    from pliant.comparison import compare
-    from pliant.openmm_check import check
+    from pliant.analyse import analyse
+    from pliant.check import check
+    from pliant.compare import compare
+else:
+    # Packages that are called; what they need beside NumPy and h5py is imported when they are.
+    from pliant import analyse, check, compare
 
 __all__ = [
     "Error",
@@ -119,6 +123,7 @@ __all__ = [
     "TestSet",
     "WalkerResolver",
     "__version__",
+    "analyse",
     "check",
     "choose_technique",
     "compare",
@@ -158,20 +163,11 @@ __version__ = _core.version()
 for _name in __all__:
     if isinstance(getattr(_core, _name, None), type):
         getattr(_core, _name).__module__ = "pliant"
+        if _name.startswith("Test"):
+            getattr(_core, _name).__test__ = False  # pytest takes it for a class of tests
 del _name
 
 # MDAnalysis.Universe("out.h5md") has names and bonds wherever both are imported.
 import_after("MDAnalysis", "pliant.h5md_parser")
 
-# What needs OpenMM, MDAnalysis or matplotlib is imported when it is first asked for.
-_LATE = {"check": "pliant.openmm_check", "compare": "pliant.comparison"}
-
-
-def __getattr__(name: str) -> object:
-    if name not in _LATE:
-        raise AttributeError(f"module 'pliant' has no attribute '{name}'")
-    return getattr(importlib.import_module(_LATE[name]), name)
-
-
-def __dir__() -> list[str]:
-    return sorted({*globals(), *_LATE})
+keep_old_names()

@@ -16,7 +16,7 @@ from pliant import _core
 Observer = Callable[[_core.Frame], object]
 
 #: A force on a joint during one step: joint, (x, y, z) in kJ/(mol Angstrom).
-Push = tuple[int, tuple[float, float, float]]
+JointForce = tuple[int, tuple[float, float, float]]
 
 #: Bars in the sequence of a sweep: (bar, near, is_tree), each (B,), as `order` gives them.
 Ordering = tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
@@ -44,7 +44,7 @@ def run(
     timestep: float = 0.01,
     damping: float = 0.0,
     displacement: float = 0.1,
-    replay: Sequence[Push] | None = None,
+    replay: Sequence[JointForce] | None = None,
     record_forces: str | os.PathLike[str] | None = None,
     seed: int = 0,
     walker: int = 0,
@@ -207,26 +207,8 @@ def _force_recorder(
     return _core.ForceRecorder(path, framework, options, overwrite)
 
 
-#: Options of a run that are recorded, as `pliant run` records them.
-_RECORDED = (
-    "technique",
-    "weighting",
-    "mass_weighted",
-    "tolerance",
-    "tolerance_length",
-    "max_sweeps",
-    "steps",
-    "every",
-    "perturb",
-    "force",
-    "timestep",
-    "damping",
-    "displacement",
-)
-
-
 def _options(
-    replay: Sequence[Push] | None, ordering: Ordering | None, **values: Value
+    replay: Sequence[JointForce] | None, ordering: Ordering | None, **values: Value
 ) -> _core.RunOptions:
     options = _core.RunOptions()
     options.ordering = ordering
@@ -262,12 +244,4 @@ def _parameters(
     values: dict[str, Value] = {"record/single": single, "record/compress": compress}
     if structure is not None and structure.source:
         values |= {"input/file": Path(structure.source).name, "input/model": structure.model}
-    values |= {f"run/{name}": getattr(options, name) for name in _RECORDED}
-    values["run/technique_used"] = options.technique
-    if options.technique == "auto":
-        values["run/technique_used"] = _core.choose_technique(framework)[0]
-    values["run/seed"] = str(options.seed)  # 64 bits without sign do not fit an HDF5 integer
-    values["run/walker"] = options.walker
-    if options.replay:
-        values["run/perturb"] = "replay"
-    return values
+    return values | options.parameters(framework)

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import argparse
 import contextlib
+import importlib.util
 import json
 import math
 import os
@@ -15,7 +16,8 @@ from typing import Any, NoReturn, TextIO
 
 import numpy as np
 
-from pliant import Error, OptionError
+from pliant._core import Error, OptionError
+from pliant._extras import MissingPackageError, needed_by
 
 EXIT_OK = 0
 EXIT_FAILED = 1  #: bad input, a file that cannot be read or written, a check that failed
@@ -66,13 +68,31 @@ def positive_number(text: str) -> float:
     return value
 
 
-def run_command(command: str, work: Callable[[], int]) -> int:
-    """Calls `work` and returns its exit code; what the user did wrong becomes one line and 1."""
+def positive_numbers(text: str) -> tuple[float, ...]:
+    """For ``type=``: numbers above 0 between commas."""
     try:
-        code = work()
+        return tuple(positive_number(word) for word in text.split(","))
+    except argparse.ArgumentTypeError:
+        wanted = "numbers above 0 between commas"
+        raise argparse.ArgumentTypeError(f"expected {wanted}, found '{text}'") from None
+
+
+def words(text: str) -> tuple[str, ...]:
+    """For ``type=``: words between commas."""
+    return tuple(word for word in text.split(",") if word)
+
+
+def run_command(command: str, work: Callable[[], int]) -> int:
+    """Calls `work` and returns its exit code; what the user did wrong becomes one line and 1.
+
+    So does a package that is not installed, with 2: the line says how to install it.
+    """
+    try:
+        with needed_by("this command"):
+            code = work()
         sys.stdout.flush()
         return code
-    except OptionError as error:
+    except (OptionError, MissingPackageError) as error:
         print(f"pliant {command}: error: {error}", file=sys.stderr)
         return EXIT_USAGE
     except (Error, OSError) as error:
@@ -116,9 +136,9 @@ class Table:
     text_columns: Sequence[int] = (0,)  #: columns that are left-aligned
 
     def print(self, to: TextIO | None = None) -> None:
-        """Prints with `rich` on a terminal, as plain aligned text elsewhere."""
+        """Prints with `rich`, if installed, on a terminal, as plain aligned text elsewhere."""
         to = to or sys.stdout
-        if to.isatty():
+        if to.isatty() and importlib.util.find_spec("rich"):
             self._print_rich(to)
         else:
             self._print_plain(to)

@@ -11,10 +11,14 @@ from typing import TYPE_CHECKING
 
 import h5py
 import numpy as np
-from MDAnalysis.core import topologyattrs as attributes
-from MDAnalysis.core.topology import Topology
-from MDAnalysis.topology.base import TopologyReaderBase
-from MDAnalysis.topology.MinimalParser import MinimalParser
+
+from pliant._extras import needed_by
+
+with needed_by("pliant.h5md_parser"):
+    from MDAnalysis.core import topologyattrs as attributes
+    from MDAnalysis.core.topology import Topology
+    from MDAnalysis.topology.base import TopologyReaderBase
+    from MDAnalysis.topology.MinimalParser import MinimalParser
 
 if TYPE_CHECKING:
     import numpy.typing as npt
@@ -24,7 +28,7 @@ _TOPOLOGY = "parameters/topology"
 _TRAJECTORY = "particles/trajectory"
 
 
-class H5MDParser(TopologyReaderBase):
+class H5MDParser(TopologyReaderBase):  # type: ignore[misc]  # MDAnalysis has no types
     """Read the topology of an H5MD file.
 
     A file with our atom table gives names, elements (as types, too), masses, serials (`ids`),
@@ -60,7 +64,7 @@ def _particle_count(file: h5py.File) -> int | None:
         for name in ("position", "velocity", "force"):
             value = group.get(f"{name}/value")
             if isinstance(value, h5py.Dataset) and value.ndim == 3:
-                return value.shape[1]
+                return int(value.shape[1])
     return None
 
 
@@ -157,4 +161,4 @@ def _bonds(file: h5py.File, count: int) -> list[attributes.Bonds]:
 
 def _guessed(origins: h5py.Dataset) -> list[bool]:
     names = h5py.check_enum_dtype(origins.dtype) or {}
-    return (origins[()] == names.get("distance", -1)).tolist()
+    return [bool(origin == names.get("distance", -1)) for origin in origins[()]]

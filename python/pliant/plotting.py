@@ -7,11 +7,16 @@ import contextlib
 import os
 import textwrap
 from collections.abc import Iterator
+from typing import Any
 
-import matplotlib as mpl
 import numpy as np
-from matplotlib.backends.backend_agg import FigureCanvasAgg
-from matplotlib.figure import Figure
+
+from pliant._extras import needed_by
+
+with needed_by("pliant.plotting"):
+    import matplotlib as mpl
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
 
 # Okabe and Ito, "Color universal design" (2008): told apart by colour-blind readers too.
 BLUE, VERMILION, GREEN = "#0072B2", "#D55E00", "#009E73"
@@ -21,7 +26,7 @@ DASHED = (0, (4, 2))
 DPI = 150
 PANEL = (5.4, 3.6)  #: inches
 
-_STYLE = {
+_STYLE: dict[Any, Any] = {
     "font.size": 9.5,
     "axes.titlesize": 10,
     "axes.titleweight": "bold",
@@ -50,7 +55,7 @@ def figure(
         yield plot, plot.subplots(rows, columns, squeeze=False)
 
 
-def save(plot: Figure, path: str | os.PathLike) -> None:
+def save(plot: Figure, path: str | os.PathLike[str]) -> None:
     """Writes a PNG; makes the folder if it is missing."""
     folder = os.path.dirname(os.fspath(path))
     if folder:

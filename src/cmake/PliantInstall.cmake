@@ -1,17 +1,33 @@
 # SPDX-License-Identifier: MIT
-# Installs the library, its public headers and the package that find_package(pliant) reads.
+# Installs the libraries, the headers that pliant.hpp names, the licence, and what finds them:
+# find_package(pliant) and pkg-config.
 include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pliant)
 
-install(TARGETS pliant EXPORT pliantTargets COMPONENT library
+install(TARGETS pliant pliant_core pliant_files pliant_record
+        EXPORT pliantTargets COMPONENT library
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
         LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR})
-# A header that only our own sources may include (it needs another library) ends in _internal.hpp.
-install(DIRECTORY ${PROJECT_SOURCE_DIR}/src/pliant DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}
-        COMPONENT library
-        FILES_MATCHING PATTERN "*.hpp" PATTERN "*_internal.hpp" EXCLUDE)
 install(EXPORT pliantTargets NAMESPACE pliant:: DESTINATION ${package_folder} COMPONENT library)
+
+# The table of contents is what users may include; whatever else lies beside a source is ours.
+set(contents ${PROJECT_SOURCE_DIR}/src/pliant/pliant.hpp)
+set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${contents})
+file(STRINGS ${contents} lines REGEX "^#include \"pliant/")
+set(public_headers pliant/pliant.hpp)
+foreach(line IN LISTS lines)
+  string(REGEX REPLACE "^#include \"([^\"]+)\".*" "\\1" header "${line}")
+  list(APPEND public_headers ${header})
+endforeach()
+foreach(header IN LISTS public_headers)
+  get_filename_component(folder ${header} DIRECTORY)
+  install(FILES ${PROJECT_SOURCE_DIR}/src/${header}
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} COMPONENT library)
+endforeach()
+
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
+        DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/pliant COMPONENT library)
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pliantConfig.cmake.in
   ${PROJECT_BINARY_DIR}/pliantConfig.cmake INSTALL_DESTINATION ${package_folder})
@@ -22,6 +38,13 @@ install(FILES
   ${PROJECT_BINARY_DIR}/pliantConfigVersion.cmake
   ${CMAKE_CURRENT_LIST_DIR}/PliantDependencies.cmake
   DESTINATION ${package_folder} COMPONENT library)
+
+foreach(package pliant pliant-core)
+  configure_file(${CMAKE_CURRENT_LIST_DIR}/${package}.pc.in
+    ${PROJECT_BINARY_DIR}/${package}.pc @ONLY)
+  install(FILES ${PROJECT_BINARY_DIR}/${package}.pc
+          DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT library)
+endforeach()
 
 if(TARGET pliant_command)
   install(TARGETS pliant_command COMPONENT command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})

@@ -38,8 +38,19 @@ set(CMAKE_POSITION_INDEPENDENT_CODE ON)
 set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
 find_program(CCACHE_PROGRAM ccache)
 if(CCACHE_PROGRAM AND PROJECT_IS_TOP_LEVEL)
-  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+  # It takes what a file includes from the compiler (-MD), not from a run of the preprocessor: that
+  # is quicker, and it needs no other flag for precompiled headers.
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CMAKE_COMMAND} -E env
+    CCACHE_DEPEND=1 CCACHE_SLOPPINESS=pch_defines,time_macros,include_file_ctime,include_file_mtime
+    ${CCACHE_PROGRAM})
 endif()
+
+# Read once a target, not once a file: half of the time to compile a file goes into these. A file
+# includes what it uses all the same; the preset asan-ubsan, which reads each by itself, shows it.
+set(PLIANT_COMMON_HEADERS
+  <algorithm> <array> <charconv> <cmath> <cstdint> <functional> <limits> <map> <memory>
+  <numbers> <numeric> <optional> <set> <span> <string> <string_view> <unordered_map> <utility>
+  <vector>)
 
 # For targets that are called, not waited for: their own code is not worth the time that -O3 takes
 # to compile it. The library is always optimized whole.

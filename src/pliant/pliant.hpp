@@ -3,12 +3,19 @@
 #pragma once
 
 // base: vectors, errors, messages, random numbers
-#include "pliant/base/choices.hpp"   // tables of named things
-#include "pliant/base/elements.hpp"  // symbols, masses, radii
-#include "pliant/base/error.hpp"     // Error, InputError, OptionError, FileError
-#include "pliant/base/log.hpp"       // notes and warnings, through a callback
-#include "pliant/base/random.hpp"    // draws as functions of (seed, domain, walker, step, joint)
-#include "pliant/base/vec3.hpp"      // Vec3
+#include "pliant/base/choices.hpp"    // tables of named things
+#include "pliant/base/elements.hpp"   // symbols, masses, radii
+#include "pliant/base/error.hpp"      // Error, InputError, OptionError, FileError
+#include "pliant/base/log.hpp"        // notes and warnings, through a callback
+#include "pliant/base/parameter.hpp"  // values of options in files
+#include "pliant/base/random.hpp"     // draws as functions of (seed, domain, walker, step, joint)
+#include "pliant/base/range.hpp"      // what an option may be
+#include "pliant/base/vec3.hpp"       // Vec3
+#include "pliant/base/version.hpp"    // of this library
+
+// text: files
+#include "pliant/text/file_text.hpp"    // the text of a file, gzip undone
+#include "pliant/text/output_file.hpp"  // files that are there whole or not at all
 
 // molecule: files to structures, structures to frameworks
 #include "pliant/molecule/bonds/bonds.hpp"          // bond perception
@@ -19,6 +26,7 @@
 // framework: joints, bars and what is known of them
 #include "pliant/framework/atom_table.hpp"       // names of joints
 #include "pliant/framework/check_positions.hpp"  // can these positions carry the framework?
+#include "pliant/framework/disturbed.hpp"        // what a resolve has to look at
 #include "pliant/framework/feasibility.hpp"      // bars that cannot hold together
 #include "pliant/framework/frame.hpp"            // what a step shows
 #include "pliant/framework/framework.hpp"        // Framework, State
@@ -26,25 +34,32 @@
 #include "pliant/framework/joint_names.hpp"      // how text files speak of joints
 #include "pliant/framework/residual.hpp"         // length errors and tolerances
 
+// examples: frameworks of which everything is known
+#include "pliant/examples/examples.hpp"  // the table of them
+
 // generate: random frameworks
 #include "pliant/generate/fundamental_cycles.hpp"  // one cycle for each non-tree bar
 #include "pliant/generate/random_graphs.hpp"       // trees, 1-, 2- and n-cycles
 
 // order, resolve: the techniques
-#include "pliant/order/check_ordering.hpp"        // validator
-#include "pliant/order/ordering.hpp"              // the table of orderings
-#include "pliant/order/ordering_file.hpp"         // an ordering stated bar by bar
-#include "pliant/order/traversal.hpp"             // breadth first, depth first
-#include "pliant/resolve/automatic.hpp"           // what auto chooses
-#include "pliant/resolve/method/project_bar.hpp"  // the kernel
-#include "pliant/resolve/resolve.hpp"             // sweeps until whole
-#include "pliant/resolve/techniques.hpp"          // ordering + weighting
-#include "pliant/resolve/walkers.hpp"             // many copies at once
+#include "pliant/order/check_ordering.hpp"            // validator
+#include "pliant/order/ordering.hpp"                  // the table of orderings
+#include "pliant/order/ordering_file.hpp"             // an ordering stated bar by bar
+#include "pliant/order/traversal.hpp"                 // breadth first, depth first
+#include "pliant/resolve/automatic.hpp"               // what auto chooses
+#include "pliant/resolve/method/project_bar.hpp"      // the kernel
+#include "pliant/resolve/method/resolve_options.hpp"  // tolerance, limit of sweeps
+#include "pliant/resolve/method/resolve_summary.hpp"  // what a resolve did
+#include "pliant/resolve/method/technique.hpp"        // ordering + weighting
+#include "pliant/resolve/resolve.hpp"                 // sweeps until whole
+#include "pliant/resolve/techniques.hpp"              // the table of them
+#include "pliant/resolve/walkers.hpp"                 // many copies at once
 
 // perturb, run: the loop
 #include "pliant/perturb/force_file.hpp"    // pushes to replay
 #include "pliant/perturb/perturbation.hpp"  // the table of perturbations
 #include "pliant/run/run.hpp"               // perturb, resolve, show
+#include "pliant/run/run_fields.hpp"        // the table of its options
 
 // record: trajectories and graphs
 #include "pliant/record/h5md/h5md_reader.hpp"     // frames of any H5MD file

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""A run is the same bits however the command was compiled: optimized or not at all."""
+"""A run is the same bits however the command was compiled: optimized or not at all.
+
+The tests of every change hold the part that steps a framework on to this, in tests/same_bits.
+"""
 
 import os
 import subprocess
@@ -19,6 +22,7 @@ SETTINGS = [
     ["--technique", "bfs_random", "--perturb", "force_all", "--mass-weighted"],
     ["--bars", "angles", "--tolerance", "1e-3", "--max-sweeps", "500"],
 ]
+MOLECULES = ["caffeine", "cyclohexane_chair", "peptide_20"]
 
 
 def datasets(path: Path) -> dict[str, np.ndarray]:
@@ -48,9 +52,10 @@ def run(command: Path, folder: Path, molecule: Path, settings: list[str]) -> dic
     return datasets(folder / "out.h5md")
 
 
-@pytest.mark.skipif(not PLAIN.exists(), reason="./dev test builds build/debug")
+@pytest.mark.long
+@pytest.mark.skipif(not PLAIN.exists(), reason="./dev test --all builds build/debug")
 @pytest.mark.parametrize("settings", SETTINGS, ids=" ".join)
-@pytest.mark.parametrize("name", ["caffeine", "cyclohexane_chair", "peptide_20"])
+@pytest.mark.parametrize("name", MOLECULES)
 def test_debug_and_release_builds_write_the_same_bits(name, settings, tmp_path):
     (molecule,) = (ROOT / "data/molecules").glob(f"{name}.*")
     results = []

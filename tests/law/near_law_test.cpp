@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Laws of Resolver::resolve_near: after a push of one joint where all was whole it does what
-// resolve does, to the tolerance, without touching what the push does not reach.
+// Laws of resolving what few joints disturbed: after a push where all was whole it does what a
+// resolve of all does, to the tolerance, without touching what the push does not reach.
+#include <algorithm>
 #include <cmath>
 
 #include "law/technique_cases.hpp"
@@ -56,6 +57,57 @@ TEST_P(NearLaw, GivesTheSameBitsAgainAndKeepsNothingFromCallToCall) {
   });
 }
 
+/// Some joints that may be pushed, spread over the framework; those of a bar and of a ring too.
+std::vector<Joint> some_free_joints(const Framework& framework, std::size_t stride) {
+  std::vector<Joint> joints;
+  for (std::size_t k = 0; k < framework.joint_count() && joints.size() < 5; k += stride)
+    if (!framework.is_pinned(static_cast<Joint>(k))) joints.push_back(static_cast<Joint>(k));
+  return joints;
+}
+
+std::vector<Vec3> pushed(const Example& example, std::span<const Joint> joints) {
+  std::vector<Vec3> x = example.positions;
+  for (Joint joint : joints)
+    x[joint] += test::small_break(example.framework) *
+                RandomSequence({3, Domain::force, 0, 0, joint}).direction();
+  return x;
+}
+
+TEST_P(NearLaw, SeveralDisturbedJointsLeaveNoBrokenBarUnseen) {
+  each_case([&](const Example& example, const Technique& technique) {
+    if (!example.facts.whole) return;
+    Resolver resolver(example.framework, technique, {{1e-8}, 300});
+    for (std::size_t stride : {1, 3, 7}) {
+      const std::vector<Joint> joints = some_free_joints(example.framework, stride);
+      if (joints.empty()) continue;
+      const std::vector<Vec3> before = pushed(example, joints);
+      std::vector<Vec3> x = before;
+      const ResolveSummary summary = resolver.resolve(x, {joints.back(), false, joints}, 5);
+      const ResidualSummary all = measure(example.framework, x, {1e-8});
+      EXPECT_EQ(summary.converged(), all.within) << "every " << stride;
+      ASSERT_TRUE(test::all_finite(x));
+      if (!resolver.moved()) continue;
+      EXPECT_DOUBLE_EQ(std::max(summary.max_residual, 1e-8), std::max(all.max_relative, 1e-8));
+      for (Joint joint = 0; joint < x.size(); ++joint)
+        EXPECT_TRUE(x[joint] == before[joint] || holds(*resolver.moved(), joint)) << joint;
+    }
+  });
+}
+
+TEST_P(NearLaw, OneDisturbedJointIsResolvedAsByResolveNear) {
+  each_example([&](const Example& example) {
+    std::vector<Joint> joint = some_free_joints(example.framework, 2);
+    if (!example.facts.whole || joint.empty()) return;
+    joint.resize(1);
+    std::vector<Vec3> x = pushed(example, joint), y = x;
+    Resolver resolver(example.framework, plain(), {{1e-8}, 300});
+    const ResolveSummary a = resolver.resolve(x, {joint[0], false, joint}, 7);
+    const ResolveSummary b = resolver.resolve_near(y, joint[0], 7);
+    EXPECT_TRUE(test::same_bits(x, y));
+    EXPECT_EQ(a.projections, b.projections);
+  });
+}
+
 PLIANT_FOR_ALL_TECHNIQUES(NearLaw);
 
 TEST(Near, LooksAtNoMoreBarsInALargerFramework) {
@@ -71,6 +123,55 @@ TEST(Near, LooksAtNoMoreBarsInALargerFramework) {
     EXPECT_EQ(looked[0], looked[1]) << name;
     EXPECT_LT(looked[0], 2000) << name;
   }
+}
+
+/// Pushes far from each other, and two that meet: nothing beyond their reach is touched.
+TEST(Near, SeveralPushesCostAsMuchAsEachAlone) {
+  const Sketch sketch = shaken(chain(20'000), 0.2);
+  const Framework framework = framework_of(sketch);
+  const std::vector<Joint> joints = {4000, 12'000, 12'001, 12'004};
+  for (const char* name : {"bfs_local", "blocks", "auto"}) {
+    std::vector<Vec3> x = sketch.positions;
+    for (Joint joint : joints) x[joint] += {0.02, 0.03, -0.05};
+    Resolver resolver(framework, {name, 0.5});
+    const ResolveSummary summary = resolver.resolve(x, {joints[0], false, joints});
+    EXPECT_TRUE(summary.converged()) << name;
+    EXPECT_LT(summary.projections, 20'000) << name;
+    EXPECT_TRUE(is_whole(framework, x, {})) << name;
+    for (Joint joint : {0, 2000, 8000, 16'000, 19'999})
+      EXPECT_TRUE(x[joint] == sketch.positions[joint]) << name << " " << joint;
+  }
+}
+
+/// The far one is broken too, and lies behind bars that are whole.
+TEST(Near, LooksAtJointsThatNoBrokenBarLeadsTo) {
+  const Sketch sketch = ring(30);
+  const Framework framework = framework_of(sketch);
+  const std::vector<Joint> joints = {0, 15};
+  for (const TechniqueEntry& row : techniques()) {
+    if (row.forests_only) continue;
+    std::vector<Vec3> x = sketch.positions;
+    x[15] += {0.01, 0.02, 0.01};  // the root itself has not moved
+    Resolver resolver(framework, {std::string(row.name), 0.5});
+    EXPECT_TRUE(resolver.resolve(x, {0, false, joints}).converged()) << row.name;
+    EXPECT_TRUE(is_whole(framework, x, {})) << row.name;
+  }
+}
+
+/// Joints in one place are more than a block alone can part: all bars are looked at after all.
+TEST(Near, WhatANearPassCannotResolveIsResolvedFromTheStart) {
+  const Sketch sketch = ring(30);
+  const Framework framework = framework_of(sketch);
+  std::vector<Vec3> near = sketch.positions;
+  near[3] = near[2];
+  std::vector<Vec3> all = near;
+  const std::vector<Joint> joints = {0, 3};
+  Resolver resolver(framework, {"blocks"});
+  const ResolveSummary summary = resolver.resolve(near, {0, false, joints});
+  EXPECT_FALSE(resolver.moved());
+  EXPECT_EQ(summary.projections, resolver.resolve(all, 0).projections);
+  EXPECT_TRUE(test::same_bits(near, all));
+  EXPECT_TRUE(summary.converged());
 }
 
 /// Bars that are whole are left alone here and polished there: the answers agree to the tolerance.
@@ -94,6 +195,10 @@ TEST(Near, OverflowPutsThePositionsBack) {
     x[20].y = 1e200;
     const std::vector<Vec3> before = x;
     EXPECT_EQ(Resolver(framework, {name, 0.5}).resolve_near(x, 20).stop, Stop::not_finite);
+    EXPECT_TRUE(test::same_bits(x, before)) << name;
+    const std::vector<Joint> joints = {10, 20, 21};
+    Resolver resolver(framework, {name, 0.5});
+    EXPECT_EQ(resolver.resolve(x, {10, false, joints}).stop, Stop::not_finite);
     EXPECT_TRUE(test::same_bits(x, before)) << name;
   }
 }

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "law/technique_cases.hpp"
+#include "support/rigidity.hpp"
 #include "pliant/framework/residual.hpp"
 
 namespace pliant {

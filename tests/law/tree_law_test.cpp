@@ -88,7 +88,7 @@ TEST_P(TreeLaw, AnyTreeAnyForceExactlyOneSweep) {
     State state(sketch.positions);
     for (int step = 0; step < 2; ++step) {
       const JointForce force = random_push(static_cast<Joint>(draws.below(count)), push, draws);
-      apply_forces({framework, push}, {&force, 1}, state);
+      apply_forces(framework, push, {&force, 1}, state);
       const bool broken = !measure(framework, state.positions).within;
       const ResolveSummary summary =
           resolve(framework, {GetParam(), 1.0}, state.positions, {}, force.joint);

@@ -93,6 +93,22 @@ def test_every_folder_is_in_the_table():
     assert folders <= set(MAY_INCLUDE)
 
 
+def rows_of_page(columns: int) -> Iterator[list[str]]:
+    """The cells of the tables of the page on structure that have so many columns."""
+    for line in (LIBRARY / "README.md").read_text().splitlines():
+        cells = [cell.strip() for cell in line.strip("|").split("|")]
+        if line.startswith("| `") and len(cells) == columns:
+            yield cells
+
+
+def test_the_page_on_structure_tells_the_same():
+    folders = {row[0].strip("`"): row[3] for row in rows_of_page(4)}
+    told = {name: ", ".join(needs) or "nothing of ours" for name, needs in MAY_INCLUDE.items()}
+    assert folders == told
+    wings = {row[0].strip("`"): row[1] for row in rows_of_page(2)}
+    assert {name: ", ".join(row) for name, row in WINGS.items()} == wings
+
+
 def test_every_wing_is_in_the_table():
     wings = {(path.parent.name, path.name) for path in LIBRARY.glob("*/*") if path.is_dir()}
     assert wings == {(folder, wing) for folder, row in WINGS.items() for wing in row}
@@ -233,6 +249,7 @@ def compile_alone(header: Path) -> str:
     return result.stderr and f"{name}:\n{result.stderr}"
 
 
+@pytest.mark.long
 @pytest.mark.skipif(not shutil.which("g++"), reason="g++ is not installed")
 def test_headers_compile_alone():
     with ThreadPoolExecutor(max_workers=2) as pool:

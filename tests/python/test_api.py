@@ -59,7 +59,9 @@ def lines_of(node):
 
 
 def python_functions():
-    functions = [getattr(pliant, name) for name in pliant.__all__]
+    """The functions written in Python; those that are packages, too, by way of these."""
+    found = [getattr(pliant, name) for name in pliant.__all__]
+    functions = [getattr(x, x.__name__[7:]) if inspect.ismodule(x) else x for x in found]
     return [function for function in functions if inspect.isfunction(function)]
 
 

@@ -6,8 +6,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy.optimize
-from pliant.peers import measure
-from pliant.peers.child import Job, run_jobs
+from pliant.lab.peers import measure
+from pliant.lab.peers.child import Job, run_jobs
 
 import pliant
 

@@ -104,3 +104,8 @@ def test_forces_need_a_joint_that_is_free():
         pliant.make_force_file(pinned)
     with pytest.raises(pliant.OptionError, match="max_sweeps = 0: must be from 1"):
         pliant.make_force_file(FIGURE.framework, max_sweeps=0)
+
+
+def test_the_weightings_of_the_thesis_are_those_of_a_test_set():
+    default = re.search(r"weightings: .*? = (\[[^]]*\])", pliant.write_test_set.__doc__)
+    assert tuple(json.loads(default[1])) == WEIGHTINGS

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What tests do with frameworks: variants of one, measures of positions, facts by brute force.
+// What tests do with frameworks: variants of one, measures of positions.
 #pragma once
 
 #include <cstdint>
@@ -38,13 +38,5 @@ bool same_bits(std::span<const Vec3> a, std::span<const Vec3> b);
 
 /// FNV-1a over the bytes of the coordinates, lowest byte first whatever the machine.
 std::uint64_t hash_of(std::span<const Vec3> positions, std::uint64_t hash = 0xcbf29ce484222325u);
-
-/// Rank of the rigidity matrix (rows of unit bar directions), by singular values above 1e-9.
-std::size_t rigidity_rank(const Framework& framework, std::span<const Vec3> positions);
-/// The least singular value of the rigidity matrix: 0 when bars depend on each other, 1 if there
-/// are none.
-double least_singular_value(const Framework& framework, std::span<const Vec3> positions);
-/// Dimension of the span of translations and rotations of the joints.
-std::size_t rigid_motions(std::span<const Vec3> positions);
 
 }  // namespace pliant::test

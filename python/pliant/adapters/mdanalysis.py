@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import warnings
 from collections.abc import Callable
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 import numpy.typing as npt
 
 from pliant._core import Framework, InputError, PliantWarning, Structure
+from pliant._extras import need
 
 if TYPE_CHECKING:
     import MDAnalysis
@@ -37,6 +38,7 @@ def from_mdanalysis(
     PliantWarning
         The universe has no elements: they are guessed from names, as MDAnalysis does.
     """
+    need("pliant.from_mdanalysis", "MDAnalysis")
     group = atoms.atoms
     bonds, orders = _bonds_within(group)
     structure = Structure(
@@ -68,6 +70,11 @@ def to_mdanalysis(
         One frame or several, kept in memory. Default: the structure's own.
     timestep : float
         Time between frames in ps.
+
+    Raises
+    ------
+    ImportError
+        MDAnalysis is not installed; the message says how to.
     """
     if positions is None:
         if isinstance(source, Framework):
@@ -75,6 +82,7 @@ def to_mdanalysis(
         positions = source.positions
     count = len(source) if isinstance(source, Structure) else source.joint_count
     frames = _frames(positions, count)
+    need("pliant.to_mdanalysis", "MDAnalysis")
     universe = (
         _universe_of_structure(source)
         if isinstance(source, Structure)
@@ -118,8 +126,8 @@ def _guesser() -> Callable[[str], str]:
     except ImportError:  # before 2.8
         from MDAnalysis.topology.guessers import guess_atom_element
 
-        return guess_atom_element
-    return DefaultGuesser(None).guess_atom_element
+        return cast("Callable[[str], str]", guess_atom_element)
+    return cast("Callable[[str], str]", DefaultGuesser(None).guess_atom_element)
 
 
 def _bonds_within(group: Any) -> tuple[npt.NDArray[np.int64] | None, list[int] | None]:
@@ -148,7 +156,7 @@ def _order(order: object) -> int:
 
 
 def _frames(positions: npt.ArrayLike, count: int) -> npt.NDArray[np.float64]:
-    frames = np.asarray(positions, dtype=np.float64)
+    frames = np.array(positions, dtype=np.float64)
     if frames.ndim == 2:
         frames = frames[np.newaxis]
     if frames.ndim != 3 or frames.shape[1:] != (count, 3):
@@ -156,7 +164,7 @@ def _frames(positions: npt.ArrayLike, count: int) -> npt.NDArray[np.float64]:
             f"positions: expected shape ({count}, 3) or (F, {count}, 3), "
             f"found {np.shape(positions)}"
         )
-    return frames.copy()
+    return frames
 
 
 def _universe_of_framework(framework: Framework) -> MDAnalysis.Universe:

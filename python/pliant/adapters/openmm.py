@@ -10,6 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant._core import Framework, PliantWarning, Structure
+from pliant._extras import need
 
 if TYPE_CHECKING:
     import openmm
@@ -37,6 +38,7 @@ def from_openmm(
     PliantWarning
         A residue's id is no number: residues are numbered from 1 in its place.
     """
+    need("pliant.from_openmm", "openmm")
     atoms = list(topology.atoms())
     bonds = list(topology.bonds())
     structure = Structure(
@@ -67,6 +69,7 @@ def constraints_from_openmm(system: openmm.System, structure: Structure | None =
     structure : Structure, optional
         Whose atoms the particles are, for names in messages and files.
     """
+    need("pliant.constraints_from_openmm", "openmm")
     from openmm import unit
 
     count = system.getNumParticles()

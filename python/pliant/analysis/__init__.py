@@ -11,15 +11,18 @@ Each class takes atoms of an ``MDAnalysis.Universe``, runs in this process or, w
 Units are MDAnalysis': Angstrom, ps, u, degrees. A frame means a recorded frame, from 0.
 """
 
-from pliant.analysis.gyration import RadiusOfGyration
-from pliant.analysis.pca import PrincipalComponents
-from pliant.analysis.record import RunRecord, read_record
-from pliant.analysis.residuals import BarResiduals, bar_residuals
-from pliant.analysis.rmsd import RmsdToStart
-from pliant.analysis.rmsf import Rmsf
-from pliant.analysis.rotatable import Torsion, rotatable_torsions
-from pliant.analysis.superposition import Superposition
-from pliant.analysis.torsions import TorsionDistributions
+from pliant._extras import needed_by
+
+with needed_by("pliant.analysis"):
+    from pliant.analysis.gyration import RadiusOfGyration
+    from pliant.analysis.pca import PrincipalComponents
+    from pliant.analysis.record import RunRecord, read_record
+    from pliant.analysis.residuals import BarResiduals, bar_residuals
+    from pliant.analysis.rmsd import RmsdToStart
+    from pliant.analysis.rmsf import Rmsf
+    from pliant.analysis.rotatable import Torsion, rotatable_torsions
+    from pliant.analysis.superposition import Superposition
+    from pliant.analysis.torsions import TorsionDistributions
 
 __all__ = [
     "BarResiduals",

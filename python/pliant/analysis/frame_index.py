@@ -3,11 +3,15 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from pliant.analysis.frames import FrameAnalysis, joined
+from pliant.analysis.frames import FrameAnalysis, Merge, joined
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
 
 
 class FrameIndex(FrameAnalysis):
@@ -29,17 +33,17 @@ class FrameIndex(FrameAnalysis):
         ps.
     """
 
-    _merge: ClassVar = {"finite": joined, "step": joined}
+    _merge: ClassVar[Mapping[str, Merge]] = {"finite": joined, "step": joined}
 
-    def __init__(self, atomgroup, **kwargs):
+    def __init__(self, atomgroup: AtomGroup, **kwargs: Any) -> None:
         super().__init__(atomgroup.universe.trajectory, **kwargs)
         self._atoms = atomgroup
 
-    def _prepare(self):
+    def _prepare(self) -> None:
         self._allocate("finite", dtype=bool)
         self._allocate("step", dtype=np.int64)
 
-    def _single_frame(self):
+    def _single_frame(self) -> None:
         k = self._frame_index
         self.results.finite[k] = bool(np.isfinite(self._atoms.positions).all())
         self.results.step[k] = int(self._ts.data.get("step", -1))

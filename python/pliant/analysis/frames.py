@@ -3,10 +3,17 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Callable, Mapping, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
+import numpy.typing as npt
 from MDAnalysis.analysis.base import AnalysisBase, Results
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+    from typing_extensions import Self
+
 
 try:
     from MDAnalysis.analysis.results import ResultsGroup
@@ -14,22 +21,31 @@ except ImportError:  # MDAnalysis < 2.8 runs serially only
     ResultsGroup = None
 
 
-def joined(arrays):
+#: Weights of n atoms: equal (None, "none"), masses ("mass"), or (n,) numbers.
+Weights = npt.ArrayLike | None
+
+#: How the parts of a result that several processes found become one.
+Merge = Callable[[Sequence[np.ndarray]], np.ndarray]
+
+
+def joined(arrays: Sequence[np.ndarray]) -> np.ndarray:
     """Rows of the first process, then those of the second, and so on."""
     return np.concatenate(arrays)
 
 
-def summed(arrays):
+def summed(arrays: Sequence[np.ndarray]) -> np.ndarray:
     """Element by element sum over the processes."""
-    return np.sum(arrays, axis=0)
+    total: np.ndarray = np.sum(arrays, axis=0)
+    return total
 
 
-def largest(arrays):
+def largest(arrays: Sequence[np.ndarray]) -> np.ndarray:
     """Element by element maximum over the processes; not a number if any is."""
-    return np.max(arrays, axis=0)
+    most: np.ndarray = np.max(arrays, axis=0)
+    return most
 
 
-class FrameAnalysis(AnalysisBase):
+class FrameAnalysis(AnalysisBase):  # type: ignore[misc]  # MDAnalysis has no types
     """An analysis whose frames are independent of each other.
 
     ``run()`` goes over the frames in this process;
@@ -40,38 +56,40 @@ class FrameAnalysis(AnalysisBase):
     _analysis_algorithm_is_parallelizable = True
 
     #: name of a result that ``_single_frame`` fills -> how the parts of the processes are merged
-    _merge: ClassVar = {}
+    _merge: ClassVar[Mapping[str, Merge]] = {}
 
     @classmethod
-    def get_supported_backends(cls):
+    def get_supported_backends(cls) -> tuple[str, ...]:
         """Names that ``run(backend=...)`` takes."""
         return ("serial", "multiprocessing", "dask")
 
-    def run(self, *args, **kwargs):
+    def run(self, *args: Any, **kwargs: Any) -> Self:
         """Runs over the frames; arguments as for AnalysisBase.run. A second run starts afresh."""
         self.results = Results()
-        return super().run(*args, **kwargs)
+        super().run(*args, **kwargs)
+        return self
 
-    def _get_aggregator(self):
+    def _get_aggregator(self) -> ResultsGroup:
         return ResultsGroup(lookup=dict(self._merge))
 
-    def _allocate(self, name, *shape, dtype=np.float64):
+    def _allocate(self, name: str, *shape: int, dtype: npt.DTypeLike = np.float64) -> None:
         """Makes ``results.name``, one row of the given shape for each frame."""
         self.results[name] = np.zeros((self.n_frames, *shape), dtype=dtype)
 
 
-def reference_positions(atomgroup, frame=0):
+def reference_positions(atomgroup: AtomGroup, frame: int = 0) -> np.ndarray:
     """Positions (n, 3) of the atoms in a frame, Angstrom, float64; the trajectory stays put."""
     trajectory = atomgroup.universe.trajectory
     current = trajectory.ts.frame
     try:
         trajectory[frame]
-        return atomgroup.positions.astype(np.float64)
+        positions: np.ndarray = atomgroup.positions.astype(np.float64)
+        return positions
     finally:
         trajectory[current]
 
 
-def weights_of(atomgroup, weights):
+def weights_of(atomgroup: AtomGroup, weights: Weights) -> np.ndarray:
     """Weights (n,) of atoms: None or "none" means equal, "mass" the masses, or an array.
 
     Raises ValueError when they are not n finite numbers >= 0 with a sum > 0.

@@ -3,11 +3,17 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from pliant.analysis.frames import FrameAnalysis, joined, weights_of
+from pliant.analysis.frames import FrameAnalysis, Merge, joined, weights_of
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+
+    from pliant.analysis.frames import Weights
 
 
 class RadiusOfGyration(FrameAnalysis):
@@ -26,18 +32,18 @@ class RadiusOfGyration(FrameAnalysis):
         Angstrom.
     """
 
-    _merge: ClassVar = {"radius": joined}
+    _merge: ClassVar[Mapping[str, Merge]] = {"radius": joined}
 
-    def __init__(self, atomgroup, weights="mass", **kwargs):
+    def __init__(self, atomgroup: AtomGroup, weights: Weights = "mass", **kwargs: Any) -> None:
         super().__init__(atomgroup.universe.trajectory, **kwargs)
         self._atoms = atomgroup
         self._weights = weights_of(atomgroup, weights)
         self._weights = self._weights / self._weights.sum()
 
-    def _prepare(self):
+    def _prepare(self) -> None:
         self._allocate("radius")
 
-    def _single_frame(self):
+    def _single_frame(self) -> None:
         positions = self._atoms.positions.astype(np.float64)
         squares = np.sum((positions - self._weights @ positions) ** 2, axis=1)
         self.results.radius[self._frame_index] = np.sqrt(self._weights @ squares)

@@ -3,14 +3,20 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
+import numpy.typing as npt
 from MDAnalysis.analysis.pca import cosine_content
 
-from pliant.analysis.frames import FrameAnalysis, joined, weights_of
+from pliant.analysis.frames import FrameAnalysis, Merge, joined, weights_of
 from pliant.analysis.rmsf import Rmsf
 from pliant.analysis.superposition import Superposition
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+    from typing_extensions import Self
 
 
 class PrincipalComponents(FrameAnalysis):
@@ -53,9 +59,16 @@ class PrincipalComponents(FrameAnalysis):
         031910). Empty with fewer than 3 frames.
     """
 
-    _merge: ClassVar = {"coordinates": joined}
+    _merge: ClassVar[Mapping[str, Merge]] = {"coordinates": joined}
 
-    def __init__(self, atomgroup, superpose=True, mass_weighted=False, n_components=None, **kwargs):
+    def __init__(
+        self,
+        atomgroup: AtomGroup,
+        superpose: bool = True,
+        mass_weighted: bool = False,
+        n_components: int | None = None,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(atomgroup.universe.trajectory, **kwargs)
         self._atoms = atomgroup
         self._superpose = superpose
@@ -63,25 +76,32 @@ class PrincipalComponents(FrameAnalysis):
         self._scale = np.repeat(np.sqrt(self._weights), 3)
         self._n_components = n_components
 
-    def run(self, start=None, stop=None, step=None, frames=None, **kwargs):
+    def run(
+        self,
+        start: int | None = None,
+        stop: int | None = None,
+        step: int | None = None,
+        frames: npt.ArrayLike | None = None,
+        **kwargs: Any,
+    ) -> Self:
         """Finds the average, then the components; arguments as for AnalysisBase.run."""
-        selected = {"start": start, "stop": stop, "step": step, "frames": frames}
+        selected: dict[str, Any] = {"start": start, "stop": stop, "step": step, "frames": frames}
         average = Rmsf(self._atoms, weights=self._weights, superpose=self._superpose)
         average.run(**selected, **kwargs)
         self._reference = average.results.average
         return super().run(**selected, **kwargs)
 
-    def _prepare(self):
+    def _prepare(self) -> None:
         self._allocate("coordinates", 3 * len(self._atoms))
         self._superposition = Superposition(self._reference, self._weights)
 
-    def _single_frame(self):
+    def _single_frame(self) -> None:
         positions = self._atoms.positions.astype(np.float64)
         if self._superpose:
             positions = self._superposition.apply(positions)
         self.results.coordinates[self._frame_index] = (positions - self._reference).ravel()
 
-    def _conclude(self):
+    def _conclude(self) -> None:
         table = self.results.pop("coordinates")
         mean = table.mean(axis=0)
         self.results.average = self._reference + mean.reshape(-1, 3)
@@ -98,14 +118,14 @@ class PrincipalComponents(FrameAnalysis):
         self.results.projections = table @ components.T
         self.results.cosine_content = _cosine_contents(self.results.projections)
 
-    def _kept(self, singular, n_frames):
+    def _kept(self, singular: np.ndarray, n_frames: int) -> int:
         """Components with variance, at most as many as asked for."""
         noise = singular[0] * 1e-12 if len(singular) else 0.0
         kept = min(int(np.count_nonzero(singular > noise)), n_frames - 1)
         return kept if self._n_components is None else min(kept, self._n_components)
 
 
-def _cosine_contents(projections):
+def _cosine_contents(projections: np.ndarray) -> np.ndarray:
     if len(projections) < 3:
         return np.zeros(0)
     count = min(5, projections.shape[1])

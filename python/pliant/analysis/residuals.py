@@ -3,13 +3,20 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
+import numpy.typing as npt
 
-from pliant.analysis.frames import FrameAnalysis, joined, largest
+from pliant.analysis.frames import FrameAnalysis, Merge, joined, largest
 from pliant.analysis.record import DEFAULT_TOLERANCE, read_record
 from pliant.analysis.stored import StoredPositions
+
+if TYPE_CHECKING:
+    from MDAnalysis import Universe
+
+    from pliant.analysis.record import RunRecord
 
 
 class BarResiduals(FrameAnalysis):
@@ -55,7 +62,7 @@ class BarResiduals(FrameAnalysis):
         When there are no bars, or bars and lengths do not fit each other or the atoms.
     """
 
-    _merge: ClassVar = {
+    _merge: ClassVar[Mapping[str, Merge]] = {
         "max_relative": joined,
         "rms_relative": joined,
         "max_length": joined,
@@ -66,21 +73,21 @@ class BarResiduals(FrameAnalysis):
 
     def __init__(
         self,
-        universe,
-        bars=None,
-        rest_lengths=None,
+        universe: Universe,
+        bars: npt.ArrayLike | None = None,
+        rest_lengths: npt.ArrayLike | None = None,
         *,
-        tolerance=None,
-        tolerance_length=None,
-        positions=None,
-        **kwargs,
-    ):
+        tolerance: float | None = None,
+        tolerance_length: float | None = None,
+        positions: StoredPositions | None = None,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(universe.trajectory, **kwargs)
         if (bars is None) != (rest_lengths is None):
             raise ValueError("bars and rest_lengths: expected both or neither")
         record = _record_of(universe) if bars is None or tolerance is None else None
-        if bars is None:
-            if record is None or record.bars is None:
+        if bars is None or rest_lengths is None:
+            if record is None or record.bars is None or record.rest_lengths is None:
                 raise ValueError("the trajectory holds no bars with rest lengths: give them")
             bars, rest_lengths = record.bars, record.rest_lengths
         self.bars, self.rest_lengths = _checked(bars, rest_lengths, len(universe.atoms))
@@ -89,20 +96,20 @@ class BarResiduals(FrameAnalysis):
         self.precision = self._positions.precision
 
     @property
-    def accepted(self):
+    def accepted(self) -> np.ndarray:
         """(B,) largest |length - rest| that is within the tolerance, Angstrom."""
         if self.tolerance_length > 0:
             return np.full(len(self.bars), self.tolerance_length)
         return self.tolerance * self.rest_lengths
 
-    def _prepare(self):
+    def _prepare(self) -> None:
         for name in ("max_relative", "rms_relative", "max_length"):
             self._allocate(name)
         self._allocate("worst_bar", dtype=np.int64)
         self._allocate("within", dtype=bool)
         self.results.bar_max_relative = np.zeros(len(self.bars))
 
-    def _single_frame(self):
+    def _single_frame(self) -> None:
         positions = self._positions.at(self._ts)
         ends = positions[self.bars]
         error = np.abs(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) - self.rest_lengths)
@@ -116,17 +123,20 @@ class BarResiduals(FrameAnalysis):
         self.results.within[k] = bool(np.all(error <= self.accepted))
         np.maximum(self.results.bar_max_relative, relative, out=self.results.bar_max_relative)
 
-    def _conclude(self):
+    def _conclude(self) -> None:
         self._positions.close()
 
 
-def bar_residuals(positions, bars, rest_lengths):
+def bar_residuals(
+    positions: npt.ArrayLike, bars: np.ndarray, rest_lengths: np.ndarray
+) -> np.ndarray:
     """Signed relative residuals (B,) of the bars (B, 2) at positions (N, 3), Angstrom."""
     ends = np.asarray(positions, dtype=np.float64)[bars]
-    return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / rest_lengths - 1.0
+    relative: np.ndarray = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / rest_lengths - 1.0
+    return relative
 
 
-def _record_of(universe):
+def _record_of(universe: Universe) -> RunRecord | None:
     filename = universe.trajectory.filename
     if not isinstance(filename, (str, bytes)) and not hasattr(filename, "__fspath__"):
         return None
@@ -136,16 +146,21 @@ def _record_of(universe):
         return None
 
 
-def _tolerances(record, tolerance, tolerance_length):
+def _tolerances(
+    record: RunRecord | None, tolerance: float | None, tolerance_length: float | None
+) -> tuple[float, float]:
     if tolerance_length is None:
-        from_run = record is not None and tolerance is None
-        tolerance_length = record.tolerance_length if from_run else 0.0
+        tolerance_length = 0.0
+        if record is not None and tolerance is None:
+            tolerance_length = record.tolerance_length
     if tolerance is None:
         tolerance = record.tolerance if record is not None else DEFAULT_TOLERANCE
     return float(tolerance), float(tolerance_length)
 
 
-def _checked(bars, rest_lengths, n_atoms):
+def _checked(
+    bars: npt.ArrayLike, rest_lengths: npt.ArrayLike, n_atoms: int
+) -> tuple[np.ndarray, np.ndarray]:
     bars = np.asarray(bars, dtype=np.int64)
     rest_lengths = np.asarray(rest_lengths, dtype=np.float64)
     if bars.ndim != 2 or bars.shape[1:] != (2,) or rest_lengths.shape != bars.shape[:1]:

@@ -3,12 +3,18 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from pliant.analysis.frames import FrameAnalysis, joined, reference_positions, weights_of
+from pliant.analysis.frames import FrameAnalysis, Merge, joined, reference_positions, weights_of
 from pliant.analysis.superposition import Superposition
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+
+    from pliant.analysis.frames import Weights
 
 
 class RmsdToStart(FrameAnalysis):
@@ -33,9 +39,16 @@ class RmsdToStart(FrameAnalysis):
         Angstrom.
     """
 
-    _merge: ClassVar = {"rmsd": joined}
+    _merge: ClassVar[Mapping[str, Merge]] = {"rmsd": joined}
 
-    def __init__(self, atomgroup, superpose_on=None, weights=None, reference_frame=0, **kwargs):
+    def __init__(
+        self,
+        atomgroup: AtomGroup,
+        superpose_on: AtomGroup | None = None,
+        weights: Weights = None,
+        reference_frame: int = 0,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(atomgroup.universe.trajectory, **kwargs)
         self._atoms = atomgroup
         self._fitted = superpose_on
@@ -47,10 +60,10 @@ class RmsdToStart(FrameAnalysis):
         )
         self._reference = reference_positions(atomgroup, reference_frame)
 
-    def _prepare(self):
+    def _prepare(self) -> None:
         self._allocate("rmsd")
 
-    def _single_frame(self):
+    def _single_frame(self) -> None:
         fitted = None if self._fitted is None else self._fitted.positions.astype(np.float64)
         moved = self._superposition.apply(self._atoms.positions.astype(np.float64), fitted)
         squares = np.sum((moved - self._reference) ** 2, axis=1)

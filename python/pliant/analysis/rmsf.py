@@ -3,12 +3,22 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
+import numpy.typing as npt
 
-from pliant.analysis.frames import FrameAnalysis, reference_positions, summed, weights_of
+from pliant.analysis.frames import FrameAnalysis, Merge, reference_positions, summed, weights_of
 from pliant.analysis.superposition import Superposition
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+    from MDAnalysis.coordinates.base import ProtoReader
+    from typing_extensions import Self
+
+    from pliant.analysis.frames import Weights
+
 
 #: the average structure is final when an iteration moves it by less (RMS over the atoms, Angstrom)
 AVERAGE_TOLERANCE = 1e-5
@@ -52,17 +62,17 @@ class Rmsf(FrameAnalysis):
         The last pass moved the average by less than 1e-5 Angstrom.
     """
 
-    _merge: ClassVar = {"count": summed, "shift": summed, "square": summed}
+    _merge: ClassVar[Mapping[str, Merge]] = {"count": summed, "shift": summed, "square": summed}
 
     def __init__(
         self,
-        atomgroup,
-        superpose_on=None,
-        weights=None,
-        superpose=True,
-        max_iterations=20,
-        **kwargs,
-    ):
+        atomgroup: AtomGroup,
+        superpose_on: AtomGroup | None = None,
+        weights: Weights = None,
+        superpose: bool = True,
+        max_iterations: int = 20,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(atomgroup.universe.trajectory, **kwargs)
         if max_iterations < 1:
             raise ValueError(f"max_iterations: expected at least 1, got {max_iterations}")
@@ -72,7 +82,14 @@ class Rmsf(FrameAnalysis):
         self._superpose = superpose
         self._max_iterations = max_iterations
 
-    def run(self, start=None, stop=None, step=None, frames=None, **kwargs):
+    def run(
+        self,
+        start: int | None = None,
+        stop: int | None = None,
+        step: int | None = None,
+        frames: npt.ArrayLike | None = None,
+        **kwargs: Any,
+    ) -> Self:
         """Runs the passes; arguments as for AnalysisBase.run."""
         first = _first_frame(self._trajectory, start, stop, step, frames)
         self._reference = np.concatenate(
@@ -90,14 +107,14 @@ class Rmsf(FrameAnalysis):
         self.results.average_converged = converged
         return self
 
-    def _prepare(self):
+    def _prepare(self) -> None:
         n = len(self._reference)
         self.results.count = np.zeros(())
         self.results.shift = np.zeros((n, 3))
         self.results.square = np.zeros((n, 3))
         self._superposition = Superposition(self._reference[len(self._atoms) :], self._weights)
 
-    def _single_frame(self):
+    def _single_frame(self) -> None:
         fitted = self._fitted.positions.astype(np.float64)
         positions = np.concatenate([self._atoms.positions.astype(np.float64), fitted])
         if self._superpose:
@@ -108,7 +125,7 @@ class Rmsf(FrameAnalysis):
         self.results.shift += deviation
         self.results.square += deviation**2
 
-    def _conclude(self):
+    def _conclude(self) -> None:
         n = len(self._atoms)
         mean = self.results.shift / self.results.count
         self._average = self._reference + mean
@@ -121,21 +138,27 @@ class Rmsf(FrameAnalysis):
         )
 
 
-def per_residue(resindices, rmsf):
+def per_residue(resindices: np.ndarray, rmsf: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Residues (R,) in rising order and the root mean square (R,) of their atoms' `rmsf` (n,)."""
     residues, place = np.unique(resindices, return_inverse=True)
     squares = np.bincount(place, weights=np.asarray(rmsf) ** 2)
     return residues, np.sqrt(squares / np.bincount(place))
 
 
-def _rms(shift):
+def _rms(shift: np.ndarray) -> float:
     return float(np.sqrt(np.mean(np.sum(shift**2, axis=1))))
 
 
-def _first_frame(trajectory, start, stop, step, frames):
+def _first_frame(
+    trajectory: ProtoReader,
+    start: int | None,
+    stop: int | None,
+    step: int | None,
+    frames: npt.ArrayLike | None,
+) -> int:
     if frames is not None:
         frames = np.asarray(frames)
-        chosen = np.flatnonzero(frames) if frames.dtype == bool else frames
+        chosen: np.ndarray | range = np.flatnonzero(frames) if frames.dtype == bool else frames
     else:
         chosen = range(*trajectory.check_slice_indices(start, stop, step))
     if len(chosen) == 0:

@@ -3,9 +3,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import TYPE_CHECKING
 
 import numpy as np
+import numpy.typing as npt
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup, Universe
+
 
 BACKBONE = ("N", "CA", "C")
 
@@ -20,19 +27,19 @@ _OUTER = {"phi": ("C", "C"), "psi": ("N", "N"), "omega": ("CA", "CA")}
 class Torsion:
     """Rotation about the bond between the two middle ones of four atoms."""
 
-    atoms: tuple  #: four atom indices i, j, k, l; j-k is the bond
+    atoms: tuple[int, int, int, int]  #: four atom indices i, j, k, l; j-k is the bond
     kind: str  #: "phi", "psi", "omega", "chi1" ... where the names of the atoms say so, else ""
     label: str  #: "LYS12 chi1", "C3-C4-C5-O1"
     residue: int  #: resindex of atom j (psi, chi) or k (phi), whose torsion it is
 
 
-def bridges(n_atoms, bonds):
+def bridges(n_atoms: int, bonds: np.ndarray) -> np.ndarray:
     """Bonds that are in no ring (bridges of the graph), as a boolean (B,) mask.
 
     R. E. Tarjan, Inform. Process. Lett. 2 (1974) 160; linear in atoms and bonds, no recursion.
     """
     start, neighbours, edges = _adjacency(n_atoms, bonds)
-    found = np.zeros(len(bonds), dtype=bool)
+    found: np.ndarray = np.zeros(len(bonds), dtype=bool)
     entered = [-1] * n_atoms
     low = [0] * n_atoms
     cursor = list(start[:-1])
@@ -65,7 +72,7 @@ def bridges(n_atoms, bonds):
     return found
 
 
-def _adjacency(n_atoms, bonds):
+def _adjacency(n_atoms: int, bonds: np.ndarray) -> tuple[list[int], list[int], list[int]]:
     """Neighbours of all atoms one after the other: offsets, other ends, bond numbers (lists)."""
     bonds = np.asarray(bonds, dtype=np.int64).reshape(-1, 2)
     ends = np.concatenate([bonds[:, 0], bonds[:, 1]])
@@ -76,20 +83,23 @@ def _adjacency(n_atoms, bonds):
     return start.tolist(), others[order].tolist(), numbers[order].tolist()
 
 
-def is_hydrogen(atomgroup):
+def is_hydrogen(atomgroup: AtomGroup) -> np.ndarray:
     """(n,) mask of the hydrogens: by element where there is one, else by mass, else by name."""
     if hasattr(atomgroup, "elements"):
         elements = np.char.upper(np.asarray(atomgroup.elements, dtype=str))
         if np.any(elements != ""):
             return np.isin(elements, ("H", "D", "T"))
     if hasattr(atomgroup, "masses") and np.any(atomgroup.masses > 0):
-        return (atomgroup.masses > 0) & (atomgroup.masses < 3.5)
+        light: np.ndarray = (atomgroup.masses > 0) & (atomgroup.masses < 3.5)
+        return light
     if hasattr(atomgroup, "names"):
         return np.array([name.lstrip("0123456789")[:1].upper() == "H" for name in atomgroup.names])
     return np.zeros(len(atomgroup), dtype=bool)
 
 
-def rotatable_torsions(atomgroup, bonds=None, heavy_only=True):
+def rotatable_torsions(
+    atomgroup: AtomGroup, bonds: npt.ArrayLike | None = None, heavy_only: bool = True
+) -> list[Torsion]:
     """One Torsion for each rotatable bond among the atoms, by rising atom index.
 
     A bond is rotatable when it is in no ring and neither end is terminal, that is, each end has
@@ -102,30 +112,31 @@ def rotatable_torsions(atomgroup, bonds=None, heavy_only=True):
     Raises ValueError when there are no bonds.
     """
     universe = atomgroup.universe
-    bonds = _bonds_of(universe) if bonds is None else np.asarray(bonds, dtype=np.int64)
+    pairs = _bonds_of(universe) if bonds is None else np.asarray(bonds, dtype=np.int64)
     member = np.zeros(len(universe.atoms), dtype=bool)
     member[atomgroup.ix] = True
     if heavy_only:
         member &= ~is_hydrogen(universe.atoms)
-    bonds = bonds[member[bonds].all(axis=1)]
-    bonds = np.unique(np.sort(bonds, axis=1), axis=0)
-    bonds = bonds[bonds[:, 0] != bonds[:, 1]]
-    degree = np.bincount(bonds.ravel(), minlength=len(member))
-    rotatable = bridges(len(member), bonds) & (degree[bonds] > 1).all(axis=1)
-    namer = _Namer(universe.atoms, bonds)
-    return [namer.torsion(j, k) for j, k in bonds[rotatable].tolist()]
+    pairs = pairs[member[pairs].all(axis=1)]
+    pairs = np.unique(np.sort(pairs, axis=1), axis=0)
+    pairs = pairs[pairs[:, 0] != pairs[:, 1]]
+    degree = np.bincount(pairs.ravel(), minlength=len(member))
+    rotatable = bridges(len(member), pairs) & (degree[pairs] > 1).all(axis=1)
+    namer = _Namer(universe.atoms, pairs)
+    return [namer.torsion(j, k) for j, k in pairs[rotatable].tolist()]
 
 
-def _bonds_of(universe):
+def _bonds_of(universe: Universe) -> np.ndarray:
     if not hasattr(universe, "bonds") or len(universe.bonds) == 0:
         raise ValueError("there are no bonds: give bonds, or a topology that has them")
-    return universe.bonds.indices.astype(np.int64)
+    bonds: np.ndarray = universe.bonds.indices.astype(np.int64)
+    return bonds
 
 
 class _Namer:
     """Chooses the outer atoms of a torsion and names it."""
 
-    def __init__(self, atoms, bonds):
+    def __init__(self, atoms: AtomGroup, bonds: np.ndarray) -> None:
         self._start, self._others, _ = _adjacency(len(atoms), bonds)
         self._names = list(atoms.names) if hasattr(atoms, "names") else [""] * len(atoms)
         self._masses = atoms.masses if hasattr(atoms, "masses") else np.zeros(len(atoms))
@@ -134,7 +145,7 @@ class _Namer:
         self._several_chains = len(atoms.universe.segments) > 1
         self._amino_acids = set(self._resindices[np.isin(self._names, ("CA",))].tolist())
 
-    def torsion(self, j, k):
+    def torsion(self, j: int, k: int) -> Torsion:
         kind = self._kind(j, k)
         if not kind and self._kind(k, j):
             j, k, kind = k, j, self._kind(k, j)
@@ -145,16 +156,16 @@ class _Namer:
         residue = int(self._resindices[k if kind == "phi" else j])
         return Torsion(atoms, kind, self._label(atoms, kind, residue), residue)
 
-    def _outer(self, atom, other):
+    def _outer(self, atom: int, other: int) -> int:
         choices = self._others[self._start[atom] : self._start[atom + 1]]
         return min((c for c in choices if c != other), key=self._preference)
 
-    def _preference(self, atom):
+    def _preference(self, atom: int) -> tuple[bool, float, str, int]:
         name = self._names[atom]
         branch = name if self._resindices[atom] in self._amino_acids else ""  # CG1 before CG2
         return (name not in BACKBONE, -float(self._masses[atom]), branch, atom)
 
-    def _kind(self, j, k):
+    def _kind(self, j: int, k: int) -> str:
         """What the torsion about the bond j-k is called when it is written in this direction."""
         first, second = self._names[j], self._names[k]
         if (first, second) in _BACKBONE_BONDS:
@@ -164,7 +175,7 @@ class _Namer:
             return ""
         return _SIDE_CHAIN_BONDS.get(first[1:2] + second[1:2], "")
 
-    def _label(self, atoms, kind, residue):
+    def _label(self, atoms: Sequence[int], kind: str, residue: int) -> str:
         what = kind or "-".join(self._names[atom] or str(atom) for atom in atoms)
         if len(self._residues) == 1:
             return what

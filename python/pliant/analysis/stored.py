@@ -5,11 +5,17 @@ from __future__ import annotations
 
 import copy
 import os
+from typing import TYPE_CHECKING, Any
 
 import h5py
 import numpy as np
+import numpy.typing as npt
 from MDAnalysis import units
 from MDAnalysis.coordinates.H5MD import H5MDReader
+
+if TYPE_CHECKING:
+    from MDAnalysis.coordinates.base import ProtoReader
+    from MDAnalysis.coordinates.timestep import Timestep
 
 
 class StoredPositions:
@@ -23,17 +29,17 @@ class StoredPositions:
     Can be copied to another process; the file is opened there when it is first read.
     """
 
-    def __init__(self, trajectory):
-        self._file = None
-        self._path = None
-        self._numbers = None
+    def __init__(self, trajectory: ProtoReader) -> None:
+        self._file: h5py.File | None = None
+        self._path: str | None = None
+        self._numbers: np.ndarray | None = None
         self.precision = "float32"  #: of the numbers read: "float64" or "float32"
         if isinstance(trajectory, H5MDReader) and isinstance(
             trajectory.filename, (str, os.PathLike)
         ):
             self._use(os.fspath(trajectory.filename))
 
-    def _use(self, path):
+    def _use(self, path: str) -> None:
         with h5py.File(path, "r") as file:
             group = next(iter(file["particles"]))
             value = file.get(f"particles/{group}/position/value")
@@ -45,43 +51,47 @@ class StoredPositions:
             self._to_angstrom = units.get_conversion_factor("length", unit, "Angstrom")
             self.precision = "float64" if value.dtype.itemsize >= 8 else "float32"
 
-    def __getstate__(self):
+    def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_file": None}
 
     @property
-    def in_file(self):
+    def in_file(self) -> bool:
         """Whether positions are read from an H5MD file, by the number of the frame."""
         return self._path is not None
 
-    def at(self, timestep):
+    def at(self, timestep: Timestep) -> np.ndarray:
         """Positions (N, 3) of an MDAnalysis timestep, Angstrom, float64."""
         if not self.in_file:
-            return timestep.positions.astype(np.float64)
+            rounded: np.ndarray = timestep.positions.astype(np.float64)
+            return rounded
         return self.read(timestep.frame if self._numbers is None else self._numbers[timestep.frame])
 
-    def read(self, frames):
+    def read(self, frames: int | slice) -> np.ndarray:
         """Positions (N, 3) of a frame of an H5MD file, (f, N, 3) of a slice; Angstrom, float64."""
-        return self._open()[self._dataset][frames].astype(np.float64) * self._to_angstrom
+        positions: np.ndarray = (
+            self._open()[self._dataset][frames].astype(np.float64) * self._to_angstrom
+        )
+        return positions
 
-    def times_and_steps(self):
+    def times_and_steps(self) -> tuple[np.ndarray, np.ndarray | None]:
         """Times (F,), ps, and steps (F,) of all frames of an H5MD file; None if it has no steps."""
         group = self._open()[self._dataset].parent
         unit = H5MDReader._unit_translation["time"].get(group["time"].attrs.get("unit"), "ps")
         times = group["time"][()] * units.get_conversion_factor("time", unit, "ps")
         return times, group["step"][()] if "step" in group else None
 
-    def renumbered(self, frames):
+    def renumbered(self, frames: npt.ArrayLike) -> StoredPositions:
         """The same file for a universe that holds only some frames: its k-th is `frames[k]`."""
         other = copy.copy(self)
         other._file, other._numbers = None, np.asarray(frames)
         return other
 
-    def _open(self):
+    def _open(self) -> h5py.File:
         if self._file is None:
             self._file = h5py.File(self._path, "r")
         return self._file
 
-    def close(self):
+    def close(self) -> None:
         """Closes the file; the next read opens it again."""
         if self._file is not None:
             self._file.close()

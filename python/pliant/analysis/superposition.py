@@ -16,12 +16,12 @@ class Superposition:
     reference: (n, 3) Angstrom; weights: (n,).
     """
 
-    def __init__(self, reference, weights):
+    def __init__(self, reference: np.ndarray, weights: np.ndarray) -> None:
         self.weights = weights / weights.sum()
         self.centre = self.weights @ reference
         self.reference = reference - self.centre
 
-    def motion(self, positions):
+    def motion(self, positions: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         """Rotation (3, 3) and centre (3,) of positions (n, 3): x -> (x - centre) @ rotation."""
         centre = self.weights @ positions
         u, _, vt = np.linalg.svd(((positions - centre) * self.weights[:, None]).T @ self.reference)
@@ -29,10 +29,11 @@ class Superposition:
             u[:, -1] = -u[:, -1]
         return u @ vt, centre
 
-    def apply(self, positions, fitted=None):
+    def apply(self, positions: np.ndarray, fitted: np.ndarray | None = None) -> np.ndarray:
         """`positions` (m, 3) moved as the `fitted` (n, 3) must be to lie on the reference.
 
         Without `fitted` the positions themselves are fitted.
         """
         rotation, centre = self.motion(positions if fitted is None else fitted)
-        return (positions - centre) @ rotation + self.centre
+        moved: np.ndarray = (positions - centre) @ rotation + self.centre
+        return moved

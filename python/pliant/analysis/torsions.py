@@ -3,13 +3,20 @@
 
 from __future__ import annotations
 
-from typing import ClassVar
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
+import numpy.typing as npt
 from MDAnalysis.lib.distances import calc_dihedrals
 
-from pliant.analysis.frames import FrameAnalysis, joined
+from pliant.analysis.frames import FrameAnalysis, Merge, joined
 from pliant.analysis.rotatable import rotatable_torsions
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+
+    from pliant.analysis.rotatable import Torsion
 
 
 class TorsionDistributions(FrameAnalysis):
@@ -48,9 +55,17 @@ class TorsionDistributions(FrameAnalysis):
         exceeds 180 where the angle takes all values alike; at most 360 is given.
     """
 
-    _merge: ClassVar = {"angles": joined}
+    _merge: ClassVar[Mapping[str, Merge]] = {"angles": joined}
 
-    def __init__(self, atomgroup, torsions=None, bonds=None, heavy_only=True, bins=36, **kwargs):
+    def __init__(
+        self,
+        atomgroup: AtomGroup,
+        torsions: Sequence[Torsion] | None = None,
+        bonds: npt.ArrayLike | None = None,
+        heavy_only: bool = True,
+        bins: int = 36,
+        **kwargs: Any,
+    ) -> None:
         super().__init__(atomgroup.universe.trajectory, **kwargs)
         if torsions is None:
             torsions = rotatable_torsions(atomgroup, bonds=bonds, heavy_only=heavy_only)
@@ -59,15 +74,15 @@ class TorsionDistributions(FrameAnalysis):
         indices = np.array([t.atoms for t in self.torsions], dtype=np.int64).reshape(-1, 4)
         self._ends = [atomgroup.universe.atoms[column] for column in indices.T]
 
-    def _prepare(self):
+    def _prepare(self) -> None:
         self._allocate("angles", len(self.torsions))
 
-    def _single_frame(self):
+    def _single_frame(self) -> None:
         if self.torsions:
             radians = calc_dihedrals(*(end.positions for end in self._ends))
             self.results.angles[self._frame_index] = np.degrees(radians)
 
-    def _conclude(self):
+    def _conclude(self) -> None:
         angles = self.results.angles
         self.results.edges = np.linspace(-180.0, 180.0, self._bins + 1)
         self.results.density = np.array(
@@ -76,7 +91,7 @@ class TorsionDistributions(FrameAnalysis):
         self.results.mean, self.results.spread = circular_moments(angles)
 
 
-def circular_moments(angles):
+def circular_moments(angles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Circular mean and standard deviation (T,), degrees, of angles (F, T) in degrees."""
     vector = np.exp(1j * np.radians(angles)).mean(axis=0)
     length = np.clip(np.abs(vector), np.exp(-0.5 * (2 * np.pi) ** 2), 1.0)

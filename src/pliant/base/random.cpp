@@ -3,18 +3,10 @@
 
 #include <cmath>
 
+#include "pliant/base/wide_product.hpp"
+
 namespace pliant {
 namespace {
-
-struct Product {
-  std::uint64_t high, low;
-};
-
-Product multiply(std::uint64_t a, std::uint64_t b) {
-  __extension__ using Wide = unsigned __int128;
-  const Wide product = static_cast<Wide>(a) * b;
-  return {static_cast<std::uint64_t>(product >> 64), static_cast<std::uint64_t>(product)};
-}
 
 using Counter = std::array<std::uint64_t, 4>;
 using Key = std::array<std::uint64_t, 2>;
@@ -25,8 +17,8 @@ void philox_all(std::array<Counter, count>& counters, Key key) {
   constexpr int rounds = 10;
   for (int round = 0; round < rounds; ++round) {
     for (Counter& counter : counters) {
-      const Product p0 = multiply(0xD2E7470EE14C6C93u, counter[0]);
-      const Product p1 = multiply(0xCA5A826395121157u, counter[2]);
+      const WideProduct p0 = wide_product(0xD2E7470EE14C6C93u, counter[0]);
+      const WideProduct p1 = wide_product(0xCA5A826395121157u, counter[2]);
       counter = {p1.high ^ counter[1] ^ key[0], p1.low, p0.high ^ counter[3] ^ key[1], p0.low};
     }
     key[0] += 0x9E3779B97F4A7C15u;  // golden ratio

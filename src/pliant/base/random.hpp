@@ -21,6 +21,7 @@ enum class Domain : std::uint64_t {
   order = 4,         ///< shuffles and random roots
   escape = 5,        ///< direction in which coincident joints part
   generate = 6,      ///< random frameworks
+  pusher = 7,        ///< seeds of the pushers after the first
 };
 
 /// Where a random number is used: all of its fields together make the draw.

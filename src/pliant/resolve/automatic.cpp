@@ -63,9 +63,7 @@ class Automatic final : public Method {
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
     return method_->resolve(call, summary);
   }
-  const MovedJoints* resolve_near(const ResolveCall& call, ResolveSummary& summary) override {
-    return method_->resolve_near(call, summary);
-  }
+  bool looks_near() const override { return method_->looks_near(); }
 
  private:
   Technique technique_;

@@ -27,26 +27,33 @@ class Resolver {
   ~Resolver();
   Resolver(Resolver&&) noexcept;
 
-  /// Moves `positions` (N) until all bars, limits and overlaps are within the tolerance, or until
-  /// max_sweeps or a caller ends it.
-  /// `root` is the pushed joint, `step` the step number that random draws depend on. If a length
-  /// stops being finite the positions are put back as they were.
-  /// `reference` (N, or none) are whole positions before the push, in which `shake` looks for the
-  /// directions of the bars; other techniques do not look at it.
-  /// Throws OptionError if the number of positions is wrong or root is no joint.
-  ResolveSummary resolve(std::span<Vec3> positions, Joint root = 0, std::int64_t step = 0,
-                         std::span<const Vec3> reference = {});
-
-  /// The same where nothing but `root` has moved since all bars were whole. Techniques that know
-  /// how (`blocks`, `bfs_local`) then look only at what the push disturbs, at a cost that does not
-  /// depend on the size of the framework; the others do as ever. The summary's residuals are then
-  /// those of the bars at moved(), and rms_residual is -1.
-  ResolveSummary resolve_near(std::span<Vec3> positions, Joint root, std::int64_t step = 0,
-                              std::span<const Vec3> reference = {});
-
-  /// What was disturbed decides: all joints as resolve(), one as resolve_near().
+  /// Moves `positions` (N, Angstrom) until all bars are within the tolerance or a limit is met.
+  /// If a length stops being finite they are put back as they were.
+  ///
+  /// `disturbed` says what may be broken; its root is where orderings begin. Where it lists joints,
+  /// nothing else has moved since all bars were whole: techniques that know how (`blocks`,
+  /// `bfs_local`) then look only at what these reach, at a cost that does not depend on the size of
+  /// the framework, and the others do as ever. The summary's residuals are then those of the bars
+  /// at the joints listed and at moved(), and rms_residual is -1.
+  ///
+  /// `step` is the step number that random draws depend on. `reference` (N, or none, Angstrom) are
+  /// whole positions before the push, in which `shake` looks for the directions of the bars; other
+  /// techniques do not look at it.
+  /// Throws OptionError if the number of positions is wrong or a joint does not exist.
   ResolveSummary resolve(std::span<Vec3> positions, const Disturbed& disturbed,
                          std::int64_t step = 0, std::span<const Vec3> reference = {});
+
+  /// The same where any joint may have moved; `root` is the pushed one.
+  ResolveSummary resolve(std::span<Vec3> positions, Joint root = 0, std::int64_t step = 0,
+                         std::span<const Vec3> reference = {}) {
+    return resolve(positions, Disturbed{root}, step, reference);
+  }
+
+  /// The same where nothing but `root` has moved since all bars were whole.
+  ResolveSummary resolve_near(std::span<Vec3> positions, Joint root, std::int64_t step = 0,
+                              std::span<const Vec3> reference = {}) {
+    return resolve(positions, Disturbed{root, false, {&root, 1}}, step, reference);
+  }
 
   /// Random draws are this walker's from now on (ResolveOptions::walker).
   void set_walker(std::uint64_t walker);
@@ -54,10 +61,11 @@ class Resolver {
   /// Throws OptionError if there are as many neither as limits nor none.
   void set_limits_off(std::span<const std::uint8_t> off);
   /// Throws what resolve() throws for such arguments.
-  void check_arguments(std::span<const Vec3> positions, Joint root,
+  void check_arguments(std::span<const Vec3> positions, const Disturbed& disturbed,
                        std::span<const Vec3> reference) const;
 
-  /// The joints that the last resolve_near moved, besides its root; nothing if it was any joints.
+  /// The joints that the last resolve moved besides those disturbed, which may be among them;
+  /// nothing if it may have been any.
   std::optional<std::span<const Joint>> moved() const;
 
  private:

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "pliant/base/choices.hpp"
-#include "pliant/base/number.hpp"
+#include "pliant/base/range.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/automatic.hpp"
@@ -83,8 +83,7 @@ const TechniqueEntry& find_technique(std::string_view name) {
 
 void check(const Technique& technique) {
   find_technique(technique.name);
-  if (!(technique.weighting >= 0.0 && technique.weighting <= 1.0))
-    throw OptionError("weighting = " + number_text(technique.weighting) + ": must be from 0 to 1");
+  check_range("weighting", technique.weighting, Range::zero_to_one);
   if (technique.ordering && technique.name != "input")
     throw OptionError("ordering: goes with the technique input, not with " + technique.name);
 }

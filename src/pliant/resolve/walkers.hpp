@@ -7,23 +7,10 @@
 #include <span>
 #include <string_view>
 
+#include "pliant/resolve/method/walker_positions.hpp"
 #include "pliant/resolve/resolve.hpp"
 
 namespace pliant {
-
-/// One walker of a call.
-struct WalkerPositions {
-  std::uint64_t walker = 0;              ///< its number: what its random draws depend on
-  std::span<Vec3> positions;             ///< (N) Angstrom, to be moved
-  std::span<const Vec3> reference = {};  ///< as of Resolver::resolve
-};
-
-/// What the summaries of walkers tell of their residuals. All bars are looked at in any case.
-enum class Measured {
-  nothing,       ///< max_residual and rms_residual are -1
-  max_residual,  ///< rms_residual is -1
-  rms_residual,  ///< both
-};
 
 /// How walkers are resolved; no choice changes any result.
 struct LaneOptions {

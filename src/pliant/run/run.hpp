@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The run (motion simulation): perturb, resolve, show the frame to observers, again and again.
+// The run: a Motion step after step, whose frames are shown to observers.
 #pragma once
 
 #include <cstdint>
@@ -8,12 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "pliant/base/log.hpp"
-#include "pliant/framework/frame.hpp"
-#include "pliant/framework/framework.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/walkers.hpp"
+#include "pliant/run/motion.hpp"
 
 namespace pliant {
 
@@ -46,26 +44,6 @@ struct WalkerRun {
 
 /// Throws OptionError naming the option, its value and its range.
 void check(const RunOptions& options);
-
-/// What a run did.
-struct RunSummary {
-  std::int64_t steps = 0, frames = 0;
-  std::int64_t unconverged_steps = 0;  ///< steps that did not end with Stop::converged
-  std::int64_t first_unconverged_step = -1;
-  std::int64_t sweeps = 0, max_sweeps = 0;  ///< over all steps; a broken start's are not among them
-  std::int64_t projections = 0;             ///< over all resolves, as resolve_seconds
-  double worst_residual = 0.0;              ///< largest |length - rest| / rest after any step
-  BarIndex worst_bar = 0;
-  std::int64_t worst_step = 0;
-  bool stopped_by_caller = false;
-  double perturb_seconds = 0.0, resolve_seconds = 0.0, observe_seconds = 0.0, seconds = 0.0;
-
-  double mean_sweeps() const { return steps > 0 ? double(sweeps) / double(steps) : 0.0; }
-  /// Resolve time over projections: nanoseconds a bar and sweep, looks at the residuals included.
-  double ns_per_bar_and_sweep() const {
-    return projections > 0 ? 1e9 * resolve_seconds / double(projections) : 0.0;
-  }
-};
 
 /// Steps `state` on. Step 0 (the start, resolved first if it is broken) is shown too; after that
 /// every `every`-th step and the last. A step that does not converge is shown and counted as such,

@@ -2,193 +2,168 @@
 #include "pliant/run/walk.hpp"
 
 #include <algorithm>
-#include <chrono>
 
+#include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/framework/check_positions.hpp"
+#include "pliant/run/stopwatch.hpp"
 
 namespace pliant {
 namespace {
 
-using Clock = std::chrono::steady_clock;
+void check_previous(const Framework& framework, const State& state) {
+  if (state.previous.size() != framework.joint_count())
+    throw InputError("framework: " + std::to_string(framework.joint_count()) + " joints but " +
+                     std::to_string(state.previous.size()) + " previous positions");
+  for (std::size_t i = 0; i < state.previous.size(); ++i)
+    if (!is_finite(state.previous[i]))
+      throw InputError("previous position of " + framework.label(static_cast<Joint>(i)) +
+                       " is not finite");
+}
 
-/// Adds the time until its end to a sum of seconds.
-class Stopwatch {
- public:
-  explicit Stopwatch(double& seconds) : seconds_(seconds) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(Clock::now() - start_).count(); }
-  Stopwatch(const Stopwatch&) = delete;
-  Stopwatch& operator=(const Stopwatch&) = delete;
-
- private:
-  double& seconds_;
-  Clock::time_point start_ = Clock::now();
-};
+ResolveSummary nothing_done(Stop stop) {
+  ResolveSummary resolved;
+  resolved.stop = stop;
+  resolved.sweeps = resolved.projections = 0;
+  resolved.seconds = 0.0;
+  return resolved;
+}
 
 }  // namespace
 
-Walk::Walk(const Framework& framework, WalkerRun& walker, const RunOptions& options,
-           Resolver& resolver)
+Walk::Walk(const Framework& framework, State& state, const MotionOptions& options,
+           std::uint64_t walker)
     : framework_(framework),
-      state_(walker.state),
-      number_(walker.number),
-      options_(options),
-      observers_(walker.observers),
-      on_push_(walker.on_push),
-      log_(walker.log),
-      perturbation_(find_perturbation(options.perturb)),
-      resolver_(resolver),
-      last_step_(walker.state.step + steps_to_do()) {}
-
-std::int64_t Walk::steps_to_do() const {
-  if (options_.replay.empty()) return options_.steps;
-  return std::min(options_.steps, static_cast<std::int64_t>(options_.replay.size()));
+      state_(state),
+      number_(walker),
+      resolve_(options.resolve),
+      log_(options.log),
+      pushers_(framework, options.perturb, {options.resolve.seed, Domain::force, walker}),
+      last_(nothing_done(Stop::converged)) {
+  check_positions(framework, state.positions, resolve_.tolerance, log_);
+  check_previous(framework, state);
+  const PusherOptions made_with{options.perturb, options.replay, options.replay_from};
+  for (const std::string& name : options.push)
+    pushers_.add(find_pusher(name).make(framework, made_with));
+  if (framework.joint_count() == 0) throw InputError("nothing to run: no joints");
 }
 
-void Walk::begin() {
+void Walk::start(Resolver& resolver) {
   const Stopwatch watch(summary_.seconds);
   const ResidualSummary start = measured();
   is_whole_ = start.within;
-  ResolveSummary resolved;
-  resolved.stop = Stop::converged;
-  resolved.sweeps = resolved.projections = 0;
-  resolved.max_residual = start.max_relative;
-  resolved.rms_residual = start.rms_relative;
-  resolved.worst_bar = start.worst_bar;
-  note_violations(start, resolved);
-  if (!start.within) {
-    log_.warn("the start misses its " + what_is_missed(start) + ": resolved first");
-    resolved = resolve_all(0);
-    is_whole_ = resolved.converged();
-    summary_.resolve_seconds += resolved.seconds;
-    state_.previous = state_.positions;
-    note(resolved);
-  }
-  if (resolved.stop == Stop::stopped_by_caller) stopping_ = summary_.stopped_by_caller = true;
-  show(resolved);
-}
-
-std::string Walk::what_is_missed(const ResidualSummary& start) const {
-  const auto by = [](double length) { return " by " + number_text(length, 3) + " Angstrom"; };
-  if (!is_whole(framework_, state_.positions, options_.resolve.tolerance))
-    return "rest lengths, worst bar " + framework_.label(framework_.bars()[start.worst_bar]) +
-           by(start.max_length);
-  if (start.max_limit > options_.resolve.tolerance.limit) {
-    const Limit& limit = framework_.limits()[start.worst_limit];
-    return "limits, worst " + framework_.label(Bar{limit.a, limit.b}) + by(start.max_limit);
-  }
-  return "least distances, worst " + framework_.label(start.worst_overlap) + by(start.max_overlap);
+  last_ = nothing_done(Stop::converged);
+  last_.max_residual = start.max_relative;
+  last_.rms_residual = start.rms_relative;
+  last_.worst_bar = start.worst_bar;
+  note_violations(start, last_);
+  if (start.within) return;
+  log_.warn("the start misses its " + what_is_missed(start) + ": resolved first");
+  resolver.set_walker(number_);
+  resolver.set_limits_off(state_.limits_off);
+  last_ = resolver.resolve(state_.positions, 0, 0, state_.previous);
+  pushers_.past().forget();
+  is_whole_ = last_.converged();
+  summary_.resolve_seconds += last_.seconds;
+  state_.previous = state_.positions;
+  note(last_);
+  if (last_.stop == Stop::stopped_by_caller) stop();
 }
 
 void Walk::push() {
   const Stopwatch watch(summary_.seconds), own(summary_.perturb_seconds);
-  time_before_ = state_.time;
-  const RandomKey key{options_.resolve.seed, Domain::force, number_,
-                      static_cast<std::uint64_t>(state_.step + 1), 0};
-  PerturbRequest request{framework_, options_.perturb_options, key};
-  if (knows_moved_) request.moved_before = moved_;
-  push_ = options_.replay.empty()
-              ? perturbation_.push(request, state_)
-              : apply_forces(request, {&options_.replay[std::size_t(summary_.steps)], 1}, state_);
-  ++state_.step;
-  state_.time += options_.perturb_options.timestep;
+  is_stopped_ = false;
+  if (!is_whole_) is_whole_ = measured().within;
+  pushers_.push(state_);
   is_pushed_ = true;
 }
 
-Joint Walk::root() const {
-  return push_.root_joint == no_joint ? 0 : static_cast<Joint>(push_.root_joint);
+Disturbed Walk::disturbed() const {
+  Disturbed disturbed = pushed().disturbed();
+  if (!*is_whole_) disturbed.all = true;
+  return disturbed;
 }
 
 bool Walk::is_finite_after_push() const {
-  if (push_.one_joint) return is_finite(state_.positions[root()]);
-  return std::all_of(state_.positions.begin(), state_.positions.end(), is_finite);
-}
-
-std::optional<Joint> Walk::whole_resolve_from() const {
-  if ((push_.one_joint && is_whole_) || !is_finite_after_push()) return std::nullopt;
-  return root();
+  const std::vector<Vec3>& x = state_.positions;
+  if (pushed().all) return std::all_of(x.begin(), x.end(), is_finite);
+  return std::all_of(pushed().joints.begin(), pushed().joints.end(),
+                     [&](Joint joint) { return is_finite(x[joint]); });
 }
 
 /// A push so hard that a position is no finite number is not resolved; finish() takes it back.
-ResolveSummary Walk::resolve() {
-  const Stopwatch watch(summary_.seconds);
-  if (!is_finite_after_push()) {
-    ResolveSummary resolved;
-    resolved.stop = Stop::not_finite;
-    resolved.sweeps = resolved.projections = 0;
-    resolved.seconds = 0.0;
-    return resolved;
-  }
-  // A push of one joint where all was whole leaves most of the framework as it was.
-  return push_.one_joint && is_whole_ ? resolve_near(root()) : resolve_all(root());
+ResolveSummary Walk::resolve(Resolver& resolver) {
+  if (!is_finite_after_push()) return nothing_done(Stop::not_finite);
+  return resolve_disturbed(resolver, disturbed());
 }
 
-ResolveSummary Walk::resolve_near(Joint root) {
-  resolver_.set_walker(number_);
-  resolver_.set_limits_off(state_.limits_off);
-  const ResolveSummary resolved =
-      resolver_.resolve_near(state_.positions, root, state_.step, state_.previous);
-  const auto moved = resolver_.moved();
-  knows_moved_ = moved.has_value();
-  if (knows_moved_) {
-    moved_.assign(moved->begin(), moved->end());
-    moved_.push_back(root);
+ResolveSummary Walk::resolve_disturbed(Resolver& resolver, const Disturbed& disturbed) {
+  if (!disturbed.all && disturbed.joints.empty()) {
+    pushers_.past().only_moved({}, {});
+    return nothing_done(Stop::converged);
   }
+  resolver.set_walker(number_);
+  resolver.set_limits_off(state_.limits_off);
+  const ResolveSummary resolved =
+      resolver.resolve(state_.positions, disturbed, state_.step, state_.previous);
+  if (!disturbed.all)
+    if (const auto moved = resolver.moved()) pushers_.past().only_moved(*moved, disturbed.joints);
   return resolved;
 }
 
-ResolveSummary Walk::resolve_all(Joint root) {
-  resolver_.set_walker(number_);
-  resolver_.set_limits_off(state_.limits_off);
-  knows_moved_ = false;
-  return resolver_.resolve(state_.positions, root, state_.step, state_.previous);
-}
-
 void Walk::take_back_push() {
-  if (is_pushed_) undo_step();
+  if (is_pushed_) pushers_.take_back(state_);
   is_pushed_ = false;
 }
 
-void Walk::finish(ResolveSummary resolved) {
-  const Stopwatch watch(summary_.seconds);
-  is_pushed_ = false;
+bool Walk::finish(ResolveSummary resolved) {
   summary_.resolve_seconds += resolved.seconds;
+  summary_.seconds += resolved.seconds;
+  const Stopwatch watch(summary_.seconds);
+  last_ = resolved;
+  if (resolved.stop == Stop::stopped_by_caller) {
+    take_back_push();  // no half-resolved positions are left behind
+    stop();
+    last_.max_residual = last_.rms_residual = -1.0;
+    return false;
+  }
+  is_pushed_ = false;
   if (resolved.stop == Stop::not_finite) {
     state_.positions = state_.previous;
-    knows_moved_ = false;
-    measure_all(resolved);
+    pushers_.past().only_moved({}, {});
+    measure_all(last_);
   } else {
     is_whole_ = resolved.converged();
   }
-  if (resolved.stop == Stop::stopped_by_caller) return undo_step();
   ++summary_.steps;
-  if (on_push_) on_push_(push_);
-  summary_.sweeps += resolved.sweeps;
-  summary_.max_sweeps = std::max(summary_.max_sweeps, resolved.sweeps);
-  note(resolved);
+  summary_.sweeps += last_.sweeps;
+  summary_.max_sweeps = std::max(summary_.max_sweeps, last_.sweeps);
+  note(last_);
   // Methods that are done in one pass do not ask under way.
-  if (options_.resolve.should_stop && options_.resolve.should_stop())
-    stopping_ = summary_.stopped_by_caller = true;
-  if (shows_this_step()) show(resolved);
+  if (resolve_.should_stop && resolve_.should_stop()) stop();
+  return true;
 }
 
-void Walk::finish_together(const ResolveSummary& resolved) {
-  summary_.seconds += resolved.seconds;
-  knows_moved_ = false;
-  finish(resolved);
-}
-
-bool Walk::shows_this_step() const { return is_over() || state_.step % options_.every == 0; }
-
-/// A step that was cut short leaves no half-resolved positions behind.
-void Walk::undo_step() {
-  state_.positions = state_.previous;
-  --state_.step;
-  state_.time = time_before_;
-  stopping_ = summary_.stopped_by_caller = true;
+State& Walk::change_state() {
+  pushers_.past().forget();
+  is_whole_.reset();
+  return state_;
 }
 
 ResidualSummary Walk::measured() const {
-  return measure(framework_, state_.positions, options_.resolve.tolerance, state_.limits_off);
+  return measure(framework_, state_.positions, resolve_.tolerance, state_.limits_off);
+}
+
+std::string Walk::what_is_missed(const ResidualSummary& start) const {
+  const auto by = [](double length) { return " by " + number_text(length, 3) + " Angstrom"; };
+  if (!is_whole(framework_, state_.positions, resolve_.tolerance))
+    return "rest lengths, worst bar " + framework_.label(framework_.bars()[start.worst_bar]) +
+           by(start.max_length);
+  if (start.max_limit > resolve_.tolerance.limit) {
+    const Limit& limit = framework_.limits()[start.worst_limit];
+    return "limits, worst " + framework_.label(Bar{limit.a, limit.b}) + by(start.max_limit);
+  }
+  return "least distances, worst " + framework_.label(start.worst_overlap) + by(start.max_overlap);
 }
 
 void Walk::measure_all(ResolveSummary& resolved) const {
@@ -211,18 +186,13 @@ void Walk::note(const ResolveSummary& resolved) {
   }
 }
 
-void Walk::show(ResolveSummary resolved) {
-  const Stopwatch watch(summary_.observe_seconds);
-  if (resolved.rms_residual < 0.0) measure_all(resolved);
-  const Frame frame{state_.step,           state_.time,
-                    state_.positions,      resolved.sweeps,
-                    resolved.projections,  resolved.max_residual,
-                    resolved.rms_residual, resolved.stop,
-                    push_.root_joint,      push_.force,
-                    resolved.max_limit,    resolved.max_overlap};
-  for (const Observer& observer : observers_)
-    if (observer(frame)) stopping_ = summary_.stopped_by_caller = true;
+Frame Walk::frame() {
+  const Stopwatch watch(summary_.seconds), own(summary_.observe_seconds);
+  if (last_.rms_residual < 0.0) measure_all(last_);
   ++summary_.frames;
+  return {state_.step,         state_.time,        state_.positions,   last_.sweeps,
+          last_.projections,   last_.max_residual, last_.rms_residual, last_.stop,
+          pushed().root_joint, pushed().force,     last_.max_limit,    last_.max_overlap};
 }
 
 }  // namespace pliant

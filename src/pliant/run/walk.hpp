@@ -1,75 +1,65 @@
 // SPDX-License-Identifier: MIT
-// One walker on its way through a run, step by step, so that several can step together.
+// The steps of one walker in three parts, so that several walkers can be resolved at once.
 #pragma once
 
 #include <optional>
-#include <vector>
 
-#include "pliant/run/run.hpp"
+#include "pliant/perturb/push_chain.hpp"
+#include "pliant/run/motion.hpp"
 
 namespace pliant {
 
+/// A step is push(), then resolve() or whatever else resolves the positions, then finish().
 class Walk {
  public:
-  /// All outlive it. `resolver` may be shared by walkers that take turns.
-  Walk(const Framework& framework, WalkerRun& walker, const RunOptions& options,
-       Resolver& resolver);
+  /// Framework and state must outlive it. Throws as Motion.
+  Walk(const Framework& framework, State& state, const MotionOptions& options,
+       std::uint64_t walker);
 
-  /// Shows the start, resolved first if it is broken.
-  void begin();
-  bool is_over() const { return stopping_ || state_.step >= last_step_; }
+  void add(std::shared_ptr<Pusher> pusher) { pushers_.add(std::move(pusher)); }
 
-  /// A step is push(), then resolve() or whatever else resolves positions(), then finish().
+  /// Makes the start whole if it is not.
+  void start(Resolver& resolver);
   void push();
-  /// Where the technique begins, if every bar has to be looked at; none where a push of one joint
-  /// left most of them alone or broke a number.
-  std::optional<Joint> whole_resolve_from() const;
-  ResolveSummary resolve();
-  void finish(ResolveSummary resolved);
-  /// finish() of a resolve beside others, whose time is in `resolved` and not yet in the summary.
-  void finish_together(const ResolveSummary& resolved);
+  /// What a resolve has to look at after the push.
+  Disturbed disturbed() const;
+  /// Whether positions after the push are numbers; only then there is anything to resolve.
+  bool is_finite_after_push() const;
+  ResolveSummary resolve(Resolver& resolver);
+  /// False if the step was cut short, and taken back.
+  bool finish(ResolveSummary resolved);
   /// Back to the last whole step if a push has not been finished.
   void take_back_push();
 
-  std::uint64_t number() const { return number_; }
-  std::int64_t step() const { return state_.step; }
-  /// Whether observers will see this step, unless the walker is asked to stop.
-  bool shows_this_step() const;
+  Frame frame();
+  const Push& pushed() const { return pushers_.pushed(); }
+  const State& state() const { return state_; }
   std::span<Vec3> positions() { return state_.positions; }
-  std::span<const Vec3> previous() const { return state_.previous; }
+  /// Somebody may change it.
+  State& change_state();
+  std::uint64_t number() const { return number_; }
   const RunSummary& summary() const { return summary_; }
+  bool is_over() const { return is_stopped_ || pushers_.is_over(); }
+  void stop() { is_stopped_ = summary_.stopped_by_caller = true; }
 
  private:
-  std::int64_t steps_to_do() const;
-  void undo_step();
   ResidualSummary measured() const;
   std::string what_is_missed(const ResidualSummary& start) const;
   void measure_all(ResolveSummary& resolved) const;
-  bool is_finite_after_push() const;
-  Joint root() const;
-  ResolveSummary resolve_all(Joint root);
-  ResolveSummary resolve_near(Joint root);
   void note(const ResolveSummary& resolved);
-  void show(ResolveSummary resolved);
+  ResolveSummary resolve_disturbed(Resolver& resolver, const Disturbed& disturbed);
 
   const Framework& framework_;
   State& state_;
   std::uint64_t number_;
-  const RunOptions& options_;
-  const std::vector<Observer>& observers_;
-  const std::function<void(const Push&)>& on_push_;
-  const Log& log_;
-  const PerturbationEntry& perturbation_;
-  Resolver& resolver_;
+  ResolveOptions resolve_;
+  Log log_;
+  PushChain pushers_;
   RunSummary summary_;
-  std::int64_t last_step_;
-  double time_before_ = 0.0;  ///< the push
-  Push push_;
-  bool stopping_ = false;
-  bool is_pushed_ = false;    ///< and not finished
-  bool is_whole_ = false;     ///< all bars, before the push
-  bool knows_moved_ = false;  ///< no joint but those of moved_ has left its previous position
-  std::vector<Joint> moved_;
+  ResolveSummary last_;           ///< of the last step, or the start
+  std::optional<bool> is_whole_;  ///< all bars, before the push; none: not looked at
+  bool is_pushed_ = false;        ///< a step has begun and not ended
+  bool is_stopped_ = false;
 };
 
 }  // namespace pliant

@@ -15,8 +15,9 @@ struct SourceText {
   std::string_view text;  ///< all of it, without a UTF-8 byte order mark
 };
 
-/// Files (and what gzip inflates to) beyond this are refused.
-inline constexpr std::size_t largest_text = std::size_t{4} << 30;
+/// Files (and what gzip inflates to) beyond this are refused: 4 GiB, 1 GiB where addresses have 32
+/// bits.
+inline constexpr std::size_t largest_text = std::size_t{1} << (sizeof(std::size_t) > 4 ? 32 : 30);
 
 /// All bytes of a regular file, pipe or socket, gzip undone (by its magic bytes).
 /// Throws FileError with the system's reason, for directories and devices too; InputError for more

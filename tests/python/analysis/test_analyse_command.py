@@ -7,7 +7,7 @@ import json
 import h5py
 import numpy as np
 import pytest
-from pliant.cli_analyse import main
+from pliant.analyse.command import main
 
 
 @pytest.fixture

@@ -9,6 +9,7 @@
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/residual.hpp"
 #include "support/frameworks.hpp"
+#include "support/rigidity.hpp"
 
 namespace pliant {
 namespace {

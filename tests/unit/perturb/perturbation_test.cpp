@@ -7,6 +7,7 @@
 #include <set>
 
 #include "pliant/examples/examples.hpp"
+#include "pliant/perturb/past.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 
@@ -16,12 +17,23 @@ void PrintTo(const PerturbationEntry& row, std::ostream* out) { *out << row.name
 
 namespace {
 
+/// One step of a pusher that acts alone.
+Push push_by(const PusherEntry& row, const Framework& framework, const PerturbOptions& options,
+             const RandomKey& key, State& state) {
+  Past past;
+  past.begin_step(state);
+  Push push;
+  row.make(framework, {options})
+      ->push({framework, key, options.timestep, options.damping, past.older()}, state, push);
+  return push;
+}
+
 /// What each row of the table promises.
 class PerturbationLaw : public testing::TestWithParam<PerturbationEntry> {
  protected:
   static Push push(const Framework& framework, State& state, std::uint64_t step,
                    const PerturbOptions& options = {}) {
-    return GetParam().push({framework, options, {.seed = 9, .step = step}}, state);
+    return push_by(GetParam(), framework, options, {.seed = 9, .step = step}, state);
   }
 };
 
@@ -84,9 +96,9 @@ TEST_P(PerturbationLaw, DependsOnItsKeyAlone) {
   for (const RandomKey& key :
        {RandomKey{.seed = 1}, {.seed = 2}, {.seed = 1, .walker = 1}, {.seed = 1, .step = 1}}) {
     State first(chain(6).positions), second(chain(6).positions), other(chain(6).positions);
-    GetParam().push({framework, options, key}, first);
+    push_by(GetParam(), framework, options, key, first);
     push(framework, other, 77);
-    GetParam().push({framework, options, key}, second);
+    push_by(GetParam(), framework, options, key, second);
     EXPECT_TRUE(test::same_bits(first.positions, second.positions));
     hashes.insert(test::hash_of(first.positions));
   }
@@ -112,7 +124,8 @@ TEST(Force, PushesOneJointByVerlet) {
   std::set<std::int64_t> pushed;
   for (std::uint64_t step = 0; step < 100; ++step) {
     State state(chain(5).positions);
-    const Push push = find_perturbation("force").push({framework, options, {.step = step}}, state);
+    const Push push =
+        push_by(find_perturbation("force"), framework, options, {.step = step}, state);
     const auto root = static_cast<std::size_t>(push.root_joint);
     EXPECT_NEAR(norm(push.force), 30.0, 1e-13);
     const Vec3 expected = chain(5).positions[root] +
@@ -129,7 +142,7 @@ TEST(Force, ChoosesFreeJointsEvenly) {
   int hits[5] = {};
   for (std::uint64_t step = 0; step < 3000; ++step) {
     State state(chain(5).positions);
-    ++hits[find_perturbation("force").push({framework, {}, {.step = step}}, state).root_joint];
+    ++hits[push_by(find_perturbation("force"), framework, {}, {.step = step}, state).root_joint];
   }
   EXPECT_EQ(hits[1] + hits[2], 0);
   for (int joint : {0, 3, 4}) EXPECT_NEAR(hits[joint], 1000, 130);
@@ -139,7 +152,7 @@ TEST(Displacement, MovesEachJointByOneLength) {
   const Framework framework = framework_of(chain(5));
   State state(chain(5).positions);
   const PerturbOptions options{.displacement = 0.25};
-  find_perturbation("displacement").push({framework, options, {}}, state);
+  push_by(find_perturbation("displacement"), framework, options, {}, state);
   for (std::size_t i = 0; i < 5; ++i)
     EXPECT_NEAR(distance(state.positions[i], chain(5).positions[i]), 0.25, 1e-15);
 }
@@ -155,7 +168,7 @@ TEST(ApplyForces, FollowsTheParabolaOfAConstantForce) {
   State state(std::vector<Vec3>(1));
   const JointForce force{0, {2, 0, -1}};
   for (int k = 1; k <= 20; ++k) {
-    apply_forces({framework, options, {}}, {&force, 1}, state);
+    apply_forces(framework, options, {&force, 1}, state);
     const double distance_gone = 100.0 / 4.0 * 0.125 * 0.125 * k * (k + 1) / 2.0;
     EXPECT_NEAR(state.positions[0].x, 2.0 * distance_gone, 1e-11);
     EXPECT_NEAR(state.positions[0].z, -1.0 * distance_gone, 1e-11);
@@ -173,7 +186,7 @@ TEST(ApplyForces, DampsTheVelocity) {
   for (double damping : {0.0, 0.25, 1.0}) {
     State state({{1, 0, 0}});
     state.previous = {{0, 0, 0}};
-    apply_forces({framework, {.damping = damping}, {}}, {&no_force, 1}, state);
+    apply_forces(framework, {.damping = damping}, {&no_force, 1}, state);
     EXPECT_EQ(state.positions[0].x, 2.0 - damping);
   }
 }
@@ -181,8 +194,8 @@ TEST(ApplyForces, DampsTheVelocity) {
 TEST(ApplyForces, WithoutForcesMovesNothing) {
   const Framework framework = framework_of(chain(2));
   State state(chain(2).positions);
-  const Push push = apply_forces({framework, {}, {}}, {}, state);
-  EXPECT_EQ(push.root_joint, 0);
+  const Push push = apply_forces(framework, {}, {}, state);
+  EXPECT_EQ(push.root_joint, no_joint);
   EXPECT_EQ(push.force, (Vec3{}));
   EXPECT_EQ(state.positions, chain(2).positions);
 }
@@ -210,8 +223,8 @@ TEST(RandomPushes, AreThoseOfThePerturbationForce) {
   ASSERT_EQ(pushes.size(), 20u);
   State state(chain(6).positions);
   for (std::uint64_t k = 0; k < 20; ++k) {
-    const Push push = find_perturbation("force").push(
-        {framework, options, {.seed = 9, .walker = 4, .step = 11 + k}}, state);
+    const Push push = push_by(find_perturbation("force"), framework, options,
+                              {.seed = 9, .walker = 4, .step = 11 + k}, state);
     EXPECT_EQ(push.root_joint, pushes[k].joint);
     EXPECT_EQ(push.force, pushes[k].force);
     EXPECT_NEAR(norm(pushes[k].force), 7.0, 1e-12);

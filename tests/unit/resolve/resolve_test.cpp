@@ -47,6 +47,29 @@ TEST(Resolver, ChecksPositionsAndRoot) {
   x.resize(4);
   EXPECT_EQ(test::error_text<OptionError>([&] { resolver.resolve(x, 4); }),
             "root joint 4 of 4 does not exist");
+  const std::vector<Joint> joints = {0, 7};
+  EXPECT_EQ(test::error_text<OptionError>([&] {
+              resolver.resolve(x, {0, false, joints});
+            }),
+            "disturbed joint 7 of 4 does not exist");
+}
+
+TEST(Resolver, TellsWhichJointsMovedIfNotAny) {
+  const Framework framework = framework_of(straight_chain(9));
+  std::vector<Vec3> x = straight_chain(9).positions;
+  x[4].y += 0.1;
+  Resolver resolver(framework, {"blocks"});
+  EXPECT_FALSE(resolver.moved()) << "nothing was resolved";
+  resolver.resolve_near(x, 4);
+  ASSERT_TRUE(resolver.moved());
+  EXPECT_GT(resolver.moved()->size(), 0u);
+  resolver.resolve_near(x, 4);
+  EXPECT_EQ(resolver.moved()->size(), 0u) << "all is whole";
+  resolver.resolve(x, 4);
+  EXPECT_FALSE(resolver.moved());
+  Resolver all(framework, {"bfs_cycle"});
+  all.resolve_near(x, 4);
+  EXPECT_FALSE(all.moved()) << "knows no such way";
 }
 
 TEST(Resolver, ResolvesNothing) {

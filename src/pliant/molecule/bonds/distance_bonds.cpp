@@ -94,11 +94,11 @@ class DistanceStep {
   /// Who can be bonded by distance: all but metals, ions, waters, dummies and placeholders.
   void choose_atoms() {
     water_.assign(p_.structure.size(), false);
-    for (const Unit& unit : p_.units) {
-      const bool water = unit.shape && unit.shape->kind == ResidueKind::water;
-      if (water && is_settled(unit)) continue;
-      for (std::uint32_t atom = unit.first; atom < unit.last; ++atom) {
-        if (p_.excluded[atom] || !makes_bonds(atom, unit)) continue;
+    for (const ResiduePiece& piece : p_.pieces) {
+      const bool water = piece.shape && piece.shape->kind == ResidueKind::water;
+      if (water && is_settled(piece)) continue;
+      for (std::uint32_t atom = piece.first; atom < piece.last; ++atom) {
+        if (p_.excluded[atom] || !makes_bonds(atom, piece)) continue;
         water_[atom] = water;
         atoms_.push_back(atom);
         anything_open_ |= !p_.settled[atom];
@@ -106,16 +106,16 @@ class DistanceStep {
     }
   }
 
-  bool is_settled(const Unit& unit) const {
-    for (std::uint32_t atom = unit.first; atom < unit.last; ++atom)
+  bool is_settled(const ResiduePiece& piece) const {
+    for (std::uint32_t atom = piece.first; atom < piece.last; ++atom)
       if (!p_.settled[atom]) return false;
     return true;
   }
 
-  bool makes_bonds(std::uint32_t atom, const Unit& unit) const {
+  bool makes_bonds(std::uint32_t atom, const ResiduePiece& piece) const {
     const std::uint8_t element = elements_[atom];
     if (covalent_radius(element) <= 0.0 || is_metal(element)) return false;
-    if (unit.last - unit.first == 1 && is_halogen(element)) return false;
+    if (piece.last - piece.first == 1 && is_halogen(element)) return false;
     return most_neighbours(element) > 0;
   }
 

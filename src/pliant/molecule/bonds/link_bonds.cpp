@@ -19,10 +19,10 @@ const AtomKey name_c = atom_key("C", false), name_n = atom_key("N", false),
               name_o3 = atom_key("O3'", false), name_p = atom_key("P", false),
               name_sg = atom_key("SG", false);
 
-/// The atoms by which a unit is linked; the size of the structure where there is none.
+/// The atoms by which a piece is linked; the size of the structure where there is none.
 struct Ends {
-  std::uint32_t head;   ///< N or P: bonds to the unit before
-  std::uint32_t tail;   ///< C or O3': bonds to the unit after
+  std::uint32_t head;   ///< N or P: bonds to the piece before
+  std::uint32_t tail;   ///< C or O3': bonds to the piece after
   bool tail_is_closed;  ///< has OXT
 };
 
@@ -32,9 +32,9 @@ class LinkStep {
       : p_(perception), none_(static_cast<std::uint32_t>(perception.structure.size())) {}
 
   void run() {
-    std::size_t begin = 0;  // of the row of linked units
-    for (std::size_t k = 0; k < p_.units.size(); ++k) {
-      ends_.push_back(ends_of(p_.units[k]));
+    std::size_t begin = 0;  // of the row of linked pieces
+    for (std::size_t k = 0; k < p_.pieces.size(); ++k) {
+      ends_.push_back(ends_of(p_.pieces[k]));
       if (k > 0 && !link(k - 1, k)) {
         close_ring(begin, k - 1);
         begin = k;
@@ -45,16 +45,17 @@ class LinkStep {
   }
 
  private:
-  Ends ends_of(const Unit& unit) const {
-    const ResidueKind kind = unit.shape ? unit.shape->kind : ResidueKind::amino_acid;
+  Ends ends_of(const ResiduePiece& piece) const {
+    const ResidueKind kind = piece.shape ? piece.shape->kind : ResidueKind::amino_acid;
     if (kind == ResidueKind::water) return {none_, none_, false};
     if (kind == ResidueKind::nucleotide)
-      return {p_.find(unit, name_p), p_.find(unit, name_o3), false};
-    Ends ends{p_.find(unit, name_n), p_.find(unit, name_c), false};
-    ends.tail_is_closed = p_.exists(p_.find(unit, name_oxt));
+      return {p_.find(piece, name_p), p_.find(piece, name_o3), false};
+    Ends ends{p_.find(piece, name_n), p_.find(piece, name_c), false};
+    ends.tail_is_closed = p_.exists(p_.find(piece, name_oxt));
     const bool whole = p_.exists(ends.head) && p_.exists(ends.tail);
     // An unknown residue counts as one of a peptide if it has that backbone.
-    if (!unit.shape && !(whole && p_.exists(p_.find(unit, name_ca)))) return {none_, none_, false};
+    if (!piece.shape && !(whole && p_.exists(p_.find(piece, name_ca))))
+      return {none_, none_, false};
     // The C of a cap that has an N is its methyl group.
     if (kind == ResidueKind::cap && whole) ends.tail = none_;
     return ends;
@@ -66,11 +67,11 @@ class LinkStep {
     return length > p_.options.shortest && length < longest_link;
   }
 
-  /// A unit of an unknown residue may only be linked to one of a known residue: between two of
+  /// A piece of an unknown residue may only be linked to one of a known residue: between two of
   /// them distances decide.
   bool link(std::size_t before, std::size_t after) {
-    const Unit& one = p_.units[before];
-    const Unit& other = p_.units[after];
+    const ResiduePiece& one = p_.pieces[before];
+    const ResiduePiece& other = p_.pieces[after];
     const auto& atoms = p_.structure.atoms;
     const std::uint32_t residue = atoms.residue_of[one.first];
     const std::uint32_t next = atoms.residue_of[other.first];
@@ -85,8 +86,8 @@ class LinkStep {
   }
 
   /// Nucleotides link among themselves; amino acids, caps and unknown residues among themselves.
-  static bool kind(const Unit& unit) {
-    return unit.shape && unit.shape->kind == ResidueKind::nucleotide;
+  static bool kind(const ResiduePiece& piece) {
+    return piece.shape && piece.shape->kind == ResidueKind::nucleotide;
   }
 
   /// Head to tail, for cyclic peptides and nucleic acids.
@@ -100,11 +101,11 @@ class LinkStep {
   std::vector<std::uint32_t> free_sulphurs() const {
     const AtomKey hydrogens[] = {atom_key("HG", false), atom_key("HG1", false)};
     std::vector<std::uint32_t> atoms;
-    for (const Unit& unit : p_.units) {
-      if (!unit.shape || unit.shape->kind != ResidueKind::amino_acid) continue;
-      const std::uint32_t sulphur = p_.find(unit, name_sg);
+    for (const ResiduePiece& piece : p_.pieces) {
+      if (!piece.shape || piece.shape->kind != ResidueKind::amino_acid) continue;
+      const std::uint32_t sulphur = p_.find(piece, name_sg);
       const bool thiol = std::any_of(std::begin(hydrogens), std::end(hydrogens),
-                                     [&](AtomKey key) { return p_.exists(p_.find(unit, key)); });
+                                     [&](AtomKey key) { return p_.exists(p_.find(piece, key)); });
       if (p_.exists(sulphur) && !thiol && !p_.excluded[sulphur]) atoms.push_back(sulphur);
     }
     return atoms;
@@ -137,7 +138,7 @@ class LinkStep {
 
   Perception& p_;
   std::uint32_t none_;
-  std::vector<Ends> ends_;  ///< by unit
+  std::vector<Ends> ends_;  ///< by piece
 };
 
 }  // namespace

@@ -6,7 +6,7 @@
 
 namespace pliant::perception {
 
-/// Bonds between units: peptide C-N and O3'-P of consecutive units, rings closed by them, and
+/// Bonds between pieces: peptide C-N and O3'-P of consecutive pieces, rings closed by them, and
 /// disulphides.
 void add_links(Perception& perception);
 

@@ -24,8 +24,8 @@ Perception::Perception(const Structure& given, const BondOptions& chosen)
   }
 }
 
-std::uint32_t Perception::find(const Unit& unit, AtomKey key) const {
-  for (std::uint32_t atom = unit.first; atom < unit.last; ++atom)
+std::uint32_t Perception::find(const ResiduePiece& piece, AtomKey key) const {
+  for (std::uint32_t atom = piece.first; atom < piece.last; ++atom)
     if (keys[atom] == key) return atom;
   return static_cast<std::uint32_t>(structure.size());
 }

@@ -11,9 +11,9 @@
 
 namespace pliant::perception {
 
-/// The atoms [first, last) of one residue. A residue of the file makes several units when its
+/// The atoms [first, last) of one residue. A residue of the file makes several pieces when its
 /// names repeat: waters and residues that all have one number.
-struct Unit {
+struct ResiduePiece {
   std::uint32_t first = 0, last = 0;
   const ResidueTemplate* shape = nullptr;  ///< null where the residue is unknown
 };
@@ -34,15 +34,15 @@ struct Tally {
 struct Perception {
   const Structure& structure;
   const BondOptions& options;
-  std::vector<AtomKey> keys;   ///< (N) names in one spelling
-  std::vector<bool> excluded;  ///< (N) gets no bond but the file's
-  std::vector<bool> settled;   ///< (N) a template tells all bonds within the residue
-  std::vector<Unit> units;     ///< in the order of the atoms
-  std::vector<Bond> bonds;     ///< the file's, then what each step adds; may repeat pairs
-  Tally unplaced;              ///< atoms with a placeholder for a position
-  Tally repeated;              ///< atoms that lie on an atom of the same name
-  Tally stretched;             ///< template bonds too long to be true
-  Tally crowded;               ///< atoms too close to too many others
+  std::vector<AtomKey> keys;         ///< (N) names in one spelling
+  std::vector<bool> excluded;        ///< (N) gets no bond but the file's
+  std::vector<bool> settled;         ///< (N) a template tells all bonds within the residue
+  std::vector<ResiduePiece> pieces;  ///< in the order of the atoms
+  std::vector<Bond> bonds;           ///< the file's, then what each step adds; may repeat pairs
+  Tally unplaced;                    ///< atoms with a placeholder for a position
+  Tally repeated;                    ///< atoms that lie on an atom of the same name
+  Tally stretched;                   ///< template bonds too long to be true
+  Tally crowded;                     ///< atoms too close to too many others
 
   explicit Perception(const Structure& structure, const BondOptions& options);
 
@@ -52,8 +52,8 @@ struct Perception {
   void add(std::uint32_t a, std::uint32_t b, BondOrigin origin, int order) {
     bonds.push_back({std::min(a, b), std::max(a, b), origin, static_cast<std::uint8_t>(order)});
   }
-  /// The atom of `unit` called `key`, or the size of the structure.
-  std::uint32_t find(const Unit& unit, AtomKey key) const;
+  /// The atom of `piece` called `key`, or the size of the structure.
+  std::uint32_t find(const ResiduePiece& piece, AtomKey key) const;
   bool exists(std::uint32_t atom) const { return atom < structure.size(); }
 };
 

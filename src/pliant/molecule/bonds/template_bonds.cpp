@@ -13,7 +13,7 @@ constexpr double longest_to_hydrogen = 2.0;
 
 constexpr std::uint8_t hydrogen = 1;
 
-/// Bonds the atoms of one unit at a time; keeps its scratch between units.
+/// Bonds the atoms of one piece at a time; keeps its scratch between pieces.
 class TemplateStep {
  public:
   explicit TemplateStep(Perception& perception) : p_(perception) {}
@@ -30,16 +30,16 @@ class TemplateStep {
 
  private:
   void add_residue(std::uint32_t first, std::uint32_t last, const ResidueTemplate* shape) {
-    unit_ = {first, last, shape};
-    if (shape == nullptr) return p_.units.push_back(unit_);
+    piece_ = {first, last, shape};
+    if (shape == nullptr) return p_.pieces.push_back(piece_);
     atom_at_.assign(shape->names.size(), none);
     for (std::uint32_t atom = first; atom < last; ++atom) place(atom);
     finish_unit(last);
   }
 
-  /// Puts an atom where its name says; a name met before begins a new unit.
+  /// Puts an atom where its name says; a name met before begins a new piece.
   void place(std::uint32_t atom) {
-    const int slot = unit_.shape->find(p_.keys[atom]);
+    const int slot = piece_.shape->find(p_.keys[atom]);
     if (slot == ResidueTemplate::none || p_.excluded[atom]) return;
     p_.settled[atom] = true;
     if (atom_at_[slot] != none) {
@@ -57,13 +57,13 @@ class TemplateStep {
   }
 
   void finish_unit(std::uint32_t last) {
-    unit_.last = last;
-    p_.units.push_back(unit_);
-    for (const ResidueTemplate::Edge& edge : unit_.shape->edges)
+    piece_.last = last;
+    p_.pieces.push_back(piece_);
+    for (const ResidueTemplate::Edge& edge : piece_.shape->edges)
       if (atom_at_[edge.a] != none && atom_at_[edge.b] != none)
         add_bond(atom_at_[edge.a], atom_at_[edge.b], edge.order);
     std::fill(atom_at_.begin(), atom_at_.end(), none);
-    unit_.first = last;
+    piece_.first = last;
   }
 
   void add_bond(std::uint32_t a, std::uint32_t b, std::uint8_t order) {
@@ -83,7 +83,7 @@ class TemplateStep {
 
   static constexpr std::uint32_t none = 0xffffffffU;
   Perception& p_;
-  Unit unit_;
+  ResiduePiece piece_;
   std::vector<std::uint32_t> atom_at_;  ///< by the template's numbers
 };
 

@@ -7,7 +7,7 @@
 
 namespace pliant::perception {
 
-/// Splits residues into units and bonds the atoms that templates know.
+/// Splits residues into pieces and bonds the atoms that templates know.
 void add_template_bonds(Perception& perception);
 
 }  // namespace pliant::perception

@@ -11,23 +11,25 @@
 namespace pliant {
 namespace {
 
-struct Unit {
+struct UnitOfMeasure {
   std::string_view name;
   double factor;  // our units in one of it
 };
 
 // The names that MDAnalysis takes, and a few more. Angstrom and ps are ours.
-constexpr Unit length_units[] = {{"Angstrom", 1.0}, {"angstrom", 1.0}, {"A", 1.0},  {"nm", 10.0},
-                                 {"pm", 1e-2},      {"fm", 1e-5},      {"um", 1e4}, {"m", 1e10}};
-constexpr Unit time_units[] = {{"ps", 1.0}, {"fs", 1e-3}, {"ns", 1e3},      {"us", 1e6},
-                               {"ms", 1e9}, {"s", 1e12},  {"second", 1e12}, {"sec", 1e12}};
+constexpr UnitOfMeasure length_units[] = {{"Angstrom", 1.0}, {"angstrom", 1.0}, {"A", 1.0},
+                                          {"nm", 10.0},      {"pm", 1e-2},      {"fm", 1e-5},
+                                          {"um", 1e4},       {"m", 1e10}};
+constexpr UnitOfMeasure time_units[] = {{"ps", 1.0}, {"fs", 1e-3}, {"ns", 1e3},      {"us", 1e6},
+                                        {"ms", 1e9}, {"s", 1e12},  {"second", 1e12}, {"sec", 1e12}};
 
 template <std::size_t count>
-double factor_of(const std::string& name, const Unit (&units)[count], const std::string& path) {
-  for (const Unit& unit : units)
+double factor_of(const std::string& name, const UnitOfMeasure (&units)[count],
+                 const std::string& path) {
+  for (const UnitOfMeasure& unit : units)
     if (unit.name == name) return unit.factor;
   std::string known;
-  for (const Unit& unit : units) known.append(known.empty() ? "" : ", ").append(unit.name);
+  for (const UnitOfMeasure& unit : units) known.append(known.empty() ? "" : ", ").append(unit.name);
   throw InputError(path + " has the unit " + pliant::quoted(name) + "; known: " + known);
 }
 

@@ -14,7 +14,7 @@
 #include "pliant/base/log.hpp"
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/record/hdf5/parameter.hpp"
+#include "pliant/base/parameter.hpp"
 
 namespace pliant {
 

@@ -11,7 +11,7 @@
 
 #include "pliant/framework/framework.hpp"
 #include "pliant/record/hdf5/hdf5_session.hpp"
-#include "pliant/record/hdf5/parameter.hpp"
+#include "pliant/base/parameter.hpp"
 
 namespace pliant {
 

@@ -30,23 +30,14 @@ class BlockPass final : public Method {
         finish_by_sweeps_({"bfs_reverse", 0.5, technique.mass_weighted}),
         blocks_(framework, technique, options.tolerance, planner_.blocks()) {}
 
-  const MovedJoints* resolve_near(const ResolveCall& call, ResolveSummary& summary) override {
-    if (framework_.has_pinned_joints() || !blocks_.holds_all()) return nullptr;
-    if (!near_)
-      near_ = std::make_unique<NearPass>(framework_, planner_, blocks_, options_.tolerance);
-    const ResolveSummary before = summary;
-    if (near_->run(call, summary)) {
-      summary.stop = Stop::converged;
-      return &near_->moved();
-    }
-    near_->moved().put_back(call.positions);
-    summary = before;
-    return nullptr;
+  bool looks_near() const override {
+    return !framework_.has_pinned_joints() && blocks_.holds_all();
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
+    if (call.moved != nullptr && resolve_near(call, summary)) return Stop::converged;
     if (is_whole(call.positions)) return Stop::converged;
-    if (!planned_ || planned_root_ != call.root) plan(call.root);
+    if (!planned_ || planned_root_ != call.disturbed.root) plan(call.disturbed.root);
     const bool all_whole = pass(call, summary);
     ++summary.sweeps;
     if (all_whole && !several_pinned()) return Stop::converged;
@@ -55,6 +46,18 @@ class BlockPass final : public Method {
   }
 
  private:
+  /// False if a block could not be resolved: all is as it was, for a pass over every bar.
+  bool resolve_near(const ResolveCall& call, ResolveSummary& summary) {
+    if (!near_)
+      near_ = std::make_unique<NearPass>(framework_, planner_, blocks_, options_.tolerance);
+    const ResolveSummary before = summary;
+    if (near_->run(call, summary)) return true;
+    call.moved->put_back(call.positions);
+    call.moved->note_all(call.positions);
+    summary = before;
+    return false;
+  }
+
   /// With two or more pinned joints in one component bars between them are not free to follow.
   bool several_pinned() const { return framework_.pinned_count() > 1; }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The outward pass of `blocks` after a push of one joint: it ends where nothing has moved.
+// The outward pass of `blocks` after a push of few joints: it ends where nothing has moved.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@
 
 namespace pliant {
 
-/// Breadth first from the pushed joint over broken bars and blocks. A bar that is whole is left
+/// Breadth first from each disturbed joint over broken bars and blocks. A bar that is whole is left
 /// alone and nothing behind it is looked at. A bond behind which the chain bends passes on a part
 /// of the push only, so the region is small.
 class NearPass {
@@ -20,13 +20,18 @@ class NearPass {
   NearPass(const Framework& framework, const OutwardPlanner& planner, BlockSolver& blocks,
            const Tolerance& tolerance);
 
-  /// False if a block could not be resolved; moved() then tells what to put back.
+  /// Notes in call.moved. False if a block could not be resolved.
   bool run(const ResolveCall& call, ResolveSummary& summary);
-  const MovedJoints& moved() const { return moved_; }
 
  private:
-  void clear();
-  bool take(Joint joint, const ResolveCall& call, ResolveSummary& summary);
+  static constexpr BarIndex no_bar = ~BarIndex{0};
+  struct Reached {
+    Joint joint;
+    BarIndex over;  ///< the bridge over which it was reached, if it was one
+  };
+
+  bool run_from(Joint joint, const ResolveCall& call, ResolveSummary& summary);
+  bool take(Reached reached, const ResolveCall& call, ResolveSummary& summary);
   void project(Joint near, const Incidence& at, const ResolveCall& call);
   bool solve(std::uint32_t block, Joint entry, const ResolveCall& call, ResolveSummary& summary);
 
@@ -34,10 +39,10 @@ class NearPass {
   const OutwardPlanner& planner_;
   BlockSolver& blocks_;
   Tolerance tolerance_;
-  MovedJoints moved_;
+  std::vector<Reached> reached_;          ///< in the pass from one joint
   std::vector<std::uint8_t> is_entered_;  ///< by block
   std::vector<std::uint32_t> entered_;
-  std::vector<Vec3> before_;  ///< of the joints of a block
+  std::vector<Vec3> before_;  ///< of the joints of a block, to tell which it moves
 };
 
 }  // namespace pliant

@@ -32,7 +32,7 @@ class RingSweeps final : public Method {
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
-    if (!planned_ || planned_root_ != call.root) plan(call.root);
+    if (!planned_ || planned_root_ != call.disturbed.root) plan(call.disturbed.root);
     if (limits_) limits_->begin(call.limits_off);
     bridges_.begin();
     for (Look look = look_at_all(call);;) {

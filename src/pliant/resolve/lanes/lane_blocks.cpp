@@ -30,16 +30,17 @@ class LaneBlocks final : public LaneMethod {
 
   bool is_plain() const { return blocks_.holds_all() && !blocks_.any_overbraced(); }
 
-  void resolve(const LaneCall& call) override {
+  LaneEnds begin(const LaneCall& call) override {
     const LaneMask whole = find_whole(call, call.lanes);
-    if (whole != 0) call.end.finish_whole(whole);
-    LaneMask active = LaneMask(call.lanes & ~whole);
-    if (active == 0) return;
+    return {.whole = whole, .left = LaneMask(call.lanes & ~whole)};
+  }
+
+  LaneEnds go_on(const LaneCall& call, LaneMask left) override {
     if (!planned_ || planned_root_ != call.root) plan(call.root);
-    pass(call, active);
+    pass(call, left);
     // With several pinned joints bars between them are not free to follow.
-    if (framework_.pinned_count() > 1) active = find_whole(call, active);
-    if (active != 0) call.end.finish_whole(active);
+    if (framework_.pinned_count() > 1) left = find_whole(call, left);
+    return {.whole = left};
   }
 
  private:

@@ -26,11 +26,10 @@ class LaneDirect : public LaneMethod {
                        BarNewton::is_overbraced);
   }
 
-  void resolve(const LaneCall& call) override {
-    LaneMask active = call.lanes;
+  LaneEnds go_on(const LaneCall& call, LaneMask left) override {
     for (const BarEquations::Part part : components_.parts())
-      count(call, part, solve(call, components_.equations().pattern(part)), active);
-    if (active != 0) call.end.finish(active, Stop::converged);
+      count(call, part, solve(call, components_.equations().pattern(part)), left);
+    return {.converged = left};
   }
 
  protected:

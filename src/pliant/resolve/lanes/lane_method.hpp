@@ -12,14 +12,13 @@
 
 namespace pliant {
 
-/// Ends the resolve of some lanes.
-class LaneEnd {
- public:
-  virtual ~LaneEnd() = default;
-  /// These lanes are done as they stand: their summaries' counts are final.
-  virtual void finish(LaneMask lanes, Stop stop) = 0;
-  /// The same of lanes in which every bar has been seen to be whole where it is.
-  virtual void finish_whole(LaneMask lanes) = 0;
+/// How lanes ended. Those named nowhere are resolved alone, from their start.
+struct LaneEnds {
+  LaneMask whole = 0;       ///< every bar has been seen to be whole where it is
+  LaneMask converged = 0;   ///< believed whole
+  LaneMask max_sweeps = 0;  ///< the limit is met
+  LaneMask stopped = 0;     ///< by the caller's wish
+  LaneMask left = 0;        ///< not ended yet
 };
 
 /// One resolve of up to eight walkers that share the root.
@@ -28,8 +27,7 @@ struct LaneCall {
   const LaneVector* reference = nullptr;  ///< (N) positions before the push, or none
   Joint root = 0;
   LaneMask lanes = 0;                   ///< those that hold a walker
-  ResolveSummary* summaries = nullptr;  ///< (8) of the lanes; counts begin at 0
-  LaneEnd& end;
+  ResolveSummary* summaries = nullptr;  ///< of each lane that holds one; counts begin at 0
 
   /// Calls `add(summary, lane)` for each of these lanes.
   template <class Add>
@@ -39,12 +37,16 @@ struct LaneCall {
   }
 };
 
+/// Ends lanes exactly as Method::resolve would have ended alone, bit by bit. One resolve is begin()
+/// and, while lanes are left, go_on(): what lanes end with is to be taken out before the next,
+/// which moves the joints of all.
 class LaneMethod {
  public:
   virtual ~LaneMethod() = default;
-  /// Finishes lanes exactly as Method::resolve would have ended alone, bit by bit. Lanes that it
-  /// does not finish are resolved alone, from their start.
-  virtual void resolve(const LaneCall& call) = 0;
+  /// Ends what need not be moved.
+  virtual LaneEnds begin(const LaneCall& call) { return {.left = call.lanes}; }
+  /// Goes on with the lanes that are left to where some may have ended. Counts in the summaries.
+  virtual LaneEnds go_on(const LaneCall& call, LaneMask left) = 0;
   /// Whether it looks at LaneCall::reference.
   virtual bool needs_reference() const { return false; }
 };

@@ -15,16 +15,17 @@ class LaneSweeps final : public LaneMethod {
         kernels_(setting.kernels),
         entry_(find_ordering(setting.technique.name)) {}
 
-  void resolve(const LaneCall& call) override {
+  LaneEnds begin(const LaneCall& call) override {
     if (!planned_ || planned_root_ != call.root) plan(call.root);
-    LaneMask active = call.lanes;
-    std::size_t hint = 0;
-    for (std::int64_t sweeps = 0; leave_if_whole(call, hint, active); ++sweeps) {
-      if (sweeps == options_.max_sweeps) return call.end.finish(active, Stop::max_sweeps);
-      if (sweeps > 0 && options_.should_stop && options_.should_stop())
-        return call.end.finish(active, Stop::stopped_by_caller);
-      sweep(call, sweeps, active);
-    }
+    sweeps_ = 0;
+    hint_ = 0;
+    return look(call, call.lanes);
+  }
+
+  LaneEnds go_on(const LaneCall& call, LaneMask left) override {
+    if (sweeps_ == options_.max_sweeps) return {.max_sweeps = left};
+    if (sweeps_ > 0 && options_.should_stop && options_.should_stop()) return {.stopped = left};
+    return look(call, sweep(call, left));
   }
 
  private:
@@ -42,24 +43,24 @@ class LaneSweeps final : public LaneMethod {
     planned_root_ = root;
   }
 
-  /// Whether any lane is left to sweep.
-  bool leave_if_whole(const LaneCall& call, std::size_t& hint, LaneMask& active) const {
+  LaneEnds look(const LaneCall& call, LaneMask among) {
     LaneMask not_finite = 0;
-    const LaneMask within = kernels_.look(visits(), call.positions, active, hint, not_finite);
+    const LaneMask within = kernels_.look(visits(), call.positions, among, hint_, not_finite);
     const auto whole = LaneMask(within & ~not_finite);  // an infinite error may be allowed
-    if (whole != 0) call.end.finish_whole(whole);
-    active = LaneMask(active & ~(whole | not_finite));
-    return active != 0;
+    return {.whole = whole, .left = LaneMask(among & ~(whole | not_finite))};
   }
 
-  void sweep(const LaneCall& call, std::int64_t sweeps, LaneMask& active) const {
-    const bool backwards = entry_.repeat == Repeat::reverse && sweeps % 2 == 1;
+  /// The lanes in which no joints were in one place.
+  LaneMask sweep(const LaneCall& call, LaneMask left) {
+    const bool backwards = entry_.repeat == Repeat::reverse && sweeps_ % 2 == 1;
     const LaneMask coincident = kernels_.sweep(visits(), backwards, call.positions);
-    active = LaneMask(active & ~coincident);
-    call.each(active, [&](ResolveSummary& summary, std::size_t) {
+    left = LaneMask(left & ~coincident);
+    ++sweeps_;
+    call.each(left, [&](ResolveSummary& summary, std::size_t) {
       ++summary.sweeps;
       summary.projections += static_cast<std::int64_t>(visits_.size());
     });
+    return left;
   }
 
   const Framework& framework_;
@@ -70,6 +71,8 @@ class LaneSweeps final : public LaneMethod {
   OrderScratch scratch_;
   Ordering ordering_;
   std::vector<LaneVisit> visits_;
+  std::int64_t sweeps_ = 0;  ///< of this resolve
+  std::size_t hint_ = 0;     ///< where its last look ended
   bool planned_ = false;
   Joint planned_root_ = 0;
 };

@@ -4,34 +4,39 @@
 
 #include <span>
 
+#include "pliant/framework/disturbed.hpp"
 #include "pliant/resolve/method/resolve_options.hpp"
 #include "pliant/resolve/method/resolve_summary.hpp"
 #include "pliant/resolve/method/technique.hpp"
 
 namespace pliant {
 
-/// One resolve: the positions to move, the pushed joint, and the key of its random draws.
+class MovedJoints;
+
+/// One resolve: the positions to move, what was disturbed, and the key of its random draws.
 struct ResolveCall {
-  std::span<Vec3> positions;  ///< (N) Angstrom
-  Joint root = 0;
+  std::span<Vec3> positions;             ///< (N) Angstrom
+  Disturbed disturbed = {};              ///< its root is where orderings begin
   RandomKey key = {};                    ///< seed, walker and step
   std::span<const Vec3> reference = {};  ///< (N) positions before the push, or none
-  LimitsOff limits_off = {};             ///< (L) limits that are switched off, or none
+  /// Where to note joints before they move. None unless not all joints were disturbed and the
+  /// method looks_near().
+  MovedJoints* moved = nullptr;
+  LimitsOff limits_off = {};  ///< (L) 1: this limit is switched off; empty: none is
 };
-
-class MovedJoints;
 
 class Method {
  public:
   virtual ~Method() = default;
+
   /// Counts sweeps and projections in `summary` (0 at the start) and tells why it stopped. May
-  /// leave positions that are not finite: the caller puts them back.
+  /// leave anything where it stopped at a number that is not finite: the Resolver puts it back.
+  /// With call.moved it looks at what the disturbed joints reach and no further, or else notes all
+  /// joints there and looks at every bar.
   virtual Stop resolve(const ResolveCall& call, ResolveSummary& summary) = 0;
 
-  /// The same where every bar away from the root is whole: looks only at what the push disturbs.
-  /// Sets summary.stop and gives the joints that moved, or null (and does nothing) if this method
-  /// knows no such way.
-  virtual const MovedJoints* resolve_near(const ResolveCall&, ResolveSummary&) { return nullptr; }
+  /// Whether it knows how to look only at what few disturbed joints reach.
+  virtual bool looks_near() const { return false; }
 };
 
 }  // namespace pliant

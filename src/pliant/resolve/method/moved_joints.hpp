@@ -2,6 +2,7 @@
 // Which joints a resolve has moved, in the order in which they moved first, and where they were.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -13,12 +14,23 @@ namespace pliant {
 /// A set of joints that is cleared in the time that its members take, not the framework.
 class MovedJoints {
  public:
-  explicit MovedJoints(std::size_t joint_count) : is_in_(joint_count, 0) {}
-
   void clear() {
     for (Joint joint : joints_) is_in_[joint] = 0;
     joints_.clear();
     before_.clear();
+    holds_all_ = false;
+  }
+
+  /// Any joint may move from now on, from these positions (N).
+  void note_all(std::span<const Vec3> positions) {
+    clear();
+    before_.assign(positions.begin(), positions.end());
+    holds_all_ = true;
+  }
+
+  /// Makes room for the joints of a framework, to be noted one by one.
+  void reserve(std::size_t joint_count) {
+    if (is_in_.size() < joint_count) is_in_.resize(joint_count, 0);
   }
 
   /// Notes that `joint` is about to leave `position`; what a joint's first note says stays.
@@ -29,17 +41,20 @@ class MovedJoints {
     before_.push_back(position);
   }
 
-  bool holds(Joint joint) const { return is_in_[joint] != 0; }
+  bool holds_all() const { return holds_all_; }
+  /// Those noted one by one.
   std::span<const Joint> joints() const { return joints_; }
 
   void put_back(std::span<Vec3> positions) const {
+    if (holds_all_) std::copy(before_.begin(), before_.end(), positions.begin());
     for (std::size_t k = 0; k < joints_.size(); ++k) positions[joints_[k]] = before_[k];
   }
 
  private:
-  std::vector<std::uint8_t> is_in_;
+  std::vector<std::uint8_t> is_in_;  ///< empty until reserve()
   std::vector<Joint> joints_;
-  std::vector<Vec3> before_;
+  std::vector<Vec3> before_;  ///< of joints_, or of all
+  bool holds_all_ = false;
 };
 
 }  // namespace pliant

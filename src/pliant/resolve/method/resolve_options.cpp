@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/method/resolve_options.hpp"
 
-#include <cmath>
-#include <string>
-
-#include "pliant/base/error.hpp"
-#include "pliant/base/number.hpp"
+#include "pliant/base/range.hpp"
 
 namespace pliant {
 
 void check(const ResolveOptions& options) {
-  const auto positive = [](const char* name, double value) {
-    if (!(value > 0.0 && std::isfinite(value)))
-      throw OptionError(std::string(name) + " = " + number_text(value) +
-                        ": must be positive and finite");
-  };
-  positive("tolerance", options.tolerance.relative);
-  if (options.tolerance.length != 0.0) positive("tolerance_length", options.tolerance.length);
-  positive("tolerance_limit", options.tolerance.limit);
-  positive("tolerance_overlap", options.tolerance.overlap);
-  if (options.max_sweeps < 1)
-    throw OptionError("max_sweeps = " + std::to_string(options.max_sweeps) + ": must be from 1");
+  check_range("tolerance", options.tolerance.relative, Range::positive);
+  if (options.tolerance.length != 0.0)
+    check_range("tolerance_length", options.tolerance.length, Range::positive);
+  check_range("tolerance_limit", options.tolerance.limit, Range::positive);
+  check_range("tolerance_overlap", options.tolerance.overlap, Range::positive);
+  check_range("max_sweeps", options.max_sweeps, Range::positive);
 }
 
 }  // namespace pliant

@@ -18,30 +18,29 @@ class LocalSweeps final : public Method {
         technique_(technique),
         options_(options),
         everywhere_{"bfs_cycle", technique.weighting, technique.mass_weighted},
-        moved_(framework.joint_count()),
         place_(framework.joint_count(), unplaced) {}
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
+    if (call.moved != nullptr) {
+      reach_again(call.disturbed);
+      return sweep_until_whole(call, summary);
+    }
     if (!sweeps_) sweeps_ = make_sweeps(framework_, everywhere_, options_);
     return sweeps_->resolve(call, summary);
   }
 
-  const MovedJoints* resolve_near(const ResolveCall& call, ResolveSummary& summary) override {
-    moved_.clear();
-    reach_again(call.root);
-    summary.stop = sweep_until_whole(call, summary);
-    return &moved_;
-  }
+  bool looks_near() const override { return true; }
 
  private:
   static constexpr std::uint32_t unplaced = ~std::uint32_t{0};
   static constexpr BarIndex no_bar = ~BarIndex{0};
 
-  void reach_again(Joint root) {
+  void reach_again(const Disturbed& disturbed) {
     for (Joint joint : reached_) place_[joint] = unplaced;
     reached_.clear();
     reached_over_.clear();
-    reach(root, no_bar);
+    reach(disturbed.root, no_bar);
+    for (Joint joint : disturbed.joints) reach(joint, no_bar);
   }
 
   void reach(Joint joint, BarIndex over) {
@@ -89,8 +88,8 @@ class LocalSweeps final : public Method {
       swept.finite = false;
       return;
     }
-    moved_.note(near, x_near);
-    moved_.note(at.joint, x_far);
+    call.moved->note(near, x_near);
+    call.moved->note(at.joint, x_far);
     reach(at.joint, at.bar);
     // A joint is reached over the bar that moves it first: its tree bar.
     const bool is_tree = reached_over_[place_[at.joint]] == at.bar;
@@ -103,9 +102,8 @@ class LocalSweeps final : public Method {
   Technique technique_;
   ResolveOptions options_;
   Technique everywhere_;
-  MovedJoints moved_;
   std::vector<std::uint32_t> place_;  ///< in reached_
-  std::vector<Joint> reached_;        ///< breadth first from the pushed joint
+  std::vector<Joint> reached_;        ///< breadth first from those disturbed
   std::vector<BarIndex> reached_over_;
   std::unique_ptr<Method> sweeps_;
 };

@@ -8,9 +8,9 @@
 
 namespace pliant {
 
-/// After a push of one joint: sweeps breadth first from it, out to where nothing has moved. A bar
-/// that is whole is left alone, so the cost is that of the region which the push disturbs, however
-/// large the framework. Where more than one joint has moved: `bfs_cycle`, bar by bar.
+/// After a push of few joints: sweeps breadth first from them, out to where nothing has moved. A
+/// bar that is whole is left alone, so the cost is that of the region which the push disturbs,
+/// however large the framework. Where all joints may have moved: `bfs_cycle`, bar by bar.
 std::unique_ptr<Method> make_local_sweeps(const Framework& framework, const Technique& technique,
                                           const ResolveOptions& options);
 

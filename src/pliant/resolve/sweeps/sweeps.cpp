@@ -20,7 +20,7 @@ class Sweeps final : public Method {
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
     key_ = call.key;
     if (limits_) limits_->begin(call.limits_off);
-    return sweep_until_whole(call.positions, call.root, summary);
+    return sweep_until_whole(call.positions, call.disturbed.root, summary);
   }
 
  private:

@@ -62,7 +62,8 @@ bool UnitLoop::find_shape(const ResolveCall& call) {
   for (std::size_t k = 0; k < joints_.size(); ++k) positions_[k] = call.positions[joints_[k]];
   ResolveCall alone = call;
   alone.positions = positions_;
-  alone.root = 0;
+  alone.disturbed = {};
+  alone.moved = nullptr;
   alone.reference = {};
   if (closure_) closure_->close(positions_, widest_gap_);
   ResolveSummary summary;

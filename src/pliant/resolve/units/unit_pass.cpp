@@ -89,10 +89,10 @@ void UnitPass::close_by_torsions(const ResolveOptions& options) {
 }
 
 UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
-  if (!planned_ || planned_root_ != call.root) {
-    plan_.plan(call.root);
+  if (!planned_ || planned_root_ != call.disturbed.root) {
+    plan_.plan(call.disturbed.root);
     planned_ = true;
-    planned_root_ = call.root;
+    planned_root_ = call.disturbed.root;
   }
   Outcome worst = Outcome::placed;
   for (auto& loop : loops_)

@@ -84,7 +84,7 @@ class Units final : public Method {
   std::unique_ptr<UnitPass> pass_;  ///< null: no rigid bodies
   std::unique_ptr<Method> blocks_;
   bool nearest_;
-  std::vector<Vec3> before_, after_;
+  std::vector<Vec3> before_, after_;  ///< to keep what was better, and to come near it again
 };
 
 }  // namespace

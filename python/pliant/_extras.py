@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""Packages that not everybody needs: what is missing is said in one line, with the pip command."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib.util
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from collections.abc import Iterator
+
+#: Packages by the name under which they are imported: what people call them, and the extra of
+#: pyproject.toml that brings them.
+_EXTRAS = {
+    "MDAnalysis": ("MDAnalysis", "analysis"),
+    "matplotlib": ("matplotlib", "plot"),
+    "openmm": ("OpenMM", "openmm"),
+    "rdkit": ("RDKit", "rdkit"),
+    "scipy": ("SciPy", "lab"),
+}
+
+
+class MissingPackageError(ImportError):
+    """A package that is installed on demand is not there; the message has the pip command."""
+
+
+def need(what: str, *packages: str, extra: str = "") -> None:
+    """Raises MissingPackageError if `what` lacks one of the packages, without importing any.
+
+    `extra` is what to install; that of the package by default.
+    """
+    for package in packages:
+        if not _is_there(package):
+            raise _missing(what, package, extra)
+
+
+@contextlib.contextmanager
+def needed_by(what: str, extra: str = "") -> Iterator[None]:
+    """Imports of packages that are missing raise MissingPackageError within this context."""
+    try:
+        yield
+    except ModuleNotFoundError as error:
+        package = (error.name or "").partition(".")[0]
+        if package not in _EXTRAS:
+            raise
+        raise _missing(what, package, extra) from None
+
+
+def _is_there(package: str) -> bool:
+    try:
+        return importlib.util.find_spec(package) is not None
+    except (ImportError, ValueError):  # hidden by a finder, or by None in sys.modules
+        return False
+
+
+def _missing(what: str, package: str, extra: str) -> MissingPackageError:
+    name, usual = _EXTRAS[package]
+    return MissingPackageError(
+        f'{what} needs {name}: pip install "pliant[{extra or usual}]"', name=package
+    )

@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: MIT
+"""The subcommand ``pliant analyse``: figures, tables and a report page of a trajectory."""
+
+from __future__ import annotations
+
+import argparse
+import contextlib
+import importlib.util
+import sys
+import warnings
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
+from typing import Any
+
+from pliant.console import EXIT_OK, Parser, note, print_json, run_command, whole_number
+
+DESCRIPTION = """\
+Analyses a trajectory and writes figures (PNG), tables (CSV) and one page, report.html, which
+opens in a browser without network and shows the molecule moving.
+
+It measures every bar of every frame anew from the coordinates in the file, and computes RMSD,
+RMSF, radius of gyration, torsions of rotatable bonds and principal components. Any trajectory
+that MDAnalysis reads will do; what a file does not hold is left out, and the page says so."""
+
+EPILOG = """\
+examples:
+  pliant analyse caffeine.h5md
+  pliant analyse adk.h5md -o adk-report --select "not name H*"
+  pliant analyse run.xtc --topology run.pdb --superpose "name CA"
+
+Selections are MDAnalysis': "protein and name CA", "resid 10:50", "not name H*", "index 0:99".
+Exit code: 0 analysed (also when bars are beyond tolerance: see the verdict, or --json),
+1 the input cannot be read, 2 wrong usage."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Runs the subcommand with a list of arguments (default: sys.argv); returns the exit code."""
+    options = _parser().parse_args(arguments)
+    return run_command("analyse", lambda: _analyse(options))
+
+
+def _parser() -> Parser:
+    parser = Parser("analyse", DESCRIPTION, EPILOG)
+    add = parser.add_argument
+    add("file", metavar="FILE", help="trajectory: OUT.h5md of pliant run, or another")
+    add(
+        "-o", "--output", metavar="DIR",
+        help="folder for the results (default: FILE's name with -report)",
+    )  # fmt: skip
+    add(
+        "--topology", metavar="FILE",
+        help="atoms and bonds, where FILE holds none (PDB, GRO, PSF ...)",
+    )  # fmt: skip
+    _add_choice_of_atoms(parser.add_argument_group("atoms").add_argument)
+    _add_choice_of_frames(parser.add_argument_group("frames").add_argument)
+    _add_output(parser.add_argument_group("output").add_argument)
+    return parser
+
+
+def _add_choice_of_atoms(add: Callable[..., object]) -> None:
+    add("--select", metavar="SELECTION", default="all", help="atoms to analyse (default: all)")
+    add(
+        "--superpose", metavar="SELECTION",
+        help="atoms to superpose, also those of the PCA (default: CA and P atoms where there is a "
+        "chain of them, else all but hydrogens)",
+    )  # fmt: skip
+    add("--hydrogens", action="store_true", help="also torsions that turn hydrogens only")
+    add("--mass-weighted", action="store_true", help="weigh the PCA by masses")
+
+
+def _add_choice_of_frames(add: Callable[..., object]) -> None:
+    add("--start", type=int, metavar="N", help="first frame, from 0 (negative: from the end)")
+    add("--stop", type=int, metavar="N", help="frame before which to stop")
+    add("--step", type=whole_number(1), metavar="N", help="take every N-th frame")
+    add(
+        "--workers", type=whole_number(1), default=1, metavar="N",
+        help="processes; pays for trajectories of gigabytes only (default: 1)",
+    )  # fmt: skip
+
+
+def _add_output(add: Callable[..., object]) -> None:
+    add(
+        "--dpi", type=whole_number(50), default=200, metavar="N",
+        help="resolution of the figures (default: 200)",
+    )  # fmt: skip
+    add("--json", action="store_true", help="print the results as one JSON object")
+    add("--quiet", action="store_true", help="print nothing but errors")
+
+
+def _analyse(options: argparse.Namespace) -> int:
+    # Imported here, so that --help and errors of usage are immediate.
+    from pliant.analyse.suite import analyse
+
+    with warnings.catch_warnings(), _stages(options.quiet) as on_stage:
+        warnings.simplefilter("ignore")
+        report = analyse(
+            options.file,
+            options.output or f"{Path(options.file).stem}-report",
+            topology=options.topology,
+            select=options.select,
+            superpose=options.superpose,
+            mass_weighted=options.mass_weighted,
+            hydrogens=options.hydrogens,
+            start=options.start,
+            stop=options.stop,
+            step=options.step,
+            workers=options.workers,
+            dpi=options.dpi,
+            on_stage=on_stage,
+        )
+    summary = report.as_json()
+    if options.json:
+        print_json(summary)
+    elif not options.quiet:
+        _print_summary(summary)
+    return EXIT_OK
+
+
+@contextlib.contextmanager
+def _stages(quiet: bool) -> Iterator[Callable[[str], None]]:
+    """Gives a function that shows what is under way; only on a terminal, and with `rich`."""
+    if quiet or not sys.stderr.isatty() or not importlib.util.find_spec("rich"):
+        yield lambda name: None
+        return
+    from rich.console import Console
+
+    console = Console(stderr=True)
+    with console.status("reading") as status:
+        yield lambda name: status.update(f"{name} ...")
+
+
+def _print_summary(summary: Mapping[str, Any]) -> None:
+    for text in summary["notes"]:
+        note(text)
+    for name, why in summary["skipped"].items():
+        note(f"no {name}: {why}")
+    print(f"frames          {summary['frames']}, of {summary['atoms_analysed']} atoms")
+    print(f"bars            {summary['verdict_text']}")
+    rows = (
+        ("worst residual", "max_residual", "{:.2e} of the bar's length"),
+        ("sweeps a step", "sweeps_mean", "{:.1f} on average"),
+        ("RMSD", "rmsd_last", "{:.3f} Angstrom from first to last frame"),
+        ("RMSF", "rmsf_mean", "{:.3f} Angstrom, mean over atoms"),
+        ("gyration", "radius_of_gyration_mean", "{:.3f} Angstrom, mean radius"),
+        ("torsions", "rotatable_bonds", "{} rotatable bonds"),
+    )
+    for label, key, text in rows:
+        if key in summary:
+            print(f"{label:<16}{text.format(summary[key])}")
+    print(f"report          {summary['outputs']['report']}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

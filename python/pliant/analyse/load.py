@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""Opens a trajectory with MDAnalysis, and says in one line why it cannot be opened."""
+
+from __future__ import annotations
+
+import contextlib
+import os
+import warnings
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import h5py
+import MDAnalysis
+
+import pliant.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds from our files)
+from pliant._core import InputError
+
+if TYPE_CHECKING:
+    from MDAnalysis import Universe
+
+
+def open_universe(
+    path: str | os.PathLike[str], topology: str | os.PathLike[str] | None = None
+) -> Universe:
+    """The MDAnalysis.Universe of a trajectory file, with a topology file or its own.
+
+    Raises InputError with one line: no such file, not HDF5, no frames, no or a wrong topology.
+    """
+    path = Path(path)
+    _check_file(path)
+    if topology is not None:
+        _check_file(Path(topology))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")
+        universe = _open(path, topology)
+    frames = None
+    with contextlib.suppress(Exception):
+        frames = len(universe.trajectory)
+    if not frames:
+        raise InputError(f"{path}: holds no frames")
+    return universe
+
+
+def _check_file(path: Path) -> None:
+    if not path.exists():
+        raise InputError(f"{path}: no such file")
+    if path.is_dir():
+        raise InputError(f"{path}: is a folder, expected a trajectory file")
+    if path.suffix.lower() not in (".h5md", ".h5", ".hdf5"):
+        return
+    if not h5py.is_hdf5(path):
+        raise InputError(f"{path}: is not an HDF5 file, or was cut off while it was written")
+    with h5py.File(path, "r") as file:
+        particles = file.get("particles")
+        if not isinstance(particles, h5py.Group) or len(particles) == 0:
+            raise InputError(f"{path}: is HDF5 but not H5MD: there is no group in /particles")
+        name = next(iter(particles))
+        values = particles[name].get("position/value")
+        if not isinstance(values, h5py.Dataset):
+            raise InputError(f"{path}: there are no positions in /particles/{name}")
+        if values.shape[0] == 0:
+            raise InputError(f"{path}: holds no frames")
+
+
+def _open(path: Path, topology: str | os.PathLike[str] | None) -> Universe:
+    options = {"format": "H5MD"} if path.suffix.lower() in (".h5md", ".h5", ".hdf5") else {}
+    try:
+        if topology is not None:
+            return MDAnalysis.Universe(str(topology), str(path), **options)
+        if options:
+            options["topology_format"] = "H5MD"
+        return MDAnalysis.Universe(str(path), **options)
+    except Exception as error:  # MDAnalysis raises whatever its readers meet
+        what = path if topology is None else f"{path} with topology {topology}"
+        advice = "" if topology is not None else "; --topology FILE names one with the atoms"
+        reason = " ".join(str(error).split()) or type(error).__name__
+        raise InputError(f"{what}: MDAnalysis cannot read it: {reason}{advice}") from error

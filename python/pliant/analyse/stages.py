@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: MIT
+"""Runs every analysis that a trajectory allows."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from typing import TYPE_CHECKING
+
+import numpy as np
+from MDAnalysis.exceptions import NoDataError, SelectionError
+
+from pliant._core import OptionError
+from pliant.analyse.frames_held import choose_frames
+from pliant.analyse.load import open_universe
+from pliant.analyse.study import Study
+from pliant.analysis import (
+    BarResiduals,
+    PrincipalComponents,
+    RadiusOfGyration,
+    RmsdToStart,
+    Rmsf,
+    TorsionDistributions,
+    read_record,
+)
+from pliant.analysis.rotatable import is_hydrogen
+from pliant.analysis.stored import StoredPositions
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup, Universe
+    from MDAnalysis.analysis.base import Results
+
+    from pliant.analyse.study import StudyOptions
+    from pliant.analysis.frames import FrameAnalysis
+    from pliant.analysis.record import RunRecord
+
+
+#: the table of coordinates that the PCA makes may be this large
+PCA_BYTES = 1 << 29
+
+
+def study_trajectory(
+    options: StudyOptions, on_stage: Callable[[str], None] = lambda name: None
+) -> Study:
+    """Opens the trajectory and runs everything on it; `on_stage` is told what is under way.
+
+    Raises InputError (one line) when the file cannot be used, OptionError when the choice of atoms
+    or frames is wrong or empty.
+    """
+    on_stage("reading")
+    universe = open_universe(options.path, options.topology)
+    stored = StoredPositions(universe.trajectory)
+    study = Study(options, universe, _record(options.path), stored)
+    study.atoms = _select(universe, options.select, "--select")
+    study.fitted, study.fitted_name = _fitted(study)
+    choose_frames(study)
+    runner = Runner(study)
+    for name, stage in STAGES.items():
+        on_stage(name)
+        try:
+            stage(study, runner)
+        except (ValueError, NoDataError) as error:
+            study.skipped[name] = " ".join(str(error).split())
+    return study
+
+
+def fitted_atoms(atoms: AtomGroup) -> tuple[AtomGroup, str]:
+    """The atoms to superpose when none are named, and what to call them.
+
+    One atom a residue where there is a chain of them (CA, P), else what is no hydrogen.
+    """
+    if hasattr(atoms, "names") and hasattr(atoms, "resnames"):
+        trace = atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
+        if len(trace) >= 4:
+            return trace, " and ".join(sorted(set(trace.names))) + " atoms"
+    heavy = atoms[~is_hydrogen(atoms)]
+    return (heavy, "heavy atoms") if 3 <= len(heavy) < len(atoms) else (atoms, "all atoms")
+
+
+class Runner:
+    """Runs analyses over the frames of a study, in as many processes as were asked for."""
+
+    def __init__(self, study: Study) -> None:
+        self._frames = np.arange(len(study.frames)) if study.held else study.frames
+        self._backend = {}
+        if study.options.workers > 1:
+            self._backend = {"backend": "multiprocessing", "n_workers": study.options.workers}
+
+    def run(self, analysis: FrameAnalysis, stride: int = 1) -> Results:
+        """`analysis` after its run over the frames of the study, or every `stride`-th."""
+        analysis.run(frames=self._frames[::stride], **self._backend)
+        return analysis.results
+
+    @property
+    def first(self) -> int:
+        """Number of the first frame, as the universe counts now."""
+        return int(self._frames[0])
+
+
+def _record(path: str) -> RunRecord | None:
+    try:
+        return read_record(path)
+    except OSError:
+        return None
+
+
+def _select(universe: Universe, selection: str, option: str) -> AtomGroup:
+    try:
+        atoms = universe.select_atoms(selection)
+    except (SelectionError, NoDataError, AttributeError, ValueError, TypeError) as error:
+        raise OptionError(f"{option} '{selection}': {' '.join(str(error).split())}") from error
+    if len(atoms) == 0:
+        raise OptionError(f"{option} '{selection}': selects no atoms")
+    return atoms
+
+
+def _fitted(study: Study) -> tuple[AtomGroup, str]:
+    selection = study.options.superpose
+    if selection is None:
+        return fitted_atoms(study.atoms)
+    return _select(study.universe, selection, "--superpose"), f"atoms '{selection}'"
+
+
+def _bar_residuals(study: Study, runner: Runner) -> None:
+    residuals = _bar_residuals_of(study)
+    runner.run(residuals)
+    study.residuals = residuals
+    if residuals.precision == "float32" and residuals.tolerance < 1e-5:
+        study.notes.append(
+            "coordinates are stored as 32-bit floats, so residuals are known to a few 1e-6 only"
+        )
+
+
+def _bar_residuals_of(study: Study) -> BarResiduals:
+    record = study.record
+    if record is None or record.bars is None:
+        raise ValueError("the trajectory holds no bars with rest lengths")
+    return BarResiduals(
+        study.universe,
+        record.bars,
+        record.rest_lengths,
+        tolerance=record.tolerance,
+        tolerance_length=record.tolerance_length,
+        positions=study.stored.renumbered(study.frames) if study.held else study.stored,
+    )
+
+
+def _sweeps(study: Study, runner: Runner) -> None:
+    if study.observable("sweeps") is None:
+        raise ValueError("the file holds no /observables/sweeps")
+
+
+def _rmsd(study: Study, runner: Runner) -> None:
+    first = runner.first
+    study.rmsd = runner.run(RmsdToStart(study.fitted, reference_frame=first)).rmsd
+    if set(study.atoms.ix) != set(study.fitted.ix):
+        every = RmsdToStart(study.atoms, superpose_on=study.fitted, reference_frame=first)
+        study.rmsd_all = runner.run(every).rmsd
+
+
+def _rmsf(study: Study, runner: Runner) -> None:
+    if len(study.frames) < 2:
+        raise ValueError("a single frame does not fluctuate")
+    rmsf = Rmsf(study.atoms, superpose_on=study.fitted)
+    runner.run(rmsf)
+    study.rmsf = rmsf
+    if not rmsf.results.average_converged:
+        study.notes.append("the average structure of the RMSF did not come to rest")
+
+
+def _radius_of_gyration(study: Study, runner: Runner) -> None:
+    weights = "mass" if hasattr(study.atoms, "masses") and study.atoms.masses.sum() > 0 else None
+    study.radius_weights = weights or "equal"
+    study.radius = runner.run(RadiusOfGyration(study.atoms, weights=weights)).radius
+
+
+def _torsions(study: Study, runner: Runner) -> None:
+    bonds = None
+    if not hasattr(study.universe, "bonds") and study.record and study.record.bars is not None:
+        bonds = study.record.bars
+        study.notes.append("the file has no bonds: torsions are those of its bars")
+    torsions = TorsionDistributions(
+        study.atoms, bonds=bonds, heavy_only=not study.options.hydrogens
+    )
+    if not torsions.torsions:
+        raise ValueError("no bond is rotatable: each is in a ring or at an end of the molecule")
+    runner.run(torsions)
+    study.torsions = torsions
+
+
+def _principal_components(study: Study, runner: Runner) -> None:
+    if len(study.frames) < 3:
+        raise ValueError("it needs at least 3 frames")
+    size = 24 * len(study.fitted) * len(study.frames)
+    study.pca_stride = -(-size // PCA_BYTES)
+    if len(study.frames) < 3 * study.pca_stride:
+        raise ValueError("too many atoms: choose fewer with --superpose")
+    if study.pca_stride > 1:
+        study.notes.append(f"PCA uses every {study.pca_stride}th frame, to fit into memory")
+    pca = PrincipalComponents(study.fitted, mass_weighted=study.options.mass_weighted)
+    if len(runner.run(pca, study.pca_stride).eigenvalues) == 0:
+        raise ValueError("the atoms do not move")
+    study.pca = pca
+
+
+#: in the order of running: what is left out goes by these names
+STAGES = {
+    "bar residuals": _bar_residuals,
+    "sweeps": _sweeps,
+    "RMSD": _rmsd,
+    "RMSF": _rmsf,
+    "radius of gyration": _radius_of_gyration,
+    "torsions": _torsions,
+    "PCA": _principal_components,
+}

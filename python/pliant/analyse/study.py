@@ -1,0 +1,108 @@
+# SPDX-License-Identifier: MIT
+"""Everything that was found out about one trajectory, and what could not be, and why."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, TypeVar
+
+import numpy as np
+
+from pliant.analysis import (
+    BarResiduals,
+    PrincipalComponents,
+    Rmsf,
+    RunRecord,
+    TorsionDistributions,
+)
+from pliant.analysis.stored import StoredPositions
+
+Part = TypeVar("Part")
+
+
+def known(part: Part | None) -> Part:
+    """What an analysis gave, for those who know that it was possible."""
+    assert part is not None
+    return part
+
+
+def _none() -> np.ndarray:
+    return np.zeros(0, dtype=np.int64)
+
+
+@dataclass
+class StudyOptions:
+    """What to study and how."""
+
+    path: str
+    topology: str | None = None
+    select: str = "all"  #: atoms that are analysed, in MDAnalysis' selection language
+    superpose: str | None = None  #: atoms that are fitted and enter the PCA; None: chosen
+    mass_weighted: bool = False  #: PCA
+    hydrogens: bool = False  #: also torsions that turn nothing but hydrogens
+    start: int | None = None
+    stop: int | None = None
+    step: int | None = None
+    workers: int = 1
+
+
+@dataclass
+class Study:
+    """Results; an analysis that was not possible is None and has its reason in `skipped`."""
+
+    options: StudyOptions
+    universe: Any
+    record: RunRecord | None  #: what the file says of the run; None for foreign formats
+    stored: StoredPositions  #: positions with all their digits
+    atoms: Any = None  #: AtomGroup that is analysed
+    fitted: Any = None  #: AtomGroup that is superposed and enters the PCA
+    fitted_name: str = ""
+    frames: np.ndarray = field(default_factory=_none)  #: (F,) numbers in the file
+    times: np.ndarray = field(default_factory=_none)  #: (F,) ps
+    steps: np.ndarray | None = None  #: (F,) steps of the run, if the file tells them
+    residuals: BarResiduals | None = None
+    rmsd: np.ndarray | None = None  #: (F,) Angstrom, of the fitted atoms
+    rmsd_all: np.ndarray | None = None  #: (F,) of all atoms analysed, if there are others
+    rmsf: Rmsf | None = None
+    radius: np.ndarray | None = None  #: (F,) Angstrom
+    radius_weights: str = "mass"  #: or "equal", where there are no masses
+    torsions: TorsionDistributions | None = None
+    pca: PrincipalComponents | None = None
+    pca_stride: int = 1  #: every so many frames analysed are in the PCA
+    skipped: dict[str, str] = field(default_factory=dict)  #: analysis -> why it is missing
+    notes: list[str] = field(default_factory=list)  #: what a reader of the results should know
+    held: bool = False  #: the universe holds the F frames analysed in memory, and no others
+
+    def positions(self, k: int) -> np.ndarray:
+        """Positions (N, 3) of all atoms in the k-th frame analysed, Angstrom, float64."""
+        if self.stored.in_file:
+            return self.stored.read(self.frames[k])
+        return self.stored.at(self.universe.trajectory[k if self.held else self.frames[k]])
+
+    def observable(self, name: str) -> np.ndarray | None:
+        """(F,) an observable of the run at the frames analysed; None if there is none."""
+        values = self.record.observables.get(name) if self.record else None
+        return None if values is None or len(values) <= self.frames.max() else values[self.frames]
+
+    @property
+    def converged(self) -> np.ndarray | None:
+        """(F,) bool: what the run says of each frame; None if it says nothing."""
+        flags = self.observable("converged")
+        return None if flags is None else flags.astype(bool)
+
+    @property
+    def broken_promises(self) -> np.ndarray | None:
+        """(F,) bool: the run says converged, but a bar is beyond the tolerance; or None."""
+        if self.residuals is None or self.converged is None:
+            return None
+        broken: np.ndarray = self.converged & ~self.residuals.results.within
+        return broken
+
+    @property
+    def axis(self) -> tuple[np.ndarray, str]:
+        """(F,) values and label of the axis along which things happen: steps, or time."""
+        if self.steps is not None:
+            return self.steps, "step"
+        if np.all(np.diff(self.times) > 0):
+            return self.times, "time (ps)"
+        return self.frames, "frame"

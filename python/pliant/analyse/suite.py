@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: MIT
+"""The whole analysis of one trajectory, and the report that holds it."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from pliant.analyse.stages import study_trajectory
+from pliant.analyse.study import Study, StudyOptions
+from pliant.analyse.summary import Verdict, summary, verdict
+from pliant.analyse.write import make_folder, write_report
+
+DPI = 200
+
+
+@dataclass
+class AnalysisReport:
+    """What `analyse` found."""
+
+    study: Study  #: the results, as arrays
+    outputs: dict[str, Any] = field(
+        default_factory=dict
+    )  #: paths of the files, if any were written
+
+    @property
+    def verdict(self) -> Verdict:
+        """Whether every bar of every frame is within tolerance."""
+        return verdict(self.study)
+
+    def as_json(self) -> dict[str, Any]:
+        """What it comes down to, as one JSON object."""
+        return summary(self.study, self.outputs)
+
+
+def analyse(
+    path: str | os.PathLike[str],
+    output: str | os.PathLike[str] | None = None,
+    *,
+    topology: str | os.PathLike[str] | None = None,
+    select: str = "all",
+    superpose: str | None = None,
+    mass_weighted: bool = False,
+    hydrogens: bool = False,
+    start: int | None = None,
+    stop: int | None = None,
+    step: int | None = None,
+    workers: int = 1,
+    dpi: int = DPI,
+    on_stage: Callable[[str], None] = lambda name: None,
+) -> AnalysisReport:
+    """Analyses a trajectory; writes figures, tables and a report page if told where.
+
+    Measures every bar of every frame anew from the coordinates in the file, and computes RMSD,
+    RMSF, radius of gyration, torsions of rotatable bonds and principal components. What a file
+    does not hold is left out; `study.skipped` says why.
+
+    Parameters
+    ----------
+    path : str or path
+        H5MD file of ``pliant run``, or any trajectory that MDAnalysis reads.
+    output : str or path, optional
+        Folder for figures (PNG), tables (CSV) and report.html; files of an earlier report are
+        replaced.
+    topology : str or path, optional
+        File with atoms and bonds, where `path` holds none.
+    select : str
+        MDAnalysis selection: which atoms are analysed.
+    superpose : str, optional
+        Atoms to superpose, also those of the PCA. Default: CA and P atoms where there is a chain
+        of them, else all but hydrogens.
+    mass_weighted : bool
+        Weigh the PCA by masses.
+    hydrogens : bool
+        Also torsions that turn hydrogens only.
+    start, stop, step : int, optional
+        Which frames, as of a slice.
+    workers : int
+        Processes.
+    dpi : int
+        Resolution of the figures.
+    on_stage : callable
+        Is told the name of what is under way.
+
+    Raises
+    ------
+    ImportError
+        MDAnalysis or matplotlib is not installed; the message says how to.
+    InputError
+        The file cannot be used; the message says why.
+    OptionError
+        The choice of atoms or frames is wrong or empty.
+    """
+    if output is not None:
+        make_folder(Path(output))
+    study = study_trajectory(
+        StudyOptions(
+            os.fspath(path),
+            None if topology is None else os.fspath(topology),
+            select,
+            superpose,
+            mass_weighted,
+            hydrogens,
+            start,
+            stop,
+            step,
+            workers,
+        ),
+        on_stage,
+    )
+    if output is None:
+        return AnalysisReport(study)
+    on_stage("figures and page")
+    return AnalysisReport(study, write_report(study, Path(output), dpi))

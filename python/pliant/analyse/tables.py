@@ -1,0 +1,220 @@
+# SPDX-License-Identifier: MIT
+"""The results as CSV files: one row a frame, atom, residue, bar, torsion or component.
+
+Numbers are written with all their digits; atoms, residues, bars and frames count from 0.
+"""
+
+from __future__ import annotations
+
+import csv
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pliant.analyse.names import atom_labels, bar_labels
+from pliant.analyse.study import known
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+    from MDAnalysis.core.groups import ResidueGroup
+
+    from pliant.analyse.study import Study
+    from pliant.analysis.rotatable import Torsion
+
+
+#: Columns of equal length (arrays or lists) by their headers.
+Columns = dict[str, Any]
+
+#: components whose projections stand in frames.csv
+PROJECTIONS = 10
+
+#: a table of more angles than this is not written
+MAX_ANGLES = 5_000_000
+
+
+def save_tables(study: Study, folder: Path) -> list[Path]:
+    """Writes the CSV files that the study gives into a folder; returns their paths."""
+    tables = {
+        "frames": frame_columns(study),
+        "atoms": atom_columns(study),
+        "residues": residue_columns(study),
+        "bars": bar_columns(study),
+        "torsions": torsion_columns(study),
+        "torsion_histograms": histogram_columns(study),
+        "torsion_angles": angle_columns(study),
+        "pca": component_columns(study),
+    }
+    written = []
+    for name, columns in tables.items():
+        if columns:
+            path = folder / f"{name}.csv"
+            write_csv(path, columns)
+            written.append(path)
+    return written
+
+
+def write_csv(path: Path, columns: Columns) -> None:
+    """Writes columns {header: values of equal length} as CSV with a header line."""
+    values = [
+        column.tolist() if hasattr(column, "tolist") else column for column in columns.values()
+    ]
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        writer.writerow(columns)
+        writer.writerows(zip(*values, strict=True))
+
+
+def frame_columns(study: Study) -> Columns:
+    """One row a frame analysed."""
+    columns: Columns = {"frame": study.frames}
+    if study.steps is not None:
+        columns["step"] = study.steps
+    columns["time_ps"] = study.times
+    if study.residuals is not None:
+        columns |= _residual_columns(study)
+    for name in ("sweeps", "projections", "root_joint"):
+        if study.observable(name) is not None:
+            columns[name] = study.observable(name)
+    if study.rmsd is not None:
+        columns["rmsd_angstrom"] = study.rmsd
+    if study.rmsd_all is not None:
+        columns["rmsd_all_angstrom"] = study.rmsd_all
+    if study.radius is not None:
+        columns["radius_of_gyration_angstrom"] = study.radius
+    return columns | _projection_columns(study)
+
+
+def _residual_columns(study: Study) -> Columns:
+    residuals = known(study.residuals)
+    found = residuals.results
+    ends = residuals.bars[found.worst_bar]
+    columns: Columns = {
+        "max_relative_residual": found.max_relative,
+        "rms_relative_residual": found.rms_relative,
+        "max_residual_angstrom": found.max_length,
+        "worst_bar": found.worst_bar,
+        "worst_bar_i": ends[:, 0],
+        "worst_bar_j": ends[:, 1],
+        "within_tolerance": found.within.astype(int),
+    }
+    if study.converged is not None:
+        columns["converged"] = study.converged.astype(int)
+    return columns
+
+
+def _projection_columns(study: Study) -> Columns:
+    if study.pca is None or study.pca_stride > 1:
+        return {}
+    projections = study.pca.results.projections
+    unit = "sqrt_u_angstrom" if study.options.mass_weighted else "angstrom"
+    count = min(PROJECTIONS, projections.shape[1])
+    return {f"pc{k + 1}_{unit}": projections[:, k] for k in range(count)}
+
+
+def atom_columns(study: Study) -> Columns:
+    """One row an atom analysed: its place in the molecule and how much it moves."""
+    if study.rmsf is None:
+        return {}
+    atoms = study.atoms
+    columns: Columns = {"atom": atoms.ix}
+    for name, attribute in {"name": "names", "element": "elements"}.items():
+        if hasattr(atoms, attribute):
+            columns[name] = getattr(atoms, attribute)
+    columns |= _residue_columns_of(atoms)
+    average = study.rmsf.results.average
+    columns["rmsf_angstrom"] = study.rmsf.results.rmsf
+    for k, axis in enumerate("xyz"):
+        columns[f"average_{axis}_angstrom"] = average[:, k]
+    return columns
+
+
+def _residue_columns_of(group: AtomGroup | ResidueGroup) -> Columns:
+    """Name, number and chain of the residue of each atom, or of each residue."""
+    attributes = {"residue_name": "resnames", "residue_number": "resids", "chain": "segids"}
+    return {name: getattr(group, a) for name, a in attributes.items() if hasattr(group, a)}
+
+
+def residue_columns(study: Study) -> Columns:
+    """One row a residue."""
+    if study.rmsf is None:
+        return {}
+    found = study.rmsf.results
+    residues = study.universe.residues[found.residues]
+    columns: Columns = {"residue": found.residues} | _residue_columns_of(residues)
+    return columns | {"rmsf_angstrom": found.residue_rmsf}
+
+
+def bar_columns(study: Study) -> Columns:
+    """One row a bar: its rest length and the largest residual it ever had."""
+    if study.residuals is None:
+        return {}
+    bars = study.residuals.bars
+    return {
+        "bar": np.arange(len(bars)),
+        "i": bars[:, 0],
+        "j": bars[:, 1],
+        "name": bar_labels(study.universe.atoms, bars),
+        "rest_length_angstrom": study.residuals.rest_lengths,
+        "max_relative_residual": study.residuals.results.bar_max_relative,
+    }
+
+
+def torsion_columns(study: Study) -> Columns:
+    """One row a rotatable bond."""
+    if study.torsions is None:
+        return {}
+    torsions, found = study.torsions.torsions, study.torsions.results
+    atoms = np.array([t.atoms for t in torsions])
+    names = atom_labels(study.universe.atoms)
+    columns: Columns = {"torsion": [t.label for t in torsions], "kind": [t.kind for t in torsions]}
+    for k, letter in enumerate("ijkl"):
+        columns[letter] = atoms[:, k]
+    columns["bond"] = [f"{names[t.atoms[1]]} – {names[t.atoms[2]]}" for t in torsions]
+    columns["mean_degrees"] = found.mean
+    columns["spread_degrees"] = found.spread
+    return columns
+
+
+def histogram_columns(study: Study) -> Columns:
+    """One row a bin, one column a torsion: share of the frames per degree."""
+    if study.torsions is None:
+        return {}
+    edges = study.torsions.results.edges
+    columns: Columns = {"from_degrees": edges[:-1], "to_degrees": edges[1:]}
+    return columns | _one_column_each(study.torsions.torsions, study.torsions.results.density)
+
+
+def angle_columns(study: Study) -> Columns:
+    """One row a frame, one column a torsion, degrees; none if that were too many numbers."""
+    if study.torsions is None or study.torsions.results.angles.size > MAX_ANGLES:
+        return {}
+    columns: Columns = {"frame": study.frames}
+    return columns | _one_column_each(study.torsions.torsions, study.torsions.results.angles.T)
+
+
+def _one_column_each(torsions: Sequence[Torsion], rows: np.ndarray) -> Columns:
+    """Columns by label; where a label occurs twice the atoms are added."""
+    labels = [t.label for t in torsions]
+    if len(set(labels)) < len(labels):
+        labels = [f"{t.label} ({'-'.join(map(str, t.atoms))})" for t in torsions]
+    return dict(zip(labels, rows, strict=True))
+
+
+def component_columns(study: Study) -> Columns:
+    """One row a principal component."""
+    if study.pca is None:
+        return {}
+    found = study.pca.results
+    count = len(found.eigenvalues)
+    cosine = np.full(count, np.nan)
+    cosine[: len(found.cosine_content)] = found.cosine_content
+    unit = "u_angstrom2" if study.options.mass_weighted else "angstrom2"
+    return {
+        "component": np.arange(1, count + 1),
+        f"eigenvalue_{unit}": found.eigenvalues,
+        "explained": found.explained,
+        "cumulative": np.cumsum(found.explained),
+        "cosine_content": ["" if np.isnan(c) else c for c in cosine.tolist()],
+    }

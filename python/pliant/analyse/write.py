@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+"""Writes all results of a study into a folder."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pliant._core import InputError
+from pliant.analyse.figures import save_figures
+from pliant.analyse.page import write_page
+from pliant.analyse.tables import save_tables
+
+if TYPE_CHECKING:
+    from pliant.analyse.study import Study
+
+
+def make_folder(folder: Path) -> None:
+    """Makes the folder for the results where there is none."""
+    if folder.exists() and not folder.is_dir():
+        raise InputError(f"{folder}: is a file, expected a folder for the results")
+    folder.mkdir(parents=True, exist_ok=True)
+
+
+def write_report(study: Study, folder: Path, dpi: int = 200) -> dict[str, Any]:
+    """Writes figures, tables and report.html; returns the paths of all.
+
+    Files of an earlier report are replaced.
+    """
+    make_folder(folder)
+    figures = save_figures(study, folder, dpi)
+    tables = save_tables(study, folder)
+    report = folder / "report.html"
+    pictures = [path for _, path in figures]
+    write_page(study, figures, [*tables, *pictures], report, dpi)
+    return {
+        "report": str(report),
+        "figures": [str(path) for path in pictures],
+        "tables": [str(path) for path in tables],
+    }

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: MIT
+"""``pliant check``: a trajectory checked against OpenMM, on the command line."""
+
+from __future__ import annotations
+
+import argparse
+import pathlib
+import sys
+from collections.abc import Sequence
+
+from pliant import console
+
+EPILOG = """\
+Exit code: 0 if every check passed, 1 if one failed, 2 for a bad option. What OpenMM cannot do, such
+as repair frameworks with bars made of angles, is told and is no failure of the trajectory.
+
+examples:
+  pliant check out.h5md
+  pliant check out.h5md --frames all --json > check.json
+"""
+
+
+def make_parser() -> console.Parser:
+    """The options of pliant check."""
+    parser = console.Parser(
+        "check",
+        "Checks a trajectory against OpenMM. Every bar of every frame is measured anew; OpenMM's\n"
+        "constraints must leave the frames where they are and notice the smallest break; its\n"
+        "harmonic bonds must have the energy that we compute. Then frames are broken and repaired\n"
+        "by Pliant and by OpenMM's CCMA side by side. OpenMM runs in a process of its own.",
+        EPILOG,
+    )
+    add = parser.add_argument
+    add("file", metavar="FILE", help="H5MD trajectory of pliant run")
+    add("--frames", metavar="N", type=console.whole_number(1, "all"), default=20,
+        help="frames shown to OpenMM, spread evenly, or all (default 20)")  # fmt: skip
+    add("--break", metavar="A,A,...", type=console.positive_numbers, default="0.01,0.03,0.1,0.3",
+        dest="displacements",
+        help="Angstrom, standard deviations by which atoms are displaced for the side by side "
+        "(default 0.01,0.03,0.1,0.3)")  # fmt: skip
+    add("--seed", metavar="N", type=console.whole_number(0), default=0,
+        help="of the displacements (default 0)")  # fmt: skip
+    add("--time-limit", metavar="S", type=console.positive_number, default=300.0,
+        help="seconds after which a job of OpenMM is given up (default 300)")  # fmt: skip
+    add("-o", "--output", metavar="FOLDER", type=pathlib.Path,
+        help="where the picture goes (default: beside the trajectory)")  # fmt: skip
+    add("--no-picture", action="store_true", help="draw no picture")
+    add("--json", action="store_true", help="print the report as one JSON object")
+    add("--quiet", action="store_true", help="show no progress")
+    return parser
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Runs the command; returns its exit code."""
+    arguments = make_parser().parse_args(words)
+    return console.run_command("check", lambda: _check(arguments))
+
+
+def _check(arguments: argparse.Namespace) -> int:
+    from pliant.check.report import print_report
+    from pliant.check.suite import check
+
+    report = check(
+        arguments.file,
+        frames=arguments.frames,
+        displacements=arguments.displacements,
+        seed=arguments.seed,
+        time_limit=arguments.time_limit,
+        picture=None if arguments.no_picture else _picture_path(arguments),
+        quiet=arguments.quiet or arguments.json,
+    )
+    if arguments.json:
+        console.print_json(report.as_json())
+    else:
+        print_report(report)
+    return console.EXIT_OK if report.passed else console.EXIT_FAILED
+
+
+def _picture_path(arguments: argparse.Namespace) -> pathlib.Path:
+    trajectory = pathlib.Path(arguments.file)
+    return (arguments.output or trajectory.parent) / f"{trajectory.stem}.check.png"
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,251 @@
+# SPDX-License-Identifier: MIT
+"""A trajectory of ours as it is checked: everything in double precision, nothing guessed."""
+
+from __future__ import annotations
+
+import math
+import os
+from collections.abc import Iterator
+from dataclasses import dataclass
+from typing import Any
+
+import h5py
+import numpy as np
+
+from pliant._core import InputError
+
+ANGSTROM_PER_UNIT = {"Angstrom": 1.0, "A": 1.0, "nm": 10.0, "pm": 0.01}
+BLOCK_BYTES = 32 << 20  #: frames are read in pieces of about this size
+
+
+@dataclass(frozen=True)
+class Tolerance:
+    """When a bar counts as whole."""
+
+    relative: float = 1e-6  #: largest |length - rest| / rest; used if `length` is 0
+    length: float = 0.0  #: largest |length - rest|, Angstrom
+
+    def of(self, rest_lengths: np.ndarray) -> np.ndarray:
+        """Largest |length - rest| / rest accepted of each bar."""
+        if self.length > 0:
+            return self.length / rest_lengths
+        return np.full(len(rest_lengths), self.relative)
+
+
+@dataclass
+class Recording:
+    """The framework and the frames of an H5MD file. Lengths in Angstrom, masses in u."""
+
+    path: str
+    bars: np.ndarray  #: (B, 2) joints, from 0
+    rest_lengths: np.ndarray  #: (B,)
+    masses: np.ndarray  #: (N,)
+    pinned: np.ndarray  #: (N,) bool
+    steps: np.ndarray  #: (F,)
+    observables: dict[str, np.ndarray]  #: name -> (F,)
+    options: dict[str, Any]  #: "technique" -> its value, from /parameters/run
+    angle_bars: bool  #: bars were made of angles too
+    single: bool  #: positions are stored as 32-bit floats
+    to_angstrom: float
+    names: list[str]  #: (N) of the atoms; empty if the file has none
+
+    @property
+    def frame_count(self) -> int:
+        """Frames of which position, step and time are all there."""
+        return len(self.steps)
+
+    @property
+    def joint_count(self) -> int:
+        """Joints of the framework: atoms of the molecule."""
+        return len(self.masses)
+
+    @property
+    def tolerance(self) -> Tolerance:
+        """The tolerance of the run; 1e-6 if the file does not say."""
+        return Tolerance(
+            float(self.options.get("tolerance", 1e-6)),
+            float(self.options.get("tolerance_length", 0.0)),
+        )
+
+    @property
+    def converged(self) -> np.ndarray:
+        """(F,) bool: what the file says of each frame; true where it does not say."""
+        flags = self.observables.get("converged")
+        return np.ones(self.frame_count, bool) if flags is None else flags.astype(bool)
+
+    def bar_label(self, bar: int) -> str:
+        """ "C1(0) - C2(1)": names and numbers (from 0) of both joints."""
+        a, b = (f"{self.names[j]}({j})" if self.names else f"joint {j}" for j in self.bars[bar])
+        return f"{a} - {b}"
+
+    def rounding(self, positions: np.ndarray) -> float:
+        """How much the storing of coordinates may change a length, Angstrom.
+
+        Each coordinate is off by half a unit in the last place, at both ends, along three axes.
+        """
+        half_unit = 2.0**-24 if self.single else 2.0**-53
+        return 2.0 * math.sqrt(3.0) * half_unit * float(np.abs(positions).max(initial=0.0))
+
+    def positions(self, frames: np.ndarray) -> np.ndarray:
+        """(len(frames), N, 3) of ascending frame numbers."""
+        with h5py.File(self.path, "r") as file:
+            value = file["particles/trajectory/position/value"]
+            positions: np.ndarray = value[np.asarray(frames)].astype(np.float64) * self.to_angstrom
+            return positions
+
+    def blocks(self) -> Iterator[tuple[int, np.ndarray]]:
+        """All frames in pieces: number of the first frame, positions (n, N, 3)."""
+        size = max(1, BLOCK_BYTES // max(24 * self.joint_count, 1))
+        with h5py.File(self.path, "r") as file:
+            value = file["particles/trajectory/position/value"]
+            for first in range(0, self.frame_count, size):
+                block = value[first : min(first + size, self.frame_count)]
+                yield first, block.astype(np.float64) * self.to_angstrom
+
+
+def read_recording(path: str | os.PathLike[str]) -> Recording:
+    """Reads all but the positions.
+
+    Raises InputError naming the file and the part of it that is missing or has not the shape it
+    must have; OSError when the file cannot be read.
+    """
+    path = os.fspath(path)
+    if not os.path.exists(path):
+        raise InputError(f"{path}: no such file")
+    if not h5py.is_hdf5(path):
+        raise InputError(f"{path}: not an HDF5 file")
+    with h5py.File(path, "r") as file:
+        return _read(_Parts(file, path))
+
+
+class _Parts:
+    """Datasets of one file, checked for kind and shape as they are taken out."""
+
+    def __init__(self, file: h5py.File, path: str) -> None:
+        self.file, self.path = file, path
+
+    def refuse(self, name: str, expected: str, found: object) -> InputError:
+        return InputError(f"{self.path}: /{name}: expected {expected}, found {found}")
+
+    def dataset(
+        self, name: str, kinds: str, shape: tuple[int | None, ...], expected: str
+    ) -> h5py.Dataset:
+        """A dataset whose dtype is of `kinds` and whose shape is `shape` (None: any extent)."""
+        item = self.file.get(name)
+        if not isinstance(item, h5py.Dataset):
+            raise self.refuse(name, expected, "nothing")
+        fits = len(item.shape) == len(shape) and all(
+            want in (None, have) for want, have in zip(shape, item.shape, strict=True)
+        )
+        if item.dtype.kind not in kinds or not fits:
+            raise self.refuse(name, expected, f"{item.dtype} of shape {item.shape}")
+        return item
+
+
+def _read(parts: _Parts) -> Recording:
+    value = parts.dataset(
+        "particles/trajectory/position/value", "f", (None, None, 3), "positions (F, N, 3)"
+    )
+    joints = value.shape[1]
+    frames = _complete_frames(parts, value)
+    bars, rest_lengths = _read_bars(parts, joints)
+    return Recording(
+        path=parts.path,
+        bars=bars,
+        rest_lengths=rest_lengths,
+        masses=_read_masses(parts, joints),
+        pinned=_read_pinned(parts, joints),
+        steps=parts.file["particles/trajectory/position/step"][:frames],
+        observables=_read_observables(parts, frames),
+        options=_read_scalars(parts.file.get("parameters/run")),
+        angle_bars=_read_scalars(parts.file.get("parameters/input")).get("bars") == "angles",
+        single=value.dtype.itemsize < 8,
+        to_angstrom=_unit_of(parts, value),
+        names=_read_names(parts, joints),
+    )
+
+
+def _read_names(parts: _Parts, joints: int) -> list[str]:
+    names = parts.file.get("parameters/topology/atom_name")
+    if not isinstance(names, h5py.Dataset) or names.shape != (joints,):
+        return []
+    return [_text(name) for name in names[()]]
+
+
+def _unit_of(parts: _Parts, value: h5py.Dataset) -> float:
+    unit = _text(value.attrs.get("unit", "Angstrom"))
+    if unit not in ANGSTROM_PER_UNIT:
+        known = ", ".join(ANGSTROM_PER_UNIT)
+        raise parts.refuse("particles/trajectory/position/value", f"unit {known}", f"'{unit}'")
+    return ANGSTROM_PER_UNIT[unit]
+
+
+def _complete_frames(parts: _Parts, value: h5py.Dataset) -> int:
+    group = "particles/trajectory/position"
+    step = parts.dataset(f"{group}/step", "iu", (None,), "one number a frame")
+    time = parts.dataset(f"{group}/time", "fiu", (None,), "one number a frame")
+    frames = min(len(value), len(step), len(time))
+    if frames == 0:
+        raise InputError(f"{parts.path}: holds no frame")
+    return frames
+
+
+def _read_bars(parts: _Parts, joints: int) -> tuple[np.ndarray, np.ndarray]:
+    name = "connectivity/bars"
+    bars = parts.dataset(name, "iu", (None, 2), "joints (B, 2)")[()].astype(np.int64)
+    if len(bars) and (bars.min() < 0 or bars.max() >= joints):
+        raise parts.refuse(name, f"joints from 0 to {joints - 1}", bars.max())
+    name = "parameters/framework/rest_length"
+    wanted = f"one length for each of {len(bars)} bars"
+    lengths = parts.dataset(name, "f", (len(bars),), wanted)[()].astype(np.float64)
+    bad = ~(np.isfinite(lengths) & (lengths > 0))
+    if bad.any():
+        k = int(np.argmax(bad))
+        raise parts.refuse(name, "lengths above 0", f"{lengths[k]} for bar {k}")
+    return bars, lengths
+
+
+def _read_masses(parts: _Parts, joints: int) -> np.ndarray:
+    name = "particles/trajectory/mass"
+    if name not in parts.file:
+        return np.ones(joints)
+    masses = parts.dataset(name, "f", (joints,), f"one mass for each of {joints} joints")[()]
+    bad = ~(np.isfinite(masses) & (masses > 0))
+    if bad.any():
+        k = int(np.argmax(bad))
+        raise parts.refuse(name, "masses above 0", f"{masses[k]} for joint {k}")
+    exact: np.ndarray = masses.astype(np.float64)
+    return exact
+
+
+def _read_pinned(parts: _Parts, joints: int) -> np.ndarray:
+    name = "parameters/framework/pinned"
+    if name not in parts.file:
+        return np.zeros(joints, bool)
+    wanted = f"one truth value for each of {joints} joints"
+    pinned: np.ndarray = parts.dataset(name, "biu", (joints,), wanted)[()].astype(bool)
+    return pinned
+
+
+def _read_observables(parts: _Parts, frames: int) -> dict[str, np.ndarray]:
+    found = {}
+    for name in parts.file.get("observables", {}):
+        values = parts.file.get(f"observables/{name}/value")
+        if isinstance(values, h5py.Dataset) and len(values.shape) == 1 and len(values) >= frames:
+            found[name] = values[:frames]
+    return found
+
+
+def _read_scalars(group: h5py.Group | None) -> dict[str, object]:
+    if not isinstance(group, h5py.Group):
+        return {}
+    scalars = {
+        name: item[()]
+        for name, item in group.items()
+        if isinstance(item, h5py.Dataset) and item.shape == ()
+    }
+    return {name: _text(v) if isinstance(v, bytes) else v.item() for name, v in scalars.items()}
+
+
+def _text(value: object) -> str:
+    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)

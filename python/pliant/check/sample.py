@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+"""The frames that OpenMM is asked about, and the framework as OpenMM is given it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from pliant._core import InputError
+from pliant.check.recording import Recording
+from pliant.lab.peers import measure
+from pliant.lab.peers.child import Job
+
+NM = 0.1  #: nanometres in an Angstrom
+MOST_BYTES = 2 << 30  #: of sampled positions
+
+
+@dataclass
+class Sample:
+    """Some frames of a recording, in double precision."""
+
+    recording: Recording
+    frames: np.ndarray  #: (S,) frame numbers, ascending
+    positions: np.ndarray  #: (S, N, 3) Angstrom
+
+    @property
+    def converged(self) -> np.ndarray:
+        """(S,) bool: what the file says."""
+        flags: np.ndarray = self.recording.converged[self.frames]
+        return flags
+
+    def openmm_tolerance(self, positions: np.ndarray) -> float:
+        """The relative tolerance at which OpenMM accepts whatever the file may call whole.
+
+        The largest over the bars (they differ if the run's tolerance is a length), what storing
+        the coordinates changes included.
+        """
+        recording = self.recording
+        if len(recording.bars) == 0:
+            return recording.tolerance.relative
+        rounding = recording.rounding(positions) / recording.rest_lengths
+        accepted = recording.tolerance.of(recording.rest_lengths) + rounding
+        return float(accepted.max()) * (1 + 1e-9)
+
+    def residuals(self, positions: np.ndarray) -> np.ndarray:
+        """(S,) largest relative residual of each structure (S, N, 3)."""
+        recording = self.recording
+        return np.array(
+            [measure.worst_residual(x, recording.bars, recording.rest_lengths) for x in positions]
+        )
+
+
+def choose_frames(count: int, wanted: int | str, always: int | None = None) -> np.ndarray:
+    """Frame numbers spread evenly from the first to the last, `always` among them."""
+    if isinstance(wanted, str) or wanted >= count:  # "all"
+        return np.arange(count)
+    chosen = np.unique(np.linspace(0, count - 1, wanted).round().astype(int))
+    if always is not None and always not in chosen:
+        # In place of its nearest neighbour, so that the number stays what was asked for.
+        chosen[np.argmin(np.abs(chosen - always))] = always
+    return np.unique(chosen)
+
+
+def take_sample(recording: Recording, wanted: int | str, worst: int | None = None) -> Sample:
+    """Reads `wanted` frames (or "all"), frame number `worst` among them.
+
+    Raises InputError when they would take more memory than they should, or none has finite
+    coordinates.
+    """
+    frames = choose_frames(recording.frame_count, wanted, worst)
+    size = 24 * len(frames) * recording.joint_count
+    if size > MOST_BYTES:
+        raise InputError(
+            f"--frames: {len(frames)} frames of {recording.joint_count} atoms take "
+            f"{size / 2**30:.1f} GiB of memory; choose fewer"
+        )
+    positions = recording.positions(frames)
+    finite = np.isfinite(positions).all(axis=(1, 2))
+    if not finite.any():
+        raise InputError(f"{recording.path}: no frame has finite coordinates")
+    return Sample(recording, frames[finite], positions[finite])
+
+
+def constraint_job(recording: Recording, kind: str, tolerance: float, **more: Any) -> Job:
+    """A job on the framework of the file: every joint free, with its mass.
+
+    Pinned joints are free here: OpenMM refuses a constraint between a joint of mass 0 and another.
+    Arrays are passed on, what is no array becomes a value of the job.
+    """
+    arrays = {
+        "masses": recording.masses,
+        "bars": recording.bars,
+        "rest_lengths": recording.rest_lengths * NM,
+    }
+    values: dict[str, Any] = {
+        "tolerance": tolerance,
+        "platform": "Reference",
+        "repeats": 1,
+        "budget_seconds": 60.0,
+    }
+    for name, value in more.items():
+        (arrays if isinstance(value, np.ndarray) else values)[name] = value
+    return Job(kind, values, arrays)

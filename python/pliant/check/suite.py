@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: MIT
+"""The whole check of one trajectory: what is asked of OpenMM, and what the answers mean."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+
+import numpy as np
+
+from pliant._extras import need
+from pliant.check import contest as side_by_side
+from pliant.check import ours, theirs
+from pliant.check.check_energy import check_energy, energy_job
+from pliant.check.check_frames import broken_copies, check_frames, frame_job
+from pliant.check.check_record import Remeasured, check_record, remeasure
+from pliant.check.check_report import CheckReport
+from pliant.check.contest import DISPLACEMENTS, Contest
+from pliant.check.recording import Recording, read_recording
+from pliant.check.sample import Sample, take_sample
+from pliant.console import progress
+from pliant.lab.peers import measure
+from pliant.lab.peers.child import TIME_LIMIT, Outcome, run_jobs
+
+FRAMES = 20
+ENERGY_DISPLACEMENT = 0.1  #: Angstrom; of the copies whose energies are compared
+MOST_ENERGIES = 10
+
+
+def check(
+    path: str | os.PathLike[str],
+    *,
+    frames: int | str = FRAMES,
+    displacements: Sequence[float] = DISPLACEMENTS,
+    seed: int = 0,
+    time_limit: float = TIME_LIMIT,
+    picture: str | os.PathLike[str] | None = None,
+    quiet: bool = True,
+) -> CheckReport:
+    """Checks a trajectory that ``pliant run`` wrote against OpenMM.
+
+    Every bar of every frame is measured anew in double precision. Then OpenMM, in a process of its
+    own, is shown some of the frames: its constraints must leave whole frames where they are and
+    move copies with one broken bar; its harmonic bonds must have the energy that we compute. Last,
+    frames are broken at random and repaired by our techniques and by OpenMM's CCMA, side by side.
+
+    Parameters
+    ----------
+    path : str or path
+        H5MD file.
+    frames : int or "all"
+        How many frames OpenMM is shown, spread evenly, the worst among them.
+    displacements : floats
+        Angstrom: standard deviations by which coordinates are broken for the side by side.
+    seed : int
+        Of the broken copies.
+    time_limit : float
+        Seconds after which one job of OpenMM is given up.
+    picture : str or path, optional
+        Where to draw a PNG.
+    quiet : bool
+        Show no progress.
+
+    Raises
+    ------
+    ImportError
+        OpenMM, or matplotlib for a picture, is not installed; the message says how to.
+    InputError
+        The file is no trajectory of ours; the message says what is missing.
+    OSError
+        The file cannot be read, or the picture cannot be written.
+    """
+    need("pliant.check", "openmm")
+    if picture is not None:
+        need("a picture of pliant.check", "matplotlib")
+    recording = read_recording(path)
+    with progress("measuring frames", quiet) as show:
+        remeasured = remeasure(recording, show)
+    sample = take_sample(recording, frames, remeasured.worst_frame(recording.converged))
+    report = _ask_openmm(recording, sample, remeasured, displacements, seed, time_limit, quiet)
+    report.findings.insert(0, check_record(recording, remeasured))
+    if picture is not None:
+        from pliant.check.picture import draw
+
+        report.picture = os.fspath(picture)
+        draw(report, report.picture)
+    return report
+
+
+def _ask_openmm(
+    recording: Recording,
+    sample: Sample,
+    remeasured: Remeasured,
+    displacements: Sequence[float],
+    seed: int,
+    time_limit: float,
+    quiet: bool,
+) -> CheckReport:
+    report = CheckReport(recording, sample, remeasured, [], [], "", 0.0)
+    report.notes += _notes_on(recording)
+    if len(recording.bars) == 0:
+        none = sample.positions[:0]
+        report.findings += [
+            *check_frames(sample, none, None),
+            *check_energy(sample, none, none, None),
+        ]
+        return report
+    broken = broken_copies(sample)
+    shaken = measure.displaced(sample.positions[:MOST_ENERGIES], ENERGY_DISPLACEMENT, seed)
+    arena = side_by_side.prepare_contest(sample, displacements, seed + 1)
+    resolved = ours.resolved_copies(recording, shaken, arena.tolerance)
+    ways = theirs.ways_for(arena)
+    jobs = [
+        frame_job(sample, broken),
+        energy_job(recording, np.concatenate([sample.positions, shaken, resolved])),
+        *theirs.contest_jobs(arena, ways),
+    ]
+    with progress("OpenMM jobs", quiet) as show:
+        outcomes, report.openmm_version = run_jobs(jobs, time_limit, show)
+    report.findings += check_frames(sample, broken, outcomes[0])
+    report.findings += check_energy(sample, shaken, resolved, outcomes[1])
+    _hold_contest(report, arena, ways, outcomes[2:])
+    return report
+
+
+def _hold_contest(
+    report: CheckReport, arena: Contest, ways: Sequence[theirs.Way], outcomes: list[Outcome]
+) -> None:
+    report.methods = ours.our_methods(arena) + theirs.their_methods(arena, ways, outcomes)
+    report.tolerance = arena.tolerance
+    report.findings.append(side_by_side.check_honesty(report.methods))
+    report.notes += [note for note in (arena.note, theirs.cpu_note(len(ways), outcomes)) if note]
+
+
+def _notes_on(recording: Recording) -> list[str]:
+    notes = []
+    pinned = int(recording.pinned.sum())
+    if pinned:
+        notes.append(
+            f"{pinned} pinned joints are free wherever bars are repaired, by us and by OpenMM, "
+            "which refuses a constraint between an atom of mass 0 and another"
+        )
+    if recording.angle_bars:
+        notes.append(
+            "bars made of angles depend on each other: CCMA inverts a matrix that is then "
+            "singular, so what OpenMM does with broken frames is shown, not asked for"
+        )
+    if recording.single:
+        notes.append("positions are stored as 32-bit floats: what that changes is allowed for")
+    return notes

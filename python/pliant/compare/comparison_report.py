@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+"""What a comparison found, part by part."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pliant.compare import numbers
+from pliant.compare.ensembles import Ensembles
+
+
+@dataclass
+class Fluctuations:
+    """RMSF of both, and how they go together."""
+
+    kind: str  #: "atom" or "residue": what the labels name
+    labels: list[str]
+    ours: np.ndarray  #: (n,) Angstrom
+    theirs: np.ndarray  #: (n,) Angstrom
+
+    @property
+    def pearson(self) -> float:
+        """Correlation of the two profiles."""
+        return numbers.pearson(self.ours, self.theirs)
+
+
+@dataclass
+class ModeComparison:
+    """Principal components of both, and how far they span the same motions."""
+
+    atoms: int
+    overlaps: np.ndarray  #: (K, L) |u_i . v_j|
+    rmsip: float
+    chance: float  #: RMSIP of random subspaces of these dimensions
+    halves_ours: float  #: RMSIP of the first and the second half of our frames
+    halves_theirs: float
+    share_ours: float  #: of the variance, in these modes
+    share_theirs: float
+
+
+@dataclass
+class TorsionComparison:
+    """Distributions of one torsion angle."""
+
+    label: str
+    ours: np.ndarray  #: (bins,) share of the frames
+    theirs: np.ndarray  #: (bins,)
+    distance: float  #: Jensen-Shannon, 0 to 1
+    halves_theirs: float  #: the same between the halves of theirs: what is noise
+
+
+@dataclass
+class BarLengths:
+    """How far bars vary over the frames of each; Angstrom unless stated."""
+
+    labels: list[str]
+    spread_ours: np.ndarray  #: (B,) standard deviations
+    spread_theirs: np.ndarray  #: (B,)
+    residual_ours: float  #: largest |length - rest| / rest of all frames
+    residual_theirs: float
+
+
+@dataclass
+class ComparisonReport:
+    """What `compare` found."""
+
+    ensembles: Ensembles
+    theirs_path: str
+    atom_fluctuations: Fluctuations
+    residue_fluctuations: Fluctuations | None  #: of alpha carbons; None if it is no protein
+    modes: ModeComparison
+    torsions: list[TorsionComparison]
+    bars: BarLengths
+    radii: tuple[np.ndarray, np.ndarray]  #: radii of gyration (F,), (G,), Angstrom
+    notes: list[str] = field(default_factory=list)
+    pictures: list[str] = field(default_factory=list)

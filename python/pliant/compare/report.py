@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: MIT
+"""The comparison as text and as JSON."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+
+from pliant import _core
+from pliant.compare.comparison_report import ComparisonReport, Fluctuations
+from pliant.console import Table
+
+MOST_TORSIONS = 40  #: rows that the table shows
+
+
+def print_report(report: ComparisonReport) -> None:
+    """Prints the report on stdout."""
+    ensembles = report.ensembles
+    print(f"ours    {ensembles.recording.path}: {_frames(len(ensembles.ours))}")
+    print(f"theirs  {report.theirs_path}: {_frames(len(ensembles.theirs))}")
+    print(f"{len(ensembles.atoms)} atoms, {report.modes.atoms} of them fitted\n")
+    _summary_table(report).print()
+    if report.torsions:
+        print()
+        _torsion_table(report).print()
+    if report.notes:
+        print("\nnotes")
+        print("\n".join(f"  {note}" for note in report.notes))
+    for path in report.pictures:
+        print(f"\npicture  {path}" if path == report.pictures[0] else f"picture  {path}")
+
+
+def _frames(count: int) -> str:
+    return f"{count} frames compared"
+
+
+def _number(value: float, form: str = ".2f") -> str:
+    return f"{value:{form}}" if math.isfinite(value) else "-"
+
+
+def _summary_table(report: ComparisonReport) -> Table:
+    table = Table("how far they agree", ["what", "ours", "theirs", "agreement"])
+    add = table.rows.append
+    add(_fluctuation_row("RMSF of atoms, mean (A)", report.atom_fluctuations))
+    if report.residue_fluctuations:
+        add(_fluctuation_row("RMSF of alpha carbons, mean (A)", report.residue_fluctuations))
+    modes = report.modes
+    count = min(modes.overlaps.shape, default=0)
+    add((f"first {count} modes, share of the variance", _number(modes.share_ours),
+         _number(modes.share_theirs), f"RMSIP {_number(modes.rmsip)}"))  # fmt: skip
+    add(("  RMSIP of its two halves", _number(modes.halves_ours), _number(modes.halves_theirs),
+         f"{_number(modes.chance)} by chance"))  # fmt: skip
+    radii = [f"{np.mean(r):.2f} +- {np.std(r):.2f}" for r in report.radii]
+    add(("radius of gyration (A)", *radii, ""))
+    bars = report.bars
+    if len(bars.labels):
+        spreads = (np.sqrt(np.mean(s**2)) for s in (bars.spread_ours, bars.spread_theirs))
+        add(("lengths of bars, standard deviation (A)", *(f"{s:.1e}" for s in spreads), ""))
+        add(("  furthest from rest, relative", f"{bars.residual_ours:.1e}",
+             f"{bars.residual_theirs:.1e}", ""))  # fmt: skip
+    if report.torsions:
+        mean = float(np.mean([torsion.distance for torsion in report.torsions]))
+        noise = float(np.mean([torsion.halves_theirs for torsion in report.torsions]))
+        add(("torsions, Jensen-Shannon distance, mean", "", _number(noise) + " between halves",
+             _number(mean)))  # fmt: skip
+    return table
+
+
+def _fluctuation_row(what: str, found: Fluctuations) -> tuple[str, str, str, str]:
+    means = _number(found.ours.mean()), _number(found.theirs.mean())
+    return (what, *means, f"Pearson r {_number(found.pearson)}")
+
+
+def _torsion_table(report: ComparisonReport) -> Table:
+    table = Table(
+        "torsions: Jensen-Shannon distance, 0 the same, 1 nothing in common",
+        ["torsion", "ours to theirs", "halves of theirs"],
+    )
+    for torsion in report.torsions[:MOST_TORSIONS]:
+        table.rows.append(
+            (torsion.label, _number(torsion.distance), _number(torsion.halves_theirs))
+        )
+    if len(report.torsions) > MOST_TORSIONS:
+        table.rows.append((f"and {len(report.torsions) - MOST_TORSIONS} more", "", ""))
+    return table
+
+
+def as_json(report: ComparisonReport) -> dict[str, Any]:
+    """The report as one JSON object."""
+    ensembles, modes, bars = report.ensembles, report.modes, report.bars
+    residues = report.residue_fluctuations
+    return {
+        "pliant": _core.version(),
+        "ours": {"file": ensembles.recording.path, "frames": len(ensembles.ours)},
+        "theirs": {"file": report.theirs_path, "frames": len(ensembles.theirs)},
+        "atoms": len(ensembles.atoms),
+        "matched": ensembles.pairing.how,
+        "rmsf": {
+            "atoms": _fluctuations_json(report.atom_fluctuations),
+            "residues": _fluctuations_json(residues) if residues else None,
+        },
+        "modes": {**vars(modes), "overlaps": modes.overlaps},
+        "torsions": [dict(vars(torsion)) for torsion in report.torsions],
+        "bars": dict(vars(bars)),
+        "radius_of_gyration": {
+            name: {"mean": np.mean(radii), "standard_deviation": np.std(radii)}
+            for name, radii in zip(("ours", "theirs"), report.radii, strict=True)
+        },
+        "notes": report.notes,
+        "pictures": report.pictures,
+    }
+
+
+def _fluctuations_json(found: Fluctuations) -> dict[str, Any]:
+    return {
+        "labels": found.labels,
+        "ours": found.ours,
+        "theirs": found.theirs,
+        "pearson": found.pearson,
+    }

@@ -1,0 +1,28 @@
+# SPDX-License-Identifier: MIT
+"""Rows of a benchmark, dataclasses of one kind, as CSV."""
+
+from __future__ import annotations
+
+import csv
+import math
+import os
+from collections.abc import Sequence
+from dataclasses import asdict, fields
+from typing import Any
+
+
+def write_csv(rows: Sequence[Any], path: str | os.PathLike[str]) -> None:
+    """All rows under the names of their fields; what is not known is empty."""
+    with open(path, "w", encoding="utf-8", newline="") as file:
+        writer = csv.writer(file, lineterminator="\n")
+        if rows:
+            writer.writerow([field.name for field in fields(rows[0])])
+        for row in rows:
+            writer.writerow([_cell(value) for value in asdict(row).values()])
+
+
+def _cell(value: object) -> object:
+    if isinstance(value, (list, tuple)):
+        return "; ".join(map(str, value))
+    unknown = value is None or (isinstance(value, float) and not math.isfinite(value))
+    return "" if unknown else value

@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: MIT
+"""``pliant bench record``."""
+
+from __future__ import annotations
+
+import argparse
+
+from pliant import console
+
+ORDER = 7
+SUMMARY = "what recording every frame costs, beside the run and beside plain writing"
+DESCRIPTION = """\
+Runs a molecule with every frame recorded, and tells which share of the run's wall time
+the H5MD file took: to measure the frame, gather it and write it, of the run's own
+summary. Beside it as many bytes are written to a plain file, a megabyte a write: what
+the file system takes by itself. Where a push moves one joint, technique auto needs a
+few microseconds, less than copying the frame, so that writing is nearly all. Each file
+is read back: frames, the last positions bit by bit, bars of some frames measured anew.
+What is wrong is named, and the exit code is 1."""
+EPILOG = """\
+examples:
+  pliant bench record
+  pliant bench record protein.pdb --perturb displacement --single --folder /scratch
+"""
+
+
+def add_options(parser: console.Parser) -> None:
+    """Those of this subcommand."""
+    from pliant.lab.bench.record import PERTURBATIONS, REPEATS, STEPS, TECHNIQUES
+
+    add = parser.add_argument
+    add("file", metavar="FILE", nargs="?", default="",
+        help="molecule (default: adenylate kinase of MDAnalysisTests)")  # fmt: skip
+    add("--perturb", metavar="NAME,...", type=console.words, default=PERTURBATIONS,
+        help=f"as of pliant run (default {','.join(PERTURBATIONS)})")  # fmt: skip
+    add("--techniques", metavar="NAME,...", type=console.words, default=TECHNIQUES,
+        help=f"of pliant techniques (default {','.join(TECHNIQUES)})")  # fmt: skip
+    add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
+        help="relative (default 1e-6)")  # fmt: skip
+    add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
+        help=f"of each run (default {STEPS})")  # fmt: skip
+    add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
+        help=f"rounds, of which the median counts (default {REPEATS})")  # fmt: skip
+    add("--single", action="store_true", help="positions as 32-bit floats")
+    add("--compress", action="store_true", help="gzip positions")
+    add("--folder", metavar="DIR", default=None,
+        help="where files are written and removed (default: for temporary files)")  # fmt: skip
+    add("--csv", metavar="FILE", help="write the rows as CSV")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Measures and tells; returns the exit code."""
+    from pliant.lab.bench.record import print_report, record
+    from pliant.lab.bench.rows import write_csv
+
+    with console.progress("runs", arguments.quiet or arguments.json) as show:
+        found = record(
+            arguments.file,
+            perturbations=arguments.perturb,
+            techniques=arguments.techniques,
+            tolerance=arguments.tolerance,
+            steps=arguments.steps,
+            repeats=arguments.repeats,
+            single=arguments.single,
+            compress=arguments.compress,
+            folder=arguments.folder,
+            progress=show,
+        )
+    if arguments.csv:
+        write_csv(found.rows, arguments.csv)
+    console.print_json(found.as_json()) if arguments.json else print_report(found)
+    return console.EXIT_FAILED if found.faults else console.EXIT_OK

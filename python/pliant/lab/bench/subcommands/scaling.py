@@ -1,0 +1,62 @@
+# SPDX-License-Identifier: MIT
+"""``pliant bench scaling``."""
+
+from __future__ import annotations
+
+import argparse
+
+from pliant import console
+
+ORDER = 2
+SUMMARY = "time and memory from a thousand to ten million joints"
+DESCRIPTION = """\
+Repairs chains, branched trees and protein-like frameworks of growing size, each in a
+process of its own: time for a bar, bytes for a joint or bar (growth of resident
+memory), and the exponent with which time grows, with its confidence. Sizes that do not
+fit into the memory that is free are told and left out."""
+EPILOG = """\
+examples:
+  pliant bench scaling --sizes 1e3,1e4,1e5
+  pliant bench scaling --technique bfs_cycle --weighting 1 --kinds chain,tree
+"""
+
+
+def add_options(parser: console.Parser) -> None:
+    """Those of this subcommand."""
+    from pliant.lab.bench.large_frameworks import KINDS
+    from pliant.lab.bench.scaling import LIMIT_SECONDS
+
+    add = parser.add_argument
+    add("--sizes", metavar="N,N,...", type=console.positive_numbers, default="1e3,1e4,1e5,1e6,1e7",
+        help="joints (default 1e3,1e4,1e5,1e6,1e7)")  # fmt: skip
+    add("--kinds", metavar="NAME,...", type=console.words, default=tuple(KINDS),
+        help=f"of {', '.join(KINDS)} (default: all)")  # fmt: skip
+    add("--technique", metavar="NAME", default="",
+        help="of pliant techniques (default: auto where there is one, else blocks)")  # fmt: skip
+    add("--weighting", metavar="W", type=console.positive_number, default=0.5,
+        help="of the technique (default 0.5)")  # fmt: skip
+    add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
+        help="relative (default 1e-6)")  # fmt: skip
+    add("--repeats", metavar="N", type=console.whole_number(1), default=3,
+        help="repairs, of which the median counts (default 3)")  # fmt: skip
+    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS,
+        help=f"seconds for one size of one kind (default {LIMIT_SECONDS:g})")  # fmt: skip
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Measures and tells; returns the exit code."""
+    from pliant.lab.bench.scaling import print_report, scaling
+
+    with console.progress("sizes", arguments.quiet or arguments.json) as show:
+        found = scaling(
+            arguments.sizes,
+            kinds=arguments.kinds,
+            technique=arguments.technique,
+            weighting=arguments.weighting,
+            tolerance=arguments.tolerance,
+            repeats=arguments.repeats,
+            limit_seconds=arguments.time_limit,
+            progress=show,
+        )
+    console.print_json(found.as_json()) if arguments.json else print_report(found)
+    return console.EXIT_FAILED if found.faults else console.EXIT_OK

@@ -1,0 +1,68 @@
+# SPDX-License-Identifier: MIT
+"""``pliant bench step``."""
+
+from __future__ import annotations
+
+import argparse
+
+from pliant import console
+
+ORDER = 6
+SUMMARY = "what a step costs after a push of one joint, in 10^4 and in 10^6 joints"
+DESCRIPTION = """\
+Runs large frameworks on and on, one joint pushed in each step, small and large ones by
+turns. A time is that of push and resolve, of the run's own summary, without recording;
+the ratio is that of the medians, and its span that of the quartiles. Techniques that
+look at the region of the push alone cost the same in any size but for what the caches
+of the processor no longer hold. Bars are measured anew in the end; where one is broken
+or a step did not converge, it is named, and the exit code is 1."""
+EPILOG = """\
+examples:
+  pliant bench step
+  pliant bench step --kinds chain --techniques bfs_cycle --sizes 1e3,1e4 --steps 100
+"""
+
+
+def add_options(parser: console.Parser) -> None:
+    """Those of this subcommand."""
+    from pliant.lab.bench.large_frameworks import KINDS
+    from pliant.lab.bench.step import ROUNDS, STEPS, TECHNIQUES
+
+    add = parser.add_argument
+    add("--sizes", metavar="N,N,...", type=console.positive_numbers, default="1e4,1e6",
+        help="joints (default 1e4,1e6)")  # fmt: skip
+    add("--kinds", metavar="NAME,...", type=console.words, default=("protein",),
+        help=f"of {', '.join(KINDS)} (default protein)")  # fmt: skip
+    add("--techniques", metavar="NAME,...", type=console.words, default=TECHNIQUES,
+        help=f"of pliant techniques (default {','.join(TECHNIQUES)})")  # fmt: skip
+    add("--weighting", metavar="W", type=console.positive_number, default=0.5,
+        help="of the techniques (default 0.5)")  # fmt: skip
+    add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
+        help="relative (default 1e-6)")  # fmt: skip
+    add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
+        help=f"of a round (default {STEPS})")  # fmt: skip
+    add("--rounds", metavar="N", type=console.whole_number(1), default=ROUNDS,
+        help=f"of which the median counts (default {ROUNDS})")  # fmt: skip
+    add("--csv", metavar="FILE", help="write the rows as CSV")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Measures and tells; returns the exit code."""
+    from pliant.lab.bench.rows import write_csv
+    from pliant.lab.bench.step import print_report, steps_of_pushes
+
+    with console.progress("techniques", arguments.quiet or arguments.json) as show:
+        found = steps_of_pushes(
+            arguments.sizes,
+            kinds=arguments.kinds,
+            techniques=arguments.techniques,
+            weighting=arguments.weighting,
+            tolerance=arguments.tolerance,
+            steps=arguments.steps,
+            rounds=arguments.rounds,
+            progress=show,
+        )
+    if arguments.csv:
+        write_csv(found.rows, arguments.csv)
+    console.print_json(found.as_json()) if arguments.json else print_report(found)
+    return console.EXIT_FAILED if found.faults else console.EXIT_OK

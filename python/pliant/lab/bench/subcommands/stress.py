@@ -1,0 +1,67 @@
+# SPDX-License-Identifier: MIT
+"""``pliant bench stress``."""
+
+from __future__ import annotations
+
+import argparse
+
+from pliant import OptionError, console
+
+ORDER = 4
+SUMMARY = "every technique, and OpenMM, on what is hard: far, tiny, huge, redundant, impossible"
+DESCRIPTION = """\
+Tries every technique on frameworks chosen to break it, each in a child process, and
+OpenMM's CCMA on the same. Told are the outcome, the worst bar measured anew, and where
+someone fell short how nearly least squares can make all bars whole. A process that
+dies, a position that is no number, a pinned joint that moved, or 'converged' beyond the
+tolerance is a violation: it is named, and the exit code is 1."""
+EPILOG = """\
+examples:
+  pliant bench stress --cases offset
+  pliant bench stress --techniques blocks,bfs_cycle --json > stress.json
+"""
+
+
+def add_options(parser: console.Parser) -> None:
+    """Those of this subcommand."""
+    from pliant.lab.bench.stress import LIMIT_SECONDS
+    from pliant.lab.bench.stress_table import FULL_STEPS, STEPS
+
+    add = parser.add_argument
+    add("--cases", metavar="WORD", default="", help="only cases whose name or group has this word")
+    add("--techniques", metavar="NAME,...", type=console.words, default=(),
+        help="of pliant techniques (default: all)")  # fmt: skip
+    add("--weightings", metavar="W,W,...", type=console.positive_numbers, default=(0.5,),
+        help="of these techniques (default 0.5)")  # fmt: skip
+    add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
+        help=f"of the runs of closed mechanisms (default {STEPS})")  # fmt: skip
+    add("--full", action="store_true", help=f"{FULL_STEPS} steps: hours")
+    add("--shrink", metavar="N", type=console.whole_number(1), default=1,
+        help="make the large frameworks so many times smaller (default 1)")  # fmt: skip
+    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS,
+        help=f"seconds for one technique on one case (default {LIMIT_SECONDS:g})")  # fmt: skip
+    add("--no-openmm", action="store_true", help="leave OpenMM out")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Measures and tells; returns the exit code."""
+    from pliant.lab.bench.stress import stress
+    from pliant.lab.bench.stress_report import print_report
+    from pliant.lab.bench.stress_table import FULL_STEPS, all_cases
+
+    cases = all_cases(arguments.shrink, FULL_STEPS if arguments.full else arguments.steps)
+    word = arguments.cases
+    chosen = [case for case in cases if word in case.name or word in case.group]
+    if not chosen:
+        raise OptionError(f"--cases: no case has '{word}' in its name or group")
+    with console.progress("cases", arguments.quiet or arguments.json) as show:
+        found = stress(
+            chosen,
+            techniques=arguments.techniques,
+            weightings=arguments.weightings,
+            limit_seconds=arguments.time_limit * (100 if arguments.full else 1),
+            openmm=not arguments.no_openmm,
+            progress=show,
+        )
+    console.print_json(found.as_json()) if arguments.json else print_report(found)
+    return console.EXIT_FAILED if found.violations else console.EXIT_OK

@@ -1,0 +1,204 @@
+# SPDX-License-Identifier: MIT
+"""``pliant experiment``: techniques on random graphs, on the command line."""
+
+from __future__ import annotations
+
+import argparse
+import dataclasses
+import functools
+import sys
+import time
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pliant import OptionError, console
+from pliant.lab.experiment.options import add_running
+from pliant.lab.experiment.pool import usable_cores
+from pliant.lab.experiment.settings import Settings
+
+if TYPE_CHECKING:
+    from pliant.lab.experiment.folders import Filled
+    from pliant.lab.experiment.table import Table
+
+EPILOG = """\
+DIR gets table.csv and table.h5 (the same bytes whenever the options are the same), and the wall
+time of each resolve in seconds.csv and seconds.h5: paste -d, DIR/table.csv DIR/seconds.csv.
+Killed at any moment, the same command goes on where it was.
+
+pliant experiment report DIR   draws it and judges the claims of the thesis: one HTML page
+pliant experiment sweep DIR    where in the range of tolerance, force, size and box each one holds
+
+Exit code: 0 when the table is complete, 1 when a file cannot be read or written or a test set
+holds other results, 2 for a bad option.
+
+examples:
+  pliant experiment --out study --seed 1
+  pliant experiment --out study --folders thesis-set
+  pliant experiment --out fine --tolerance-length 1e-4 --class 1-cycle-ring --technique bfs_cycle
+"""
+
+
+def make_parser() -> console.Parser:
+    """The options of pliant experiment."""
+    parser = console.Parser(
+        "experiment",
+        "Resolves the same random forces on the same random graphs with every technique and\n"
+        "weighting, and writes one tidy table (thesis, chapter 5).",
+        EPILOG,
+    )
+    parser.add_argument("-o", "--out", metavar="DIR", type=Path, required=True,
+                        help="folder of the table; an unfinished one is finished")  # fmt: skip
+    _add_counts(parser)
+    _add_sizes(parser)
+    _add_forces(parser)
+    _add_test_set(parser)
+    add_running(parser)
+    return parser
+
+
+def _add_counts(parser: console.Parser) -> None:
+    add = parser.add_argument
+    default = Settings()
+    whole = console.whole_number
+    add("--seed", metavar="S", type=whole(0), help=f"seed of everything (default {default.seed})")
+    add("--graphs", metavar="N", type=whole(1), help=f"graphs a class (default {default.graphs})")
+    add("--forces", metavar="N", type=whole(1),
+        help=f"forces a graph, each from rest (default {default.forces})")  # fmt: skip
+    add("--consecutive", action="store_true", default=None,
+        help="each force acts where the last one led, as pliant run does; starts then differ "
+             "between techniques")  # fmt: skip
+    add("--class", dest="classes", metavar="NAME", action="append",
+        help="class of graphs; may be repeated (default: all)")  # fmt: skip
+    add("--technique", dest="techniques", metavar="NAME", action="append",
+        help="technique; may be repeated (default: all that apply)")  # fmt: skip
+    add("--weighting", dest="weightings", metavar="W", type=float, action="append",
+        help="weighting; may be repeated (default 0.5, 0.75, 1)")  # fmt: skip
+
+
+def _add_sizes(parser: console.Parser) -> None:
+    add = parser.add_argument
+    default = Settings()
+    whole = console.whole_number
+    add("--depth", type=whole(1), metavar="N",
+        help=f"levels of a tree below its root (default {default.depth})")  # fmt: skip
+    add("--children", type=whole(1), metavar="N",
+        help=f"most children of a joint (default {default.children})")  # fmt: skip
+    add("--ring", type=whole(3), metavar="N",
+        help=f"most joints of a closed chain (default {default.ring})")  # fmt: skip
+    add("--cycles", type=whole(0), metavar="N",
+        help=f"non-tree bars of an n-cycle (default {default.cycles})")  # fmt: skip
+    add("--joints", type=whole(0), metavar="N",
+        help="joints of a tree, in place of depth and children")  # fmt: skip
+    add("--box", type=console.positive_number, metavar="L",
+        help=f"edge of the box of positions, Angstrom (default {default.box:g})")  # fmt: skip
+
+
+def _add_forces(parser: console.Parser) -> None:
+    add = parser.add_argument
+    default = Settings()
+    positive = console.positive_number
+    add("--force", type=positive, metavar="F",
+        help=f"size of a force, kJ/(mol Angstrom) (default {default.force:g})")  # fmt: skip
+    add("--timestep", type=positive, metavar="T", help=f"ps (default {default.timestep:g})")
+    add("--tolerance-length", type=positive, metavar="E",
+        help="largest |length - rest| of a whole bar, Angstrom "
+             f"(default {default.tolerance_length:g})")  # fmt: skip
+    add("--max-sweeps", type=console.whole_number(1), metavar="N",
+        help=f"give up after so many (default {default.max_sweeps})")  # fmt: skip
+
+
+def _add_test_set(parser: console.Parser) -> None:
+    add = parser.add_argument
+    add("--test-set", metavar="FOLDER", type=Path,
+        help="take graphs, forces and settings from a test set (pliant structgen --test-set), and "
+             "put the results into its folders; those that it holds are compared")  # fmt: skip
+    add("--folders", metavar="FOLDER", type=Path,
+        help="put the results into a test set, too: made of the same graphs and forces if FOLDER "
+             "is not there")  # fmt: skip
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Runs the command; returns its exit code."""
+    words = list(sys.argv[1:] if words is None else words)
+    if words[:1] in (["report"], ["sweep"]):
+        from pliant.lab.experiment import report_command
+
+        run = report_command.report_main if words[0] == "report" else report_command.sweep_main
+        return run(words[1:])
+    arguments = make_parser().parse_args(words)
+    return console.run_command("experiment", lambda: _experiment(arguments))
+
+
+def settings_of(arguments: argparse.Namespace, start: Settings | None = None) -> Settings:
+    """`start` (default: Settings()) with the options that were given."""
+    given: dict[str, Any] = {}
+    for field in dataclasses.fields(Settings):
+        value = getattr(arguments, field.name, None)
+        if value is not None:
+            given[field.name] = tuple(value) if isinstance(value, list) else value
+    return dataclasses.replace(start or Settings(), **given)
+
+
+def _experiment(arguments: argparse.Namespace) -> int:
+    from pliant.lab.experiment import folders, laboratory
+
+    begin = time.monotonic()
+    settings, options = _sources(arguments)
+    options["workers"] = arguments.workers or usable_cores()
+    with console.progress("experiment, graphs", arguments.quiet) as show:
+        table = laboratory.run_experiment(settings, arguments.out, show=show, **options)
+    folder = arguments.test_set or arguments.folders
+    filled = folders.fill(folder, table) if folder else None
+    _say(arguments, table, filled, time.monotonic() - begin)
+    return console.EXIT_FAILED if filled and filled.different else console.EXIT_OK
+
+
+def _sources(arguments: argparse.Namespace) -> tuple[Settings, dict[str, Any]]:
+    """Settings, and where graphs and forces come from."""
+    from pliant.lab.experiment import folders
+
+    if arguments.test_set is None:
+        settings = settings_of(arguments)
+        settings.check()
+        if arguments.folders is not None:
+            made = arguments.folders.exists()
+            (folders.check_set if made else folders.make_set)(settings, arguments.folders)
+        return settings, {}
+    _refuse_what_the_set_says(arguments)
+    settings = settings_of(arguments, folders.settings_of_set(arguments.test_set))
+    source = functools.partial(folders.subject_of_set, arguments.test_set)
+    return settings, {"graphs": folders.graphs_of_set(arguments.test_set), "source": source}
+
+
+def _refuse_what_the_set_says(arguments: argparse.Namespace) -> None:
+    from pliant.lab.experiment.folders import OF_THE_SET
+
+    for name in ("folders", "graphs", "forces", "classes", "consecutive", *OF_THE_SET):
+        if getattr(arguments, name, None) is not None:
+            option = {"classes": "class"}.get(name, name).replace("_", "-")
+            raise OptionError(f"--{option}: not with --test-set, which says it")
+
+
+def _say(
+    arguments: argparse.Namespace, table: Table, filled: Filled | None, seconds: float
+) -> None:
+    count = len(table)
+    stuck = int(count - table.columns["converged"].sum())
+    if arguments.json:
+        console.print_json({"out": str(arguments.out), "resolves": count, "unconverged": stuck,
+                            "seconds": seconds, "folders": vars(filled) if filled else None}
+                           )  # fmt: skip
+        return
+    print(f"{arguments.out}: {count} resolves, {stuck} of them not converged; {seconds:.1f} s")
+    if filled:
+        folder = arguments.test_set or arguments.folders
+        print(f"{folder}: {filled.written} results written, {filled.same} there already and the "
+              f"same, {len(filled.different)} different")  # fmt: skip
+        for path in filled.different:
+            console.warn(f"{path}: holds other numbers; they were left")
+    print(f"next: pliant experiment report {arguments.out}")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+"""Options that all of pliant experiment has."""
+
+from __future__ import annotations
+
+from pliant import console
+
+
+def add_running(parser: console.Parser) -> None:
+    """Options on how, not what."""
+    parser.add_argument("--workers", metavar="N", type=console.whole_number(1),
+                        help="processes (default: one a core)")  # fmt: skip
+    parser.add_argument("--quiet", action="store_true", help="show no progress")
+    parser.add_argument("--json", action="store_true", help="print the summary as JSON")

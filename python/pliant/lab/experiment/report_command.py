@@ -1,0 +1,123 @@
+# SPDX-License-Identifier: MIT
+"""``pliant experiment report`` and ``pliant experiment sweep``, on the command line."""
+
+from __future__ import annotations
+
+import argparse
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pliant import console
+from pliant.lab.experiment.options import add_running
+from pliant.lab.experiment.pool import usable_cores
+
+if TYPE_CHECKING:
+    from pliant.lab.experiment.settled import Settled
+
+REPORT_EPILOG = """\
+DIR gets report.html, which needs nothing else, figures/ and sweep.csv. A sweep.csv that is there
+is used again.
+
+Exit code: 0 when the report is written, 1 when the table cannot be read, a file cannot be written
+or a question could not be answered, 2 for a bad option.
+
+examples:
+  pliant experiment report study
+  pliant experiment report study --no-questions --no-sweep
+"""
+
+SWEEP_EPILOG = """\
+DIR gets sweep.csv: for each setting, claim and yardstick how many of the claim's statements hold.
+pliant experiment report draws it.
+
+examples:
+  pliant experiment sweep study
+"""
+
+
+def make_report_parser() -> console.Parser:
+    """The options of pliant experiment report."""
+    parser = console.Parser(
+        "experiment report",
+        "Draws the thesis' figures from the table of an experiment, judges its sixteen claims\n"
+        "there and over a sweep of settings, answers its open questions: one HTML page.",
+        REPORT_EPILOG,
+    )
+    parser.add_argument("folder", metavar="DIR", type=Path, help="folder of pliant experiment")
+    parser.add_argument("--no-sweep", action="store_true", help="leave the sweep of settings out")
+    parser.add_argument("--no-questions", action="store_true", help="leave open questions out")
+    parser.add_argument("--quick", action="store_true", help="small sizes: to look at, not to cite")
+    add_running(parser)
+    return parser
+
+
+def make_sweep_parser() -> console.Parser:
+    """The options of pliant experiment sweep."""
+    parser = console.Parser(
+        "experiment sweep",
+        "Repeats the experiment of DIR over tolerance, force, size of graph and box, and says\n"
+        "where each claim of the thesis holds.",
+        SWEEP_EPILOG,
+    )
+    parser.add_argument("folder", metavar="DIR", type=Path, help="folder of pliant experiment")
+    parser.add_argument("--quick", action="store_true", help="small sizes: to look at, not to cite")
+    add_running(parser)
+    return parser
+
+
+def report_main(words: Sequence[str]) -> int:
+    """Runs pliant experiment report; returns its exit code."""
+    arguments = make_report_parser().parse_args(words)
+    return console.run_command("experiment report", lambda: _report(arguments))
+
+
+def sweep_main(words: Sequence[str]) -> int:
+    """Runs pliant experiment sweep; returns its exit code."""
+    arguments = make_sweep_parser().parse_args(words)
+    return console.run_command("experiment sweep", lambda: _sweep(arguments))
+
+
+def _report(arguments: argparse.Namespace) -> int:
+    from pliant.lab.experiment import sections
+    from pliant.lab.experiment.choices import Choices
+    from pliant.lab.experiment.report import make_report
+
+    report = make_report(arguments.folder, Choices(
+        sweep=not arguments.no_sweep, questions=not arguments.no_questions, quick=arguments.quick,
+        workers=arguments.workers or usable_cores(),
+        progress=lambda what: console.progress(what, arguments.quiet),
+    ))  # fmt: skip
+    if arguments.json:
+        console.print_json({"report": str(report.path), "seconds": report.seconds,
+                            "claims": sections.as_json(report.settled)})  # fmt: skip
+    else:
+        _print_claims(report.settled)
+        print(f"\n{report.path}  ({report.seconds:.0f} s)")
+    return console.EXIT_FAILED if report.failed_questions else console.EXIT_OK
+
+
+def _print_claims(settled: Sequence[Settled]) -> None:
+    from pliant.lab.experiment.settled import settings_text
+
+    table = console.Table("claims of the thesis", ["id", "verdict", "settings", "depends on"],
+                          text_columns=(0, 1, 2, 3))  # fmt: skip
+    for one in settled:
+        table.rows.append((one.claim.id, one.word, settings_text(one), one.on_what))
+    table.print()
+
+
+def _sweep(arguments: argparse.Namespace) -> int:
+    from pliant.lab.experiment import table as tables
+    from pliant.lab.experiment.sweep import SWEEP_CSV, run_sweep
+
+    start = tables.read(arguments.folder).settings
+    workers = arguments.workers or usable_cores()
+    with console.progress("sweep, settings", arguments.quiet) as show:
+        points = run_sweep(start, arguments.folder, workers, arguments.quick, show)
+    path = arguments.folder / SWEEP_CSV
+    if arguments.json:
+        console.print_json({"sweep": str(path), "rows": len(points)})
+    else:
+        print(f"{path}: {len(points)} rows")
+    return console.EXIT_OK

@@ -1,0 +1,156 @@
+# SPDX-License-Identifier: MIT
+"""The tidy table of an experiment: one row a resolve, as CSV and as HDF5.
+
+``table.csv`` and ``table.h5`` depend on the settings alone: equal settings give equal bytes.
+How long each resolve took does not, so the column ``seconds`` stands in files of its own, row by
+row beside the others: ``paste -d, table.csv seconds.csv`` has all columns, and in ``table.h5`` the
+column ``seconds`` is a link to ``seconds.h5``.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+from pliant import FileError, InputError
+from pliant.lab.experiment.settings import NO_WEIGHTING, Settings
+
+COLUMNS = ("class", "graph", "force", "technique", "weighting", "sweeps", "passes", "projections",
+           "converged", "final_residual")  # fmt: skip
+TABLE_CSV, TABLE_H5 = "table.csv", "table.h5"
+SECONDS_CSV, SECONDS_H5 = "seconds.csv", "seconds.h5"
+
+#: A column and what it says, as attributes of the HDF5 datasets have it.
+MEANINGS = {
+    "class": "class of the graph: a name in pliant.graph_classes()",
+    "graph": "number of the graph: pliant.generate(class, seed, graph)",
+    "force": "number of the push, from 0",
+    "technique": "a name in pliant.techniques()",
+    "weighting": f"share of the far joint; {NO_WEIGHTING:g} (empty in CSV): the technique has none",
+    "sweeps": "passes over the ordering in one direction; 0 if the push broke nothing",
+    "passes": "as sweeps, but there and back counts as one for reverse techniques",
+    "projections": "bars looked at",
+    "converged": "every bar is within the tolerance",
+    "final_residual": "largest |length - rest| / rest at the end",
+    "seconds": "wall time of the resolve, s",
+}
+
+
+@dataclass
+class Table:
+    """The table in memory: one array a column."""
+
+    settings: Settings
+    columns: dict[str, np.ndarray]
+
+    def __len__(self) -> int:
+        return len(self.columns["graph"])
+
+
+def join(settings: Settings, parts: Iterator[tuple[str, int, np.ndarray]]) -> Table:
+    """One table of the rows of all graphs: (class, number, rows of subject.ROW)."""
+    pieces: dict[str, list[np.ndarray]] = {name: [] for name in (*COLUMNS, "seconds")}
+    for kind, number, rows in parts:
+        combinations = settings.combinations(kind)
+        names = np.array([name.encode() for name, _ in combinations])
+        weightings = np.array([weighting for _, weighting in combinations])
+        pieces["class"].append(np.full(len(rows), kind.encode()))
+        pieces["graph"].append(np.full(len(rows), number, np.int64))
+        pieces["technique"].append(names[rows["combination"]])
+        pieces["weighting"].append(weightings[rows["combination"]])
+        for name in (rows.dtype.names or ())[1:]:
+            pieces[name].append(rows[name])
+    return Table(settings, {name: np.concatenate(list_) for name, list_ in pieces.items()})
+
+
+def write(table: Table, folder: Path) -> None:
+    """Writes the four files, each at once: a reader never sees half of one."""
+    replace(folder / SECONDS_CSV, lambda path: _write_seconds_csv(table, path))
+    replace(folder / SECONDS_H5, lambda path: _write_seconds_h5(table, path))
+    replace(folder / TABLE_CSV, lambda path: _write_csv(table, path))
+    replace(folder / TABLE_H5, lambda path: _write_h5(table, path))
+
+
+def replace(path: Path, write_to: Callable[[Path], None]) -> None:
+    """Lets `write_to` write a file beside `path`, which then takes its place.
+
+    Raises FileError naming the file and the system's reason.
+    """
+    beside = path.with_name(f"{path.name}.{os.getpid()}.part")
+    try:
+        write_to(beside)
+        os.replace(beside, path)
+    except OSError as error:
+        beside.unlink(missing_ok=True)
+        raise FileError(f"{path}: cannot be written: {error.strerror or error}") from error
+
+
+def _write_csv(table: Table, path: Path) -> None:
+    columns = [_words(table.columns[name]) for name in COLUMNS]
+    with open(path, "w", encoding="ascii", newline="\n") as file:
+        file.write(",".join(COLUMNS) + "\n")
+        file.writelines(",".join(row) + "\n" for row in zip(*columns, strict=True))
+
+
+def _write_seconds_csv(table: Table, path: Path) -> None:
+    with open(path, "w", encoding="ascii", newline="\n") as file:
+        file.write("seconds\n")
+        file.writelines(f"{value:.9f}\n" for value in table.columns["seconds"].tolist())
+
+
+def _words(column: np.ndarray) -> list[str]:
+    if column.dtype.kind == "S":
+        return [value.decode() for value in column.tolist()]
+    if column.dtype.kind == "b":
+        return ["true" if value else "false" for value in column.tolist()]
+    return [_number(value) for value in column.tolist()]
+
+
+def _number(value: int | float) -> str:
+    """The shortest text that reads back to the same bits; nothing for a missing weighting."""
+    if value == NO_WEIGHTING:
+        return ""
+    return str(int(value)) if value == int(value) and abs(value) < 1e15 else repr(value)
+
+
+def _write_h5(table: Table, path: Path) -> None:
+    with h5py.File(path, "w", libver="v110") as file:
+        file.attrs["settings"] = table.settings.text()
+        for name in COLUMNS:
+            _write_column(file, name, table.columns[name])
+        file["seconds"] = h5py.ExternalLink(SECONDS_H5, "/seconds")
+
+
+def _write_seconds_h5(table: Table, path: Path) -> None:
+    with h5py.File(path, "w", libver="v110") as file:
+        _write_column(file, "seconds", table.columns["seconds"])
+
+
+def _write_column(file: h5py.File, name: str, values: np.ndarray) -> None:
+    column = file.create_dataset(name, data=values, compression="gzip", shuffle=True,
+                                 track_times=False)  # fmt: skip
+    column.attrs["meaning"] = MEANINGS[name]
+
+
+def read(folder: Path) -> Table:
+    """Reads ``table.h5`` of an experiment's folder; the column of seconds is left out.
+
+    Raises FileError if it cannot be opened, InputError if it is something else.
+    """
+    path = folder / TABLE_H5
+    if not path.is_file():
+        raise FileError(f"{path}: no such file: run pliant experiment --out {folder} first")
+    try:
+        with h5py.File(path, "r") as file:
+            settings = Settings.from_text(file.attrs["settings"])
+            columns = {name: file[name][:] for name in COLUMNS}
+    except OSError as error:
+        raise FileError(f"{path}: cannot be read: {error}") from error
+    except (KeyError, TypeError, ValueError) as error:
+        raise InputError(f"{path}: no table of pliant experiment: {error}") from error
+    return Table(settings, columns)

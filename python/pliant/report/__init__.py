@@ -1,7 +1,0 @@
-# SPDX-License-Identifier: MIT
-"""A trajectory as figures, tables and one HTML page: what ``pliant analyse`` writes."""
-
-from pliant.report.stages import study_trajectory
-from pliant.report.study import Study, StudyOptions
-
-__all__ = ["Study", "StudyOptions", "study_trajectory"]

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/run/ensemble.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <string>
+#include <thread>
+
+#include "pliant/base/error.hpp"
+#include "pliant/resolve/lanes/lane_kernels.hpp"
+
+namespace pliant {
+namespace {
+
+/// The first failure of several threads.
+class FirstFailure {
+ public:
+  /// Of the exception being handled.
+  void keep() {
+    const std::lock_guard hold(mutex_);
+    if (!first_) first_ = std::current_exception();
+  }
+  void rethrow() const {
+    if (first_) std::rethrow_exception(first_);
+  }
+
+ private:
+  std::mutex mutex_;
+  std::exception_ptr first_;
+};
+
+/// A walker and those who look at it.
+struct Watched {
+  std::uint64_t number;
+  Watchers watchers;
+  State state;
+  FirstFailure& failure;
+  bool has_failed = false;
+
+  void guard(const auto& call) {
+    try {
+      call();
+    } catch (...) {
+      failure.keep();
+      has_failed = true;
+    }
+  }
+
+  bool show(const Frame& frame) {
+    bool stops = false;
+    guard([&] {
+      for (const Observer& observer : watchers.observers)
+        if (observer(frame)) stops = true;
+    });
+    return stops || has_failed;
+  }
+
+  /// What run_walkers is given; this must stay where it is.
+  WalkerRun run() {
+    WalkerRun run{state, number};
+    run.observers = {[this](const Frame& frame) { return show(frame); }};
+    run.log = watchers.log;
+    if (watchers.on_push)
+      run.on_push = [this](const Push& push) { guard([&] { watchers.on_push(push); }); };
+    return run;
+  }
+};
+
+class Ensemble {
+ public:
+  Ensemble(const Framework& framework, const State& start, const EnsembleOptions& options,
+           const WatchersOf& watchers_of)
+      : framework_(framework),
+        start_(start),
+        options_(options),
+        watchers_of_(watchers_of),
+        summaries_(options.shard.size()) {}
+
+  std::vector<RunSummary> run() {
+    const auto threads = static_cast<std::uint64_t>(options_.threads);
+    // As many as fit into the lanes, if that leaves no thread without.
+    group_size_ = std::clamp<std::uint64_t>((count() + threads - 1) / threads, 1, lane_count);
+    {
+      std::vector<std::jthread> others;
+      for (std::uint64_t k = 1; k < std::min(threads, count()); ++k)
+        others.emplace_back([this] { run_next_groups(); });
+      run_next_groups();
+    }
+    failure_.rethrow();
+    for (RunSummary& summary : summaries_)  // a walker that begins shows a frame
+      if (summary.frames == 0) summary.stopped_by_caller = true;
+    return std::move(summaries_);
+  }
+
+ private:
+  std::uint64_t count() const { return options_.shard.size(); }
+
+  bool is_interrupted() const {
+    return options_.run.resolve.should_stop && options_.run.resolve.should_stop();
+  }
+
+  void run_next_groups() {
+    for (;;) {
+      const std::uint64_t begin = next_.fetch_add(group_size_);
+      if (begin >= count() || is_interrupted()) return;
+      try {
+        if (!run_group(begin, std::min(begin + group_size_, count()))) return;
+      } catch (...) {
+        failure_.keep();
+        return;
+      }
+    }
+  }
+
+  /// Walkers [begin, end) of the shard in step with each other; false if none could be begun.
+  bool run_group(std::uint64_t begin, std::uint64_t end) {
+    std::deque<Watched> group;  // which stay where they are
+    for (std::uint64_t k = begin; k < end; ++k) watch(options_.shard.first + k, group);
+    if (group.empty()) return false;
+    std::vector<WalkerRun> runs;
+    for (Watched& walker : group) runs.push_back(walker.run());
+    const auto summaries = run_walkers(framework_, runs, options_.run);
+    const std::lock_guard one_after_another(watchers_);
+    for (std::size_t k = 0; k < group.size(); ++k) {
+      summaries_[group[k].number - options_.shard.first] = summaries[k];
+      if (group[k].watchers.on_end) group[k].guard([&] { group[k].watchers.on_end(summaries[k]); });
+    }
+    return true;
+  }
+
+  void watch(std::uint64_t walker, std::deque<Watched>& group) {
+    const std::lock_guard one_after_another(watchers_);
+    try {
+      group.push_back({walker, watchers_of_ ? watchers_of_(walker) : Watchers(), start_, failure_});
+    } catch (...) {
+      failure_.keep();
+    }
+  }
+
+  const Framework& framework_;
+  const State& start_;
+  const EnsembleOptions& options_;
+  const WatchersOf& watchers_of_;
+  std::uint64_t group_size_ = 1;        ///< walkers that step together
+  std::atomic<std::uint64_t> next_{0};  ///< of the shard, to be begun
+  std::mutex watchers_;
+  FirstFailure failure_;
+  std::vector<RunSummary> summaries_;
+};
+
+}  // namespace
+
+void check(const EnsembleOptions& options) {
+  check(options.run);
+  if (options.threads < 1)
+    throw OptionError("threads = " + std::to_string(options.threads) + ": must be from 1");
+  if (options.shard.end < options.shard.first)
+    throw OptionError("shard = [" + std::to_string(options.shard.first) + ", " +
+                      std::to_string(options.shard.end) + "): must not end before it begins");
+}
+
+std::vector<RunSummary> run_ensemble(const Framework& framework, const State& start,
+                                     const EnsembleOptions& options,
+                                     const WatchersOf& watchers_of) {
+  check(options);
+  return Ensemble(framework, start, options, watchers_of).run();
+}
+
+}  // namespace pliant

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Ensemble: many walkers of one framework, on threads and in SIMD lanes.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "pliant/run/run.hpp"
+
+namespace pliant {
+
+/// Walkers [first, end). What a walker does depends on its number, not on the shard: shards may run
+/// on other machines, and give together the bits that one run of all gives.
+struct Shard {
+  std::uint64_t first = 0, end = 1;
+
+  std::uint64_t size() const { return end - first; }
+};
+
+/// What an ensemble does. Checked once, at its start.
+struct EnsembleOptions {
+  RunOptions run = {};  ///< of each walker; its resolve.walker, on_push and log are not looked at
+  Shard shard = {};
+  int threads = 1;  ///< from 1; up to eight walkers step together on each. Changes no result.
+};
+
+/// Throws OptionError naming the option, its value and its range.
+void check(const EnsembleOptions& options);
+
+/// Who looks at one walker. What they throw stops this walker alone, at its next frame.
+struct Watchers {
+  std::vector<Observer> observers = {};
+  std::function<void(const Push&)> on_push = {};
+  std::function<void(const RunSummary&)> on_end = {};  ///< once, if the walker was begun
+  Log log = {};
+
+  Watchers() = default;
+  Watchers(std::vector<Observer> them) : observers(std::move(them)) {}
+};
+
+/// Makes the watchers of a walker before it begins; if it throws the walker is not begun.
+using WatchersOf = std::function<Watchers(std::uint64_t walker)>;
+
+/// Runs each walker from a copy of `start`, as run() does, and gives their summaries in the order
+/// of their numbers; one that was not begun has no frames and is stopped_by_caller. Watchers of
+/// different walkers are called from several threads at once, but `watchers_of` and on_end one
+/// after another. Throws as run(), and the first of what watchers threw, once all walkers have
+/// ended.
+std::vector<RunSummary> run_ensemble(const Framework& framework, const State& start,
+                                     const EnsembleOptions& options,
+                                     const WatchersOf& watchers_of = {});
+
+}  // namespace pliant

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/run/run_fields.hpp"
+
+#include <algorithm>
+
+#include "pliant/base/choices.hpp"
+#include "pliant/perturb/perturbation.hpp"
+#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/techniques.hpp"
+
+namespace pliant {
+namespace {
+
+/// The place that a chain of members leads to.
+template <auto First, auto... Rest>
+auto* follow(auto& from) {
+  if constexpr (sizeof...(Rest) == 0) {
+    return &(from.*First);
+  } else {
+    return follow<Rest...>(from.*First);
+  }
+}
+
+template <auto... Members>
+RunPlace at(RunOptions& options) {
+  return follow<Members...>(options);
+}
+
+constexpr auto technique = &RunOptions::technique;
+constexpr auto resolve = &RunOptions::resolve;
+constexpr auto perturb = &RunOptions::perturb_options;
+
+const RunField table[] = {
+    {"steps", RunGroup::run, "steps to do", Range::zero_or_more, at<&RunOptions::steps>},
+    {"every", RunGroup::run, "show every so many steps, and step 0", Range::positive,
+     at<&RunOptions::every>},
+    {"seed", RunGroup::run, "of all random numbers", Range::any,
+     at<resolve, &ResolveOptions::seed>},
+    {"technique", RunGroup::technique, "how broken bars are resolved: see pliant techniques",
+     Range::any, at<technique, &Technique::name>, [] { return names_of(techniques()); },
+     "technique"},
+    {"weighting", RunGroup::technique, "share of a correction that the far end of a bar takes",
+     Range::zero_to_one, at<technique, &Technique::weighting>},
+    {"mass_weighted", RunGroup::technique, "share corrections by inverse masses too", Range::any,
+     at<technique, &Technique::mass_weighted>},
+    {"tolerance", RunGroup::technique, "largest |length - rest| / rest of a whole bar",
+     Range::positive, at<resolve, &ResolveOptions::tolerance, &Tolerance::relative>},
+    {"tolerance_length",
+     RunGroup::technique,
+     "largest |length - rest| in Angstrom, in place of tolerance",
+     Range::positive,
+     at<resolve, &ResolveOptions::tolerance, &Tolerance::length>,
+     nullptr,
+     {},
+     true},
+    {"max_sweeps", RunGroup::technique, "sweeps after which a step is given up", Range::positive,
+     at<resolve, &ResolveOptions::max_sweeps>},
+    {"perturb", RunGroup::perturbation, "what breaks the bars", Range::any,
+     at<&RunOptions::perturb>, [] { return names_of(perturbations()); }, "perturbation"},
+    {"force", RunGroup::perturbation, "size of a random force, kJ/(mol Angstrom)",
+     Range::zero_or_more, at<perturb, &PerturbOptions::force>},
+    {"timestep", RunGroup::perturbation, "of a step, ps", Range::positive,
+     at<perturb, &PerturbOptions::timestep>},
+    {"damping", RunGroup::perturbation, "share of its velocity that a pushed joint loses",
+     Range::zero_to_one, at<perturb, &PerturbOptions::damping>},
+    {"displacement", RunGroup::perturbation, "length of a random displacement, Angstrom",
+     Range::zero_or_more, at<perturb, &PerturbOptions::displacement>},
+};
+
+/// Checks the value at a place.
+struct Check {
+  const RunField& field;
+
+  void operator()(const bool*) const {}
+  void operator()(const std::uint64_t*) const {}
+  void operator()(const std::int64_t* value) const { check_range(field.name, *value, field.range); }
+  void operator()(const double* value) const {
+    if (!(field.is_optional && *value == 0.0)) check_range(field.name, *value, field.range);
+  }
+  void operator()(const std::string* value) const {
+    const std::vector<std::string_view> known = field.choices();
+    if (std::find(known.begin(), known.end(), *value) == known.end())
+      throw OptionError(unknown_choice(field.kind, *value, known));
+  }
+};
+
+/// The value at a place, as files keep it.
+struct Recorded {
+  Parameter operator()(const std::uint64_t* value) const { return std::to_string(*value); }
+  Parameter operator()(const auto* value) const { return *value; }
+};
+
+}  // namespace
+
+std::span<const RunField> run_fields() { return table; }
+
+const RunField& find_run_field(std::string_view name) {
+  return choose(run_fields(), "option", name);
+}
+
+void check_fields(const RunOptions& options) {
+  // Places are only read here: a copy would take the pushes of a replay along.
+  auto& places = const_cast<RunOptions&>(options);
+  for (const RunField& field : run_fields()) std::visit(Check{field}, field.place(places));
+}
+
+std::vector<NamedParameter> parameters_of(const RunOptions& options, const Framework& framework) {
+  auto& places = const_cast<RunOptions&>(options);
+  std::vector<NamedParameter> values;
+  for (const RunField& field : run_fields())
+    values.emplace_back("run/" + std::string(field.name),
+                        std::visit(Recorded{}, field.place(places)));
+  if (!options.replay.empty())
+    for (auto& [path, value] : values)
+      if (path == "run/perturb") value = std::string("replay");
+  values.emplace_back("run/technique_used", technique_used(framework, options.technique).name);
+  values.emplace_back("run/walker", static_cast<std::int64_t>(options.resolve.walker));
+  return values;
+}
+
+}  // namespace pliant

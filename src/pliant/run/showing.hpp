@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What a run tells of one walker, to whom and when.
+#pragma once
+
+#include <algorithm>
+
+#include "pliant/run/run.hpp"
+#include "pliant/run/stopwatch.hpp"
+
+namespace pliant {
+
+/// Shows a walker, a Motion or a Walk, to the observers of a run.
+class Showing {
+ public:
+  /// What is referred to must outlive it; `start` is the step that the walker begins at.
+  Showing(const std::vector<Observer>& observers, const std::function<void(const Push&)>& on_push,
+          const RunOptions& options, std::int64_t start)
+      : observers_(observers), on_push_(on_push), every_(options.every) {
+    const auto pushes = static_cast<std::int64_t>(options.replay.size());
+    last_step_ = start + (pushes > 0 ? std::min(options.steps, pushes) : options.steps);
+  }
+
+  template <class Walker>
+  bool is_over(const Walker& walker) const {
+    return walker.is_over() || walker.state().step >= last_step_;
+  }
+
+  /// Whether this step is shown even if nobody asks to stop.
+  bool is_due(std::int64_t step) const { return step >= last_step_ || step % every_ == 0; }
+
+  /// Tells of a step that has been done.
+  template <class Walker>
+  void tell(Walker& walker) {
+    if (on_push_) on_push_(walker.pushed());
+    if (walker.is_over() || is_due(walker.state().step)) show(walker, walker.frame());
+  }
+
+  template <class Walker>
+  void show(Walker& walker, const Frame& frame) {
+    const Stopwatch watch(seconds_);
+    for (const Observer& observer : observers_)
+      if (observer(frame)) walker.stop();
+  }
+
+  /// With the time that observers took.
+  RunSummary with_observers(RunSummary summary) const {
+    summary.observe_seconds += seconds_;
+    summary.seconds += seconds_;
+    return summary;
+  }
+
+ private:
+  const std::vector<Observer>& observers_;
+  const std::function<void(const Push&)>& on_push_;
+  std::int64_t every_, last_step_ = 0;
+  double seconds_ = 0.0;
+};
+
+/// What each walker of a run does, from the step `start` on.
+MotionOptions motion_of(const RunOptions& options, std::int64_t start, const Log& log);
+
+}  // namespace pliant

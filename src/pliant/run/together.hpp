@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Walkers in step with each other, resolved at once where their pushes are alike.
+#pragma once
+
+#include <vector>
+
+#include "pliant/run/showing.hpp"
+#include "pliant/run/walk.hpp"
+
+namespace pliant {
+
+class Together {
+ public:
+  /// All outlive it. Throws as run().
+  Together(const Framework& framework, std::span<WalkerRun> walkers, const RunOptions& options);
+
+  std::vector<RunSummary> run();
+
+ private:
+  struct Shown {
+    Walk walk;
+    Showing showing;
+
+    bool is_over() const { return showing.is_over(walk); }
+  };
+
+  bool step();
+  void push();
+  void part_alike();
+  void resolve_alike();
+  static void finish(Shown& walker, const ResolveSummary& resolved);
+
+  WalkerResolver resolver_;
+  std::vector<Shown> walkers_;
+  std::vector<Shown*> alone_, alike_;  ///< in this step
+  std::vector<WalkerPositions> positions_;
+  std::vector<ResolveSummary> resolved_;
+};
+
+}  // namespace pliant

@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""pliant check on the command line: exit codes, table, JSON, picture."""
+
+import json
+import struct
+
+import pytest
+from made_trajectories import molecule_run
+from pliant.check.command import main
+
+
+@pytest.fixture(scope="module")
+def ethanol():
+    return molecule_run("CCO", frames=6)
+
+
+@pytest.fixture
+def path(ethanol, tmp_path):
+    return str(ethanol.write(tmp_path / "ethanol.h5md"))
+
+
+def test_a_good_trajectory_ends_with_0(path, capsys):
+    assert main([path, "--no-picture", "--break", "0.05"]) == 0
+    out = capsys.readouterr().out
+    assert out.startswith(f"{path}: 6 frames, 9 atoms, 8 bars, tolerance 1e-06; 6 frames shown")
+    assert out.endswith("\npassed\n")
+    for line in ("OpenMM leaves our frames where they are", "Pliant, default", "OpenMM, no angles"):
+        assert line in out
+
+
+def test_a_tampered_trajectory_ends_with_1(ethanol, tmp_path, capsys):
+    positions = ethanol.positions.copy()
+    recorded = ethanol.residual()
+    positions[3, 0, 0] += 0.01
+    made = type(ethanol)(
+        positions, ethanol.bars, ethanol.rest_lengths, ethanol.bonds, ethanol.elements,
+        max_residual=recorded,
+    )  # fmt: skip
+    path = made.write(tmp_path / "tampered.h5md")
+    assert main([str(path), "--no-picture", "--break", "0.05"]) == 1
+    out = capsys.readouterr().out
+    assert out.endswith("\nfailed: record, frames_stay, energies_vanish\n")
+
+
+def test_a_missing_file_ends_with_1_and_one_line(tmp_path, capsys):
+    assert main([str(tmp_path / "none.h5md")]) == 1
+    assert capsys.readouterr().err == (
+        f"pliant check: error: {tmp_path / 'none.h5md'}: no such file\n"
+    )
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--frames", "0"], "--frames: expected a whole number from 1 or all, found '0'"),
+        (["--break", "0.1,x"], "--break: expected numbers above 0 between commas, found '0.1,x'"),
+        (["--time-limit", "-1"], "--time-limit: expected a number above 0, found '-1'"),
+        (["--what"], "unrecognized arguments: --what"),
+    ],
+)
+def test_a_bad_option_ends_with_2(words, message, capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main(["out.h5md", *words])
+    assert stopped.value.code == 2
+    assert capsys.readouterr().err.splitlines()[0] == f"pliant check: error: {message}"
+
+
+NUMBER = (int, float, type(None))
+SCHEMA = {
+    "file": str,
+    "passed": bool,
+    "pliant": str,
+    "openmm": str,
+    "atoms": int,
+    "bars": int,
+    "pinned": int,
+    "tolerance": {"relative": float, "length": float},
+    "frames": {"total": int, "not_converged": int, "shown_to_openmm": [int]},
+    "checks": [
+        {
+            "name": str,
+            "title": str,
+            "status": str,
+            "measured": str,
+            "allowed": str,
+            "notes": [str],
+            "figures": dict,
+        }
+    ],
+    "side_by_side": [
+        {
+            "name": str,
+            "whose": str,
+            "description": str,
+            "results": [
+                {
+                    "displacement": float,
+                    "structures": int,
+                    "whole": int,
+                    "residual_before": NUMBER,
+                    "residual_after": NUMBER,
+                    "worst_residual_after": NUMBER,
+                    "seconds": NUMBER,
+                    "ready_seconds": NUMBER,
+                    "outcome": str,
+                    "claimed": (int, type(None)),
+                    "false_claims": (int, type(None)),
+                }
+            ],
+        }
+    ],
+    "notes": [str],
+    "picture": (str, type(None)),
+}
+
+
+def holds(value, schema, where="$"):
+    """Asserts that a JSON value has the names and types of the schema, all of them and no more."""
+    if isinstance(schema, dict):
+        assert isinstance(value, dict) and list(value) == list(schema), where
+        for name, inner in schema.items():
+            holds(value[name], inner, f"{where}.{name}")
+    elif isinstance(schema, list):
+        assert isinstance(value, list), where
+        for k, item in enumerate(value):
+            holds(item, schema[0], f"{where}[{k}]")
+    else:
+        assert isinstance(value, schema), f"{where}: {value!r}"
+
+
+def test_json_is_one_object_of_a_fixed_shape(path, capsys):
+    assert main([path, "--json", "--break", "0.05,0.5", "--no-picture"]) == 0
+    captured = capsys.readouterr()
+    assert captured.err == ""
+    report = json.loads(captured.out)
+    holds(report, SCHEMA)
+    assert [check["name"] for check in report["checks"]] == [
+        "record",
+        "frames_stay",
+        "broken_copies_move",
+        "energies_agree",
+        "energies_vanish",
+        "resolver_honest",
+    ]
+    assert {check["status"] for check in report["checks"]} == {"passed"}
+    assert [r["displacement"] for r in report["side_by_side"][0]["results"]] == [0.05, 0.5]
+
+
+def test_the_picture_is_where_it_was_wanted(path, tmp_path, capsys):
+    folder = tmp_path / "new" / "folder"
+    assert main([path, "-o", str(folder), "--break", "0.05"]) == 0
+    picture = folder / "ethanol.check.png"
+    assert f"picture  {picture}\n" in capsys.readouterr().out
+    header = picture.read_bytes()[:24]
+    assert header[:8] == b"\x89PNG\r\n\x1a\n"
+    width, height = struct.unpack(">II", header[16:])
+    assert width > 1200 and height > 800
+
+
+def test_help_names_every_option(capsys):
+    with pytest.raises(SystemExit) as stopped:
+        main(["--help"])
+    assert stopped.value.code == 0
+    out = capsys.readouterr().out
+    options = ("--frames", "--break", "--seed", "--time-limit", "-o", "--no-picture", "--json")
+    for option in options:
+        assert option in out

@@ -1,0 +1,198 @@
+# SPDX-License-Identifier: MIT
+"""NumPy and h5py are enough; of what else is needed one line says how to install it."""
+
+import importlib
+import json
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import pliant
+
+try:
+    import tomllib
+except ModuleNotFoundError:  # Python 3.10
+    from pip._vendor import tomli as tomllib
+
+ROOT = Path(__file__).parents[2]
+CAFFEINE = ROOT / "data" / "molecules" / "caffeine.sdf"
+EXTRAS = ("MDAnalysis", "matplotlib", "openmm", "rdkit", "rich", "scipy")
+
+# Modules of these names are not found, as if they were not installed.
+HIDE = """
+import sys
+class Hidden:
+    def find_spec(self, name, path=None, target=None):
+        if name.partition(".")[0] in {names!r}:
+            raise ModuleNotFoundError(f"No module named {{name!r}}", name=name)
+sys.meta_path.insert(0, Hidden())
+"""
+
+
+def run_without(code, *names, folder=None):
+    """Runs Python code where the packages of these names are missing, all extras by default."""
+    text = HIDE.format(names=names or EXTRAS) + code
+    return subprocess.run(
+        [sys.executable, "-W", "error", "-c", text], capture_output=True, text=True, cwd=folder
+    )
+
+
+def message_without(code, *names, folder=None):
+    """The last line of what Python says of an exception."""
+    ended = run_without(code, *names, folder=folder)
+    assert ended.returncode == 1
+    return ended.stderr.splitlines()[-1]
+
+
+@pytest.fixture(scope="module")
+def trajectory(tmp_path_factory):
+    path = tmp_path_factory.mktemp("extras") / "caffeine.h5md"
+    pliant.run(pliant.read(CAFFEINE), output=path, steps=5)
+    return path
+
+
+def test_reading_running_and_recording_need_none(tmp_path):
+    code = f"""
+import pliant
+structure = pliant.read({str(CAFFEINE)!r})
+summary = pliant.run(structure, output="out.h5md", topology="out.pdb", steps=20)
+print(summary.steps, len(pliant.H5mdReader("out.h5md")))
+assert not set(sys.modules) & set({EXTRAS!r})
+"""
+    ended = run_without(code, folder=tmp_path)
+    assert ended.stderr == ""
+    assert ended.stdout.split() == ["20", "21"]
+
+
+@pytest.mark.parametrize(
+    ("code", "missing", "said"),
+    [
+        ("pliant.check('x')", "openmm", 'pliant.check needs OpenMM: pip install "pliant[openmm]"'),
+        ("pliant.check('x', picture='x')", "matplotlib",
+         'a picture of pliant.check needs matplotlib: pip install "pliant[plot]"'),
+        ("pliant.compare('x', 'y')", "MDAnalysis",
+         'pliant.compare needs MDAnalysis: pip install "pliant[analysis]"'),
+        ("pliant.compare('x', 'y', pictures='.')", "matplotlib",
+         'a picture of pliant.compare needs matplotlib: pip install "pliant[plot]"'),
+        ("pliant.analyse('x')", "MDAnalysis",
+         'pliant.analyse needs MDAnalysis: pip install "pliant[analysis]"'),
+        ("pliant.analyse('x')", "matplotlib",
+         'pliant.analyse needs matplotlib: pip install "pliant[plot]"'),
+        ("import pliant.analysis", "MDAnalysis",
+         'pliant.analysis needs MDAnalysis: pip install "pliant[analysis]"'),
+        ("pliant.to_mdanalysis(pliant.read_text('1\\n\\nO 0 0 0\\n', 'xyz'))", "MDAnalysis",
+         'pliant.to_mdanalysis needs MDAnalysis: pip install "pliant[analysis]"'),
+        ("pliant.from_openmm(None, None)", "openmm",
+         'pliant.from_openmm needs OpenMM: pip install "pliant[openmm]"'),
+        ("pliant.constraints_from_openmm(None)", "openmm",
+         'pliant.constraints_from_openmm needs OpenMM: pip install "pliant[openmm]"'),
+    ],
+)  # fmt: skip
+def test_python_says_what_is_missing_in_one_line(code, missing, said):
+    line = message_without(f"import pliant\n{code}", missing)
+    assert line == f"pliant._extras.MissingPackageError: {said}"
+
+
+def test_the_error_is_an_import_error():
+    code = """
+import pliant
+try:
+    pliant.check("x")
+except ImportError as error:
+    print(error.name)
+"""
+    assert run_without(code, "openmm").stdout == "openmm\n"
+
+
+def commands():
+    """Each command that is written in Python, words that it takes, what is hidden and missing."""
+    return [
+        ("analyse", ["{file}"], "MDAnalysis", "MDAnalysis", "analysis"),
+        ("analyse", ["{file}"], "matplotlib", "matplotlib", "plot"),
+        ("check", ["{file}"], "openmm", "OpenMM", "openmm"),
+        ("check", ["{file}"], "matplotlib", "matplotlib", "plot"),
+        ("compare", ["{file}", "{file}"], "MDAnalysis", "MDAnalysis", "analysis"),
+        ("bench", ["work-precision", str(CAFFEINE)], "scipy", "SciPy", "lab"),
+        ("bench", ["work-precision", str(CAFFEINE)], "openmm", "OpenMM", "lab"),
+        ("bench", ["work-precision", str(CAFFEINE), "--png", "x.png"], "matplotlib", "matplotlib",
+         "lab"),
+        ("bench", ["scaling"], "scipy", "SciPy", "lab"),
+        ("bench", ["stress"], "openmm", "OpenMM", "lab"),
+        ("experiment", ["report", "."], "matplotlib", "matplotlib", "plot"),
+    ]  # fmt: skip
+
+
+def scripts():
+    """Module and function of each command, by its name."""
+    with open(ROOT / "pyproject.toml", "rb") as file:
+        table = tomllib.load(file)["project"]["scripts"]
+    return {name.removeprefix("pliant-"): text.split(":") for name, text in table.items()}
+
+
+@pytest.mark.parametrize(("command", "words", "hidden", "name", "extra"), commands())
+def test_commands_say_what_is_missing_in_one_line(
+    command, words, hidden, name, extra, trajectory, tmp_path
+):
+    module, function = scripts()[command]
+    words = [word.format(file=trajectory) for word in words]
+    code = f"from {module} import {function}\nsys.exit({function}({words!r}))"
+    ended = run_without(code, hidden, folder=tmp_path)
+    assert ended.returncode == 2
+    pattern = rf'pliant {command}.*: error: .* needs {name}: pip install "pliant\[{extra}\]"\n'
+    assert re.fullmatch(pattern, ended.stderr)
+    assert ended.stdout == ""
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize("command", scripts())
+def test_help_needs_none(command):
+    module, function = scripts()[command]
+    code = f"from {module} import {function}\n{function}(['--help'])"
+    ended = run_without(code)
+    assert ended.returncode == 0
+    assert ended.stdout.startswith(f"usage: pliant {command}")
+
+
+def test_a_check_is_told_without_rich_and_matplotlib(trajectory, tmp_path):
+    words = [str(trajectory), "--no-picture", "--json"]
+    code = f"from pliant.check.command import main\nsys.exit(main({words!r}))"
+    ended = run_without(code, "MDAnalysis", "matplotlib", "rdkit", "rich", "scipy")
+    assert ended.stderr == ""
+    assert json.loads(ended.stdout)["passed"]
+
+
+@pytest.mark.parametrize("name", ["analyse", "check", "compare"])
+@pytest.mark.parametrize(
+    "imports",
+    [
+        "import pliant",
+        "import pliant.{name}",
+        "import pliant.{name}.command, pliant",
+        "from pliant.{name} import {name} as function; import pliant",
+        "from pliant import {name}; import pliant.{name}.suite, pliant; assert pliant.{name} is "
+        "{name}",
+    ],
+)
+def test_what_is_a_package_can_be_called_in_whatever_order_it_is_imported(name, imports):
+    code = imports.format(name=name) + (
+        f"; import importlib, inspect; assert callable(pliant.{name})"
+        f"; assert pliant.{name} is importlib.import_module('pliant.{name}')"
+        f"; assert inspect.signature(pliant.{name}) == inspect.signature(pliant.{name}.{name})"
+        f"; assert set(pliant.{name}.__all__) <= set(dir(pliant.{name}))"
+        f"; pliant.{name}('no_such_file', *(['other'] if '{name}' == 'compare' else []))"
+    )
+    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    assert "no_such_file" in ended.stderr.splitlines()[-1]
+    assert "Error" in ended.stderr.splitlines()[-1]
+
+
+@pytest.mark.parametrize("name", ["analyse", "check", "compare"])
+def test_a_package_that_is_called_has_its_names_and_no_others(name):
+    package = importlib.import_module(f"pliant.{name}")
+    for public in package.__all__:
+        assert getattr(package, public).__name__ == public
+    with pytest.raises(AttributeError, match=rf"module 'pliant\.{name}' has no attribute 'no'"):
+        _ = package.no

@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/perturb/pusher.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <thread>
+
+#include "pliant/examples/examples.hpp"
+#include "pliant/perturb/perturbation.hpp"
+#include "pliant/perturb/push_chain.hpp"
+#include "pliant/perturb/steering.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr RandomKey seed_5{.seed = 5};
+
+std::shared_ptr<Pusher> made(std::string_view name, const Framework& framework,
+                             const PusherOptions& options = {}) {
+  return find_pusher(name).make(framework, options);
+}
+
+/// What a chain of these pushers does to a state in some steps.
+State pushed_by(const std::vector<std::string_view>& names, const Framework& framework, State state,
+                int steps = 3) {
+  PushChain chain(framework, {}, seed_5);
+  for (std::string_view name : names) chain.add(made(name, framework));
+  for (int step = 0; step < steps; ++step) chain.push(state);
+  return state;
+}
+
+TEST(Pushers, AreThePerturbationsAndReplay) {
+  EXPECT_EQ(pushers().size(), perturbations().size() + 1);
+  EXPECT_EQ(pushers().back().name, "replay");
+  EXPECT_EQ(test::error_text<OptionError>([] { find_pusher("pull"); }),
+            "no pusher named \"pull\"; known: force, force_all, displacement, replay");
+}
+
+TEST(PushChain, MergesWhomTheyMoved) {
+  const Framework framework = framework_of(chain(6));
+  State state(chain(6).positions);
+  PushChain chain_of(framework, {}, seed_5);
+  chain_of.add(made("replay", framework, {{}, {{4, {1, 0, 0}}, {4, {1, 0, 0}}}}));
+  const auto steering = std::make_shared<Steering>();
+  chain_of.add(steering);
+  chain_of.push(state);
+  EXPECT_EQ(chain_of.pushed().joints, (std::vector<Joint>{4}));
+  const JointForce pulls[] = {{2, {0, 1, 0}}, {4, {0, 1, 0}}};
+  steering->pull(pulls);
+  chain_of.push(state);
+  const Push& push = chain_of.pushed();
+  EXPECT_EQ(push.root_joint, 4) << "of the first that acts";
+  EXPECT_EQ(push.force, (Vec3{1, 0, 0}));
+  EXPECT_EQ(push.joints, (std::vector<Joint>{2, 4})) << "each once";
+  EXPECT_FALSE(push.disturbed().all);
+  chain_of.add(made("displacement", framework));
+  chain_of.push(state);
+  EXPECT_TRUE(chain_of.pushed().disturbed().all);
+  EXPECT_EQ(chain_of.pushed().root_joint, 2);
+}
+
+TEST(PushChain, LeavesWhereJointsWereBeforeTheStep) {
+  const Framework framework = framework_of(chain(6));
+  State state(chain(6).positions);
+  PushChain chain_of(framework, {}, seed_5);
+  for (const char* name : {"force", "displacement", "force_all", "force"})
+    chain_of.add(made(name, framework));
+  for (int step = 0; step < 4; ++step) {
+    const std::vector<Vec3> before = state.positions;
+    chain_of.push(state);
+    EXPECT_TRUE(test::same_bits(state.previous, before));
+  }
+  EXPECT_EQ(state.step, 4);
+  EXPECT_DOUBLE_EQ(state.time, 0.04);
+}
+
+/// A joint's velocity carries it once, and forces add up.
+TEST(PushChain, TwoForcesOnAJointAreTheirSum) {
+  const Framework framework = test::with_masses(framework_of(chain(3)));
+  State two(chain(3).positions);
+  two.previous[1] += Vec3{0.01, 0.02, 0};
+  State one = two;
+  PushChain both(framework, {}, seed_5), sum(framework, {}, seed_5);
+  both.add(made("replay", framework, {{}, {{1, {3, 0, 1}}}}));
+  both.add(made("replay", framework, {{}, {{1, {1, 2, 0}}}}));
+  sum.add(made("replay", framework, {{}, {{1, {4, 2, 1}}}}));
+  both.push(two);
+  sum.push(one);
+  EXPECT_LT(distance(one.positions[1], two.positions[1]), 1e-15);
+  EXPECT_NE(one.positions[1], one.previous[1]);
+}
+
+TEST(PushChain, EachPusherDrawsForItself) {
+  const Framework framework = framework_of(chain(6));
+  const State start(chain(6).positions);
+  const State alone = pushed_by({"displacement"}, framework, start, 1);
+  const State both = pushed_by({"displacement", "displacement"}, framework, start, 1);
+  for (Joint joint = 0; joint < 6; ++joint) {
+    const Vec3 first = alone.positions[joint] - start.positions[joint];
+    EXPECT_GT(distance(both.positions[joint] - alone.positions[joint], first), 1e-3);
+  }
+}
+
+TEST(PushChain, TakesAStepBackBitByBit) {
+  const Framework framework = framework_of(chain(6));
+  for (const char* name : {"force", "force_all", "displacement"}) {
+    State state(chain(6).positions);
+    PushChain chain_of(framework, {}, seed_5);
+    chain_of.add(made(name, framework));
+    chain_of.push(state);
+    chain_of.push(state);
+    const State before = state;
+    chain_of.push(state);
+    const State after = state;
+    chain_of.take_back(state);
+    EXPECT_TRUE(test::same_bits(state.positions, before.positions)) << name;
+    EXPECT_TRUE(test::same_bits(state.previous, before.previous)) << name;
+    EXPECT_EQ(state.step, 2);
+    EXPECT_EQ(state.time, before.time);
+    chain_of.push(state);
+    EXPECT_TRUE(test::same_bits(state.positions, after.positions)) << name;
+    EXPECT_TRUE(test::same_bits(state.previous, after.previous)) << name;
+  }
+}
+
+TEST(PushChain, IsOverWhenAllHavePushedForTheLastTime) {
+  const Framework framework = framework_of(chain(3));
+  State state(chain(3).positions);
+  PushChain chain_of(framework, {}, seed_5);
+  chain_of.push(state);
+  EXPECT_FALSE(chain_of.is_over()) << "nobody pushes";
+  PusherOptions options{{}, {{0, {}}, {1, {}}}, 1};
+  chain_of.add(made("replay", framework, options));
+  chain_of.push(state);
+  EXPECT_FALSE(chain_of.is_over());
+  EXPECT_EQ(chain_of.pushed().root_joint, 0);
+  chain_of.push(state);
+  EXPECT_TRUE(chain_of.is_over());
+  chain_of.push(state);
+  EXPECT_EQ(chain_of.pushed().root_joint, no_joint) << "no force is left";
+}
+
+class Failing final : public Pusher {
+  bool push(const PushCall&, State& state, Push&) override {
+    state.positions[0].x += 1.0;
+    throw InputError("no more");
+  }
+};
+
+TEST(PushChain, APusherThatThrowsLeavesTheStateAsItWas) {
+  const Framework framework = framework_of(chain(3));
+  State state(chain(3).positions);
+  state.previous[2].x += 0.5;
+  const State before = state;
+  PushChain chain_of(framework, {}, seed_5);
+  chain_of.add(made("force_all", framework));
+  chain_of.add(std::make_shared<Failing>());
+  EXPECT_THROW(chain_of.push(state), InputError);
+  EXPECT_TRUE(test::same_bits(state.positions, before.positions));
+  EXPECT_TRUE(test::same_bits(state.previous, before.previous));
+  EXPECT_EQ(state.step, 0);
+}
+
+TEST(Replay, RefusesForcesThatCannotBe) {
+  const Framework framework = framework_of(chain(3));
+  const auto refusal = [&](JointForce force) {
+    return test::error_text<OptionError>([&] { made("replay", framework, {{}, {force}}); });
+  };
+  EXPECT_EQ(refusal({3, {}}), "replay: joint 3 of 3 does not exist");
+  EXPECT_EQ(refusal({1, {0, std::nan(""), 0}}), "replay: the force on joint 1 is not finite");
+}
+
+TEST(Steering, PullsUntilReleasedAsApplyForcesDoes) {
+  const Framework framework = test::with_masses(framework_of(chain(4)));
+  State state(chain(4).positions);
+  State expected = state;
+  const auto steering = std::make_shared<Steering>();
+  PushChain chain_of(framework, {}, seed_5);
+  chain_of.add(steering);
+  const JointForce pulls[] = {{1, {0, 2, 0}}, {3, {1, 0, 0}}};
+  steering->pull(pulls);
+  for (int step = 0; step < 3; ++step) {
+    chain_of.push(state);
+    apply_forces(framework, {}, pulls, expected);
+    EXPECT_TRUE(test::same_bits(state.positions, expected.positions));
+  }
+  steering->release();
+  chain_of.push(state);
+  EXPECT_TRUE(test::same_bits(state.positions, state.previous));
+  EXPECT_FALSE(chain_of.is_over());
+  EXPECT_TRUE(chain_of.pushed().joints.empty());
+  EXPECT_FALSE(chain_of.pushed().disturbed().all);
+}
+
+TEST(Steering, RefusesWhatCannotBe) {
+  const Framework framework = framework_of(chain(3));
+  const auto steering = std::make_shared<Steering>();
+  const JointForce endless{0, {HUGE_VAL, 0, 0}}, nowhere{7, {1, 0, 0}};
+  EXPECT_EQ(test::error_text<OptionError>([&] {
+              steering->pull({&endless, 1});
+            }),
+            "steering: the force on joint 0 is not finite");
+  steering->pull({&nowhere, 1});
+  State state(chain(3).positions);
+  PushChain chain_of(framework, {}, seed_5);
+  chain_of.add(steering);
+  EXPECT_EQ(test::error_text<OptionError>([&] { chain_of.push(state); }),
+            "steering: joint 7 of 3 does not exist");
+  EXPECT_EQ(state.step, 0);
+}
+
+TEST(Steering, IsAskedFromManyThreads) {
+  const Framework framework = framework_of(chain(3));
+  State state(chain(3).positions);
+  const auto steering = std::make_shared<Steering>();
+  PushChain chain_of(framework, {}, seed_5);
+  chain_of.add(steering);
+  {
+    std::vector<std::jthread> threads;
+    for (Joint joint = 0; joint < 3; ++joint)
+      threads.emplace_back([&steering, joint] {
+        for (int k = 0; k < 200; ++k) {
+          const JointForce pulls[] = {{joint, {1, 0, 0}}, {joint, {0, 1, 0}}};
+          steering->pull(pulls);
+        }
+      });
+    for (int step = 0; step < 200; ++step) {
+      chain_of.push(state);
+      ASSERT_LE(chain_of.pushed().joints.size(), 1u) << "never half of a pull";
+    }
+  }
+  EXPECT_TRUE(is_finite(state.positions[0]));
+}
+
+}  // namespace
+}  // namespace pliant

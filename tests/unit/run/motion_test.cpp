@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/run/motion.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pliant/base/error.hpp"
+#include "pliant/examples/examples.hpp"
+#include "pliant/framework/residual.hpp"
+#include "pliant/perturb/steering.hpp"
+#include "pliant/run/run.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace {
+
+MotionOptions by(std::vector<std::string> push, const char* technique = "bfs_cycle") {
+  MotionOptions options;
+  options.technique.name = technique;
+  options.push = std::move(push);
+  return options;
+}
+
+/// run() is a loop over it.
+TEST(Motion, StepsAsARunDoes) {
+  const Framework framework = framework_of(ring(7));
+  for (const char* technique : {"bfs_cycle", "blocks", "random"})
+    for (const char* push : {"force", "force_all", "displacement"}) {
+      State state(ring(7).positions);
+      RunOptions options;
+      options.technique.name = technique;
+      options.perturb = push;
+      options.resolve.walker = 2;
+      options.steps = 20;
+      Motion motion(framework, State(ring(7).positions), by({push}, technique), 2);
+      bool has_begun = false;
+      run(framework, state, options, {[&](const Frame& frame) {
+            const Frame own = has_begun ? motion.step() : motion.start();
+            has_begun = true;
+            EXPECT_TRUE(test::same_bits(frame.positions, own.positions));
+            EXPECT_EQ(frame.step, own.step);
+            EXPECT_EQ(frame.time, own.time);
+            EXPECT_EQ(frame.sweeps, own.sweeps);
+            EXPECT_EQ(frame.max_residual, own.max_residual);
+            EXPECT_EQ(frame.rms_residual, own.rms_residual);
+            EXPECT_EQ(frame.root_joint, own.root_joint);
+            EXPECT_EQ(frame.force, own.force);
+            return false;
+          }});
+      EXPECT_EQ(motion.summary().steps, 20);
+      EXPECT_EQ(motion.summary().frames, 21);
+      EXPECT_TRUE(test::same_bits(motion.state().previous, state.previous));
+    }
+}
+
+TEST(Motion, StepsOnAStateThatLivesElsewhere) {
+  const Framework framework = framework_of(ring(5));
+  State state(ring(5).positions);
+  Motion lent(framework, std::ref(state), by({"force"}));
+  Motion own(framework, State(ring(5).positions), by({"force"}));
+  lent.step();
+  own.step();
+  EXPECT_TRUE(test::same_bits(state.positions, own.state().positions));
+  EXPECT_EQ(state.step, 1);
+}
+
+TEST(Motion, IsOverWithTheLastForceOfAReplay) {
+  const Framework framework = framework_of(ring(5));
+  MotionOptions options = by({"replay"});
+  options.replay = {{2, {1, 0, 0}}, {4, {0, 2, 0}}};
+  Motion motion(framework, State(ring(5).positions), options);
+  motion.start();
+  EXPECT_FALSE(motion.is_over());
+  EXPECT_EQ(motion.step().root_joint, 2);
+  EXPECT_FALSE(motion.is_over());
+  EXPECT_EQ(motion.step().root_joint, 4);
+  EXPECT_TRUE(motion.is_over());
+  motion.add(std::make_shared<Steering>());
+  EXPECT_FALSE(motion.is_over());
+}
+
+TEST(Motion, NobodyPushesAndNothingMoves) {
+  const Framework framework = framework_of(ring(6));
+  for (const char* technique : {"bfs_cycle", "blocks", "newton"}) {
+    Motion motion(framework, State(ring(6).positions), by({}, technique));
+    for (int step = 1; step < 4; ++step) {
+      const Frame frame = motion.step();
+      EXPECT_EQ(frame.step, step);
+      EXPECT_EQ(frame.stop, Stop::converged);
+      EXPECT_EQ(frame.sweeps, 0);
+      EXPECT_EQ(frame.root_joint, no_joint);
+      EXPECT_EQ(frame.max_residual, measure(framework, ring(6).positions).max_relative);
+      EXPECT_TRUE(test::same_bits(frame.positions, ring(6).positions));
+    }
+  }
+}
+
+TEST(Motion, StepAloneGoesOnWhereAnotherStopped) {
+  const Framework framework = framework_of(ring(9));
+  MotionOptions options = by({"displacement"});
+  options.resolve.max_sweeps = 1;
+  Motion first(framework, State(ring(9).positions), options);
+  first.step();
+  ASSERT_EQ(first.step().stop, Stop::max_sweeps);
+  Motion second(framework, first.state(), options);
+  first.step();
+  second.step();
+  EXPECT_TRUE(test::same_bits(first.state().positions, second.state().positions));
+}
+
+/// Where few joints were pushed only their surroundings are looked at: not if somebody else moved
+/// some.
+TEST(Motion, SeesWhatSomebodyElseChanged) {
+  const Sketch sketch = shaken(chain(60), 0.2);
+  const Framework framework = framework_of(sketch);
+  Motion motion(framework, State(sketch.positions), by({"force"}, "bfs_local"));
+  for (int step = 0; step < 5; ++step) motion.step();
+  motion.change_state().positions[30] += Vec3{0.1, 0.2, 0.3};
+  const Frame frame = motion.step();
+  EXPECT_EQ(frame.stop, Stop::converged);
+  EXPECT_LE(measure(framework, frame.positions).max_relative, 1e-6);
+}
+
+TEST(Motion, AStepThatIsCutShortIsTakenBack) {
+  const Framework framework = framework_of(ring(9));
+  MotionOptions options = by({"displacement"});
+  bool stops = false;
+  options.resolve.should_stop = [&] { return stops; };
+  Motion motion(framework, State(ring(9).positions), options);
+  motion.step();
+  motion.step();
+  const State before = motion.state();
+  stops = true;
+  const Frame frame = motion.step();
+  EXPECT_EQ(frame.stop, Stop::stopped_by_caller);
+  EXPECT_EQ(frame.step, 2);
+  EXPECT_EQ(frame.root_joint, no_joint);
+  EXPECT_LE(frame.max_residual, 1e-6);
+  EXPECT_TRUE(motion.is_over());
+  EXPECT_TRUE(test::same_bits(motion.state().positions, before.positions));
+  EXPECT_TRUE(test::same_bits(motion.state().previous, before.previous));
+  stops = false;
+  EXPECT_EQ(motion.step().step, 3);
+  EXPECT_FALSE(motion.is_over());
+}
+
+TEST(Motion, RefusesWhatCannotBe) {
+  const Framework framework = framework_of(chain(3));
+  const auto refusal = [&](const MotionOptions& options) {
+    return test::error_text<OptionError>(
+        [&] { Motion(framework, State(chain(3).positions), options); });
+  };
+  EXPECT_EQ(refusal(by({"forces"})),
+            "no pusher named \"forces\" (did you mean \"force\"?); known: force, force_all, "
+            "displacement, replay");
+  MotionOptions options = by({"replay"});
+  options.replay = {{3, {}}};
+  EXPECT_EQ(refusal(options), "replay: joint 3 of 3 does not exist");
+  EXPECT_EQ(test::error_text<InputError>([&] { Motion(framework, State(chain(2).positions)); }),
+            "framework: 3 joints but 2 positions");
+  EXPECT_EQ(test::error_text<InputError>([] { Motion(Framework({}), State()); }),
+            "nothing to run: no joints");
+}
+
+}  // namespace
+}  // namespace pliant
