@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "law/technique_cases.hpp"
-#include "support/rigidity.hpp"
 #include "pliant/framework/residual.hpp"
+#include "support/rigidity.hpp"
 
 namespace pliant {
 namespace {

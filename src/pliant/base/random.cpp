@@ -70,10 +70,10 @@ std::uint64_t RandomSequence::bits() {
 double RandomSequence::uniform() { return static_cast<double>(bits() >> 11) * 0x1p-53; }
 
 std::uint64_t RandomSequence::below(std::uint64_t bound) {
-  Product product = multiply(bits(), bound);
+  WideProduct product = wide_product(bits(), bound);
   if (product.low < bound) {
     const std::uint64_t threshold = (0 - bound) % bound;
-    while (product.low < threshold) product = multiply(bits(), bound);
+    while (product.low < threshold) product = wide_product(bits(), bound);
   }
   return product.high;
 }

@@ -12,9 +12,9 @@
 #include <vector>
 
 #include "pliant/base/log.hpp"
+#include "pliant/base/parameter.hpp"
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/base/parameter.hpp"
 
 namespace pliant {
 

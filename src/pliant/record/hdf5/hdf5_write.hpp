@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "pliant/base/parameter.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/record/hdf5/hdf5_session.hpp"
-#include "pliant/base/parameter.hpp"
 
 namespace pliant {
 
