@@ -14,6 +14,9 @@ FrameworkParts parts_of(const Framework& framework) {
   parts.joint_count = framework.joint_count();
   parts.bars.assign(framework.bars().begin(), framework.bars().end());
   parts.rest_lengths.assign(framework.rest_lengths().begin(), framework.rest_lengths().end());
+  parts.limits.assign(framework.limits().begin(), framework.limits().end());
+  if (framework.sterics() != nullptr)
+    parts.sterics = std::make_shared<const Sterics>(*framework.sterics());
   for (std::size_t i = 0; i < framework.joint_count(); ++i) {
     const auto joint = static_cast<Joint>(i);
     if (framework.is_pinned(joint)) parts.pinned.push_back(joint);

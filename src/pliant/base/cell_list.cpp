@@ -98,62 +98,6 @@ void CellList::index_cells() {
   cells_.push_back({0, static_cast<std::uint32_t>(entries_.size())});
 }
 
-void CellList::for_each_pair(const PairFunction& visit) const {
-  // Half of the eight rows around a row, as differences of z << 32 | y; rows are sorted by that
-  // key, so a pointer for each only moves forward.
-  constexpr std::uint64_t next_z = std::uint64_t{1} << 32;
-  constexpr std::array<std::uint64_t, 4> steps{1, next_z - 1, next_z, next_z + 1};
-  std::array<std::size_t, 4> ahead{};
-  const std::size_t row_count = rows_.size() - 1;
-  for (std::size_t row = 0; row < row_count; ++row) {
-    visit_row(row, visit);
-    for (std::size_t k = 0; k < steps.size(); ++k) {
-      const std::uint64_t wanted = rows_[row].key + steps[k];
-      while (ahead[k] < row_count && rows_[ahead[k]].key < wanted) ++ahead[k];
-      if (ahead[k] < row_count && rows_[ahead[k]].key == wanted) visit_rows(row, ahead[k], visit);
-    }
-  }
-}
-
-/// Pairs within a row: in a cell, and between a cell and the next one.
-void CellList::visit_row(std::size_t row, const PairFunction& visit) const {
-  for (std::size_t cell = rows_[row].first; cell < rows_[row + 1].first; ++cell) {
-    visit_cell(cell, visit);
-    if (cell + 1 < rows_[row + 1].first && cells_[cell + 1].column == cells_[cell].column + 1)
-      visit_cells(cell, cell + 1, visit);
-  }
-}
-
-/// Pairs between two rows: each cell of the one with at most three of the other.
-void CellList::visit_rows(std::size_t one, std::size_t other, const PairFunction& visit) const {
-  std::size_t begin = rows_[other].first;
-  const std::size_t end = rows_[other + 1].first;
-  for (std::size_t cell = rows_[one].first; cell < rows_[one + 1].first; ++cell) {
-    const std::uint64_t column = cells_[cell].column;
-    while (begin < end && cells_[begin].column + std::uint64_t{1} < column) ++begin;
-    for (std::size_t k = begin; k < end && cells_[k].column <= column + 1; ++k)
-      visit_cells(cell, k, visit);
-  }
-}
-
-void CellList::visit_cell(std::size_t cell, const PairFunction& visit) const {
-  for (std::size_t i = cells_[cell].first; i < cells_[cell + 1].first; ++i)
-    for (std::size_t j = i + 1; j < cells_[cell + 1].first; ++j) visit_pair(i, j, visit);
-}
-
-void CellList::visit_cells(std::size_t one, std::size_t other, const PairFunction& visit) const {
-  for (std::size_t i = cells_[one].first; i < cells_[one + 1].first; ++i)
-    for (std::size_t j = cells_[other].first; j < cells_[other + 1].first; ++j)
-      visit_pair(i, j, visit);
-}
-
-void CellList::visit_pair(std::size_t one, std::size_t other, const PairFunction& visit) const {
-  const double squared = norm_squared(sorted_[other] - sorted_[one]);
-  if (!(squared <= squared_cutoff_)) return;
-  const auto [i, j] = std::minmax(entries_[one].point, entries_[other].point);
-  visit(i, j, squared);
-}
-
 std::vector<std::uint32_t> CellList::points_in_cells_above(std::size_t most) const {
   std::vector<std::uint32_t> points;
   for (std::size_t cell = 0; cell + 1 < cells_.size(); ++cell) {

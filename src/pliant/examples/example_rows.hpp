@@ -2,6 +2,7 @@
 // Rows of the table of examples, by where they come from; private to the folder.
 #pragma once
 
+#include <memory>
 #include <string_view>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct ExampleRow {
   std::vector<double> rest_lengths = {};  ///< (B) Angstrom; empty: as in the sketch
   std::vector<double> masses = {};        ///< (N) u; empty: all 1
   std::vector<Joint> pinned = {};
+  std::vector<Limit> limits = {};
+  std::shared_ptr<const Sterics> sterics = {};
 };
 
 /// A sketch whose bars are spelled with a letter a joint, as the thesis prints them: "ab bc".
@@ -28,5 +31,6 @@ std::vector<ExampleRow> rigidity_examples();     ///< known ranks
 std::vector<ExampleRow> planar_examples();       ///< known ranks, in the plane z = 0
 std::vector<ExampleRow> projection_examples();   ///< systems that other programs are tested with
 std::vector<ExampleRow> feasibility_examples();  ///< at and beyond the edge of what can be
+std::vector<ExampleRow> limit_examples();        ///< with limits and sterics
 
 }  // namespace pliant

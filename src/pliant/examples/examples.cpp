@@ -18,6 +18,8 @@ Example example_of(ExampleRow row) {
   parts.rest_lengths = std::move(row.rest_lengths);
   parts.masses = std::move(row.masses);
   parts.pinned = std::move(row.pinned);
+  parts.limits = std::move(row.limits);
+  parts.sterics = std::move(row.sterics);
   return {row.name, row.source, Framework(std::move(parts)), std::move(row.sketch.positions),
           row.facts};
 }
@@ -25,7 +27,7 @@ Example example_of(ExampleRow row) {
 std::vector<Example> all_examples() {
   std::vector<Example> all;
   for (const auto rows : {thesis_examples, family_examples, rigidity_examples, planar_examples,
-                          projection_examples, feasibility_examples})
+                          projection_examples, feasibility_examples, limit_examples})
     for (ExampleRow& row : rows()) all.push_back(example_of(std::move(row)));
   return all;
 }

@@ -48,7 +48,7 @@ struct ExampleFacts {
   std::size_t cycles = 0;                ///< independent cycles
   std::size_t bridges = 0;               ///< bars on no cycle
   std::size_t blocks = 0;                ///< biconnected components of two or more bars
-  bool feasible = true;                  ///< some positions have every bar at its rest length
+  bool feasible = true;                  ///< at some positions all is as it must be
   bool whole = true;                     ///< the example's positions are such
   std::optional<std::size_t> rank = {};  ///< of the rigidity matrix at the positions
   std::optional<std::size_t> rigid_motions = {};  ///< independent rigid motions: 3, 5 or 6

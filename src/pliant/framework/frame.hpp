@@ -12,7 +12,7 @@ namespace pliant {
 
 /// Why a resolve ended.
 enum class Stop : std::uint8_t {
-  converged,          ///< every bar is within the tolerance
+  converged,          ///< all is within the tolerance
   max_sweeps,         ///< the limit was reached first
   not_finite,         ///< a length became infinite or not a number; positions were put back
   stopped_by_caller,  ///< a callback asked to stop
@@ -35,6 +35,8 @@ struct Frame {
   Stop stop = Stop::converged;
   std::int64_t root_joint = no_joint;  ///< where the technique began; no_joint before any step
   Vec3 force;                          ///< on root_joint, kJ/(mol Angstrom); 0 if none
+  double max_limit = 0.0;    ///< largest distance of a limit outside its interval (Angstrom)
+  double max_overlap = 0.0;  ///< largest overlap of two joints (Angstrom)
 };
 
 }  // namespace pliant

@@ -28,6 +28,8 @@ Framework::Framework(FrameworkParts parts)
       rest_lengths_(std::move(parts.rest_lengths)),
       atoms_(std::move(parts.atoms)),
       drawn_(std::move(parts.drawn)),
+      limits_(std::move(parts.limits)),
+      sterics_(std::move(parts.sterics)),
       planar_(parts.planar) {
   check_counts();
   take_masses(parts.masses, parts.pinned);
@@ -35,6 +37,8 @@ Framework::Framework(FrameworkParts parts)
   check_drawn();
   link_joints();
   merge_duplicate_bars();
+  check_limits();
+  index_limits();
 }
 
 void Framework::check_counts() const {

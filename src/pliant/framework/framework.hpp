@@ -13,6 +13,8 @@
 #include "pliant/base/random.hpp"
 #include "pliant/base/vec3.hpp"
 #include "pliant/framework/atom_table.hpp"
+#include "pliant/framework/limits.hpp"
+#include "pliant/framework/sterics.hpp"
 
 namespace pliant {
 
@@ -36,7 +38,9 @@ struct FrameworkParts {
   /// (N) Angstrom, a place of each joint at which every bar has its rest length, if one is known:
   /// the shape of parts that bars make rigid, chirality included. May be empty.
   std::vector<Vec3> drawn = {};
-  bool planar = false;  ///< pushes leave the z of every joint as it is
+  bool planar = false;             ///< pushes leave the z of every joint as it is
+  std::vector<Limit> limits = {};  ///< (L) distances held to intervals; of no pair that has a bar
+  std::shared_ptr<const Sterics> sterics = {};  ///< how near joints may come; null: any
 };
 
 /// A joint reached over a bar.
@@ -46,13 +50,16 @@ struct Incidence {
 };
 
 /// An immutable, checked bar-and-joint framework: every bar joins two different joints, no two
-/// bars join the same pair, every rest length is finite and in [1e-150, 1e150] Angstrom.
+/// bars join the same pair, every rest length is finite and in [1e-150, 1e150] Angstrom. Besides
+/// bars it may have limits and sterics: what a framework has none of costs nothing.
 class Framework {
  public:
   /// Takes and checks `parts`: equal duplicate bars are merged (the first is kept).
   /// Throws InputError naming both joints of a bad bar: self loop, unknown joint, length out of
   /// range, two bars of one pair with different lengths; a mass out of range; columns that differ
-  /// in length; drawn positions that break a bar.
+  /// in length; drawn positions that break a bar; a limit that joins unknown joints, a joint to
+  /// itself or a pair that has a bar, or whose interval is empty or out of range; sterics that
+  /// check() refuses.
   explicit Framework(FrameworkParts parts);
 
   std::size_t joint_count() const { return joint_count_; }
@@ -67,6 +74,13 @@ class Framework {
   /// Bars at `joint` with the joint at their other end, in the order of the bars.
   std::span<const Incidence> neighbours(Joint joint) const { return graph_.at(joint); }
   const GraphOf<Incidence>& graph() const { return graph_; }
+  std::span<const Limit> limits() const { return limits_; }  ///< (L) in the order of the input
+  /// The limits at `joint`, ascending.
+  std::span<const LimitIndex> limits_at(Joint joint) const;
+  /// How near joints may come; null: any.
+  const Sterics* sterics() const { return sterics_.get(); }
+  /// Whether there is nothing but bars.
+  bool has_bars_only() const { return limits_.empty() && sterics_ == nullptr; }
   /// Whether it is a linkage of the plane: nothing pushes a joint along z.
   bool is_planar() const { return planar_; }
   /// A random unit vector along which joints may be pushed: without z in a planar framework.
@@ -86,6 +100,9 @@ class Framework {
   void take_masses(const std::vector<double>& masses, const std::vector<Joint>& pinned);
   void check_bars() const;
   void check_drawn() const;
+  void check_limits() const;
+  void check_limit(std::size_t index) const;
+  void index_limits();
   void merge_duplicate_bars();
   void link_joints() { graph_ = {joint_count_, bars()}; }
 
@@ -96,6 +113,10 @@ class Framework {
   GraphOf<Incidence> graph_;
   std::shared_ptr<const AtomTable> atoms_;
   std::vector<Vec3> drawn_;
+  std::vector<Limit> limits_;
+  std::vector<std::uint32_t> first_limit_;  ///< (N + 1), or none where there are no limits
+  std::vector<LimitIndex> limits_at_;
+  std::shared_ptr<const Sterics> sterics_;
   std::size_t pinned_count_ = 0;
   std::size_t merged_bar_count_ = 0;
   bool planar_ = false;
@@ -103,10 +124,11 @@ class Framework {
 
 /// What changes during a run.
 struct State {
-  std::vector<Vec3> positions;  ///< (N) Angstrom
-  std::vector<Vec3> previous;   ///< (N) positions one step earlier, for Verlet
-  std::int64_t step = 0;        ///< steps done
-  double time = 0.0;            ///< ps
+  std::vector<Vec3> positions;                ///< (N) Angstrom
+  std::vector<Vec3> previous;                 ///< (N) positions one step earlier, for Verlet
+  std::int64_t step = 0;                      ///< steps done
+  double time = 0.0;                          ///< ps
+  std::vector<std::uint8_t> limits_off = {};  ///< (L) 1: this limit is off; empty: all are on
 
   State() = default;
   /// At rest: previous = positions.

@@ -73,6 +73,8 @@ class Automatic final : public Method {
 }  // namespace
 
 Choice choose_technique(const Framework& framework, const Technique& asked) {
+  if (!framework.has_bars_only())
+    return chosen("anderson", asked, "limits beside the bars: sweeps know them, accelerated");
   const GraphFacts facts = graph_facts(framework);
   if (facts.is_forest() && framework.pinned_count() <= 1)
     return chosen("blocks", asked, "the bars close no cycle: one outward pass makes them whole");

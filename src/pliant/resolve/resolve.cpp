@@ -40,16 +40,21 @@ struct Resolver::Plan {
   Technique technique;
   std::unique_ptr<Method> method;
   MovedJoints moved;  ///< by the last resolve, and where they were before
+  std::vector<std::uint8_t> limits_off;
+  std::unique_ptr<Contacts> contacts;  ///< null: no sterics
 
   Plan(const Framework& framework_, const Technique& technique_, const ResolveOptions& options_)
       : framework(framework_), options(options_), technique(technique_) {
     method = find_technique(technique.name).make(framework, technique, options);
+    if (framework.sterics() != nullptr) contacts = std::make_unique<Contacts>(framework);
     moved.note_all({});
   }
 
   /// Whether the method was given `moved` to note joints in, rather than all being noted before.
   bool begin(std::span<const Vec3> positions, const Disturbed& disturbed) {
-    if (disturbed.all || positions.empty() || !method->looks_near()) {
+    // A joint that moves may touch any other: what is near by bars is not all that is disturbed.
+    const bool is_near = !disturbed.all && !positions.empty() && framework.has_bars_only();
+    if (!is_near || !method->looks_near()) {
       moved.note_all(positions);
       return false;
     }
@@ -75,11 +80,12 @@ struct Resolver::Plan {
       summary.stop = Stop::converged;
     summary.max_residual = found.max_relative;
     summary.rms_residual = found.rms_relative;
+    note_violations(found, summary);
   }
 
   ResidualSummary look(std::span<const Vec3> positions, const Disturbed& disturbed) const {
-    return moved.holds_all() ? measure(framework, positions, options.tolerance)
-                             : measure_near(positions, disturbed);
+    if (!moved.holds_all()) return measure_near(positions, disturbed);
+    return measure(framework, positions, options.tolerance, limits_off, contacts.get());
   }
 
   /// Of the bars at joints that were disturbed or moved; rms_relative is -1.
@@ -123,6 +129,14 @@ Resolver::Resolver(Resolver&&) noexcept = default;
 
 void Resolver::set_walker(std::uint64_t walker) { plan_->options.walker = walker; }
 
+void Resolver::set_limits_off(std::span<const std::uint8_t> off) {
+  const std::size_t limit_count = plan_->framework.limits().size();
+  if (!off.empty() && off.size() != limit_count)
+    throw OptionError("limits_off: " + std::to_string(off.size()) + " for " +
+                      std::to_string(limit_count) + " limits");
+  plan_->limits_off.assign(off.begin(), off.end());
+}
+
 void Resolver::check_arguments(std::span<const Vec3> positions, const Disturbed& disturbed,
                                std::span<const Vec3> reference) const {
   const std::size_t joint_count = plan_->framework.joint_count();
@@ -146,9 +160,9 @@ ResolveSummary Resolver::resolve(std::span<Vec3> positions, const Disturbed& dis
   summary.sweeps = summary.projections = 0;
   summary.dropped_bars = summary.finishing_sweeps = 0;
   const bool is_near = plan_->begin(positions, disturbed);
-  summary.stop = plan_->method->resolve(
-      {positions, disturbed, plan_->key(step), reference, is_near ? &plan_->moved : nullptr},
-      summary);
+  summary.stop = plan_->method->resolve({positions, disturbed, plan_->key(step), reference,
+                                         is_near ? &plan_->moved : nullptr, plan_->limits_off},
+                                        summary);
   plan_->finish(positions, disturbed, summary);
   summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return summary;

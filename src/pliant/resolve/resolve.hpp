@@ -57,6 +57,9 @@ class Resolver {
 
   /// Random draws are this walker's from now on (ResolveOptions::walker).
   void set_walker(std::uint64_t walker);
+  /// Limits that are off from now on: (L) 1 for off, or empty for none (State::limits_off).
+  /// Throws OptionError if there are as many neither as limits nor none.
+  void set_limits_off(std::span<const std::uint8_t> off);
   /// Throws what resolve() throws for such arguments.
   void check_arguments(std::span<const Vec3> positions, const Disturbed& disturbed,
                        std::span<const Vec3> reference) const;

@@ -26,33 +26,42 @@ namespace {
 std::vector<TechniqueEntry> all_techniques() {
   std::vector<TechniqueEntry> rows;
   rows.push_back({"auto", "chosen by what the bars form: blocks, units, newton or anderson", false,
-                  false, make_automatic});
+                  false, true, make_automatic});
   for (const OrderingEntry& row : orderings())
-    rows.push_back({row.name, row.summary, row.forests_only, true, make_sweeps, make_lane_sweeps});
+    rows.push_back(
+        {row.name, row.summary, row.forests_only, true, true, make_sweeps, make_lane_sweeps});
   rows.push_back({"bfs_local", "bfs_cycle, of the region that a push of one joint disturbs", false,
-                  true, make_local_sweeps, make_lane_local_sweeps});
+                  true, true, make_local_sweeps, make_lane_local_sweeps});
   rows.push_back({"blocks",
                   "bridges exact in one outward pass, each ring system alone by Newton's method",
-                  false, false, make_blocks, make_lane_blocks});
+                  false, false, false, make_blocks, make_lane_blocks});
   rows.push_back({"anderson", "bfs_cycle with Anderson acceleration from sweep to sweep", false,
-                  true, make_anderson});
+                  true, true, make_anderson});
   rows.push_back({"rings_first",
                   "each ring system alone by bfs_cycle, then bridges in one outward pass", false,
-                  false, make_rings_first});
+                  false, false, make_rings_first});
   rows.push_back({"rings_anderson", "rings_first with Anderson acceleration in each ring system",
-                  false, false, make_rings_anderson});
-  rows.push_back({"newton", "the nearest whole positions, weighted by mass", false, false,
+                  false, false, false, make_rings_anderson});
+  rows.push_back({"newton", "the nearest whole positions, weighted by mass", false, false, false,
                   make_newton, make_lane_newton});
   rows.push_back({"shake",
                   "along the bars as they were before the push, by inverse mass (SHAKE, CCMA)",
-                  false, false, make_shake, make_lane_shake});
+                  false, false, false, make_shake, make_lane_shake});
   rows.push_back(
       {"units", "rigid units (angles, small rings) placed exactly in one outward pass over hinges",
-       false, false, make_units});
+       false, false, false, make_units});
   rows.push_back({"units_nearest",
                   "units, then all hinges turned at once towards where the joints were", false,
-                  false, make_units_nearest});
+                  false, false, make_units_nearest});
   return rows;
+}
+
+void check_knows_limits(const Technique& technique, const Framework& framework) {
+  if (framework.has_bars_only() || find_technique(technique.name).knows_limits) return;
+  std::string known;
+  for (const TechniqueEntry& row : techniques())
+    if (row.knows_limits) known += (known.empty() ? "" : ", ") + std::string(row.name);
+  throw OptionError("technique = " + technique.name + ": knows no limits; use one of " + known);
 }
 
 void check_given_ordering(const Technique& technique, const Framework& framework) {
@@ -82,6 +91,7 @@ void check(const Technique& technique) {
 void check(const Technique& technique, const Framework& framework) {
   check(technique);
   check_given_ordering(technique, framework);
+  check_knows_limits(technique, framework);
   if (!find_technique(technique.name).forests_only) return;
   const GraphFacts facts = graph_facts(framework);
   if (facts.is_forest()) return;

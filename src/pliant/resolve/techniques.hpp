@@ -22,6 +22,7 @@ struct TechniqueEntry {
   std::string_view summary;
   bool forests_only = false;  ///< leaves bars out that close a cycle
   bool has_weighting = true;  ///< Technique::weighting means something
+  bool knows_limits = false;  ///< resolves frameworks that have limits or sterics
   /// Makes what resolves; all three outlive it.
   std::unique_ptr<Method> (*make)(const Framework& framework, const Technique& technique,
                                   const ResolveOptions& options) = nullptr;
@@ -38,8 +39,8 @@ const TechniqueEntry& find_technique(std::string_view name);
 /// goes with another technique than `input`.
 void check(const Technique& technique);
 
-/// Throws OptionError if the technique leaves bars of this framework out, or if its ordering is
-/// none of this framework.
+/// Throws OptionError if the technique leaves bars of this framework out, knows no limits where it
+/// has some, or if its ordering is none of this framework.
 void check(const Technique& technique, const Framework& framework);
 
 }  // namespace pliant

@@ -50,17 +50,17 @@ Walk::Walk(const Framework& framework, State& state, const MotionOptions& option
 
 void Walk::start(Resolver& resolver) {
   const Stopwatch watch(summary_.seconds);
-  const ResidualSummary start = measure(framework_, state_.positions, resolve_.tolerance);
+  const ResidualSummary start = measured();
   is_whole_ = start.within;
   last_ = nothing_done(Stop::converged);
   last_.max_residual = start.max_relative;
   last_.rms_residual = start.rms_relative;
   last_.worst_bar = start.worst_bar;
+  note_violations(start, last_);
   if (start.within) return;
-  log_.warn("the start misses its rest lengths, worst bar " +
-            framework_.label(framework_.bars()[start.worst_bar]) + " by " +
-            number_text(start.max_length, 3) + " Angstrom: resolved first");
+  log_.warn("the start misses its " + what_is_missed(start) + ": resolved first");
   resolver.set_walker(number_);
+  resolver.set_limits_off(state_.limits_off);
   last_ = resolver.resolve(state_.positions, 0, 0, state_.previous);
   pushers_.past().forget();
   is_whole_ = last_.converged();
@@ -73,7 +73,7 @@ void Walk::start(Resolver& resolver) {
 void Walk::push() {
   const Stopwatch watch(summary_.seconds), own(summary_.perturb_seconds);
   is_stopped_ = false;
-  if (!is_whole_) is_whole_ = measure(framework_, state_.positions, resolve_.tolerance).within;
+  if (!is_whole_) is_whole_ = measured().within;
   pushers_.push(state_);
   is_pushed_ = true;
 }
@@ -103,6 +103,7 @@ ResolveSummary Walk::resolve_disturbed(Resolver& resolver, const Disturbed& dist
     return nothing_done(Stop::converged);
   }
   resolver.set_walker(number_);
+  resolver.set_limits_off(state_.limits_off);
   const ResolveSummary resolved =
       resolver.resolve(state_.positions, disturbed, state_.step, state_.previous);
   if (!disturbed.all)
@@ -149,11 +150,28 @@ State& Walk::change_state() {
   return state_;
 }
 
+ResidualSummary Walk::measured() const {
+  return measure(framework_, state_.positions, resolve_.tolerance, state_.limits_off);
+}
+
+std::string Walk::what_is_missed(const ResidualSummary& start) const {
+  const auto by = [](double length) { return " by " + number_text(length, 3) + " Angstrom"; };
+  if (!is_whole(framework_, state_.positions, resolve_.tolerance))
+    return "rest lengths, worst bar " + framework_.label(framework_.bars()[start.worst_bar]) +
+           by(start.max_length);
+  if (start.max_limit > resolve_.tolerance.limit) {
+    const Limit& limit = framework_.limits()[start.worst_limit];
+    return "limits, worst " + framework_.label(Bar{limit.a, limit.b}) + by(start.max_limit);
+  }
+  return "least distances, worst " + framework_.label(start.worst_overlap) + by(start.max_overlap);
+}
+
 void Walk::measure_all(ResolveSummary& resolved) const {
-  const ResidualSummary all = measure(framework_, state_.positions, resolve_.tolerance);
+  const ResidualSummary all = measured();
   resolved.max_residual = all.max_relative;
   resolved.rms_residual = all.rms_relative;
   resolved.worst_bar = all.worst_bar;
+  note_violations(all, resolved);
 }
 
 void Walk::note(const ResolveSummary& resolved) {
@@ -174,7 +192,7 @@ Frame Walk::frame() {
   ++summary_.frames;
   return {state_.step,         state_.time,        state_.positions,   last_.sweeps,
           last_.projections,   last_.max_residual, last_.rms_residual, last_.stop,
-          pushed().root_joint, pushed().force};
+          pushed().root_joint, pushed().force,     last_.max_limit,    last_.max_overlap};
 }
 
 }  // namespace pliant

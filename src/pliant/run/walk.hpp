@@ -43,6 +43,8 @@ class Walk {
   void stop() { is_stopped_ = summary_.stopped_by_caller = true; }
 
  private:
+  ResidualSummary measured() const;
+  std::string what_is_missed(const ResidualSummary& start) const;
   void measure_all(ResolveSummary& resolved) const;
   void note(const ResolveSummary& resolved);
   ResolveSummary resolve_disturbed(Resolver& resolver, const Disturbed& disturbed);

@@ -25,13 +25,16 @@ class RingSweeps final : public Method {
         planner_(framework),
         bar_groups_(rings_alone ? group_ring_systems(framework, planner_)
                                 : group_all_bars(framework)),
-        rings_alone_(rings_alone) {
+        rings_alone_(rings_alone),
+        limits_(make_limit_sweep(framework, technique.mass_weighted, options.tolerance)) {
     for (const std::vector<Joint>& joints : bar_groups_.joints)
       groups_.emplace_back(joints, accelerated);
+    if (limits_) groups_.front().add(*limits_);
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
     planned_.prepare(call.disturbed.root, [this](Joint root) { plan(root); });
+    if (limits_) limits_->begin(call.limits_off);
     bridges_.begin();
     for (Look look = look_at_all(call);;) {
       if (look == Look::all_whole) return Stop::converged;
@@ -76,8 +79,7 @@ class RingSweeps final : public Method {
     Look worst = Look::all_whole;
     for (SweepGroup& group : groups_) {
       if (group.state() == Look::all_whole) continue;
-      group.sweep(call.key);
-      summary.projections += static_cast<std::int64_t>(group.size());
+      summary.projections += group.sweep(call.key);
       worst = std::max(worst, group.state());
     }
     ++summary.sweeps;
@@ -126,6 +128,7 @@ class RingSweeps final : public Method {
   OutwardPlanner planner_;
   BarGroups bar_groups_;
   bool rings_alone_;
+  std::unique_ptr<LimitSweep> limits_;  ///< null: there are none
   std::vector<SweepGroup> groups_;
   SweepPlan bridges_;
   std::vector<OutwardStep> outward_;

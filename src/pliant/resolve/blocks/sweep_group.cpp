@@ -29,7 +29,7 @@ void SweepGroup::begin(std::span<const Vec3> positions) {
   x_.resize(joints_.size());
   for (std::size_t i = 0; i < joints_.size(); ++i) x_[i] = positions[joints_[i]];
   plan_.begin();
-  state_ = plan_.look(x_);
+  state_ = look();
   if (!accelerated_ || state_ != Look::broken) return;
   other_ = x_;
   mixing_.restart();
@@ -38,14 +38,25 @@ void SweepGroup::begin(std::span<const Vec3> positions) {
   stretch_ = left_ = first_stretch;
 }
 
-void SweepGroup::sweep(const RandomKey& key) {
+void SweepGroup::sweep_once(const RandomKey& key) {
+  plan_.sweep(x_, key);
+  if (limits_ != nullptr) looked_at_limits_ = limits_->sweep(x_, key);
+}
+
+Look SweepGroup::look() {
+  const Look bars = plan_.look(x_);
+  return limits_ != nullptr && bars == Look::all_whole ? limits_->look(x_) : bars;
+}
+
+std::int64_t SweepGroup::sweep(const RandomKey& key) {
   if (accelerated_ && left_-- == 0) change_track();
   if (accelerated_ && !on_plain_track_) {
     accelerate(key);
   } else {
-    plan_.sweep(x_, key);
-    state_ = plan_.look(x_);
+    sweep_once(key);
+    state_ = look();
   }
+  return static_cast<std::int64_t>(plan_.size()) + looked_at_limits_;
 }
 
 void SweepGroup::change_track() {
@@ -68,7 +79,7 @@ void SweepGroup::go_no_further_than_the_path() {
 
 void SweepGroup::accelerate(const RandomKey& key) {
   f_ = x_;
-  plan_.sweep(x_, key);
+  sweep_once(key);
   double step = 0.0;
   for (std::size_t i = 0; i < x_.size(); ++i) {
     f_[i] = x_[i] - f_[i];
@@ -78,10 +89,10 @@ void SweepGroup::accelerate(const RandomKey& key) {
     x_ = last_g_;
     mixing_.restart();
     extrapolated_ = false;
-    state_ = plan_.look(x_);
+    state_ = look();
     return;
   }
-  state_ = plan_.look(x_);
+  state_ = look();
   if (state_ != Look::broken) return;
   last_g_ = x_;
   last_step_ = step;
@@ -90,7 +101,7 @@ void SweepGroup::accelerate(const RandomKey& key) {
   if (!extrapolated_) return;
   go_no_further_than_the_path();
   std::swap(x_, f_);
-  state_ = plan_.look(x_);
+  state_ = look();
   if (state_ == Look::not_finite) state_ = Look::broken;  // the next sweep takes it back
 }
 

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "pliant/resolve/sweeps/anderson.hpp"
+#include "pliant/resolve/sweeps/limit_sweep.hpp"
 #include "pliant/resolve/sweeps/sweep_plan.hpp"
 
 namespace pliant {
@@ -28,6 +29,9 @@ class SweepGroup {
   std::span<const Joint> joints() const { return joints_; }
   std::size_t size() const { return plan_.size(); }  ///< bars
 
+  /// Sweeps these limits too. Its joints must then be all joints of the framework.
+  void add(LimitSweep& limits) { limits_ = &limits; }
+
   void clear_plan() { plan_.clear(); }
   /// `visit` names joints of the framework.
   void add(PlannedBar visit);
@@ -40,18 +44,23 @@ class SweepGroup {
 
   /// Are the bars whole, by the last look?
   Look state() const { return state_; }
-  /// Projects each bar once; then looks, and goes further if it is accelerated.
-  void sweep(const RandomKey& key);
+  /// Projects each bar once; then looks, and goes further if it is accelerated. Returns how many
+  /// bars and limits were looked at.
+  std::int64_t sweep(const RandomKey& key);
 
  private:
   Joint place(Joint joint) const;
   void accelerate(const RandomKey& key);
+  void sweep_once(const RandomKey& key);
+  Look look();
   void change_track();
   void go_no_further_than_the_path();
 
   std::vector<Joint> joints_;
   bool accelerated_;
   SweepPlan plan_;
+  LimitSweep* limits_ = nullptr;       ///< null: there are none
+  std::int64_t looked_at_limits_ = 0;  ///< in this sweep
   Look state_ = Look::broken;
   std::vector<Vec3> x_;       ///< (joints) where sweeps happen
   std::vector<Vec3> other_;   ///< the track that rests: plain while accelerated, and the reverse

@@ -2,6 +2,7 @@
 #include "pliant/resolve/blocks/sweep_groups.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 namespace pliant {
 namespace {
@@ -44,7 +45,12 @@ BarGroups group_all_bars(const Framework& framework) {
   BarGroups groups;
   add_group(groups, false);
   groups.of_bar.assign(framework.bar_count(), 0);
-  find_joints(framework, groups);
+  if (framework.has_bars_only()) {
+    find_joints(framework, groups);
+  } else {
+    groups.joints[0].resize(framework.joint_count());
+    std::iota(groups.joints[0].begin(), groups.joints[0].end(), Joint{0});
+  }
   return groups;
 }
 

@@ -20,7 +20,7 @@ struct BarGroups {
   std::vector<bool> is_carried;            ///< of each group: it is a block
 };
 
-/// All bars in one group.
+/// All bars in one group; its joints are all joints where limits or sterics may move any.
 BarGroups group_all_bars(const Framework& framework);
 
 /// A group for each block, but one for each component that has several pinned joints.

@@ -7,6 +7,7 @@
 
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
+#include "pliant/framework/residual.hpp"
 
 namespace pliant {
 
@@ -27,9 +28,17 @@ struct ResolveSummary {
   /// last look (Angstrom); the last move has been made after it.
   double off_nearest = -1.0;
 
+  double max_limit = -1.0;     ///< largest distance of a limit outside its interval (Angstrom)
+  LimitIndex worst_limit = 0;  ///< the limit of max_limit
+  double max_overlap = -1.0;   ///< largest overlap of two joints (Angstrom)
+  Bar worst_overlap = {};      ///< the joints of max_overlap
+
   bool converged() const { return stop == Stop::converged; }
   /// "converged: 12 sweeps, 300 projections, worst bar C1 - C2 off by 8.1e-07 of its length".
   std::string brief(const Framework& framework) const;
 };
+
+/// Takes over what `measured` says of limits and overlaps.
+void note_violations(const ResidualSummary& measured, ResolveSummary& summary);
 
 }  // namespace pliant

@@ -14,4 +14,9 @@ namespace pliant {
 std::pair<double, double> shares(const Technique& technique, const OrderedBar& visit,
                                  const Framework& framework);
 
+/// Shares (a, b) of a correction between two joints that no bar joins: half and half, or by inverse
+/// masses; of pinned joints as above.
+std::pair<double, double> equal_shares(const Framework& framework, Joint a, Joint b,
+                                       bool mass_weighted);
+
 }  // namespace pliant

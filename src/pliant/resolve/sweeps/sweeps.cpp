@@ -2,6 +2,7 @@
 #include "pliant/resolve/sweeps/sweeps.hpp"
 
 #include "pliant/resolve/method/plan_of_root.hpp"
+#include "pliant/resolve/sweeps/limit_sweep.hpp"
 #include "pliant/resolve/sweeps/sweep_plan.hpp"
 
 namespace pliant {
@@ -14,10 +15,12 @@ class Sweeps final : public Method {
       : framework_(framework),
         technique_(technique),
         options_(options),
-        entry_(find_ordering(technique.name)) {}
+        entry_(find_ordering(technique.name)),
+        limits_(make_limit_sweep(framework, technique.mass_weighted, options.tolerance)) {}
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
     key_ = call.key;
+    if (limits_) limits_->begin(call.limits_off);
     return sweep_until_whole(call.positions, call.disturbed.root, summary);
   }
 
@@ -25,7 +28,7 @@ class Sweeps final : public Method {
   Stop sweep_until_whole(std::span<Vec3> positions, Joint root, ResolveSummary& summary) {
     prepare_first(positions, root);
     for (;;) {
-      switch (plan_.look(positions)) {
+      switch (look(positions)) {
         case Look::all_whole:
           return Stop::converged;
         case Look::not_finite:
@@ -41,12 +44,18 @@ class Sweeps final : public Method {
       sweep(positions, entry_.repeat == Repeat::reverse && summary.sweeps % 2 == 1);
       ++summary.sweeps;
       summary.projections += static_cast<std::int64_t>(plan_.size());
+      if (limits_) summary.projections += limits_->sweep(positions, key_);
     }
   }
 
   void sweep(std::span<Vec3> positions, bool backwards) const {
     if (options_.on_bar) return plan_.sweep_watched(positions, key_, backwards, options_.on_bar);
     plan_.sweep(positions, key_, backwards);
+  }
+
+  Look look(std::span<const Vec3> positions) {
+    const Look bars = plan_.look(positions);
+    return limits_ && bars == Look::all_whole ? limits_->look(positions) : bars;
   }
 
   /// The plan of the last call is kept if it would come out the same.
@@ -72,6 +81,7 @@ class Sweeps final : public Method {
   Technique technique_;
   ResolveOptions options_;
   const OrderingEntry& entry_;
+  std::unique_ptr<LimitSweep> limits_;  ///< null: there are none
   RandomKey key_;
   Ordering ordering_, last_ordering_;
   OrderScratch scratch_;

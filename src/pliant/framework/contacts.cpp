@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/framework/contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+#include "pliant/base/cell_list.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
+
+namespace pliant {
+namespace {
+
+using Ends = std::pair<Joint, Joint>;
+
+// A list reaches a little further than it must, so that rounding never hides a pair.
+constexpr double slack = 1.0 + 1e-9;
+
+std::vector<std::vector<Joint>> neighbours_by_bonds(const Framework& framework) {
+  std::vector<std::vector<Joint>> neighbours(framework.joint_count());
+  const auto join = [&](Joint a, Joint b) {
+    neighbours[a].push_back(b);
+    neighbours[b].push_back(a);
+  };
+  const auto& bonds = framework.sterics()->bonds;
+  for (const auto& [a, b] : bonds) join(a, b);
+  if (bonds.empty())
+    for (const Bar bar : framework.bars()) join(bar.a, bar.b);
+  return neighbours;
+}
+
+bool comes_before(const OwnDistance& own, Ends ends) {
+  return std::tie(own.a, own.b) < std::tie(ends.first, ends.second);
+}
+
+}  // namespace
+
+ContactRules::ContactRules(const Framework& framework)
+    : sterics_(*framework.sterics()), largest_(sterics_.largest()), own_(sterics_.own) {
+  for (OwnDistance& own : own_)
+    if (own.a > own.b) std::swap(own.a, own.b);
+  std::sort(own_.begin(), own_.end(), [](const OwnDistance& one, const OwnDistance& other) {
+    return comes_before(one, {other.a, other.b});
+  });
+  exclude_within(framework);
+}
+
+/// Breadth first from each joint, as many bonds deep as are excluded.
+void ContactRules::exclude_within(const Framework& framework) {
+  const auto neighbours = neighbours_by_bonds(framework);
+  std::vector<std::uint8_t> is_reached(neighbours.size(), 0);
+  std::vector<Joint> reached;
+  first_.push_back(0);
+  for (Joint joint = 0; joint < neighbours.size(); ++joint) {
+    reached.assign(1, joint);
+    is_reached[joint] = 1;
+    std::size_t begin = 0;
+    for (int depth = 0; depth < sterics_.excluded_bonds && begin < reached.size(); ++depth) {
+      const std::size_t end = reached.size();
+      for (; begin < end; ++begin)
+        for (Joint next : neighbours[reached[begin]])
+          if (is_reached[next] == 0) is_reached[next] = 1, reached.push_back(next);
+    }
+    for (Joint other : reached) {
+      is_reached[other] = 0;
+      if (other > joint) excluded_.push_back(other);
+    }
+    std::sort(excluded_.begin() + std::ptrdiff_t(first_.back()), excluded_.end());
+    first_.push_back(excluded_.size());
+  }
+}
+
+double ContactRules::of(Joint a, Joint b) const {
+  if (!own_.empty()) {
+    const auto own = std::lower_bound(own_.begin(), own_.end(), Ends{a, b}, comes_before);
+    if (own != own_.end() && own->a == a && own->b == b) return own->least;
+  }
+  const auto& units = sterics_.units;
+  if (!units.empty() && units[a] == units[b] && units[a] != no_unit) return 0.0;
+  const auto excluded = excluded_.begin();
+  if (std::binary_search(excluded + std::ptrdiff_t(first_[a]),
+                         excluded + std::ptrdiff_t(first_[a + 1]), b))
+    return 0.0;
+  return sterics_.of_kinds(a, b);
+}
+
+Contacts::Contacts(const Framework& framework, double skin) : rules_(framework), skin_(skin) {
+  if (!(skin > 0.0 && skin <= 1e5))
+    throw OptionError("skin = " + number_text(skin) + ": must be above 0, up to 1e5 Angstrom");
+}
+
+bool Contacts::update(std::span<const Vec3> positions) {
+  constexpr double furthest = 1e300;
+  if (!std::all_of(positions.begin(), positions.end(), [](Vec3 x) {
+        return std::abs(x.x) <= furthest && std::abs(x.y) <= furthest && std::abs(x.z) <= furthest;
+      }))
+    return false;
+  if (is_out_of_date(positions)) make_list(positions);
+  return true;
+}
+
+bool Contacts::is_out_of_date(std::span<const Vec3> positions) const {
+  if (!made_ || listed_at_.size() != positions.size()) return true;
+  const double most = 0.25 * skin_ * skin_;
+  for (std::size_t i = 0; i < positions.size(); ++i)
+    if (!(norm_squared(positions[i] - listed_at_[i]) <= most)) return true;
+  return false;
+}
+
+void Contacts::make_list(std::span<const Vec3> positions) {
+  near_.clear();
+  listed_at_.assign(positions.begin(), positions.end());
+  made_ = true;
+  ++lists_made_;
+  if (rules_.largest() == 0.0) return;
+  const double skin = slack * skin_;
+  CellList(positions, rules_.largest() + skin)
+      .for_each_pair([&](std::uint32_t a, std::uint32_t b, double squared) {
+        const double least = rules_.of(a, b);
+        if (least > 0.0 && squared <= (least + skin) * (least + skin))
+          near_.push_back({a, b, least});
+      });
+  std::sort(near_.begin(), near_.end(), [](const Contact& one, const Contact& other) {
+    return std::tie(one.a, one.b) < std::tie(other.a, other.b);
+  });
+}
+
+std::vector<OwnDistance> own_distances(const Framework& framework,
+                                       std::span<const Vec3> positions) {
+  std::vector<OwnDistance> own;
+  if (framework.sterics() == nullptr) return own;
+  Contacts contacts(framework);
+  if (!contacts.update(positions)) return own;
+  for (const Contact& pair : contacts.near()) {
+    const double apart = distance(positions[pair.a], positions[pair.b]);
+    if (apart < pair.least) own.push_back({pair.a, pair.b, apart});
+  }
+  return own;
+}
+
+}  // namespace pliant

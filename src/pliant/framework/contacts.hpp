@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: MIT
+// Contacts (neighbour list, Verlet list): the pairs of joints near each other now, of one walker.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pliant/framework/framework.hpp"
+
+namespace pliant {
+
+/// Two joints a < b and how near they may come.
+struct Contact {
+  Joint a, b;
+  double least;  ///< Angstrom
+  friend bool operator==(const Contact&, const Contact&) = default;
+};
+
+/// Least distances of pairs by a framework's sterics, exclusions worked out.
+class ContactRules {
+ public:
+  /// O(joints * joints within excluded_bonds).
+  explicit ContactRules(const Framework& framework);
+
+  double largest() const { return largest_; }  ///< of any pair; 0: nothing ever touches
+  /// Of joints a < b (Angstrom); 0 if they may come as near as they like.
+  double of(Joint a, Joint b) const;
+
+ private:
+  void exclude_within(const Framework& framework);
+
+  const Sterics& sterics_;
+  double largest_;
+  std::vector<OwnDistance> own_;    ///< a < b, sorted
+  std::vector<std::size_t> first_;  ///< (N + 1) into excluded_
+  std::vector<Joint> excluded_;     ///< joints above a joint that never touch it, ascending
+};
+
+/// Knows which pairs of joints may touch. Which of them a caller sees does not depend on the skin
+/// nor on when the list was made: only how much is looked at does.
+class Contacts {
+ public:
+  /// The framework must have sterics, and outlive this. `skin` (Angstrom, above 0, up to 1e5) is
+  /// how much further than least distances the list reaches: it is made anew when a joint has
+  /// moved by more than half of it.
+  explicit Contacts(const Framework& framework, double skin = 1.0);
+
+  /// Makes the list right for `positions` (N). False if one of them is not finite or above 1e300.
+  bool update(std::span<const Vec3> positions);
+
+  /// All pairs that may overlap, and others near; by a, then b.
+  std::span<const Contact> near() const { return near_; }
+
+  std::int64_t lists_made() const { return lists_made_; }
+
+ private:
+  bool is_out_of_date(std::span<const Vec3> positions) const;
+  void make_list(std::span<const Vec3> positions);
+
+  ContactRules rules_;
+  double skin_;
+  bool made_ = false;
+  std::int64_t lists_made_ = 0;
+  std::vector<Vec3> listed_at_;  ///< (N) positions of the list
+  std::vector<Contact> near_;
+};
+
+/// The pairs that overlap at `positions` (N), each with the distance that it has there as its own:
+/// what Sterics::own takes so that the start is without overlaps.
+std::vector<OwnDistance> own_distances(const Framework& framework, std::span<const Vec3> positions);
+
+}  // namespace pliant

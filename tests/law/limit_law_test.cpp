@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: MIT
+// What must hold of limits and sterics for every technique that knows them.
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include <cmath>
+
+#include "law/technique_cases.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/framework/contacts.hpp"
+#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/sweeps/limit_sweep.hpp"
+#include "pliant/resolve/walkers.hpp"
+
+namespace pliant {
+namespace {
+
+using test::TechniqueLaw;
+
+/// Pairs up to `bonds` bars apart, by powers of the adjacency matrix.
+std::vector<std::vector<bool>> within_bars(const Framework& framework, int bonds) {
+  const std::size_t n = framework.joint_count();
+  std::vector<std::vector<bool>> reached(n, std::vector<bool>(n, false));
+  for (std::size_t i = 0; i < n; ++i) reached[i][i] = true;
+  for (int round = 0; round < bonds; ++round) {
+    const auto before = reached;
+    for (std::size_t i = 0; i < n; ++i)
+      for (const Bar bar : framework.bars()) {
+        if (before[i][bar.a]) reached[i][bar.b] = true;
+        if (before[i][bar.b]) reached[i][bar.a] = true;
+      }
+  }
+  return reached;
+}
+
+/// Every pair, however far: the measure that is not the library's.
+double largest_overlap(const Framework& framework, std::span<const Vec3> x) {
+  const Sterics& sterics = *framework.sterics();
+  const auto excluded = within_bars(framework, sterics.excluded_bonds);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    for (std::size_t j = i + 1; j < x.size(); ++j)
+      if (!excluded[i][j])
+        largest = std::max(largest,
+                           sterics.least[sterics.kinds[i] * sterics.kind_count + sterics.kinds[j]] -
+                               distance(x[i], x[j]));
+  return largest;
+}
+
+void expect_all_held(const Framework& framework, std::span<const Vec3> x) {
+  for (std::size_t k = 0; k < framework.bar_count(); ++k) {
+    const Bar bar = framework.bars()[k];
+    const double rest = framework.rest_lengths()[k];
+    EXPECT_LE(std::abs(distance(x[bar.a], x[bar.b]) - rest), 1e-6 * rest);
+  }
+  for (const Limit& limit : framework.limits()) {
+    EXPECT_GE(distance(x[limit.a], x[limit.b]), limit.least - 1e-2);
+    EXPECT_LE(distance(x[limit.a], x[limit.b]), limit.most + 1e-2);
+  }
+  if (framework.sterics() != nullptr) {
+    EXPECT_LE(largest_overlap(framework, x), 0.1);
+  }
+}
+
+/// Chains that fold back onto each other: bars and overlaps together.
+Framework crowded_chains(double least) {
+  FrameworkParts parts;
+  parts.joint_count = 60;
+  for (Joint k = 0; k + 1 < 60; ++k)
+    if (k % 10 != 9) parts.bars.push_back({k, k + 1}), parts.rest_lengths.push_back(1.0);
+  auto sterics = std::make_shared<Sterics>();
+  sterics->kind_count = 1;
+  sterics->kinds.assign(60, 0);
+  sterics->least = {least};
+  sterics->excluded_bonds = 2;
+  parts.sterics = std::move(sterics);
+  parts.limits = {{.a = 0, .b = 19, .least = 2.0, .most = 4.0}};
+  return Framework(std::move(parts));
+}
+
+std::vector<Vec3> crowded_positions(std::uint64_t seed) {
+  RandomSequence draws({seed, Domain::generate});
+  std::vector<Vec3> x;
+  for (int k = 0; k < 60; ++k) x.push_back(5.0 * draws.direction() * draws.uniform());
+  return x;
+}
+
+class LimitLaw : public TechniqueLaw {};
+
+TEST_P(LimitLaw, WhatConvergesHoldsAllByBruteForce) {
+  each_case([](const Example& example, const Technique& technique) {
+    if (example.framework.has_bars_only()) return;
+    std::vector<Vec3> x = test::shake(example.framework, example.positions, 0.2);
+    const ResolveSummary summary = resolve(example.framework, technique, x);
+    EXPECT_TRUE(summary.converged()) << summary.brief(example.framework);
+    expect_all_held(example.framework, x);
+  });
+}
+
+TEST_P(LimitLaw, CrowdedChainsHoldAllByBruteForce) {
+  if (!GetParam().knows_limits) return;
+  const Framework framework = crowded_chains(0.9);
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    std::vector<Vec3> x = crowded_positions(seed);
+    const ResolveSummary summary = resolve(framework, plain(), x);
+    EXPECT_TRUE(summary.converged()) << summary.brief(framework);
+    expect_all_held(framework, x);
+  }
+}
+
+/// A limit within its interval moves nothing: the same bits as without it.
+TEST_P(LimitLaw, ALimitWithinItsIntervalIsAsNone) {
+  if (!GetParam().knows_limits || GetParam().name == "auto") return;
+  each_case([](const Example& example, const Technique& technique) {
+    const Framework& framework = example.framework;
+    if (framework.bar_count() == 0 || !framework.has_bars_only()) return;
+    FrameworkParts parts = test::parts_of(framework);
+    const Joint last = static_cast<Joint>(framework.joint_count() - 1);
+    const auto beside = framework.neighbours(0);
+    if (last == 0 || std::any_of(beside.begin(), beside.end(),
+                                 [&](const Incidence& at) { return at.joint == last; }))
+      return;
+    parts.limits.push_back({.a = 0, .b = last, .least = 0.0, .most = 1e6});
+    ResolveOptions options;
+    options.max_sweeps = 200;
+    std::vector<Vec3> x = test::shake(framework, example.positions, 0.1), y = x;
+    const ResolveSummary without = resolve(framework, technique, x, options);
+    const ResolveSummary with = resolve(Framework(std::move(parts)), technique, y, options);
+    EXPECT_EQ(without.sweeps, with.sweeps);
+    EXPECT_TRUE(test::same_bits(x, y));
+  });
+}
+
+TEST_P(LimitLaw, ALimitSwitchedOffIsAsNone) {
+  if (!GetParam().knows_limits) return;
+  const Framework with = find_example("chain_5_with_tight_cable").framework;
+  FrameworkParts parts = test::parts_of(with);
+  parts.limits.push_back({.a = 1, .b = 3, .most = 1.2});
+  const Framework both(std::move(parts));
+  for (const Technique& technique : variants()) {
+    std::vector<Vec3> x = test::shake(with, find_example("chain_5_with_tight_cable").positions,
+                                      0.1),
+                      y = x;
+    Resolver resolver(both, technique);
+    const std::vector<std::uint8_t> off{0, 1};
+    resolver.set_limits_off(off);
+    EXPECT_TRUE(resolver.resolve(x).converged());
+    EXPECT_TRUE(resolve(with, technique, y).converged());
+    EXPECT_TRUE(test::same_bits(x, y));
+    resolver.set_limits_off({});
+    EXPECT_GT(resolver.resolve(x).sweeps, 0);
+  }
+}
+
+TEST_P(LimitLaw, PinnedJointsStay) {
+  each_case([](const Example& example, const Technique& technique) {
+    if (example.framework.has_bars_only()) return;
+    const Framework framework = test::with_pinned(example.framework, {0, 2});
+    std::vector<Vec3> x = test::shake(framework, example.positions, 0.2);
+    const Vec3 first = x[0], third = x[2];
+    ResolveOptions options;
+    options.max_sweeps = 500;
+    resolve(framework, technique, x, options);
+    EXPECT_EQ(x[0], first);
+    EXPECT_EQ(x[2], third);
+  });
+}
+
+/// One resolver for many walkers, alone or near, gives what a fresh one gives.
+TEST_P(LimitLaw, ListsOfPairsLeaveNoTrace) {
+  if (!GetParam().knows_limits) return;
+  const Framework framework = crowded_chains(0.9);
+  Resolver used(framework, plain());
+  for (std::uint64_t seed = 0; seed < 3; ++seed) {
+    std::vector<Vec3> x = crowded_positions(seed), y = x;
+    used.resolve(x);
+    resolve(framework, plain(), y);
+    EXPECT_TRUE(test::same_bits(x, y));
+    x[7] += Vec3{0.4, 0.2, 0.1};
+    y = x;
+    const ResolveSummary near = used.resolve_near(x, 7);
+    Resolver(framework, plain()).resolve(y, 7);
+    EXPECT_TRUE(test::same_bits(x, y));
+    EXPECT_EQ(near.max_overlap, std::max(0.0, largest_overlap(framework, x)));
+  }
+}
+
+TEST_P(LimitLaw, WhatKnowsNoLimitsSaysSo) {
+  if (GetParam().knows_limits) return;
+  const Framework& framework = find_example("spheres_27").framework;
+  try {
+    Resolver(framework, plain());
+    FAIL() << "accepted";
+  } catch (const OptionError& error) {
+    EXPECT_EQ(std::string(error.what())
+                  .find("technique = " + std::string(GetParam().name) +
+                        ": knows no limits; use one of auto, "),
+              0u)
+        << error.what();
+  }
+}
+
+PLIANT_FOR_ALL_TECHNIQUES(LimitLaw);
+
+/// However wide the skin, and whenever the list is made: the same bits.
+TEST(Limits, NoSkinShowsInTheResult) {
+  const Framework framework = crowded_chains(0.9);
+  std::vector<Vec3> results[4];
+  const double skins[4] = {1e-3, 0.3, 1.0, 20.0};
+  for (int k = 0; k < 4; ++k) {
+    results[k] = crowded_positions(5);
+    LimitSweep sweep(framework, false, {}, skins[k]);
+    sweep.begin({});
+    for (int step = 0; step < 40; ++step) sweep.sweep(results[k], {});
+    EXPECT_TRUE(test::same_bits(results[0], results[k])) << "skin " << skins[k];
+  }
+}
+
+TEST(Limits, AutoTakesASweepAndSaysWhy) {
+  const Choice choice = choose_technique(find_example("tensegrity_prism").framework);
+  EXPECT_EQ(choice.technique.name, "anderson");
+  EXPECT_EQ(choice.why, "limits beside the bars: sweeps know them, accelerated");
+}
+
+TEST(Limits, WalkersResolveAlone) {
+  const Framework framework = crowded_chains(0.9);
+  WalkerResolver resolver(framework, {.name = "bfs_cycle"});
+  EXPECT_EQ(resolver.level(), "");
+  std::vector<Vec3> x = crowded_positions(1), y = crowded_positions(2), alone = y;
+  const WalkerPositions walkers[] = {{0, x}, {1, y}};
+  ResolveSummary summaries[2];
+  resolver.resolve(walkers, summaries);
+  ResolveOptions options;
+  options.walker = 1;
+  resolve(framework, {.name = "bfs_cycle"}, alone, options);
+  EXPECT_TRUE(test::same_bits(y, alone));
+}
+
+/// Pairs by a cell list with a skin against all pairs, as the points wander.
+RC_GTEST_PROP(Contacts, AreThoseOfBruteForce, ()) {
+  const auto seed = *rc::gen::inRange<std::uint64_t>(0, 1000000);
+  const auto size = *rc::gen::inRange(0.5, 10.0);
+  const auto skin = *rc::gen::inRange(0.01, 3.0);
+  RandomSequence draws({seed, Domain::generate});
+  FrameworkParts parts;
+  parts.joint_count = 30;
+  auto sterics = std::make_shared<Sterics>();
+  sterics->kind_count = 2;
+  for (std::uint16_t k = 0; k < 30; ++k) sterics->kinds.push_back(k % 2);
+  sterics->least = {1.0, 0.7, 0.7, 0.4};
+  for (Joint k = 0; k + 1 < 10; ++k) parts.bars.push_back({k, k + 1});
+  parts.rest_lengths.assign(9, 1.0);
+  parts.sterics = std::move(sterics);
+  const Framework framework(std::move(parts));
+  std::vector<Vec3> x;
+  for (int k = 0; k < 30; ++k) x.push_back(size * draws.uniform() * draws.direction());
+  Contacts contacts(framework, skin);
+  for (int step = 0; step < 10; ++step) {
+    for (Vec3& at : x) at += 0.2 * draws.uniform() * draws.direction();
+    const ResidualSummary found = measure(framework, x, {}, {}, &contacts);
+    RC_ASSERT(found.max_overlap == std::max(0.0, largest_overlap(framework, x)));
+  }
+}
+
+}  // namespace
+}  // namespace pliant
