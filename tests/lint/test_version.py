@@ -14,8 +14,6 @@ def found(name: str, pattern: str) -> str:
 
 
 def test_files_name_one_version():
-    """The changelog may have begun with the next."""
     version = found("CMakeLists.txt", r"^project\(pliant VERSION ([\d.]+)")
     assert found("CITATION.cff", r"^version: ([\d.]+)") == version
-    told = re.findall(r"^## ([\d.]+)", (ROOT / "CHANGELOG.md").read_text("utf-8"), re.MULTILINE)
-    assert version in told[:2]
+    assert found("CHANGELOG.md", r"^## ([\d.]+)") == version
