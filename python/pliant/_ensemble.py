@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy.typing as npt
 
 from pliant import _core
-from pliant._run import Observer, Ordering, Push, _options, _start
+from pliant._run import JointForce, Observer, Ordering, _options, _start
 
 #: Gives the observers of a walker before it begins: recorders, or what is called with frames.
 ObserversOf = Callable[[int], Iterable[Observer | _core.H5mdRecorder]]
@@ -35,7 +35,7 @@ def run_ensemble(
     timestep: float = 0.01,
     damping: float = 0.0,
     displacement: float = 0.1,
-    replay: Sequence[Push] | None = None,
+    replay: Sequence[JointForce] | None = None,
     seed: int = 0,
 ) -> list[_core.RunSummary]:
     """Run walkers from one start, each as `run` does with its number, on threads and in lanes.
