@@ -10,9 +10,9 @@
 
 namespace pliant::PLIANT_LANE_LEVEL {
 
-constexpr char space_prefix[] = "lanes_";
+constexpr char prefix[] = "lanes_";
 constexpr const char* level_name =
-    &PLIANT_LANE_TEXT(PLIANT_LANE_LEVEL)[sizeof space_prefix - 1];  // "v3" of lanes_v3
+    &PLIANT_LANE_TEXT(PLIANT_LANE_LEVEL)[sizeof prefix - 1];  // "v3" of lanes_v3
 
 extern const LaneKernels kernels;
 const LaneKernels kernels = {.level = level_name,

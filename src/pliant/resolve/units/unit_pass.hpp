@@ -43,10 +43,14 @@ class UnitPass {
                  const ResolveOptions& options);
   void close_by_torsions(const ResolveOptions& options);
   Outcome place(const ResolveCall& call, UnitStep& step);
-  Outcome place_by_rotation(std::span<Vec3> positions, const UnitStep& step);
-  Outcome place_by_torsion(const ResolveCall& call, const UnitStep& step);
+  Outcome place_by(const UnitStep::Free&, const ResolveCall& call, const UnitStep& step);
+  Outcome place_by(const UnitStep::Still&, const ResolveCall& call, const UnitStep& step);
+  Outcome place_by(const UnitStep::Ball&, const ResolveCall& call, const UnitStep& step);
+  Outcome place_by(const UnitStep::Hinge& hinge, const ResolveCall& call, const UnitStep& step);
+  Outcome place_by(const UnitStep::Rod& rod, const ResolveCall& call, const UnitStep& step);
+  Outcome place_about(Vec3 point, std::span<Vec3> positions, const UnitStep& step);
+  TorsionFit::Turn any_turn(RandomKey key, const UnitStep::Hinge& hinge, double length) const;
   void place_still(const ResolveCall& call, const UnitStep& step) const;
-  static void place_rod(const ResolveCall& call, const UnitStep& step, const Framework& framework);
 
   const Framework& framework_;
   UnitForest forest_;

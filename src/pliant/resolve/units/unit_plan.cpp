@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <map>
 
-#include "pliant/base/best_fit.hpp"
 #include "pliant/framework/graph.hpp"
 
 namespace pliant {
@@ -53,7 +52,10 @@ UnitForest find_unit_forest(const Framework& framework, UnitSet bodies,
   forest.links = links_of(connect_units(framework, forest.set));
   forest.shapes = find_unit_shapes(framework, forest.set, tolerance);
   forget_loops(forest);
-  if (!forest.has_unknown()) forest.rigid = {}, forest.of_rigid = {};
+  if (!forest.has_unknown()) {
+    forest.rigid = {};
+    forest.of_rigid = {};
+  }
   return forest;
 }
 
@@ -100,15 +102,16 @@ void UnitPlan::start_at(Joint joint, std::span<const Joint> pins) {
   seen_[unit] = true;
   for (Joint pin : pins) placed_[pin] = true;
   if (is_unknown) {
-    add_step(unit, UnitEntry::still, joint, joint);
+    add_step(unit, joint, UnitStep::Still{});
   } else if (is_rod) {
     const auto ends = forest_.set.at(unit);
-    if (pins.size() < 2)
-      add_step(unit, UnitEntry::rod, joint, ends[0] == joint ? ends[1] : ends[0]);
+    if (pins.size() < 2) add_step(unit, joint, UnitStep::Rod{ends[0] == joint ? ends[1] : ends[0]});
   } else if (pins.size() == 2 && holder != units.end()) {
-    add_step(unit, UnitEntry::hinge, pins[0], pins[1]);
+    add_step(unit, pins[0], UnitStep::Hinge{pins[1]});
+  } else if (pins.empty()) {
+    add_step(unit, joint, UnitStep::Free{});
   } else {
-    add_step(unit, pins.empty() ? UnitEntry::free : UnitEntry::ball, joint, joint);
+    add_step(unit, joint, UnitStep::Ball{});
   }
   if (steps_.size() > steps_before) steps_.back().is_held = !pins.empty();
   for (std::size_t next = 0; next < waiting_.size(); ++next) spread(waiting_[next]);
@@ -135,9 +138,11 @@ void UnitPlan::spread(std::uint32_t unit) {
       waiting_.push_back(next);
       const auto ends = forest_.set.at(next);
       if (forest_.shapes.kinds[next] == ShapeKind::rod) {
-        add_step(next, UnitEntry::rod, at.a, ends[0] == at.a ? ends[1] : ends[0]);
+        add_step(next, at.a, UnitStep::Rod{ends[0] == at.a ? ends[1] : ends[0]});
+      } else if (at.is_hinge()) {
+        add_step(next, at.a, UnitStep::Hinge{at.b});
       } else {
-        add_step(next, at.is_hinge() ? UnitEntry::hinge : UnitEntry::ball, at.a, at.b);
+        add_step(next, at.a, UnitStep::Ball{});
       }
       steps_.back().parent = step_of_[unit];
       steps_.back().is_held = step_of_[unit] < 0;
@@ -145,18 +150,19 @@ void UnitPlan::spread(std::uint32_t unit) {
   }
 }
 
-void UnitPlan::add_step(std::uint32_t unit, UnitEntry entry, Joint a, Joint b) {
+void UnitPlan::add_step(std::uint32_t unit, Joint a, UnitStep::Entry entry) {
   UnitStep step;
   step.unit = unit;
   step.entry = entry;
-  step.a = a, step.b = b;
+  step.a = a;
   const ShapeKind kind = forest_.shapes.kinds[unit];
   step.mirror_allowed = kind == ShapeKind::lengths;
   step.is_known = kind != ShapeKind::unknown;
-  if (entry == UnitEntry::ball) placed_[a] = true;
-  if (entry == UnitEntry::rod) step.length = rod_length(framework_, a, b);
+  if (step.is<UnitStep::Ball>()) placed_[a] = true;
+  auto* rod = std::get_if<UnitStep::Rod>(&step.entry);
+  if (rod != nullptr) rod->length = rod_length(framework_, a, rod->b);
   add_joints(step);
-  if (step.is_known && entry != UnitEntry::rod)
+  if (step.is_known && rod == nullptr)
     set_shape(step, points_of(framework_, forest_.set, forest_.shapes, unit, points_));
   step_of_[unit] = static_cast<std::int32_t>(steps_.size());
   steps_.push_back(step);
@@ -168,7 +174,10 @@ void UnitPlan::add_joints(UnitStep& step) {
     if (placed_[joint]) continue;
     placed_[joint] = true;
     const double weight = mass_weighted_ ? 1.0 / framework_.inverse_masses()[joint] : 1.0;
-    joints_.push_back({{}, weight, joint});
+    JointInUnit added;
+    added.joint = joint;
+    added.weight = weight;
+    joints_.push_back(added);
   }
   step.count = static_cast<std::uint32_t>(joints_.size()) - step.first;
   double heaviest = 0.0;
@@ -177,36 +186,40 @@ void UnitPlan::add_joints(UnitStep& step) {
   step.scale = heaviest;
 }
 
-void UnitPlan::set_shape(UnitStep& step, std::span<const Vec3> points) {
+Vec3 UnitPlan::point_of(const UnitStep& step, std::span<const Vec3> points, Joint joint) const {
   const auto members = forest_.set.at(step.unit);
-  const auto point_of = [&](Joint joint) {
-    return points[std::size_t(std::lower_bound(members.begin(), members.end(), joint) -
-                              members.begin())];
-  };
-  if (step.entry == UnitEntry::hinge)
-    return set_hinge(step, points, point_of(step.a), point_of(step.b));
+  return points[std::size_t(std::lower_bound(members.begin(), members.end(), joint) -
+                            members.begin())];
+}
+
+void UnitPlan::set_shape(UnitStep& step, std::span<const Vec3> points) {
+  if (auto* hinge = std::get_if<UnitStep::Hinge>(&step.entry))
+    return set_hinge(step, *hinge, points);
   Vec3 origin;
   double sum = 0.0;
   for (JointInUnit& joint : joints(step)) {
-    joint.at = point_of(joint.joint);
-    origin += joint.weight * joint.at;
+    const Vec3 point = point_of(step, points, joint.joint);
+    joint.set_from_point(point);
+    origin += joint.weight * point;
     sum += joint.weight;
   }
-  origin = step.entry == UnitEntry::ball ? point_of(step.a) : (1.0 / sum) * origin;
-  for (JointInUnit& joint : joints(step)) joint.at -= origin;
+  origin = step.is<UnitStep::Ball>() ? point_of(step, points, step.a) : (1.0 / sum) * origin;
+  for (JointInUnit& joint : joints(step)) joint.set_from_point(joint.from_point() - origin);
 }
 
-void UnitPlan::set_hinge(UnitStep& step, std::span<const Vec3> points, Vec3 a, Vec3 b) {
-  step.length = distance(a, b);
-  step.spread = 0.0;
-  const AxisBasis basis((1.0 / step.length) * (b - a));
+void UnitPlan::set_hinge(const UnitStep& step, UnitStep::Hinge& hinge,
+                         std::span<const Vec3> points) {
+  const Vec3 a = point_of(step, points, step.a), b = point_of(step, points, hinge.b);
+  hinge.length = distance(a, b);
+  hinge.spread = 0.0;
+  const AxisBasis basis((1.0 / hinge.length) * (b - a));
   const auto members = forest_.set.at(step.unit);
   std::size_t place = 0;
   for (JointInUnit& joint : joints(step)) {  // in the order of the members
     while (members[place] != joint.joint) ++place;
-    const Vec3 d = points[place] - a;
-    joint.at = {dot(d, basis.axis), dot(d, basis.e1), dot(d, basis.e2)};
-    step.spread += joint.weight * (joint.at.y * joint.at.y + joint.at.z * joint.at.z);
+    const HingePoint at = seen_from(basis, points[place] - a);
+    joint.set_from_hinge(at);
+    hinge.spread += joint.weight * (at.u * at.u + at.v * at.v);
   }
 }
 
