@@ -239,8 +239,8 @@ TEST(Limits, WalkersResolveAlone) {
 /// Pairs by a cell list with a skin against all pairs, as the points wander.
 RC_GTEST_PROP(Contacts, AreThoseOfBruteForce, ()) {
   const auto seed = *rc::gen::inRange<std::uint64_t>(0, 1000000);
-  const auto size = *rc::gen::inRange(0.5, 10.0);
-  const auto skin = *rc::gen::inRange(0.01, 3.0);
+  const double size = 0.1 * *rc::gen::inRange(5, 100);
+  const double skin = 0.01 * *rc::gen::inRange(1, 300);
   RandomSequence draws({seed, Domain::generate});
   FrameworkParts parts;
   parts.joint_count = 30;
