@@ -74,14 +74,18 @@ Framework crowded_chains(double least) {
   sterics->least = {least};
   sterics->excluded_bonds = 2;
   parts.sterics = std::move(sterics);
-  parts.limits = {{.a = 0, .b = 19, .least = 2.0, .most = 4.0}};
+  parts.limits = {{.a = 0, .b = 19, .least = 2.0, .most = 8.0}};
   return Framework(std::move(parts));
 }
 
+/// Side by side, nearer than the chains may be, and bent at random.
 std::vector<Vec3> crowded_positions(std::uint64_t seed) {
   RandomSequence draws({seed, Domain::generate});
   std::vector<Vec3> x;
-  for (int k = 0; k < 60; ++k) x.push_back(5.0 * draws.direction() * draws.uniform());
+  for (int k = 0; k < 60; ++k) {
+    const Vec3 place{double(k % 10), 0.7 * (k / 10 % 3), 0.7 * (k / 30)};
+    x.push_back(place + 0.2 * draws.direction());
+  }
   return x;
 }
 
@@ -138,7 +142,7 @@ TEST_P(LimitLaw, ALimitSwitchedOffIsAsNone) {
   if (!GetParam().knows_limits) return;
   const Framework with = find_example("chain_5_with_tight_cable").framework;
   FrameworkParts parts = test::parts_of(with);
-  parts.limits.push_back({.a = 1, .b = 3, .most = 1.2});
+  parts.limits.push_back({.a = 1, .b = 3, .most = 0.3});
   const Framework both(std::move(parts));
   for (const Technique& technique : variants()) {
     std::vector<Vec3> x = test::shake(with, find_example("chain_5_with_tight_cable").positions,
