@@ -39,7 +39,16 @@ constexpr Observable observables[] = {
     {"force_x", force_unit, real, [](const Frame& f, Series& s) { s.add(f.force.x); }},
     {"force_y", force_unit, real, [](const Frame& f, Series& s) { s.add(f.force.y); }},
     {"force_z", force_unit, real, [](const Frame& f, Series& s) { s.add(f.force.z); }},
+    {"max_limit", "Angstrom", real, [](const Frame& f, Series& s) { s.add(f.max_limit); }},
+    {"max_overlap", "Angstrom", real, [](const Frame& f, Series& s) { s.add(f.max_overlap); }},
 };
+
+constexpr std::size_t of_limits = 2;  // the last ones
+
+std::span<const Observable> table_for(const Framework& framework) {
+  const std::span<const Observable> all(observables);
+  return framework.has_bars_only() ? all.first(all.size() - of_limits) : all;
+}
 
 std::vector<std::string> stop_names() {
   std::vector<std::string> names;
@@ -74,9 +83,9 @@ constexpr const char* position_parts[] = {"/value", "/time", "/step"};
 
 }  // namespace
 
-FrameSeries::FrameSeries(std::int64_t file, std::size_t joint_count, const H5mdOptions& options)
-    : single_(options.single) {
-  make_positions(file, joint_count, options);
+FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options)
+    : single_(options.single), observable_count_(table_for(framework).size()) {
+  make_positions(file, framework.joint_count(), options);
   make_observables(file);
 }
 
@@ -84,7 +93,7 @@ FrameSeries::FrameSeries(std::int64_t file, std::size_t joint_count, const H5mdO
 void FrameSeries::make_positions(std::int64_t file, std::size_t joint_count,
                                  const H5mdOptions& options) {
   const std::size_t position_bytes = joint_count * 3 * (single_ ? sizeof(float) : sizeof(double));
-  frame_bytes_ = position_bytes + (2 + std::size(observables)) * sizeof(double);
+  frame_bytes_ = position_bytes + (2 + observable_count_) * sizeof(double);
   const SeriesLayout layout{.row = {joint_count, 3},
                             .chunk_rows = frames_per_chunk(position_bytes, options.compress),
                             .compress = options.compress,
@@ -100,7 +109,7 @@ void FrameSeries::make_positions(std::int64_t file, std::size_t joint_count,
 }
 
 void FrameSeries::make_observables(std::int64_t file) {
-  for (const Observable& observable : observables) {
+  for (const Observable& observable : std::span(observables).first(observable_count_)) {
     const std::string group = std::string(h5md::observables) + "/" + observable.name;
     make_group(file, group);
     observables_.push_back(make_series(file, group + "/value", observable.kind));
@@ -115,7 +124,7 @@ void FrameSeries::make_observables(std::int64_t file) {
 
 std::vector<std::uint64_t> FrameSeries::addresses(std::int64_t file) const {
   std::vector<std::uint64_t> addresses;
-  for (const Observable& observable : observables)
+  for (const Observable& observable : std::span(observables).first(observable_count_))
     addresses.push_back(
         object_address(file, std::string(h5md::observables) + "/" + observable.name + "/value"));
   for (const char* part : position_parts)
@@ -127,8 +136,7 @@ void FrameSeries::add(const Frame& frame) {
   add_positions(frame.positions);
   positions_[1].add(frame.time);
   positions_[2].add(frame.step);
-  for (std::size_t k = 0; k < std::size(observables); ++k)
-    observables[k].add(frame, observables_[k]);
+  for (std::size_t k = 0; k < observable_count_; ++k) observables[k].add(frame, observables_[k]);
   ++waiting_frames_;
 }
 

@@ -14,7 +14,7 @@ namespace pliant {
 class FrameSeries {
  public:
   /// Makes empty series in the HDF5 file `file` (hid_t). Throws FileError.
-  FrameSeries(std::int64_t file, std::size_t joint_count, const H5mdOptions& options);
+  FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options);
 
   void add(const Frame& frame);
   /// Hands the waiting frames to HDF5. Throws FileError.
@@ -34,6 +34,7 @@ class FrameSeries {
   void add_positions(std::span<const Vec3> positions);
 
   bool single_;
+  std::size_t observable_count_;  ///< of the table: the last are of limits and sterics only
   std::size_t frame_bytes_ = 0;
   std::uint64_t waiting_frames_ = 0;
   std::vector<float> singles_;       // scratch of add_positions

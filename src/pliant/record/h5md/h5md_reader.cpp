@@ -110,6 +110,14 @@ std::vector<Joint> H5mdReader::pinned() const {
   return file_->guarded([&] { return file_->fixed().pinned(); });
 }
 
+std::vector<Limit> H5mdReader::limits() const {
+  return file_->guarded([&] { return file_->fixed().limits(); });
+}
+
+int H5mdReader::schema() const {
+  return file_->guarded([&] { return file_->fixed().schema(); });
+}
+
 std::vector<RecordedBond> H5mdReader::bonds() const {
   return file_->guarded([&] { return file_->fixed().bonds(); });
 }

@@ -62,6 +62,9 @@ class H5mdReader {
   std::vector<double> rest_lengths() const;        ///< (B) Angstrom
   std::vector<double> masses() const;              ///< (N) u; empty where the file has none
   std::vector<Joint> pinned() const;
+  std::vector<Limit> limits() const;  ///< (L); empty where the file has none
+  /// How our own part of the file is laid out: 1 (to version 0.1.0) or 2, which may have limits.
+  int schema() const;
   std::vector<RecordedBond> bonds() const;
   std::vector<std::string> bond_origin_names() const;
   /// The scalars below /parameters, sorted by path, but for those of our own groups.

@@ -133,7 +133,7 @@ void H5mdRecorder::Writer::create(const Framework& framework, const H5mdHeader& 
   try {
     hdf5_ = create_hdf5(file_);
     write_static_part(hdf5_, framework, header);
-    series_ = std::make_unique<FrameSeries>(hdf5_, joint_count_, options_);
+    series_ = std::make_unique<FrameSeries>(hdf5_, framework, options_);
     checked(H5Fflush(hdf5_, H5F_SCOPE_GLOBAL), "flush the file");
     file_.write_last(series_->addresses(hdf5_));
   } catch (const FileError& error) {

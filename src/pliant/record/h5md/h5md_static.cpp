@@ -23,6 +23,7 @@ void write_provenance(std::int64_t file, const H5mdHeader& header) {
   const Hid creator = make_group(file, "/h5md/creator");
   write_text_attribute(creator, "name", header.creator);
   write_text_attribute(creator, "version", header.creator_version);
+  write_integer_attribute(creator, "schema", h5md::schema);
   const Hid units = make_group(file, "/h5md/modules/units");
   write_integer_attribute(units, "version", units_version);
   write_text_attribute(units, "system", "SI");
@@ -66,6 +67,34 @@ void write_framework(std::int64_t file, const Framework& framework) {
   std::vector<std::uint8_t> pinned;
   for (const double inverse : framework.inverse_masses()) pinned.push_back(inverse == 0.0);
   write_booleans(file, group + "/pinned", pinned);
+}
+
+std::vector<std::string> names_of_kinds() {
+  std::vector<std::string> names;
+  for (const LimitKindEntry& row : limit_kinds()) names.emplace_back(row.name);
+  return names;
+}
+
+void write_limits(std::int64_t file, const Framework& framework) {
+  std::vector<Bar> pairs;
+  std::vector<double> least, most, energies;
+  std::vector<std::uint8_t> kinds;
+  std::vector<std::int64_t> groups;
+  for (const Limit& limit : framework.limits()) {
+    pairs.push_back({limit.a, limit.b});
+    least.push_back(limit.least);
+    most.push_back(limit.most);
+    kinds.push_back(static_cast<std::uint8_t>(limit.kind));
+    energies.push_back(limit.energy);
+    groups.push_back(limit.group == no_limit_group ? -1 : std::int64_t{limit.group});
+  }
+  write_connectivity(file, h5md::limits, pairs);
+  const std::string group = h5md::limit;
+  for (const auto& [name, values] : {std::pair("/least", &least), std::pair("/most", &most)})
+    write_text_attribute(write_numbers(file, group + name, *values), "unit", "Angstrom");
+  write_named_numbers(file, group + "/kind", kinds, names_of_kinds());
+  write_text_attribute(write_numbers(file, group + "/energy", energies), "unit", "kJ mol-1");
+  write_numbers(file, group + "/group", groups);
 }
 
 void write_bonds(std::int64_t file, const H5mdHeader& header) {
@@ -126,8 +155,8 @@ void check_parameters(const std::vector<NamedParameter>& parameters) {
   for (const auto& [path, value] : parameters) {
     if (path.empty() || path.front() == '/' || path.back() == '/')
       refuse_parameter(path, "must be a path below /parameters, such as run/seed");
-    if (path.starts_with("framework/") || path.starts_with("topology/"))
-      refuse_parameter(path, "the groups framework and topology are the file's own");
+    if (is_own_parameter(path))
+      refuse_parameter(path, "the groups framework, limit and topology are the file's own");
     if (!paths.insert(path).second) refuse_parameter(path, "is given twice");
     const double* number = std::get_if<double>(&value);
     if (number != nullptr && std::isnan(*number)) refuse_parameter(path, "is not a number");
@@ -140,12 +169,18 @@ void write_parameters(std::int64_t file, const std::vector<NamedParameter>& para
 
 }  // namespace
 
+bool is_own_parameter(const std::string& path) {
+  return path.starts_with("framework/") || path.starts_with("limit/") ||
+         path.starts_with("topology/");
+}
+
 void write_static_part(std::int64_t file, const Framework& framework, const H5mdHeader& header) {
   check_parameters(header.parameters);
   write_provenance(file, header);
   write_box(file);
   write_particles(file, framework, header);
   write_framework(file, framework);
+  if (!framework.limits().empty()) write_limits(file, framework);
   write_bonds(file, header);
   if (framework.atoms()) write_atoms(file, *framework.atoms());
   write_parameters(file, header.parameters);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "pliant/record/h5md/h5md_recorder.hpp"
 
@@ -15,9 +16,15 @@ inline constexpr char position[] = "/particles/trajectory/position";
 inline constexpr char observables[] = "/observables";
 inline constexpr char bars[] = "/connectivity/bars";
 inline constexpr char bonds[] = "/connectivity/bonds";
+inline constexpr char limits[] = "/connectivity/limits";      // (L, 2) joints
+inline constexpr char limit[] = "/parameters/limit";          // least, most, kind, energy, group
+inline constexpr int schema = 2;                              // of /h5md/creator; none is 1
 inline constexpr char framework[] = "/parameters/framework";  // rest_length, pinned
 inline constexpr char topology[] = "/parameters/topology";    // the atom table, bonds' origins
 }  // namespace h5md
+
+/// Whether a path below /parameters is in a group of ours.
+bool is_own_parameter(const std::string& path);
 
 /// Writes everything but frames and observables into the new HDF5 file `file` (hid_t).
 /// Throws FileError, and OptionError on a parameter's path that is empty or taken.

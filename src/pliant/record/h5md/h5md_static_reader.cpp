@@ -107,6 +107,30 @@ std::vector<Joint> StaticReader::pinned() const {
   return joints;
 }
 
+std::vector<Limit> StaticReader::limits() const {
+  const std::vector<Bar> ends = pairs(h5md::limits);
+  if (ends.empty()) return {};
+  const std::string group = h5md::limit;
+  const auto least = reals(group + "/least", ends.size());
+  const auto most = reals(group + "/most", ends.size());
+  const auto energies = reals(group + "/energy", ends.size());
+  const auto last_kind = static_cast<std::int64_t>(limit_kinds().size()) - 1;
+  const auto kinds = integers(group + "/kind", ends.size(), 0, last_kind);
+  const auto groups = integers(group + "/group", ends.size(), -1, no_limit_group - 1);
+  std::vector<Limit> limits;
+  for (std::size_t k = 0; k < ends.size(); ++k)
+    limits.push_back({ends[k].a, ends[k].b, least[k], most[k], static_cast<LimitKind>(kinds[k]),
+                      energies[k], static_cast<std::uint32_t>(groups[k])});
+  return limits;
+}
+
+/// Files of other programs have none either: they are read as the first.
+int StaticReader::schema() const {
+  if (!has_object(file_, "/h5md/creator")) return 1;
+  return static_cast<int>(
+      number_attribute(open_object(file_, "/h5md/creator"), "schema").value_or(1.0));
+}
+
 std::vector<RecordedBond> StaticReader::bonds() const {
   const std::vector<Bar> ends = pairs(h5md::bonds);
   std::vector<RecordedBond> bonds;
@@ -160,7 +184,7 @@ std::shared_ptr<const AtomTable> StaticReader::atoms() const {
 std::vector<NamedParameter> StaticReader::parameters() const {
   std::vector<NamedParameter> parameters;
   for (const std::string& path : datasets_below(file_, "/parameters")) {
-    if (path.starts_with("framework/") || path.starts_with("topology/")) continue;
+    if (is_own_parameter(path)) continue;
     if (auto value = parameter_at(Hdf5Dataset(file_, "/parameters/" + path)))
       parameters.emplace_back(path, std::move(*value));
   }
@@ -176,7 +200,8 @@ Framework StaticReader::framework() const {
                     .rest_lengths = rest_lengths(),
                     .masses = masses(),
                     .pinned = pinned(),
-                    .atoms = atoms()});
+                    .atoms = atoms(),
+                    .limits = limits()});
 }
 
 }  // namespace pliant

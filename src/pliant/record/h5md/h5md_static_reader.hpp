@@ -24,6 +24,8 @@ class StaticReader {
   std::vector<double> rest_lengths() const;
   std::vector<double> masses() const;
   std::vector<Joint> pinned() const;
+  std::vector<Limit> limits() const;
+  int schema() const;
   std::vector<RecordedBond> bonds() const;
   std::vector<std::string> bond_origin_names() const;
   std::vector<NamedParameter> parameters() const;

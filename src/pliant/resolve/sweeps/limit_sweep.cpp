@@ -9,6 +9,13 @@
 namespace pliant {
 namespace {
 
+// What a sweep aims at: bars need the rest of the room.
+constexpr double share_of_tolerance = 0.5;
+
+bool overlaps(std::span<const Vec3> positions, const Contact& pair, double most) {
+  return pair.least - distance(positions[pair.a], positions[pair.b]) > most;
+}
+
 /// As escape_direction, for joints that no bar joins.
 Vec3 escape_of_pair(RandomKey key, Joint a, Joint b, bool planar) {
   key.domain = Domain::escape;
@@ -49,22 +56,23 @@ void LimitSweep::project(std::span<Vec3> positions, const PlannedLimit& planned,
   Vec3 &a = positions[limit.a], &b = positions[limit.b];
   const double length = distance(a, b);
   const double outside = excess(limit, length);
-  if (outside == 0.0) return;
-  project_bar(a, b, outside > 0.0 ? limit.most : limit.least, planned.share_a, planned.share_b,
+  const double room = share_of_tolerance * tolerance_.limit;
+  if (!(std::abs(outside) > room)) return;
+  project_bar(a, b, outside > 0.0 ? limit.most + room : limit.least - room, planned.share_a,
+              planned.share_b,
               [&] { return escape_of_pair(key, limit.a, limit.b, framework_.is_planar()); });
 }
 
 /// Pairs that one of these moves together wait for the next sweep.
 void LimitSweep::part_overlaps(std::span<Vec3> positions, const RandomKey& key) {
+  const double room = share_of_tolerance * tolerance_.overlap;
   overlaps_.clear();
   for (const Contact& pair : contacts_->near())
-    if (norm_squared(positions[pair.b] - positions[pair.a]) < pair.least * pair.least)
-      overlaps_.push_back(pair);
+    if (overlaps(positions, pair, room)) overlaps_.push_back(pair);
   for (const Contact& pair : overlaps_) {
-    Vec3 &a = positions[pair.a], &b = positions[pair.b];
-    if (!(norm_squared(b - a) < pair.least * pair.least)) continue;
+    if (!overlaps(positions, pair, room)) continue;
     const auto [share_a, share_b] = equal_shares(framework_, pair.a, pair.b, mass_weighted_);
-    project_bar(a, b, pair.least, share_a, share_b,
+    project_bar(positions[pair.a], positions[pair.b], pair.least - room, share_a, share_b,
                 [&] { return escape_of_pair(key, pair.a, pair.b, framework_.is_planar()); });
   }
 }
@@ -88,8 +96,7 @@ Look LimitSweep::look_at_limits(std::span<const Vec3> positions) const {
 Look LimitSweep::look_at_contacts(std::span<const Vec3> positions) {
   if (!contacts_->update(positions)) return Look::not_finite;
   for (const Contact& pair : contacts_->near())
-    if (pair.least - distance(positions[pair.a], positions[pair.b]) > tolerance_.overlap)
-      return Look::broken;
+    if (overlaps(positions, pair, tolerance_.overlap)) return Look::broken;
   return Look::all_whole;
 }
 

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The part of a sweep that comes after its bars: limits in their order, then overlaps by joints.
 //
-// What is within its interval is left alone; what is outside is projected to the nearer end, as a
-// bar of that length would be (Gauss-Seidel with inequalities; Jakobsen, GDC 2001). Which pairs
+// What is outside its interval by more than half the tolerance is projected to there, as a bar of
+// that length would be (Gauss-Seidel with inequalities; Jakobsen, GDC 2001); the rest is left
+// alone. Bars, held a thousand times closer, need that room to become whole where limits are taut:
+// without it sweeps come near ever more slowly. Which pairs
 // overlap is decided once, after the limits, so that no skin of the list of pairs and no moment at
 // which it was made can show in the result.
 #pragma once
