@@ -132,9 +132,11 @@ def test_what_is_no_pusher_is_refused():
 
 def test_a_step_within_a_step_is_refused():
     motion = motion_of([])
-    motion.add(lambda *_: motion.step())
+    itself = [motion]
+    motion.add(lambda *_: itself[0].step())
     with pytest.raises(RuntimeError, match="a step is under way"):
         motion.step()
+    itself.clear()  # a pusher and its motion that hold each other are never freed
 
 
 def test_steering_pulls_until_released():
@@ -196,8 +198,7 @@ def test_observers_of_an_ensemble_keep_their_frames(tmp_path):
         assert [frame.step for frame in kept[walker]] == [0, 10, 20]
         np.testing.assert_array_equal(kept[walker][-1].positions, ended[walker])
         np.testing.assert_array_equal(kept[walker][0].positions, RING.positions)
-        with pliant.H5mdReader(tmp_path / f"{walker}.h5md") as reader:
-            assert len(reader) == 3
+        assert len(pliant.H5mdReader(tmp_path / f"{walker}.h5md")) == 3
 
 
 def test_an_observer_that_raises_stops_its_walker_alone():
