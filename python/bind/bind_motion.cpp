@@ -31,7 +31,21 @@ class PythonMotion {
 
   void add(nb::handle pusher) {
     const Use use(*this);
-    motion_.add(pusher_from(pusher, state_));
+    const std::shared_ptr<Pusher> added = pusher_from(pusher, state_);
+    if (auto of_python = std::dynamic_pointer_cast<PusherOfPython>(added))
+      of_python_.push_back(std::move(of_python));
+    motion_.add(added);
+  }
+
+  /// A function that pushes often sees the Motion that it pushes for.
+  int traverse(visitproc visit, void* argument) const {
+    for (const auto& pusher : of_python_)
+      if (PyObject* object = pusher->object().ptr())
+        if (const int answer = visit(object, argument)) return answer;
+    return 0;
+  }
+  void clear() {
+    for (const auto& pusher : of_python_) pusher->forget_object();
   }
 
   /// Whoever asks may change it.
@@ -87,8 +101,23 @@ class PythonMotion {
   nb::object state_;
   InterruptWatch watch_;
   std::atomic<bool> in_use_{false}, is_lent_{false};
+  std::vector<std::shared_ptr<PusherOfPython>> of_python_;
   Motion motion_;
 };
+
+int traverse_motion(PyObject* self, visitproc visit, void* argument) {
+  if (const int answer = visit(reinterpret_cast<PyObject*>(Py_TYPE(self)), argument)) return answer;
+  return nb::inst_ready(self) ? nb::inst_ptr<PythonMotion>(self)->traverse(visit, argument) : 0;
+}
+
+int clear_motion(PyObject* self) {
+  nb::inst_ptr<PythonMotion>(self)->clear();
+  return 0;
+}
+
+PyType_Slot motion_slots[] = {{Py_tp_traverse, reinterpret_cast<void*>(traverse_motion)},
+                              {Py_tp_clear, reinterpret_cast<void*>(clear_motion)},
+                              {0, nullptr}};
 
 State start_from(nb::handle state) {
   if (nb::isinstance<State>(state)) return nb::cast<const State&>(state);
@@ -150,7 +179,7 @@ void bind_motion(nb::module_& module) {
   const Technique technique;
   const ResolveOptions resolve;
   const PerturbOptions perturb;
-  nb::class_<PythonMotion>(module, "Motion", motion_doc)
+  nb::class_<PythonMotion>(module, "Motion", motion_doc, nb::type_slots(motion_slots))
       .def("__init__", &make_motion, nb::keep_alive<1, 2>(), "framework"_a, "state"_a,
            "technique"_a = technique.name, "weighting"_a = technique.weighting, nb::kw_only(),
            "mass_weighted"_a = technique.mass_weighted, "ordering"_a = nb::none(),

@@ -13,7 +13,7 @@ namespace pliant::python {
 namespace {
 
 /// Calls a Python object with the step, the positions to move and those before the step.
-class PythonPusher final : public Pusher {
+class PythonPusher final : public PusherOfPython {
  public:
   PythonPusher(nb::handle callable, nb::handle state)
       : callable_(nb::borrow(callable)), state_(nb::borrow(state)) {}
@@ -23,6 +23,9 @@ class PythonPusher final : public Pusher {
     callable_.reset();
     state_.reset();
   }
+
+  nb::handle object() const override { return callable_; }
+  void forget_object() override { callable_.reset(); }
 
   bool push(const PushCall& call, State& state, Push& out) override {
     {
