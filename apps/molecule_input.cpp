@@ -20,7 +20,7 @@ Molecule load_graph(const MoleculeOptions& options, const Log& log) {
     throw OptionError(
         "--pin, --bars and --lengths are for molecules: a graph XML file says itself "
         "what is pinned, its bars and their lengths");
-  Graph graph = read_graph_xml(options.file, log);
+  GraphFile graph = read_graph_xml(options.file, log);
   Structure structure;
   structure.source = options.file;
   structure.format = "graph";

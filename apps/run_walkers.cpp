@@ -105,7 +105,7 @@ Watchers recorded(Shared& shared, std::int64_t walker) {
       [outputs, &shared](const Frame& frame) { return outputs->record(shared, frame); }};
   if (outputs->forces)
     watchers.on_push = [outputs](const Push& push) { outputs->forces->record(push); };
-  watchers.on_end = [outputs](const RunSummary&) { outputs->close(); };
+  watchers.on_end = [outputs](const RunSummary&, const State&) { outputs->close(); };
   if (walker == shared.settings.first_walker) watchers.log = shared.log;
   return watchers;
 }

@@ -15,9 +15,11 @@ using namespace nb::literals;
 
 void bind_base(nb::module_& module);
 void bind_framework(nb::module_& module);
+void bind_ensemble(nb::module_& module);
 void bind_generate(nb::module_& module);
 void bind_laboratory(nb::module_& module);
 void bind_molecule(nb::module_& module);
+void bind_motion(nb::module_& module);
 void bind_order(nb::module_& module);
 void bind_resolve(nb::module_& module);
 void bind_perturb(nb::module_& module);

@@ -158,10 +158,10 @@ void bind_framework_graph(nb::class_<Framework>& framework) {
            "Counts of components, independent cycles, bridges and blocks; linear in time.")
       .def(
           "components",
-          [](const Framework& self) { return array_of(find_components(self).of_joint); },
+          [](const Framework& self) { return array_of(find_components(self).of_node); },
           "(N,) uint32: the connected component of each joint, numbered by their lowest joint.")
       .def(
-          "blocks", [](const Framework& self) { return array_of(find_blocks(self).of_bar); },
+          "blocks", [](const Framework& self) { return array_of(find_blocks(self).of_edge); },
           "(B,) uint32: the block (biconnected component) of each bar; a bridge is one alone.\n\n"
           "Hopcroft and Tarjan, Commun. ACM 16 (1973) 372.")
       .def(

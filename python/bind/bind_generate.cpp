@@ -8,9 +8,9 @@
 namespace pliant::python {
 namespace {
 
-Graph generate_graph(const std::string& kind, std::uint64_t seed, std::uint64_t number,
-                     std::int64_t depth, std::int64_t children, std::int64_t ring,
-                     std::int64_t cycles, std::int64_t joints, double box) {
+GraphFile generate_graph(const std::string& kind, std::uint64_t seed, std::uint64_t number,
+                         std::int64_t depth, std::int64_t children, std::int64_t ring,
+                         std::int64_t cycles, std::int64_t joints, double box) {
   const GraphClass& row = find_graph_class(kind);
   const GenerateOptions options{depth, children, ring, cycles, joints, box};
   RandomKey key;

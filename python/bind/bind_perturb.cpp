@@ -6,6 +6,7 @@
 
 #include "options.hpp"
 #include "pliant/perturb/force_file.hpp"
+#include "pushers.hpp"
 #include "pushes.hpp"
 #include "tables.hpp"
 
@@ -75,6 +76,7 @@ void bind_perturb(nb::module_& module) {
   module.def(
       "perturbations", [] { return rows_of(perturbations()); }, nb::rv_policy::reference,
       "The table of perturbations: what breaks the bars at the start of a step.");
+  bind_pushers(module);
   bind_force_file(module);
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Resolving: techniques, resolve() in place on numpy memory, Resolver for repeated calls.
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/vector.h>
 
 #include <mutex>
 
@@ -21,27 +23,50 @@ class SharedResolver {
   SharedResolver(const Framework& framework, const ResolveArguments& arguments)
       : framework_(framework), resolver_(framework, arguments.chosen(), options_of(arguments)) {}
 
-  /// Needs the GIL, which it gives up while it works.
   ResolveSummary resolve(const PositionsInPlace& positions, std::int64_t root, std::int64_t step,
-                         const OptionalArray& reference) {
+                         const OptionalArray& reference, const OptionalArray& disturbed) {
+    std::vector<Joint> joints;
+    if (disturbed) joints = joints_from(*disturbed, "disturbed", framework_.joint_count());
+    return resolve_disturbed(positions, {root_at(framework_, root), !disturbed, joints}, step,
+                             reference);
+  }
+
+  ResolveSummary resolve_near(const PositionsInPlace& positions, std::int64_t root,
+                              std::int64_t step, const OptionalArray& reference) {
+    const Joint joint = root_at(framework_, root);
+    const std::span<const Joint> joints(&joint, framework_.joint_count() > 0 ? 1 : 0);
+    return resolve_disturbed(positions, {joint, false, joints}, step, reference);
+  }
+
+  /// None: it may have been any joints.
+  std::optional<std::vector<Joint>> moved() {
+    const nb::gil_scoped_release no_gil;
+    const std::lock_guard one_at_a_time(mutex_);
+    const auto moved = resolver_.moved();
+    if (!moved) return std::nullopt;
+    return std::vector<Joint>(moved->begin(), moved->end());
+  }
+
+ private:
+  /// Needs the GIL, which it gives up while it works.
+  ResolveSummary resolve_disturbed(const PositionsInPlace& positions, const Disturbed& disturbed,
+                                   std::int64_t step, const OptionalArray& reference) {
     const PositionsLease lease(positions);
     std::vector<Vec3> before;
     if (reference) before = positions_from(*reference, "reference");
-    const Joint root_joint = root_at(framework_, root);
     ResolveSummary summary;
     std::exception_ptr raised;
     {
       const nb::gil_scoped_release no_gil;
       const std::lock_guard one_at_a_time(mutex_);
       watch_ = InterruptWatch();
-      summary = resolver_.resolve(lease.span(), root_joint, step, before);
+      summary = resolver_.resolve(lease.span(), disturbed, step, before);
       raised = watch_.raised();
     }
     if (raised) std::rethrow_exception(raised);
     return summary;
   }
 
- private:
   ResolveOptions options_of(const ResolveArguments& arguments) {
     ResolveOptions options = arguments.options();
     options.should_stop = [this] { return watch_(); };
@@ -63,7 +88,7 @@ ResolveSummary resolve_once(const Framework& framework, const PositionsInPlace& 
                             const OptionalArray& reference) {
   SharedResolver resolver(framework, {technique, weighting, mass_weighted, tolerance,
                                       tolerance_length, max_sweeps, seed, walker, ordering});
-  return resolver.resolve(positions, root, step, reference);
+  return resolver.resolve(positions, root, step, reference, {});
 }
 
 void make_resolver(SharedResolver* self, const Framework& framework, const std::string& technique,
@@ -122,6 +147,69 @@ TypeError
 OptionError
     An option is out of range, the technique leaves bars of this framework out, the ordering is
     none of this framework, or ``reference`` has another number of joints.
+IndexError
+    ``root`` is no joint.
+)";
+
+constexpr const char* resolve_again_doc =
+    R"(Moves ``positions`` in place, as the function ``resolve`` does.
+
+Parameters
+----------
+positions : (N, 3) float64, Angstrom
+    C-contiguous and writeable; this very memory is changed.
+root, step, reference
+    As of the function ``resolve``.
+disturbed : (K,) array-like of int, optional
+    The joints that have moved since all bars were whole; no other has, and the root is looked at
+    as if it were among them. Techniques that know how (``blocks``, ``bfs_local``, ``auto`` where
+    it takes ``blocks``) then look only at what these joints reach, at a cost that does not depend
+    on the size of the framework; the others do as ever. Without it any joint may have moved.
+
+Returns
+-------
+ResolveSummary
+    Where only some bars were looked at, ``max_residual`` is that of the bars at the joints in
+    ``disturbed`` and ``moved``, and ``rms_residual`` is -1.
+
+Raises
+------
+TypeError
+    ``positions`` is no such array.
+InputError
+    ``disturbed`` holds what is no joint.
+OptionError
+    ``positions`` or ``reference`` have another number of joints.
+IndexError
+    ``root`` is no joint.
+)";
+
+constexpr const char* resolve_near_doc =
+    R"(Moves ``positions`` in place where nothing but joint ``root`` has moved since all was whole.
+
+The same as ``resolve(positions, root, disturbed=[root], ...)``: after a push of one joint the cost
+is that of the region which the push disturbs, where the technique knows how.
+
+Parameters
+----------
+positions : (N, 3) float64, Angstrom
+    C-contiguous and writeable; this very memory is changed.
+root : int
+    The pushed joint.
+step, reference
+    As of the function ``resolve``.
+
+Returns
+-------
+ResolveSummary
+    As of ``resolve`` with ``disturbed``.
+
+Raises
+------
+TypeError
+    ``positions`` is no such array.
+OptionError
+    ``positions`` or ``reference`` have another number of joints.
 IndexError
     ``root`` is no joint.
 )";
@@ -187,8 +275,13 @@ void bind_resolver(nb::module_& module) {
            "tolerance_length"_a = nb::none(), "max_sweeps"_a = options.max_sweeps,
            "seed"_a = options.seed, "walker"_a = options.walker, "ordering"_a = nb::none())
       .def("resolve", &SharedResolver::resolve, "positions"_a, "root"_a = 0, nb::kw_only(),
-           "step"_a = 0, "reference"_a = nb::none(),
-           "Moves ``positions`` in place, as the function ``resolve`` does.");
+           "step"_a = 0, "reference"_a = nb::none(), "disturbed"_a = nb::none(), resolve_again_doc)
+      .def("resolve_near", &SharedResolver::resolve_near, "positions"_a, "root"_a, "step"_a = 0,
+           "reference"_a = nb::none(), resolve_near_doc)
+      .def_prop_ro(
+          "moved", &SharedResolver::moved,
+          "The joints that the last resolve moved, in the order in which they moved first;\n"
+          "those disturbed may or may not be among them. None where it may have been any.");
   module.def("resolve", &resolve_once, "framework"_a, "positions"_a, "technique"_a = technique.name,
              "weighting"_a = technique.weighting, nb::kw_only(),
              "mass_weighted"_a = technique.mass_weighted,

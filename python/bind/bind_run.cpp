@@ -9,10 +9,9 @@
 #include <cctype>
 
 #include "arrays.hpp"
-#include "frame.hpp"
 #include "interrupt.hpp"
-#include "locked.hpp"
 #include "messages.hpp"
+#include "observers.hpp"
 #include "options.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/run/run_fields.hpp"
@@ -20,33 +19,6 @@
 
 namespace pliant::python {
 namespace {
-
-/// An observer that calls a Python object with a frame of `state`; any true answer stops the run.
-Observer python_observer(nb::handle callable, nb::handle state) {
-  return [callable, state](const Frame& frame) {
-    const nb::gil_scoped_acquire gil;
-    const nb::object answer = callable(OwnedFrame{frame, nb::borrow(state)});
-    if (answer.is_none()) return false;
-    const int truth = PyObject_IsTrue(answer.ptr());
-    if (truth < 0) throw nb::python_error();
-    return truth == 1;
-  };
-}
-
-/// A recorder needs no GIL, any other observer is a Python object.
-Observer observer_of(nb::handle object, nb::handle state) {
-  if (!nb::isinstance<LockedRecorder>(object)) return python_observer(object, state);
-  LockedRecorder& shared = nb::cast<LockedRecorder&>(object);
-  return [&shared](const Frame& frame) {
-    shared.use([&](H5mdRecorder& recorder) { recorder.record(frame); });
-    return false;
-  };
-}
-
-/// What a run did, and the state that it ended in.
-struct OwnedRunSummary : RunSummary {
-  nb::object state;
-};
 
 OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunOptions options,
                           const std::vector<nb::object>& observers, ForceRecorder* forces) {

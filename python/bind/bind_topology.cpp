@@ -26,15 +26,15 @@ void write_pdb(const std::filesystem::path& path, const Structure& structure,
   write_topology_pdb(path, structure.atoms, points, recorded_bonds(structure), options);
 }
 
-Graph read_graph(const std::filesystem::path& path) {
+GraphFile read_graph(const std::filesystem::path& path) {
   const Log log = python_log();
   const nb::gil_scoped_release no_gil;
   return read_graph_xml(path, log);
 }
 
-Graph make_graph(Framework framework, const ArrayLike& positions,
-                 const std::vector<std::vector<std::int64_t>>& cycles) {
-  Graph graph{std::move(framework), {}, {}};
+GraphFile make_graph(Framework framework, const ArrayLike& positions,
+                     const std::vector<std::vector<std::int64_t>>& cycles) {
+  GraphFile graph{std::move(framework), {}, {}};
   graph.positions = positions_from(positions, graph.framework.joint_count());
   for (const std::vector<std::int64_t>& cycle : cycles) {
     graph.cycles.emplace_back();
@@ -45,25 +45,28 @@ Graph make_graph(Framework framework, const ArrayLike& positions,
 }
 
 void bind_graph(nb::module_& module) {
-  nb::class_<Graph>(module, "Graph",
-                    "A framework with its positions, as a graph XML file holds it.\n\n"
-                    "``positions`` is (N, 3) in Angstrom, ``cycles`` lists joints along cycles.")
+  nb::class_<GraphFile>(
+      module, "Graph",
+      "A framework with its positions, as a graph XML file holds it.\n\n"
+      "``positions`` is (N, 3) in Angstrom, ``cycles`` lists joints along cycles.")
       .def(
           "__init__",
-          [](Graph* self, const Framework& framework, const ArrayLike& positions,
+          [](GraphFile* self, const Framework& framework, const ArrayLike& positions,
              const std::vector<std::vector<std::int64_t>>& cycles) {
-            new (self) Graph(make_graph(framework, positions, cycles));
+            new (self) GraphFile(make_graph(framework, positions, cycles));
           },
           "framework"_a, "positions"_a, "cycles"_a = std::vector<std::vector<std::int64_t>>{})
-      .def_ro("framework", &Graph::framework, "Its joints are called by the ids in the file.")
+      .def_ro("framework", &GraphFile::framework, "Its joints are called by the ids in the file.")
       .def_prop_ro(
           "positions",
-          [](nb::handle_t<Graph> self) { return view_of(nb::cast<Graph&>(self).positions, self); },
+          [](nb::handle_t<GraphFile> self) {
+            return view_of(nb::cast<GraphFile&>(self).positions, self);
+          },
           "(N, 3) float64 view, Angstrom.")
-      .def_ro("cycles", &Graph::cycles, "Each as the joints along it.")
+      .def_ro("cycles", &GraphFile::cycles, "Each as the joints along it.")
       .def(
           "text",
-          [](const Graph& self) {
+          [](const GraphFile& self) {
             return write_graph_xml(self.framework, self.positions, self.cycles);
           },
           "The file's text, which reads back to the same bits.");

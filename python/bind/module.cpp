@@ -15,5 +15,7 @@ NB_MODULE(_core, module) {
   bind_record(module);
   bind_generate(module);
   bind_run(module);
+  bind_motion(module);
+  bind_ensemble(module);
   bind_laboratory(module);
 }

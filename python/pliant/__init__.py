@@ -24,6 +24,7 @@ from pliant._core import (
     H5mdReader,
     H5mdRecorder,
     InputError,
+    Motion,
     OptionError,
     OrderingEntry,
     PerturbationEntry,
@@ -35,6 +36,7 @@ from pliant._core import (
     RunOptions,
     RunSummary,
     State,
+    Steering,
     Stop,
     Structure,
     TechniqueEntry,
@@ -56,6 +58,7 @@ from pliant._core import (
     ordering_text,
     orderings,
     perturbations,
+    pushers,
     read,
     read_force_file,
     read_graph_xml,
@@ -68,6 +71,7 @@ from pliant._core import (
     write_test_set,
     write_topology_pdb,
 )
+from pliant._ensemble import run_ensemble
 from pliant._late import import_after
 from pliant._moved import keep_old_names
 from pliant._run import run
@@ -102,6 +106,7 @@ __all__ = [
     "H5mdReader",
     "H5mdRecorder",
     "InputError",
+    "Motion",
     "OptionError",
     "OrderingEntry",
     "PerturbationEntry",
@@ -113,6 +118,7 @@ __all__ = [
     "RunOptions",
     "RunSummary",
     "State",
+    "Steering",
     "Stop",
     "Structure",
     "TechniqueEntry",
@@ -142,6 +148,7 @@ __all__ = [
     "ordering_text",
     "orderings",
     "perturbations",
+    "pushers",
     "read",
     "read_force_file",
     "read_graph_xml",
@@ -151,6 +158,7 @@ __all__ = [
     "residuals",
     "resolve",
     "run",
+    "run_ensemble",
     "techniques",
     "to_mdanalysis",
     "write_test_set",

@@ -60,8 +60,12 @@
 
 // perturb, run: the loop
 #include "pliant/perturb/force_file.hpp"    // pushes to replay
-#include "pliant/perturb/perturbation.hpp"  // the table of perturbations
-#include "pliant/run/run.hpp"               // perturb, resolve, show
+#include "pliant/perturb/perturbation.hpp"  // the pushers that need no more than a name
+#include "pliant/perturb/pusher.hpp"        // what breaks the bars; the table of pushers
+#include "pliant/perturb/steering.hpp"      // forces from another thread
+#include "pliant/run/ensemble.hpp"          // many walkers; shards of them
+#include "pliant/run/motion.hpp"            // one walker, step by step
+#include "pliant/run/run.hpp"               // a motion shown to observers
 #include "pliant/run/run_fields.hpp"        // the table of its options
 
 // record: trajectories and graphs

@@ -15,7 +15,7 @@ namespace {
 
 /// Joints a, b, c, d; bars ab, bc, ca, cd.
 const Framework& kite() {
-  static const Graph graph = parse_graph_xml(
+  static const GraphFile graph = parse_graph_xml(
       {"kite.xml",
        "<graph><joint id='a' x='0' y='0' z='0'/><joint id='b' x='1' y='0' z='0'/>"
        "<joint id='c' x='0' y='1' z='0'/><joint id='d' x='0' y='1' z='1'/>"
@@ -27,7 +27,7 @@ std::string text_of(Vec3 v) {
   return shortest_text(v.x) + " " + shortest_text(v.y) + " " + shortest_text(v.z);
 }
 
-void write(const Graph& graph, std::ostream& out) {
+void write(const GraphFile& graph, std::ostream& out) {
   const Framework& framework = graph.framework;
   for (Joint joint = 0; joint < framework.joint_count(); ++joint) {
     out << "joint " << framework.label(joint) << ' ' << text_of(graph.positions[joint]);

@@ -26,7 +26,7 @@ void require(bool holds, const char* what) {
 }
 
 const pliant::Framework& some_framework() {
-  static const pliant::Graph graph = pliant::parse_graph_xml(
+  static const pliant::GraphFile graph = pliant::parse_graph_xml(
       {"kite.xml",
        "<graph><joint id='a' x='0' y='0' z='0'/><joint id='b' x='1' y='0' z='0'/>"
        "<joint id='c' x='0' y='1' z='0'/><joint id='d' x='0' y='1' z='1'/>"
@@ -35,10 +35,10 @@ const pliant::Framework& some_framework() {
 }
 
 void read_graph(std::string_view text) {
-  const pliant::Graph graph = pliant::parse_graph_xml({"fuzzed", text});
+  const pliant::GraphFile graph = pliant::parse_graph_xml({"fuzzed", text});
   for (const pliant::Vec3 position : graph.positions)
     require(is_finite(position), "positions are finite");
-  const auto write = [](const pliant::Graph& g) {
+  const auto write = [](const pliant::GraphFile& g) {
     return pliant::write_graph_xml(g.framework, g.positions, g.cycles);
   };
   const std::string written = write(graph);

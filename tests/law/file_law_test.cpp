@@ -23,7 +23,7 @@ class FileLaw : public testing::TestWithParam<GraphClass> {
  protected:
   struct Pair {
     GeneratedGraph made;
-    Graph back;
+    GraphFile back;
   };
 
   /// Calls `look(pair)` for graphs of the class and what their files hold.
@@ -32,7 +32,7 @@ class FileLaw : public testing::TestWithParam<GraphClass> {
     for (std::uint64_t number = 0; number < count; ++number) {
       GeneratedGraph made = generate(GetParam(), {}, {.seed = 11, .walker = number});
       const std::string text = write_graph_xml(made.framework, made.positions, made.cycles);
-      Graph back = parse_graph_xml({"graph.xml", text});
+      GraphFile back = parse_graph_xml({"graph.xml", text});
       EXPECT_EQ(write_graph_xml(back.framework, back.positions, back.cycles), text);
       look(Pair{std::move(made), std::move(back)});
     }

@@ -85,8 +85,16 @@ def test_everything_public_is_there():
     for name in pliant.__all__:
         assert hasattr(pliant, name)
     compiled = {node.name for node in stub_nodes()}
-    assert compiled - set(pliant.__all__) == {"ForceRecorder", "run_steps", "version"}
+    assert compiled - set(pliant.__all__) == {
+        *("ForceRecorder", "run_shard", "run_steps", "version"),
+    }
     assert (Path(pliant.__file__).with_name("py.typed")).exists()
+
+
+def test_pytest_takes_no_class_of_ours_for_tests():
+    named = [name for name in pliant.__all__ if name.startswith("Test")]
+    assert "TestSet" in named
+    assert all(getattr(pliant, name).__test__ is False for name in named)
 
 
 def parameters_made_with(node):

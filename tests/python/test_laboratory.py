@@ -1,8 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Orderings and forces as files: between Python, the text and the resolver."""
 
+import json
+import re
+
 import numpy as np
 import pytest
+from pliant.lab.thesis import WEIGHTINGS
 
 import pliant
 

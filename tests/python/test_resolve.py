@@ -189,3 +189,56 @@ def test_measure():
     assert pliant.measure(framework, [[0, 0, 0], [2.1, 0, 0], [2.1, 1, 0]], tolerance_length=0.2)
     with pytest.raises(pliant.InputError, match=r"^positions: 2 for 3 joints$"):
         pliant.measure(framework, [[0, 0, 0], [1, 1, 1]])
+
+
+def pushed_chain(count, *joints):
+    """A staircase of unit bars, some joints of it moved a little."""
+    places = np.cumsum(np.tile([[1.0, 0, 0], [0, 1.0, 0]], (count // 2, 1)), axis=0)
+    framework = pliant.Framework([[k, k + 1] for k in range(count - 1)], positions=places)
+    positions = places.copy()
+    positions[list(joints)] += [0.02, 0.03, -0.05]
+    return framework, positions
+
+
+@pytest.mark.parametrize("technique", ["blocks", "bfs_local", "auto"])
+def test_looks_near_what_was_disturbed(technique):
+    framework, positions = pushed_chain(400, 50, 200)
+    pushed = positions.copy()
+    resolver = pliant.Resolver(framework, technique)
+    summary = resolver.resolve(positions, 50, disturbed=[50, 200])
+    assert summary.converged
+    assert summary.rms_residual == -1
+    assert np.abs(pliant.residuals(framework, positions)).max() <= 1e-6
+    changed = np.flatnonzero((positions != pushed).any(axis=1))
+    assert set(changed) <= set(resolver.moved)
+    assert 350 not in resolver.moved
+
+
+def test_near_is_where_one_joint_was_disturbed():
+    framework, positions = pushed_chain(100, 30)
+    other, whole = positions.copy(), positions.copy()
+    resolver = pliant.Resolver(framework, "blocks")
+    assert resolver.moved is None
+    near = resolver.resolve_near(positions, 30, step=4)
+    listed = resolver.resolve(other, 30, step=4, disturbed=np.array([30]))
+    assert near.projections == listed.projections
+    assert np.array_equal(positions, other)
+    assert len(resolver.moved) > 0
+    assert resolver.resolve(whole, 30, step=4).projections > near.projections
+    assert resolver.moved is None
+
+
+def test_a_technique_that_looks_at_all_may_move_any():
+    framework, positions = pushed_chain(20, 3)
+    resolver = pliant.Resolver(framework, "bfs_cycle")
+    assert resolver.resolve_near(positions, 3).converged
+    assert resolver.moved is None
+
+
+def test_names_what_is_no_joint_among_the_disturbed():
+    framework, positions = pushed_chain(20, 3)
+    resolver = pliant.Resolver(framework)
+    with pytest.raises(pliant.InputError, match="disturbed"):
+        resolver.resolve(positions, disturbed=[3, 20])
+    with pytest.raises(IndexError, match="joint 20 of 20"):
+        resolver.resolve_near(positions, 20)

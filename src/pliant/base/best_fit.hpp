@@ -24,6 +24,17 @@ Rotation turn_about(Vec3 axis, double t);
 /// First b, then a.
 Rotation product(const Rotation& a, const Rotation& b);
 
+/// x -> rotation(x) + shift.
+struct RigidMotion {
+  Rotation rotation;
+  Vec3 shift;
+  Vec3 operator()(Vec3 p) const { return rotation(p) + shift; }
+  /// First a turn about the point `through`, then this.
+  RigidMotion after(const Rotation& turn, Vec3 through) const {
+    return {product(rotation, turn), (*this)(through - turn(through))};
+  }
+};
+
 /// Eigenvalues and eigenvectors of a symmetric matrix by Jacobi's rotations. `a` (n x n) is left
 /// with the eigenvalues on its diagonal, `vectors` (n x n) with the eigenvectors as columns.
 void find_eigenvectors(std::span<double> a, std::span<double> vectors, std::size_t n);

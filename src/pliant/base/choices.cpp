@@ -25,7 +25,10 @@ std::string nearest_name(std::string_view word, const std::vector<std::string_vi
   std::size_t best_distance = std::max<std::size_t>(1, word.size() / 3) + 1;
   for (std::string_view name : names) {
     const std::size_t d = edit_distance(word, name);
-    if (d < best_distance) best = name, best_distance = d;
+    if (d < best_distance) {
+      best = name;
+      best_distance = d;
+    }
   }
   return std::string(best);
 }

@@ -36,7 +36,7 @@ Framework::Framework(FrameworkParts parts)
   take_masses(parts.masses, parts.pinned);
   check_bars();
   check_drawn();
-  index_incidences();
+  link_joints();
   merge_duplicate_bars();
   check_limits();
   index_limits();
@@ -109,19 +109,6 @@ void Framework::check_drawn() const {
   }
 }
 
-void Framework::index_incidences() {
-  first_incidence_.assign(joint_count_ + 1, 0);
-  for (Bar bar : bars_) ++first_incidence_[bar.a + 1], ++first_incidence_[bar.b + 1];
-  for (std::size_t i = 0; i < joint_count_; ++i) first_incidence_[i + 1] += first_incidence_[i];
-  incidences_.resize(2 * bars_.size());
-  std::vector<std::uint32_t> next(first_incidence_.begin(), first_incidence_.end() - 1);
-  for (std::size_t k = 0; k < bars_.size(); ++k) {
-    const auto index = static_cast<BarIndex>(k);
-    incidences_[next[bars_[k].a]++] = {bars_[k].b, index};
-    incidences_[next[bars_[k].b]++] = {bars_[k].a, index};
-  }
-}
-
 /// Duplicates are found in linear time: while the bars of a joint are looked at, `first_bar` tells
 /// which bar reached each other end first.
 void Framework::merge_duplicate_bars() {
@@ -153,7 +140,7 @@ void Framework::merge_duplicate_bars() {
   }
   bars_.resize(kept);
   rest_lengths_.resize(kept);
-  index_incidences();
+  link_joints();
 }
 
 void Framework::check_limits() const {

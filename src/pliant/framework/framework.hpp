@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "pliant/base/graph.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/base/vec3.hpp"
 #include "pliant/framework/atom_table.hpp"
@@ -71,10 +72,8 @@ class Framework {
   bool has_pinned_joints() const { return pinned_count_ > 0; }
   std::size_t pinned_count() const { return pinned_count_; }
   /// Bars at `joint` with the joint at their other end, in the order of the bars.
-  std::span<const Incidence> neighbours(Joint joint) const {
-    return {incidences_.data() + first_incidence_[joint],
-            incidences_.data() + first_incidence_[joint + 1]};
-  }
+  std::span<const Incidence> neighbours(Joint joint) const { return graph_.at(joint); }
+  const GraphOf<Incidence>& graph() const { return graph_; }
   std::span<const Limit> limits() const { return limits_; }  ///< (L) in the order of the input
   /// The limits at `joint`, ascending.
   std::span<const LimitIndex> limits_at(Joint joint) const;
@@ -105,14 +104,13 @@ class Framework {
   void check_limit(std::size_t index) const;
   void index_limits();
   void merge_duplicate_bars();
-  void index_incidences();
+  void link_joints() { graph_ = {joint_count_, bars()}; }
 
   std::size_t joint_count_ = 0;
   std::vector<Bar> bars_;
   std::vector<double> rest_lengths_;
   std::vector<double> inverse_masses_;
-  std::vector<std::uint32_t> first_incidence_;
-  std::vector<Incidence> incidences_;
+  GraphOf<Incidence> graph_;
   std::shared_ptr<const AtomTable> atoms_;
   std::vector<Vec3> drawn_;
   std::vector<Limit> limits_;

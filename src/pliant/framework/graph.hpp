@@ -1,34 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Facts of the graph under a framework: connected components, independent cycles, bridges and
-// blocks (biconnected components). All linear in joints + bars, none recursive.
+// blocks (biconnected components).
 #pragma once
 
-#include <cstdint>
-#include <vector>
-
+#include "pliant/base/graph.hpp"
 #include "pliant/framework/framework.hpp"
 
 namespace pliant {
 
-/// Which component each joint is in; components are numbered by their lowest joint.
-struct Components {
-  std::size_t count = 0;
-  std::vector<std::uint32_t> of_joint;  ///< (N)
-  std::vector<Joint> lowest_joint;      ///< (count)
-};
-
+/// Nodes are joints, edges are bars.
 Components find_components(const Framework& framework);
-
-/// Which block each bar is in. A bridge (a bar on no cycle) is a block of one bar.
-struct Blocks {
-  std::size_t count = 0;
-  std::vector<std::uint32_t> of_bar;  ///< (B)
-  std::vector<bool> is_bridge;        ///< (B)
-  std::size_t bridge_count = 0;
-  std::size_t largest = 0;  ///< bars in the largest block
-};
-
-/// Blocks by lowpoints (Hopcroft, Tarjan, CACM 16 (1973) 372).
 Blocks find_blocks(const Framework& framework);
 
 /// The figures that `pliant info` prints.

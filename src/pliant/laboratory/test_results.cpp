@@ -88,7 +88,10 @@ TestSummary summary_of(std::span<const TestRow> rows) {
   if (rows.size() > 1) summary.sd = std::sqrt(squares / double(rows.size() - 1));
   std::int64_t most = 0;
   for (const auto& [sweeps, count] : counts)
-    if (count > most) most = count, summary.mode = sweeps;
+    if (count > most) {
+      most = count;
+      summary.mode = sweeps;
+    }
   return summary;
 }
 

@@ -83,8 +83,8 @@ auto& graph_at(Set& set, const TestPlace& place) {
   return set.classes[std::size_t(&kind - set.classes.data())].graphs[std::size_t(place.graph)];
 }
 
-template <class Graph>
-auto* find_heuristic(Graph& graph, const TestPlace& place) {
+template <class Row>
+auto* find_heuristic(Row& graph, const TestPlace& place) {
   const auto at =
       std::find_if(graph.heuristics.begin(), graph.heuristics.end(), [&](const TestHeuristic& row) {
         return row.technique == place.technique && row.weighting == place.weighting;

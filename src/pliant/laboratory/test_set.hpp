@@ -49,7 +49,7 @@ struct TestHeuristic {
 struct TestGraph {
   std::string folder;       ///< "tree/graph-000", below the folder of the test set
   std::int64_t number = 0;  ///< of the graph in its class
-  Graph graph;
+  GraphFile graph;
   Ordering ordering = {};
   std::vector<ForceFile> force_files = {};
   std::deque<TestHeuristic> heuristics = {};  ///< adding one leaves the others where they are

@@ -72,7 +72,10 @@ Joint near_end_of_worst_bar(const OrderRequest& request, Among among) {
     const double rest = request.framework.rest_lengths()[visit.bar];
     const double error =
         std::abs(residual(request.positions[bar.a], request.positions[bar.b], rest));
-    if (error > worst + rounding * rest) worst = error, near = visit.near;
+    if (error > worst + rounding * rest) {
+      worst = error;
+      near = visit.near;
+    }
   }
   return near;
 }

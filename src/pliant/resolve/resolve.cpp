@@ -6,8 +6,10 @@
 #include <string>
 
 #include "pliant/base/error.hpp"
+#include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/method/method.hpp"
 #include "pliant/resolve/method/moved_joints.hpp"
+#include "pliant/resolve/sweeps/sweeps.hpp"
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant {
@@ -16,6 +18,15 @@ namespace {
 [[noreturn]] void fail_joint(const char* what, Joint joint, std::size_t joint_count) {
   throw OptionError(std::string(what) + " joint " + std::to_string(joint) + " of " +
                     std::to_string(joint_count) + " does not exist");
+}
+
+/// Sweeps of an ordering visit one bar after another in the caller's own positions.
+void check_on_bar(const Framework& framework, const Technique& technique,
+                  const ResolveOptions& options) {
+  if (!options.on_bar) return;
+  const std::string name = technique_used(framework, technique).name;
+  if (find_technique(name).make != make_sweeps)
+    throw OptionError("on_bar: technique " + name + " does not go bar by bar; orderings do");
 }
 
 }  // namespace
@@ -109,6 +120,7 @@ Resolver::Resolver(const Framework& framework, const Technique& technique,
                    const ResolveOptions& options) {
   check(options);
   check(technique, framework);
+  check_on_bar(framework, technique, options);
   plan_ = std::make_unique<Plan>(framework, technique, options);
 }
 

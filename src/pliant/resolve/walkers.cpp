@@ -70,7 +70,7 @@ struct WalkerResolver::Plan {
         options(options_),
         kernels(find_level(lane_options.level)),
         alone(framework_, asked, options_),
-        uses_lanes(lane_options.lanes && framework_.has_bars_only() &&
+        uses_lanes(lane_options.lanes && !options.on_bar && framework_.has_bars_only() &&
                    find_technique(technique.name).make_lanes != nullptr) {}
 
   /// A single walker never needs the lanes' plans and memory.

@@ -10,7 +10,7 @@
 namespace pliant {
 namespace {
 
-/// Finds the connections, and collects a bar of the graph of links for each of their units.
+/// Finds the connections, and collects an edge of the graph of links for each of their units.
 class Connector {
  public:
   Connector(const Framework& framework, const UnitSet& set)
@@ -29,21 +29,13 @@ class Connector {
       if (members_.at(joint).size() > 1) add_ball(joint, {from, to});
       from = to;
     }
-    Framework links(links_with(unit_count_ + connections_.size()));
+    Graph links(unit_count_ + connections_.size(), edges_);
     Blocks blocks = find_blocks(links);
     return {unit_count_, std::move(connections_), std::move(links), std::move(blocks)};
   }
 
  private:
   using HingeAt = std::pair<Joint, std::uint32_t>;  ///< joint, connection
-
-  FrameworkParts links_with(std::size_t nodes) {
-    FrameworkParts parts;
-    parts.joint_count = nodes;
-    parts.bars = std::move(bars_);
-    parts.rest_lengths.assign(parts.bars.size(), 1.0);
-    return parts;
-  }
 
   void add_hinge(Bar bar) {
     members_.common(bar.a, bar.b, both_);
@@ -77,15 +69,15 @@ class Connector {
   }
 
   void link(std::span<const std::uint32_t> units) {
-    const auto node = static_cast<Joint>(unit_count_ + connections_.size() - 1);
-    for (std::uint32_t unit : units) bars_.push_back({unit, node});
+    const auto node = static_cast<UnitNode>(unit_count_ + connections_.size() - 1);
+    for (std::uint32_t unit : units) edges_.push_back({unit, node});
   }
 
   const Framework& framework_;
   std::uint32_t unit_count_;
   UnitsOfJoints members_;
   std::vector<UnitConnection> connections_;
-  std::vector<Bar> bars_;
+  std::vector<Graph::Edge> edges_;
   std::vector<HingeAt> hinges_at_;
   DisjointSets groups_;
   std::vector<std::uint32_t> both_;
@@ -103,7 +95,7 @@ MergedUnits united(const UnitSet& set, DisjointSets& groups) {
       joints.emplace_back();
     }
     const std::uint32_t now = merged.of_unit[unit] = merged.of_unit[first];
-    joints[now].insert(joints[now].end(), set.of(unit).begin(), set.of(unit).end());
+    joints[now].insert(joints[now].end(), set.at(unit).begin(), set.at(unit).end());
   }
   for (auto& members : joints) {
     std::sort(members.begin(), members.end());
@@ -117,7 +109,7 @@ MergedUnits united(const UnitSet& set, DisjointSets& groups) {
 class LoopMerger {
  public:
   LoopMerger(const UnitSet& set, const UnitGraph& graph)
-      : set_(set), graph_(graph), reach_(graph.links.joint_count()) {
+      : set_(set), graph_(graph), reach_(graph.links.node_count()) {
     groups.reset(set.size());
   }
 
@@ -144,40 +136,40 @@ class LoopMerger {
   struct Reach {
     std::uint32_t search = 0;
     int cost = 0;
-    Joint branch = 0;  ///< the first connection on the way
-    Joint from = 0;
+    UnitNode branch = 0;  ///< the first connection on the way
+    UnitNode from = 0;
   };
   static constexpr int most_freedom = 6;
   /// A unit of a molecule reaches some dozens; of a network of bars with hubs, everything.
   static constexpr std::size_t most_nodes = 4096;
 
-  bool is_in_loop(Joint node) const {
-    for (const Incidence& at : graph_.links.neighbours(node))
-      if (!graph_.blocks.is_bridge[at.bar]) return true;
+  bool is_in_loop(UnitNode node) const {
+    for (const Link& at : graph_.links.at(node))
+      if (!graph_.blocks.is_bridge[at.edge]) return true;
     return false;
   }
 
   /// A rod that turns about itself does not count: one way to move less.
-  int weight(Joint node) const {
+  int weight(UnitNode node) const {
     if (!graph_.is_unit(node)) return graph_.connection(node).freedom();
-    return set_.of(node).size() == 2 ? -1 : 0;
+    return set_.at(node).size() == 2 ? -1 : 0;
   }
 
   /// Goes outward from a unit; where two branches meet at the price of six or less is a rigid loop.
-  bool unite_loops_at(Joint unit) {
+  bool unite_loops_at(UnitNode unit) {
     ++search_;
     waiting_.assign(1, unit);
     reach_[unit] = {search_, 0, unit, unit};
     bool any = false;
     for (std::size_t next = 0; next < waiting_.size() && next < most_nodes; ++next) {
-      const Joint here = waiting_[next];
-      for (const Incidence& at : graph_.links.neighbours(here))
-        if (!graph_.blocks.is_bridge[at.bar]) any = step(unit, here, at.joint) || any;
+      const UnitNode here = waiting_[next];
+      for (const Link& at : graph_.links.at(here))
+        if (!graph_.blocks.is_bridge[at.edge]) any = step(unit, here, at.node) || any;
     }
     return any;
   }
 
-  bool step(Joint root, Joint here, Joint there) {
+  bool step(UnitNode root, UnitNode here, UnitNode there) {
     if (there == reach_[here].from) return false;
     const Reach way{search_, reach_[here].cost + weight(there),
                     here == root ? there : reach_[here].branch, here};
@@ -193,7 +185,7 @@ class LoopMerger {
     return unite_way(root, here) | unite_way(root, there);
   }
 
-  bool unite_way(Joint root, Joint node) {
+  bool unite_way(UnitNode root, UnitNode node) {
     bool any = false;
     for (; node != root; node = reach_[node].from)
       if (graph_.is_unit(node)) any = groups.unite(root, node) || any;
@@ -205,7 +197,7 @@ class LoopMerger {
     const std::size_t count = graph_.blocks.count;
     std::vector<std::int64_t> links(count, 0), nodes(count, 0);
     freedom_.assign(count, 0);
-    for (Joint node = 0; node < graph_.links.joint_count(); ++node)
+    for (UnitNode node = 0; node < graph_.links.node_count(); ++node)
       for_blocks_of(node, [&](std::uint32_t block, std::int64_t degree) {
         links[block] += degree;
         ++nodes[block];
@@ -216,10 +208,9 @@ class LoopMerger {
 
   /// Calls `each(block, links of the node in it)`.
   template <class Each>
-  void for_blocks_of(Joint node, Each each) {
+  void for_blocks_of(UnitNode node, Each each) {
     at_node_.clear();
-    for (const Incidence& at : graph_.links.neighbours(node))
-      at_node_.push_back(graph_.blocks.of_bar[at.bar]);
+    for (const Link& at : graph_.links.at(node)) at_node_.push_back(graph_.blocks.of_edge[at.edge]);
     std::sort(at_node_.begin(), at_node_.end());
     for (std::size_t k = 0, next = 0; k < at_node_.size(); k = next) {
       while (next < at_node_.size() && at_node_[next] == at_node_[k]) ++next;
@@ -232,9 +223,9 @@ class LoopMerger {
     std::vector<std::uint32_t> first(graph_.blocks.count, none);
     bool any = false;
     for (std::uint32_t unit = 0; unit < set_.size(); ++unit)
-      for (const Incidence& at : graph_.links.neighbours(unit)) {
-        const std::uint32_t block = graph_.blocks.of_bar[at.bar];
-        if (graph_.blocks.is_bridge[at.bar] || !which(block)) continue;
+      for (const Link& at : graph_.links.at(unit)) {
+        const std::uint32_t block = graph_.blocks.of_edge[at.edge];
+        if (graph_.blocks.is_bridge[at.edge] || !which(block)) continue;
         if (first[block] == none) first[block] = unit;
         any = groups.unite(first[block], unit) || any;
       }
@@ -246,7 +237,7 @@ class LoopMerger {
   const UnitGraph& graph_;
   std::vector<Reach> reach_;
   std::uint32_t search_ = 0;
-  std::vector<Joint> waiting_;
+  std::vector<UnitNode> waiting_;
   std::vector<std::uint32_t> at_node_;
   std::vector<std::int64_t> freedom_;
 };

@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "pliant/framework/graph.hpp"
-#include "pliant/rigidity/unit_bodies.hpp"
+#include "pliant/base/graph.hpp"
+#include "pliant/rigidity/unit_set.hpp"
 
 namespace pliant {
 
@@ -19,17 +19,19 @@ struct UnitConnection {
   int freedom() const { return is_hinge() ? 1 : 3; }
 };
 
+using UnitNode = std::uint32_t;  ///< of UnitGraph::links
+
 /// Units and connections as the two kinds of nodes of one graph. Units that share a joint and hang
 /// together by hinges at it need no connection more: without loops the graph is a forest.
 struct UnitGraph {
   std::size_t units = 0;
   std::vector<UnitConnection> connections;
-  Framework links;  ///< joint u < units is a unit, joint units + c a connection
-  Blocks blocks;    ///< of links; a block that is no bridge is a loop or several
+  Graph links;    ///< node u < units is a unit, node units + c a connection
+  Blocks blocks;  ///< of links; a block that is no bridge is a loop or several
 
-  bool is_unit(Joint node) const { return node < units; }
-  const UnitConnection& connection(Joint node) const { return connections[node - units]; }
-  bool has_loops() const { return blocks.bridge_count < links.bar_count(); }
+  bool is_unit(UnitNode node) const { return node < units; }
+  const UnitConnection& connection(UnitNode node) const { return connections[node - units]; }
+  bool has_loops() const { return blocks.bridge_count < links.edge_count(); }
 };
 
 UnitGraph connect_units(const Framework& framework, const UnitSet& set);

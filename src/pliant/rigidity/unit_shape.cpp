@@ -105,9 +105,9 @@ double rod_length(const Framework& framework, Joint a, Joint b) {
 std::span<const Vec3> points_of(const Framework& framework, const UnitSet& set,
                                 const UnitShapes& shapes, std::size_t unit,
                                 std::vector<Vec3>& room) {
-  const auto joints = set.of(unit);
+  const auto joints = set.at(unit);
   if (!shapes.points.empty())
-    return std::span(shapes.points).subspan(set.first[unit], joints.size());
+    return std::span(shapes.points).subspan(set.begin_of(unit), joints.size());
   const auto drawn = framework.drawn();
   room.assign(joints.size(), {});
   if (joints.size() == 2)
@@ -120,17 +120,17 @@ std::span<const Vec3> points_of(const Framework& framework, const UnitSet& set,
 UnitShapes find_unit_shapes(const Framework& framework, const UnitSet& set,
                             const Tolerance& tolerance) {
   const bool is_drawn = !framework.drawn().empty();
-  UnitShapes shapes{{}, std::vector<Vec3>(is_drawn ? 0 : set.joints.size())};
+  UnitShapes shapes{{}, std::vector<Vec3>(is_drawn ? 0 : set.things().size())};
   shapes.kinds.reserve(set.size());
   Scaling scaling(framework, tolerance);
   for (std::size_t unit = 0; unit < set.size(); ++unit) {
-    const auto joints = set.of(unit);
+    const auto joints = set.at(unit);
     if (joints.size() == 2 || is_drawn) {
       shapes.kinds.push_back(joints.size() == 2 ? ShapeKind::rod : ShapeKind::drawn);
       if (!is_drawn)
-        shapes.points[set.first[unit] + 1].x = rod_length(framework, joints[0], joints[1]);
+        shapes.points[set.begin_of(unit) + 1].x = rod_length(framework, joints[0], joints[1]);
     } else {
-      const auto points = std::span(shapes.points).subspan(set.first[unit], joints.size());
+      const auto points = std::span(shapes.points).subspan(set.begin_of(unit), joints.size());
       shapes.kinds.push_back(scaling.place(joints, points) ? ShapeKind::lengths
                                                            : ShapeKind::unknown);
     }

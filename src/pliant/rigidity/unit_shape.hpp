@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pliant/framework/residual.hpp"
-#include "pliant/rigidity/unit_bodies.hpp"
+#include "pliant/rigidity/unit_set.hpp"
 
 namespace pliant {
 

@@ -58,6 +58,10 @@ struct Watched {
     return stops || has_failed;
   }
 
+  void end(const RunSummary& summary) {
+    if (watchers.on_end) guard([&] { watchers.on_end(summary, state); });
+  }
+
   /// What run_walkers is given; this must stay where it is.
   WalkerRun run() {
     WalkerRun run{state, number};
@@ -126,7 +130,7 @@ class Ensemble {
     const std::lock_guard one_after_another(watchers_);
     for (std::size_t k = 0; k < group.size(); ++k) {
       summaries_[group[k].number - options_.shard.first] = summaries[k];
-      if (group[k].watchers.on_end) group[k].guard([&] { group[k].watchers.on_end(summaries[k]); });
+      group[k].end(summaries[k]);
     }
     return true;
   }

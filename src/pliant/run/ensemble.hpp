@@ -32,7 +32,8 @@ void check(const EnsembleOptions& options);
 struct Watchers {
   std::vector<Observer> observers = {};
   std::function<void(const Push&)> on_push = {};
-  std::function<void(const RunSummary&)> on_end = {};  ///< once, if the walker was begun
+  /// Told once what the walker did and where it ended, if it was begun.
+  std::function<void(const RunSummary&, const State&)> on_end = {};
   Log log = {};
 
   Watchers() = default;

@@ -3,11 +3,15 @@
 
 import csv
 import json
+import shutil
 
 import h5py
 import numpy as np
 import pytest
 from pliant.analyse.command import main
+from pliant.console import plain
+
+import pliant
 
 
 @pytest.fixture
@@ -81,6 +85,19 @@ def test_json_has_the_numbers_that_numpy_finds(run, analysed, peptide):
     assert found["rotatable_bonds"] == 10  # phi, psi, omega; no phi before the first residue
     assert found["skipped"] == {}
     assert 0.99 < sum(found["pca_explained"]) <= 1.0 + 1e-9
+
+
+def test_the_function_gives_what_the_command_prints(tmp_path, run, analysed):
+    printed = json.loads(analysed("--json", "--select", "name CA CB")[1])
+    chosen = {"select": "name CA CB", "dpi": 50}
+    written = pliant.analyse(run, tmp_path / "out", **chosen)
+    assert json.loads(json.dumps(plain(written.as_json()))) == printed
+    assert written.verdict.kind == printed["verdict"] == "mixed"
+    shutil.rmtree(tmp_path / "out")
+    alone = pliant.analyse(run, **chosen)
+    assert not (tmp_path / "out").exists()
+    assert alone.outputs == {}
+    np.testing.assert_array_equal(alone.study.rmsd, written.study.rmsd)
 
 
 def test_the_table_of_frames(tmp_path, run, analysed, peptide):

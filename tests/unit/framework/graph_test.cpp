@@ -49,12 +49,12 @@ RC_GTEST_PROP(Graph, ComponentsAreThoseOfUnionFind, ()) {
   RC_ASSERT(found.count == expected.count());
   for (std::size_t i = 0; i < framework.joint_count(); ++i)
     for (std::size_t j = 0; j < i; ++j)
-      RC_ASSERT((found.of_joint[i] == found.of_joint[j]) == expected.together(i, j));
+      RC_ASSERT((found.of_node[i] == found.of_node[j]) == expected.together(i, j));
   for (std::size_t c = 0; c < found.count; ++c) {
-    RC_ASSERT(found.of_joint[found.lowest_joint[c]] == c);
+    RC_ASSERT(found.of_node[found.lowest_node[c]] == c);
     // In brackets: RC_ASSERT takes a bare || apart and evaluates both sides.
-    RC_ASSERT((c == 0 || found.lowest_joint[c] > found.lowest_joint[c - 1]));
-    for (std::size_t i = 0; i < found.lowest_joint[c]; ++i) RC_ASSERT(found.of_joint[i] != c);
+    RC_ASSERT((c == 0 || found.lowest_node[c] > found.lowest_node[c - 1]));
+    for (std::size_t i = 0; i < found.lowest_node[c]; ++i) RC_ASSERT(found.of_node[i] != c);
   }
 }
 
@@ -89,9 +89,9 @@ RC_GTEST_PROP(Graph, BlocksAreWhatCyclesGenerate, ()) {
   RC_ASSERT(found.count == expected.count());
   std::vector<std::size_t> sizes(found.count, 0);
   for (std::size_t k = 0; k < bars.size(); ++k) {
-    ++sizes[found.of_bar[k]];
+    ++sizes[found.of_edge[k]];
     for (std::size_t j = 0; j < k; ++j)
-      RC_ASSERT((found.of_bar[k] == found.of_bar[j]) == expected.together(k, j));
+      RC_ASSERT((found.of_edge[k] == found.of_edge[j]) == expected.together(k, j));
   }
   RC_ASSERT(found.largest == (sizes.empty() ? 0 : *std::max_element(sizes.begin(), sizes.end())));
 }

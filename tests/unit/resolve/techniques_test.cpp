@@ -7,6 +7,7 @@
 #include <set>
 
 #include "pliant/examples/examples.hpp"
+#include "pliant/resolve/method/shares.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"

@@ -13,7 +13,7 @@ double worst_error(const Framework& framework, const UnitSet& set, const UnitSha
   std::vector<Vec3> room;
   for (std::size_t unit = 0; unit < set.size(); ++unit) {
     const auto points = points_of(framework, set, shapes, unit, room);
-    for (std::size_t k = 0; k < points.size(); ++k) x[set.of(unit)[k]] = points[k];
+    for (std::size_t k = 0; k < points.size(); ++k) x[set.at(unit)[k]] = points[k];
   }
   return measure(framework, x).max_relative;
 }
@@ -25,7 +25,7 @@ TEST(FindUnitShapes, LengthsGiveTheShapeBack) {
       Sketch sketch = complete(joints);
       for (Vec3& p : sketch.positions) p.z *= height;
       const Framework framework = framework_of(sketch);
-      const UnitSet set = find_unit_bodies(framework);
+      const UnitSet set = find_units(framework);
       const UnitShapes shapes = find_unit_shapes(framework, set, {1e-12});
       ASSERT_EQ(shapes.kinds, std::vector<ShapeKind>{ShapeKind::lengths});
       EXPECT_LT(worst_error(framework, set, shapes), 1e-13);
@@ -35,7 +35,7 @@ TEST(FindUnitShapes, LengthsGiveTheShapeBack) {
 TEST(FindUnitShapes, LengthsThatFitNoShapeAreUnknown) {
   for (const char* name : {"K4_five_unit_bars_one_1.8", "K5_all_unit", "triangle_1_1_3"}) {
     const Framework& framework = find_example(name).framework;
-    const UnitSet set = find_unit_bodies(framework);
+    const UnitSet set = find_units(framework);
     EXPECT_EQ(find_unit_shapes(framework, set, {}).kinds,
               std::vector<ShapeKind>{ShapeKind::unknown})
         << name;

@@ -8,6 +8,7 @@
 
 #include "pliant/base/cell_list.hpp"
 #include "pliant/base/elements.hpp"
+#include "pliant/base/grouped.hpp"
 
 namespace pliant::perception {
 namespace {
@@ -52,26 +53,19 @@ class Neighbours {
  public:
   Neighbours(std::size_t atom_count, const std::vector<Bond>& bonds,
              const std::vector<Candidate>& candidates)
-      : first_(atom_count + 1, 0), atoms_(2 * (bonds.size() + candidates.size())) {
-    for (const Bond& bond : bonds) ++first_[bond.a + 1], ++first_[bond.b + 1];
-    for (const Candidate& pair : candidates) ++first_[pair.a + 1], ++first_[pair.b + 1];
-    for (std::size_t i = 0; i < atom_count; ++i) first_[i + 1] += first_[i];
-    std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-    const auto join = [&](std::uint32_t a, std::uint32_t b) {
-      atoms_[next[a]++] = b;
-      atoms_[next[b]++] = a;
-    };
-    for (const Bond& bond : bonds) join(bond.a, bond.b);
-    for (const Candidate& pair : candidates) join(pair.a, pair.b);
-  }
+      : atoms_(atom_count, [&](const auto& put) {
+          const auto join = [&](const auto& pair) {
+            put(pair.a, pair.b);
+            put(pair.b, pair.a);
+          };
+          for (const Bond& bond : bonds) join(bond);
+          for (const Candidate& pair : candidates) join(pair);
+        }) {}
 
-  std::span<const std::uint32_t> of(std::uint32_t atom) const {
-    return {atoms_.data() + first_[atom], atoms_.data() + first_[atom + 1]};
-  }
+  std::span<const std::uint32_t> of(std::uint32_t atom) const { return atoms_.at(atom); }
 
  private:
-  std::vector<std::size_t> first_;
-  std::vector<std::uint32_t> atoms_;
+  Grouped<std::uint32_t, std::size_t> atoms_;
 };
 
 class DistanceStep {

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "pliant/base/grouped.hpp"
+
 namespace pliant::perception {
 namespace {
 
@@ -31,22 +33,19 @@ std::uint32_t Perception::find(const ResiduePiece& piece, AtomKey key) const {
 }
 
 void sort_and_merge(std::vector<Bond>& bonds, std::size_t atom_count) {
-  std::vector<std::size_t> first(atom_count + 1, 0);
-  for (const Bond& bond : bonds) ++first[bond.a + 1];
-  for (std::size_t i = 0; i < atom_count; ++i) first[i + 1] += first[i];
-  std::vector<Bond> sorted(bonds.size());
-  std::vector<std::size_t> next(first.begin(), first.end() - 1);
-  for (const Bond& bond : bonds) sorted[next[bond.a]++] = bond;
+  Grouped<Bond, std::size_t> by_atom(atom_count, [&](const auto& put) {
+    for (const Bond& bond : bonds) put(bond.a, bond);
+  });
   bonds.clear();
   for (std::size_t i = 0; i < atom_count; ++i) {
-    const auto begin = sorted.begin() + first[i], end = sorted.begin() + first[i + 1];
-    std::stable_sort(begin, end, [](const Bond& x, const Bond& y) {
+    const std::span<Bond> here = by_atom.at(i);
+    std::stable_sort(here.begin(), here.end(), [](const Bond& x, const Bond& y) {
       return x.b != y.b ? x.b < y.b : x.origin < y.origin;
     });
-    for (auto bond = begin; bond != end; ++bond) {
-      const bool repeats = bond != begin && bond->b == bonds.back().b;
-      if (!repeats) bonds.push_back(*bond);
-      if (repeats && bonds.back().order == 0) bonds.back().order = bond->order;
+    for (std::size_t k = 0; k < here.size(); ++k) {
+      const bool repeats = k > 0 && here[k].b == bonds.back().b;
+      if (!repeats) bonds.push_back(here[k]);
+      if (repeats && bonds.back().order == 0) bonds.back().order = here[k].order;
     }
   }
 }

@@ -30,7 +30,10 @@ std::string_view CifDocument::word(CifValue value) const {
 }
 
 std::size_t CifLines::operator()(CifValue value) {
-  if (value.offset < offset_) offset_ = 0, line_ = 1;
+  if (value.offset < offset_) {
+    offset_ = 0;
+    line_ = 1;
+  }
   const std::string_view passed = text_.substr(offset_, value.offset - offset_);
   line_ += static_cast<std::size_t>(std::count(passed.begin(), passed.end(), '\n'));
   offset_ = value.offset;

@@ -22,7 +22,7 @@ class GraphParser {
     atoms_->residues.push_back({"", 1, ' ', ""});
   }
 
-  Graph parse() {
+  GraphFile parse() {
     read_root();
     for (pugi::xml_node node : root_.children("joint")) read_joint(node);
     for (pugi::xml_node node : root_.children("bar")) read_bar(node);
@@ -146,7 +146,7 @@ class GraphParser {
     cycles_.push_back(std::move(cycle));
   }
 
-  Graph finish() {
+  GraphFile finish() {
     FrameworkParts parts;
     parts.joint_count = positions_.size();
     parts.bars = std::move(bars_);
@@ -156,7 +156,7 @@ class GraphParser {
     parts.atoms = atoms_;
     parts.planar = planar_;
     try {
-      Graph graph{Framework(std::move(parts)), std::move(positions_), std::move(cycles_)};
+      GraphFile graph{Framework(std::move(parts)), std::move(positions_), std::move(cycles_)};
       for (const std::string& text : impossible_triangles(graph.framework))
         log_.warn(pliant::at({source_.name}, text));
       return graph;
@@ -190,11 +190,11 @@ bool looks_like_xml(std::string_view text) {
   return first != std::string_view::npos && text[first] == '<';
 }
 
-Graph parse_graph_xml(const SourceText& source, const Log& log) {
+GraphFile parse_graph_xml(const SourceText& source, const Log& log) {
   return GraphParser(source, log).parse();
 }
 
-Graph read_graph_xml(const std::filesystem::path& path, const Log& log) {
+GraphFile read_graph_xml(const std::filesystem::path& path, const Log& log) {
   const std::string bytes = read_bytes(path);
   const std::string name = path.string();
   return parse_graph_xml({name, without_byte_order_mark(bytes)}, log);

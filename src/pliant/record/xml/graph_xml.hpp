@@ -25,7 +25,7 @@
 namespace pliant {
 
 /// What a graph XML file holds. The ids of joints are the names of `framework`'s atoms.
-struct Graph {
+struct GraphFile {
   Framework framework;
   std::vector<Vec3> positions;             ///< (N) Angstrom
   std::vector<std::vector<Joint>> cycles;  ///< each as the joints along it
@@ -36,7 +36,7 @@ bool looks_like_xml(std::string_view text);
 
 /// Throws InputError naming file, line and attribute; FileError if the file cannot be read.
 /// Warns of bars that cannot hold together and of bars given twice.
-Graph read_graph_xml(const std::filesystem::path& path, const Log& log = {});
-Graph parse_graph_xml(const SourceText& source, const Log& log = {});
+GraphFile read_graph_xml(const std::filesystem::path& path, const Log& log = {});
+GraphFile parse_graph_xml(const SourceText& source, const Log& log = {});
 
 }  // namespace pliant

@@ -7,8 +7,9 @@
 #include "pliant/resolve/blocks/block_solver.hpp"
 #include "pliant/resolve/blocks/near_pass.hpp"
 #include "pliant/resolve/blocks/outward_plan.hpp"
+#include "pliant/resolve/method/plan_of_root.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
-#include "pliant/resolve/sweeps/sweeps.hpp"
+#include "pliant/resolve/sweeps/finishing_sweeps.hpp"
 
 namespace pliant {
 namespace {
@@ -27,8 +28,8 @@ class BlockPass final : public Method {
       : framework_(framework),
         options_(options),
         planner_(framework),
-        finish_by_sweeps_({"bfs_reverse", 0.5, technique.mass_weighted}),
-        blocks_(framework, technique, options.tolerance, planner_.blocks()) {}
+        blocks_(framework, technique, options.tolerance, planner_.blocks()),
+        finishing_sweeps_(framework, technique.mass_weighted, options_) {}
 
   bool looks_near() const override {
     return !framework_.has_pinned_joints() && blocks_.holds_all();
@@ -37,12 +38,12 @@ class BlockPass final : public Method {
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
     if (call.moved != nullptr && resolve_near(call, summary)) return Stop::converged;
     if (is_whole(call.positions)) return Stop::converged;
-    if (!planned_ || planned_root_ != call.disturbed.root) plan(call.disturbed.root);
+    planned_.prepare(call.disturbed.root, [this](Joint root) { plan(root); });
     const bool all_whole = pass(call, summary);
     ++summary.sweeps;
     if (all_whole && !several_pinned()) return Stop::converged;
     if (is_whole(call.positions)) return Stop::converged;
-    return sweep_the_rest(call, summary);
+    return finishing_sweeps_.resolve(call, summary);
   }
 
  private:
@@ -72,8 +73,6 @@ class BlockPass final : public Method {
       steps_.push_back({step.near, step.far,
                         step.block == no_block ? framework_.rest_lengths()[step.bar] : 0.0,
                         step.bar, step.block});
-    planned_ = true;
-    planned_root_ = root;
   }
 
   bool pass(const ResolveCall& call, ResolveSummary& summary) {
@@ -96,27 +95,15 @@ class BlockPass final : public Method {
               [&] { return escape_direction(call.key, step.bar, framework_.is_planar()); });
   }
 
-  /// What Newton could not finish (redundant bars far from whole, coincident joints, impossible
-  /// lengths) is left to plain sweeps of all bars.
-  Stop sweep_the_rest(const ResolveCall& call, ResolveSummary& summary) {
-    if (!sweeps_) sweeps_ = make_sweeps(framework_, finish_by_sweeps_, options_);
-    const std::int64_t before = summary.sweeps;
-    const Stop stop = sweeps_->resolve(call, summary);
-    summary.finishing_sweeps = summary.sweeps - before;
-    return stop;
-  }
-
   const Framework& framework_;
   ResolveOptions options_;
   OutwardPlanner planner_;
-  Technique finish_by_sweeps_;
   BlockSolver blocks_;
+  FinishingSweeps finishing_sweeps_;
   std::vector<OutwardStep> outward_;
   std::vector<PassStep> steps_;
   std::unique_ptr<NearPass> near_;
-  std::unique_ptr<Method> sweeps_;
-  bool planned_ = false;
-  Joint planned_root_ = 0;
+  PlanOfRoot planned_;
 };
 
 }  // namespace

@@ -9,7 +9,7 @@ OutwardPlanner::OutwardPlanner(const Framework& framework) : framework_(framewor
   block_of_bar_.assign(framework.bar_count(), no_block);
   for (std::size_t k = 0; k < framework.bar_count(); ++k) {
     if (found.is_bridge[k]) continue;
-    std::uint32_t& at = place[found.of_bar[k]];
+    std::uint32_t& at = place[found.of_edge[k]];
     if (at == no_block) {
       at = static_cast<std::uint32_t>(blocks_.size());
       blocks_.emplace_back();

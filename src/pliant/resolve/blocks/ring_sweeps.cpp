@@ -7,6 +7,7 @@
 #include "pliant/resolve/blocks/outward_plan.hpp"
 #include "pliant/resolve/blocks/sweep_group.hpp"
 #include "pliant/resolve/blocks/sweep_groups.hpp"
+#include "pliant/resolve/method/plan_of_root.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
 
 namespace pliant {
@@ -32,7 +33,7 @@ class RingSweeps final : public Method {
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
-    if (!planned_ || planned_root_ != call.disturbed.root) plan(call.disturbed.root);
+    planned_.prepare(call.disturbed.root, [this](Joint root) { plan(root); });
     if (limits_) limits_->begin(call.limits_off);
     bridges_.begin();
     for (Look look = look_at_all(call);;) {
@@ -61,8 +62,6 @@ class RingSweeps final : public Method {
         groups_[group].add(bar);
     }
     if (rings_alone_) planner_.plan(root, outward_);
-    planned_ = true;
-    planned_root_ = root;
   }
 
   /// Begins with `positions` as they are.
@@ -135,8 +134,7 @@ class RingSweeps final : public Method {
   std::vector<OutwardStep> outward_;
   Ordering ordering_;
   OrderScratch scratch_;
-  bool planned_ = false;
-  Joint planned_root_ = 0;
+  PlanOfRoot planned_;
 };
 
 /// What ring systems are swept with: shared half and half, or by masses.

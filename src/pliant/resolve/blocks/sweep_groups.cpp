@@ -32,7 +32,7 @@ std::vector<std::uint32_t> group_pinned_components(const Framework& framework,
                                                    BarGroups& groups) {
   std::vector<std::size_t> pinned(components.count, 0);
   for (std::size_t i = 0; i < framework.joint_count(); ++i)
-    if (framework.is_pinned(static_cast<Joint>(i))) ++pinned[components.of_joint[i]];
+    if (framework.is_pinned(static_cast<Joint>(i))) ++pinned[components.of_node[i]];
   std::vector<std::uint32_t> group(components.count, no_group);
   for (std::size_t c = 0; c < components.count; ++c)
     if (pinned[c] > 1) group[c] = add_group(groups, false);
@@ -60,7 +60,7 @@ BarGroups group_ring_systems(const Framework& framework, const OutwardPlanner& p
   const auto of_component = group_pinned_components(framework, components, groups);
   groups.of_bar.resize(framework.bar_count());
   for (std::size_t k = 0; k < framework.bar_count(); ++k)
-    groups.of_bar[k] = of_component[components.of_joint[framework.bars()[k].a]];
+    groups.of_bar[k] = of_component[components.of_node[framework.bars()[k].a]];
   for (const std::vector<BarIndex>& bars : planner.blocks()) {
     const bool is_carried = groups.of_bar[bars.front()] == no_group;
     groups.of_block.push_back(is_carried ? add_group(groups, true) : no_group);

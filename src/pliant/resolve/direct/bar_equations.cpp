@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "pliant/base/grouped.hpp"
 #include "pliant/resolve/direct/bar_loops.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
 
@@ -34,25 +35,16 @@ std::vector<Joint> joints_of(const Framework& framework, std::span<const BarInde
   return joints;
 }
 
-/// Bars at each joint, one joint after the other.
-class BarsAtJoints {
- public:
-  BarsAtJoints(std::span<const EquationEnds> ends, std::size_t joint_count)
-      : begin_(joint_count + 1, 0), bars_(2 * ends.size()) {
-    for (const EquationEnds& end : ends) ++begin_[end.a], ++begin_[end.b];
-    std::uint32_t sum = 0;
-    for (std::uint32_t& begin : begin_) sum += std::exchange(begin, sum);
-    std::vector<std::uint32_t> next = begin_;
-    for (std::uint32_t k = 0; k < ends.size(); ++k)
-      bars_[next[ends[k].a]++] = bars_[next[ends[k].b]++] = k;
-  }
-  std::span<const std::uint32_t> at(std::size_t joint) const {
-    return {bars_.data() + begin_[joint], bars_.data() + begin_[joint + 1]};
-  }
+using BarsAtJoints = Grouped<std::uint32_t>;
 
- private:
-  std::vector<std::uint32_t> begin_, bars_;
-};
+BarsAtJoints bars_at_joints(std::span<const EquationEnds> ends, std::size_t joint_count) {
+  return {joint_count, [&](const auto& put) {
+            for (std::uint32_t k = 0; k < ends.size(); ++k) {
+              put(ends[k].a, k);
+              put(ends[k].b, k);
+            }
+          }};
+}
 
 std::size_t count_couplings(const BarsAtJoints& bars, std::size_t joint_count) {
   std::size_t count = 0;
@@ -89,7 +81,7 @@ std::optional<BarEquations::Part> BarEquations::append(std::span<const BarIndex>
   for (const BarIndex bar : bars)
     ends.push_back({place_[framework_.bars()[bar].a], place_[framework_.bars()[bar].b]});
   for (const Joint joint : joints) place_[joint] = nowhere;
-  const BarsAtJoints at_joints(ends, joints.size());
+  const BarsAtJoints at_joints = bars_at_joints(ends, joints.size());
   if (count_couplings(at_joints, joints.size()) > most_couplings_a_bar * bars.size()) return {};
   const std::vector<std::uint32_t> order = elimination_order(ends, joints.size());
   Part part;

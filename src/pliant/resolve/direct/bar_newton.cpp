@@ -111,7 +111,10 @@ double BarNewton::descend(Part part, double error, const MayGoOn& may_go_on, Out
       damping *= 4.0;
     }
     paid_before = pays;
-    if (least < goal) goal = 0.25 * least, waited = 0;
+    if (least < goal) {
+      goal = 0.25 * least;
+      waited = 0;
+    }
   }
   return best;
 }

@@ -28,7 +28,7 @@ struct LdlPattern {
   const std::uint32_t* targets;
 };
 
-/// A part of BarEquations; see there.
+/// Which bars and joints: the Part of BarEquations that is solved at once.
 struct BarPattern {
   PartRange bars, joints;
   LdlPattern ldl;

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "pliant/framework/graph.hpp"
-#include "pliant/resolve/sweeps/sweeps.hpp"
+#include "pliant/resolve/sweeps/finishing_sweeps.hpp"
 
 namespace pliant {
 namespace {
@@ -14,7 +14,7 @@ std::vector<std::vector<BarIndex>> bars_of_components(const Framework& framework
   const Components components = find_components(framework);
   std::vector<std::vector<BarIndex>> bars(components.count);
   for (BarIndex k = 0; k < framework.bar_count(); ++k)
-    bars[components.of_joint[framework.bars()[k].a]].push_back(k);
+    bars[components.of_node[framework.bars()[k].a]].push_back(k);
   std::erase_if(bars, [](const auto& of_component) { return of_component.empty(); });
   return bars;
 }
@@ -48,7 +48,8 @@ class DirectMethod final : public Method {
       : framework_(framework),
         options_(options),
         components_(framework, options.tolerance),
-        equations_(components_.equations()) {
+        equations_(components_.equations()),
+        finishing_sweeps_(framework, true, options_) {
     broken_.resize(equations_.joint_count());
     solver_ = make(equations_);
   }
@@ -64,7 +65,7 @@ class DirectMethod final : public Method {
       all_whole = solve(part, errors, call, budget, summary) && all_whole;
       if (budget.stopped_by_caller()) return Stop::stopped_by_caller;
     }
-    return all_whole ? Stop::converged : sweep_the_rest(call, summary);
+    return all_whole ? Stop::converged : finishing_sweeps_.resolve(call, summary);
   }
 
  private:
@@ -102,21 +103,13 @@ class DirectMethod final : public Method {
     }
   }
 
-  Stop sweep_the_rest(const ResolveCall& call, ResolveSummary& summary) {
-    if (!sweeps_) sweeps_ = make_sweeps(framework_, {"bfs_reverse", 0.5, true}, options_);
-    const std::int64_t before = summary.sweeps;
-    const Stop stop = sweeps_->resolve(call, summary);
-    summary.finishing_sweeps = summary.sweeps - before;
-    return stop;
-  }
-
   const Framework& framework_;
   ResolveOptions options_;
   ComponentEquations components_;
   BarEquations& equations_;
   std::unique_ptr<PartSolver> solver_;
   std::vector<Vec3> broken_;  ///< of the joints of the equations
-  std::unique_ptr<Method> sweeps_;
+  FinishingSweeps finishing_sweeps_;
 };
 
 }  // namespace
@@ -125,7 +118,11 @@ ComponentEquations::ComponentEquations(const Framework& framework, const Toleran
     : equations_(framework, inverse_masses(framework), tolerance) {
   for (const auto& bars : bars_of_components(framework)) {
     const auto part = equations_.append(bars);
-    part ? parts_.push_back(*part) : void(entangled_ = true);
+    if (part) {
+      parts_.push_back(*part);
+    } else {
+      entangled_ = true;
+    }
   }
 }
 

@@ -66,7 +66,8 @@ bool NearestPoint::iterate(Part part, const MayGoOn& may_go_on, Outcome& outcome
     find_moves(part, infinity, outcome);
     if (errors.whole && asked(part, sliding_) <= 1.0) {
       polish(part, errors);
-      return outcome.whole = true;
+      outcome.whole = true;
+      return true;
     }
     add(part, 1.0, sliding_, restoring_);
     const double size = asked(part, restoring_);
@@ -90,7 +91,8 @@ bool NearestPoint::restore(Part part, const MayGoOn& may_go_on, Outcome& outcome
   const BarNewton::Outcome restored = newton_.make_whole(part, key_, may_go_on);
   outcome.iterations += restored.iterations;
   outcome.dropped_bars = restored.dropped_bars;
-  return outcome.whole = restored.whole;
+  outcome.whole = restored.whole;
+  return restored.whole;
 }
 
 /// From whole positions to nearer whole ones, each step held to what brings it nearer.

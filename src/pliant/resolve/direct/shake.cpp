@@ -53,7 +53,10 @@ class ShakeSolver final : public PartSolver {
     int bad_steps = 0;
     for (;;) {
       const BarEquations::Errors errors = equations_.measure(part);
-      if (errors.whole) return outcome.whole = true;
+      if (errors.whole) {
+        outcome.whole = true;
+        return true;
+      }
       if (errors.coincident || !errors.finite) return false;
       if (!(errors.worst < 0.9 * best) && ++bad_steps > shake_bad_steps) return false;
       best = std::min(best, errors.worst);

@@ -3,6 +3,7 @@
 
 #include "pliant/resolve/blocks/block_solver.hpp"
 #include "pliant/resolve/blocks/outward_plan.hpp"
+#include "pliant/resolve/method/plan_of_root.hpp"
 
 namespace pliant {
 namespace {
@@ -36,7 +37,7 @@ class LaneBlocks final : public LaneMethod {
   }
 
   LaneEnds go_on(const LaneCall& call, LaneMask left) override {
-    if (!planned_ || planned_root_ != call.root) plan(call.root);
+    planned_.prepare(call.root, [this](Joint root) { plan(root); });
     pass(call, left);
     // With several pinned joints bars between them are not free to follow.
     if (framework_.pinned_count() > 1) left = find_whole(call, left);
@@ -64,8 +65,6 @@ class LaneBlocks final : public LaneMethod {
     }
     stretches_.push_back({begin, bridges_.size(), no_block, 0});
     bridge_steps_ = static_cast<std::int64_t>(outward_.size() - (stretches_.size() - 1));
-    planned_ = true;
-    planned_root_ = root;
   }
 
   void pass(const LaneCall& call, LaneMask& active) {
@@ -83,7 +82,7 @@ class LaneBlocks final : public LaneMethod {
 
   void solve(const LaneCall& call, const Stretch& stretch, LaneMask& active) {
     const BarPattern part = blocks_.hold(stretch.block, stretch.entry);
-    const LaneOutcome outcome = kernels_.newton(part, scratch_.room(), call.positions);
+    const LaneOutcome outcome = kernels_.block_newton(part, scratch_.room(), call.positions);
     active = LaneMask(active & outcome.whole);
     call.each(active, [&](ResolveSummary& summary, std::size_t lane) {
       summary.dropped_bars += static_cast<std::int64_t>(outcome.dropped_bars[lane]);
@@ -103,8 +102,7 @@ class LaneBlocks final : public LaneMethod {
   std::vector<LaneBar> bridges_;
   std::vector<Stretch> stretches_;
   std::int64_t bridge_steps_ = 0;  ///< bridges to pinned joints included
-  bool planned_ = false;
-  Joint planned_root_ = 0;
+  PlanOfRoot planned_;
 };
 
 }  // namespace

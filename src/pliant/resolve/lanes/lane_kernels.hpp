@@ -70,7 +70,7 @@ struct LaneRoom {
   LaneValue* lower;                        ///< of entries
 };
 
-/// What NearestPoint needs besides.
+/// Scratch of `nearest` besides, each beginning as in LaneRoom.
 struct LaneNearestRoom {
   LaneVector *broken, *restoring, *sliding, *residual, *direction, *curved;  ///< of joints
   LaneValue *lambda, *bars;                                                  ///< of bars
@@ -109,9 +109,9 @@ struct LaneKernels {
   LaneMask (*look)(LaneList<LaneVisit> visits, const LaneVector* x, LaneMask among,
                    std::size_t& hint, LaneMask& not_finite);
 
-  /// BarNewton::make_whole without damping, on framework positions `x`; walkers that were not made
-  /// whole have their last positions there.
-  LaneOutcome (*newton)(const BarPattern& part, const LaneRoom& room, LaneVector* x);
+  /// One block of technique `blocks`: BarNewton::make_whole without damping, on framework positions
+  /// `x`; walkers that were not made whole have their last positions there.
+  LaneOutcome (*block_newton)(const BarPattern& part, const LaneRoom& room, LaneVector* x);
   /// One part of technique `shake`; `reference` of the framework, or null.
   LaneOutcome (*shake)(const BarPattern& part, const LaneRoom& room, const LaneVector* reference,
                        std::int64_t most_iterations, LaneVector* x);

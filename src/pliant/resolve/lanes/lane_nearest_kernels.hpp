@@ -3,7 +3,7 @@
 // every walker ends; a part of lane_level.cpp.
 #pragma once
 
-#include "pliant/resolve/lanes/lane_newton_kernels.hpp"
+#include "pliant/resolve/lanes/lane_bar_newton_kernels.hpp"
 
 namespace pliant::PLIANT_LANE_LEVEL {
 namespace {

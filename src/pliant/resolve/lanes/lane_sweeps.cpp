@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/lanes/lane_sweeps.hpp"
 
+#include "pliant/resolve/method/plan_of_root.hpp"
 #include "pliant/resolve/sweeps/sweep_plan.hpp"
 
 namespace pliant {
@@ -16,7 +17,7 @@ class LaneSweeps final : public LaneMethod {
         entry_(find_ordering(setting.technique.name)) {}
 
   LaneEnds begin(const LaneCall& call) override {
-    if (!planned_ || planned_root_ != call.root) plan(call.root);
+    planned_.prepare(call.root, [this](Joint root) { plan(root); });
     sweeps_ = 0;
     hint_ = 0;
     return look(call, call.lanes);
@@ -39,8 +40,6 @@ class LaneSweeps final : public LaneMethod {
       const PlannedBar bar = planned(framework_, technique_, options_.tolerance, visit);
       visits_.push_back({bar.near, bar.far, bar.rest, bar.allowed, bar.near_share, bar.far_share});
     }
-    planned_ = true;
-    planned_root_ = root;
   }
 
   LaneEnds look(const LaneCall& call, LaneMask among) {
@@ -73,8 +72,7 @@ class LaneSweeps final : public LaneMethod {
   std::vector<LaneVisit> visits_;
   std::int64_t sweeps_ = 0;  ///< of this resolve
   std::size_t hint_ = 0;     ///< where its last look ended
-  bool planned_ = false;
-  Joint planned_root_ = 0;
+  PlanOfRoot planned_;
 };
 
 }  // namespace

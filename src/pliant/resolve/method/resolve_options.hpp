@@ -4,10 +4,18 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
 
 #include "pliant/framework/residual.hpp"
 
 namespace pliant {
+
+/// A bar that a sweep has just repaired.
+struct RepairedBar {
+  BarIndex bar = 0;
+  Joint near = 0, far = 0;          ///< in the ordering that is swept
+  std::span<const Vec3> positions;  ///< (N) Angstrom, now; valid during the call only
+};
 
 /// How hard to try. Checked once, when a Resolver is made.
 struct ResolveOptions {
@@ -16,6 +24,9 @@ struct ResolveOptions {
   std::uint64_t seed = 0;                  ///< for random orderings and coincident joints
   std::uint64_t walker = 0;                ///< which of several independent runs this is
   std::function<bool()> should_stop = {};  ///< asked after each sweep; true ends the resolve
+  /// For a person who wants to watch: shown each visit to a bar. Techniques that are orderings know
+  /// how, the others refuse it; walkers are then not resolved in lanes. Changes no result.
+  std::function<void(const RepairedBar&)> on_bar = {};
 };
 
 /// Throws OptionError "max_sweeps = 0: must be from 1" and the like.

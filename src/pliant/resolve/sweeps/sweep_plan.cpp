@@ -35,6 +35,15 @@ void SweepPlan::sweep(std::span<Vec3> positions, const RandomKey& key, bool back
   }
 }
 
+void SweepPlan::sweep_watched(std::span<Vec3> positions, const RandomKey& key, bool backwards,
+                              const std::function<void(const RepairedBar&)>& on_bar) const {
+  for (std::size_t k = 0; k < visits_.size(); ++k) {
+    const PlannedBar& visit = visits_[backwards ? visits_.size() - 1 - k : k];
+    project(positions, visit, key);
+    on_bar({visit.bar, visit.near, visit.far, positions});
+  }
+}
+
 Look SweepPlan::look(std::span<const Vec3> positions) {
   if (hint_ >= visits_.size()) hint_ = 0;
   const Look tail = look_at(positions, hint_, visits_.size());

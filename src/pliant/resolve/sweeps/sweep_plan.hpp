@@ -2,11 +2,13 @@
 // A planned sweep: bars in the order of their visits, each with all that the kernel needs.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
 #include "pliant/framework/residual.hpp"
+#include "pliant/resolve/method/resolve_options.hpp"
 #include "pliant/resolve/method/technique.hpp"
 
 namespace pliant {
@@ -34,6 +36,10 @@ class SweepPlan {
 
   /// Projects each bar once. `key` gives the directions in which coincident joints part.
   void sweep(std::span<Vec3> positions, const RandomKey& key, bool backwards = false) const;
+
+  /// The same, and shows each bar after its visit.
+  void sweep_watched(std::span<Vec3> positions, const RandomKey& key, bool backwards,
+                     const std::function<void(const RepairedBar&)>& on_bar) const;
 
   /// Is every bar whole? Begins where the last look found a broken bar, so that as long as much is
   /// broken a look costs next to nothing.

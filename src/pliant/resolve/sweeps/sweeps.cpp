@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/sweeps/sweeps.hpp"
 
+#include "pliant/resolve/method/plan_of_root.hpp"
 #include "pliant/resolve/sweeps/limit_sweep.hpp"
 #include "pliant/resolve/sweeps/sweep_plan.hpp"
 
@@ -40,11 +41,16 @@ class Sweeps final : public Method {
         if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
         if (entry_.repeat == Repeat::reorder) plan_sweep(positions, root, summary.sweeps);
       }
-      plan_.sweep(positions, key_, entry_.repeat == Repeat::reverse && summary.sweeps % 2 == 1);
+      sweep(positions, entry_.repeat == Repeat::reverse && summary.sweeps % 2 == 1);
       ++summary.sweeps;
       summary.projections += static_cast<std::int64_t>(plan_.size());
       if (limits_) summary.projections += limits_->sweep(positions, key_);
     }
+  }
+
+  void sweep(std::span<Vec3> positions, bool backwards) const {
+    if (options_.on_bar) return plan_.sweep_watched(positions, key_, backwards, options_.on_bar);
+    plan_.sweep(positions, key_, backwards);
   }
 
   Look look(std::span<const Vec3> positions) {
@@ -55,10 +61,10 @@ class Sweeps final : public Method {
   /// The plan of the last call is kept if it would come out the same.
   void prepare_first(std::span<const Vec3> positions, Joint root) {
     plan_.begin();
-    if (entry_.repeat != Repeat::reorder && planned_ && planned_root_ == root) return;
-    plan_sweep(positions, root, 0);
-    planned_ = true;
-    planned_root_ = root;
+    if (entry_.repeat == Repeat::reorder)
+      plan_sweep(positions, root, 0);
+    else
+      planned_.prepare(root, [&](Joint from) { plan_sweep(positions, from, 0); });
   }
 
   void plan_sweep(std::span<const Vec3> positions, Joint root, std::int64_t sweep) {
@@ -80,8 +86,7 @@ class Sweeps final : public Method {
   Ordering ordering_, last_ordering_;
   OrderScratch scratch_;
   SweepPlan plan_;
-  bool planned_ = false;
-  Joint planned_root_ = 0;
+  PlanOfRoot planned_;
 };
 
 }  // namespace

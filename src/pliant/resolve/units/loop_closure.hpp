@@ -48,17 +48,16 @@ class LoopClosure {
   struct Gap {
     std::uint32_t one, other;  ///< places in joints_
     std::int32_t body, other_body;
-    std::uint32_t first;  ///< of its equations: three, or two
-    bool is_second;       ///< of a hinge, whose first joint is the gap before
+    std::uint32_t first;  ///< of its equations: three, or two for the second joint of a hinge
+    /// Of the second joint of a hinge: where the first is at `other_body`, a place in joints_.
+    std::optional<std::uint32_t> first_of_hinge;
+    std::size_t equations() const { return first_of_hinge ? 2 : 3; }
   };
   struct Turn {
     Vec3 axis, through;
   };
-  struct Motion {
-    Rotation rotation;
-    Vec3 shift;
-    Vec3 operator()(Vec3 p) const { return rotation(p) + shift; }
-  };
+  /// The way from a body to the first one: which bodies turn one end of the gap in hand.
+  enum class Way : std::uint8_t { neither, one, other, both };
 
   LoopClosure() = default;
   void add_body(const UnitSet& set, const UnitShapes& shapes, std::uint32_t unit);
@@ -73,6 +72,8 @@ class LoopClosure {
   bool solve_step();
   void set_directions(const Gap& gap);
   void fill_rows(const Gap& gap);
+  void mark_ways(const Gap& gap);
+  void fill_way(const Gap& gap, Way way);
   Vec3 turn_vector(const Body& body) const;
   void apply(double share);
   void keep() { kept_ = places_; }
@@ -84,8 +85,8 @@ class LoopClosure {
   std::uint32_t equations_ = 0;
   std::array<Vec3, 3> directions_;
   std::vector<Turn> turns_;
-  std::vector<Motion> motions_;
-  std::vector<std::int8_t> side_;  ///< of bodies: on the way to one end of a gap, the other, both
+  std::vector<RigidMotion> motions_;
+  std::vector<Way> way_;  ///< of bodies: on the way to which ends of the gap in hand
   std::vector<double> jacobian_, matrix_, residual_, step_;
 };
 

@@ -54,7 +54,7 @@ void UnitLoop::close_by_torsions(UnitSet rigid, const UnitShapes& shapes) {
   const auto is_unknown = [](ShapeKind kind) { return kind == ShapeKind::unknown; };
   if (std::any_of(shapes.kinds.begin(), shapes.kinds.end(), is_unknown)) return;
   if (part_.has_pinned_joints()) return;
-  for (Joint& joint : rigid.joints) joint = place_of(joints_, joint);
+  for (Joint& joint : rigid.things()) joint = place_of(joints_, joint);
   closure_ = LoopClosure::make(rigid, shapes, connect_units(part_, rigid));
 }
 

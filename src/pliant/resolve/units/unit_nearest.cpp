@@ -80,9 +80,9 @@ Twist solve_free(std::array<double, 21> a, Twist b) {
 }
 
 std::size_t turns_of(const UnitStep& step) {
-  if (step.entry == UnitEntry::rod) return 2;  // not about itself
+  if (step.is<UnitStep::Rod>()) return 2;  // not about itself
   if (step.parent < 0 && !step.is_held) return 0;
-  return step.entry == UnitEntry::hinge ? 1 : 3;
+  return step.is<UnitStep::Hinge>() ? 1 : 3;
 }
 
 }  // namespace
@@ -126,8 +126,7 @@ double UnitNearest::gather(UnitPlan& plan, std::span<const Vec3> positions,
   if (!steps.empty()) origin_ = positions[steps[steps.size() / 2].a];
   for (std::size_t k = 0; k < steps.size(); ++k) {
     Body& body = bodies_[k];
-    body.inertia.fill(0.0);
-    body.force.fill(0.0);
+    body.begin();
     for (const JointInUnit& joint : plan.joints(steps[k])) {
       const Vec3 pull = targets[joint.joint] - positions[joint.joint];
       const double weight = steps[k].scale * joint.weight;
@@ -142,11 +141,11 @@ double UnitNearest::gather(UnitPlan& plan, std::span<const Vec3> positions,
 void UnitNearest::set_turns(const UnitStep& step, std::size_t index,
                             std::span<const Vec3> positions) {
   std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
-  if (step.entry == UnitEntry::hinge || step.entry == UnitEntry::rod) {
-    const Vec3 along = positions[step.b] - positions[step.a];
+  if (const Joint* second = step.second()) {
+    const Vec3 along = positions[*second] - positions[step.a];
     const AxisBasis basis((1.0 / norm(along)) * along);
     axes = {basis.e1, basis.e2, basis.axis};
-    if (step.entry == UnitEntry::hinge) axes[0] = basis.axis;
+    if (step.is<UnitStep::Hinge>()) axes[0] = basis.axis;
   }
   const Vec3 through = positions[step.a] - origin_;
   std::size_t t = 0;
@@ -183,20 +182,20 @@ void UnitNearest::eliminate(Body& body, Turn& turn) const {
   }
 }
 
-/// From here on the force of a body is its twist.
+/// From here on bodies have twists.
 void UnitNearest::go_outward(std::span<const UnitStep> steps) {
   for (std::size_t k = 0; k < steps.size(); ++k) {
     Body& body = bodies_[k];
     if (steps[k].parent >= 0) {
-      body.force = bodies_[std::size_t(steps[k].parent)].force;
+      body.twist = bodies_[std::size_t(steps[k].parent)].twist;
     } else {
-      if (steps[k].entry == UnitEntry::rod)  // its turns are two, and what is left shifts it
+      if (steps[k].is<UnitStep::Rod>())  // its turns are two, and what is left shifts it
         std::fill(body.inertia.begin(), body.inertia.begin() + 6, 0.0);
-      body.force = steps[k].is_held ? Twist{} : solve_free(body.inertia, body.force);
+      body.twist = steps[k].is_held ? Twist{} : solve_free(body.inertia, body.force);
     }
     for (Turn& turn : turns(k)) {
-      turn.angle = turn.d > 0.0 ? (turn.angle - dot6(turn.u, body.force)) / turn.d : 0.0;
-      for (std::size_t i = 0; i < 6; ++i) body.force[i] += turn.angle * turn.s[i];
+      turn.angle = turn.d > 0.0 ? (turn.angle - dot6(turn.u, body.twist)) / turn.d : 0.0;
+      for (std::size_t i = 0; i < 6; ++i) body.twist[i] += turn.angle * turn.s[i];
     }
   }
 }
@@ -215,10 +214,10 @@ double UnitNearest::move(UnitPlan& plan, double share, std::span<Vec3> positions
   double sum = 0.0;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     set_motion(steps[k], k, share);
-    const Motion motion = bodies_[k].motion();
+    const RigidMotion& motion = bodies_[k].motion;
     for (const JointInUnit& joint : plan.joints(steps[k])) {
       Vec3& x = positions[joint.joint];
-      x = origin_ + (motion.rotation(kept_[joint.joint] - origin_) + motion.shift);
+      x = origin_ + motion(kept_[joint.joint] - origin_);
       sum += steps[k].scale * joint.weight * norm_squared(targets[joint.joint] - x);
     }
   }
@@ -226,11 +225,11 @@ double UnitNearest::move(UnitPlan& plan, double share, std::span<Vec3> positions
 }
 
 void UnitNearest::set_motion(const UnitStep& step, std::size_t index, double share) {
-  Motion motion;
+  RigidMotion motion;
   if (step.parent >= 0) {
-    motion = bodies_[std::size_t(step.parent)].motion();
+    motion = bodies_[std::size_t(step.parent)].motion;
   } else if (!step.is_held) {
-    const Twist& twist = bodies_[index].force;
+    const Twist& twist = bodies_[index].twist;
     const Vec3 turn{twist[0], twist[1], twist[2]};
     const double angle = norm(turn);
     if (angle > 0.0) motion.rotation = turn_about((1.0 / angle) * turn, 0.5 * share * angle);
@@ -241,10 +240,9 @@ void UnitNearest::set_motion(const UnitStep& step, std::size_t index, double sha
   if (angle > 0.0) {
     const Vec3 through = kept_[step.a] - origin_;
     const Rotation rotation = turn_about((1.0 / angle) * turn, 0.5 * share * angle);
-    motion.shift = motion.rotation(through - rotation(through)) + motion.shift;
-    motion.rotation = product(motion.rotation, rotation);
+    motion = motion.after(rotation, through);
   }
-  bodies_[index].set_motion(motion);
+  bodies_[index].set(motion);
 }
 
 /// Axis times angle of the turns of a unit together (radians).
@@ -252,19 +250,6 @@ Vec3 UnitNearest::turn_vector(std::size_t index) const {
   Vec3 sum;
   for (const Turn& turn : turns(index)) sum += turn.angle * turn.axis();
   return sum;
-}
-
-void UnitNearest::Body::set_motion(const Motion& motion) {
-  std::size_t k = 0;
-  for (const Vec3 row : {motion.rotation.x, motion.rotation.y, motion.rotation.z, motion.shift})
-    for (const double value : {row.x, row.y, row.z}) inertia[k++] = value;
-}
-
-UnitNearest::Motion UnitNearest::Body::motion() const {
-  const auto row = [&](std::size_t k) {
-    return Vec3{inertia[3 * k], inertia[3 * k + 1], inertia[3 * k + 2]};
-  };
-  return {{row(0), row(1), row(2)}, row(3)};
 }
 
 }  // namespace pliant

@@ -16,6 +16,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -40,18 +41,26 @@ class UnitNearest {
     double angle = 0.0;  ///< going inward, s . p
     Vec3 axis() const { return {s[0], s[1], s[2]}; }
   };
-  /// The motion of a step, x -> rotation(x) + shift from the origin.
-  struct Motion {
-    Rotation rotation;
-    Vec3 shift;
-  };
-  /// What is needed one after the other shares its room: on long chains there are millions.
+  /// A body has two lives: going inward it has an inertia and a force, going outward it gets a
+  /// twist in place of the force, and moved it has a motion in place of the inertia. They share
+  /// their room: on long chains there are millions of bodies.
   struct Body {
-    std::array<double, 21> inertia;  ///< lower triangle, by rows; then the motion
-    Twist force;                     ///< then the twist
+    union {
+      std::array<double, 21> inertia;  ///< lower triangle, by rows
+      RigidMotion motion;              ///< of a step, from the origin
+    };
+    union {
+      Twist force;
+      Twist twist;
+    };
 
-    void set_motion(const Motion& motion);
-    Motion motion() const;
+    Body() { begin(); }
+    /// Without inertia and force.
+    void begin() {
+      std::construct_at(&inertia);
+      std::construct_at(&force);
+    }
+    void set(const RigidMotion& now) { std::construct_at(&motion, now); }
   };
 
   double gather(UnitPlan& plan, std::span<const Vec3> positions, std::span<const Vec3> targets);

@@ -6,7 +6,6 @@
 #include <map>
 #include <utility>
 
-#include "pliant/base/best_fit.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
 
 namespace pliant {
@@ -18,6 +17,12 @@ constexpr double most_hinge_error = 1e-6;
 constexpr double weakest_turn = 1e-13;
 /// A unit whose joints are this close to its hinge, in lengths of the hinge, has no torsion.
 constexpr double thinnest_unit = 1e-10;
+
+UnitPass::Outcome worse(UnitPass::Outcome one, UnitPass::Outcome other) {
+  using enum UnitPass::Outcome;
+  if (one == not_finite || other == not_finite) return not_finite;
+  return one == unfit || other == unfit ? unfit : placed;
+}
 
 RandomSequence escape_draws(RandomKey key, Joint joint) {
   key.domain = Domain::escape;
@@ -35,7 +40,8 @@ UnitPass::UnitPass(const Framework& framework, UnitSet bodies, const Technique& 
   if (!forest_.has_unknown()) return;
   make_loops(technique, options);
   close_by_torsions(options);
-  forest_.rigid = {}, forest_.of_rigid = {};
+  forest_.rigid = {};
+  forest_.of_rigid = {};
 }
 
 void UnitPass::make_loops(const Technique& technique, const ResolveOptions& options) {
@@ -61,7 +67,7 @@ void UnitPass::make_loops(const Technique& technique, const ResolveOptions& opti
 void UnitPass::make_loop(std::uint32_t unit, std::span<const BarIndex> bars,
                          const Technique& technique, const ResolveOptions& options) {
   loops_.push_back(
-      std::make_unique<UnitLoop>(framework_, forest_.set.of(unit), bars, technique, options));
+      std::make_unique<UnitLoop>(framework_, forest_.set.at(unit), bars, technique, options));
   loop_of_.resize(unit + 1, nullptr);
   loop_of_[unit] = loops_.back().get();
 }
@@ -79,7 +85,7 @@ void UnitPass::close_by_torsions(const ResolveOptions& options) {
     const std::uint32_t unit = forest_.of_rigid[k];
     if (unit >= loop_of_.size() || loop_of_[unit] == nullptr) continue;
     Parts& parts = parts_of[unit];
-    parts.rigid.add(forest_.rigid.of(k));
+    parts.rigid.add(forest_.rigid.at(k));
     parts.shapes.kinds.push_back(shapes.kinds[k]);
     const auto points = points_of(framework_, forest_.rigid, shapes, k, room);
     parts.shapes.points.insert(parts.shapes.points.end(), points.begin(), points.end());
@@ -89,17 +95,13 @@ void UnitPass::close_by_torsions(const ResolveOptions& options) {
 }
 
 UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
-  if (!planned_ || planned_root_ != call.disturbed.root) {
-    plan_.plan(call.disturbed.root);
-    planned_ = true;
-    planned_root_ = call.disturbed.root;
-  }
+  planned_.prepare(call.disturbed.root, [this](Joint root) { plan_.plan(root); });
   Outcome worst = Outcome::placed;
   for (auto& loop : loops_)
     if (!loop->find_shape(call)) worst = Outcome::unfit;
   for (UnitStep& step : plan_.steps()) {
-    if (step.entry == UnitEntry::still) place_still(call, step);
-    worst = std::max(worst, place(call, step));
+    if (step.is<UnitStep::Still>()) place_still(call, step);
+    worst = worse(worst, place(call, step));
   }
   return worst;
 }
@@ -107,96 +109,100 @@ UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
 UnitPass::Outcome UnitPass::approach(const ResolveCall& call, std::span<const Vec3> targets) {
   nearest_.approach(plan_, call.positions, targets);
   Outcome worst = Outcome::placed;
-  for (UnitStep& step : plan_.steps()) worst = std::max(worst, place(call, step));
+  for (UnitStep& step : plan_.steps()) worst = worse(worst, place(call, step));
   return worst;
 }
 
 UnitPass::Outcome UnitPass::place(const ResolveCall& call, UnitStep& step) {
-  if (!step.is_known && step.entry != UnitEntry::still)
+  if (!step.is_known && !step.is<UnitStep::Still>())
     plan_.set_shape(step, loop_of_[step.unit]->shape());
-  switch (step.entry) {
-    case UnitEntry::hinge:
-      return place_by_torsion(call, step);
-    case UnitEntry::free:
-    case UnitEntry::ball:
-      return place_by_rotation(call.positions, step);
-    case UnitEntry::rod:
-      place_rod(call, step, framework_);
-      return Outcome::placed;
-    case UnitEntry::still:
-      break;
-  }
-  return Outcome::placed;
+  return std::visit([&](const auto& entry) { return place_by(entry, call, step); }, step.entry);
 }
 
 void UnitPass::place_still(const ResolveCall& call, const UnitStep& step) const {
-  const auto joints = forest_.set.of(step.unit);
+  const auto joints = forest_.set.at(step.unit);
   const auto shape = loop_of_[step.unit]->shape();
   for (std::size_t k = 0; k < joints.size(); ++k) call.positions[joints[k]] = shape[k];
 }
 
-void UnitPass::place_rod(const ResolveCall& call, const UnitStep& step,
-                         const Framework& framework) {
-  if (framework.is_pinned(step.b)) return;
-  carry_far(call.positions[step.a], call.positions[step.b], step.length,
-            [&] { return framework.random_direction(escape_draws(call.key, step.b)); });
-}
-
-UnitPass::Outcome UnitPass::place_by_rotation(std::span<Vec3> positions, const UnitStep& step) {
-  const auto joints = plan_.joints(step);
-  Vec3 origin = positions[step.a];
-  if (step.entry == UnitEntry::free) {
-    double sum = 0.0;
-    origin = {};
-    for (const JointInUnit& joint : joints) {
-      origin += joint.weight * positions[joint.joint];
-      sum += joint.weight;
-    }
-    origin *= 1.0 / sum;
-  }
-  RotationFit fit;
-  for (const JointInUnit& joint : joints)
-    fit.add(joint.at, positions[joint.joint] - origin, joint.weight);
-  Rotation rotation;
-  const auto outcome = fit.solve(step.mirror_allowed, rotation);
-  if (outcome == RotationFit::Outcome::not_finite) return Outcome::not_finite;
-  if (outcome == RotationFit::Outcome::undefined) return Outcome::unfit;
-  const double sign = outcome == RotationFit::Outcome::mirrored ? -1.0 : 1.0;
-  for (const JointInUnit& joint : joints)
-    positions[joint.joint] = origin + sign * rotation(joint.at);
+/// In run() it was placed already.
+UnitPass::Outcome UnitPass::place_by(const UnitStep::Still&, const ResolveCall&, const UnitStep&) {
   return Outcome::placed;
 }
 
-UnitPass::Outcome UnitPass::place_by_torsion(const ResolveCall& call, const UnitStep& step) {
+UnitPass::Outcome UnitPass::place_by(const UnitStep::Rod& rod, const ResolveCall& call,
+                                     const UnitStep& step) {
+  if (framework_.is_pinned(rod.b)) return Outcome::placed;
+  carry_far(call.positions[step.a], call.positions[rod.b], rod.length,
+            [&] { return framework_.random_direction(escape_draws(call.key, rod.b)); });
+  return Outcome::placed;
+}
+
+UnitPass::Outcome UnitPass::place_by(const UnitStep::Free&, const ResolveCall& call,
+                                     const UnitStep& step) {
+  double sum = 0.0;
+  Vec3 centroid;
+  for (const JointInUnit& joint : plan_.joints(step)) {
+    centroid += joint.weight * call.positions[joint.joint];
+    sum += joint.weight;
+  }
+  centroid *= 1.0 / sum;
+  return place_about(centroid, call.positions, step);
+}
+
+UnitPass::Outcome UnitPass::place_by(const UnitStep::Ball&, const ResolveCall& call,
+                                     const UnitStep& step) {
+  return place_about(call.positions[step.a], call.positions, step);
+}
+
+UnitPass::Outcome UnitPass::place_about(Vec3 point, std::span<Vec3> positions,
+                                        const UnitStep& step) {
+  const auto joints = plan_.joints(step);
+  TurnAboutPoint turned(point);
+  for (const JointInUnit& joint : joints)
+    turned.add(joint.from_point(), positions[joint.joint], joint.weight);
+  const auto outcome = turned.fit(step.mirror_allowed);
+  if (outcome == RotationFit::Outcome::not_finite) return Outcome::not_finite;
+  if (outcome == RotationFit::Outcome::undefined) return Outcome::unfit;
+  for (const JointInUnit& joint : joints) positions[joint.joint] = turned(joint.from_point());
+  return Outcome::placed;
+}
+
+UnitPass::Outcome UnitPass::place_by(const UnitStep::Hinge& hinge, const ResolveCall& call,
+                                     const UnitStep& step) {
   const std::span<Vec3> x = call.positions;
-  const Vec3 a = x[step.a], along = x[step.b] - a;
+  const Vec3 a = x[step.a], along = x[hinge.b] - a;
   const double length = norm(along);
   if (!std::isfinite(length)) return Outcome::not_finite;
-  if (!(std::abs(length - step.length) <= most_hinge_error * step.length)) return Outcome::unfit;
-  const AxisBasis basis((1.0 / length) * along);
+  if (!(std::abs(length - hinge.length) <= most_hinge_error * hinge.length)) return Outcome::unfit;
+  TurnAboutHinge turned(a, AxisBasis((1.0 / length) * along));
   const auto joints = plan_.joints(step);
-  TorsionFit fit;
-  for (const JointInUnit& joint : joints) {
-    const Vec3 d = x[joint.joint] - a;
-    fit.add(joint.at.y, joint.at.z, dot(d, basis.e1), dot(d, basis.e2), joint.weight);
-  }
-  TorsionFit::Turn turn = fit.solve(step.mirror_allowed);
-  if (!(turn.strength > weakest_turn * step.spread)) {
-    if (std::isnan(turn.strength)) return Outcome::not_finite;
-    turn = {};
-    if (step.spread > thinnest_unit * thinnest_unit * length * length) {
-      const AxisBasis any(framework_.random_direction(escape_draws(call.key, step.b)));
-      const double size = std::sqrt(any.e1.x * any.e1.x + any.e1.y * any.e1.y);
-      if (size > 0.0) turn.cosine = any.e1.x / size, turn.sine = any.e1.y / size;
-    }
+  for (const JointInUnit& joint : joints)
+    turned.add(joint.from_hinge(), x[joint.joint], joint.weight);
+  TorsionFit::Turn turn = turned.best(step.mirror_allowed);
+  if (std::isnan(turn.strength)) return Outcome::not_finite;
+  if (!(turn.strength > weakest_turn * hinge.spread)) {
+    turn = any_turn(call.key, hinge, length);
   } else if (!std::isfinite(turn.strength)) {
     return Outcome::not_finite;
   }
-  const Vec3 c1 = turn.cosine * basis.e1 + turn.sine * basis.e2;
-  const Vec3 c2 = turn.v_sign * (turn.cosine * basis.e2 - turn.sine * basis.e1);
-  for (const JointInUnit& joint : joints)
-    x[joint.joint] = a + (joint.at.x * basis.axis + joint.at.y * c1 + joint.at.z * c2);
+  turned.turn_by(turn);
+  for (const JointInUnit& joint : joints) x[joint.joint] = turned(joint.from_hinge());
   return Outcome::placed;
+}
+
+/// What the seed decides; none where the unit has no torsion.
+TorsionFit::Turn UnitPass::any_turn(RandomKey key, const UnitStep::Hinge& hinge,
+                                    double length) const {
+  TorsionFit::Turn turn;
+  if (!(hinge.spread > thinnest_unit * thinnest_unit * length * length)) return turn;
+  const AxisBasis any(framework_.random_direction(escape_draws(key, hinge.b)));
+  const double size = std::sqrt(any.e1.x * any.e1.x + any.e1.y * any.e1.y);
+  if (size > 0.0) {
+    turn.cosine = any.e1.x / size;
+    turn.sine = any.e1.y / size;
+  }
+  return turn;
 }
 
 }  // namespace pliant

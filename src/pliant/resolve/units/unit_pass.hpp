@@ -15,6 +15,7 @@
 #include <memory>
 #include <vector>
 
+#include "pliant/resolve/method/plan_of_root.hpp"
 #include "pliant/resolve/units/unit_loop.hpp"
 #include "pliant/resolve/units/unit_nearest.hpp"
 #include "pliant/resolve/units/unit_plan.hpp"
@@ -23,7 +24,7 @@ namespace pliant {
 
 class UnitPass {
  public:
-  /// `bodies` as find_unit_bodies() gives them; the framework outlives it.
+  /// `bodies` as find_units() gives them; the framework outlives it.
   UnitPass(const Framework& framework, UnitSet bodies, const Technique& technique,
            const ResolveOptions& options);
 
@@ -42,10 +43,14 @@ class UnitPass {
                  const ResolveOptions& options);
   void close_by_torsions(const ResolveOptions& options);
   Outcome place(const ResolveCall& call, UnitStep& step);
-  Outcome place_by_rotation(std::span<Vec3> positions, const UnitStep& step);
-  Outcome place_by_torsion(const ResolveCall& call, const UnitStep& step);
+  Outcome place_by(const UnitStep::Free&, const ResolveCall& call, const UnitStep& step);
+  Outcome place_by(const UnitStep::Still&, const ResolveCall& call, const UnitStep& step);
+  Outcome place_by(const UnitStep::Ball&, const ResolveCall& call, const UnitStep& step);
+  Outcome place_by(const UnitStep::Hinge& hinge, const ResolveCall& call, const UnitStep& step);
+  Outcome place_by(const UnitStep::Rod& rod, const ResolveCall& call, const UnitStep& step);
+  Outcome place_about(Vec3 point, std::span<Vec3> positions, const UnitStep& step);
+  TorsionFit::Turn any_turn(RandomKey key, const UnitStep::Hinge& hinge, double length) const;
   void place_still(const ResolveCall& call, const UnitStep& step) const;
-  static void place_rod(const ResolveCall& call, const UnitStep& step, const Framework& framework);
 
   const Framework& framework_;
   UnitForest forest_;
@@ -53,8 +58,7 @@ class UnitPass {
   std::vector<std::unique_ptr<UnitLoop>> loops_;  ///< of units without a shape
   std::vector<UnitLoop*> loop_of_;                ///< of each unit up to the last that has one
   UnitNearest nearest_;
-  bool planned_ = false;
-  Joint planned_root_ = 0;
+  PlanOfRoot planned_;
 };
 
 }  // namespace pliant

@@ -4,20 +4,20 @@
 #include <algorithm>
 #include <map>
 
-#include "pliant/base/best_fit.hpp"
 #include "pliant/framework/graph.hpp"
 
 namespace pliant {
 namespace {
 
 UnitLinks links_of(const UnitGraph& graph) {
-  UnitLinks links{graph.units, graph.connections, {0}, {}};
-  const std::size_t nodes = graph.links.joint_count();
-  links.first.reserve(nodes + 1);
-  links.to.reserve(2 * graph.links.bar_count());
-  for (Joint node = 0; node < nodes; ++node) {
-    for (const Incidence& at : graph.links.neighbours(node)) links.to.push_back(at.joint);
-    links.first.push_back(static_cast<std::uint32_t>(links.to.size()));
+  UnitLinks links{graph.units, graph.connections, {}};
+  const std::size_t nodes = graph.links.node_count();
+  links.neighbours.reserve(nodes, 2 * graph.links.edge_count());
+  std::vector<UnitNode> around;
+  for (UnitNode node = 0; node < nodes; ++node) {
+    around.clear();
+    for (const Link& link : graph.links.at(node)) around.push_back(link.node);
+    links.neighbours.add(around);
   }
   return links;
 }
@@ -52,7 +52,10 @@ UnitForest find_unit_forest(const Framework& framework, UnitSet bodies,
   forest.links = links_of(connect_units(framework, forest.set));
   forest.shapes = find_unit_shapes(framework, forest.set, tolerance);
   forget_loops(forest);
-  if (!forest.has_unknown()) forest.rigid = {}, forest.of_rigid = {};
+  if (!forest.has_unknown()) {
+    forest.rigid = {};
+    forest.of_rigid = {};
+  }
   return forest;
 }
 
@@ -69,7 +72,7 @@ void UnitPlan::find_pins() {
   const Components components = find_components(framework_);
   std::map<std::uint32_t, std::vector<Joint>> by_component;
   for (Joint joint = 0; joint < framework_.joint_count(); ++joint)
-    if (framework_.is_pinned(joint)) by_component[components.of_joint[joint]].push_back(joint);
+    if (framework_.is_pinned(joint)) by_component[components.of_node[joint]].push_back(joint);
   for (auto& [component, joints] : by_component) pins_.push_back(std::move(joints));
 }
 
@@ -78,7 +81,7 @@ void UnitPlan::plan(Joint root) {
   steps_.reserve(forest_.set.size());
   joints_.clear();
   joints_.reserve(framework_.joint_count());
-  seen_.assign(forest_.links.node_count(), false);
+  seen_.assign(forest_.links.neighbours.size(), false);
   placed_.assign(framework_.joint_count(), false);
   step_of_.assign(forest_.set.size(), -1);
   for (const auto& pins : pins_) start_at(pins[0], pins);
@@ -99,15 +102,16 @@ void UnitPlan::start_at(Joint joint, std::span<const Joint> pins) {
   seen_[unit] = true;
   for (Joint pin : pins) placed_[pin] = true;
   if (is_unknown) {
-    add_step(unit, UnitEntry::still, joint, joint);
+    add_step(unit, joint, UnitStep::Still{});
   } else if (is_rod) {
-    const auto ends = forest_.set.of(unit);
-    if (pins.size() < 2)
-      add_step(unit, UnitEntry::rod, joint, ends[0] == joint ? ends[1] : ends[0]);
+    const auto ends = forest_.set.at(unit);
+    if (pins.size() < 2) add_step(unit, joint, UnitStep::Rod{ends[0] == joint ? ends[1] : ends[0]});
   } else if (pins.size() == 2 && holder != units.end()) {
-    add_step(unit, UnitEntry::hinge, pins[0], pins[1]);
+    add_step(unit, pins[0], UnitStep::Hinge{pins[1]});
+  } else if (pins.empty()) {
+    add_step(unit, joint, UnitStep::Free{});
   } else {
-    add_step(unit, pins.empty() ? UnitEntry::free : UnitEntry::ball, joint, joint);
+    add_step(unit, joint, UnitStep::Ball{});
   }
   if (steps_.size() > steps_before) steps_.back().is_held = !pins.empty();
   for (std::size_t next = 0; next < waiting_.size(); ++next) spread(waiting_[next]);
@@ -117,26 +121,28 @@ void UnitPlan::start_at(Joint joint, std::span<const Joint> pins) {
 }
 
 bool UnitPlan::holds_all(std::uint32_t unit, std::span<const Joint> joints) const {
-  const auto members = forest_.set.of(unit);
+  const auto members = forest_.set.at(unit);
   return std::all_of(joints.begin(), joints.end(), [&](Joint joint) {
     return std::binary_search(members.begin(), members.end(), joint);
   });
 }
 
 void UnitPlan::spread(std::uint32_t unit) {
-  for (const Joint to : forest_.links.neighbours(unit)) {
+  for (const UnitNode to : forest_.links.neighbours.at(unit)) {
     if (seen_[to]) continue;
     seen_[to] = true;
     const UnitConnection& at = forest_.links.connection(to);
-    for (const Joint next : forest_.links.neighbours(to)) {
+    for (const UnitNode next : forest_.links.neighbours.at(to)) {
       if (seen_[next]) continue;
       seen_[next] = true;
       waiting_.push_back(next);
-      const auto ends = forest_.set.of(next);
+      const auto ends = forest_.set.at(next);
       if (forest_.shapes.kinds[next] == ShapeKind::rod) {
-        add_step(next, UnitEntry::rod, at.a, ends[0] == at.a ? ends[1] : ends[0]);
+        add_step(next, at.a, UnitStep::Rod{ends[0] == at.a ? ends[1] : ends[0]});
+      } else if (at.is_hinge()) {
+        add_step(next, at.a, UnitStep::Hinge{at.b});
       } else {
-        add_step(next, at.is_hinge() ? UnitEntry::hinge : UnitEntry::ball, at.a, at.b);
+        add_step(next, at.a, UnitStep::Ball{});
       }
       steps_.back().parent = step_of_[unit];
       steps_.back().is_held = step_of_[unit] < 0;
@@ -144,18 +150,19 @@ void UnitPlan::spread(std::uint32_t unit) {
   }
 }
 
-void UnitPlan::add_step(std::uint32_t unit, UnitEntry entry, Joint a, Joint b) {
+void UnitPlan::add_step(std::uint32_t unit, Joint a, UnitStep::Entry entry) {
   UnitStep step;
   step.unit = unit;
   step.entry = entry;
-  step.a = a, step.b = b;
+  step.a = a;
   const ShapeKind kind = forest_.shapes.kinds[unit];
   step.mirror_allowed = kind == ShapeKind::lengths;
   step.is_known = kind != ShapeKind::unknown;
-  if (entry == UnitEntry::ball) placed_[a] = true;
-  if (entry == UnitEntry::rod) step.length = rod_length(framework_, a, b);
+  if (step.is<UnitStep::Ball>()) placed_[a] = true;
+  auto* rod = std::get_if<UnitStep::Rod>(&step.entry);
+  if (rod != nullptr) rod->length = rod_length(framework_, a, rod->b);
   add_joints(step);
-  if (step.is_known && entry != UnitEntry::rod)
+  if (step.is_known && rod == nullptr)
     set_shape(step, points_of(framework_, forest_.set, forest_.shapes, unit, points_));
   step_of_[unit] = static_cast<std::int32_t>(steps_.size());
   steps_.push_back(step);
@@ -163,11 +170,14 @@ void UnitPlan::add_step(std::uint32_t unit, UnitEntry entry, Joint a, Joint b) {
 
 void UnitPlan::add_joints(UnitStep& step) {
   step.first = static_cast<std::uint32_t>(joints_.size());
-  for (Joint joint : forest_.set.of(step.unit)) {
+  for (Joint joint : forest_.set.at(step.unit)) {
     if (placed_[joint]) continue;
     placed_[joint] = true;
     const double weight = mass_weighted_ ? 1.0 / framework_.inverse_masses()[joint] : 1.0;
-    joints_.push_back({{}, weight, joint});
+    JointInUnit added;
+    added.joint = joint;
+    added.weight = weight;
+    joints_.push_back(added);
   }
   step.count = static_cast<std::uint32_t>(joints_.size()) - step.first;
   double heaviest = 0.0;
@@ -176,36 +186,40 @@ void UnitPlan::add_joints(UnitStep& step) {
   step.scale = heaviest;
 }
 
+Vec3 UnitPlan::point_of(const UnitStep& step, std::span<const Vec3> points, Joint joint) const {
+  const auto members = forest_.set.at(step.unit);
+  return points[std::size_t(std::lower_bound(members.begin(), members.end(), joint) -
+                            members.begin())];
+}
+
 void UnitPlan::set_shape(UnitStep& step, std::span<const Vec3> points) {
-  const auto members = forest_.set.of(step.unit);
-  const auto point_of = [&](Joint joint) {
-    return points[std::size_t(std::lower_bound(members.begin(), members.end(), joint) -
-                              members.begin())];
-  };
-  if (step.entry == UnitEntry::hinge)
-    return set_hinge(step, points, point_of(step.a), point_of(step.b));
+  if (auto* hinge = std::get_if<UnitStep::Hinge>(&step.entry))
+    return set_hinge(step, *hinge, points);
   Vec3 origin;
   double sum = 0.0;
   for (JointInUnit& joint : joints(step)) {
-    joint.at = point_of(joint.joint);
-    origin += joint.weight * joint.at;
+    const Vec3 point = point_of(step, points, joint.joint);
+    joint.set_from_point(point);
+    origin += joint.weight * point;
     sum += joint.weight;
   }
-  origin = step.entry == UnitEntry::ball ? point_of(step.a) : (1.0 / sum) * origin;
-  for (JointInUnit& joint : joints(step)) joint.at -= origin;
+  origin = step.is<UnitStep::Ball>() ? point_of(step, points, step.a) : (1.0 / sum) * origin;
+  for (JointInUnit& joint : joints(step)) joint.set_from_point(joint.from_point() - origin);
 }
 
-void UnitPlan::set_hinge(UnitStep& step, std::span<const Vec3> points, Vec3 a, Vec3 b) {
-  step.length = distance(a, b);
-  step.spread = 0.0;
-  const AxisBasis basis((1.0 / step.length) * (b - a));
-  const auto members = forest_.set.of(step.unit);
+void UnitPlan::set_hinge(const UnitStep& step, UnitStep::Hinge& hinge,
+                         std::span<const Vec3> points) {
+  const Vec3 a = point_of(step, points, step.a), b = point_of(step, points, hinge.b);
+  hinge.length = distance(a, b);
+  hinge.spread = 0.0;
+  const AxisBasis basis((1.0 / hinge.length) * (b - a));
+  const auto members = forest_.set.at(step.unit);
   std::size_t place = 0;
   for (JointInUnit& joint : joints(step)) {  // in the order of the members
     while (members[place] != joint.joint) ++place;
-    const Vec3 d = points[place] - a;
-    joint.at = {dot(d, basis.axis), dot(d, basis.e1), dot(d, basis.e2)};
-    step.spread += joint.weight * (joint.at.y * joint.at.y + joint.at.z * joint.at.z);
+    const HingePoint at = seen_from(basis, points[place] - a);
+    joint.set_from_hinge(at);
+    hinge.spread += joint.weight * (at.u * at.u + at.v * at.v);
   }
 }
 

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <span>
+#include <variant>
 #include <vector>
 
+#include "pliant/rigidity/place_unit.hpp"
 #include "pliant/rigidity/unit_graph.hpp"
 #include "pliant/rigidity/unit_shape.hpp"
 
@@ -15,14 +17,9 @@ namespace pliant {
 struct UnitLinks {
   std::size_t units = 0;
   std::vector<UnitConnection> connections;
-  std::vector<std::uint32_t> first;  ///< (nodes + 1) into `to`
-  std::vector<Joint> to;             ///< neighbours of each node, in the graph's sequence
+  Grouped<UnitNode> neighbours;  ///< of each node, in the graph's sequence
 
-  std::size_t node_count() const { return first.size() - 1; }
-  std::span<const Joint> neighbours(Joint node) const {
-    return {to.data() + first[node], to.data() + first[node + 1]};
-  }
-  const UnitConnection& connection(Joint node) const { return connections[node - units]; }
+  const UnitConnection& connection(UnitNode node) const { return connections[node - units]; }
 };
 
 /// The units of a framework, as a forest.
@@ -38,36 +35,64 @@ struct UnitForest {
 
 UnitForest find_unit_forest(const Framework& framework, UnitSet bodies, const Tolerance& tolerance);
 
-/// How a unit meets what is placed.
-enum class UnitEntry : std::uint8_t {
-  free,   ///< nothing is placed: best fit
-  still,  ///< nothing is placed, and it has its shape already: stays
-  ball,   ///< one joint, `a`: best rotation about it
-  hinge,  ///< two joints, `a` and `b`: best torsion about the line through them
-  rod     ///< joint `a`: joint `b` follows on the line
-};
-
-/// A joint to place, or that a unit held still or a rod moves along with it. Of a free unit its
-/// place from the weighted centroid, of a ball's from `a`; of a hinge's (along the axis from a, and
-/// at right angles to it along the basis of the axis).
-struct JointInUnit {
-  Vec3 at;
-  double weight = 1.0;  ///< in the fit; the heaviest of a unit has 1
+/// A joint to place, or that a unit held still or a rod moves along with it.
+class JointInUnit {
+ public:
   Joint joint = 0;
+  double weight = 1.0;  ///< in the fit; the heaviest of a unit has 1
+
+  /// Of a unit that turns about a point: its place from there (Angstrom).
+  Vec3 from_point() const { return {at_.along, at_.u, at_.v}; }
+  void set_from_point(Vec3 from) { at_ = {from.x, from.y, from.z}; }
+  /// Of a unit that turns about a hinge.
+  HingePoint from_hinge() const { return at_; }
+  void set_from_hinge(HingePoint at) { at_ = at; }
+
+ private:
+  HingePoint at_;
 };
 
+/// One unit to place. Its joints have their place from what it turns about.
 struct UnitStep {
-  double length = 0.0;  ///< of the hinge or rod (Angstrom)
-  double spread = 0.0;  ///< of a hinge: sum of weight times squared distance from it
-  double scale = 1.0;   ///< of the weights: the mass of the heaviest joint (u), or 1
+  /// Nothing is placed: best fit, turned about the weighted centroid.
+  struct Free {};
+  /// Nothing is placed, and it has its shape already: stays.
+  struct Still {};
+  /// Shares joint `a` with what is placed: best rotation about it.
+  struct Ball {};
+  /// Shares joints `a` and `b`: best torsion about the line through them.
+  struct Hinge {
+    Joint b;
+    double length = 0.0;  ///< Angstrom
+    double spread = 0.0;  ///< sum of weight times squared distance from the line
+  };
+  /// Two joints, of which `a` is placed: `b` follows on the line.
+  struct Rod {
+    Joint b;
+    double length = 0.0;  ///< Angstrom
+  };
+  using Entry = std::variant<Free, Still, Ball, Hinge, Rod>;
+
+  Entry entry;         ///< how it meets what is placed
+  double scale = 1.0;  ///< of the weights: the mass of the heaviest joint (u), or 1
   std::uint32_t unit = 0;
-  Joint a = 0, b = 0;
+  Joint a = 0;                         ///< where it hangs; of a free or still unit any joint of it
   std::uint32_t first = 0, count = 0;  ///< joints to place, in UnitPlan::joints
   std::int32_t parent = -1;            ///< the step on which it hangs; -1: first of its component
-  UnitEntry entry = UnitEntry::free;
   bool mirror_allowed = false;
   bool is_held = false;  ///< hangs on pinned joints alone
   bool is_known = true;  ///< else its shape is to be set each time
+
+  template <class Kind>
+  bool is() const {
+    return std::holds_alternative<Kind>(entry);
+  }
+  /// Joint `b` of a hinge or rod; null of the others.
+  const Joint* second() const {
+    if (const auto* hinge = std::get_if<Hinge>(&entry)) return &hinge->b;
+    if (const auto* rod = std::get_if<Rod>(&entry)) return &rod->b;
+    return nullptr;
+  }
 };
 
 /// Plans passes from any root; linear in joints.
@@ -84,17 +109,18 @@ class UnitPlan {
   std::span<JointInUnit> joints(const UnitStep& step) {
     return {joints_.data() + step.first, step.count};
   }
-  /// Writes where the joints of a step lie, from the shape of its unit (as UnitSet::of).
+  /// Writes where the joints of a step lie, from the shape of its unit (as UnitSet::at).
   void set_shape(UnitStep& step, std::span<const Vec3> points);
 
  private:
   void find_pins();
   void start_at(Joint joint, std::span<const Joint> pins);
   void spread(std::uint32_t unit);
-  void add_step(std::uint32_t unit, UnitEntry entry, Joint a, Joint b);
+  void add_step(std::uint32_t unit, Joint a, UnitStep::Entry entry);
   void add_joints(UnitStep& step);
   bool holds_all(std::uint32_t unit, std::span<const Joint> joints) const;
-  void set_hinge(UnitStep& step, std::span<const Vec3> points, Vec3 a, Vec3 b);
+  void set_hinge(const UnitStep& step, UnitStep::Hinge& hinge, std::span<const Vec3> points);
+  Vec3 point_of(const UnitStep& step, std::span<const Vec3> points, Joint joint) const;
 
   const Framework& framework_;
   const UnitForest& forest_;

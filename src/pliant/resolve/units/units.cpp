@@ -13,14 +13,14 @@ namespace pliant {
 namespace {
 
 /// Units of three or more joints; without any there is nothing to gain.
-bool has_bodies(const UnitSet& set) { return set.joints.size() > 2 * set.size(); }
+bool has_bodies(const UnitSet& set) { return set.things().size() > 2 * set.size(); }
 
 class Units final : public Method {
  public:
   Units(const Framework& framework, const Technique& technique, const ResolveOptions& options,
         bool nearest)
       : framework_(framework), technique_(technique), options_(options), nearest_(nearest) {
-    UnitSet bodies = find_unit_bodies(framework);
+    UnitSet bodies = find_units(framework);
     if (has_bodies(bodies))
       pass_ = std::make_unique<UnitPass>(framework, std::move(bodies), technique, options);
   }

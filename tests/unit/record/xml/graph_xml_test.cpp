@@ -20,7 +20,7 @@ struct Heard {
   }
 };
 
-Graph parse(std::string_view text, const Log& log = {}) {
+GraphFile parse(std::string_view text, const Log& log = {}) {
   return parse_graph_xml({"g.xml", text}, log);
 }
 
@@ -41,7 +41,7 @@ std::string graph(std::string_view inside) {
 }
 
 TEST(GraphXml, ReadsJointsBarsLengthsAndCycles) {
-  const Graph g =
+  const GraphFile g =
       parse(graph("<bar a='a' b='b'/><bar a='b' b='c' length='1.25'/><bar a='c' b='a'/>"
                   "<cycle joints='a b c'/>"));
   EXPECT_EQ(g.framework.joint_count(), 3u);
@@ -53,18 +53,18 @@ TEST(GraphXml, ReadsJointsBarsLengthsAndCycles) {
 }
 
 TEST(GraphXml, ReadsMassesAndPins) {
-  const Graph g = parse(
+  const GraphFile g = parse(
       "<graph><joint id='a' x='0' y='0' z='0' mass='4'/>"
       "<joint id='b' x='1' y='0' z='0' pinned='true'/></graph>");
   EXPECT_THAT(g.framework.inverse_masses(), ElementsAre(0.25, 0.0));
 }
 
 TEST(GraphXml, IsReadBackToTheSameBits) {
-  const Graph g =
+  const GraphFile g =
       parse(graph("<bar a='a' b='b' length='1.1000000000000001'/><bar a='b' b='c'/>"
                   "<bar a='c' b='a' length='0.30000000000000004'/><cycle joints='c a b'/>"));
   const std::string text = write_graph_xml(g.framework, g.positions, g.cycles);
-  const Graph again = parse(text);
+  const GraphFile again = parse(text);
   EXPECT_EQ(again.positions, g.positions);
   EXPECT_EQ(again.cycles, g.cycles);
   EXPECT_EQ(write_graph_xml(again.framework, again.positions, again.cycles), text);
@@ -78,7 +78,7 @@ TEST(GraphXml, AcceptsAByteOrderMarkAFlatGraphAndALoneJoint) {
 }
 
 TEST(GraphXml, KeepsThatAGraphIsPlanar) {
-  const Graph flat = parse(
+  const GraphFile flat = parse(
       "<graph dimension='2'><joint id='a' x='1' y='2'/><joint id='b' x='1' y='2' z='3'/></graph>");
   EXPECT_TRUE(flat.framework.is_planar());
   EXPECT_EQ(write_graph_xml(flat.framework, flat.positions),
@@ -92,7 +92,7 @@ TEST(GraphXml, KeepsThatAGraphIsPlanar) {
 
 TEST(GraphXml, MergesEqualBarsWithAWarning) {
   Heard heard;
-  const Graph g =
+  const GraphFile g =
       parse(graph("<bar a='a' b='b' length='1'/>\n<bar a='b' b='a' length='1'/>"), heard.log());
   EXPECT_EQ(g.framework.bar_count(), 1u);
   EXPECT_THAT(heard.warnings,

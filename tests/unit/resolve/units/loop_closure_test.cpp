@@ -21,7 +21,7 @@ Sketch crown(std::size_t n, double height = 0.5) {
 }
 
 std::optional<LoopClosure> closure_of(const Framework& framework) {
-  const UnitSet bodies = find_unit_bodies(framework);
+  const UnitSet bodies = find_units(framework);
   return LoopClosure::make(bodies, find_unit_shapes(framework, bodies, {}),
                            connect_units(framework, bodies));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Newton's method in lanes: the counterparts of BarNewton and ShakeSolver; a part of
-// lane_level.cpp.
+// Newton's method on bars in lanes: the counterparts of BarNewton (blocks) and ShakeSolver; a part
+// of lane_level.cpp. Technique `newton` is in lane_nearest_kernels.hpp.
 #pragma once
 
 #include "pliant/resolve/lanes/lane_part.hpp"
@@ -18,7 +18,7 @@ LaneOutcome outcome_of(Mask whole, Lanes iterations, Lanes dropped) {
   return outcome;
 }
 
-/// BarNewton::step: the new error in units of what is allowed, infinite where it cannot go on.
+/// As BarNewton::step: the new error in units of what is allowed, infinite where it cannot go on.
 PLIANT_LANE_INLINE Lanes newton_step(Part& part) {
   part.factor(part.directions);
   part.move(part.directions);
@@ -28,8 +28,8 @@ PLIANT_LANE_INLINE Lanes newton_step(Part& part) {
   return select(errors.finite & ~errors.coincident, error, infinity);
 }
 
-/// BarNewton::make_whole as far as BarNewton::iterate.
-LaneOutcome newton(const BarPattern& pattern, const LaneRoom& room, LaneVector* positions) {
+/// As BarNewton::make_whole, as far as BarNewton::iterate.
+LaneOutcome block_newton(const BarPattern& pattern, const LaneRoom& room, LaneVector* positions) {
   Part part(pattern, room);
   part.take(vectors(positions));
   const Errors errors = part.measure();
@@ -67,14 +67,14 @@ void take_directions(Part& part, const LaneVec3* reference) {
   }
 }
 
-/// ShakeSolver::step.
+/// One step along the directions of the reference, as ShakeSolver::step.
 PLIANT_LANE_INLINE void shake_step(Part& part) {
   for (std::uint32_t i = 0; i < part.pattern.bars.size(); ++i)
     part.excess[i] *= norm_squared(part.along[i]) / dot(part.along[i], part.directions[i]);
   part.move(part.along);
 }
 
-/// ShakeSolver::iterate.
+/// Steps until a walker is whole or gains no more, as ShakeSolver::iterate.
 LaneOutcome shake(const BarPattern& pattern, const LaneRoom& room, const LaneVector* reference,
                   std::int64_t most_iterations, LaneVector* positions) {
   Part part(pattern, room);

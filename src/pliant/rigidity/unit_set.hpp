@@ -8,42 +8,31 @@
 #include <span>
 #include <vector>
 
+#include "pliant/base/grouped.hpp"
 #include "pliant/framework/framework.hpp"
 
 namespace pliant {
 
 /// Sets of joints, one a unit, each in ascending order.
-struct UnitSet {
-  std::vector<std::uint32_t> first{0};  ///< (U + 1) into joints
-  std::vector<Joint> joints;
-
-  std::size_t size() const { return first.size() - 1; }
-  std::span<const Joint> of(std::size_t unit) const {
-    return {joints.data() + first[unit], joints.data() + first[unit + 1]};
-  }
-  void add(std::span<const Joint> members);
-};
+using UnitSet = Grouped<Joint>;
 
 /// Which units each joint is in, ascending.
 class UnitsOfJoints {
  public:
   UnitsOfJoints(const UnitSet& set, std::size_t joint_count);
 
-  std::span<const std::uint32_t> at(Joint joint) const {
-    return {units_.data() + first_[joint], units_.data() + first_[joint + 1]};
-  }
+  std::span<const std::uint32_t> at(Joint joint) const { return units_.at(joint); }
   /// Fills `out` with the units that hold both joints, ascending.
   void common(Joint a, Joint b, std::vector<std::uint32_t>& out) const;
 
  private:
-  std::vector<std::uint32_t> first_;  ///< (N + 1) into units_
-  std::vector<std::uint32_t> units_;
+  Grouped<std::uint32_t> units_;  ///< of each joint
 };
 
 /// Bodies of three or more joints, then a unit of two joints (a rod) for each bar that no body
 /// holds. A body begins at a triangle of bars and takes in joints that have bars to three joints of
 /// it not on one line. Joints with more than 256 bars are in no body. O(bars^1.5) at worst, linear
 /// where joints have few bars.
-UnitSet find_unit_bodies(const Framework& framework);
+UnitSet find_units(const Framework& framework);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/rigidity/unit_bodies.hpp"
+#include "pliant/rigidity/unit_set.hpp"
 
 #include <algorithm>
 #include <array>
@@ -53,26 +53,23 @@ class BodySearch {
   /// (Chiba, Nishizeki, SIAM J. Comput. 14 (1985) 210).
   void index_low_to_high() {
     const auto rank = [&](Joint j) { return std::pair(framework_.neighbours(j).size(), j); };
-    first_up_.assign(1, 0);
+    std::vector<Incidence> up;
     for (std::size_t i = 0; i < framework_.joint_count(); ++i) {
       const auto joint = static_cast<Joint>(i);
+      up.clear();
       if (!is_hub(joint))
         for (const Incidence& at : framework_.neighbours(joint))
-          if (!is_hub(at.joint) && rank(joint) < rank(at.joint)) up_.push_back(at);
-      first_up_.push_back(up_.size());
+          if (!is_hub(at.joint) && rank(joint) < rank(at.joint)) up.push_back(at);
+      up_.add(up);
     }
   }
 
-  std::span<const Incidence> up(Joint joint) const {
-    return {up_.data() + first_up_[joint], up_.data() + first_up_[joint + 1]};
-  }
-
   void look_for_triangles(Joint a, bool flat_ones) {
-    for (const Incidence& at : up(a)) mark_[at.joint] = at.bar;
-    for (const Incidence& ab : up(a))
-      for (const Incidence& bc : up(ab.joint))
+    for (const Incidence& at : up_.at(a)) mark_[at.joint] = at.bar;
+    for (const Incidence& ab : up_.at(a))
+      for (const Incidence& bc : up_.at(ab.joint))
         if (mark_[bc.joint] != none) take_triangle(a, ab, bc, flat_ones);
-    for (const Incidence& at : up(a)) mark_[at.joint] = none;
+    for (const Incidence& at : up_.at(a)) mark_[at.joint] = none;
   }
 
   void take_triangle(Joint a, const Incidence& ab, const Incidence& bc, bool flat_ones) {
@@ -111,7 +108,10 @@ class BodySearch {
   void count_link(Joint joint) {
     if (taken_[joint] == body_ || is_hub(joint)) return;
     auto& [body, count] = links_[joint];
-    if (body != body_) body = body_, count = 0;
+    if (body != body_) {
+      body = body_;
+      count = 0;
+    }
     if (++count < 3 || !is_held(joint)) return;
     taken_[joint] = body_;
     members_.push_back(joint);
@@ -160,8 +160,7 @@ class BodySearch {
   }
 
   const Framework& framework_;
-  std::vector<std::size_t> first_up_;
-  std::vector<Incidence> up_;
+  Grouped<Incidence> up_;  ///< bars from each joint to those with more
   std::vector<std::vector<std::uint32_t>> units_of_;
   std::vector<BarIndex> mark_;                                  ///< bar to the joint in hand
   std::vector<std::pair<std::uint32_t, std::uint32_t>> links_;  ///< body, bars to it
@@ -173,19 +172,11 @@ class BodySearch {
 
 }  // namespace
 
-void UnitSet::add(std::span<const Joint> members) {
-  joints.insert(joints.end(), members.begin(), members.end());
-  first.push_back(static_cast<std::uint32_t>(joints.size()));
-}
-
 UnitsOfJoints::UnitsOfJoints(const UnitSet& set, std::size_t joint_count)
-    : first_(joint_count + 1, 0), units_(set.joints.size()) {
-  for (Joint joint : set.joints) ++first_[joint + 1];
-  for (std::size_t i = 0; i < joint_count; ++i) first_[i + 1] += first_[i];
-  std::vector<std::uint32_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t unit = 0; unit < set.size(); ++unit)
-    for (Joint joint : set.of(unit)) units_[next[joint]++] = static_cast<std::uint32_t>(unit);
-}
+    : units_(joint_count, [&](const auto& put) {
+        for (std::size_t unit = 0; unit < set.size(); ++unit)
+          for (Joint joint : set.at(unit)) put(joint, static_cast<std::uint32_t>(unit));
+      }) {}
 
 void UnitsOfJoints::common(Joint a, Joint b, std::vector<std::uint32_t>& out) const {
   out.clear();
@@ -195,6 +186,6 @@ void UnitsOfJoints::common(Joint a, Joint b, std::vector<std::uint32_t>& out) co
     if (std::binary_search(more.begin(), more.end(), unit)) out.push_back(unit);
 }
 
-UnitSet find_unit_bodies(const Framework& framework) { return BodySearch(framework).run(); }
+UnitSet find_units(const Framework& framework) { return BodySearch(framework).run(); }
 
 }  // namespace pliant

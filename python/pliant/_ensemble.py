@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: MIT
+"""Many walkers of one framework as one call."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+
+import numpy.typing as npt
+
+from pliant import _core
+from pliant._run import JointForce, Observer, Ordering, _options, _start
+
+#: Gives the observers of a walker before it begins: recorders, or what is called with frames.
+ObserversOf = Callable[[int], Iterable[Observer | _core.H5mdRecorder]]
+
+
+def run_ensemble(
+    framework: _core.Framework,
+    state: _core.State | npt.ArrayLike,
+    shard: tuple[int, int] = (0, 8),
+    *,
+    threads: int = 1,
+    observers_of: ObserversOf | None = None,
+    steps: int = 1000,
+    every: int = 1,
+    technique: str = "auto",
+    weighting: float = 0.5,
+    mass_weighted: bool = False,
+    ordering: Ordering | None = None,
+    tolerance: float = 1e-6,
+    tolerance_length: float | None = None,
+    max_sweeps: int = 10000,
+    perturb: str = "force",
+    force: float = 50.0,
+    timestep: float = 0.01,
+    damping: float = 0.0,
+    displacement: float = 0.1,
+    replay: Sequence[JointForce] | None = None,
+    seed: int = 0,
+) -> list[_core.RunSummary]:
+    """Run walkers from one start, each as `run` does with its number, on threads and in lanes.
+
+    What a walker does depends on its number, not on the shard nor on the threads: two halves of
+    the walkers, on two machines, give together the bits of all of them in one call.
+
+    Parameters
+    ----------
+    framework : Framework
+    state : State or (N, 3) Angstrom
+        Where all walkers start; it is not moved.
+    shard : (first, end)
+        The walkers to run: first, first + 1, ..., end - 1.
+    threads : int
+        Up to eight walkers step together on each.
+    observers_of : callable, optional
+        Called with a walker's number before it begins; gives its observers. Each frame that they
+        see holds a copy of its positions. Recorders are closed when their walker ends. What an
+        observer raises stops its walker alone.
+    steps, every, technique, weighting, mass_weighted, ordering
+        As of `run`.
+    tolerance, tolerance_length, max_sweeps, perturb, force, timestep, damping, displacement
+        As of `run`.
+    replay, seed
+        As of `run`.
+
+    Returns
+    -------
+    list of RunSummary
+        In the order of the walkers' numbers. `state` is where a walker ended; None if it was not
+        begun.
+
+    Raises
+    ------
+    OptionError, InputError
+        As of `run`; and the first exception of an observer, once all walkers have ended.
+    """
+    options = _options(
+        replay,
+        ordering,
+        steps=steps,
+        every=every,
+        technique=technique,
+        weighting=weighting,
+        mass_weighted=mass_weighted,
+        tolerance=tolerance,
+        tolerance_length=0.0 if tolerance_length is None else tolerance_length,
+        max_sweeps=max_sweeps,
+        perturb=perturb,
+        force=force,
+        timestep=timestep,
+        damping=damping,
+        displacement=displacement,
+        seed=seed,
+    )
+    return _core.run_shard(framework, _start(state, None), options, shard, threads, observers_of)

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/run/ensemble.hpp"
+
+#include <gtest/gtest.h>
+
+#include <map>
+#include <mutex>
+
+#include "pliant/base/error.hpp"
+#include "pliant/examples/examples.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace {
+
+using Hashes = std::map<std::uint64_t, std::uint64_t>;
+
+EnsembleOptions options_of(Shard shard, int threads, const char* technique = "auto",
+                           const char* perturb = "displacement") {
+  EnsembleOptions options;
+  options.run.technique.name = technique;
+  options.run.perturb = perturb;
+  options.run.steps = 12;
+  options.run.every = 5;
+  options.shard = shard;
+  options.threads = threads;
+  return options;
+}
+
+/// All frames of each walker, as one number.
+void watch_shard(const Framework& framework, const State& start, const EnsembleOptions& options,
+                 Hashes& hashes) {
+  std::mutex mutex;
+  const auto summaries = run_ensemble(framework, start, options, [&](std::uint64_t walker) {
+    return std::vector<Observer>{[&, walker](const Frame& frame) {
+      const std::lock_guard hold(mutex);
+      hashes[walker] = test::hash_of(frame.positions, hashes[walker]);
+      return false;
+    }};
+  });
+  EXPECT_EQ(summaries.size(), options.shard.size());
+  for (const RunSummary& summary : summaries) EXPECT_EQ(summary.steps, 12);
+}
+
+TEST(Ensemble, AShardInTwoHalvesIsTheWhole) {
+  const Sketch sketch = chain(12);
+  const Framework framework = framework_of(sketch);
+  const State start(sketch.positions);
+  for (const char* technique : {"auto", "bfs_cycle", "random", "shake"})
+    for (const char* perturb : {"force", "displacement"}) {
+      SCOPED_TRACE(std::string(technique) + ", " + perturb);
+      Hashes whole, halves;
+      watch_shard(framework, start, options_of({3, 22}, 1, technique, perturb), whole);
+      watch_shard(framework, start, options_of({3, 10}, 2, technique, perturb), halves);
+      watch_shard(framework, start, options_of({10, 22}, 3, technique, perturb), halves);
+      EXPECT_EQ(whole, halves);
+      EXPECT_EQ(whole.size(), 19u);
+    }
+}
+
+TEST(Ensemble, AWalkerDoesWhatARunOfItDoes) {
+  const Sketch sketch = ring(7);
+  const Framework framework = framework_of(sketch);
+  const EnsembleOptions options = options_of({4, 7}, 1);
+  std::vector<std::vector<Vec3>> ends;
+  run_ensemble(framework, State(sketch.positions), options, [&](std::uint64_t) {
+    Watchers watchers;
+    watchers.on_end = [&](const RunSummary& summary, const State& state) {
+      EXPECT_EQ(summary.steps, state.step);
+      ends.push_back(state.positions);
+    };
+    return watchers;
+  });
+  ASSERT_EQ(ends.size(), 3u);
+  for (std::uint64_t walker = 4; walker < 7; ++walker) {
+    State state(sketch.positions);
+    RunOptions alone = options.run;
+    alone.resolve.walker = walker;
+    run(framework, state, alone, {});
+    EXPECT_TRUE(test::same_bits(state.positions, ends[walker - 4]));
+  }
+}
+
+TEST(Ensemble, OneThatFailsStopsAloneAndIsTold) {
+  const Sketch sketch = chain(12);
+  const Framework framework = framework_of(sketch);
+  std::vector<std::int64_t> steps(20);
+  EXPECT_THROW(run_ensemble(framework, State(sketch.positions), options_of({0, 20}, 2),
+                            [&](std::uint64_t walker) {
+                              if (walker == 5) throw FileError("no room");
+                              Watchers watchers(std::vector<Observer>{[walker](const Frame& frame) {
+                                if (walker == 7 && frame.step == 5) throw FileError("full");
+                                return false;
+                              }});
+                              watchers.on_end = [&steps, walker](const RunSummary& summary,
+                                                                 const State&) {
+                                steps[walker] = summary.steps;
+                              };
+                              return watchers;
+                            }),
+               FileError);
+  for (std::size_t walker = 0; walker < 20; ++walker)
+    EXPECT_EQ(steps[walker], walker == 5 ? 0 : walker == 7 ? 5 : 12) << walker;
+}
+
+TEST(Ensemble, TellsWhichWalkersWereNotBegun) {
+  const Sketch sketch = chain(12);
+  EnsembleOptions options = options_of({0, 20}, 1);
+  bool stops = false;
+  options.run.resolve.should_stop = [&] { return stops; };
+  const auto summaries =
+      run_ensemble(framework_of(sketch), State(sketch.positions), options, [&](std::uint64_t) {
+        return std::vector<Observer>{[&](const Frame& frame) { return stops = frame.step == 10; }};
+      });
+  for (std::size_t walker = 0; walker < 20; ++walker) {
+    EXPECT_TRUE(summaries[walker].stopped_by_caller);
+    EXPECT_EQ(summaries[walker].frames > 0, walker < 8);
+  }
+}
+
+TEST(Ensemble, NeedsNoWatchersAndNoWalkers) {
+  const Framework framework = framework_of(chain(3));
+  const State start(chain(3).positions);
+  EXPECT_EQ(run_ensemble(framework, start, options_of({0, 2}, 4))[1].steps, 12);
+  EXPECT_TRUE(run_ensemble(framework, start, options_of({7, 7}, 1)).empty());
+}
+
+TEST(Ensemble, RefusesWhatCannotBe) {
+  const Framework framework = framework_of(chain(3));
+  const auto refusal = [&](Shard shard, int threads) {
+    return test::error_text<OptionError>(
+        [&] { run_ensemble(framework, State(chain(3).positions), options_of(shard, threads)); });
+  };
+  EXPECT_EQ(refusal({0, 1}, 0), "threads = 0: must be from 1");
+  EXPECT_EQ(refusal({5, 3}, 1), "shard = [5, 3): must not end before it begins");
+}
+
+}  // namespace
+}  // namespace pliant
