@@ -26,16 +26,16 @@
 // framework: joints, bars and what is known of them
 #include "pliant/framework/atom_table.hpp"       // names of joints
 #include "pliant/framework/check_positions.hpp"  // can these positions carry the framework?
+#include "pliant/framework/contacts.hpp"         // pairs of joints near each other now
 #include "pliant/framework/disturbed.hpp"        // what a resolve has to look at
-#include "pliant/framework/contacts.hpp"
 #include "pliant/framework/feasibility.hpp"      // bars that cannot hold together
 #include "pliant/framework/frame.hpp"            // what a step shows
 #include "pliant/framework/framework.hpp"        // Framework, State
 #include "pliant/framework/graph.hpp"            // components, cycles, bridges, blocks
 #include "pliant/framework/joint_names.hpp"      // how text files speak of joints
-#include "pliant/framework/limits.hpp"
-#include "pliant/framework/residual.hpp"
-#include "pliant/framework/sterics.hpp"         // length errors and tolerances
+#include "pliant/framework/limits.hpp"           // distances held to intervals
+#include "pliant/framework/residual.hpp"         // length errors, violations and tolerances
+#include "pliant/framework/sterics.hpp"          // how near joints may come
 
 // examples: frameworks of which everything is known
 #include "pliant/examples/examples.hpp"  // the table of them

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Limits in H5MD files: what is written is read back.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "pliant/examples/examples.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
+
+namespace pliant {
+namespace {
+
+std::filesystem::path recorded(const Framework& framework, std::span<const Vec3> positions) {
+  const auto path = std::filesystem::path(testing::TempDir()) / "limits.h5md";
+  H5mdRecorder recorder(path, framework, {}, {.overwrite = true});
+  Frame frame;
+  frame.positions = positions;
+  frame.max_limit = 0.25;
+  frame.max_overlap = 0.5;
+  recorder.record(frame);
+  recorder.close();
+  return path;
+}
+
+TEST(H5mdLimits, AreReadBackAsTheyWere) {
+  const Example& example = find_example("tensegrity_prism");
+  FrameworkParts parts;
+  parts.joint_count = 6;
+  parts.limits.assign(example.framework.limits().begin(), example.framework.limits().end());
+  parts.limits[1].kind = LimitKind::hydrogen_bond;
+  parts.limits[1].energy = -12.5;
+  parts.limits[1].group = 3;
+  const Framework framework(parts);
+  const H5mdReader reader(recorded(framework, example.positions));
+  EXPECT_EQ(reader.limits(), parts.limits);
+  EXPECT_EQ(reader.schema(), 2);
+  EXPECT_EQ(reader.observable("max_limit"), std::vector<double>{0.25});
+  EXPECT_EQ(reader.observable("max_overlap"), std::vector<double>{0.5});
+  const Framework again = reader.framework();
+  EXPECT_TRUE(std::ranges::equal(again.limits(), framework.limits()));
+}
+
+TEST(H5mdLimits, AFrameworkOfBarsAloneHasNoneOfThem) {
+  const Example& example = find_example("chain_5_with_strut");
+  FrameworkParts parts{.joint_count = 5};
+  const H5mdReader reader(recorded(Framework(parts), example.positions));
+  EXPECT_TRUE(reader.limits().empty());
+  const auto names = reader.observables();
+  EXPECT_EQ(std::ranges::count(names, "max_limit"), 0);
+}
+
+}  // namespace
+}  // namespace pliant
