@@ -97,7 +97,7 @@ TEST(ConnectUnits, BarsAloneHangTogetherByJoints) {
   const UnitGraph graph = connect_units(framework, find_units(framework));
   ASSERT_EQ(graph.connections.size(), 1u);
   EXPECT_FALSE(graph.connections[0].is_hinge());
-  EXPECT_EQ(graph.links.bar_count(), 5u);
+  EXPECT_EQ(graph.links.edge_count(), 5u);
 }
 
 }  // namespace
