@@ -39,6 +39,10 @@ install(FILES
   ${CMAKE_CURRENT_LIST_DIR}/PliantDependencies.cmake
   DESTINATION ${package_folder} COMPONENT library)
 
+# Wherever the prefix is moved to, pkg-config finds it from the folder of these files.
+file(RELATIVE_PATH prefix_from_pkgconfig
+  ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
+string(REGEX REPLACE "/$" "" prefix_from_pkgconfig ${prefix_from_pkgconfig})
 foreach(package pliant pliant-core)
   configure_file(${CMAKE_CURRENT_LIST_DIR}/${package}.pc.in
     ${PROJECT_BINARY_DIR}/${package}.pc @ONLY)

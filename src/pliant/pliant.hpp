@@ -6,6 +6,8 @@
 #include "pliant/base/choices.hpp"    // tables of named things
 #include "pliant/base/elements.hpp"   // symbols, masses, radii
 #include "pliant/base/error.hpp"      // Error, InputError, OptionError, FileError
+#include "pliant/base/graph.hpp"      // nodes and edges; components, blocks
+#include "pliant/base/grouped.hpp"    // things in slots: what graphs are kept in
 #include "pliant/base/log.hpp"        // notes and warnings, through a callback
 #include "pliant/base/parameter.hpp"  // values of options in files
 #include "pliant/base/random.hpp"     // draws as functions of (seed, domain, walker, step, joint)
@@ -47,28 +49,31 @@
 #include "pliant/generate/random_graphs.hpp"       // trees, 1-, 2- and n-cycles
 
 // order, resolve: the techniques
-#include "pliant/order/check_ordering.hpp"            // validator
-#include "pliant/order/ordering.hpp"                  // the table of orderings
-#include "pliant/order/ordering_file.hpp"             // an ordering stated bar by bar
-#include "pliant/order/traversal.hpp"                 // breadth first, depth first
-#include "pliant/resolve/automatic.hpp"               // what auto chooses
-#include "pliant/resolve/method/project_bar.hpp"      // the kernel
-#include "pliant/resolve/method/resolve_options.hpp"  // tolerance, limit of sweeps
-#include "pliant/resolve/method/resolve_summary.hpp"  // what a resolve did
-#include "pliant/resolve/method/technique.hpp"        // ordering + weighting
-#include "pliant/resolve/resolve.hpp"                 // sweeps until whole
-#include "pliant/resolve/techniques.hpp"              // the table of them
-#include "pliant/resolve/walkers.hpp"                 // many copies at once
+#include "pliant/order/check_ordering.hpp"             // validator
+#include "pliant/order/ordering.hpp"                   // the table of orderings
+#include "pliant/order/ordering_file.hpp"              // an ordering stated bar by bar
+#include "pliant/order/traversal.hpp"                  // breadth first, depth first
+#include "pliant/resolve/automatic.hpp"                // what auto chooses
+#include "pliant/resolve/method/project_bar.hpp"       // the kernel
+#include "pliant/resolve/method/resolve_options.hpp"   // tolerance, limit of sweeps
+#include "pliant/resolve/method/resolve_summary.hpp"   // what a resolve did
+#include "pliant/resolve/method/technique.hpp"         // ordering + weighting
+#include "pliant/resolve/method/walker_positions.hpp"  // one copy of many
+#include "pliant/resolve/resolve.hpp"                  // sweeps until whole
+#include "pliant/resolve/techniques.hpp"               // the table of them
+#include "pliant/resolve/walkers.hpp"                  // many copies at once
 
 // perturb, run: the loop
 #include "pliant/perturb/force_file.hpp"    // pushes to replay
 #include "pliant/perturb/perturbation.hpp"  // the pushers that need no more than a name
+#include "pliant/perturb/push.hpp"          // what a step pushed
 #include "pliant/perturb/pusher.hpp"        // what breaks the bars; the table of pushers
 #include "pliant/perturb/steering.hpp"      // forces from another thread
 #include "pliant/run/ensemble.hpp"          // many walkers; shards of them
 #include "pliant/run/motion.hpp"            // one walker, step by step
 #include "pliant/run/run.hpp"               // a motion shown to observers
 #include "pliant/run/run_fields.hpp"        // the table of its options
+#include "pliant/run/run_summary.hpp"       // what a run did
 
 // record: trajectories and graphs
 #include "pliant/record/h5md/h5md_reader.hpp"     // frames of any H5MD file

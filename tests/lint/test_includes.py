@@ -214,6 +214,33 @@ def test_headers_need_the_standard_library_only():
     )
 
 
+CONTENTS = LIBRARY / "pliant.hpp"
+CONSUMER = ROOT / "tests" / "install" / "consumer" / "every_header.cpp"
+
+
+def ours(path: Path) -> list[str]:
+    """The headers of ours that a file includes."""
+    return [name for _, _, name in includes(path) if name.startswith("pliant/")]
+
+
+def test_what_public_headers_include_is_public():
+    public = ours(CONTENTS)
+    refuse(
+        [
+            f"pliant/{CONTENTS.name}: does not name {needed}, which {name} includes"
+            for name in public
+            for needed in ours(ROOT / "src" / name)
+            if needed not in public
+        ]
+    )
+
+
+def test_every_public_header_is_used_by_the_consumer():
+    public, text = ours(CONTENTS), CONSUMER.read_text()
+    assert sorted(public) == sorted(ours(CONSUMER))
+    refuse([f"{place(CONSUMER)}: uses nothing of {n}" for n in public if f'("{n}"' not in text])
+
+
 # Where XML text becomes elements, after document types and entities were refused.
 XML_DOOR = "xml_document.cpp"
 OPENS_XML = re.compile(r"\bload_(buffer|string|file)\w*\(|\bparse_(doctype|full)\b")

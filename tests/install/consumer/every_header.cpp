@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// One thing of each public header, by name: what a header needs is installed too, and what it
+// declares is in the libraries that find_package(pliant) gives.
+#include <cstddef>
+#include <cstdio>
+#include <string_view>
+
+#include "pliant/base/choices.hpp"
+#include "pliant/base/elements.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/base/graph.hpp"
+#include "pliant/base/grouped.hpp"
+#include "pliant/base/log.hpp"
+#include "pliant/base/parameter.hpp"
+#include "pliant/base/random.hpp"
+#include "pliant/base/range.hpp"
+#include "pliant/base/vec3.hpp"
+#include "pliant/base/version.hpp"
+#include "pliant/examples/examples.hpp"
+#include "pliant/framework/atom_table.hpp"
+#include "pliant/framework/check_positions.hpp"
+#include "pliant/framework/contacts.hpp"
+#include "pliant/framework/disturbed.hpp"
+#include "pliant/framework/feasibility.hpp"
+#include "pliant/framework/frame.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/framework/graph.hpp"
+#include "pliant/framework/joint_names.hpp"
+#include "pliant/framework/limits.hpp"
+#include "pliant/framework/residual.hpp"
+#include "pliant/framework/sterics.hpp"
+#include "pliant/generate/fundamental_cycles.hpp"
+#include "pliant/generate/random_graphs.hpp"
+#include "pliant/laboratory/force_recorder.hpp"
+#include "pliant/laboratory/make_test_set.hpp"
+#include "pliant/laboratory/read_test_set.hpp"
+#include "pliant/laboratory/test_results.hpp"
+#include "pliant/laboratory/test_set.hpp"
+#include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/build_framework.hpp"
+#include "pliant/molecule/read/read.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+#include "pliant/order/check_ordering.hpp"
+#include "pliant/order/ordering.hpp"
+#include "pliant/order/ordering_file.hpp"
+#include "pliant/order/traversal.hpp"
+#include "pliant/perturb/force_file.hpp"
+#include "pliant/perturb/perturbation.hpp"
+#include "pliant/perturb/push.hpp"
+#include "pliant/perturb/pusher.hpp"
+#include "pliant/perturb/steering.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/topology_pdb.hpp"
+#include "pliant/record/xml/graph_xml.hpp"
+#include "pliant/record/xml/write_graph_xml.hpp"
+#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/method/project_bar.hpp"
+#include "pliant/resolve/method/resolve_options.hpp"
+#include "pliant/resolve/method/resolve_summary.hpp"
+#include "pliant/resolve/method/technique.hpp"
+#include "pliant/resolve/method/walker_positions.hpp"
+#include "pliant/resolve/resolve.hpp"
+#include "pliant/resolve/techniques.hpp"
+#include "pliant/resolve/walkers.hpp"
+#include "pliant/run/ensemble.hpp"
+#include "pliant/run/motion.hpp"
+#include "pliant/run/run.hpp"
+#include "pliant/run/run_fields.hpp"
+#include "pliant/run/run_summary.hpp"
+#include "pliant/text/file_text.hpp"
+#include "pliant/text/output_file.hpp"
+
+namespace {
+
+using namespace pliant;
+
+struct Use {
+  const char* header;
+  bool is_there;
+};
+
+/// Of a function or a member function. Kept where the compiler may not reason about it: the
+/// address has to be asked of the linker.
+template <class Function>
+Use of(const char* header, Function function) {
+  volatile Function kept = function;
+  return {header, kept != nullptr};
+}
+
+/// Of a header all of whose functions are inline.
+template <class Type>
+Use of_type(const char* header) {
+  const Type thing{};
+  return {header, sizeof(thing) > 0};
+}
+
+/// Chooses among functions of one name.
+template <class Signature>
+Signature* overload(Signature* function) {
+  return function;
+}
+
+const Use uses[] = {
+    of("pliant/base/choices.hpp", &edit_distance),
+    of("pliant/base/elements.hpp", &element_mass),
+    of("pliant/base/error.hpp", &quoted),
+    of("pliant/base/graph.hpp", overload<Components(const Graph&)>(&find_components)),
+    of_type<Grouped<int>>("pliant/base/grouped.hpp"),
+    of_type<Log>("pliant/base/log.hpp"),
+    of_type<Parameter>("pliant/base/parameter.hpp"),
+    of("pliant/base/random.hpp", &philox4x64),
+    of("pliant/base/range.hpp", overload<bool(Range, double)>(&holds)),
+    of_type<Vec3>("pliant/base/vec3.hpp"),
+    of("pliant/base/version.hpp", &version),
+    of("pliant/text/file_text.hpp", &read_bytes),
+    of("pliant/text/output_file.hpp", &write_text_file),
+    of("pliant/molecule/bonds/bonds.hpp", &perceive_bonds),
+    of("pliant/molecule/build_framework.hpp", &build_framework),
+    of("pliant/molecule/read/read.hpp", &formats),
+    of_type<Structure>("pliant/molecule/structure/structure.hpp"),
+    of("pliant/framework/atom_table.hpp", overload<void(const AtomTable&)>(&check)),
+    of("pliant/framework/check_positions.hpp", &check_positions),
+    of("pliant/framework/contacts.hpp", &Contacts::update),
+    of_type<Disturbed>("pliant/framework/disturbed.hpp"),
+    of("pliant/framework/feasibility.hpp", &impossible_triangles),
+    of("pliant/framework/frame.hpp", overload<std::string_view(Stop)>(&name)),
+    of_type<State>("pliant/framework/framework.hpp"),
+    of("pliant/framework/graph.hpp", &graph_facts),
+    of("pliant/framework/joint_names.hpp", &JointNames::word_for),
+    of("pliant/framework/limits.hpp", &limit_kinds),
+    of("pliant/framework/residual.hpp", &measure),
+    of("pliant/framework/sterics.hpp", overload<void(const Sterics&, std::size_t)>(&check)),
+    of("pliant/examples/examples.hpp", &examples),
+    of("pliant/generate/fundamental_cycles.hpp", &fundamental_cycles),
+    of("pliant/generate/random_graphs.hpp", &generate),
+    of("pliant/order/check_ordering.hpp", &check_ordering),
+    of("pliant/order/ordering.hpp", &orderings),
+    of("pliant/order/ordering_file.hpp", &write_ordering_file),
+    of("pliant/order/traversal.hpp", &traverse_breadth_first),
+    of("pliant/resolve/automatic.hpp", &choose_technique),
+    of("pliant/resolve/method/project_bar.hpp", &escape_direction),
+    of("pliant/resolve/method/resolve_options.hpp", overload<void(const ResolveOptions&)>(&check)),
+    of("pliant/resolve/method/resolve_summary.hpp", &note_violations),
+    of_type<Technique>("pliant/resolve/method/technique.hpp"),
+    of_type<WalkerPositions>("pliant/resolve/method/walker_positions.hpp"),
+    of("pliant/resolve/resolve.hpp", &Resolver::check_arguments),
+    of("pliant/resolve/techniques.hpp", &techniques),
+    of("pliant/resolve/walkers.hpp", &WalkerResolver::level),
+    of("pliant/perturb/force_file.hpp", &write_force_file),
+    of("pliant/perturb/perturbation.hpp", &perturbations),
+    of("pliant/perturb/push.hpp", &Push::disturbed),
+    of("pliant/perturb/pusher.hpp", &pushers),
+    of("pliant/perturb/steering.hpp", &Steering::release),
+    of("pliant/run/ensemble.hpp", &run_ensemble),
+    of("pliant/run/motion.hpp", &Motion::step),
+    of("pliant/run/run.hpp", &run),
+    of("pliant/run/run_fields.hpp", &run_fields),
+    of_type<RunSummary>("pliant/run/run_summary.hpp"),
+    of("pliant/record/h5md/h5md_reader.hpp", &H5mdReader::frames),
+    of("pliant/record/h5md/h5md_recorder.hpp", &H5mdRecorder::flush),
+    of("pliant/record/topology_pdb.hpp", &write_topology_pdb),
+    of("pliant/record/xml/graph_xml.hpp", &looks_like_xml),
+    of("pliant/record/xml/write_graph_xml.hpp", &write_graph_xml),
+    of("pliant/laboratory/force_recorder.hpp", &ForceRecorder::publish),
+    of("pliant/laboratory/make_test_set.hpp", &make_test_set),
+    of("pliant/laboratory/read_test_set.hpp", &read_test_set),
+    of("pliant/laboratory/test_results.hpp", &summary_of),
+    of("pliant/laboratory/test_set.hpp", &TestSet::save),
+};
+
+}  // namespace
+
+int main() {
+  int missing = 0;
+  for (const Use& use : uses) {
+    if (!use.is_there) std::printf("nothing of %s\n", use.header);
+    missing += use.is_there ? 0 : 1;
+  }
+  return missing;
+}
