@@ -169,3 +169,14 @@ def test_tolerances_have_a_range(name):
         pliant.Resolver(framework, **{name: 0.0})
     with pytest.raises(pliant.OptionError, match=name):
         pliant.run(framework, np.zeros((5, 3)), **{name: -1.0})
+
+
+def test_sterics_are_recorded_and_read_back(stated, tmp_path):
+    structure, framework = stated
+    pliant.H5mdRecorder(tmp_path / "s.h5md", framework, structure=structure).close()
+    again = pliant.H5mdReader(tmp_path / "s.h5md").framework()
+    assert again.has_sterics
+    positions = np.array(structure.positions) * 0.5
+    found, expected = pliant.measure(again, positions), pliant.measure(framework, positions)
+    assert found.max_overlap == expected.max_overlap > 0
+    assert found.worst_overlap == expected.worst_overlap

@@ -97,6 +97,25 @@ void write_limits(std::int64_t file, const Framework& framework) {
   write_numbers(file, group + "/group", groups);
 }
 
+void write_sterics(std::int64_t file, const Sterics& sterics) {
+  const std::string group = h5md::sterics;
+  std::vector<Bar> own, bonds;
+  std::vector<double> own_least;
+  for (const OwnDistance& pair : sterics.own) {
+    own.push_back({pair.a, pair.b});
+    own_least.push_back(pair.least);
+  }
+  for (const auto& [a, b] : sterics.bonds) bonds.push_back({a, b});
+  write_numbers(file, group + "/kind",
+                std::vector<std::uint32_t>(sterics.kinds.begin(), sterics.kinds.end()));
+  write_text_attribute(write_numbers(file, group + "/least", sterics.least), "unit", "Angstrom");
+  write_pairs(file, group + "/own", own);
+  write_text_attribute(write_numbers(file, group + "/own_least", own_least), "unit", "Angstrom");
+  if (!sterics.units.empty()) write_numbers(file, group + "/unit", sterics.units);
+  if (!bonds.empty()) write_pairs(file, group + "/bonds", bonds);
+  write_parameter(file, group + "/bonds_apart", std::int64_t{sterics.excluded_bonds});
+}
+
 void write_bonds(std::int64_t file, const H5mdHeader& header) {
   std::vector<Bar> pairs;
   std::vector<std::uint8_t> origins, orders;
@@ -156,7 +175,8 @@ void check_parameters(const std::vector<NamedParameter>& parameters) {
     if (path.empty() || path.front() == '/' || path.back() == '/')
       refuse_parameter(path, "must be a path below /parameters, such as run/seed");
     if (is_own_parameter(path))
-      refuse_parameter(path, "the groups framework, limit and topology are the file's own");
+      refuse_parameter(path,
+                       "the groups framework, limit, sterics and topology are the file's own");
     if (!paths.insert(path).second) refuse_parameter(path, "is given twice");
     const double* number = std::get_if<double>(&value);
     if (number != nullptr && std::isnan(*number)) refuse_parameter(path, "is not a number");
@@ -171,7 +191,7 @@ void write_parameters(std::int64_t file, const std::vector<NamedParameter>& para
 
 bool is_own_parameter(const std::string& path) {
   return path.starts_with("framework/") || path.starts_with("limit/") ||
-         path.starts_with("topology/");
+         path.starts_with("sterics/") || path.starts_with("topology/");
 }
 
 void write_static_part(std::int64_t file, const Framework& framework, const H5mdHeader& header) {
@@ -181,6 +201,7 @@ void write_static_part(std::int64_t file, const Framework& framework, const H5md
   write_particles(file, framework, header);
   write_framework(file, framework);
   if (!framework.limits().empty()) write_limits(file, framework);
+  if (framework.sterics() != nullptr) write_sterics(file, *framework.sterics());
   write_bonds(file, header);
   if (framework.atoms()) write_atoms(file, *framework.atoms());
   write_parameters(file, header.parameters);

@@ -16,8 +16,10 @@ inline constexpr char position[] = "/particles/trajectory/position";
 inline constexpr char observables[] = "/observables";
 inline constexpr char bars[] = "/connectivity/bars";
 inline constexpr char bonds[] = "/connectivity/bonds";
-inline constexpr char limits[] = "/connectivity/limits";      // (L, 2) joints
-inline constexpr char limit[] = "/parameters/limit";          // least, most, kind, energy, group
+inline constexpr char limits[] = "/connectivity/limits";  // (L, 2) joints
+inline constexpr char limit[] = "/parameters/limit";      // least, most, kind, energy, group
+/// kind, least, own, own_least, unit, bonds_apart, bonds
+inline constexpr char sterics[] = "/parameters/sterics";
 inline constexpr int schema = 2;                              // of /h5md/creator; none is 1
 inline constexpr char framework[] = "/parameters/framework";  // rest_length, pinned
 inline constexpr char topology[] = "/parameters/topology";    // the atom table, bonds' origins

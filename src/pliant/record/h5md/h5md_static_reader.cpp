@@ -16,6 +16,8 @@ const std::string framework_group = h5md::framework;
 
 constexpr auto least_integer = std::numeric_limits<std::int64_t>::min();
 constexpr auto most_integer = std::numeric_limits<std::int64_t>::max();
+constexpr std::int64_t most_kind = std::numeric_limits<std::uint16_t>::max();
+constexpr std::int64_t most_bonds_apart = std::numeric_limits<int>::max();
 
 void check_count(const std::string& path, std::size_t found, std::size_t expected) {
   if (found != expected)
@@ -124,6 +126,27 @@ std::vector<Limit> StaticReader::limits() const {
   return limits;
 }
 
+std::shared_ptr<const Sterics> StaticReader::sterics() const {
+  const std::string group = h5md::sterics;
+  if (!has_object(file_, group + "/kind")) return nullptr;
+  auto sterics = std::make_shared<Sterics>();
+  sterics->least = Hdf5Dataset(file_, group + "/least").reals();
+  while (sterics->kind_count * sterics->kind_count < sterics->least.size()) ++sterics->kind_count;
+  for (const auto kind : integers(group + "/kind", joint_count_, 0, most_kind))
+    sterics->kinds.push_back(static_cast<std::uint16_t>(kind));
+  const std::vector<Bar> own = pairs(group + "/own");
+  const auto own_least = reals(group + "/own_least", own.size());
+  for (std::size_t k = 0; k < own.size(); ++k)
+    sterics->own.push_back({own[k].a, own[k].b, own_least[k]});
+  if (has_object(file_, group + "/unit"))
+    for (const auto unit : integers(group + "/unit", joint_count_, 0, no_unit))
+      sterics->units.push_back(static_cast<std::uint32_t>(unit));
+  for (const Bar bond : pairs(group + "/bonds")) sterics->bonds.emplace_back(bond.a, bond.b);
+  sterics->excluded_bonds =
+      static_cast<int>(integers(group + "/bonds_apart", 1, 0, most_bonds_apart)[0]);
+  return sterics;
+}
+
 /// Files of other programs have none either: they are read as the first.
 int StaticReader::schema() const {
   if (!has_object(file_, "/h5md/creator")) return 1;
@@ -201,7 +224,8 @@ Framework StaticReader::framework() const {
                     .masses = masses(),
                     .pinned = pinned(),
                     .atoms = atoms(),
-                    .limits = limits()});
+                    .limits = limits(),
+                    .sterics = sterics()});
 }
 
 }  // namespace pliant

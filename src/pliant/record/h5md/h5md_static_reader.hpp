@@ -25,6 +25,7 @@ class StaticReader {
   std::vector<double> masses() const;
   std::vector<Joint> pinned() const;
   std::vector<Limit> limits() const;
+  std::shared_ptr<const Sterics> sterics() const;  ///< null where the file has none
   int schema() const;
   std::vector<RecordedBond> bonds() const;
   std::vector<std::string> bond_origin_names() const;

@@ -42,6 +42,32 @@ TEST(H5mdLimits, AreReadBackAsTheyWere) {
   EXPECT_TRUE(std::ranges::equal(again.limits(), framework.limits()));
 }
 
+TEST(H5mdLimits, StericsAreReadBackAsTheyWere) {
+  const Sterics sterics{.kind_count = 2,
+                        .kinds = {0, 1, 0, 1, 1},
+                        .least = {1.0, 1.25, 1.25, 0.0},
+                        .own = {{4, 0, 0.1}, {1, 3, 0.0}},
+                        .units = {0, 0, 7, no_unit, no_unit},
+                        .excluded_bonds = 2,
+                        .bonds = {{0, 4}}};
+  for (const bool all : {true, false}) {
+    auto written = std::make_shared<Sterics>(sterics);
+    if (!all) written->own.clear(), written->units.clear(), written->bonds.clear();
+    const Framework framework({.joint_count = 5, .sterics = written});
+    const std::vector<Vec3> positions(5);
+    const Framework again = H5mdReader(recorded(framework, positions)).framework();
+    ASSERT_NE(again.sterics(), nullptr);
+    const Sterics& read = *again.sterics();
+    EXPECT_EQ(read.kind_count, written->kind_count);
+    EXPECT_EQ(read.kinds, written->kinds);
+    EXPECT_EQ(read.least, written->least);
+    EXPECT_EQ(read.own, written->own);
+    EXPECT_EQ(read.units, written->units);
+    EXPECT_EQ(read.excluded_bonds, written->excluded_bonds);
+    EXPECT_EQ(read.bonds, written->bonds);
+  }
+}
+
 TEST(H5mdLimits, AFrameworkOfBarsAloneHasNoneOfThem) {
   const Example& example = find_example("chain_5_with_strut");
   FrameworkParts parts{.joint_count = 5};

@@ -213,7 +213,8 @@ TEST(H5mdRecorder, RefusesBadOptionsBeforeItTouchesTheFile) {
   EXPECT_EQ(message(with("", 1.0), {}),
             "parameter \"\": must be a path below /parameters, such as run/seed");
   EXPECT_EQ(message(with("topology/x", 1.0), {}),
-            "parameter \"topology/x\": the groups framework and topology are the file's own");
+            "parameter \"topology/x\": the groups framework, limit, sterics and topology are the "
+            "file's own");
   EXPECT_EQ(message(with("x", std::numeric_limits<double>::quiet_NaN()), {}),
             "parameter \"x\": is not a number");
   EXPECT_EQ(message_of<InputError>([&] { H5mdRecorder(path, bare(0)); }),
