@@ -11,6 +11,7 @@
 #include "messages.hpp"
 #include "observers.hpp"
 #include "pushes.hpp"
+#include "techniques.hpp"
 
 namespace pliant::python {
 namespace {
@@ -76,6 +77,7 @@ std::vector<OwnedRunSummary> run_shard(const Framework& framework, const State& 
                                        std::pair<std::uint64_t, std::uint64_t> shard, int threads,
                                        nb::object observers_of) {
   check_pushes(framework, run.replay);
+  show_framework(run.technique, framework);
   EnsembleOptions options{std::move(run), {shard.first, shard.second}, threads};
   check(options);
   Audience audience(std::move(observers_of), shard.first, options.shard.size());

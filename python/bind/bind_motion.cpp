@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "arrays.hpp"
+#include "collected.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "observers.hpp"
@@ -23,6 +24,7 @@ class PythonMotion {
  public:
   PythonMotion(const Framework& framework, State start, MotionOptions options, std::uint64_t walker)
       : state_(nb::cast(std::move(start))),
+        callable_(options.technique),
         motion_(framework, std::ref(nb::cast<State&>(state_)), watched(std::move(options)),
                 walker) {}
 
@@ -37,15 +39,16 @@ class PythonMotion {
     motion_.add(added);
   }
 
-  /// A function that pushes often sees the Motion that it pushes for.
+  /// A function that pushes or resolves often sees the Motion that it pushes for.
   int traverse(visitproc visit, void* argument) const {
     for (const auto& pusher : of_python_)
       if (PyObject* object = pusher->object().ptr())
         if (const int answer = visit(object, argument)) return answer;
-    return 0;
+    return callable_.traverse(visit, argument);
   }
   void clear() {
     for (const auto& pusher : of_python_) pusher->forget_object();
+    callable_.clear();
   }
 
   /// Whoever asks may change it.
@@ -99,25 +102,12 @@ class PythonMotion {
   }
 
   nb::object state_;
+  CallableOf callable_;
   InterruptWatch watch_;
   std::atomic<bool> in_use_{false}, is_lent_{false};
   std::vector<std::shared_ptr<PusherOfPython>> of_python_;
   Motion motion_;
 };
-
-int traverse_motion(PyObject* self, visitproc visit, void* argument) {
-  if (const int answer = visit(reinterpret_cast<PyObject*>(Py_TYPE(self)), argument)) return answer;
-  return nb::inst_ready(self) ? nb::inst_ptr<PythonMotion>(self)->traverse(visit, argument) : 0;
-}
-
-int clear_motion(PyObject* self) {
-  nb::inst_ptr<PythonMotion>(self)->clear();
-  return 0;
-}
-
-PyType_Slot motion_slots[] = {{Py_tp_traverse, reinterpret_cast<void*>(traverse_motion)},
-                              {Py_tp_clear, reinterpret_cast<void*>(clear_motion)},
-                              {0, nullptr}};
 
 State start_from(nb::handle state) {
   if (nb::isinstance<State>(state)) return nb::cast<const State&>(state);
@@ -125,7 +115,7 @@ State start_from(nb::handle state) {
 }
 
 void make_motion(PythonMotion* self, const Framework& framework, nb::handle state,
-                 const std::string& technique, double weighting, bool mass_weighted,
+                 const TechniqueLike& technique, double weighting, bool mass_weighted,
                  const std::optional<OrderingColumns>& ordering,
                  const std::variant<std::string, std::vector<std::string>>& push, double force,
                  double timestep, double damping, double displacement, const PythonPushes& replay,
@@ -136,7 +126,7 @@ void make_motion(PythonMotion* self, const Framework& framework, nb::handle stat
       technique,         weighting,  mass_weighted, tolerance, tolerance_length, tolerance_limit,
       tolerance_overlap, max_sweeps, seed,          walker,    ordering};
   MotionOptions options;
-  options.technique = resolve.chosen();
+  options.technique = resolve.chosen(framework);
   options.resolve = resolve.options();
   if (const auto* one = std::get_if<std::string>(&push)) {
     options.push = {*one};
@@ -161,7 +151,7 @@ constexpr const char* motion_doc =
     "state : State or (N, 3) Angstrom\n"
     "    Copied; ``Motion.state`` is what moves.\n"
     "technique, weighting, mass_weighted, ordering\n"
-    "    As of ``resolve``.\n"
+    "    As of ``resolve``: the technique may be a function.\n"
     "push : str or sequence of str\n"
     "    Names in ``pushers()``, in the order in which they act in each step.\n"
     "force, timestep, damping, displacement : float\n"
@@ -181,7 +171,8 @@ void bind_motion(nb::module_& module) {
   const Technique technique;
   const ResolveOptions resolve;
   const PerturbOptions perturb;
-  nb::class_<PythonMotion>(module, "Motion", motion_doc, nb::type_slots(motion_slots))
+  nb::class_<PythonMotion>(module, "Motion", motion_doc,
+                           nb::type_slots(Collected<PythonMotion>::slots))
       .def("__init__", &make_motion, nb::keep_alive<1, 2>(), "framework"_a, "state"_a,
            "technique"_a = technique.name, "weighting"_a = technique.weighting, nb::kw_only(),
            "mass_weighted"_a = technique.mass_weighted, "ordering"_a = nb::none(),

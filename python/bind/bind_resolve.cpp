@@ -8,6 +8,7 @@
 
 #include "arrays.hpp"
 #include "checks.hpp"
+#include "collected.hpp"
 #include "interrupt.hpp"
 #include "limits.hpp"
 #include "options.hpp"
@@ -22,7 +23,7 @@ namespace {
 class SharedResolver {
  public:
   SharedResolver(const Framework& framework, const ResolveArguments& arguments)
-      : framework_(framework), resolver_(framework, arguments.chosen(), options_of(arguments)) {}
+      : SharedResolver(framework, arguments.chosen(framework), arguments.options()) {}
 
   ResolveSummary resolve(const PositionsInPlace& positions, std::int64_t root, std::int64_t step,
                          const OptionalArray& reference, const OptionalArray& disturbed) {
@@ -38,6 +39,11 @@ class SharedResolver {
     const std::span<const Joint> joints(&joint, framework_.joint_count() > 0 ? 1 : 0);
     return resolve_disturbed(positions, {joint, false, joints}, step, reference);
   }
+
+  int traverse(visitproc visit, void* argument) const {
+    return callable_.traverse(visit, argument);
+  }
+  void clear() { callable_.clear(); }
 
   /// None: it may have been any joints.
   std::optional<std::vector<Joint>> moved() {
@@ -68,20 +74,25 @@ class SharedResolver {
     return summary;
   }
 
-  ResolveOptions options_of(const ResolveArguments& arguments) {
-    ResolveOptions options = arguments.options();
+  SharedResolver(const Framework& framework, const Technique& technique, ResolveOptions options)
+      : framework_(framework),
+        callable_(technique),
+        resolver_(framework, technique, watched(std::move(options))) {}
+
+  ResolveOptions watched(ResolveOptions options) {
     options.should_stop = [this] { return watch_(); };
     return options;
   }
 
   const Framework& framework_;
+  CallableOf callable_;
   InterruptWatch watch_;
   std::mutex mutex_;
   Resolver resolver_;
 };
 
 ResolveSummary resolve_once(const Framework& framework, const PositionsInPlace& positions,
-                            const std::string& technique, double weighting, bool mass_weighted,
+                            const TechniqueLike& technique, double weighting, bool mass_weighted,
                             double tolerance, std::optional<double> tolerance_length,
                             double tolerance_limit, double tolerance_overlap,
                             std::int64_t max_sweeps, std::uint64_t seed, std::uint64_t walker,
@@ -94,7 +105,7 @@ ResolveSummary resolve_once(const Framework& framework, const PositionsInPlace& 
   return resolver.resolve(positions, root, step, reference, {});
 }
 
-void make_resolver(SharedResolver* self, const Framework& framework, const std::string& technique,
+void make_resolver(SharedResolver* self, const Framework& framework, const TechniqueLike& technique,
                    double weighting, bool mass_weighted, double tolerance,
                    std::optional<double> tolerance_length, double tolerance_limit,
                    double tolerance_overlap, std::int64_t max_sweeps, std::uint64_t seed,
@@ -118,8 +129,12 @@ framework : Framework
 positions : (N, 3) float64, Angstrom
     C-contiguous and writeable; this very memory is changed. If a length stops being finite it is
     put back as it was.
-technique : str
-    A name in ``techniques()``.
+technique : str or callable
+    A name in ``techniques()``, or a technique of your own: called with (positions, sweep,
+    framework) it makes one sweep, moving ``positions``, (N, 3) float64 in Angstrom, in place;
+    ``sweep`` counts from 0. It is called again until every bar is whole by Pliant's own measure,
+    or ``max_sweeps``. Pinned joints stay, whatever it does. What it raises ends the call, with
+    positions put back.
 weighting : float
     Share of a correction that the far joint of a tree bar takes, 0 to 1; the near joint takes the
     rest. Bars that close a cycle are shared half and half.
@@ -150,7 +165,7 @@ reference : (N, 3) array-like, optional
 Raises
 ------
 TypeError
-    ``positions`` is no such array.
+    ``positions`` is no such array, or ``technique`` neither a name nor to be called.
 OptionError
     An option is out of range, the technique leaves bars of this framework out, the ordering is
     none of this framework, or ``reference`` has another number of joints.
@@ -276,7 +291,8 @@ void bind_resolver(nb::module_& module) {
   nb::class_<SharedResolver>(module, "Resolver",
                              "Resolves again and again with one technique on one framework.\n\n"
                              "Keeps its plan and memory between calls. Threads that share one wait "
-                             "for each other. Parameters are those of ``resolve``.")
+                             "for each other. Parameters are those of ``resolve``.",
+                             nb::type_slots(Collected<SharedResolver>::slots))
       .def("__init__", &make_resolver, nb::keep_alive<1, 2>(), "framework"_a,
            "technique"_a = technique.name, "weighting"_a = technique.weighting, nb::kw_only(),
            "mass_weighted"_a = technique.mass_weighted, "tolerance"_a = options.tolerance.relative,

@@ -23,6 +23,7 @@ namespace {
 OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunOptions options,
                           const std::vector<nb::object>& observers, ForceRecorder* forces) {
   check_pushes(framework, options.replay);
+  show_framework(options.technique, framework);
   InterruptWatch watch;
   if (forces) options.on_push = [forces](const Push& push) { forces->record(push); };
   options.log = python_log();
@@ -72,6 +73,14 @@ void bind_field(nb::class_<RunOptions>& options, const RunField& field) {
       docstring(field.summary).c_str());
 }
 
+/// Its name, to which a function may be set: ``custom`` from then on.
+void bind_technique(nb::class_<RunOptions>& options) {
+  options.def_prop_rw(
+      "technique", [](const RunOptions& self) { return self.technique.name; },
+      [](RunOptions& self, const TechniqueLike& chosen) { choose(self.technique, chosen); },
+      docstring(find_run_field("technique").summary).c_str());
+}
+
 void bind_ordering(nb::class_<RunOptions>& options) {
   options.def_prop_rw(
       "ordering",
@@ -102,7 +111,11 @@ void bind_options(nb::module_& module) {
       .def(
           "check", [](const RunOptions& self) { check(self); },
           "Raises OptionError naming the option, its value and its range.");
-  for (const RunField& field : run_fields()) bind_field(options, field);
+  for (const RunField& field : run_fields())
+    if (field.name == "technique")
+      bind_technique(options);
+    else
+      bind_field(options, field);
   options.def_prop_rw(
       "walker", [](const RunOptions& self) { return self.resolve.walker; },
       [](RunOptions& self, std::uint64_t value) { self.resolve.walker = value; },

@@ -9,6 +9,7 @@
 
 #include "arrays.hpp"
 #include "checks.hpp"
+#include "collected.hpp"
 #include "interrupt.hpp"
 #include "options.hpp"
 #include "pliant/base/error.hpp"
@@ -28,8 +29,13 @@ class SharedWalkerResolver {
  public:
   SharedWalkerResolver(const Framework& framework, const ResolveArguments& arguments, bool lanes,
                        const std::string& level)
-      : framework_(framework),
-        resolver_(framework, arguments.chosen(), options_of(arguments), {lanes, level}) {}
+      : SharedWalkerResolver(framework, arguments.chosen(framework), arguments.options(),
+                             {lanes, level}) {}
+
+  int traverse(visitproc visit, void* argument) const {
+    return callable_.traverse(visit, argument);
+  }
+  void clear() { callable_.clear(); }
 
   /// Makes the lanes' plans if need be, so that another thread's resolve is waited for.
   std::string level() {
@@ -64,20 +70,26 @@ class SharedWalkerResolver {
   }
 
  private:
-  ResolveOptions options_of(const ResolveArguments& arguments) {
-    ResolveOptions options = arguments.options();
+  SharedWalkerResolver(const Framework& framework, const Technique& technique,
+                       ResolveOptions options, const LaneOptions& lanes)
+      : framework_(framework),
+        callable_(technique),
+        resolver_(framework, technique, watched(std::move(options)), lanes) {}
+
+  ResolveOptions watched(ResolveOptions options) {
     options.should_stop = [this] { return watch_(); };
     return options;
   }
 
   const Framework& framework_;
+  CallableOf callable_;
   InterruptWatch watch_;
   std::mutex mutex_;
   WalkerResolver resolver_;
 };
 
 void make_walker_resolver(SharedWalkerResolver* self, const Framework& framework,
-                          const std::string& technique, double weighting, bool mass_weighted,
+                          const TechniqueLike& technique, double weighting, bool mass_weighted,
                           double tolerance, std::optional<double> tolerance_length,
                           double tolerance_limit, double tolerance_overlap, std::int64_t max_sweeps,
                           std::uint64_t seed, const std::optional<OrderingColumns>& ordering,
@@ -140,7 +152,8 @@ void bind_walkers(nb::module_& module) {
       },
       "Instructions that this build and this processor have for walkers in lanes, the best first:\n"
       "\"v4\" (x86-64-v4, AVX-512), \"v3\" (AVX2), \"v2\" (SSE4.2), \"portable\".");
-  nb::class_<SharedWalkerResolver>(module, "WalkerResolver", class_doc)
+  nb::class_<SharedWalkerResolver>(module, "WalkerResolver", class_doc,
+                                   nb::type_slots(Collected<SharedWalkerResolver>::slots))
       .def("__init__", &make_walker_resolver, nb::keep_alive<1, 2>(), "framework"_a,
            "technique"_a = technique.name, "weighting"_a = technique.weighting, nb::kw_only(),
            "mass_weighted"_a = technique.mass_weighted, "tolerance"_a = options.tolerance.relative,

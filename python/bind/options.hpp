@@ -7,6 +7,7 @@
 #include "bind.hpp"
 #include "orderings.hpp"
 #include "pliant/resolve/resolve.hpp"
+#include "techniques.hpp"
 
 namespace pliant::python {
 
@@ -16,7 +17,7 @@ inline Tolerance tolerance_from(double relative, std::optional<double> length) {
 
 /// The keyword arguments by which a technique and its limits are chosen, in this order.
 struct ResolveArguments {
-  std::string technique;
+  TechniqueLike technique;
   double weighting;
   bool mass_weighted;
   double tolerance;
@@ -28,8 +29,11 @@ struct ResolveArguments {
   std::uint64_t walker;
   std::optional<OrderingColumns> ordering;
 
-  Technique chosen() const {
-    return {technique, weighting, mass_weighted, technique_ordering(ordering)};
+  Technique chosen(const Framework& framework) const {
+    Technique asked{{}, weighting, mass_weighted, technique_ordering(ordering)};
+    choose(asked, technique);
+    show_framework(asked, framework);
+    return asked;
   }
   ResolveOptions options() const {
     ResolveOptions options;

@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy.typing as npt
 
 from pliant import _core
-from pliant._run import JointForce, Observer, Ordering, _options, _start
+from pliant._run import JointForce, Observer, Ordering, Sweep, _options, _start
 
 #: Gives the observers of a walker before it begins: recorders, or what is called with frames.
 ObserversOf = Callable[[int], Iterable[Observer | _core.H5mdRecorder]]
@@ -23,7 +23,7 @@ def run_ensemble(
     observers_of: ObserversOf | None = None,
     steps: int = 1000,
     every: int = 1,
-    technique: str = "auto",
+    technique: str | Sweep = "auto",
     weighting: float = 0.5,
     mass_weighted: bool = False,
     ordering: Ordering | None = None,
@@ -59,7 +59,7 @@ def run_ensemble(
         see holds a copy of its positions. Recorders are closed when their walker ends. What an
         observer raises stops its walker alone.
     steps, every, technique, weighting, mass_weighted, ordering
-        As of `run`.
+        As of `run`. A function as technique is called from one thread at a time.
     tolerance, tolerance_length, tolerance_limit, tolerance_overlap, max_sweeps
         As of `run`.
     perturb, force, timestep, damping, displacement, replay, seed

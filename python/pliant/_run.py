@@ -15,6 +15,9 @@ from pliant import _core
 #: What an observer is: it looks at a frame, and anything true that it returns ends the run.
 Observer = Callable[[_core.Frame], object]
 
+#: A technique of your own: called with (positions, sweep, framework) it makes one sweep.
+Sweep = Callable[[npt.NDArray[np.float64], int, _core.Framework], None]
+
 #: A force on a joint during one step: joint, (x, y, z) in kJ/(mol Angstrom).
 JointForce = tuple[int, tuple[float, float, float]]
 
@@ -32,7 +35,7 @@ def run(
     topology: str | os.PathLike[str] | None = None,
     steps: int = 1000,
     every: int = 1,
-    technique: str = "auto",
+    technique: str | Sweep = "auto",
     weighting: float = 0.5,
     mass_weighted: bool = False,
     ordering: Ordering | None = None,
@@ -82,7 +85,7 @@ def run(
     steps, every : int
         Steps to do; observers see step 0, each `every`-th step and the last.
     technique, weighting, mass_weighted, ordering
-        As of `resolve`.
+        As of `resolve`. A function as technique is recorded as "custom".
     tolerance, tolerance_length, tolerance_limit, tolerance_overlap, max_sweeps
         As of `resolve`.
     perturb : str
@@ -214,7 +217,7 @@ def _force_recorder(
 
 
 def _options(
-    replay: Sequence[JointForce] | None, ordering: Ordering | None, **values: Value
+    replay: Sequence[JointForce] | None, ordering: Ordering | None, **values: Value | Sweep
 ) -> _core.RunOptions:
     options = _core.RunOptions()
     options.ordering = ordering

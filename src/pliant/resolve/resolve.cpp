@@ -24,9 +24,9 @@ namespace {
 void check_on_bar(const Framework& framework, const Technique& technique,
                   const ResolveOptions& options) {
   if (!options.on_bar) return;
-  const std::string name = technique_used(framework, technique).name;
-  if (find_technique(name).make != make_sweeps)
-    throw OptionError("on_bar: technique " + name + " does not go bar by bar; orderings do");
+  const Technique used = technique_used(framework, technique);
+  if (entry_of(used).make != make_sweeps)
+    throw OptionError("on_bar: technique " + used.name + " does not go bar by bar; orderings do");
 }
 
 }  // namespace
@@ -45,7 +45,7 @@ struct Resolver::Plan {
 
   Plan(const Framework& framework_, const Technique& technique_, const ResolveOptions& options_)
       : framework(framework_), options(options_), technique(technique_) {
-    method = find_technique(technique.name).make(framework, technique, options);
+    method = entry_of(technique).make(framework, technique, options);
     if (framework.sterics() != nullptr) contacts = std::make_unique<Contacts>(framework);
     moved.note_all({});
   }

@@ -16,6 +16,7 @@
 #include "pliant/resolve/lanes/lane_direct.hpp"
 #include "pliant/resolve/lanes/lane_sweeps.hpp"
 #include "pliant/resolve/method/method.hpp"
+#include "pliant/resolve/sweeps/custom_sweeps.hpp"
 #include "pliant/resolve/sweeps/local_sweeps.hpp"
 #include "pliant/resolve/sweeps/sweeps.hpp"
 #include "pliant/resolve/units/units.hpp"
@@ -57,7 +58,7 @@ std::vector<TechniqueEntry> all_techniques() {
 }
 
 void check_knows_limits(const Technique& technique, const Framework& framework) {
-  if (framework.has_bars_only() || find_technique(technique.name).knows_limits) return;
+  if (framework.has_bars_only() || entry_of(technique).knows_limits) return;
   std::string known;
   for (const TechniqueEntry& row : techniques())
     if (row.knows_limits) known += (known.empty() ? "" : ", ") + std::string(row.name);
@@ -81,8 +82,16 @@ const TechniqueEntry& find_technique(std::string_view name) {
   return choose(techniques(), "technique", name);
 }
 
+const TechniqueEntry& entry_of(const Technique& technique) {
+  static const TechniqueEntry custom{custom_technique,  "sweeps of your own", false, false, true,
+                                     make_custom_sweeps};
+  return technique.sweep ? custom : find_technique(technique.name);
+}
+
 void check(const Technique& technique) {
-  find_technique(technique.name);
+  if (technique.sweep && technique.name != custom_technique)
+    throw OptionError("sweep: goes with the technique custom, not with " + technique.name);
+  entry_of(technique);
   check_range("weighting", technique.weighting, Range::zero_to_one);
   if (technique.ordering && technique.name != "input")
     throw OptionError("ordering: goes with the technique input, not with " + technique.name);
@@ -92,7 +101,7 @@ void check(const Technique& technique, const Framework& framework) {
   check(technique);
   check_given_ordering(technique, framework);
   check_knows_limits(technique, framework);
-  if (!find_technique(technique.name).forests_only) return;
+  if (!entry_of(technique).forests_only) return;
   const GraphFacts facts = graph_facts(framework);
   if (facts.is_forest()) return;
   throw OptionError("technique = " + technique.name +

@@ -35,8 +35,12 @@ std::span<const TechniqueEntry> techniques();
 /// The row of that name. Throws OptionError listing the known names.
 const TechniqueEntry& find_technique(std::string_view name);
 
-/// Throws OptionError if the technique is unknown, the weighting is not in [0, 1], or an ordering
-/// goes with another technique than `input`.
+/// The row of this technique. Of one that has a sweep of its own (`custom`): a row that is not in
+/// techniques(). Throws OptionError as find_technique does.
+const TechniqueEntry& entry_of(const Technique& technique);
+
+/// Throws OptionError if the technique is unknown, the weighting is not in [0, 1], an ordering goes
+/// with another technique than `input`, or a sweep with another than `custom`.
 void check(const Technique& technique);
 
 /// Throws OptionError if the technique leaves bars of this framework out, knows no limits where it

@@ -71,13 +71,13 @@ struct WalkerResolver::Plan {
         kernels(find_level(lane_options.level)),
         alone(framework_, asked, options_),
         uses_lanes(lane_options.lanes && !options.on_bar && framework_.has_bars_only() &&
-                   find_technique(technique.name).make_lanes != nullptr) {}
+                   entry_of(technique).make_lanes != nullptr) {}
 
   /// A single walker never needs the lanes' plans and memory.
   bool prepare_lanes() {
     if (lanes || !uses_lanes) return uses_lanes;
     const LaneSetting setting{framework, technique, options, kernels};
-    auto method = find_technique(technique.name).make_lanes(setting);
+    auto method = entry_of(technique).make_lanes(setting);
     uses_lanes = method != nullptr;
     if (uses_lanes) lanes.emplace(framework, options.tolerance, kernels, std::move(method));
     return uses_lanes;
