@@ -49,7 +49,7 @@ def test_every_technique_has_one_section(name):
 @pytest.mark.parametrize("heading", sorted({section_of(n)[0] for n in NAMES if section_of(n)}))
 def test_sections_say_what_all_must(heading):
     text = sections()[heading]
-    assert re.search(r"`\w+/\w+\.hpp`", text), "no header"
+    assert re.search(r"`\w+(?:/\w+)+\.hpp`", text), "no header"
     if heading == "`auto`":
         return
     for part in ("**Cost.**", "**Exact", "here it cannot", "**Code.**"):

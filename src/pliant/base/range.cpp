@@ -15,7 +15,7 @@ std::string_view words_of_real(Range range) {
     case Range::positive:
       return "positive and finite";
     case Range::zero_or_more:
-      return "finite and not negative";
+      return "0 or more and finite";
     case Range::zero_to_one:
       return "from 0 to 1";
     case Range::any:

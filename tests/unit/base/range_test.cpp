@@ -38,7 +38,7 @@ TEST(Range, SaysWhatMustBe) {
     return test::error_text<OptionError>([&] { check_range("size", value, range); });
   };
   EXPECT_EQ(refusal(0.0, Range::positive), "size = 0: must be positive and finite");
-  EXPECT_EQ(refusal(-1.0, Range::zero_or_more), "size = -1: must be finite and not negative");
+  EXPECT_EQ(refusal(-1.0, Range::zero_or_more), "size = -1: must be 0 or more and finite");
   EXPECT_EQ(refusal(2.0, Range::zero_to_one), "size = 2: must be from 0 to 1");
   EXPECT_EQ(refusal(infinite, Range::any), "size = inf: must be finite");
   EXPECT_EQ(refusal(std::int64_t{0}, Range::positive), "size = 0: must be from 1");
