@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/read/read.hpp"
 #include "pliant/record/xml/graph_xml.hpp"
@@ -45,8 +46,8 @@ void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
   line.add_choice("--format", options.format, names_of(formats()),
                   "pdb, mmcif, xyz or sdf, if not told by extension or content");
   line.add_integer("--model", options.model, 1, most_models, "which model, frame or record");
-  line.add_choice("--bars", options.bars, names_of(bar_choices),
-                  "bonds, or angles: bonds and 1-3 pairs");
+  line.add_text("--bars", options.bars, "NAME or FILE",
+                "bonds, angles (bonds and 1-3 pairs), none or a bars file (default: bonds)");
   line.add_choice("--lengths", options.lengths, names_of(length_choices),
                   "rest lengths from the geometry or a table of bonds");
   line.add_text("--pin", options.pin, "SELECTION",
@@ -64,7 +65,7 @@ Molecule load(const MoleculeOptions& options, const Log& log) {
   bonding.log = log;
   perceive_bonds(structure, bonding);
   BuildOptions building;
-  building.bars = choose(bar_choices, "kind of bars", options.bars).kind;
+  take_bars(options.bars, structure, building);
   building.lengths = choose(length_choices, "source of lengths", options.lengths).source;
   building.pin = options.pin;
   building.log = log;

@@ -213,7 +213,7 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
   std::vector<NamedParameter> values = pliant::parameters_of(run, framework);
   values.insert(values.end(), {{"input/file", fs::path(settings.molecule.file).filename().string()},
                                {"input/model", settings.molecule.model},
-                               {"input/bars", settings.molecule.bars},
+                               {"input/bars", fs::path(settings.molecule.bars).filename().string()},
                                {"input/lengths", settings.molecule.lengths},
                                {"input/pin", settings.molecule.pin},
                                {"input/distance_bonds", settings.molecule.guess_distances},

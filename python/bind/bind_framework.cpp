@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// Framework, State, graph facts and residuals.
+// Framework, State and graph facts.
 #include "arrays.hpp"
 #include "checks.hpp"
 #include "frame.hpp"
-#include "options.hpp"
+#include "limits.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/framework/graph.hpp"
-#include "pliant/framework/residual.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant::python {
 
 void bind_examples(nb::module_& module);
+void bind_residual(nb::module_& module);
 
 namespace {
 
@@ -48,7 +48,7 @@ void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray&
                     std::optional<std::int64_t> joint_count, const OptionalArray& positions,
                     const OptionalArray& masses, const OptionalArray& pinned,
                     std::optional<std::vector<std::string>> names, const Structure* structure,
-                    bool planar) {
+                    bool planar, const nb::object& limits) {
   std::optional<std::vector<Vec3>> start;
   if (positions) start = positions_from(*positions);
   FrameworkParts parts;
@@ -68,6 +68,7 @@ void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray&
   if (names) parts.atoms = table_of_names(std::move(*names));
   if (structure) parts.atoms = std::make_shared<const AtomTable>(structure->atoms);
   parts.planar = planar;
+  if (!limits.is_none()) parts.limits = limits_from(limits);
   const nb::gil_scoped_release no_gil;
   new (self) Framework(std::move(parts));
 }
@@ -142,14 +143,19 @@ structure : Structure, optional
     Whose atoms the joints are: messages and files call them so.
 planar : bool
     A framework of the plane: no push changes the z of a joint.
+limits : sequence of (a, b, least, most[, kind[, energy[, group]]]), optional
+    Pairs of joints whose distance is held to [least, most] Angstrom; ``most`` may be infinite. Kind:
+    "given", "hydrogen_bond", "hydrophobic" or "torsion"; energy in kJ/mol, 0 if not known; limits of
+    one group, from 0, stand for one thing together.
 
 Raises
 ------
 InputError
     A bar joins a joint to itself, names an unknown joint, has a length out of range (1e-150 to
     1e150), or is given twice with different lengths; shapes do not fit. Equal duplicates are merged.
+    A limit joins a pair that has a bar, unknown joints, or has an empty interval.
 TypeError
-    An argument is no array of numbers (of integers, for ``bars``).
+    An argument is no array of numbers (of integers, for ``bars``); a limit is no such row.
 )";
 
 void bind_framework_graph(nb::class_<Framework>& framework) {
@@ -175,7 +181,7 @@ void bind_framework_class(nb::module_& module) {
       .def("__init__", &make_framework, "bars"_a, "rest_lengths"_a = nb::none(),
            "joint_count"_a = nb::none(), nb::kw_only(), "positions"_a = nb::none(),
            "masses"_a = nb::none(), "pinned"_a = nb::none(), "names"_a = nb::none(),
-           "structure"_a = nb::none(), "planar"_a = false)
+           "structure"_a = nb::none(), "planar"_a = false, "limits"_a = nb::none())
       .def_prop_ro("joint_count", &Framework::joint_count, "Number N of joints.")
       .def_prop_ro("bar_count", &Framework::bar_count, "Number B of bars.")
       .def_prop_ro("bars", &bars_view, "(B, 2) uint32, read-only view: the joints of each bar.")
@@ -194,6 +200,13 @@ void bind_framework_class(nb::module_& module) {
       .def_prop_ro(
           "pinned", [](const Framework& self) { return array_of(pinned_joints(self)); },
           nb::rv_policy::reference, "uint32 indices of the joints that never move, ascending.")
+      .def_prop_ro("limits", &limits_to_python,
+                   nb::sig("def limits(self) -> numpy.typing.NDArray[numpy.void]"),
+                   "(L,) structured array: a, b, least, most (Angstrom), kind, energy (kJ/mol),\n"
+                   "group (-1: none). ``Framework(limits=...)`` takes it.")
+      .def_prop_ro(
+          "has_sterics", [](const Framework& self) { return self.sterics() != nullptr; },
+          "Whether joints may come only so near; a bars file states it.")
       .def_prop_ro("is_planar", &Framework::is_planar, "Whether no push changes the z of a joint.")
       .def_prop_ro("merged_bar_count", &Framework::merged_bar_count,
                    "How many bars were given twice and merged.")
@@ -246,49 +259,13 @@ void bind_state(nb::module_& module) {
       });
 }
 
-void bind_residuals(nb::module_& module) {
-  nb::class_<ResidualSummary>(module, "ResidualSummary",
-                              "How far a framework is from its rest lengths.")
-      .def_ro("max_relative", &ResidualSummary::max_relative, "Largest |length - rest| / rest.")
-      .def_ro("rms_relative", &ResidualSummary::rms_relative, "Root of the mean of its square.")
-      .def_ro("max_length", &ResidualSummary::max_length, "Largest |length - rest| in Angstrom.")
-      .def_ro("worst_bar", &ResidualSummary::worst_bar, "The bar of max_relative.")
-      .def_ro("within", &ResidualSummary::within, "Every bar is within the tolerance.")
-      .def_ro("finite", &ResidualSummary::finite, "Every length is a finite number.");
-  module.def(
-      "measure",
-      [](const Framework& framework, const ArrayLike& positions, double tolerance,
-         std::optional<double> tolerance_length) {
-        const std::vector<Vec3> points = positions_from(positions, framework.joint_count());
-        const Tolerance within = tolerance_from(tolerance, tolerance_length);
-        const nb::gil_scoped_release no_gil;
-        return measure(framework, points, within);
-      },
-      "framework"_a, "positions"_a, nb::kw_only(), "tolerance"_a = Tolerance{}.relative,
-      "tolerance_length"_a = nb::none(),
-      "Measures all bars at ``positions``, (N, 3) Angstrom, which need not be finite.");
-  module.def(
-      "residuals",
-      [](const Framework& framework, const ArrayLike& positions) {
-        const std::vector<Vec3> points = positions_from(positions, framework.joint_count());
-        std::vector<double> residuals;
-        for (std::size_t k = 0; k < framework.bar_count(); ++k) {
-          const Bar bar = framework.bars()[k];
-          residuals.push_back(residual(points[bar.a], points[bar.b], framework.rest_lengths()[k]));
-        }
-        return array_of(std::move(residuals));
-      },
-      "framework"_a, "positions"_a,
-      "(B,) float64: length - rest of each bar at ``positions``, (N, 3); both in Angstrom.");
-}
-
 }  // namespace
 
 void bind_framework(nb::module_& module) {
   bind_graph_facts(module);
   bind_framework_class(module);
   bind_state(module);
-  bind_residuals(module);
+  bind_residual(module);
   bind_frame(module);
   bind_examples(module);
 }

@@ -7,6 +7,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/read/read.hpp"
@@ -49,12 +50,15 @@ Structure read_text(std::string_view text, std::string_view name, std::int64_t m
   return structure;
 }
 
-Framework framework_of(const Structure& structure, const std::string& bars,
+Framework framework_of(const Structure& structure, const std::filesystem::path& bars,
                        const std::string& lengths, const std::string& pin, bool use_masses) {
-  const BuildOptions options{choose(bar_choices, "kind of bars", bars).kind,
-                             choose(length_choices, "source of lengths", lengths).source, pin,
-                             use_masses, python_log()};
+  BuildOptions options;
+  options.lengths = choose(length_choices, "source of lengths", lengths).source;
+  options.pin = pin;
+  options.use_masses = use_masses;
+  options.log = python_log();
   const nb::gil_scoped_release no_gil;
+  take_bars(bars.string(), structure, options);
   return build_framework(structure, options);
 }
 
@@ -62,8 +66,9 @@ constexpr const char* framework_doc = R"(The framework whose joints are the atom
 
 Parameters
 ----------
-bars : str
-    ``bonds``: a bar for each bond; ``angles``: and for each pair of atoms bonded to one atom.
+bars : str or path
+    ``bonds``: a bar for each bond; ``angles``: and for each pair of atoms bonded to one atom;
+    ``none``; else the path of a bars file, which states bars, limits and sterics.
 lengths : str
     ``geometry``: the distances at ``positions``; ``table``: standard lengths by elements and order.
 pin : str
@@ -74,7 +79,9 @@ use_masses : bool
 Raises
 ------
 InputError
-    A bar would have no length.
+    A bar would have no length; the bars file is wrong, with its line.
+FileError
+    The bars file cannot be read.
 OptionError
     An unknown choice, or a selection that cannot be understood.
 )";

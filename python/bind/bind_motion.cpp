@@ -120,9 +120,11 @@ void make_motion(PythonMotion* self, const Framework& framework, nb::handle stat
                  const std::variant<std::string, std::vector<std::string>>& push, double force,
                  double timestep, double damping, double displacement, const PythonPushes& replay,
                  std::int64_t replay_from, double tolerance, std::optional<double> tolerance_length,
-                 std::int64_t max_sweeps, std::uint64_t seed, std::uint64_t walker) {
-  const ResolveArguments resolve{technique,  weighting, mass_weighted, tolerance, tolerance_length,
-                                 max_sweeps, seed,      walker,        ordering};
+                 double tolerance_limit, double tolerance_overlap, std::int64_t max_sweeps,
+                 std::uint64_t seed, std::uint64_t walker) {
+  const ResolveArguments resolve{
+      technique,         weighting,  mass_weighted, tolerance, tolerance_length, tolerance_limit,
+      tolerance_overlap, max_sweeps, seed,          walker,    ordering};
   MotionOptions options;
   options.technique = resolve.chosen(framework);
   options.resolve = resolve.options();
@@ -158,7 +160,7 @@ constexpr const char* motion_doc =
     "    Of pusher ``replay``: forces in kJ/(mol Angstrom), one a step.\n"
     "replay_from : int\n"
     "    The step after which the first of them acts.\n"
-    "tolerance, tolerance_length, max_sweeps\n"
+    "tolerance, tolerance_length, tolerance_limit, tolerance_overlap, max_sweeps\n"
     "    As of ``resolve``.\n"
     "seed, walker : int\n"
     "    All random numbers are functions of these, the step and the joint.";
@@ -178,8 +180,9 @@ void bind_motion(nb::module_& module) {
            "damping"_a = perturb.damping, "displacement"_a = perturb.displacement,
            "replay"_a = PythonPushes(), "replay_from"_a = 0,
            "tolerance"_a = resolve.tolerance.relative, "tolerance_length"_a = nb::none(),
-           "max_sweeps"_a = resolve.max_sweeps, "seed"_a = resolve.seed,
-           "walker"_a = resolve.walker)
+           "tolerance_limit"_a = resolve.tolerance.limit,
+           "tolerance_overlap"_a = resolve.tolerance.overlap, "max_sweeps"_a = resolve.max_sweeps,
+           "seed"_a = resolve.seed, "walker"_a = resolve.walker)
       .def("add", &PythonMotion::add, "pusher"_a,
            "Acts in each step after the pushers that are there already: a ``Steering``, or\n"
            "something to be called with (step, positions, previous). It moves joints of\n"

@@ -10,6 +10,7 @@
 #include "checks.hpp"
 #include "collected.hpp"
 #include "interrupt.hpp"
+#include "limits.hpp"
 #include "options.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/techniques.hpp"
@@ -93,22 +94,25 @@ class SharedResolver {
 ResolveSummary resolve_once(const Framework& framework, const PositionsInPlace& positions,
                             const TechniqueLike& technique, double weighting, bool mass_weighted,
                             double tolerance, std::optional<double> tolerance_length,
+                            double tolerance_limit, double tolerance_overlap,
                             std::int64_t max_sweeps, std::uint64_t seed, std::uint64_t walker,
                             std::int64_t root, std::int64_t step,
                             const std::optional<OrderingColumns>& ordering,
                             const OptionalArray& reference) {
-  SharedResolver resolver(framework, {technique, weighting, mass_weighted, tolerance,
-                                      tolerance_length, max_sweeps, seed, walker, ordering});
+  SharedResolver resolver(
+      framework, {technique, weighting, mass_weighted, tolerance, tolerance_length, tolerance_limit,
+                  tolerance_overlap, max_sweeps, seed, walker, ordering});
   return resolver.resolve(positions, root, step, reference, {});
 }
 
 void make_resolver(SharedResolver* self, const Framework& framework, const TechniqueLike& technique,
                    double weighting, bool mass_weighted, double tolerance,
-                   std::optional<double> tolerance_length, std::int64_t max_sweeps,
-                   std::uint64_t seed, std::uint64_t walker,
-                   const std::optional<OrderingColumns>& ordering) {
-  new (self) SharedResolver(framework, {technique, weighting, mass_weighted, tolerance,
-                                        tolerance_length, max_sweeps, seed, walker, ordering});
+                   std::optional<double> tolerance_length, double tolerance_limit,
+                   double tolerance_overlap, std::int64_t max_sweeps, std::uint64_t seed,
+                   std::uint64_t walker, const std::optional<OrderingColumns>& ordering) {
+  new (self) SharedResolver(
+      framework, {technique, weighting, mass_weighted, tolerance, tolerance_length, tolerance_limit,
+                  tolerance_overlap, max_sweeps, seed, walker, ordering});
 }
 
 constexpr const char* resolve_doc =
@@ -140,6 +144,9 @@ tolerance : float
     Largest |length - rest| / rest of a whole bar.
 tolerance_length : float, optional
     Largest |length - rest| in Angstrom, in place of ``tolerance``.
+tolerance_limit, tolerance_overlap : float
+    How far outside its interval a limit's distance may be, and how much nearer than sterics allow
+    two joints may be, both in Angstrom.
 max_sweeps : int
     Give up after so many.
 seed, walker : int
@@ -230,8 +237,9 @@ IndexError
 )";
 
 void bind_summary(nb::module_& module) {
-  nb::class_<ResolveSummary>(module, "ResolveSummary", "What a resolve did.")
-      .def_ro("stop", &ResolveSummary::stop, "Why it ended.")
+  nb::class_<ResolveSummary> summary(module, "ResolveSummary", "What a resolve did.");
+  bind_violations<ResolveSummary>(summary);
+  summary.def_ro("stop", &ResolveSummary::stop, "Why it ended.")
       .def_prop_ro("converged", &ResolveSummary::converged, "Every bar is within the tolerance.")
       .def_ro("sweeps", &ResolveSummary::sweeps, "Passes over the ordering in one direction.")
       .def_ro("projections", &ResolveSummary::projections,
@@ -288,7 +296,8 @@ void bind_resolver(nb::module_& module) {
       .def("__init__", &make_resolver, nb::keep_alive<1, 2>(), "framework"_a,
            "technique"_a = technique.name, "weighting"_a = technique.weighting, nb::kw_only(),
            "mass_weighted"_a = technique.mass_weighted, "tolerance"_a = options.tolerance.relative,
-           "tolerance_length"_a = nb::none(), "max_sweeps"_a = options.max_sweeps,
+           "tolerance_length"_a = nb::none(), "tolerance_limit"_a = options.tolerance.limit,
+           "tolerance_overlap"_a = options.tolerance.overlap, "max_sweeps"_a = options.max_sweeps,
            "seed"_a = options.seed, "walker"_a = options.walker, "ordering"_a = nb::none())
       .def("resolve", &SharedResolver::resolve, "positions"_a, "root"_a = 0, nb::kw_only(),
            "step"_a = 0, "reference"_a = nb::none(), "disturbed"_a = nb::none(), resolve_again_doc)
@@ -302,9 +311,10 @@ void bind_resolver(nb::module_& module) {
              "weighting"_a = technique.weighting, nb::kw_only(),
              "mass_weighted"_a = technique.mass_weighted,
              "tolerance"_a = options.tolerance.relative, "tolerance_length"_a = nb::none(),
-             "max_sweeps"_a = options.max_sweeps, "seed"_a = options.seed,
-             "walker"_a = options.walker, "root"_a = 0, "step"_a = 0, "ordering"_a = nb::none(),
-             "reference"_a = nb::none(), resolve_doc);
+             "tolerance_limit"_a = options.tolerance.limit,
+             "tolerance_overlap"_a = options.tolerance.overlap, "max_sweeps"_a = options.max_sweeps,
+             "seed"_a = options.seed, "walker"_a = options.walker, "root"_a = 0, "step"_a = 0,
+             "ordering"_a = nb::none(), "reference"_a = nb::none(), resolve_doc);
 }
 
 }  // namespace

@@ -91,13 +91,14 @@ class SharedWalkerResolver {
 void make_walker_resolver(SharedWalkerResolver* self, const Framework& framework,
                           const TechniqueLike& technique, double weighting, bool mass_weighted,
                           double tolerance, std::optional<double> tolerance_length,
-                          std::int64_t max_sweeps, std::uint64_t seed,
-                          const std::optional<OrderingColumns>& ordering, bool lanes,
-                          const std::string& level) {
-  new (self) SharedWalkerResolver(framework,
-                                  {technique, weighting, mass_weighted, tolerance, tolerance_length,
-                                   max_sweeps, seed, 0, ordering},
-                                  lanes, level);
+                          double tolerance_limit, double tolerance_overlap, std::int64_t max_sweeps,
+                          std::uint64_t seed, const std::optional<OrderingColumns>& ordering,
+                          bool lanes, const std::string& level) {
+  new (self)
+      SharedWalkerResolver(framework,
+                           {technique, weighting, mass_weighted, tolerance, tolerance_length,
+                            tolerance_limit, tolerance_overlap, max_sweeps, seed, 0, ordering},
+                           lanes, level);
 }
 
 constexpr const char* class_doc =
@@ -156,7 +157,8 @@ void bind_walkers(nb::module_& module) {
       .def("__init__", &make_walker_resolver, nb::keep_alive<1, 2>(), "framework"_a,
            "technique"_a = technique.name, "weighting"_a = technique.weighting, nb::kw_only(),
            "mass_weighted"_a = technique.mass_weighted, "tolerance"_a = options.tolerance.relative,
-           "tolerance_length"_a = nb::none(), "max_sweeps"_a = options.max_sweeps,
+           "tolerance_length"_a = nb::none(), "tolerance_limit"_a = options.tolerance.limit,
+           "tolerance_overlap"_a = options.tolerance.overlap, "max_sweeps"_a = options.max_sweeps,
            "seed"_a = options.seed, "ordering"_a = nb::none(), "lanes"_a = true, "level"_a = "")
       .def_prop_ro("level", &SharedWalkerResolver::level,
                    "The instructions in use; empty if walkers go one after the other.")

@@ -22,6 +22,8 @@ struct ResolveArguments {
   bool mass_weighted;
   double tolerance;
   std::optional<double> tolerance_length;
+  double tolerance_limit;
+  double tolerance_overlap;
   std::int64_t max_sweeps;
   std::uint64_t seed;
   std::uint64_t walker;
@@ -35,7 +37,8 @@ struct ResolveArguments {
   }
   ResolveOptions options() const {
     ResolveOptions options;
-    options.tolerance = tolerance_from(tolerance, tolerance_length);
+    options.tolerance = {tolerance, tolerance_length.value_or(0.0), tolerance_limit,
+                         tolerance_overlap};
     options.max_sweeps = max_sweeps;
     options.seed = seed;
     options.walker = walker;

@@ -29,6 +29,8 @@ def run_ensemble(
     ordering: Ordering | None = None,
     tolerance: float = 1e-6,
     tolerance_length: float | None = None,
+    tolerance_limit: float = 0.01,
+    tolerance_overlap: float = 0.1,
     max_sweeps: int = 10000,
     perturb: str = "force",
     force: float = 50.0,
@@ -58,9 +60,9 @@ def run_ensemble(
         observer raises stops its walker alone.
     steps, every, technique, weighting, mass_weighted, ordering
         As of `run`. A function as technique is called from one thread at a time.
-    tolerance, tolerance_length, max_sweeps, perturb, force, timestep, damping, displacement
+    tolerance, tolerance_length, tolerance_limit, tolerance_overlap, max_sweeps
         As of `run`.
-    replay, seed
+    perturb, force, timestep, damping, displacement, replay, seed
         As of `run`.
 
     Returns
@@ -84,6 +86,8 @@ def run_ensemble(
         mass_weighted=mass_weighted,
         tolerance=tolerance,
         tolerance_length=0.0 if tolerance_length is None else tolerance_length,
+        tolerance_limit=tolerance_limit,
+        tolerance_overlap=tolerance_overlap,
         max_sweeps=max_sweeps,
         perturb=perturb,
         force=force,

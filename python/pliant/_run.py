@@ -41,6 +41,8 @@ def run(
     ordering: Ordering | None = None,
     tolerance: float = 1e-6,
     tolerance_length: float | None = None,
+    tolerance_limit: float = 0.01,
+    tolerance_overlap: float = 0.1,
     max_sweeps: int = 10000,
     perturb: str = "force",
     force: float = 50.0,
@@ -51,7 +53,7 @@ def run(
     record_forces: str | os.PathLike[str] | None = None,
     seed: int = 0,
     walker: int = 0,
-    bars: str = "bonds",
+    bars: str | os.PathLike[str] = "bonds",
     lengths: str = "geometry",
     pin: str = "",
     structure: _core.Structure | None = None,
@@ -82,8 +84,10 @@ def run(
         PDB file to write beside it, with names and bonds of the structure.
     steps, every : int
         Steps to do; observers see step 0, each `every`-th step and the last.
-    technique, weighting, mass_weighted, ordering, tolerance, tolerance_length, max_sweeps
+    technique, weighting, mass_weighted, ordering
         As of `resolve`. A function as technique is recorded as "custom".
+    tolerance, tolerance_length, tolerance_limit, tolerance_overlap, max_sweeps
+        As of `resolve`.
     perturb : str
         A name in `perturbations()`.
     force, timestep, damping, displacement : float
@@ -97,7 +101,7 @@ def run(
         seed nor damping. It is there once the run has ended.
     seed, walker : int
         All random numbers are functions of these, the step and the joint.
-    bars, lengths, pin : str
+    bars, lengths, pin : str (bars: or path)
         As of `Structure.framework`; only looked at for a structure.
     structure : Structure, optional
         Whose bonds and masses are recorded beside a framework of your own making.
@@ -130,7 +134,7 @@ def run(
         if structure is not None:
             raise TypeError("run: structure is given twice")
         structure, framework = framework, framework.framework(bars, lengths, pin)
-        built = {"input/bars": bars, "input/lengths": lengths, "input/pin": pin}
+        built = {"input/bars": Path(bars).name, "input/lengths": lengths, "input/pin": pin}
     options = _options(
         replay,
         ordering,
@@ -141,6 +145,8 @@ def run(
         mass_weighted=mass_weighted,
         tolerance=tolerance,
         tolerance_length=0.0 if tolerance_length is None else tolerance_length,
+        tolerance_limit=tolerance_limit,
+        tolerance_overlap=tolerance_overlap,
         max_sweeps=max_sweeps,
         perturb=perturb,
         force=force,
@@ -152,9 +158,7 @@ def run(
     )
     start = _start(state, structure)
     _refuse_to_overwrite(structure, output, topology, record_forces)
-    forces = None
-    if record_forces is not None:
-        forces = _force_recorder(record_forces, framework, options, overwrite)
+    forces = _force_recorder(record_forces, framework, options, overwrite)
     if topology is not None:
         _write_topology(topology, structure, start, overwrite)
     if output is None:
@@ -197,11 +201,13 @@ def _refuse_to_overwrite(
 
 
 def _force_recorder(
-    path: str | os.PathLike[str],
+    path: str | os.PathLike[str] | None,
     framework: _core.Framework,
     options: _core.RunOptions,
     overwrite: bool,
-) -> _core.ForceRecorder:
+) -> _core.ForceRecorder | None:
+    if path is None:
+        return None
     if not options.replay and options.perturb != "force":
         raise _core.OptionError(
             "record_forces: a force file holds one force on one joint a step, which "

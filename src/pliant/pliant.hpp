@@ -20,9 +20,11 @@
 #include "pliant/text/output_file.hpp"  // files that are there whole or not at all
 
 // molecule: files to structures, structures to frameworks
+#include "pliant/molecule/bars_file.hpp"            // bars, limits and sterics as text
 #include "pliant/molecule/bonds/bonds.hpp"          // bond perception
 #include "pliant/molecule/build_framework.hpp"      // bonds or angles to bars
 #include "pliant/molecule/read/read.hpp"            // PDB, mmCIF, XYZ, SDF
+#include "pliant/molecule/sterics_lines.hpp"        // the sterics of such a text
 #include "pliant/molecule/structure/structure.hpp"  // atoms, positions, bonds
 
 // framework: joints, bars and what is known of them

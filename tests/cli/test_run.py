@@ -216,3 +216,51 @@ def test_interrupt_leaves_a_readable_file(command, ethanol, tmp_path):
         position = file["particles/trajectory/position"]
         assert len(position["value"]) == len(position["step"]) > 1
         assert np.isfinite(position["value"][-1]).all()
+
+
+BARS = """pliant-bars 1
+bars bonds
+limit 3 8 0 4.5            # a cable from a hydrogen of one end to that of the other
+limit 0 8 2.5 inf given -3 7
+sterics H H 1.6
+"""
+
+
+def distances(positions, pairs):
+    return np.linalg.norm(positions[:, pairs[:, 0]] - positions[:, pairs[:, 1]], axis=2)
+
+
+def test_limits_of_a_bars_file_are_kept_and_recorded(pliant, ethanol, tmp_path):
+    (tmp_path / "bars.txt").write_text(BARS)
+    ended = pliant("run", ethanol, "-o", "o.h5md", "--steps", 200, "--bars", "bars.txt")
+    assert (ended.code, ended.err) == (0, "")
+    with h5py.File(tmp_path / "o.h5md") as file:
+        positions = file["particles/trajectory/position/value"][:]
+        pairs = file["connectivity/limits"][:]
+        assert file["observables/max_limit/value"][:].max() <= 0.01
+        assert file["observables/max_overlap/value"][:].max() <= 0.1
+        assert file["parameters/input/bars"].asstr()[()] == "bars.txt"
+        assert file["parameters/run/tolerance_limit"][()] == 0.01
+    assert pairs.tolist() == [[3, 8], [0, 8]]
+    lengths = distances(positions, pairs)
+    assert lengths[:, 0].max() <= 4.5 + 0.01
+    assert lengths[:, 1].min() >= 2.5 - 0.01
+    # They are what holds the two ends: without them both are left.
+    pliant("run", ethanol, "-o", "free.h5md", "--steps", 200)
+    with h5py.File(tmp_path / "free.h5md") as file:
+        free = distances(file["particles/trajectory/position/value"][:], pairs)
+    assert free[:, 0].max() > 4.51 or free[:, 1].min() < 2.49
+
+
+def test_a_bars_file_is_refused_with_its_line(pliant, ethanol, tmp_path):
+    (tmp_path / "bars.txt").write_text(BARS.replace("2.5 inf", "2.5 2"))
+    ended = pliant("run", ethanol, "--bars", "bars.txt")
+    assert (ended.code, ended.out) == (1, "")
+    assert "bars.txt:4: limit: expected a least distance up to the most" in ended.err
+
+
+def test_a_bars_file_is_no_output(pliant, ethanol, tmp_path):
+    (tmp_path / "bars.txt").write_text(BARS)
+    ended = pliant("run", ethanol, "--bars", "bars.txt", "-o", "bars.txt", "--overwrite")
+    assert ended.code == 2
+    assert (tmp_path / "bars.txt").read_text() == BARS

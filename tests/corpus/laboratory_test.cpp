@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Graphs, orderings, forces and results of the corpus are read or refused as expected.txt beside
-// them says; so is every beginning of each, and each with a byte left out, doubled or changed,
-// without a crash or a raw byte in a message.
+// Graphs, orderings, forces, bars and results of the corpus are read or refused as expected.txt
+// beside them says; so is every beginning of each, and each with a byte left out, doubled or
+// changed, without a crash or a raw byte in a message.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -6,6 +6,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/laboratory/test_results.hpp"
+#include "pliant/molecule/bars_file.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/record/xml/graph_xml.hpp"
@@ -69,6 +70,9 @@ void write(const std::vector<TestRow>& rows, std::ostream& out) {
   if (rows.empty()) out << "no force\n";
 }
 
+/// As a file that holds the same.
+void write(const BarsFile& file, std::ostream& out) { out << write_bars_file(file, kite()); }
+
 template <class Read>
 std::string reading(Read read) {
   std::ostringstream out;
@@ -97,6 +101,12 @@ std::string read_forces(const SourceText& source) {
   return reading([&](std::ostream&) { return parse_force_file(source.text, source.name, kite()); });
 }
 
+std::string read_bars(const SourceText& source) {
+  return reading([&](std::ostream&) {
+    return parse_bars_file({source.name, without_byte_order_mark(source.text)}, kite());
+  });
+}
+
 std::string read_results(const SourceText& source) {
   return reading([&](std::ostream&) { return parse_test_rows(source); });
 }
@@ -104,6 +114,7 @@ std::string read_results(const SourceText& source) {
 constexpr LaboratoryFile table[] = {{"graph", read_graph},
                                     {"ordering", read_ordering},
                                     {"forces", read_forces},
+                                    {"bars", read_bars},
                                     {"results", read_results}};
 
 }  // namespace

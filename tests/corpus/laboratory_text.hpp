@@ -16,8 +16,8 @@ struct LaboratoryFile {
   std::string (*read)(const SourceText& source);
 };
 
-/// graph, and those that are read for joints a, b, c, d and bars ab, bc, ca, cd: ordering, forces;
-/// and results.
+/// graph, and those that are read for joints a, b, c, d and bars ab, bc, ca, cd: ordering, forces,
+/// bars; and results.
 std::span<const LaboratoryFile> laboratory_files();
 
 }  // namespace pliant

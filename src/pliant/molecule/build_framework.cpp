@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
@@ -34,11 +35,15 @@ class FrameworkBuilder {
   FrameworkParts parts() {
     parts_.joint_count = structure_.size();
     parts_.atoms = std::make_shared<const AtomTable>(structure_.atoms);
-    for (const Bond& bond : structure_.bonds) add_bond(bond);
+    if (options_.bars != BarKind::none)
+      for (const Bond& bond : structure_.bonds) add_bond(bond);
     if (options_.bars == BarKind::angles) add_angles();
-    if (options_.lengths == LengthSource::geometry) parts_.drawn = structure_.positions;
+    add_stated();
+    if (is_drawn()) parts_.drawn = structure_.positions;
     if (options_.use_masses) add_masses();
     if (!options_.pin.empty()) pin();
+    parts_.limits = options_.limits;
+    parts_.sterics = options_.sterics;
     if (from_radii_ > 0)
       options_.log.note("rest lengths of " + std::to_string(from_radii_) + " of " +
                         std::to_string(parts_.bars.size()) +
@@ -116,6 +121,32 @@ class FrameworkBuilder {
     }
   }
 
+  /// Stated bars, each in the place of the bar that its atoms have, if they have one.
+  void add_stated() {
+    if (options_.stated.empty()) return;
+    std::map<std::pair<Joint, Joint>, std::size_t> bar_of;
+    for (std::size_t k = 0; k < parts_.bars.size(); ++k)
+      bar_of[std::minmax(parts_.bars[k].a, parts_.bars[k].b)] = k;
+    for (const auto& [bar, length] : options_.stated) {
+      check_atom(bar.a), check_atom(bar.b);
+      const double rest = length ? *length : measured_length(bar.a, bar.b);
+      const auto at = bar_of.find(std::minmax(bar.a, bar.b));
+      if (at != bar_of.end()) {
+        parts_.rest_lengths[at->second] = rest;
+      } else {
+        parts_.bars.push_back(bar);
+        parts_.rest_lengths.push_back(rest);
+      }
+    }
+  }
+
+  /// Whether the structure shows every bar at its rest length.
+  bool is_drawn() const {
+    return options_.lengths == LengthSource::geometry &&
+           std::none_of(options_.stated.begin(), options_.stated.end(),
+                        [](const StatedBar& bar) { return bar.length.has_value(); });
+  }
+
   void index_neighbours() {
     first_neighbour_.assign(structure_.size() + 1, 0);
     for (Bar bar : parts_.bars) ++first_neighbour_[bar.a + 1], ++first_neighbour_[bar.b + 1];
@@ -162,7 +193,13 @@ Framework build_framework(const Structure& structure, const BuildOptions& option
     throw OptionError(
         "lengths \"table\" is for bars \"bonds\" only: bars across angles have no "
         "standard lengths");
-  return Framework(FrameworkBuilder(structure, options).parts());
+  FrameworkParts parts = FrameworkBuilder(structure, options).parts();
+  if (options.stated_in.empty()) return Framework(std::move(parts));
+  try {
+    return Framework(std::move(parts));
+  } catch (const InputError& error) {
+    throw InputError(at({options.stated_in}, error.what()));
+  }
 }
 
 }  // namespace pliant

@@ -2,7 +2,10 @@
 // From chemistry to geometry: which pairs of atoms become bars, and how long they are.
 #pragma once
 
+#include <memory>
+#include <optional>
 #include <string>
+#include <vector>
 
 #include "pliant/base/log.hpp"
 #include "pliant/framework/framework.hpp"
@@ -10,8 +13,8 @@
 
 namespace pliant {
 
-/// Which pairs become bars: bonds (1-2), or angles (1-2 and 1-3).
-enum class BarKind : std::uint8_t { bonds, angles };
+/// Which pairs become bars: bonds (1-2), angles (1-2 and 1-3), or none.
+enum class BarKind : std::uint8_t { bonds, angles, none };
 /// Where rest lengths come from: the file's geometry, or sums of covalent radii (bonds only).
 enum class LengthSource : std::uint8_t { geometry, table };
 
@@ -27,10 +30,18 @@ struct LengthChoice {
 };
 inline constexpr BarChoice bar_choices[] = {
     {"bonds", BarKind::bonds, "a bar for each bond"},
-    {"angles", BarKind::angles, "a bar for each bond and each pair of atoms bonded to one atom"}};
+    {"angles", BarKind::angles, "a bar for each bond and each pair of atoms bonded to one atom"},
+    {"none", BarKind::none, "no bar"}};
 inline constexpr LengthChoice length_choices[] = {
     {"geometry", LengthSource::geometry, "the distances in the file"},
     {"table", LengthSource::table, "standard lengths by element pair and bond order"}};
+
+/// A bar between any two atoms, in place of the one that its atoms may have otherwise.
+struct StatedBar {
+  Bar bar;
+  std::optional<double> length;  ///< Angstrom; nothing: as the structure has it
+  friend bool operator==(const StatedBar&, const StatedBar&) = default;
+};
 
 struct BuildOptions {
   BarKind bars = BarKind::bonds;
@@ -38,10 +49,15 @@ struct BuildOptions {
   std::string pin = "";    ///< selection of atoms that never move; "": none
   bool use_masses = true;  ///< give joints their atoms' masses (u)
   Log log = {};
+  std::vector<StatedBar> stated = {};           ///< besides `bars`; no pair twice
+  std::vector<Limit> limits = {};               ///< joints are atoms
+  std::shared_ptr<const Sterics> sterics = {};  ///< null: none
+  std::string stated_in = "";  ///< the file that states these three, for messages; "": none
 };
 
 /// The framework of a structure whose bonds are known.
-/// Throws InputError naming both atoms of a bar of length 0, OptionError on a bad selection.
+/// Throws InputError naming both atoms of a bar of length 0, or what Framework does not take of
+/// stated bars, limits and sterics; OptionError on a bad selection.
 Framework build_framework(const Structure& structure, const BuildOptions& options = {});
 
 }  // namespace pliant

@@ -1,0 +1,171 @@
+# SPDX-License-Identifier: MIT
+"""Limits and sterics from Python: what frameworks take and show, measured again by numpy."""
+
+import warnings
+
+import numpy as np
+import pytest
+
+import pliant
+
+CHAIN = [[0, 1], [1, 2], [2, 3], [3, 4]]
+LIMITS = [
+    (0, 4, 0.0, 3.0),
+    (0, 3, 2.0, np.inf, "hydrogen_bond"),
+    (1, 4, 1.0, 2.5, "torsion", -12.5),
+    (0, 2, 1.2, 1.9, "hydrophobic", 2.0, 3),
+]
+FIVE_CARBONS = "5\n\n" + "".join(f"C {1.5 * k} {0.3 * (k % 2)} {0.2 * k}\n" for k in range(5))
+BARS = """pliant-bars 1
+bars bonds
+bar 0 4 4.0
+limit 0 3 2 3.5
+sterics C C 2.2
+own 1 4 3.0
+bonds_apart 1
+"""
+
+
+def framework_with_limits(limits=LIMITS):
+    return pliant.Framework(CHAIN, [1.0] * 4, 5, limits=limits)
+
+
+def excess(limits, positions):
+    """How far each limit is outside its interval, by numpy."""
+    lengths = np.linalg.norm(positions[limits["a"]] - positions[limits["b"]], axis=1)
+    return np.maximum(lengths - limits["most"], limits["least"] - lengths).clip(0)
+
+
+def refusal(kind, limits):
+    with pytest.raises(kind) as caught:
+        framework_with_limits(limits)
+    return str(caught.value)
+
+
+def test_limits_are_shown_as_given():
+    limits = framework_with_limits().limits
+    assert limits["a"].tolist() == [0, 0, 1, 0]
+    assert limits["b"].tolist() == [4, 3, 4, 2]
+    assert limits["least"].tolist() == [0, 2, 1, 1.2]
+    assert limits["most"].tolist() == [3, np.inf, 2.5, 1.9]
+    assert limits["kind"].tolist() == ["given", "hydrogen_bond", "torsion", "hydrophobic"]
+    assert limits["energy"].tolist() == [0, 0, -12.5, 2]
+    assert limits["group"].tolist() == [-1, -1, -1, 3]
+    assert (framework_with_limits(limits).limits == limits).all()
+
+
+def test_a_framework_without_limits_has_none():
+    framework = pliant.Framework(CHAIN, [1.0] * 4)
+    assert framework.limits.shape == (0,)
+    assert not framework.has_sterics
+
+
+def test_bad_limits_are_refused():
+    assert "limits[1]: expected (a, b, least, most)" in refusal(TypeError, [LIMITS[0], (0, 1)])
+    assert "no number or name: 'x'" in refusal(TypeError, [(0, 2, "x", 1.0)])
+    assert "limits[0]" in refusal(TypeError, [7])
+    assert "known: given, hydrogen_bond" in refusal(pliant.OptionError, [(0, 2, 0, 1, "rope")])
+    assert "has a bar already" in refusal(pliant.InputError, [(0, 1, 0, 1)])
+    assert "above most" in refusal(pliant.InputError, [(0, 2, 2, 1)])
+    assert "there are 5 joints" in refusal(pliant.InputError, [(0, -1, 0, 1)])
+
+
+def test_measure_finds_the_worst_limit_as_numpy_does():
+    framework = framework_with_limits()
+    draw = np.random.default_rng(5)
+    for _ in range(50):
+        positions = draw.normal(size=(5, 3))
+        found = pliant.measure(framework, positions)
+        outside = excess(framework.limits, positions)
+        assert found.max_limit == pytest.approx(outside.max(), rel=1e-14, abs=1e-300)
+        assert found.worst_limit == outside.argmax()
+
+
+def overlaps(positions):
+    """Of BARS: pairs that no bar joins, by their least distances less their distances."""
+    near = {(i, i + 1) for i in range(4)} | {(0, 4)}
+    pairs = [(i, j) for i in range(5) for j in range(i + 1, 5) if (i, j) not in near]
+    least = [3.0 if pair == (1, 4) else 2.2 for pair in pairs]
+    lengths = [np.linalg.norm(positions[i] - positions[j]) for i, j in pairs]
+    return dict(zip(pairs, np.array(least) - lengths, strict=True))
+
+
+@pytest.fixture
+def stated(tmp_path):
+    """Five carbons and the framework that a bars file states of them."""
+    path = tmp_path / "bars.txt"
+    path.write_text(BARS)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", pliant.PliantWarning)
+        structure = pliant.read_text(FIVE_CARBONS, "five.xyz")
+    return structure, structure.framework(bars=path)
+
+
+def test_measure_finds_the_worst_overlap_as_numpy_does(stated):
+    _, framework = stated
+    assert framework.has_sterics
+    draw = np.random.default_rng(6)
+    for _ in range(50):
+        positions = draw.normal(size=(5, 3), scale=2)
+        found = pliant.measure(framework, positions)
+        expected = overlaps(positions)
+        worst = max(expected, key=expected.get)
+        assert found.max_overlap == pytest.approx(max(expected[worst], 0), rel=1e-14, abs=1e-300)
+        if expected[worst] > 0:
+            assert tuple(sorted(found.worst_overlap)) == worst
+
+
+def test_within_goes_by_the_tolerances_of_limits_and_overlaps(stated):
+    positions = np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0], [3, 0, 0], [4, 0, 0]])
+    framework = pliant.Framework(CHAIN, [1.0] * 4, limits=[(0, 4, 0, 3.9)])
+    assert pliant.measure(framework, positions).max_limit == pytest.approx(0.1)
+    assert not pliant.measure(framework, positions).within
+    assert pliant.measure(framework, positions, tolerance_limit=0.11).within
+    _, framework = stated
+    found = pliant.measure(framework, positions, tolerance=10, tolerance_limit=10)
+    assert found.max_overlap == pytest.approx(0.2)
+    assert not found.within
+    assert pliant.measure(
+        framework, positions, tolerance=10, tolerance_limit=10, tolerance_overlap=0.21
+    ).within
+
+
+@pytest.mark.parametrize("technique", ["auto", "bfs_cycle", "random"])
+def test_resolve_ends_within_the_tolerances(stated, technique):
+    structure, framework = stated
+    for tolerances in ({}, {"tolerance_limit": 1e-4, "tolerance_overlap": 1e-3}):
+        positions = np.array(structure.positions)
+        done = pliant.resolve(framework, positions, technique, **tolerances)
+        assert done.converged
+        assert done.max_limit <= tolerances.get("tolerance_limit", 0.01)
+        assert done.max_overlap <= tolerances.get("tolerance_overlap", 0.1)
+        assert max(overlaps(positions).values()) <= tolerances.get("tolerance_overlap", 0.1)
+        assert excess(framework.limits, positions).max() <= tolerances.get("tolerance_limit", 0.01)
+
+
+@pytest.mark.filterwarnings("ignore:the start misses")
+def test_a_run_keeps_limits_and_records_its_tolerances(stated, tmp_path):
+    structure, framework = stated
+    worst = []
+
+    def look(frame):
+        worst.append(excess(framework.limits, np.array(frame.positions)).max())
+
+    options = {"steps": 100, "tolerance_limit": 0.001, "observers": [look]}
+    done = pliant.run(structure, output=tmp_path / "o.h5md", bars=tmp_path / "bars.txt", **options)
+    assert done.converged
+    assert len(worst) == 101
+    assert max(worst) <= 0.001
+    parameters = pliant.H5mdReader(tmp_path / "o.h5md").parameters()
+    assert parameters["run/tolerance_limit"] == 0.001
+    assert parameters["run/tolerance_overlap"] == 0.1
+    assert parameters["input/bars"] == "bars.txt"
+
+
+@pytest.mark.parametrize("name", ["tolerance_limit", "tolerance_overlap"])
+def test_tolerances_have_a_range(name):
+    framework = framework_with_limits()
+    with pytest.raises(pliant.OptionError, match=name):
+        pliant.Resolver(framework, **{name: 0.0})
+    with pytest.raises(pliant.OptionError, match=name):
+        pliant.run(framework, np.zeros((5, 3)), **{name: -1.0})
