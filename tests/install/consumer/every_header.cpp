@@ -36,9 +36,11 @@
 #include "pliant/laboratory/read_test_set.hpp"
 #include "pliant/laboratory/test_results.hpp"
 #include "pliant/laboratory/test_set.hpp"
+#include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/read/read.hpp"
+#include "pliant/molecule/sterics_lines.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/order/ordering.hpp"
@@ -115,9 +117,11 @@ const Use uses[] = {
     of("pliant/base/version.hpp", &version),
     of("pliant/text/file_text.hpp", &read_bytes),
     of("pliant/text/output_file.hpp", &write_text_file),
+    of("pliant/molecule/bars_file.hpp", &write_bars_file),
     of("pliant/molecule/bonds/bonds.hpp", &perceive_bonds),
     of("pliant/molecule/build_framework.hpp", &build_framework),
     of("pliant/molecule/read/read.hpp", &formats),
+    of("pliant/molecule/sterics_lines.hpp", &usual_kind),
     of_type<Structure>("pliant/molecule/structure/structure.hpp"),
     of("pliant/framework/atom_table.hpp", overload<void(const AtomTable&)>(&check)),
     of("pliant/framework/check_positions.hpp", &check_positions),
