@@ -130,6 +130,7 @@ TEST_P(TreeLaw, APushedRootTakesOneSweepOnEveryTree) {
   for (const Example& example : examples()) {
     if (example.facts.cycles > 0 || !example.facts.whole || example.framework.bar_count() == 0)
       continue;
+    if (!example.framework.has_bars_only()) continue;  // limits take sweeps of their own
     SCOPED_TRACE(example.name);
     for (Joint root = 0; root < example.framework.joint_count(); ++root) {
       if (example.framework.neighbours(root).empty()) continue;
