@@ -25,6 +25,8 @@ struct Facts {
   std::size_t pinned;
   Counts elements, bonds_by_origin;
   std::size_t chains;
+  Counts limits_by_kind;
+  bool has_sterics;
 
   /// A graph XML file has joints and bars, and nothing of chemistry.
   bool has_atoms() const { return structure.format != "graph"; }
@@ -45,6 +47,13 @@ Counts bonds_by_origin(const Structure& structure) {
   return counts;
 }
 
+Counts limits_by_kind(const Framework& framework) {
+  Counts counts;
+  for (const LimitKindEntry& row : limit_kinds()) counts.emplace_back(row.name, 0);
+  for (const Limit& limit : framework.limits()) ++counts[static_cast<std::size_t>(limit.kind)].second;
+  return counts;
+}
+
 std::size_t chains_of(const Structure& structure) {
   std::set<std::string_view> chains;
   for (const Residue& residue : structure.atoms.residues) chains.insert(residue.chain);
@@ -59,7 +68,9 @@ Facts facts_of(const MoleculeOptions& options, const Molecule& molecule) {
           framework.pinned_count(),
           elements_of(structure),
           bonds_by_origin(structure),
-          chains_of(structure)};
+          chains_of(structure),
+          limits_by_kind(framework),
+          framework.sterics() != nullptr};
 }
 
 Json as_object(const Counts& counts) {
@@ -98,9 +109,21 @@ Json json_of_bars(const Facts& facts) {
           {"bars_in_blocks", graph.bars_in_blocks}};
 }
 
+std::size_t sum_of(const Counts& counts) {
+  std::size_t sum = 0;
+  for (const auto& [name, count] : counts) sum += count;
+  return sum;
+}
+
+Json json_of_limits(const Facts& facts) {
+  return {{"limits", sum_of(facts.limits_by_kind)},
+          {"limits_by_kind", as_object(facts.limits_by_kind)},
+          {"sterics", facts.has_sterics}};
+}
+
 void print_facts_as_json(const Facts& facts, const Messages& messages) {
   const Json atoms = facts.has_atoms() ? json_of_atoms(facts) : Json{};
-  print_json(json_of_file(facts) + atoms + json_of_bars(facts) +
+  print_json(json_of_file(facts) + atoms + json_of_bars(facts) + json_of_limits(facts) +
              Json{{"warnings", messages.warnings()}, {"notes", messages.notes()}});
 }
 
@@ -150,6 +173,13 @@ void print_graph_rows(const Facts& facts) {
   print_row("bars", facts.graph.bars, "");
 }
 
+/// Only of what is there: most frameworks have bars alone.
+void print_limit_rows(const Facts& facts) {
+  if (const std::size_t limits = sum_of(facts.limits_by_kind); limits != 0)
+    print_row("limits", limits, "of kind " + listed(facts.limits_by_kind));
+  if (facts.has_sterics) fmt::print("sterics: joints keep least distances\n");
+}
+
 void print_table(const Facts& facts) {
   const GraphFacts& graph = facts.graph;
   facts.has_atoms() ? print_molecule_rows(facts) : print_graph_rows(facts);
@@ -161,6 +191,7 @@ void print_table(const Facts& facts) {
   print_row("blocks", graph.blocks,
             fmt::format("ring systems, with {} bars in all, {} in the largest",
                         graph.bars_in_blocks, graph.largest_block));
+  print_limit_rows(facts);
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/read/read.hpp"
+#include "pliant/molecule/stated_bars.hpp"
 #include "pliant/record/xml/graph_xml.hpp"
 
 namespace pliant::app {
@@ -17,11 +18,15 @@ constexpr std::int64_t most_models = 1'000'000'000;
 
 /// A graph XML file: its joints and bars as they stand, each bar shown as a bond of the file.
 Molecule load_graph(const MoleculeOptions& options, const Log& log) {
-  if (!options.pin.empty() || options.bars != "bonds" || options.lengths != "geometry")
+  const bool has_bars_file = is_bars_file(options.bars);
+  if (!options.pin.empty() || options.lengths != "geometry" ||
+      (options.bars != "bonds" && !has_bars_file))
     throw OptionError(
-        "--pin, --bars and --lengths are for molecules: a graph XML file says itself "
-        "what is pinned, its bars and their lengths");
+        "--pin, --lengths and kinds of --bars are for molecules: a graph XML file says itself "
+        "what is pinned, its bars and their lengths; --bars takes a bars file");
   GraphFile graph = read_graph_xml(options.file, log);
+  if (has_bars_file)
+    graph.framework = with_stated_bars(graph.framework, graph.positions, options.bars);
   Structure structure;
   structure.source = options.file;
   structure.format = "graph";

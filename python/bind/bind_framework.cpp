@@ -12,6 +12,7 @@
 namespace pliant::python {
 
 void bind_examples(nb::module_& module);
+void bind_sterics(nb::module_& module);
 void bind_residual(nb::module_& module);
 
 namespace {
@@ -48,7 +49,7 @@ void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray&
                     std::optional<std::int64_t> joint_count, const OptionalArray& positions,
                     const OptionalArray& masses, const OptionalArray& pinned,
                     std::optional<std::vector<std::string>> names, const Structure* structure,
-                    bool planar, const nb::object& limits) {
+                    bool planar, const nb::object& limits, const Sterics* sterics) {
   std::optional<std::vector<Vec3>> start;
   if (positions) start = positions_from(*positions);
   FrameworkParts parts;
@@ -69,6 +70,7 @@ void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray&
   if (structure) parts.atoms = std::make_shared<const AtomTable>(structure->atoms);
   parts.planar = planar;
   if (!limits.is_none()) parts.limits = limits_from(limits);
+  if (sterics != nullptr) parts.sterics = std::make_shared<const Sterics>(*sterics);
   const nb::gil_scoped_release no_gil;
   new (self) Framework(std::move(parts));
 }
@@ -147,6 +149,8 @@ limits : sequence of (a, b, least, most[, kind[, energy[, group]]]), optional
     Pairs of joints whose distance is held to [least, most] Angstrom; ``most`` may be infinite. Kind:
     "given", "hydrogen_bond", "hydrophobic" or "torsion"; energy in kJ/mol, 0 if not known; limits of
     one group, from 0, stand for one thing together.
+sterics : Sterics, optional
+    How near joints may come that no bar joins.
 
 Raises
 ------
@@ -181,7 +185,8 @@ void bind_framework_class(nb::module_& module) {
       .def("__init__", &make_framework, "bars"_a, "rest_lengths"_a = nb::none(),
            "joint_count"_a = nb::none(), nb::kw_only(), "positions"_a = nb::none(),
            "masses"_a = nb::none(), "pinned"_a = nb::none(), "names"_a = nb::none(),
-           "structure"_a = nb::none(), "planar"_a = false, "limits"_a = nb::none())
+           "structure"_a = nb::none(), "planar"_a = false, "limits"_a = nb::none(),
+           "sterics"_a = nb::none())
       .def_prop_ro("joint_count", &Framework::joint_count, "Number N of joints.")
       .def_prop_ro("bar_count", &Framework::bar_count, "Number B of bars.")
       .def_prop_ro("bars", &bars_view, "(B, 2) uint32, read-only view: the joints of each bar.")
@@ -206,7 +211,13 @@ void bind_framework_class(nb::module_& module) {
                    "group (-1: none). ``Framework(limits=...)`` takes it.")
       .def_prop_ro(
           "has_sterics", [](const Framework& self) { return self.sterics() != nullptr; },
-          "Whether joints may come only so near; a bars file states it.")
+          "Whether joints may come only so near.")
+      .def_prop_ro(
+          "sterics",
+          [](const Framework& self) {
+            return self.sterics() == nullptr ? std::nullopt : std::optional(*self.sterics());
+          },
+          "How near joints may come: a copy; None if they may come as near as they like.")
       .def_prop_ro("is_planar", &Framework::is_planar, "Whether no push changes the z of a joint.")
       .def_prop_ro("merged_bar_count", &Framework::merged_bar_count,
                    "How many bars were given twice and merged.")
@@ -227,6 +238,11 @@ void bind_framework_class(nb::module_& module) {
 void set_positions(std::vector<Vec3>& to, const ArrayLike& values) {
   const std::vector<Vec3> from = positions_from(values, to.size());
   std::copy(from.begin(), from.end(), to.begin());  // in place: views stay views
+}
+
+std::vector<std::uint8_t> switches_from(const ArrayLike& values) {
+  const std::vector<std::int64_t> truths = truths_from(values, "limits_off");
+  return {truths.begin(), truths.end()};
 }
 
 void bind_state(nb::module_& module) {
@@ -251,6 +267,12 @@ void bind_state(nb::module_& module) {
           [](nb::handle_t<State> self) { return view_of(nb::cast<State&>(self).previous, self); },
           [](State& self, const ArrayLike& values) { set_positions(self.previous, values); },
           "(N, 3) float64 view, Angstrom: positions one step earlier, for Verlet.")
+      .def_prop_rw(
+          "limits_off", [](const State& self) {
+            return mask_of({self.limits_off.begin(), self.limits_off.end()});
+          },
+          [](State& self, const ArrayLike& values) { self.limits_off = switches_from(values); },
+          "(L,) bool, a copy: limits that are off from the next step on; empty: none is.")
       .def_rw("step", &State::step, "Steps done.")
       .def_rw("time", &State::time, "ps.")
       .def("__repr__", [](const State& self) {
@@ -263,6 +285,7 @@ void bind_state(nb::module_& module) {
 
 void bind_framework(nb::module_& module) {
   bind_graph_facts(module);
+  bind_sterics(module);
   bind_framework_class(module);
   bind_state(module);
   bind_residual(module);

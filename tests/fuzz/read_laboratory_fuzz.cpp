@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Feeds bytes to the readers of graphs, orderings, forces and results. Errors are right; crashes,
+// Feeds bytes to the readers of graphs, bars, orderings, forces and results. Errors are right; crashes,
 // hangs and numbers that are not finite are not; and what was read is written and read again.
 //
 //   read_laboratory_fuzz --format=graph FOLDER...   fuzzes one format
@@ -12,6 +12,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/laboratory/test_results.hpp"
+#include "pliant/molecule/bars_file.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/record/xml/graph_xml.hpp"
@@ -63,6 +64,15 @@ void read_forces(std::string_view text) {
           "forces are read back");
 }
 
+void read_bars(std::string_view text) {
+  const pliant::Framework& framework = some_framework();
+  const std::string written =
+      write_bars_file(pliant::parse_bars_file({"fuzzed", text}, framework), framework);
+  require(write_bars_file(pliant::parse_bars_file({"written", written}, framework), framework) ==
+              written,
+          "bars are read back");
+}
+
 void read_results(std::string_view text) {
   const std::string written = write_test_rows(pliant::parse_test_rows({"fuzzed", text}));
   require(write_test_rows(pliant::parse_test_rows({"written", written})) == written,
@@ -74,6 +84,7 @@ struct Reader {
   void (*read)(std::string_view text);
 };
 constexpr Reader readers[] = {{"graph", read_graph},
+                              {"bars", read_bars},
                               {"ordering", read_ordering},
                               {"forces", read_forces},
                               {"results", read_results}};

@@ -180,3 +180,65 @@ def test_sterics_are_recorded_and_read_back(stated, tmp_path):
     found, expected = pliant.measure(again, positions), pliant.measure(framework, positions)
     assert found.max_overlap == expected.max_overlap > 0
     assert found.worst_overlap == expected.worst_overlap
+
+
+def test_sterics_from_python_are_those_of_the_bars_file(stated):
+    structure, from_file = stated
+    sterics = pliant.Sterics([0] * 5, [[2.2]], own=[(1, 4, 3.0)], excluded_bonds=1)
+    framework = pliant.Framework(
+        [[0, 1], [1, 2], [2, 3], [3, 4], [0, 4]],
+        [*np.linalg.norm(np.diff(structure.positions, axis=0), axis=1), 4.0],
+        sterics=sterics,
+    )
+    assert framework.has_sterics
+    shown = framework.sterics
+    assert shown.kinds.tolist() == [0] * 5
+    assert shown.least.tolist() == [[2.2]]
+    assert shown.own == [(1, 4, 3.0)]
+    assert shown.excluded_bonds == 1
+    draw = np.random.default_rng(7)
+    for _ in range(20):
+        positions = draw.normal(size=(5, 3), scale=2)
+        found, expected = (pliant.measure(f, positions) for f in (framework, from_file))
+        assert found.max_overlap == expected.max_overlap
+        assert found.worst_overlap == expected.worst_overlap
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (([0, 1], [[1.0]]), "joint 1 is of kind 1 of 1"),
+        (([0, 1], [[1.0, 2.0], [1.0, 1.0]]), "have two least distances, 2 and 1"),
+        (([0], [1.0]), "expected a square table"),
+        (([-1], [[1.0]]), "-1 is not from 0 to 65535"),
+    ],
+)
+def test_bad_sterics_are_refused(arguments, message):
+    with pytest.raises(pliant.InputError, match=message):
+        pliant.Sterics(*arguments)
+
+
+def test_a_state_switches_limits_off_and_on():
+    framework = framework_with_limits([(0, 4, 0.0, 1.5)])
+    start = np.array([[0.0, 0, 0], [0.9, 0.4, 0], [1.6, 1.1, 0], [0.8, 1.7, 0], [0.2, 0.9, 0.3]])
+    pliant.resolve(framework, start, "bfs_cycle", tolerance=1e-10)
+    motion = pliant.Motion(framework, start, push="displacement", displacement=0.5)
+
+    def worst_of(steps):
+        worst = 0.0
+        for _ in range(steps):
+            motion.step()
+            worst = max(worst, excess(framework.limits, motion.state.positions).max())
+        return worst
+
+    assert motion.state.limits_off.tolist() == []
+    assert worst_of(20) <= 1e-2
+    motion.state.limits_off = [True]
+    assert worst_of(20) > 0.1
+    motion.state.limits_off = [False]
+    assert worst_of(20) <= 1e-2
+    with pytest.raises(TypeError, match="limits_off"):
+        motion.state.limits_off = [0.5]
+    motion.state.limits_off = [True, False]
+    with pytest.raises(pliant.OptionError, match="limits_off: 2 for 1 limits"):
+        motion.step()

@@ -10,18 +10,10 @@
 namespace pliant::test {
 
 FrameworkParts parts_of(const Framework& framework) {
-  FrameworkParts parts;
-  parts.joint_count = framework.joint_count();
-  parts.bars.assign(framework.bars().begin(), framework.bars().end());
-  parts.rest_lengths.assign(framework.rest_lengths().begin(), framework.rest_lengths().end());
-  parts.limits.assign(framework.limits().begin(), framework.limits().end());
-  if (framework.sterics() != nullptr)
-    parts.sterics = std::make_shared<const Sterics>(*framework.sterics());
-  for (std::size_t i = 0; i < framework.joint_count(); ++i) {
-    const auto joint = static_cast<Joint>(i);
-    if (framework.is_pinned(joint)) parts.pinned.push_back(joint);
-    parts.masses.push_back(framework.is_pinned(joint) ? 1.0 : 1.0 / framework.inverse_masses()[i]);
-  }
+  FrameworkParts parts = framework.parts();
+  parts.atoms = nullptr;
+  parts.drawn.clear();
+  parts.planar = false;
   return parts;
 }
 

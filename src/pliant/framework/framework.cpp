@@ -195,6 +195,22 @@ std::span<const LimitIndex> Framework::limits_at(Joint joint) const {
   return {limits_at_.data() + first_limit_[joint], limits_at_.data() + first_limit_[joint + 1]};
 }
 
+FrameworkParts Framework::parts() const {
+  FrameworkParts parts{.joint_count = joint_count_,
+                       .bars = bars_,
+                       .rest_lengths = rest_lengths_,
+                       .atoms = atoms_,
+                       .drawn = drawn_,
+                       .planar = planar_,
+                       .limits = limits_,
+                       .sterics = sterics_};
+  for (Joint joint = 0; joint < joint_count_; ++joint) {
+    if (is_pinned(joint)) parts.pinned.push_back(joint);
+    parts.masses.push_back(is_pinned(joint) ? 1.0 : 1.0 / inverse_masses_[joint]);
+  }
+  return parts;
+}
+
 std::string Framework::label(Joint joint) const {
   return atoms_ ? atoms_->label(joint) : "joint " + std::to_string(joint);
 }

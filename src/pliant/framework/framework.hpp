@@ -91,6 +91,9 @@ class Framework {
   /// (N) Angstrom, positions at which every bar has its rest length; empty if none are known.
   std::span<const Vec3> drawn() const { return drawn_; }
 
+  /// What it is made of, to make another from. Masses to rounding, 1 for pinned joints.
+  FrameworkParts parts() const;
+
   std::string label(Joint joint) const;  ///< the atom's name, or "joint 7"
   std::string label(Bar bar) const;      ///< "LYS12:CA - LYS12:CB", or "3 - 7"
   std::size_t merged_bar_count() const { return merged_bar_count_; }

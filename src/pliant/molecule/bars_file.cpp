@@ -267,11 +267,15 @@ std::string write_bars_file(const BarsFile& file, const Framework& joints) {
   return Writer(joints).write(file);
 }
 
-void take_bars(const std::string& bars, const Structure& structure, BuildOptions& options) {
+bool is_bars_file(const std::string& bars) {
   std::error_code error;
   const auto known = names_of(bar_choices);
   const bool is_name = std::find(known.begin(), known.end(), bars) != known.end();
-  if (is_name || !std::filesystem::exists(bars, error)) {
+  return !is_name && std::filesystem::exists(bars, error);
+}
+
+void take_bars(const std::string& bars, const Structure& structure, BuildOptions& options) {
+  if (!is_bars_file(bars)) {
     options.bars = choose(bar_choices, "kind of bars (or bars file)", bars).kind;
     return;
   }

@@ -41,6 +41,10 @@ BarsFile parse_bars_file(const SourceText& source, const Framework& joints);
 /// parse_bars_file would number otherwise: no line can state them.
 std::string write_bars_file(const BarsFile& file, const Framework& joints);
 
+/// Whether --bars names a file rather than one of bar_choices: a file of a choice's name is no
+/// bars file.
+bool is_bars_file(const std::string& bars);
+
 /// Takes `bars` into `options`: a name in bar_choices, else the path of a bars file for
 /// `structure`. Throws as read_bars_file does; OptionError if it is neither.
 void take_bars(const std::string& bars, const Structure& structure, BuildOptions& options);

@@ -40,9 +40,9 @@ std::vector<TechniqueEntry> all_techniques() {
                   true, true, make_anderson});
   rows.push_back({"rings_first",
                   "each ring system alone by bfs_cycle, then bridges in one outward pass", false,
-                  false, false, make_rings_first});
+                  false, true, make_rings_first});
   rows.push_back({"rings_anderson", "rings_first with Anderson acceleration in each ring system",
-                  false, false, false, make_rings_anderson});
+                  false, false, true, make_rings_anderson});
   rows.push_back({"newton", "the nearest whole positions, weighted by mass", false, false, false,
                   make_newton, make_lane_newton});
   rows.push_back({"shake",

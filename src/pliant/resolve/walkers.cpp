@@ -111,6 +111,7 @@ struct WalkerResolver::Plan {
 
   ResolveSummary resolve_alone(const WalkerPositions& walker, const Asked& asked) {
     alone.set_walker(walker.walker);
+    alone.set_limits_off(walker.limits_off);
     ResolveSummary summary =
         alone.resolve(walker.positions, asked.root, asked.step, walker.reference);
     if (asked.measured != Measured::rms_residual) summary.rms_residual = -1.0;

@@ -15,7 +15,8 @@ namespace {
 
 class RingSweeps final : public Method {
  public:
-  /// `technique` is what sweeps are made with, its name an ordering.
+  /// `technique` is what sweeps are made with, its name an ordering. Limits and sterics tie what
+  /// hangs behind a bridge to the rest: where rings are swept alone they are left aside.
   RingSweeps(const Framework& framework, const Technique& technique, const ResolveOptions& options,
              bool rings_alone, bool accelerated)
       : framework_(framework),
@@ -23,10 +24,12 @@ class RingSweeps final : public Method {
         options_(options),
         entry_(find_ordering(technique.name)),
         planner_(framework),
-        bar_groups_(rings_alone ? group_ring_systems(framework, planner_)
-                                : group_all_bars(framework)),
         rings_alone_(rings_alone),
-        limits_(make_limit_sweep(framework, technique.mass_weighted, options.tolerance)) {
+        bar_groups_(rings_alone ? group_ring_systems(framework, planner_)
+                                 : group_all_bars(framework)),
+        limits_(rings_alone ? nullptr
+                            : make_limit_sweep(framework, technique.mass_weighted,
+                                               options.tolerance)) {
     for (const std::vector<Joint>& joints : bar_groups_.joints)
       groups_.emplace_back(joints, accelerated);
     if (limits_) groups_.front().add(*limits_);
@@ -126,8 +129,8 @@ class RingSweeps final : public Method {
   ResolveOptions options_;
   const OrderingEntry& entry_;
   OutwardPlanner planner_;
-  BarGroups bar_groups_;
   bool rings_alone_;
+  BarGroups bar_groups_;
   std::unique_ptr<LimitSweep> limits_;  ///< null: there are none
   std::vector<SweepGroup> groups_;
   SweepPlan bridges_;
@@ -136,6 +139,35 @@ class RingSweeps final : public Method {
   OrderScratch scratch_;
   PlanOfRoot planned_;
 };
+
+/// Rings first; then, if that leaves a limit or an overlap, sweeps of all bars with them.
+class RingsThenLimits final : public Method {
+ public:
+  RingsThenLimits(const Framework& framework, const Technique& technique,
+                  const ResolveOptions& options, bool accelerated)
+      : rings_(framework, technique, options, true, accelerated),
+        all_(framework, technique, options, false, accelerated),
+        limits_(framework, technique.mass_weighted, options.tolerance) {}
+
+  Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
+    const Stop stop = rings_.resolve(call, summary);
+    if (stop != Stop::converged) return stop;
+    limits_.begin(call.limits_off);
+    if (limits_.look(call.positions) == Look::all_whole) return stop;
+    return all_.resolve(call, summary);
+  }
+
+ private:
+  RingSweeps rings_, all_;
+  LimitSweep limits_;
+};
+
+std::unique_ptr<Method> make_rings(const Framework& framework, const Technique& technique,
+                                   const ResolveOptions& options, bool accelerated) {
+  if (framework.has_bars_only())
+    return std::make_unique<RingSweeps>(framework, technique, options, true, accelerated);
+  return std::make_unique<RingsThenLimits>(framework, technique, options, accelerated);
+}
 
 /// What ring systems are swept with: shared half and half, or by masses.
 Technique in_rings(const Technique& technique) {
@@ -152,12 +184,12 @@ std::unique_ptr<Method> make_anderson(const Framework& framework, const Techniqu
 
 std::unique_ptr<Method> make_rings_first(const Framework& framework, const Technique& technique,
                                          const ResolveOptions& options) {
-  return std::make_unique<RingSweeps>(framework, in_rings(technique), options, true, false);
+  return make_rings(framework, in_rings(technique), options, false);
 }
 
 std::unique_ptr<Method> make_rings_anderson(const Framework& framework, const Technique& technique,
                                             const ResolveOptions& options) {
-  return std::make_unique<RingSweeps>(framework, in_rings(technique), options, true, true);
+  return make_rings(framework, in_rings(technique), options, true);
 }
 
 }  // namespace pliant

@@ -10,6 +10,8 @@
 // `anderson`: sweeps of `bfs_cycle`, accelerated, for any framework.
 //
 // In a component with several pinned joints nothing can be carried: all of its bars are swept.
+// Limits and sterics tie what hangs behind a bridge to the rest: if one is violated once all bars
+// are whole, sweeps of all bars with all limits follow.
 #pragma once
 
 #include <memory>

@@ -6,6 +6,7 @@
 #include <span>
 
 #include "pliant/base/vec3.hpp"
+#include "pliant/framework/limits.hpp"
 
 namespace pliant {
 
@@ -14,6 +15,7 @@ struct WalkerPositions {
   std::uint64_t walker = 0;              ///< its number: what its random draws depend on
   std::span<Vec3> positions;             ///< (N) Angstrom, to be moved
   std::span<const Vec3> reference = {};  ///< as of Resolver::resolve
+  LimitsOff limits_off = {};             ///< as of Resolver::set_limits_off
 };
 
 /// What the summaries of walkers tell of their residuals. All bars are looked at in any case.
