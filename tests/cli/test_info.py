@@ -65,3 +65,21 @@ def test_a_bad_line_is_named(pliant, ethanol):
     assert (ended.code, ended.out) == (1, "")
     assert "ethanol.xyz:4: " in ended.err
     assert '"-0,5116"' in ended.err
+
+
+def test_limits_and_sterics_of_a_bars_file_are_counted(pliant, tmp_path):
+    (tmp_path / "g.xml").write_text(TRIANGLE_WITH_A_TAIL)
+    (tmp_path / "bars.txt").write_text(
+        "pliant-bars 1\nbars bonds\nlimit a d 1.5 2.5\nlimit b d 0 3 hydrophobic\n"
+        "kind a X\nkind d X\nsterics X X 1\n"
+    )
+    ended = pliant("info", "g.xml", "--bars", "bars.txt")
+    assert ended.out.splitlines()[-3:-1] == [
+        "limits               2   of kind given 1, hydrophobic 1",
+        "sterics: joints keep least distances",
+    ]
+    facts = json.loads(pliant("info", "g.xml", "--bars", "bars.txt", "--json").out)
+    assert (facts["bars"], facts["limits"], facts["sterics"]) == (4, 2, True)
+    assert facts["limits_by_kind"] == {
+        "given": 1, "hydrogen_bond": 0, "hydrophobic": 1, "torsion": 0,
+    }

@@ -264,3 +264,33 @@ def test_a_bars_file_is_no_output(pliant, ethanol, tmp_path):
     ended = pliant("run", ethanol, "--bars", "bars.txt", "-o", "bars.txt", "--overwrite")
     assert ended.code == 2
     assert (tmp_path / "bars.txt").read_text() == BARS
+
+
+GRAPH = """<graph>
+<joint id="a" x="0" y="0" z="0"/><joint id="b" x="1" y="0" z="0"/>
+<joint id="c" x="1" y="1" z="0"/><joint id="d" x="0" y="1" z="0.2"/>
+<bar a="a" b="b"/><bar a="b" b="c"/><bar a="c" b="d"/>
+</graph>"""
+
+
+@pytest.mark.parametrize(("kept", "bars"), [("bars bonds\n", 4), ("", 1)])
+def test_a_bars_file_adds_to_a_graph(pliant, tmp_path, kept, bars):
+    (tmp_path / "g.xml").write_text(GRAPH)
+    (tmp_path / "bars.txt").write_text(f"pliant-bars 1\n{kept}bar a c\nlimit a d 0.9 1.1\n")
+    ended = pliant("run", "g.xml", "-o", "g.h5md", "--steps", 100, "--bars", "bars.txt")
+    assert (ended.code, ended.err) == (0, "")
+    with h5py.File(tmp_path / "g.h5md") as file:
+        positions = file["particles/trajectory/position/value"][:]
+        assert len(file["connectivity/bars"]) == bars
+    lengths = distances(positions, np.array([[0, 2], [0, 3]]))
+    assert np.abs(lengths[:, 0] / np.sqrt(2) - 1).max() <= 1e-6
+    assert 0.89 <= lengths[:, 1].min() and lengths[:, 1].max() <= 1.11
+
+
+def test_only_molecules_have_angles(pliant, tmp_path):
+    (tmp_path / "g.xml").write_text(GRAPH)
+    (tmp_path / "bars.txt").write_text("pliant-bars 1\nbars angles\n")
+    ended = pliant("run", "g.xml", "--bars", "bars.txt")
+    assert (ended.code, ended.out) == (1, "")
+    assert "bars.txt: bars angles: only molecules have angles" in ended.err
+    assert pliant("run", "g.xml", "--bars", "angles").code == 2

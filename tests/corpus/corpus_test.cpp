@@ -11,7 +11,7 @@
 #include "corpus/structure_text.hpp"
 
 namespace pliant {
-namespace {
+namespace corpus_test {
 
 std::vector<CorpusCase> all_cases() {
   std::vector<CorpusCase> cases;
@@ -72,5 +72,5 @@ TEST(CorpusFolder, NumbersFollowEachOther) {
   }
 }
 
-}  // namespace
+}  // namespace corpus_test
 }  // namespace pliant

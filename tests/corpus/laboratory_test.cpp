@@ -14,7 +14,7 @@ namespace pliant {
 
 void PrintTo(const LaboratoryFile& row, std::ostream* out) { *out << row.folder; }
 
-namespace {
+namespace laboratory_test {
 
 class LaboratoryCorpus : public testing::TestWithParam<LaboratoryFile> {
  protected:
@@ -68,5 +68,5 @@ INSTANTIATE_TEST_SUITE_P(Files, LaboratoryCorpus,
                          testing::ValuesIn(laboratory_files().begin(), laboratory_files().end()),
                          [](const auto& row) { return std::string(row.param.folder); });
 
-}  // namespace
+}  // namespace laboratory_test
 }  // namespace pliant

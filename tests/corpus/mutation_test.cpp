@@ -11,7 +11,7 @@
 #include "pliant/molecule/read/read.hpp"
 
 namespace pliant {
-namespace {
+namespace mutation_test {
 
 bool is_printable(std::string_view message) {
   return std::all_of(message.begin(), message.end(), [](char c) { return c >= ' ' && c <= '~'; });
@@ -91,5 +91,5 @@ TEST_P(Mutation, IsReadOrRefused) {
 INSTANTIATE_TEST_SUITE_P(Formats, Mutation, testing::ValuesIn(corpus_folders),
                          [](const auto& row) { return std::string(row.param); });
 
-}  // namespace
+}  // namespace mutation_test
 }  // namespace pliant

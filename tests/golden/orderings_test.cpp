@@ -10,7 +10,7 @@
 #include "pliant/order/ordering_file.hpp"
 
 namespace pliant {
-namespace {
+namespace orderings_test {
 
 /// "ab bc *ca": a letter a joint from its near end as far as the bar is a tree bar, ends of
 /// non-tree bars in alphabetical order after a star.
@@ -123,5 +123,5 @@ TEST(PrintedOrderings, Figure5_2AsAFile) {
   EXPECT_EQ(printed(framework, stated), "ab ac af bd ce fg *de *eg");
 }
 
-}  // namespace
+}  // namespace orderings_test
 }  // namespace pliant

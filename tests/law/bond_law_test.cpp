@@ -11,7 +11,7 @@
 #include "pliant/molecule/build_framework.hpp"
 
 namespace pliant {
-namespace {
+namespace bond_law_test {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
@@ -201,5 +201,5 @@ TEST(BondLaw, FrameworksHaveABarOfEachBondAndAngle) {
   });
 }
 
-}  // namespace
+}  // namespace bond_law_test
 }  // namespace pliant

@@ -10,7 +10,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace determinism_test {
 
 /// The positions of all frames of a run of 200 steps, step by step.
 std::uint64_t hash_of_run(const Sketch& sketch, std::string_view perturbation,
@@ -86,5 +86,5 @@ TEST(Determinism, LocalTechniquesGiveTheseBits) {
   EXPECT_EQ(hash_of_runs("force", {"blocks"}), 12935495421400711860u);
 }
 
-}  // namespace
+}  // namespace determinism_test
 }  // namespace pliant

@@ -17,7 +17,7 @@ namespace pliant {
 
 void PrintTo(const GraphClass& row, std::ostream* out) { *out << row.name; }
 
-namespace {
+namespace file_law_test {
 
 class FileLaw : public testing::TestWithParam<GraphClass> {
  protected:
@@ -94,5 +94,5 @@ INSTANTIATE_TEST_SUITE_P(Classes, FileLaw,
                            return name;
                          });
 
-}  // namespace
+}  // namespace file_law_test
 }  // namespace pliant

@@ -11,7 +11,7 @@
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant {
-namespace {
+namespace impossible_law_test {
 
 /// Signed length errors after very many sweeps.
 std::vector<double> errors_at_rest(const Example& example, std::int64_t sweeps = 20000) {
@@ -109,5 +109,5 @@ TEST(Impossible, ThirteenDecadesOfLengthInOneChain) {
   EXPECT_EQ(summary.sweeps, 1);
 }
 
-}  // namespace
+}  // namespace impossible_law_test
 }  // namespace pliant

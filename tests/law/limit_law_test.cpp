@@ -13,7 +13,7 @@
 #include "pliant/resolve/walkers.hpp"
 
 namespace pliant {
-namespace {
+namespace limit_law_test {
 
 using test::TechniqueLaw;
 
@@ -269,5 +269,5 @@ RC_GTEST_PROP(Contacts, AreThoseOfBruteForce, ()) {
   }
 }
 
-}  // namespace
+}  // namespace limit_law_test
 }  // namespace pliant

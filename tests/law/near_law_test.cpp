@@ -8,7 +8,7 @@
 #include "pliant/resolve/resolve.hpp"
 
 namespace pliant {
-namespace {
+namespace near_law_test {
 
 class NearLaw : public test::TechniqueLaw {};
 
@@ -203,5 +203,5 @@ TEST(Near, OverflowPutsThePositionsBack) {
   }
 }
 
-}  // namespace
+}  // namespace near_law_test
 }  // namespace pliant

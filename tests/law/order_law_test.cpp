@@ -14,7 +14,7 @@ namespace pliant {
 
 void PrintTo(const OrderingEntry& row, std::ostream* out) { *out << row.name; }
 
-namespace {
+namespace order_law_test {
 
 class OrderLaw : public testing::TestWithParam<OrderingEntry> {};
 
@@ -133,5 +133,5 @@ TEST_P(OrderLaw, SameRequestSameOrdering) {
 INSTANTIATE_TEST_SUITE_P(Table, OrderLaw, testing::ValuesIn(orderings().begin(), orderings().end()),
                          name_of);
 
-}  // namespace
+}  // namespace order_law_test
 }  // namespace pliant

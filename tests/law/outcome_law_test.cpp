@@ -7,7 +7,7 @@
 #include "support/rigidity.hpp"
 
 namespace pliant {
-namespace {
+namespace outcome_law_test {
 
 class OutcomeLaw : public test::TechniqueLaw {};
 
@@ -171,5 +171,5 @@ TEST_P(OutcomeLaw, PinnedJointsDoNotMove) {
 
 PLIANT_FOR_ALL_TECHNIQUES(OutcomeLaw);
 
-}  // namespace
+}  // namespace outcome_law_test
 }  // namespace pliant

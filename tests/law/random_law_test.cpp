@@ -12,7 +12,7 @@
 #include "support/random_frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace random_law_test {
 
 Technique any_technique(const Framework& framework) {
   const bool is_forest = graph_facts(framework).is_forest();
@@ -81,5 +81,5 @@ RC_GTEST_PROP(AnyFrameworkLaw, SmallBreaksOfForestsAreMendedNearby, ()) {
   RC_ASSERT(test::largest_difference(x, whole) < 0.01 * 2.0 * 12.0);
 }
 
-}  // namespace
+}  // namespace random_law_test
 }  // namespace pliant

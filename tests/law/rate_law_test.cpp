@@ -14,7 +14,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace rate_law_test {
 
 /// Largest relative residuals after 0, 1, 2, ... sweeps of `input` with weighting 0.5.
 std::vector<double> errors_by_sweep(const Framework& framework, std::vector<Vec3> x,
@@ -154,5 +154,5 @@ TEST(Rate, PeaucelliersProductComesBack) {
   }
 }
 
-}  // namespace
+}  // namespace rate_law_test
 }  // namespace pliant

@@ -6,7 +6,7 @@
 #include "pliant/run/motion.hpp"
 
 namespace pliant {
-namespace {
+namespace restart_law_test {
 
 using Names = std::vector<std::string>;
 
@@ -93,5 +93,5 @@ TEST_P(RestartLaw, AStepThatIsCutShortNeverWas) {
 
 PLIANT_FOR_ALL_TECHNIQUES(RestartLaw);
 
-}  // namespace
+}  // namespace restart_law_test
 }  // namespace pliant

@@ -16,7 +16,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace size_law_test {
 
 /// Runs `work` in a thread with a stack of 256 KiB; a recursion a joint deep would not survive it.
 void on_a_small_stack(std::function<void()> work) {
@@ -110,5 +110,5 @@ INSTANTIATE_TEST_SUITE_P(
                     Large{"complete_200", [] { return complete(200); }, 19900 - 199, 0, 1}),
     [](const auto& row) { return std::string(row.param.name); });
 
-}  // namespace
+}  // namespace size_law_test
 }  // namespace pliant

@@ -4,7 +4,7 @@
 #include "pliant/framework/residual.hpp"
 
 namespace pliant {
-namespace {
+namespace symmetry_law_test {
 
 class SymmetryLaw : public test::TechniqueLaw {};
 
@@ -131,5 +131,5 @@ TEST_P(SymmetryLaw, ScaleDoesNotMatter) {
 
 PLIANT_FOR_ALL_TECHNIQUES(SymmetryLaw);
 
-}  // namespace
+}  // namespace symmetry_law_test
 }  // namespace pliant

@@ -16,7 +16,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace tree_law_test {
 
 /// A random forest: each joint but the first hangs on a random earlier one, or (one in sixteen)
 /// begins a tree of its own. Bars are in a random order, with random first ends.
@@ -158,5 +158,5 @@ INSTANTIATE_TEST_SUITE_P(Orderings, TreeLaw,
                          testing::Values("bfs_tree", "dfs_tree", "bfs_cycle", "dfs_cycle"),
                          [](const auto& row) { return std::string(row.param); });
 
-}  // namespace
+}  // namespace tree_law_test
 }  // namespace pliant

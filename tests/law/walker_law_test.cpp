@@ -10,7 +10,7 @@
 #include "law/technique_cases.hpp"
 
 namespace pliant {
-namespace {
+namespace walker_law_test {
 
 constexpr Joint root = 0;
 constexpr std::int64_t step = 3;
@@ -137,5 +137,5 @@ TEST_P(WalkerLaw, DoesNotDependOnItsPlaceOrItsNeighbours) {
   });
 }
 
-}  // namespace
+}  // namespace walker_law_test
 }  // namespace pliant

@@ -11,7 +11,7 @@
 #include "support/random_frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace walker_random_law_test {
 
 constexpr std::int64_t step = 5;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -104,5 +104,5 @@ RC_GTEST_PROP(WalkerRandomLaw, AnyWalkerEndsInLanesAsAlone, ()) {
   }
 }
 
-}  // namespace
+}  // namespace walker_random_law_test
 }  // namespace pliant

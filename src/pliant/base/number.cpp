@@ -9,8 +9,6 @@
 namespace pliant {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// from_chars takes "inf" and "nan", and no leading '+': look at the first characters ourselves.
 bool starts_number(std::string_view text) {
   if (text.empty()) return false;

@@ -11,6 +11,9 @@
 
 namespace pliant {
 
+/// Whether `c` is one of 0 to 9, whatever the locale.
+constexpr bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
 /// `text` without leading and trailing blanks and tabs.
 std::string_view trimmed(std::string_view text);
 

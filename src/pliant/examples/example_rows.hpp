@@ -10,6 +10,11 @@
 
 namespace pliant {
 
+// Sources of more than one of the files.
+inline constexpr std::string_view closed_form = "closed form";
+inline constexpr std::string_view pyrigi =
+    "PyRigi 06cee707, frameworkDB.py and test_infinitesimal.py";
+
 /// An example before its framework is made.
 struct ExampleRow {
   std::string_view name, source;

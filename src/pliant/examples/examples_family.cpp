@@ -4,7 +4,6 @@
 namespace pliant {
 namespace {
 
-constexpr auto closed_form = "closed form";
 constexpr auto ring_of_bodies = "ring of n hinged bodies: max(0, n - 6) flexes";
 
 /// Ethane: C-C 1.54, C-H about 1.09 Angstrom; angle bars follow.

@@ -6,7 +6,6 @@
 namespace pliant {
 namespace {
 
-constexpr auto closed_form = "closed form";
 constexpr auto taut = "the longest is the sum of the others: flat, unique, singular";
 constexpr auto open_by_d =
     "the longest exceeds the sum of the others by D: least squares D / n each";

@@ -6,8 +6,6 @@
 namespace pliant {
 namespace {
 
-constexpr auto pyrigi = "PyRigi 06cee707, frameworkDB.py and test_infinitesimal.py";
-
 }  // namespace
 
 // Ranks are those of the plane, which are those of space too; flexes would differ.

@@ -7,9 +7,6 @@
 namespace pliant {
 namespace {
 
-constexpr auto closed_form = "closed form";
-constexpr auto pyrigi = "PyRigi 06cee707, frameworkDB.py and test_infinitesimal.py";
-
 Vec3 on_circle(double radius, double degrees, double z) {
   const double angle = degrees * std::numbers::pi / 180.0;
   return {radius * std::cos(angle), radius * std::sin(angle), z};

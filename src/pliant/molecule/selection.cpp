@@ -99,11 +99,11 @@ class Parser {
   const Word& word() const { return words_[next_]; }
 
   [[noreturn]] void fail(const std::string& message) const {
-    throw OptionError("selection " + quoted(text_, 200) + ": " + message);
+    throw OptionError("selection " + pliant::quoted(text_, 200) + ": " + message);
   }
 
   [[noreturn]] void fail_at(const std::string& message) const {
-    const std::string found = word().text.empty() ? "the end" : quoted(word().text);
+    const std::string found = word().text.empty() ? "the end" : pliant::quoted(word().text);
     fail(message + ", found " + found + " at character " + std::to_string(word().at));
   }
 
@@ -127,14 +127,14 @@ class Parser {
     if (meaning.holds != nullptr)
       return push([&](std::size_t i) { return meaning.holds(subject_, i); });
     if (is_reserved(word().text))
-      fail_at(quoted(term->word.name) + " needs " + std::string(term->word.values));
+      fail_at(pliant::quoted(term->word.name) + " needs " + std::string(term->word.values));
     if (meaning.text != nullptr) return read_patterns(meaning.text, term->word.name == "element");
     read_ranges(meaning.number, term->word.name);
   }
 
   std::string suggestion() const {
     const std::string nearest = nearest_name(word().text, names_of(selection_words()));
-    return nearest.empty() ? "" : " (did you mean " + quoted(nearest) + "?)";
+    return nearest.empty() ? "" : " (did you mean " + pliant::quoted(nearest) + "?)";
   }
 
   void read_patterns(Text text, bool any_case) {
@@ -155,7 +155,7 @@ class Parser {
     std::vector<Range> ranges;
     for (; !is_reserved(word().text); ++next_) {
       const auto range = parse_range(word().text, name == "resid");
-      if (!range) fail_at(quoted(name) + " takes numbers and ranges such as 3-8 or 3:8");
+      if (!range) fail_at(pliant::quoted(name) + " takes numbers and ranges such as 3-8 or 3:8");
       if (range->last < range->first) fail_at("a range goes from the lower number to the higher");
       ranges.push_back(*range);
     }

@@ -18,7 +18,7 @@ void StericsLines::add_least(std::string_view one, std::string_view other, doubl
     if (name == no_kind) fail(place, "sterics: joints of kind \"none\" touch nothing");
   const auto [low, high] = std::minmax(one, other);
   if (!least_.emplace(std::pair(std::string(low), std::string(high)), least).second)
-    fail(place, "sterics: " + quoted(one) + " and " + quoted(other) + " are given twice");
+    fail(place, "sterics: " + pliant::quoted(one) + " and " + pliant::quoted(other) + " are given twice");
   kinds_.emplace(one, std::uint16_t{0}), kinds_.emplace(other, std::uint16_t{0});
   if (kinds_.size() >= std::numeric_limits<std::uint16_t>::max())
     fail(place, "sterics: expected at most 65534 kinds");
@@ -47,7 +47,7 @@ void StericsLines::add_bonds_apart(int bonds, const Place& place) {
 void StericsLines::check_kinds(const Place& file) const {
   for (const auto& [joint, stated] : stated_)
     if (stated.name != no_kind && !kinds_.contains(stated.name))
-      fail({file.file, stated.line}, "kind: no sterics line names " + quoted(stated.name));
+      fail({file.file, stated.line}, "kind: no sterics line names " + pliant::quoted(stated.name));
   if (bonds_apart_ && least_.empty() && own_.empty())
     fail({file.file, bonds_apart_line_}, "bonds_apart: there is no sterics line");
 }

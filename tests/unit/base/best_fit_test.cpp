@@ -9,7 +9,7 @@
 #include "pliant/base/random.hpp"
 
 namespace pliant {
-namespace {
+namespace best_fit_test {
 
 std::vector<Vec3> cloud(std::uint64_t seed, std::size_t count = 5) {
   RandomSequence draws({seed, Domain::generate});
@@ -129,5 +129,5 @@ TEST(TorsionFit, FindsTheTurnAndTheMirrorImage) {
   EXPECT_LT(mirrored.solve(false).strength, mirrored.solve(true).strength);
 }
 
-}  // namespace
+}  // namespace best_fit_test
 }  // namespace pliant

@@ -9,7 +9,7 @@
 #include <utility>
 
 namespace pliant {
-namespace {
+namespace cell_list_test {
 
 using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
 
@@ -105,5 +105,5 @@ TEST(CellList, GivesPairsInTheSameOrderWhereverThePointsLie) {
   EXPECT_EQ(here, there);
 }
 
-}  // namespace
+}  // namespace cell_list_test
 }  // namespace pliant

@@ -6,7 +6,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace choices_test {
 
 struct Fruit {
   std::string_view name;
@@ -60,5 +60,5 @@ TEST(NamesOf, IsTheColumnOfNames) {
   EXPECT_EQ(names_of(fruits), (std::vector<std::string_view>{"apple", "plum", "cherry"}));
 }
 
-}  // namespace
+}  // namespace choices_test
 }  // namespace pliant

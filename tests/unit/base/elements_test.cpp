@@ -6,7 +6,7 @@
 #include <string>
 
 namespace pliant {
-namespace {
+namespace elements_test {
 
 TEST(Elements, SymbolAndNumberAreInverse) {
   for (int z = 1; z <= element_count; ++z) {
@@ -52,5 +52,5 @@ TEST(Elements, Metals) {
     EXPECT_FALSE(is_metal(element_number(symbol))) << symbol;
 }
 
-}  // namespace
+}  // namespace elements_test
 }  // namespace pliant

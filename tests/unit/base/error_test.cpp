@@ -6,7 +6,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace error_test {
 
 TEST(At, NamesFileAndLine) {
   EXPECT_EQ(at({"a.pdb", 12}, "what"), "a.pdb:12: what");
@@ -50,5 +50,5 @@ TEST(Quoted, HoldsNothingBeyondPrintableAscii) {
   for (unsigned char c : quoted(std::string_view(all), 256)) EXPECT_TRUE(c >= 0x20 && c <= 0x7e);
 }
 
-}  // namespace
+}  // namespace error_test
 }  // namespace pliant

@@ -10,7 +10,7 @@
 #include <rapidcheck/gtest.h>
 
 namespace pliant {
-namespace {
+namespace graph_test {
 
 /// A triangle 1-2-3 with an edge to 4, two edges between 5 and 6, and nothing at 0.
 Graph sample() {
@@ -70,5 +70,5 @@ RC_GTEST_PROP(BaseGraph, OfAFrameworkIsItsBars, ()) {
   RC_ASSERT(find_components(graph).of_node == find_components(framework).of_node);
 }
 
-}  // namespace
+}  // namespace graph_test
 }  // namespace pliant

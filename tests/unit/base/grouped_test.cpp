@@ -7,7 +7,7 @@
 #include <utility>
 
 namespace pliant {
-namespace {
+namespace grouped_test {
 
 using Slotted = std::pair<std::size_t, int>;
 
@@ -50,5 +50,5 @@ TEST(Grouped, GivesThingsToChange) {
   EXPECT_EQ(list(std::as_const(grouped).things()), (std::vector<int>{11, 21, 4}));
 }
 
-}  // namespace
+}  // namespace grouped_test
 }  // namespace pliant

@@ -8,7 +8,7 @@
 #include <string>
 
 namespace pliant {
-namespace {
+namespace number_test {
 
 TEST(ParseReal, TakesWholeFiniteDecimalFields) {
   EXPECT_EQ(parse_real("1.5"), 1.5);
@@ -62,5 +62,5 @@ TEST(NumberText, DoesNotFollowTheLocale) {
   std::setlocale(LC_NUMERIC, before.c_str());
 }
 
-}  // namespace
+}  // namespace number_test
 }  // namespace pliant

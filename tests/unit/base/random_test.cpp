@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace pliant {
-namespace {
+namespace random_test {
 
 using Block = std::array<std::uint64_t, 4>;
 
@@ -140,5 +140,5 @@ TEST(Random, ManyDirectionsAreThoseOfEachJointAlone) {
     }
 }
 
-}  // namespace
+}  // namespace random_test
 }  // namespace pliant

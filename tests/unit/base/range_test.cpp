@@ -8,7 +8,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace range_test {
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
@@ -45,5 +45,5 @@ TEST(Range, SaysWhatMustBe) {
   EXPECT_EQ(refusal(std::int64_t{-3}, Range::zero_or_more), "size = -3: must be from 0");
 }
 
-}  // namespace
+}  // namespace range_test
 }  // namespace pliant

@@ -6,7 +6,7 @@
 #include "pliant/base/random.hpp"
 
 namespace pliant {
-namespace {
+namespace wide_product_test {
 
 constexpr std::uint64_t all_ones = ~std::uint64_t{0};
 
@@ -24,5 +24,5 @@ TEST(WideProduct, HalvesGiveWhatTheProcessorGives) {
   }
 }
 
-}  // namespace
+}  // namespace wide_product_test
 }  // namespace pliant

@@ -4,7 +4,7 @@
 #include <gmock/gmock.h>
 
 namespace pliant {
-namespace {
+namespace words_test {
 
 using testing::ElementsAre;
 using testing::IsEmpty;
@@ -22,5 +22,5 @@ TEST(Words, AreReadBackAsOne) {
   for (const char* text : {"", "C 1", "#", "a#b", "a\tb", "a\nb"}) EXPECT_FALSE(is_word(text));
 }
 
-}  // namespace
+}  // namespace words_test
 }  // namespace pliant

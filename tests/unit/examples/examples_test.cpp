@@ -12,7 +12,7 @@
 #include "support/rigidity.hpp"
 
 namespace pliant {
-namespace {
+namespace examples_test {
 
 TEST(Examples, HaveNamesOfTheirOwnAndASource) {
   std::set<std::string_view> names;
@@ -96,5 +96,5 @@ TEST(Families, GridBracingsAreCounted) {
   EXPECT_EQ(rigid, 19);
 }
 
-}  // namespace
+}  // namespace examples_test
 }  // namespace pliant

@@ -9,7 +9,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace check_positions_test {
 
 /// What is said of unit bars with all coordinates shifted by `offset`: an error, or warnings.
 std::string verdict_at(double offset, const Tolerance& tolerance = {}) {
@@ -70,5 +70,5 @@ TEST(CheckPositions, TakesJointsWithoutBars) {
                                   std::vector<Vec3>(2, Vec3{1e16, 0, 0}), {}, {}));
 }
 
-}  // namespace
+}  // namespace check_positions_test
 }  // namespace pliant

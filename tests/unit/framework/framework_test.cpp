@@ -9,7 +9,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace framework_test {
 
 std::shared_ptr<const AtomTable> three_atoms() {
   return std::make_shared<AtomTable>(
@@ -245,5 +245,5 @@ TEST(Framework, KeepsDrawnPositionsThatFitItsBars) {
             "framework: 2 joints but 1 drawn positions");
 }
 
-}  // namespace
+}  // namespace framework_test
 }  // namespace pliant

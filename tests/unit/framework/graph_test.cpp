@@ -10,7 +10,7 @@
 #include "support/random_frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace graph_test {
 
 /// Sets by the plainest union-find there is.
 class Sets {
@@ -143,5 +143,5 @@ TEST(GraphFacts, OfNothingAreZero) {
   EXPECT_TRUE(facts.is_forest());
 }
 
-}  // namespace
+}  // namespace graph_test
 }  // namespace pliant

@@ -7,7 +7,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace joint_names_test {
 
 TEST(JointNames, AreIndicesWhereThereAreNone) {
   const Framework framework = framework_of(chain(3));
@@ -24,5 +24,5 @@ TEST(JointNames, AreIndicesWhereThereAreNone) {
             "f.txt:1: joint: no joint is named \"-0x1\"");
 }
 
-}  // namespace
+}  // namespace joint_names_test
 }  // namespace pliant

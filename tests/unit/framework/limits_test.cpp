@@ -9,7 +9,7 @@
 #include "pliant/framework/framework.hpp"
 
 namespace pliant {
-namespace {
+namespace limits_test {
 
 std::string fault_of(const Limit& limit) {
   try {
@@ -56,5 +56,5 @@ TEST(Limit, JointsKnowTheirLimits) {
   EXPECT_TRUE(framework.limits_at(1).empty());
 }
 
-}  // namespace
+}  // namespace limits_test
 }  // namespace pliant

@@ -9,7 +9,7 @@
 #include "pliant/framework/frame.hpp"
 
 namespace pliant {
-namespace {
+namespace residual_test {
 
 TEST(Residual, IsPositiveWhenTheBarIsTooLong) {
   EXPECT_EQ(residual({0, 0, 0}, {3, 4, 0}, 4.5), 0.5);
@@ -80,5 +80,5 @@ TEST(Stop, HasNames) {
   EXPECT_EQ(name(Stop::stopped_by_caller), "stopped_by_caller");
 }
 
-}  // namespace
+}  // namespace residual_test
 }  // namespace pliant

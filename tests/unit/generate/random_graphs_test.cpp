@@ -10,7 +10,7 @@
 #include "pliant/framework/residual.hpp"
 
 namespace pliant {
-namespace {
+namespace random_graphs_test {
 
 RandomKey graph_number(std::uint64_t number) { return {5, Domain::generate, number, 0, 0}; }
 
@@ -90,5 +90,5 @@ TEST(Generate, SaysWhenNoPairIsLeft) {
   EXPECT_THROW(generate(find_graph_class("n-cycle"), options, {}), OptionError);
 }
 
-}  // namespace
+}  // namespace random_graphs_test
 }  // namespace pliant

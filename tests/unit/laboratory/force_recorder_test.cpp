@@ -10,7 +10,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace force_recorder_test {
 
 namespace fs = std::filesystem;
 
@@ -61,5 +61,5 @@ TEST_F(ForceRecords, ReplaceNoFileUnasked) {
   EXPECT_NO_THROW(ForceRecorder(path_, true, framework_, {}).publish());
 }
 
-}  // namespace
+}  // namespace force_recorder_test
 }  // namespace pliant

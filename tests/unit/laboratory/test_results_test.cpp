@@ -10,7 +10,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace test_results_test {
 
 const std::string heading = "force,sweeps,passes,projections,converged,final_residual\n";
 
@@ -95,5 +95,5 @@ TEST(TestRows, AreNotWrittenWithNumbersThatAreNone) {
             "results: force 0: final_residual = inf: must be finite and from 0");
 }
 
-}  // namespace
+}  // namespace test_results_test
 }  // namespace pliant

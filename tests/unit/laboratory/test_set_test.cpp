@@ -14,7 +14,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace test_set_test {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -295,5 +295,5 @@ TEST_F(TestSets, NeedAnEmptyFolderAndOptionsInTheirRange) {
             "classes: tree is given twice");
 }
 
-}  // namespace
+}  // namespace test_set_test
 }  // namespace pliant

@@ -11,7 +11,7 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::testing {
-namespace {
+namespace bars_file_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
@@ -124,5 +124,5 @@ TEST(TakeBars, NamesTheFileOfALimitThatABarForbids) {
       written("").string() + ": limit C(1) - C(2) has a bar already, of 1.5 Angstrom");
 }
 
-}  // namespace
+}  // namespace bars_file_test
 }  // namespace pliant::testing

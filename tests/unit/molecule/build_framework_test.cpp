@@ -8,7 +8,7 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::testing {
-namespace {
+namespace build_framework_test {
 
 using ::testing::DoubleNear;
 using ::testing::ElementsAre;
@@ -173,5 +173,5 @@ TEST(BuildFramework, RefusesASelectionOfNothing) {
             "pin: selection \"name CA\" names no atom");
 }
 
-}  // namespace
+}  // namespace build_framework_test
 }  // namespace pliant::testing

@@ -8,7 +8,7 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::testing {
-namespace {
+namespace selection_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -131,5 +131,5 @@ TEST(Selection, ListsItsWords) {
   }
 }
 
-}  // namespace
+}  // namespace selection_test
 }  // namespace pliant::testing

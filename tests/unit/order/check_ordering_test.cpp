@@ -6,7 +6,7 @@
 #include "pliant/examples/examples.hpp"
 
 namespace pliant {
-namespace {
+namespace check_ordering_test {
 
 /// Bars 0 - 1, 1 - 2, 2 - 0.
 const Framework& triangle() {
@@ -35,5 +35,5 @@ TEST(CheckOrdering, HoldsTheOrderingToItsPromisesOnly) {
       "");
 }
 
-}  // namespace
+}  // namespace check_ordering_test
 }  // namespace pliant

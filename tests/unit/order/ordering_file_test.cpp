@@ -10,7 +10,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace ordering_file_test {
 
 /// Joints a, b, c, d; bars ab, bc, ca, cd.
 const Framework& kite() {
@@ -128,5 +128,5 @@ TEST(ReadOrderingFile, ReadsFilesAndNamesThemInErrors) {
   EXPECT_THROW(read_ordering_file(path, kite()), FileError);
 }
 
-}  // namespace
+}  // namespace ordering_file_test
 }  // namespace pliant

@@ -10,7 +10,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace ordering_test {
 
 std::vector<BarIndex> bars_of(const Ordering& ordering) {
   std::vector<BarIndex> bars;
@@ -116,5 +116,5 @@ TEST(Traversals, ReachEveryComponent) {
   }
 }
 
-}  // namespace
+}  // namespace ordering_test
 }  // namespace pliant

@@ -8,7 +8,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace force_file_test {
 
 Framework framework_with_names(std::vector<std::string> names) {
   AtomTable atoms;
@@ -209,5 +209,5 @@ TEST(ReadForceFile, ReadsFilesAndNamesThemInErrors) {
             folder.string() + ": cannot be read: not a regular file");
 }
 
-}  // namespace
+}  // namespace force_file_test
 }  // namespace pliant

@@ -15,7 +15,7 @@ namespace pliant {
 
 void PrintTo(const PerturbationEntry& row, std::ostream* out) { *out << row.name; }
 
-namespace {
+namespace perturbation_test {
 
 /// One step of a pusher that acts alone.
 Push push_by(const PusherEntry& row, const Framework& framework, const PerturbOptions& options,
@@ -238,5 +238,5 @@ TEST(RandomPushes, NeedAFreeJoint) {
   EXPECT_TRUE(random_pushes(framework, {}, {}, 0).empty());
 }
 
-}  // namespace
+}  // namespace perturbation_test
 }  // namespace pliant

@@ -14,7 +14,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace pusher_test {
 
 constexpr RandomKey seed_5{.seed = 5};
 
@@ -235,5 +235,5 @@ TEST(Steering, IsAskedFromManyThreads) {
   EXPECT_TRUE(is_finite(state.positions[0]));
 }
 
-}  // namespace
+}  // namespace pusher_test
 }  // namespace pliant

@@ -18,7 +18,7 @@
 #include "unit/record/write_calls.hpp"
 
 namespace pliant {
-namespace {
+namespace crash_test {
 
 using namespace test;
 
@@ -228,5 +228,5 @@ TEST(SilentEnd, ExitWithoutDestructorLeavesTheCommittedFrames) {
   expect_intact(directory / "run.h5md", 3, 0);
 }
 
-}  // namespace
+}  // namespace crash_test
 }  // namespace pliant

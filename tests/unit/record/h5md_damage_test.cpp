@@ -16,7 +16,7 @@
 #include "unit/record/foreign_file.hpp"
 
 namespace pliant {
-namespace {
+namespace h5md_damage_test {
 
 using namespace test;
 using ::testing::ElementsAre;
@@ -246,5 +246,5 @@ TEST_F(H5mdDamageTest, RefusesConnectivityThatLeadsNowhere) {
             "/parameters/framework/rest_length has 5 values; expected 1");
 }
 
-}  // namespace
+}  // namespace h5md_damage_test
 }  // namespace pliant

@@ -13,7 +13,7 @@
 #include "unit/record/samples.hpp"
 
 namespace pliant {
-namespace {
+namespace topology_pdb_test {
 
 using namespace test;
 using ::testing::ElementsAre;
@@ -186,5 +186,5 @@ TEST_F(TopologyPdbTest, RefusesWhatDoesNotFit) {
             path_.string() + ": exists already, and was not to be overwritten");
 }
 
-}  // namespace
+}  // namespace topology_pdb_test
 }  // namespace pliant

@@ -8,7 +8,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace automatic_test {
 
 TEST(Automatic, ChoosesByWhatTheBarsForm) {
   const Choice tree = choose_technique(framework_of(chain(5)));
@@ -61,5 +61,5 @@ TEST(Automatic, NamesTheTechniqueUsed) {
   EXPECT_EQ(technique_used(framework, {"random", 0.75}).weighting, 0.75);
 }
 
-}  // namespace
+}  // namespace automatic_test
 }  // namespace pliant

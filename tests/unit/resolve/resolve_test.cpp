@@ -10,7 +10,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace resolve_test {
 
 std::string refusal(const ResolveOptions& options) {
   return test::error_text<OptionError>([&] { check(options); });
@@ -149,5 +149,5 @@ TEST(Resolve, AMovedResolverResolves) {
   EXPECT_TRUE(second.resolve(x).converged());
 }
 
-}  // namespace
+}  // namespace resolve_test
 }  // namespace pliant

@@ -13,7 +13,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace techniques_test {
 
 TEST(Techniques, HoldEveryOrderingAndNamesOfTheirOwn) {
   std::set<std::string_view> names;
@@ -135,5 +135,5 @@ TEST(Shares, StayFiniteAtTheEndsOfTheRangeOfMasses) {
   }
 }
 
-}  // namespace
+}  // namespace techniques_test
 }  // namespace pliant

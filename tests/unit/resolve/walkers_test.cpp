@@ -8,7 +8,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace walkers_test {
 
 TEST(WalkerResolver, UsesTheBestInstructionsUnlessToldOtherwise) {
   const Framework framework = framework_of(chain(5));
@@ -84,5 +84,5 @@ TEST(WalkerResolver, MixesWalkersWithAndWithoutReference) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_TRUE(test::same_bits(together[k], alone[k]));
 }
 
-}  // namespace
+}  // namespace walkers_test
 }  // namespace pliant

@@ -8,7 +8,7 @@
 #include "pliant/examples/examples.hpp"
 
 namespace pliant {
-namespace {
+namespace unit_graph_test {
 
 Framework angles_of(Sketch sketch) { return framework_of(with_angles(std::move(sketch))); }
 
@@ -100,5 +100,5 @@ TEST(ConnectUnits, BarsAloneHangTogetherByJoints) {
   EXPECT_EQ(graph.links.edge_count(), 5u);
 }
 
-}  // namespace
+}  // namespace unit_graph_test
 }  // namespace pliant

@@ -6,7 +6,7 @@
 #include "pliant/examples/examples.hpp"
 
 namespace pliant {
-namespace {
+namespace unit_shape_test {
 
 double worst_error(const Framework& framework, const UnitSet& set, const UnitShapes& shapes) {
   std::vector<Vec3> x(framework.joint_count());
@@ -56,5 +56,5 @@ TEST(FindUnitShapes, DrawnPositionsAreTaken) {
   EXPECT_LT(worst_error(framework, set, shapes), 1e-15);
 }
 
-}  // namespace
+}  // namespace unit_shape_test
 }  // namespace pliant

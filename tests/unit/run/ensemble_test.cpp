@@ -12,7 +12,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace ensemble_test {
 
 using Hashes = std::map<std::uint64_t, std::uint64_t>;
 
@@ -136,5 +136,5 @@ TEST(Ensemble, RefusesWhatCannotBe) {
   EXPECT_EQ(refusal({5, 3}, 1), "shard = [5, 3): must not end before it begins");
 }
 
-}  // namespace
+}  // namespace ensemble_test
 }  // namespace pliant

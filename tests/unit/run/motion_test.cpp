@@ -12,7 +12,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace motion_test {
 
 MotionOptions by(std::vector<std::string> push, const char* technique = "bfs_cycle") {
   MotionOptions options;
@@ -162,5 +162,5 @@ TEST(Motion, RefusesWhatCannotBe) {
             "nothing to run: no joints");
 }
 
-}  // namespace
+}  // namespace motion_test
 }  // namespace pliant

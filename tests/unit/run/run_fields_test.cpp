@@ -12,7 +12,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace run_fields_test {
 
 std::string refusal(const RunOptions& options) {
   return test::error_text<OptionError>([&] { check(options); });
@@ -76,5 +76,5 @@ TEST(RunFields, ParametersAreAllOptions) {
   EXPECT_EQ(values.at("run/technique_used"), Parameter(std::string("blocks")));
 }
 
-}  // namespace
+}  // namespace run_fields_test
 }  // namespace pliant

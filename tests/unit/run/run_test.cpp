@@ -11,7 +11,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace run_test {
 
 /// A frame whose positions outlive the call.
 struct Shown {
@@ -327,5 +327,5 @@ TEST(Run, OfLocalTechniquesShowsTrueNumbersToo) {
   }
 }
 
-}  // namespace
+}  // namespace run_test
 }  // namespace pliant

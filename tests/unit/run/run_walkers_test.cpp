@@ -8,7 +8,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace run_walkers_test {
 
 struct Seen {
   std::vector<std::vector<Vec3>> frames;
@@ -161,5 +161,5 @@ TEST(RunWalkers, NoneIsNoError) {
   EXPECT_TRUE(run_walkers(framework, {}, options_of("force", "blocks")).empty());
 }
 
-}  // namespace
+}  // namespace run_walkers_test
 }  // namespace pliant

@@ -13,7 +13,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace file_text_test {
 
 using test::error_text;
 
@@ -175,5 +175,5 @@ TEST(ByteOrderMark, IsTakenOff) {
   EXPECT_EQ(without_byte_order_mark("ATOM"), "ATOM");
 }
 
-}  // namespace
+}  // namespace file_text_test
 }  // namespace pliant

@@ -8,7 +8,7 @@
 #include <vector>
 
 namespace pliant {
-namespace {
+namespace text_lines_test {
 
 std::vector<std::string> lines_of(std::string_view text) {
   std::vector<std::string> found;
@@ -55,5 +55,5 @@ TEST(Lines, LinearWhereOneKindOfLineEndIsMissing) {
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
 }
 
-}  // namespace
+}  // namespace text_lines_test
 }  // namespace pliant

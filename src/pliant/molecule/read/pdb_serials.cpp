@@ -10,8 +10,6 @@
 namespace pliant {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// Columns 7-11, or as many digits as stand there from column 5 ("ATOM 100000") to 12.
 std::string_view serial_field(std::string_view line) {
   const bool early = is_digit(column(line, 6)) && is_digit(column(line, 7));

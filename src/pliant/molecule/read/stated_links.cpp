@@ -12,7 +12,7 @@ std::string text_of(const AtomAddress& address) {
   if (!text.empty()) text += ":";
   text += std::to_string(address.number);
   if (address.insertion_code != ' ') text += address.insertion_code;
-  return quoted(text.append(":").append(address.name));
+  return pliant::quoted(text.append(":").append(address.name));
 }
 
 /// Makes bonds of links, one after the other.

@@ -7,6 +7,8 @@
 #include <memory>
 #include <string>
 
+#include "pliant/base/number.hpp"
+
 namespace pliant {
 namespace {
 
@@ -188,8 +190,6 @@ const ResidueTemplate* find_exactly(std::string_view name) {
   const auto at = registry().find(name);
   return at == registry().end() ? nullptr : at->second.get();
 }
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace
 

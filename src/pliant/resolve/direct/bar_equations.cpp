@@ -16,7 +16,6 @@ namespace {
 /// Beyond so many pairs of bars that share a joint, a bar, memory and time would no longer be
 /// linear in the bars: hubs of thousands of bars. Molecules have up to about 15.
 constexpr std::size_t most_couplings_a_bar = 32;
-constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr auto nowhere = std::numeric_limits<std::uint32_t>::max();
 
 /// The joints of the bars in the sequence in which the bars name them first, the lower joint of a

@@ -13,6 +13,7 @@
 // joints, side by side in memory in the sequence in which its bars are eliminated.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,6 +24,8 @@
 #include "pliant/resolve/direct/sparse_ldl.hpp"
 
 namespace pliant {
+
+inline constexpr double infinity = std::numeric_limits<double>::infinity();
 
 class BarEquations {
  public:

@@ -3,17 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "pliant/resolve/direct/bar_loops.hpp"
 
 namespace pliant {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 BarNewton::Outcome BarNewton::make_whole(Part part, const RandomKey& key,
                                          const MayGoOn& may_go_on) {
   Outcome outcome;

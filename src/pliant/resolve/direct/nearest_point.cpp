@@ -3,18 +3,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "pliant/resolve/direct/bar_loops.hpp"
 
 namespace pliant {
-namespace {
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-
-}  // namespace
-
 JointScales joint_scales(const BarEquations& equations) {
   JointScales scales;
   for (std::uint32_t j = 0; j < equations.joint_count(); ++j)

@@ -10,7 +10,7 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::testing {
-namespace {
+namespace bonds_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -288,5 +288,5 @@ TEST(PerceiveBonds, RefusesPositionsThatAreNone) {
 
 TEST(PerceiveBonds, TakesAnEmptyStructure) { EXPECT_THAT(perceive({}).bonds, IsEmpty()); }
 
-}  // namespace
+}  // namespace bonds_test
 }  // namespace pliant::testing

@@ -9,7 +9,7 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::testing {
-namespace {
+namespace distance_bonds_test {
 
 using ::testing::ElementsAre;
 using ::testing::IsEmpty;
@@ -127,5 +127,5 @@ TEST(DistanceBonds, CanBeSwitchedOff) {
   EXPECT_THAT(perceive(molecule({{"C", {}}, {"C", {1.5, 0, 0}}}), options).bonds, IsEmpty());
 }
 
-}  // namespace
+}  // namespace distance_bonds_test
 }  // namespace pliant::testing

@@ -7,7 +7,7 @@
 #include <string>
 
 namespace pliant {
-namespace {
+namespace conformers_test {
 
 /// One letter an atom: 'x' where it stays, '-' where it goes.
 std::string kept(const std::vector<ConformerAtom>& atoms) {
@@ -56,5 +56,5 @@ TEST(Conformers, ManyAtomsInLittleTime) {
   for (std::size_t k = 0; k < stays.size(); ++k) ASSERT_EQ(stays[k], k % 2 == 1);
 }
 
-}  // namespace
+}  // namespace conformers_test
 }  // namespace pliant

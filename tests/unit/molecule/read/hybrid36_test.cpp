@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace pliant {
-namespace {
+namespace hybrid36_test {
 
 // The borders that cci.lbl.gov/hybrid_36 states for five and four columns.
 TEST(Hybrid36, Borders) {
@@ -43,5 +43,5 @@ TEST(Hexadecimal, OfVmd) {
   EXPECT_EQ(parse_hexadecimal(""), std::nullopt);
 }
 
-}  // namespace
+}  // namespace hybrid36_test
 }  // namespace pliant

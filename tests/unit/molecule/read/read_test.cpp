@@ -15,7 +15,7 @@
 #include "support/error_text.hpp"
 
 namespace pliant {
-namespace {
+namespace read_test {
 
 using test::error_text;
 
@@ -180,5 +180,5 @@ TEST(ReadStructure, EachKindOfWarningOnce) {
                           "(and 49998 more)"}));
 }
 
-}  // namespace
+}  // namespace read_test
 }  // namespace pliant

@@ -9,7 +9,7 @@
 #include "pliant/molecule/bond_lengths.hpp"
 
 namespace pliant {
-namespace {
+namespace residue_templates_test {
 
 bool is_bonded(const char* residue, const char* a, const char* b) {
   const ResidueTemplate* shape = find_residue_template(residue);
@@ -81,5 +81,5 @@ TEST(StandardBondLength, KnowsPairsInEitherOrder) {
   EXPECT_EQ(standard_bond_length(6, 26, 1), std::nullopt);
 }
 
-}  // namespace
+}  // namespace residue_templates_test
 }  // namespace pliant

@@ -10,7 +10,7 @@
 #include "pliant/record/h5md/h5md_recorder.hpp"
 
 namespace pliant {
-namespace {
+namespace h5md_limits_test {
 
 std::filesystem::path recorded(const Framework& framework, std::span<const Vec3> positions) {
   const auto path = std::filesystem::path(testing::TempDir()) / "limits.h5md";
@@ -77,5 +77,5 @@ TEST(H5mdLimits, AFrameworkOfBarsAloneHasNoneOfThem) {
   EXPECT_EQ(std::ranges::count(names, "max_limit"), 0);
 }
 
-}  // namespace
+}  // namespace h5md_limits_test
 }  // namespace pliant

@@ -8,7 +8,7 @@
 #include "unit/record/foreign_file.hpp"
 
 namespace pliant {
-namespace {
+namespace h5md_reader_test {
 
 using namespace test;
 using ::testing::ElementsAre;
@@ -227,5 +227,5 @@ TEST_F(H5mdReaderTest, ListsObservablesAndSkipsWhatIsNone) {
             "no observable \"virial\"; there are: \"energy\", \"thermo/pressure\"");
 }
 
-}  // namespace
+}  // namespace h5md_reader_test
 }  // namespace pliant

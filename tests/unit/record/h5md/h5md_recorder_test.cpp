@@ -16,7 +16,7 @@
 #include "unit/record/samples.hpp"
 
 namespace pliant {
-namespace {
+namespace h5md_recorder_test {
 
 using namespace test;
 using ::testing::HasSubstr;
@@ -379,5 +379,5 @@ TEST(H5mdRecorder, MovesAndClosesTwice) {
   EXPECT_EQ(second.committed_frames(), 2);
 }
 
-}  // namespace
+}  // namespace h5md_recorder_test
 }  // namespace pliant

@@ -14,7 +14,7 @@
 #include "unit/record/write_calls.hpp"
 
 namespace pliant {
-namespace {
+namespace committed_file_test {
 
 using test::TempDirectory;
 using test::WriteWatch;
@@ -138,5 +138,5 @@ TEST_F(CommittedFileTest, ForkedChildWritesNothing) {
   EXPECT_EQ(size(), 0);
 }
 
-}  // namespace
+}  // namespace committed_file_test
 }  // namespace pliant

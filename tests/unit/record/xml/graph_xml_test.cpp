@@ -8,7 +8,7 @@
 #include "pliant/base/error.hpp"
 
 namespace pliant {
-namespace {
+namespace graph_xml_test {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
@@ -182,5 +182,5 @@ const Refused refused[] = {
 INSTANTIATE_TEST_SUITE_P(Table, GraphXmlRefuses, testing::ValuesIn(refused),
                          [](const auto& row) { return row.param.name; });
 
-}  // namespace
+}  // namespace graph_xml_test
 }  // namespace pliant

@@ -8,7 +8,7 @@
 #include "pliant/resolve/resolve.hpp"
 
 namespace pliant {
-namespace {
+namespace blocks_test {
 
 Framework framework_at(const std::vector<Vec3>& positions, std::vector<Bar> bars,
                        std::vector<Joint> pinned = {}) {
@@ -112,5 +112,5 @@ TEST(Blocks, SaysThatAnImpossibleTriangleDoesNotConverge) {
   for (Vec3 p : y) EXPECT_TRUE(is_finite(p));
 }
 
-}  // namespace
+}  // namespace blocks_test
 }  // namespace pliant

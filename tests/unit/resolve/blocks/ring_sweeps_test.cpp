@@ -11,7 +11,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace ring_sweeps_test {
 
 class RingsAlone : public testing::TestWithParam<const char*> {};
 
@@ -177,5 +177,5 @@ TEST(RingsFirst, NeedsLessWorkThanEverySweepOfAllBars) {
   EXPECT_LT(3 * fast, 2 * rings);
 }
 
-}  // namespace
+}  // namespace ring_sweeps_test
 }  // namespace pliant

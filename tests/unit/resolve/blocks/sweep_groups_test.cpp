@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace pliant {
-namespace {
+namespace sweep_groups_test {
 
 /// A triangle 0 1 2, a bridge 2 3, a triangle 3 4 5 that shares joint 5 with a triangle 5 6 7, and
 /// a bar 8 9 apart.
@@ -52,5 +52,5 @@ TEST(SweepGroups, CanBeEverything) {
   EXPECT_EQ(groups.of_bar, std::vector<std::uint32_t>(11, 0));
 }
 
-}  // namespace
+}  // namespace sweep_groups_test
 }  // namespace pliant

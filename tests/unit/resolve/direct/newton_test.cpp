@@ -11,7 +11,7 @@
 #include "unit/resolve/gromacs_systems.hpp"
 
 namespace pliant {
-namespace {
+namespace newton_test {
 
 double weighted_squares(const Framework& framework, const std::vector<Vec3>& x,
                         const std::vector<Vec3>& y) {
@@ -142,5 +142,5 @@ TEST(Newton, LeavesWholeComponentsAlone) {
   for (std::size_t j = 0; j < 6; ++j) EXPECT_EQ(x[j], example.positions[j]);
 }
 
-}  // namespace
+}  // namespace newton_test
 }  // namespace pliant

@@ -12,7 +12,7 @@
 #include "unit/resolve/gromacs_systems.hpp"
 
 namespace pliant {
-namespace {
+namespace shake_test {
 
 ResolveSummary shake_from(const Framework& framework, std::vector<Vec3>& x,
                           const std::vector<Vec3>& reference, double tolerance) {
@@ -81,5 +81,5 @@ TEST(Shake, RefusesAReferenceOfAnotherSize) {
             "reference: 3 positions for 4 joints");
 }
 
-}  // namespace
+}  // namespace shake_test
 }  // namespace pliant

@@ -9,7 +9,7 @@
 #include "pliant/resolve/direct/bar_elimination.hpp"
 
 namespace pliant {
-namespace {
+namespace sparse_ldl_test {
 
 /// A random positive definite matrix with about `entries` entries below the diagonal.
 Eigen::MatrixXd random_matrix(int size, int entries, std::uint64_t seed) {
@@ -124,5 +124,5 @@ TEST(BarElimination, ARingFillsOneEntryABar) {
   EXPECT_EQ(fill_of(bars, 24), 9u);
 }
 
-}  // namespace
+}  // namespace sparse_ldl_test
 }  // namespace pliant

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace pliant {
-namespace {
+namespace project_bar_test {
 
 /// No escape is asked for unless the joints coincide.
 Vec3 never() {
@@ -62,5 +62,5 @@ TEST(ProjectBar, TinyAndHugeBarsAreExact) {
   }
 }
 
-}  // namespace
+}  // namespace project_bar_test
 }  // namespace pliant

@@ -8,7 +8,7 @@
 #include "pliant/base/random.hpp"
 
 namespace pliant {
-namespace {
+namespace anderson_test {
 
 /// g(x) = rate x, coordinate by coordinate, about 0.
 std::vector<Vec3> linear_step(const std::vector<Vec3>& x, const std::vector<Vec3>& rates) {
@@ -112,5 +112,5 @@ TEST(AndersonMixing, GivesUpWhereNothingChanges) {
   EXPECT_FALSE(mixing.mix(f, g));
 }
 
-}  // namespace
+}  // namespace anderson_test
 }  // namespace pliant

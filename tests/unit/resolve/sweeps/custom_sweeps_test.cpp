@@ -16,7 +16,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace custom_sweeps_test {
 
 Technique custom(CustomSweep sweep) {
   Technique technique{custom_technique};
@@ -159,5 +159,5 @@ TEST(CustomSweeps, HaveANameOfTheirOwn) {
   EXPECT_THROW(Resolver(framework, projecting(framework), options), OptionError);
 }
 
-}  // namespace
+}  // namespace custom_sweeps_test
 }  // namespace pliant

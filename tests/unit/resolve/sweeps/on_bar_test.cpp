@@ -10,7 +10,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace on_bar_test {
 
 std::vector<Vec3> pushed(const Sketch& sketch) {
   std::vector<Vec3> x = sketch.positions;
@@ -83,5 +83,5 @@ TEST(OnBar, WalkersAreWatchedToo) {
   EXPECT_EQ(visits, projections);
 }
 
-}  // namespace
+}  // namespace on_bar_test
 }  // namespace pliant

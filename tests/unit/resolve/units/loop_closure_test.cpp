@@ -10,7 +10,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace loop_closure_test {
 
 /// A puckered ring of n joints, with bars across its angles.
 Sketch crown(std::size_t n, double height = 0.5) {
@@ -91,5 +91,5 @@ TEST(LoopClosure, RefusesMoreLoopsThanDenseEquationsHold) {
   EXPECT_FALSE(closure_of(framework_of(shaken(grid(9, 9), 0.1))));
 }
 
-}  // namespace
+}  // namespace loop_closure_test
 }  // namespace pliant

@@ -13,7 +13,7 @@
 #include "support/frameworks.hpp"
 
 namespace pliant {
-namespace {
+namespace units_test {
 
 struct Molecule {
   std::string name;
@@ -260,5 +260,5 @@ TEST(UnitsNearest, PinnedComponentsHold) {
   EXPECT_EQ(x[2], m.positions[2]);
 }
 
-}  // namespace
+}  // namespace units_test
 }  // namespace pliant
