@@ -209,8 +209,8 @@ IndexError
 constexpr const char* resolve_near_doc =
     R"(Moves ``positions`` in place where nothing but joint ``root`` has moved since all was whole.
 
-The same as ``resolve(positions, root, disturbed=[root], ...)``: after a push of one joint the cost
-is that of the region which the push disturbs, where the technique knows how.
+Equivalent to ``resolve(positions, root, disturbed=[root], ...)``. With techniques that can start
+from one joint, the cost is that of the region that the push disturbs, not of the whole framework.
 
 Parameters
 ----------
