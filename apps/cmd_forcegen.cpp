@@ -61,7 +61,7 @@ std::string default_output(const std::string& input) {
   return name.stem().string() + "-forces.txt";
 }
 
-void report(const ForcegenSettings& settings) {
+void print_summary(const ForcegenSettings& settings) {
   if (!settings.json) return fmt::print("{} pushes in {}\n", settings.count, settings.output);
   print_json({{"input", settings.molecule.file},
               {"output", settings.output},
@@ -93,7 +93,7 @@ int command_forcegen(const Arguments& arguments) {
   write_text_file(settings.output,
                   write_force_file(force_file_of(settings, molecule.framework), molecule.framework),
                   settings.overwrite);
-  report(settings);
+  print_summary(settings);
   return exit_ok;
 }
 

@@ -8,7 +8,7 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
-#include "run_report.hpp"
+#include "print_run.hpp"
 #include "run_walkers.hpp"
 
 namespace pliant::app {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run_report.hpp"
+#include "print_run.hpp"
 
 #include <fmt/format.h>
 
