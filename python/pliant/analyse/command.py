@@ -74,7 +74,7 @@ def _add_choice_of_frames(add: Callable[..., object]) -> None:
     add("--step", type=whole_number(1), metavar="N", help="take every N-th frame")
     add(
         "--workers", type=whole_number(1), default=1, metavar="N",
-        help="number of processes; more than 1 pays only for trajectories of gigabytes (default: 1)",
+        help="number of processes; more than 1 pays for gigabytes only (default: 1)",
     )  # fmt: skip
 
 

@@ -32,7 +32,7 @@ def make_parser() -> console.Parser:
     add("ours", metavar="OURS", help="H5MD trajectory of pliant run")
     add("theirs", metavar="THEIRS", help="trajectory: DCD, XTC, PDB, ...")
     add("--topology", metavar="FILE",
-        help="file with the names of THEIRS' atoms (default: THEIRS itself, else OURS)")  # fmt: skip
+        help="file with the atom names of THEIRS (default: THEIRS itself, else OURS)")  # fmt: skip
     add("--select", metavar="TEXT", default="all",
         help="MDAnalysis selection for both (default all)")  # fmt: skip
     add("--frames", metavar="N", type=console.whole_number(2, "all"), default=2000,

@@ -61,8 +61,18 @@ def _add_counts(parser: console.Parser) -> None:
     add = parser.add_argument
     default = Settings()
     whole = console.whole_number
-    add("--seed", metavar="S", type=whole(0), help=f"seed of all random numbers (default {default.seed})")
-    add("--graphs", metavar="N", type=whole(1), help=f"graphs of each class (default {default.graphs})")
+    add(
+        "--seed",
+        metavar="S",
+        type=whole(0),
+        help=f"seed of all random numbers (default {default.seed})",
+    )
+    add(
+        "--graphs",
+        metavar="N",
+        type=whole(1),
+        help=f"graphs of each class (default {default.graphs})",
+    )
     add("--forces", metavar="N", type=whole(1),
         help=f"forces on each graph, each from the start (default {default.forces})")  # fmt: skip
     add("--consecutive", action="store_true", default=None,
@@ -100,7 +110,12 @@ def _add_forces(parser: console.Parser) -> None:
     positive = console.positive_number
     add("--force", type=positive, metavar="F",
         help=f"size of a force, kJ/(mol Angstrom) (default {default.force:g})")  # fmt: skip
-    add("--timestep", type=positive, metavar="T", help=f"length of a step, ps (default {default.timestep:g})")
+    add(
+        "--timestep",
+        type=positive,
+        metavar="T",
+        help=f"length of a step, ps (default {default.timestep:g})",
+    )
     add("--tolerance-length", type=positive, metavar="E",
         help="largest |length - rest| of a whole bar, Angstrom "
              f"(default {default.tolerance_length:g})")  # fmt: skip

@@ -48,7 +48,9 @@ def make_report_parser() -> console.Parser:
     parser.add_argument("folder", metavar="DIR", type=Path, help="folder of pliant experiment")
     parser.add_argument("--no-sweep", action="store_true", help="leave out the range of settings")
     parser.add_argument("--no-questions", action="store_true", help="leave out the open questions")
-    parser.add_argument("--quick", action="store_true", help="small sizes, for a look; not to be cited")
+    parser.add_argument(
+        "--quick", action="store_true", help="small sizes: for a look, not to be cited"
+    )
     add_running(parser)
     return parser
 
@@ -62,7 +64,9 @@ def make_sweep_parser() -> console.Parser:
         SWEEP_EPILOG,
     )
     parser.add_argument("folder", metavar="DIR", type=Path, help="folder of pliant experiment")
-    parser.add_argument("--quick", action="store_true", help="small sizes, for a look; not to be cited")
+    parser.add_argument(
+        "--quick", action="store_true", help="small sizes: for a look, not to be cited"
+    )
     add_running(parser)
     return parser
 

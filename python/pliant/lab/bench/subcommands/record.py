@@ -45,7 +45,7 @@ def add_options(parser: console.Parser) -> None:
     add("--single", action="store_true", help="positions as 32-bit floats")
     add("--compress", action="store_true", help="gzip positions")
     add("--folder", metavar="DIR", default=None,
-        help="where files are written and then removed (default: folder for temporary files)")  # fmt: skip
+        help="folder for the files, which are removed (default: a temporary one)")  # fmt: skip
     add("--csv", metavar="FILE", help="write the rows as CSV")
 
 

@@ -29,7 +29,12 @@ def add_options(parser: console.Parser) -> None:
     from pliant.lab.bench.stress_table import FULL_STEPS, STEPS
 
     add = parser.add_argument
-    add("--cases", metavar="WORD", default="", help="only cases with this word in their name or group")
+    add(
+        "--cases",
+        metavar="WORD",
+        default="",
+        help="only cases with this word in their name or group",
+    )
     add("--techniques", metavar="NAME,...", type=console.words, default=(),
         help="techniques (default: all)")  # fmt: skip
     add("--weightings", metavar="W,W,...", type=console.positive_numbers, default=(0.5,),

@@ -42,7 +42,7 @@ def add_options(parser: console.Parser) -> None:
         help="seed of the displacement (default 0)")  # fmt: skip
     add("--tolerances", metavar="T,T,...", type=console.positive_numbers,
         default=",".join(f"1e-{k}" for k in range(2, 13)),
-        help="relative tolerances, tried from the largest (default 1e-2,1e-3,...,1e-12)")  # fmt: skip
+        help="relative tolerances, the largest first (default 1e-2,1e-3,...,1e-12)")  # fmt: skip
     add("--techniques", metavar="NAME,...", type=console.words, default=(),
         help="techniques (default: all)")  # fmt: skip
     add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
