@@ -77,7 +77,8 @@ int command_structgen(const Arguments& arguments) {
       "making a graph is a class of its own. Writes one graph as XML. With --test-set it writes\n"
       "a folder for each class, in it one for each graph with its forces and its ordering, in\n"
       "it one for the results of each heuristic (technique and weighting), and results.xml at\n"
-      "the top, which lists them all. Every graph is checked to belong to its class. The same\nseed makes the same files.");
+      "the top, which lists them all. Every graph is checked to belong to its class. The same\n"
+      "seed makes the same files.");
   StructgenSettings settings;
   add_structgen_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;

@@ -12,8 +12,7 @@ namespace pliant::app {
 namespace {
 
 constexpr Command commands[] = {
-    {"info", "list what a molecule file holds: atoms, bonds, bars, cycles, blocks",
-     command_info},
+    {"info", "list what a molecule file holds: atoms, bonds, bars, cycles, blocks", command_info},
     {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
     {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},
     {"forcegen", "write a force file of random pushes", command_forcegen},

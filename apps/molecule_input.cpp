@@ -45,7 +45,8 @@ void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
                          "PDB, mmCIF, XYZ, SDF (may be gzipped), or a graph (.xml)");
   line.add_choice("--format", options.format, names_of(formats()),
                   "pdb, mmcif, xyz or sdf (default: by extension or content)");
-  line.add_integer("--model", options.model, 1, most_models, "number of the model, frame or record");
+  line.add_integer("--model", options.model, 1, most_models,
+                   "number of the model, frame or record");
   line.add_text("--bars", options.bars, "NAME or FILE",
                 "bonds, angles (bonds and 1-3 pairs), none or a bars file (default: bonds)");
   line.add_choice("--lengths", options.lengths, names_of(length_choices),

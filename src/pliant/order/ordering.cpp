@@ -118,8 +118,8 @@ constexpr OrderingEntry table[] = {
      false, order_bfs_random},
     {"input", "the order of the bars in the input, or of an ordering file", Repeat::same, false,
      order_input},
-    {"bfs_worst", "bfs_cycle, restarted at the worst bar before each sweep", Repeat::reorder,
-     false, order_bfs_worst},
+    {"bfs_worst", "bfs_cycle, restarted at the worst bar before each sweep", Repeat::reorder, false,
+     order_bfs_worst},
 };
 
 }  // namespace
