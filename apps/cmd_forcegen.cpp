@@ -29,18 +29,18 @@ void add_options(CommandLine& line, ForcegenSettings& settings) {
   constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
   add_molecule_options(line, settings.molecule);
   line.start_group("Pushes");
-  line.add_integer("--count", settings.count, 1, 1'000'000'000, "pushes, one a step");
+  line.add_integer("--count", settings.count, 1, 1'000'000'000, "pushes, one per step");
   line.add_real("--force", settings.perturb.force, Range::zero_or_more,
-                "size of each, kJ/(mol Angstrom); its direction and its joint are random");
-  line.add_seed("--seed", settings.resolve.seed, "of all random numbers");
+                "size of each force, kJ/(mol Angstrom); joint and direction are random");
+  line.add_seed("--seed", settings.resolve.seed, "seed of all random numbers");
   line.start_group("Settings written for the run");
-  line.add_real("--timestep", settings.perturb.timestep, Range::positive, "of a step, ps");
+  line.add_real("--timestep", settings.perturb.timestep, Range::positive, "length of a step, ps");
   line.add_real("--tolerance", settings.resolve.tolerance.relative, Range::positive,
                 "largest |length - rest| / rest of a whole bar");
   line.add_real("--tolerance-length", settings.resolve.tolerance.length, Range::positive,
                 "largest |length - rest| in Angstrom, in place of --tolerance", "");
   line.add_integer("--max-sweeps", settings.resolve.max_sweeps, 1, no_limit,
-                   "sweeps after which a step is given up");
+                   "give a step up after so many sweeps");
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FILE",
                 "force file (default: INPUT's name-forces.txt)");
@@ -61,7 +61,7 @@ std::string default_output(const std::string& input) {
   return name.stem().string() + "-forces.txt";
 }
 
-void report(const ForcegenSettings& settings) {
+void print_summary(const ForcegenSettings& settings) {
   if (!settings.json) return fmt::print("{} pushes in {}\n", settings.count, settings.output);
   print_json({{"input", settings.molecule.file},
               {"output", settings.output},
@@ -75,10 +75,10 @@ void report(const ForcegenSettings& settings) {
 int command_forcegen(const Arguments& arguments) {
   CommandLine line(
       "pliant forcegen",
-      "Writes a force file: random pushes, each a force on one joint, with the timestep,\n"
-      "tolerance and most sweeps that they are meant for. They are the pushes that\n"
-      "pliant run meets with the same --force and --seed, so that techniques can be\n"
-      "compared, and other programs fed, with the very same forces.");
+      "Writes a force file: random pushes, each a force on one joint, and the timestep,\n"
+      "tolerance and maximum number of sweeps that they are meant for. pliant run makes the\n"
+      "same pushes with the same --force and --seed. The file lets techniques, and\n"
+      "other programs, be compared under the same forces.");
   line.set_footer(
       "Examples:\n"
       "  pliant forcegen graph.xml --count 50 --force 100 --seed 1 -o forces.txt\n"
@@ -93,7 +93,7 @@ int command_forcegen(const Arguments& arguments) {
   write_text_file(settings.output,
                   write_force_file(force_file_of(settings, molecule.framework), molecule.framework),
                   settings.overwrite);
-  report(settings);
+  print_summary(settings);
   return exit_ok;
 }
 

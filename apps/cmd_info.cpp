@@ -197,10 +197,9 @@ void print_table(const Facts& facts) {
 }  // namespace
 
 int command_info(const Arguments& arguments) {
-  CommandLine line(
-      "pliant info",
-      "Tells what a molecule file holds: atoms, bonds and where each comes from, bars,\n"
-      "components, independent cycles, bridges and blocks. Says what was guessed.");
+  CommandLine line("pliant info",
+                   "Lists what a molecule file holds: atoms, bonds and their origins, bars,\n"
+                   "components, independent cycles, bridges and blocks, and what was guessed.");
   MoleculeOptions options;
   bool as_json = false;
   add_molecule_options(line, options);

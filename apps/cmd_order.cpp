@@ -25,10 +25,10 @@ void add_options(CommandLine& line, OrderSettings& settings) {
   add_molecule_options(line, settings.molecule);
   line.start_group("Ordering");
   line.add_choice("--ordering", settings.ordering, names_of(orderings()),
-                  "which: see pliant techniques");
+                  "ordering: see pliant techniques");
   line.add_text("--root", settings.root, "JOINT",
-                "joint where it begins: its name, or index from 0");
-  line.add_seed("--seed", settings.seed, "of random orderings");
+                "joint where the ordering begins: its name, or its index from 0");
+  line.add_seed("--seed", settings.seed, "seed of random orderings");
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FILE", "ordering file (default: print it)");
   line.add_flag("--overwrite", settings.overwrite, "replace an existing file");
@@ -65,9 +65,9 @@ void print_json(const OrderSettings& settings, const Framework& framework,
 int command_order(const Arguments& arguments) {
   CommandLine line(
       "pliant order",
-      "Writes the sequence in which the first sweep of a technique visits the bars, one bar\n"
-      "a line: near joint, far joint, tree or non_tree (closes a cycle). pliant run takes\n"
-      "such a file, edited or not, with --ordering.");
+      "Writes the order in which the first sweep of a technique visits the bars, one bar\n"
+      "per line: near joint, far joint, tree or non_tree (closes a cycle). pliant run\n"
+      "--ordering takes such a file, edited or not.");
   line.set_footer(
       "Examples:\n"
       "  pliant order graph.xml --ordering dfs_cycle --root a\n"

@@ -8,7 +8,7 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
-#include "run_report.hpp"
+#include "print_run.hpp"
 #include "run_walkers.hpp"
 
 namespace pliant::app {
@@ -53,16 +53,16 @@ int exit_code_of(const RunSummary& summary) {
 int command_run(const Arguments& arguments) {
   CommandLine line(
       "pliant run",
-      "Pushes a molecule again and again, resolves the bars that break, and writes what\n"
-      "moved to an H5MD trajectory. Every bar of every frame is within the tolerance, or\n"
-      "the frame and the exit code (3) say that it is not.");
+      "Pushes a molecule again and again, resolves the bars that break, and records each\n"
+      "step in an H5MD trajectory. Every bar of every frame is within the tolerance, or\n"
+      "else the frame and the exit code (3) say so.");
   line.set_footer(
       "Examples:\n"
       "  pliant run caffeine.sdf\n"
       "  pliant run protein.pdb -o out.h5md --steps 10000 --every 10 --technique blocks\n"
       "  pliant run protein.pdb --perturb displacement --pin \"chainID A\" --walkers 8\n"
       "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge,\n"
-      "130 ended early by Ctrl-C with whole frames.");
+      "130 ended early by Ctrl-C, with all frames complete.");
   RunSettings settings;
   add_run_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;

@@ -73,11 +73,12 @@ void write_set(StructgenSettings& settings) {
 int command_structgen(const Arguments& arguments) {
   CommandLine line(
       "pliant structgen",
-      "Makes random frameworks of a class: a tree, or a graph of 1, 2 or n cycles, each way of\n"
-      "making one a class of its own. Writes one as graph XML, or with --test-set a folder a\n"
-      "class, a folder a graph in it with its forces and its ordering, a folder a heuristic\n"
-      "(technique and weighting) for results, and results.xml on top, which names them all.\n"
-      "Every graph is checked to be of its class; the same seed makes the same files.");
+      "Makes random frameworks of a class: a tree, or a graph of 1, 2 or n cycles. Each way of\n"
+      "making a graph is a class of its own. Writes one graph as XML. With --test-set it writes\n"
+      "a folder for each class, in it one for each graph with its forces and its ordering, in\n"
+      "it one for the results of each heuristic (technique and weighting), and results.xml at\n"
+      "the top, which lists them all. Every graph is checked to belong to its class. The same\n"
+      "seed makes the same files.");
   StructgenSettings settings;
   add_structgen_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;

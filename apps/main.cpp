@@ -12,18 +12,17 @@ namespace pliant::app {
 namespace {
 
 constexpr Command commands[] = {
-    {"info", "what a molecule file holds: atoms, bonds, bars, cycles, bridges, blocks",
-     command_info},
+    {"info", "list what a molecule file holds: atoms, bonds, bars, cycles, blocks", command_info},
     {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
     {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},
     {"forcegen", "write a force file of random pushes", command_forcegen},
-    {"order", "write the sequence in which a technique visits the bars", command_order},
+    {"order", "write the order in which a technique visits the bars", command_order},
     {"techniques", "list techniques, weightings and perturbations", command_techniques},
     {"check", "check a trajectory against OpenMM", nullptr},
-    {"analyse", "figures, tables and an HTML report of a trajectory", nullptr},
+    {"analyse", "make figures, tables and an HTML report of a trajectory", nullptr},
     {"compare", "compare a trajectory with one of OpenMM or another program", nullptr},
-    {"experiment", "techniques on random graphs, and the claims of the thesis settled", nullptr},
-    {"bench", "time and errors of every technique, with OpenMM in the same run", nullptr},
+    {"experiment", "compare techniques on random graphs, judge the claims of the thesis", nullptr},
+    {"bench", "measure time and error of every technique, beside OpenMM", nullptr},
 };
 
 void print_usage(std::FILE* to) {
@@ -47,7 +46,7 @@ void print_usage(std::FILE* to) {
       "  pliant check out.h5md\n"
       "  pliant analyse out.h5md\n"
       "\n"
-      "pliant COMMAND --help tells more of a command.\n",
+      "pliant COMMAND --help explains a command.\n",
       to);
 }
 

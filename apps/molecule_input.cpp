@@ -49,16 +49,17 @@ void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
   line.add_required_text("input", options.file, "FILE",
                          "PDB, mmCIF, XYZ, SDF (may be gzipped), or a graph (.xml)");
   line.add_choice("--format", options.format, names_of(formats()),
-                  "pdb, mmcif, xyz or sdf, if not told by extension or content");
-  line.add_integer("--model", options.model, 1, most_models, "which model, frame or record");
+                  "pdb, mmcif, xyz or sdf (default: by extension or content)");
+  line.add_integer("--model", options.model, 1, most_models,
+                   "number of the model, frame or record");
   line.add_text("--bars", options.bars, "NAME or FILE",
                 "bonds, angles (bonds and 1-3 pairs), none or a bars file (default: bonds)");
   line.add_choice("--lengths", options.lengths, names_of(length_choices),
-                  "rest lengths from the geometry or a table of bonds");
+                  "take rest lengths from the geometry, or from a table of bonds");
   line.add_text("--pin", options.pin, "SELECTION",
                 "atoms that never move, such as \"chainID A and name CA\"");
   line.add_opposite("--no-distance-bonds", options.guess_distances,
-                    "guess no bond from a distance");
+                    "guess no bonds from distances");
 }
 
 Molecule load(const MoleculeOptions& options, const Log& log) {

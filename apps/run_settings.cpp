@@ -55,16 +55,16 @@ void add_technique_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Technique");
   add_fields(line, settings.run, RunGroup::technique);
   line.add_text("--ordering", settings.ordering, "FILE",
-                "visit the bars as an ordering file says, in place of --technique");
+                "visit the bars in the order of a file, in place of --technique");
 }
 
 void add_perturb_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Perturbation");
   add_fields(line, settings.run, RunGroup::perturbation);
   line.add_text("--forces", settings.forces, "FILE",
-                "replay a force file, one push a step, in place of --perturb");
+                "replay a force file, one push per step, in place of --perturb");
   line.add_text("--record-forces", settings.record_forces, "FILE",
-                "write each step's push to a force file, to be replayed with --forces");
+                "write the push of each step to a force file, for --forces");
 }
 
 void add_output_options(CommandLine& line, RunSettings& settings) {
@@ -171,9 +171,9 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Run");
   add_fields(line, settings.run, RunGroup::run);
   line.add_integer("--walkers", settings.walkers, 1, most_walkers,
-                   "independent runs, each with an output of its own");
+                   "independent runs, each with its own output");
   line.add_text("--shard", settings.shard, "FIRST..LAST",
-                "of more walkers, those of these numbers only, as 800..899");
+                "run only the walkers with these numbers, such as 800..899");
   line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the walkers",
                    "all cores");
   add_technique_options(line, settings);

@@ -25,11 +25,11 @@ std::string listed(const std::vector<std::string_view>& names) {
 }
 
 void add_one_options(CommandLine& line, StructgenSettings& settings) {
-  line.add_text("CLASS", settings.kind, "NAME", "class of the graph: see below");
+  line.add_text("CLASS", settings.kind, "NAME", "class of the graph (see below)");
   line.start_group("One graph");
   line.add_text("-o,--output", settings.output, "FILE", "graph XML (default: CLASS.xml)");
   line.add_integer("--number", settings.number, 0, no_limit,
-                   "which of all graphs of the class and seed");
+                   "number of the graph among those of this class and seed");
   line.add_flag("--overwrite", settings.overwrite, "replace an existing file");
 }
 
@@ -37,12 +37,12 @@ void add_size_options(CommandLine& line, GenerateOptions& sizes) {
   line.start_group("Sizes");
   line.add_integer("--depth", sizes.depth, 1, no_limit, "levels of a tree below its root");
   line.add_integer("--children", sizes.children, 1, no_limit,
-                   "most children of a joint; the number is random");
+                   "most children of a joint (the number is random)");
   line.add_integer("--ring", sizes.ring, 3, no_limit,
-                   "most joints of a closed chain; the number is random");
+                   "most joints of a closed chain (the number is random)");
   line.add_integer("--cycles", sizes.cycles, 0, no_limit, "non-tree bars of an n-cycle");
   line.add_integer("--joints", sizes.joints, 0, no_limit,
-                   "joints of a tree; 0: as --depth and --children have it");
+                   "joints of a tree; 0: as --depth and --children give");
   line.add_real("--box", sizes.box, Range::positive,
                 "edge of the box that positions are drawn from, Angstrom");
 }
@@ -56,9 +56,9 @@ void add_set_options(CommandLine& line, StructgenSettings& settings) {
   line.add_integer("--graphs", set.graphs, 1, most_files, "graphs of each class");
   line.add_integer("--forces", set.settings.forces, 1, most_files, "random pushes of each graph");
   line.add_integer("--force-files", set.force_files, 1, most_files,
-                   "files that the pushes of a graph are spread over");
+                   "number of files for the pushes of a graph");
   line.add_names("--techniques", set.techniques, "all orderings",
-                 "techniques to make folders for, each for the classes that it resolves");
+                 "techniques to make folders for, in the classes that each can resolve");
   line.add_reals("--weightings", set.weightings, Range::zero_to_one, "0.5,0.75,1",
                  "weightings of each technique");
 }
@@ -67,11 +67,11 @@ void add_force_options(CommandLine& line, TestSettings& settings) {
   line.start_group("Forces of a test set");
   line.add_real("--force", settings.force, Range::zero_or_more,
                 "size of a push, kJ/(mol Angstrom)");
-  line.add_real("--timestep", settings.timestep, Range::positive, "of a step, ps");
+  line.add_real("--timestep", settings.timestep, Range::positive, "length of a step, ps");
   line.add_real("--tolerance-length", settings.tolerance_length, Range::positive,
                 "largest |length - rest| of a whole bar, Angstrom");
   line.add_integer("--max-sweeps", settings.max_sweeps, 1, no_limit,
-                   "sweeps after which a step is given up");
+                   "give a step up after so many sweeps");
 }
 
 std::string footer() {
@@ -92,7 +92,7 @@ void add_structgen_options(CommandLine& line, StructgenSettings& settings) {
   add_one_options(line, settings);
   add_size_options(line, settings.set.settings.sizes);
   line.start_group("Random numbers and output");
-  line.add_seed("--seed", settings.set.settings.seed, "of all random numbers");
+  line.add_seed("--seed", settings.set.settings.seed, "seed of all random numbers");
   line.add_flag("--json", settings.json, "print one JSON object");
   add_set_options(line, settings);
   add_force_options(line, settings.set.settings);

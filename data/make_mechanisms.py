@@ -4,9 +4,9 @@
 
     python data/make_mechanisms.py [FOLDER]
 
-Lengths are in Angstrom as everywhere, whatever the machine's size is. Linkages of the plane have
-dimension="2" and pinned joints for the ground; a hinge in space is a pair of joints that two
-bodies share; a slider is the output of a Peaucellier cell, since bars alone make no slot.
+Lengths are in Angstrom as everywhere, whatever the size of the real machine. Planar linkages have
+dimension="2" and pinned joints for the ground. A hinge in space is a pair of joints that two rigid
+units share. A slider is the output of a Peaucellier cell, since bars alone cannot make a slot.
 """
 
 import re
@@ -287,15 +287,15 @@ MECHANISMS = [
     ("chain_7r", chain_7r, 7, "an open chain of seven hinges: one more than a pose needs",
      f"{THESIS}, figure 1.10"),
     ("stewart_gough_octahedral", octahedral_platform, 0,
-     "the platform with its legs locked: rigid, no bar too many", f"{THESIS}, figure 3.2"),
+     "the platform with its legs locked: rigid, no redundant bar", f"{THESIS}, figure 3.2"),
     ("stewart_gough_6_6", platform_6_6, 0, "the same with twelve feet; without its six legs the "
      "platform has 6 degrees of freedom", "coned hexagons, 36 = 3 * 14 - 6 bars"),
-    ("double_banana", double_banana, 1, "counting bars says rigid; it turns around its tips",
+    ("double_banana", double_banana, 1, "rigid by the count of its bars; turns about its tips",
      "PyRigi, DoubleBanana"),
-    ("bricard_octahedron", bricard_octahedron, 1, "counting bars says rigid; it moves because it "
+    ("bricard_octahedron", bricard_octahedron, 1, "rigid by the count of its bars; moves because it "
      "is symmetric", "Bricard 1897; PyRigi, Octahedron('Bricard_line')"),
     ("kaleidocycle", kaleidocycle, 1, "an over-constrained ring of six hinges (6R) that turns "
-     "inside out for ever", "Schattschneider, Walker 1977; Bricard 1927"),
+     "inside out without end", "Schattschneider, Walker 1977; Bricard 1927"),
 ]  # fmt: skip
 
 

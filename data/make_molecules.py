@@ -159,7 +159,7 @@ MOLECULES = [
         "cubane.xyz",
         lambda: from_smiles("C12C3C4C1C5C2C3C45"),
         write_xyz,
-        "a cage whose bonds alone hold it nearly rigid",
+        "a cage that its bonds alone hold nearly rigid",
     ),
     (
         "adamantane.mol",
@@ -172,7 +172,7 @@ MOLECULES = [
         "peptide_20.pdb",
         helix_of_twenty,
         write_pdb,
-        "each of the 20 amino acids once, as a helix; amber14 takes it as it is",
+        "each of the 20 amino acids once, as a helix; amber14 accepts it unchanged",
     ),
 ]
 

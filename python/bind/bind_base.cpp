@@ -9,7 +9,7 @@ namespace pliant::python {
 namespace {
 
 constexpr const char* warning_doc =
-    "A guess was made or something was left out; see the warnings module for what to do with it.";
+    "A guess was made or something was left out. The warnings module can filter it.";
 
 nb::object& warning_class() {
   // Kept for the life of the process, as the classes of exceptions are: no order of destruction.

@@ -122,7 +122,7 @@ void bind_graph_facts(nb::module_& module) {
       });
 }
 
-constexpr const char* framework_doc = R"(Joints joined by bars of fixed rest length; never changes.
+constexpr const char* framework_doc = R"(Joints connected by bars of fixed rest length; immutable.
 
 Parameters
 ----------
@@ -142,9 +142,9 @@ pinned : joints or (N,) truth values, optional
 names : N strings, optional
     What messages call the joints.
 structure : Structure, optional
-    Whose atoms the joints are: messages and files call them so.
+    The structure whose atoms the joints are; it names them in messages and files.
 planar : bool
-    A framework of the plane: no push changes the z of a joint.
+    A planar framework: no push changes the z of a joint.
 limits : sequence of (a, b, least, most[, kind[, energy[, group]]]), optional
     Pairs of joints whose distance is held to [least, most] Angstrom; ``most`` may be infinite. Kind:
     "given", "hydrogen_bond", "hydrophobic" or "torsion"; energy in kJ/mol, 0 if not known; limits of

@@ -31,17 +31,17 @@ Parameters
 kind : str
     A name in ``graph_classes()``.
 seed, number : int
-    Which of all graphs of the class: the same numbers give the same graph.
+    Number of the graph among those of the class: the same numbers give the same graph.
 depth : int
     Levels of a tree below its root, from 1.
 children : int
-    Most children of a joint, from 1; the number is random.
+    Most children of a joint, from 1 (the number is random).
 ring : int
-    Most joints of a closed chain, from 3; the number is random.
+    Most joints of a closed chain, from 3 (the number is random).
 cycles : int
     Non-tree bars of an n-cycle, from 0.
 joints : int
-    Joints of a tree; 0: as depth and children have it.
+    Joints of a tree; 0: as depth and children give.
 box : float
     Edge of the box that positions are drawn from, Angstrom.
 

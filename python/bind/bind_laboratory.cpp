@@ -97,16 +97,16 @@ void bind_settings(nb::class_<TestSet>& set) {
                    "Largest |length - rest| of a whole bar, Angstrom.")
       .def_prop_ro("max_sweeps", setting<&TestSettings::max_sweeps>,
                    "Sweeps after which a resolve is given up.")
-      .def_prop_ro("depth", size<&GenerateOptions::depth>, "As of ``generate``.")
-      .def_prop_ro("children", size<&GenerateOptions::children>, "As of ``generate``.")
-      .def_prop_ro("ring", size<&GenerateOptions::ring>, "As of ``generate``.")
-      .def_prop_ro("cycles", size<&GenerateOptions::cycles>, "As of ``generate``.")
-      .def_prop_ro("joints", size<&GenerateOptions::joints>, "As of ``generate``.")
-      .def_prop_ro("box", size<&GenerateOptions::box>, "As of ``generate``, Angstrom.");
+      .def_prop_ro("depth", size<&GenerateOptions::depth>, "As for ``generate``.")
+      .def_prop_ro("children", size<&GenerateOptions::children>, "As for ``generate``.")
+      .def_prop_ro("ring", size<&GenerateOptions::ring>, "As for ``generate``.")
+      .def_prop_ro("cycles", size<&GenerateOptions::cycles>, "As for ``generate``.")
+      .def_prop_ro("joints", size<&GenerateOptions::joints>, "As for ``generate``.")
+      .def_prop_ro("box", size<&GenerateOptions::box>, "As for ``generate``, Angstrom.");
 }
 
 constexpr const char* write_results_doc =
-    R"(Writes results.csv of one heuristic of one graph, at once and as a whole, replacing an old one.
+    R"(Writes results.csv of one heuristic of one graph, in one go, replacing an old one.
 
 ``save`` puts its summary into results.xml. A heuristic that the set does not name yet is added.
 
@@ -129,7 +129,7 @@ Raises
 OptionError
     No such class, graph or technique.
 InputError
-    Not one row a push, a negative number, a residual that is not finite.
+    Not one row per push, a negative number, a residual that is not finite.
 FileError
     The file cannot be written.
 )";
@@ -198,14 +198,14 @@ classes : list of str, optional
 graphs, forces : int
     Graphs of each class, pushes of each graph.
 force_files : int
-    Files that the pushes of a graph are spread over.
+    Number of files for the pushes of a graph.
 seed : int
 techniques : list of str, optional
-    Names in ``techniques()``, each for the classes that it resolves; None: every ordering but
+    Names in ``techniques()``, in the classes that each can resolve; None: every ordering but
     ``input``.
 weightings : list of float
 depth, children, ring, cycles, joints, box
-    As of ``generate``.
+    As for ``generate``.
 force, timestep, tolerance_length, max_sweeps
     Of the force files: kJ/(mol Angstrom), ps, Angstrom.
 

@@ -111,7 +111,7 @@ OptionError
 Warns
 -----
 PliantWarning
-    For each kind of guess, once. What is as it should be goes to the logger ``pliant``.
+    Once for each kind of guess. Notes that are no warnings go to the logger ``pliant``.
 )";
 
 void bind_formats(nb::module_& module) {

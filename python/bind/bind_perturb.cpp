@@ -44,7 +44,7 @@ void bind_force_file(nb::module_& module) {
       .def_prop_rw(
           "pushes", [](const ForceFile& self) { return pushes_to_python(self.pushes); },
           [](ForceFile& self, const PythonPushes& pushes) { self.pushes = pushes_from(pushes); },
-          "(joint, (x, y, z)) in kJ/(mol Angstrom), one a step.")
+          "(joint, (x, y, z)) in kJ/(mol Angstrom), one per step.")
       .def(
           "text",
           [](const ForceFile& self, const Framework& framework) {

@@ -81,7 +81,7 @@ manager that closes itself.
 Parameters
 ----------
 path : str or path
-    Appears when it is complete but for the frames.
+    Appears when all but the frames is written.
 framework : Framework
     Its bars, rest lengths and atom names are recorded.
 structure : Structure, optional
@@ -95,7 +95,7 @@ compress : bool
 overwrite : bool
     Replace an existing file.
 flush_seconds : float
-    Frames are committed this often; 0: each frame.
+    Seconds between commits of frames; 0: commit each frame.
 
 Raises
 ------

@@ -18,7 +18,7 @@ framework : Framework
 positions : (N, 3) Angstrom
     They need not be finite.
 tolerance, tolerance_length, tolerance_limit, tolerance_overlap
-    As of ``resolve``: what ``within`` means.
+    As for ``resolve``: what ``within`` means.
 
 Returns
 -------

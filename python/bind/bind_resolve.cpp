@@ -120,15 +120,16 @@ constexpr const char* resolve_doc =
 
 Nonlinear Gauss-Seidel (SHAKE-like): sweeps of one-bar projections in the sequence of an ordering
 (Jakobsen, "Advanced character physics", GDC 2001; thesis "Motion Simulation of Geometric Constraint
-Structures"), or a direct method. Not converging is an outcome: look at ``stop`` or ``converged`` of
-what is returned. Other Python threads run meanwhile; Ctrl-C ends the call after a sweep.
+Structures"), or a direct method. If it does not converge it raises nothing: look at ``stop`` or
+``converged`` of what is returned. Other Python threads run meanwhile; Ctrl-C ends the call after a
+sweep.
 
 Parameters
 ----------
 framework : Framework
 positions : (N, 3) float64, Angstrom
-    C-contiguous and writeable; this very memory is changed. If a length stops being finite it is
-    put back as it was.
+    C-contiguous and writeable; changed in place. If a length stops being finite, the positions are
+    put back.
 technique : str or callable
     A name in ``techniques()``, or a technique of your own: called with (positions, sweep,
     framework) it makes one sweep, moving ``positions``, (N, 3) float64 in Angstrom, in place;
@@ -148,13 +149,13 @@ tolerance_limit, tolerance_overlap : float
     How far outside its interval a limit's distance may be, and how much nearer than sterics allow
     two joints may be, both in Angstrom.
 max_sweeps : int
-    Give up after so many.
+    Give up after so many sweeps.
 seed, walker : int
-    What random orderings and the parting of coincident joints depend on.
+    Random orderings and the parting of coincident joints depend on it.
 root : int
     The joint where the ordering begins.
 step : int
-    Another number that random draws depend on.
+    Random draws depend on it, too.
 ordering : (bar, near, is_tree), each (B,), optional
     With technique "input" alone: visit the bars in this sequence, each once, as ``order`` and
     ``read_ordering_file`` give it.
@@ -179,9 +180,9 @@ constexpr const char* resolve_again_doc =
 Parameters
 ----------
 positions : (N, 3) float64, Angstrom
-    C-contiguous and writeable; this very memory is changed.
+    C-contiguous and writeable; changed in place.
 root, step, reference
-    As of the function ``resolve``.
+    As for the function ``resolve``.
 disturbed : (K,) array-like of int, optional
     The joints that have moved since all bars were whole; no other has, and the root is looked at
     as if it were among them. Techniques that know how (``blocks``, ``bfs_local``, ``auto`` where
@@ -191,7 +192,7 @@ disturbed : (K,) array-like of int, optional
 Returns
 -------
 ResolveSummary
-    Where only some bars were looked at, ``max_residual`` is that of the bars at the joints in
+    Where only some bars were measured, ``max_residual`` is that of the bars at the joints in
     ``disturbed`` and ``moved``, and ``rms_residual`` is -1.
 
 Raises
@@ -207,24 +208,24 @@ IndexError
 )";
 
 constexpr const char* resolve_near_doc =
-    R"(Moves ``positions`` in place where nothing but joint ``root`` has moved since all was whole.
+    R"(Moves ``positions`` in place after only joint ``root`` has moved from whole positions.
 
-The same as ``resolve(positions, root, disturbed=[root], ...)``: after a push of one joint the cost
-is that of the region which the push disturbs, where the technique knows how.
+Equivalent to ``resolve(positions, root, disturbed=[root], ...)``. With techniques that can start
+from one joint, the cost is that of the region that the push disturbs, not of the whole framework.
 
 Parameters
 ----------
 positions : (N, 3) float64, Angstrom
-    C-contiguous and writeable; this very memory is changed.
+    C-contiguous and writeable; changed in place.
 root : int
     The pushed joint.
 step, reference
-    As of the function ``resolve``.
+    As for the function ``resolve``.
 
 Returns
 -------
 ResolveSummary
-    As of ``resolve`` with ``disturbed``.
+    As for ``resolve`` with ``disturbed``.
 
 Raises
 ------

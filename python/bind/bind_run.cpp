@@ -102,7 +102,7 @@ void bind_replay(nb::class_<RunOptions>& options) {
   options.def_prop_rw(
       "replay", [](const RunOptions& self) { return pushes_to_python(self.replay); },
       [](RunOptions& self, const PythonPushes& pushes) { self.replay = pushes_from(pushes); },
-      "Forces in place of ``perturb``: (joint, (x, y, z)) in kJ/(mol Angstrom), one a step.");
+      "Forces in place of ``perturb``: (joint, (x, y, z)) in kJ/(mol Angstrom), one per step.");
 }
 
 void bind_options(nb::module_& module) {

@@ -104,16 +104,16 @@ void make_walker_resolver(SharedWalkerResolver* self, const Framework& framework
 constexpr const char* class_doc =
     R"(Resolves many walkers (independent copies of one framework) at once.
 
-Groups of eight go through SIMD registers side by side (lanes) where the technique has a way to:
+Groups of eight go through SIMD registers side by side (lanes) where the technique supports it:
 sweeps of one ordering for all, ``blocks``, ``newton``, ``shake``. Each walker ends with the same
 bits as alone in a ``Resolver``, whoever stands beside it and whatever the processor.
 
 Parameters are those of ``resolve``, and:
 
 lanes : bool
-    False: one walker after the other.
+    If false, one walker after the other is resolved.
 level : str
-    Instructions to use, a name in ``lane_levels()``; the best ones if empty.
+    Level of instructions to use, a name in ``lane_levels()``; by default the best.
 )";
 
 constexpr const char* resolve_doc =
@@ -122,21 +122,21 @@ constexpr const char* resolve_doc =
 Parameters
 ----------
 positions : (K, N, 3) float64, Angstrom
-    C-contiguous and writeable; this very memory is changed.
+    C-contiguous and writeable; changed in place.
 root, step : int
-    As of ``resolve``, for all walkers.
+    As for ``resolve``, for all walkers.
 first_walker : int
     Number of the first walker; the others follow. Random draws depend on it.
 reference : (N, 3) array-like, optional
-    As of ``resolve``, for all walkers.
+    As for ``resolve``, for all walkers.
 measured : {"nothing", "max_residual", "rms_residual"}
-    What the summaries tell of residuals: neither (both are -1), ``max_residual`` alone, or both.
-    Whether all bars are whole is looked at in any case.
+    Which residuals the summaries hold: neither (both are -1), ``max_residual`` alone, or both.
+    Whether all bars are whole is checked in any case.
 
 Returns
 -------
 list of ResolveSummary
-    One of each walker; ``seconds`` is its share.
+    One for each walker; ``seconds`` is its share.
 )";
 
 }  // namespace

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Molecular flexibility by geometric constraints.
 
-Units everywhere: length Angstrom, time ps, mass u, force kJ/(mol Angstrom), energy kJ/mol.
+Units of measure: length Angstrom, time ps, mass u, force kJ/(mol Angstrom), energy kJ/mol.
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ if TYPE_CHECKING:
     from pliant.check import check
     from pliant.compare import compare
 else:
-    # Packages that are called; what they need beside NumPy and h5py is imported when they are.
+    # Packages that are called; what they need beyond NumPy and h5py is imported when they are.
     from pliant import analyse, check, compare
 
 __all__ = [

@@ -40,41 +40,41 @@ def run_ensemble(
     replay: Sequence[JointForce] | None = None,
     seed: int = 0,
 ) -> list[_core.RunSummary]:
-    """Run walkers from one start, each as `run` does with its number, on threads and in lanes.
+    """Run many walkers from one start, on threads and in lanes.
 
-    What a walker does depends on its number, not on the shard nor on the threads: two halves of
-    the walkers, on two machines, give together the bits of all of them in one call.
+    Each walker does what `run` does with its number, whatever the shard and the threads: two
+    halves of the walkers on two machines give the same bits as all of them in one call.
 
     Parameters
     ----------
     framework : Framework
     state : State or (N, 3) Angstrom
-        Where all walkers start; it is not moved.
+        Where all walkers start; it is not changed.
     shard : (first, end)
         The walkers to run: first, first + 1, ..., end - 1.
     threads : int
-        Up to eight walkers step together on each.
+        Number of threads; up to eight walkers step together on each.
     observers_of : callable, optional
-        Called with a walker's number before it begins; gives its observers. Each frame that they
-        see holds a copy of its positions. Recorders are closed when their walker ends. What an
-        observer raises stops its walker alone.
+        Called with a walker's number before it begins; returns its observers. Each frame that they
+        see holds a copy of its positions. Recorders are closed when their walker ends. An
+        exception of an observer stops its own walker only.
     steps, every, technique, weighting, mass_weighted, ordering
-        As of `run`. A function as technique is called from one thread at a time.
+        As for `run`. A function as technique is called from one thread at a time.
     tolerance, tolerance_length, tolerance_limit, tolerance_overlap, max_sweeps
-        As of `run`.
+        As for `run`.
     perturb, force, timestep, damping, displacement, replay, seed
-        As of `run`.
+        As for `run`.
 
     Returns
     -------
     list of RunSummary
-        In the order of the walkers' numbers. `state` is where a walker ended; None if it was not
-        begun.
+        In the order of the walkers' numbers. `state` is where a walker ended; None if it never
+        began.
 
     Raises
     ------
     OptionError, InputError
-        As of `run`; and the first exception of an observer, once all walkers have ended.
+        As for `run`. The first exception of an observer is raised once all walkers have ended.
     """
     options = _options(
         replay,

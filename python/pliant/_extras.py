@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Packages that not everybody needs: what is missing is said in one line, with the pip command."""
+"""Optional packages: where one is missing, one line says so, with the pip command."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _EXTRAS = {
 
 
 class MissingPackageError(ImportError):
-    """A package that is installed on demand is not there; the message has the pip command."""
+    """An optional package is not installed; the message has the pip command."""
 
 
 def need(what: str, *packages: str, extra: str = "") -> None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The main job as one call: perturb, resolve, show and record."""
+"""A whole run as one call: perturb, resolve, observe and record."""
 
 from __future__ import annotations
 
@@ -64,61 +64,63 @@ def run(
     compress: bool = False,
     flush_seconds: float = 1.0,
 ) -> _core.RunSummary:
-    """Push a framework again and again, resolve the bars that break, show and record what moved.
+    """Push a framework again and again, resolve the bars that break, and record each step.
 
     Each step breaks bars by a perturbation (position Verlet: Verlet, Phys. Rev. 159 (1967) 98; or
-    random displacements, as FRODA) and makes them whole by a technique, as `resolve` does. Step 0
-    is the start, resolved first if it is broken. The same arguments give the same bits. Other
-    Python threads run meanwhile. Ctrl-C ends the run after a sweep: the file is closed in good
-    order, then KeyboardInterrupt is raised.
+    random displacements, as in FRODA) and makes them whole by a technique, as `resolve` does. Step
+    0 is the start, resolved first if it is broken. The same arguments give the same bits. Other
+    Python threads run meanwhile. Ctrl-C ends the run after a sweep: the file is closed properly,
+    then KeyboardInterrupt is raised.
 
     Parameters
     ----------
     framework : Framework or Structure
-        Of a structure, the framework is built with `bars`, `lengths` and `pin`.
+        The framework of a structure is built with `bars`, `lengths` and `pin`.
     state : State or (N, 3) Angstrom, optional
-        Where to start. A State is moved itself; positions are copied. Default: the structure's.
+        Where to start. A State is changed in place; positions are copied. Default: those of the
+        structure.
     output : str or path, optional
         H5MD file to write.
     topology : str or path, optional
-        PDB file to write beside it, with names and bonds of the structure.
+        PDB file to write as well, with the names and bonds of the structure.
     steps, every : int
-        Steps to do; observers see step 0, each `every`-th step and the last.
+        Number of steps. Observers see step 0, every `every`-th step and the last.
     technique, weighting, mass_weighted, ordering
-        As of `resolve`. A function as technique is recorded as "custom".
+        As for `resolve`. A function as technique is recorded as "custom".
     tolerance, tolerance_length, tolerance_limit, tolerance_overlap, max_sweeps
-        As of `resolve`.
+        As for `resolve`.
     perturb : str
         A name in `perturbations()`.
     force, timestep, damping, displacement : float
-        Size of a random force, kJ/(mol Angstrom); ps; share of its velocity that a pushed joint
-        loses a step, 0 to 1; length of a random displacement, Angstrom.
+        Size of a random force, kJ/(mol Angstrom); length of a step, ps; share of its velocity that
+        a pushed joint loses per step, 0 to 1; length of a random displacement, Angstrom.
     replay : sequence of (joint, (x, y, z)), optional
-        Forces in kJ/(mol Angstrom), one a step, in place of `perturb`; the run ends with the last.
+        Forces in kJ/(mol Angstrom), one per step, in place of `perturb`. The last ends the run.
     record_forces : str or path, optional
-        Force file to write: each step's push, for `replay` by way of `read_force_file`. Of
-        `perturb="force"`, or of a replay; not of pushes of all joints. The file holds neither
-        seed nor damping. It is there once the run has ended.
+        Force file to write: the push of each step, which `read_force_file` reads for `replay`.
+        Only for `perturb="force"` or a replay, not for pushes of all joints. The file holds
+        neither seed nor damping. It exists once the run has ended.
     seed, walker : int
         All random numbers are functions of these, the step and the joint.
     bars, lengths, pin : str (bars: or path)
-        As of `Structure.framework`; only looked at for a structure.
+        As for `Structure.framework`; ignored unless a structure is given.
     structure : Structure, optional
-        Whose bonds and masses are recorded beside a framework of your own making.
+        The structure whose bonds and masses are recorded with a framework that you have made.
     observers : callables
-        Each is called with a `Frame`; returning something true ends the run after it, None and
-        False do not. What one raises ends the run.
+        Each is called with a `Frame`. If one returns something true, the run ends after that
+        frame. If one raises an exception, the run ends with it.
     parameters : dict, optional
-        More values for /parameters of the file, by path.
+        Further values for /parameters of the file, by path.
     overwrite : bool
         Replace existing outputs, but never the file that the structure was read from.
     single, compress, flush_seconds
-        As of `H5mdRecorder`.
+        As for `H5mdRecorder`.
 
     Returns
     -------
     RunSummary
-        Its `state` is what was moved. A step that did not converge is counted, not raised.
+        Its `state` is where the run ended. Steps that did not converge are counted; they raise
+        nothing.
 
     Raises
     ------

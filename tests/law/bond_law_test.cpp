@@ -124,7 +124,10 @@ TEST(BondLaw, AtomsGetNoMoreBondsThanTheirElementMakes) {
     Structure s = source.molecule();
     perceive_bonds(s);
     std::vector<int> counts(s.size());
-    for (const Bond& bond : s.bonds) ++counts[bond.a], ++counts[bond.b];
+    for (const Bond& bond : s.bonds) {
+      ++counts[bond.a];
+      ++counts[bond.b];
+    }
     for (std::size_t i = 0; i < s.size(); ++i) {
       const std::uint8_t element = s.atoms.elements[i];
       EXPECT_LE(counts[i], most_bonds(element)) << int{element};

@@ -94,7 +94,9 @@ TEST_P(TreeLaw, AnyTreeAnyForceExactlyOneSweep) {
           resolve(framework, {GetParam(), 1.0}, state.positions, {}, force.joint);
       ASSERT_TRUE(summary.converged()) << "tree " << number << summary.brief(framework);
       ASSERT_EQ(summary.sweeps, broken ? 1 : 0) << "tree " << number;
-      steps += broken, sweeps += summary.sweeps, squares += summary.sweeps * summary.sweeps;
+      steps += broken;
+      sweeps += summary.sweeps;
+      squares += summary.sweeps * summary.sweeps;
     }
   }
   EXPECT_EQ(largest, most_joints);

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Structures from and for other packages; each is imported only when its adapter is called."""
+"""Converts structures from and to other packages, imported only when an adapter is called."""
 
 from pliant.adapters.mdanalysis import from_mdanalysis, to_mdanalysis
 from pliant.adapters.openmm import constraints_from_openmm, from_openmm

@@ -23,12 +23,12 @@ _AROMATIC = {"ar", "aromatic", "1.5"}
 def from_mdanalysis(
     atoms: MDAnalysis.Universe | MDAnalysis.AtomGroup, *, perceive_bonds: bool | None = None
 ) -> Structure:
-    """Give the atoms of a universe or group, at the current frame, as a structure.
+    """Return the atoms of a universe or group, at the current frame, as a structure.
 
     Parameters
     ----------
     atoms : Universe or AtomGroup
-        Angstrom, as MDAnalysis has it; its positions are 32-bit floats.
+        In Angstrom, as everywhere in MDAnalysis, whose positions are 32-bit floats.
     perceive_bonds : bool, optional
         Add bonds by residue templates, links and distances. Default: only if the universe has
         no bonds at all.
@@ -61,7 +61,7 @@ def from_mdanalysis(
 def to_mdanalysis(
     source: Structure | Framework, positions: npt.ArrayLike | None = None, *, timestep: float = 1.0
 ) -> MDAnalysis.Universe:
-    """Give a universe with names, residues and bonds; of a framework, with bars as bonds.
+    """Return a universe with names, residues and bonds; for a framework, bars become bonds.
 
     Parameters
     ----------
@@ -74,7 +74,7 @@ def to_mdanalysis(
     Raises
     ------
     ImportError
-        MDAnalysis is not installed; the message says how to.
+        MDAnalysis is not installed; the message says how to install it.
     """
     if positions is None:
         if isinstance(source, Framework):

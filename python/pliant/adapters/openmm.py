@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""OpenMM: topologies as structures, constraints as bars. Nanometres end here."""
+"""OpenMM: topologies as structures, constraints as bars; converts from nanometres."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ _ANGSTROM_PER_NM = 10.0
 def from_openmm(
     topology: openmm.app.Topology, positions: Any, *, perceive_bonds: bool | None = None
 ) -> Structure:
-    """Give an OpenMM topology with positions as a structure.
+    """Return an OpenMM topology with positions as a structure.
 
     Parameters
     ----------
     topology : openmm.app.Topology
     positions : Quantity, or (N, 3) numbers in nm
-        As OpenMM has them everywhere; they become Angstrom.
+        As everywhere in OpenMM; they are converted to Angstrom.
     perceive_bonds : bool, optional
         Add bonds by residue templates, links and distances. Default: only if the topology has
         no bonds at all.
@@ -36,7 +36,7 @@ def from_openmm(
     Warns
     -----
     PliantWarning
-        A residue's id is no number: residues are numbered from 1 in its place.
+        The id of some residue is not a number: all residues are then numbered from 1.
     """
     need("pliant.from_openmm", "openmm")
     atoms = list(topology.atoms())
@@ -59,15 +59,15 @@ def from_openmm(
 
 
 def constraints_from_openmm(system: openmm.System, structure: Structure | None = None) -> Framework:
-    """Give the framework whose bars are the distance constraints of an OpenMM system.
+    """Return the framework whose bars are the distance constraints of an OpenMM system.
 
     Parameters
     ----------
     system : openmm.System
-        Constrained distances become rest lengths in Angstrom, masses masses in u; particles
+        Constrained distances become rest lengths in Angstrom, masses stay in u. Particles
         without a mass, which OpenMM never moves, become pinned joints.
     structure : Structure, optional
-        Whose atoms the particles are, for names in messages and files.
+        The structure whose atoms the particles are; it names them in messages and files.
     """
     need("pliant.constraints_from_openmm", "openmm")
     from openmm import unit

@@ -13,7 +13,7 @@ if TYPE_CHECKING:
 
 
 def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
-    """Give an RDKit molecule as a structure: its atoms, bonds with orders, and one conformer.
+    """Return an RDKit molecule as a structure: its atoms, bonds with orders, and one conformer.
 
     Parameters
     ----------
@@ -29,7 +29,7 @@ def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
     Warns
     -----
     PliantWarning
-        Hydrogens are implicit: they have no position, and are left out.
+        Implicit hydrogens are left out, as they have no positions.
     """
     ids = [known.GetId() for known in molecule.GetConformers()]
     if not ids or (conformer != -1 and conformer not in ids):

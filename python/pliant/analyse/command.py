@@ -16,11 +16,11 @@ from pliant.console import EXIT_OK, Parser, note, print_json, run_command, whole
 
 DESCRIPTION = """\
 Analyses a trajectory and writes figures (PNG), tables (CSV) and one page, report.html, which
-opens in a browser without network and shows the molecule moving.
+opens in a browser without a network and shows the molecule moving.
 
-It measures every bar of every frame anew from the coordinates in the file, and computes RMSD,
-RMSF, radius of gyration, torsions of rotatable bonds and principal components. Any trajectory
-that MDAnalysis reads will do; what a file does not hold is left out, and the page says so."""
+It measures every bar of every frame from the coordinates in the file, and computes RMSD, RMSF,
+radius of gyration, torsions of rotatable bonds and principal components. It takes any trajectory
+that MDAnalysis reads. What cannot be computed from a file is left out, and the page says so."""
 
 EPILOG = """\
 examples:
@@ -28,8 +28,8 @@ examples:
   pliant analyse adk.h5md -o adk-report --select "not name H*"
   pliant analyse run.xtc --topology run.pdb --superpose "name CA"
 
-Selections are MDAnalysis': "protein and name CA", "resid 10:50", "not name H*", "index 0:99".
-Exit code: 0 analysed (also when bars are beyond tolerance: see the verdict, or --json),
+MDAnalysis selections: "protein and name CA", "resid 10:50", "not name H*", "index 0:99".
+Exit code: 0 analysed (even if bars are beyond the tolerance: see the verdict, or --json),
 1 the input cannot be read, 2 wrong usage."""
 
 
@@ -42,14 +42,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> Parser:
     parser = Parser("analyse", DESCRIPTION, EPILOG)
     add = parser.add_argument
-    add("file", metavar="FILE", help="trajectory: OUT.h5md of pliant run, or another")
+    add("file", metavar="FILE", help="trajectory of pliant run (H5MD), or another")
     add(
         "-o", "--output", metavar="DIR",
         help="folder for the results (default: FILE's name with -report)",
     )  # fmt: skip
     add(
         "--topology", metavar="FILE",
-        help="atoms and bonds, where FILE holds none (PDB, GRO, PSF ...)",
+        help="file of atoms and bonds, if FILE holds none (PDB, GRO, PSF ...)",
     )  # fmt: skip
     _add_choice_of_atoms(parser.add_argument_group("atoms").add_argument)
     _add_choice_of_frames(parser.add_argument_group("frames").add_argument)
@@ -61,11 +61,11 @@ def _add_choice_of_atoms(add: Callable[..., object]) -> None:
     add("--select", metavar="SELECTION", default="all", help="atoms to analyse (default: all)")
     add(
         "--superpose", metavar="SELECTION",
-        help="atoms to superpose, also those of the PCA (default: CA and P atoms where there is a "
-        "chain of them, else all but hydrogens)",
+        help="atoms to superpose, also used for the PCA (default: CA and P atoms if they form "
+        "chains, else all but hydrogens)",
     )  # fmt: skip
-    add("--hydrogens", action="store_true", help="also torsions that turn hydrogens only")
-    add("--mass-weighted", action="store_true", help="weigh the PCA by masses")
+    add("--hydrogens", action="store_true", help="include torsions that turn hydrogens only")
+    add("--mass-weighted", action="store_true", help="weigh the PCA by mass")
 
 
 def _add_choice_of_frames(add: Callable[..., object]) -> None:
@@ -74,14 +74,14 @@ def _add_choice_of_frames(add: Callable[..., object]) -> None:
     add("--step", type=whole_number(1), metavar="N", help="take every N-th frame")
     add(
         "--workers", type=whole_number(1), default=1, metavar="N",
-        help="processes; pays for trajectories of gigabytes only (default: 1)",
+        help="number of processes; more than 1 pays for gigabytes only (default: 1)",
     )  # fmt: skip
 
 
 def _add_output(add: Callable[..., object]) -> None:
     add(
         "--dpi", type=whole_number(50), default=200, metavar="N",
-        help="resolution of the figures (default: 200)",
+        help="resolution of the figures, dots per inch (default: 200)",
     )  # fmt: skip
     add("--json", action="store_true", help="print the results as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")

@@ -54,9 +54,9 @@ def analyse(
 ) -> AnalysisReport:
     """Analyses a trajectory; writes figures, tables and a report page if told where.
 
-    Measures every bar of every frame anew from the coordinates in the file, and computes RMSD,
-    RMSF, radius of gyration, torsions of rotatable bonds and principal components. What a file
-    does not hold is left out; `study.skipped` says why.
+    Measures every bar of every frame from the coordinates in the file, and computes RMSD,
+    RMSF, radius of gyration, torsions of rotatable bonds and principal components. What cannot
+    be computed from a file is left out; `study.skipped` says why.
 
     Parameters
     ----------
@@ -70,25 +70,25 @@ def analyse(
     select : str
         MDAnalysis selection: which atoms are analysed.
     superpose : str, optional
-        Atoms to superpose, also those of the PCA. Default: CA and P atoms where there is a chain
-        of them, else all but hydrogens.
+        Atoms to superpose, also used for the PCA. Default: CA and P atoms if they form chains,
+        else all but hydrogens.
     mass_weighted : bool
-        Weigh the PCA by masses.
+        Weigh the PCA by mass.
     hydrogens : bool
-        Also torsions that turn hydrogens only.
+        Include torsions that turn hydrogens only.
     start, stop, step : int, optional
-        Which frames, as of a slice.
+        Which frames, as in a slice.
     workers : int
-        Processes.
+        Number of processes.
     dpi : int
-        Resolution of the figures.
+        Resolution of the figures, dots per inch.
     on_stage : callable
-        Is told the name of what is under way.
+        Called with the name of each stage as it begins.
 
     Raises
     ------
     ImportError
-        MDAnalysis or matplotlib is not installed; the message says how to.
+        MDAnalysis or matplotlib is not installed; the message says how to install it.
     InputError
         The file cannot be used; the message says why.
     OptionError

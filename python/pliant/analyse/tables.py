@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The results as CSV files: one row a frame, atom, residue, bar, torsion or component.
+"""The results as CSV files: one row per frame, atom, residue, bar, torsion or component.
 
 Numbers are written with all their digits; atoms, residues, bars and frames count from 0.
 """
@@ -67,7 +67,7 @@ def write_csv(path: Path, columns: Columns) -> None:
 
 
 def frame_columns(study: Study) -> Columns:
-    """One row a frame analysed."""
+    """One row per frame analysed."""
     columns: Columns = {"frame": study.frames}
     if study.steps is not None:
         columns["step"] = study.steps
@@ -114,7 +114,7 @@ def _projection_columns(study: Study) -> Columns:
 
 
 def atom_columns(study: Study) -> Columns:
-    """One row an atom analysed: its place in the molecule and how much it moves."""
+    """One row per atom analysed: its place in the molecule and how much it moves."""
     if study.rmsf is None:
         return {}
     atoms = study.atoms
@@ -137,7 +137,7 @@ def _residue_columns_of(group: AtomGroup | ResidueGroup) -> Columns:
 
 
 def residue_columns(study: Study) -> Columns:
-    """One row a residue."""
+    """One row per residue."""
     if study.rmsf is None:
         return {}
     found = study.rmsf.results
@@ -147,7 +147,7 @@ def residue_columns(study: Study) -> Columns:
 
 
 def bar_columns(study: Study) -> Columns:
-    """One row a bar: its rest length and the largest residual it ever had."""
+    """One row per bar: its rest length and the largest residual it ever had."""
     if study.residuals is None:
         return {}
     bars = study.residuals.bars
@@ -162,7 +162,7 @@ def bar_columns(study: Study) -> Columns:
 
 
 def torsion_columns(study: Study) -> Columns:
-    """One row a rotatable bond."""
+    """One row per rotatable bond."""
     if study.torsions is None:
         return {}
     torsions, found = study.torsions.torsions, study.torsions.results
@@ -178,7 +178,7 @@ def torsion_columns(study: Study) -> Columns:
 
 
 def histogram_columns(study: Study) -> Columns:
-    """One row a bin, one column a torsion: share of the frames per degree."""
+    """One row per bin, one column per torsion: share of the frames per degree."""
     if study.torsions is None:
         return {}
     edges = study.torsions.results.edges
@@ -187,7 +187,7 @@ def histogram_columns(study: Study) -> Columns:
 
 
 def angle_columns(study: Study) -> Columns:
-    """One row a frame, one column a torsion, degrees; none if that were too many numbers."""
+    """One row per frame, one column per torsion, degrees; none if that were too many numbers."""
     if study.torsions is None or study.torsions.results.angles.size > MAX_ANGLES:
         return {}
     columns: Columns = {"frame": study.frames}
@@ -203,7 +203,7 @@ def _one_column_each(torsions: Sequence[Torsion], rows: np.ndarray) -> Columns:
 
 
 def component_columns(study: Study) -> Columns:
-    """One row a principal component."""
+    """One row per principal component."""
     if study.pca is None:
         return {}
     found = study.pca.results

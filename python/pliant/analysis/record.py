@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What an H5MD file of pliant says besides positions: bars, rest lengths, observables, options."""
+"""What an H5MD file of Pliant holds beyond positions: bars, rest lengths, observables, options."""
 
 from __future__ import annotations
 

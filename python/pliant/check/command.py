@@ -11,8 +11,8 @@ from collections.abc import Sequence
 from pliant import console
 
 EPILOG = """\
-Exit code: 0 if every check passed, 1 if one failed, 2 for a bad option. What OpenMM cannot do, such
-as repair frameworks with bars made of angles, is told and is no failure of the trajectory.
+Exit code: 0 if every check passed, 1 if one failed, 2 for a bad option. Where OpenMM cannot do
+something, such as repair frameworks with bars across angles, this is said; it is no failure.
 
 examples:
   pliant check out.h5md
@@ -24,26 +24,26 @@ def make_parser() -> console.Parser:
     """The options of pliant check."""
     parser = console.Parser(
         "check",
-        "Checks a trajectory against OpenMM. Every bar of every frame is measured anew; OpenMM's\n"
-        "constraints must leave the frames where they are and notice the smallest break; its\n"
-        "harmonic bonds must have the energy that we compute. Then frames are broken and repaired\n"
-        "by Pliant and by OpenMM's CCMA side by side. OpenMM runs in a process of its own.",
+        "Checks a trajectory against OpenMM. Every bar of every frame is measured. OpenMM's\n"
+        "constraints must leave the frames unchanged and notice the smallest break, and its\n"
+        "harmonic bonds must have the energy that Pliant computes. Then frames are broken, and\n"
+        "Pliant and OpenMM's CCMA repair the same ones. OpenMM runs in a process of its own.",
         EPILOG,
     )
     add = parser.add_argument
     add("file", metavar="FILE", help="H5MD trajectory of pliant run")
     add("--frames", metavar="N", type=console.whole_number(1, "all"), default=20,
-        help="frames shown to OpenMM, spread evenly, or all (default 20)")  # fmt: skip
+        help="number of frames shown to OpenMM, spread evenly, or all (default 20)")  # fmt: skip
     add("--break", metavar="A,A,...", type=console.positive_numbers, default="0.01,0.03,0.1,0.3",
         dest="displacements",
-        help="Angstrom, standard deviations by which atoms are displaced for the side by side "
+        help="standard deviations of the displacements that break frames, Angstrom "
         "(default 0.01,0.03,0.1,0.3)")  # fmt: skip
     add("--seed", metavar="N", type=console.whole_number(0), default=0,
-        help="of the displacements (default 0)")  # fmt: skip
+        help="seed of the displacements (default 0)")  # fmt: skip
     add("--time-limit", metavar="S", type=console.positive_number, default=300.0,
-        help="seconds after which a job of OpenMM is given up (default 300)")  # fmt: skip
+        help="give a job of OpenMM up after so many seconds (default 300)")  # fmt: skip
     add("-o", "--output", metavar="FOLDER", type=pathlib.Path,
-        help="where the picture goes (default: beside the trajectory)")  # fmt: skip
+        help="folder for the picture (default: that of the trajectory)")  # fmt: skip
     add("--no-picture", action="store_true", help="draw no picture")
     add("--json", action="store_true", help="print the report as one JSON object")
     add("--quiet", action="store_true", help="show no progress")

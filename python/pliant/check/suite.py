@@ -39,23 +39,23 @@ def check(
 ) -> CheckReport:
     """Checks a trajectory that ``pliant run`` wrote against OpenMM.
 
-    Every bar of every frame is measured anew in double precision. Then OpenMM, in a process of its
-    own, is shown some of the frames: its constraints must leave whole frames where they are and
-    move copies with one broken bar; its harmonic bonds must have the energy that we compute. Last,
-    frames are broken at random and repaired by our techniques and by OpenMM's CCMA, side by side.
+    Every bar of every frame is measured in double precision. Then OpenMM, in a process of its own,
+    gets some of the frames: its constraints must leave whole frames unchanged and move copies with
+    one broken bar, and its harmonic bonds must have the energy that Pliant computes. Last, frames
+    are broken at random, and Pliant's techniques and OpenMM's CCMA repair the same ones.
 
     Parameters
     ----------
     path : str or path
         H5MD file.
     frames : int or "all"
-        How many frames OpenMM is shown, spread evenly, the worst among them.
+        How many frames OpenMM gets, spread evenly, the worst among them.
     displacements : floats
-        Angstrom: standard deviations by which coordinates are broken for the side by side.
+        Standard deviations of the displacements that break frames, Angstrom.
     seed : int
-        Of the broken copies.
+        Seed of the displacements.
     time_limit : float
-        Seconds after which one job of OpenMM is given up.
+        A job of OpenMM is given up after so many seconds.
     picture : str or path, optional
         Where to draw a PNG.
     quiet : bool
@@ -64,9 +64,9 @@ def check(
     Raises
     ------
     ImportError
-        OpenMM, or matplotlib for a picture, is not installed; the message says how to.
+        OpenMM, or matplotlib for a picture, is not installed; the message says how to install it.
     InputError
-        The file is no trajectory of ours; the message says what is missing.
+        The file is not a trajectory of Pliant; the message says what is missing.
     OSError
         The file cannot be read, or the picture cannot be written.
     """

@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from pliant import console
 
 EPILOG = """\
-Exit code: 0 when they were compared, 1 when they cannot be, 2 for a bad option.
+Exit code: 0 if they were compared, 1 if they cannot be, 2 for a bad option.
 
 examples:
   pliant compare out.h5md dynamics.dcd
@@ -23,22 +23,22 @@ def make_parser() -> console.Parser:
     """The options of pliant compare."""
     parser = console.Parser(
         "compare",
-        "Compares a trajectory of ours with any that MDAnalysis reads, such as one of OpenMM:\n"
-        "fluctuations of atoms, principal modes, torsions, lengths of bars. For what is noise in\n"
-        "theirs, its first half is compared with its second.",
+        "Compares a trajectory of Pliant with any that MDAnalysis reads, such as one of OpenMM:\n"
+        "fluctuations of atoms, principal modes, torsions, lengths of bars. To tell differences\n"
+        "from noise, it also compares the first half of THEIRS with its second half.",
         EPILOG,
     )
     add = parser.add_argument
     add("ours", metavar="OURS", help="H5MD trajectory of pliant run")
     add("theirs", metavar="THEIRS", help="trajectory: DCD, XTC, PDB, ...")
     add("--topology", metavar="FILE",
-        help="what names the atoms of THEIRS (default: THEIRS itself, else OURS)")  # fmt: skip
+        help="file with the atom names of THEIRS (default: THEIRS itself, else OURS)")  # fmt: skip
     add("--select", metavar="TEXT", default="all",
-        help="MDAnalysis selection applied to both (default all)")  # fmt: skip
+        help="MDAnalysis selection for both (default all)")  # fmt: skip
     add("--frames", metavar="N", type=console.whole_number(2, "all"), default=2000,
-        help="frames read of each at most, spread evenly, or all (default 2000)")  # fmt: skip
+        help="most frames to read of each, spread evenly, or all (default 2000)")  # fmt: skip
     add("-o", "--output", metavar="FOLDER", type=pathlib.Path,
-        help="where the pictures go (default: beside OURS)")  # fmt: skip
+        help="folder for the pictures (default: that of OURS)")  # fmt: skip
     add("--no-picture", action="store_true", help="draw no picture")
     add("--json", action="store_true", help="print the comparison as one JSON object")
     return parser

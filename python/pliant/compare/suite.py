@@ -37,11 +37,12 @@ def compare(
     frames: int | str = FRAMES,
     pictures: str | os.PathLike[str] | None = None,
 ) -> ComparisonReport:
-    """Compares a trajectory of ours with one of molecular dynamics, or of anything else.
+    """Compares a trajectory of Pliant with one of molecular dynamics, or any other.
 
-    Frames of each are superposed on their average; compared are fluctuations (RMSF), principal
-    modes (RMSIP and overlaps), torsions (Jensen-Shannon distances), lengths of bars and radii of
-    gyration. For what is noise in theirs, its first half is compared with its second.
+    Frames of each are superposed on their average. Then fluctuations (RMSF), principal modes (RMSIP
+    and overlaps), torsions (Jensen-Shannon distances), lengths of bars and radii of gyration are
+    compared. To tell differences from noise, the first half of `theirs` is compared with its
+    second half.
 
     Parameters
     ----------
@@ -50,19 +51,19 @@ def compare(
     theirs : str or path
         Any trajectory that MDAnalysis reads.
     topology : str or path, optional
-        What names the atoms of `theirs`; without it formats without names (DCD, XTC) are taken to
-        have the atoms of `ours` in the same order.
+        File with the atom names of `theirs`. Without it, formats without names (DCD, XTC) are
+        assumed to have the atoms of `ours` in the same order.
     select : str
-        MDAnalysis selection, applied to both: which atoms are compared.
+        MDAnalysis selection of the atoms to compare, for both.
     frames : int or "all"
-        At most so many of each, spread evenly.
+        At most so many frames of each, spread evenly.
     pictures : str or path, optional
         Folder for the PNG files.
 
     Raises
     ------
     ImportError
-        MDAnalysis, or matplotlib for pictures, is not installed; the message says how to.
+        MDAnalysis, or matplotlib for pictures, is missing; the message says how to install it.
     InputError
         A file cannot be read, or the chosen atoms of both are not the same.
     """

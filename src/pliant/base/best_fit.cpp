@@ -77,7 +77,7 @@ void find_eigenvectors(std::span<double> a, std::span<double> vectors, std::size
   sweep_pairs(a, vectors, n);
 }
 
-RotationFit::Outcome RotationFit::solve(bool mirror_allowed, Rotation& out) const {
+RotationFit::Fit RotationFit::solve(bool mirror_allowed, Rotation& out) const {
   const Vec3 x = x_, y = y_, z = z_;
   std::array<double, 16> n{x.x + y.y + z.z, y.z - z.y,       z.x - x.z,        x.y - y.x,
                            y.z - z.y,       x.x - y.y - z.z, x.y + y.x,        z.x + x.z,
@@ -85,8 +85,8 @@ RotationFit::Outcome RotationFit::solve(bool mirror_allowed, Rotation& out) cons
                            x.y - y.x,       z.x + x.z,       y.z + z.y,        -x.x - y.y + z.z};
   double size = 0.0;
   for (double entry : n) size += std::abs(entry);
-  if (!std::isfinite(size)) return Outcome::not_finite;
-  if (size == 0.0) return Outcome::undefined;
+  if (!std::isfinite(size)) return Fit::not_finite;
+  if (size == 0.0) return Fit::undefined;
   for (double& entry : n) entry /= size;
   std::array<double, 16> vectors;
   sweep_pairs(std::span<double>(n), std::span<double>(vectors),
@@ -101,7 +101,7 @@ RotationFit::Outcome RotationFit::solve(bool mirror_allowed, Rotation& out) cons
   const double w = vectors[k], i = vectors[4 + k], j = vectors[8 + k], l = vectors[12 + k];
   const double norm = std::sqrt(w * w + i * i + j * j + l * l);
   out = rotation_of(w / norm, i / norm, j / norm, l / norm);
-  return mirrored ? Outcome::mirrored : Outcome::fitted;
+  return mirrored ? Fit::mirrored : Fit::fitted;
 }
 
 }  // namespace pliant

@@ -45,13 +45,15 @@ class RotationFit {
  public:
   void add(Vec3 shape, Vec3 target, double weight) {
     const Vec3 s = weight * shape;
-    x_ += s.x * target, y_ += s.y * target, z_ += s.z * target;
+    x_ += s.x * target;
+    y_ += s.y * target;
+    z_ += s.z * target;
   }
 
-  enum class Outcome { fitted, mirrored, undefined, not_finite };
+  enum class Fit { fitted, mirrored, undefined, not_finite };
   /// mirrored: the rotation is that of the shape turned inside out (all signs changed), which fits
   /// better and was allowed. undefined: shape or targets are all at the origin.
-  Outcome solve(bool mirror_allowed, Rotation& out) const;
+  Fit solve(bool mirror_allowed, Rotation& out) const;
 
  private:
   Vec3 x_, y_, z_;  ///< rows: sum of w shape_x target, ...
@@ -75,8 +77,10 @@ struct AxisBasis {
 class TorsionFit {
  public:
   void add(double u, double v, double t1, double t2, double weight) {
-    ut1_ += weight * u * t1, ut2_ += weight * u * t2;
-    vt1_ += weight * v * t1, vt2_ += weight * v * t2;
+    ut1_ += weight * u * t1;
+    ut2_ += weight * u * t2;
+    vt1_ += weight * v * t1;
+    vt2_ += weight * v * t2;
   }
 
   struct Turn {

@@ -25,7 +25,8 @@ class DisjointSets {
 
   /// False if both were in one set already.
   bool unite(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
+    a = find(a);
+    b = find(b);
     if (a == b) return false;
     if (b < a) std::swap(a, b);
     parent_[b] = a;

@@ -180,7 +180,10 @@ void Framework::check_limit(std::size_t index) const {
 void Framework::index_limits() {
   if (limits_.empty()) return;
   first_limit_.assign(joint_count_ + 1, 0);
-  for (const Limit& limit : limits_) ++first_limit_[limit.a + 1], ++first_limit_[limit.b + 1];
+  for (const Limit& limit : limits_) {
+    ++first_limit_[limit.a + 1];
+    ++first_limit_[limit.b + 1];
+  }
   for (std::size_t i = 0; i < joint_count_; ++i) first_limit_[i + 1] += first_limit_[i];
   limits_at_.resize(2 * limits_.size());
   std::vector<std::uint32_t> next(first_limit_.begin(), first_limit_.end() - 1);

@@ -50,8 +50,8 @@ struct Incidence {
 };
 
 /// An immutable, checked bar-and-joint framework: every bar joins two different joints, no two
-/// bars join the same pair, every rest length is finite and in [1e-150, 1e150] Angstrom. Besides
-/// bars it may have limits and sterics: what a framework has none of costs nothing.
+/// bars join the same pair, every rest length is finite and in [1e-150, 1e150] Angstrom. It
+/// may also have limits and sterics; where it has none they cost nothing.
 class Framework {
  public:
   /// Takes and checks `parts`: equal duplicate bars are merged (the first is kept).

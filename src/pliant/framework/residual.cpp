@@ -47,11 +47,15 @@ void measure_limits(const Framework& framework, std::span<const Vec3> positions,
     const double outside = std::abs(excess(limit, length));
     if (!std::isfinite(length)) {
       summary.finite = summary.within = false;
-      summary.max_limit = length, summary.worst_limit = k;
+      summary.max_limit = length;
+      summary.worst_limit = k;
       return;
     }
     if (!(outside <= tolerance.limit)) summary.within = false;
-    if (outside > summary.max_limit) summary.max_limit = outside, summary.worst_limit = k;
+    if (outside > summary.max_limit) {
+      summary.max_limit = outside;
+      summary.worst_limit = k;
+    }
   }
 }
 
@@ -64,8 +68,8 @@ void measure_overlaps(std::span<const Vec3> positions, const Tolerance& toleranc
   for (const Contact& pair : contacts.near()) {
     const double overlap = pair.least - distance(positions[pair.a], positions[pair.b]);
     if (overlap > tolerance.overlap) summary.within = false;
-    if (overlap > summary.max_overlap)
-      summary.max_overlap = overlap, summary.worst_overlap = {pair.a, pair.b};
+    if (overlap > summary.max_overlap) summary.max_overlap = overlap;
+    summary.worst_overlap = {pair.a, pair.b};
   }
 }
 

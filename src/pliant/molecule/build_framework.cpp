@@ -53,7 +53,8 @@ class FrameworkBuilder {
 
  private:
   void add_bond(const Bond& bond) {
-    check_atom(bond.a), check_atom(bond.b);
+    check_atom(bond.a);
+    check_atom(bond.b);
     parts_.bars.push_back({bond.a, bond.b});
     parts_.rest_lengths.push_back(options_.lengths == LengthSource::geometry
                                       ? measured_length(bond.a, bond.b)
@@ -128,7 +129,8 @@ class FrameworkBuilder {
     for (std::size_t k = 0; k < parts_.bars.size(); ++k)
       bar_of[std::minmax(parts_.bars[k].a, parts_.bars[k].b)] = k;
     for (const auto& [bar, length] : options_.stated) {
-      check_atom(bar.a), check_atom(bar.b);
+      check_atom(bar.a);
+      check_atom(bar.b);
       const double rest = length ? *length : measured_length(bar.a, bar.b);
       const auto at = bar_of.find(std::minmax(bar.a, bar.b));
       if (at != bar_of.end()) {
@@ -149,7 +151,10 @@ class FrameworkBuilder {
 
   void index_neighbours() {
     first_neighbour_.assign(structure_.size() + 1, 0);
-    for (Bar bar : parts_.bars) ++first_neighbour_[bar.a + 1], ++first_neighbour_[bar.b + 1];
+    for (Bar bar : parts_.bars) {
+      ++first_neighbour_[bar.a + 1];
+      ++first_neighbour_[bar.b + 1];
+    }
     for (std::size_t i = 0; i < structure_.size(); ++i)
       first_neighbour_[i + 1] += first_neighbour_[i];
     neighbours_.resize(2 * parts_.bars.size());

@@ -49,7 +49,7 @@ struct BuildOptions {
   std::string pin = "";    ///< selection of atoms that never move; "": none
   bool use_masses = true;  ///< give joints their atoms' masses (u)
   Log log = {};
-  std::vector<StatedBar> stated = {};           ///< besides `bars`; no pair twice
+  std::vector<StatedBar> stated = {};           ///< in addition to `bars`; no pair twice
   std::vector<Limit> limits = {};               ///< joints are atoms
   std::shared_ptr<const Sterics> sterics = {};  ///< null: none
   std::string stated_in = "";  ///< the file that states these three, for messages; "": none

@@ -71,7 +71,8 @@ bool fits(std::string_view pattern, std::string_view text, bool any_case) {
       star = p++;
       star_text = t;
     } else if (p < pattern.size() && same(pattern[p], text[t])) {
-      ++p, ++t;
+      ++p;
+      ++t;
     } else if (star != none) {
       p = star + 1;
       t = ++star_text;

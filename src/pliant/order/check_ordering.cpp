@@ -13,7 +13,8 @@ class JoinedSets {
     std::iota(parent_.begin(), parent_.end(), Joint{0});
   }
   bool join(Joint a, Joint b) {
-    a = top(a), b = top(b);
+    a = top(a);
+    b = top(b);
     parent_[a] = b;
     return a != b;
   }

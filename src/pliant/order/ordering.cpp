@@ -112,14 +112,14 @@ constexpr OrderingEntry table[] = {
      order_bfs_cycle},
     {"dfs_reverse", "dfs_cycle, then backwards and forwards in turn", Repeat::reverse, false,
      order_dfs_cycle},
-    {"bfs_adapt", "bfs_cycle, begun again at the worst non-tree bar before each sweep",
+    {"bfs_adapt", "bfs_cycle, restarted at the worst non-tree bar before each sweep",
      Repeat::reorder, false, order_bfs_adapt},
-    {"bfs_random", "bfs_cycle, begun again at a random joint before each sweep", Repeat::reorder,
+    {"bfs_random", "bfs_cycle, restarted at a random joint before each sweep", Repeat::reorder,
      false, order_bfs_random},
     {"input", "the order of the bars in the input, or of an ordering file", Repeat::same, false,
      order_input},
-    {"bfs_worst", "bfs_cycle, begun again at the worst bar before each sweep", Repeat::reorder,
-     false, order_bfs_worst},
+    {"bfs_worst", "bfs_cycle, restarted at the worst bar before each sweep", Repeat::reorder, false,
+     order_bfs_worst},
 };
 
 }  // namespace

@@ -18,11 +18,11 @@ namespace {
 constexpr double acceleration_of_unit_force = 100.0;
 
 constexpr PusherEntry table[] = {
-    {"force", "a random force on one random joint, moved by Verlet (the thesis)", make_force},
+    {"force", "a random force on one random joint, moved by Verlet (as in the thesis)", make_force},
     {"force_all", "a random force on every joint, all moved by Verlet", make_force_all},
-    {"displacement", "every joint displaced in a random direction (the way of FRODA)",
+    {"displacement", "every joint displaced in a random direction (as in FRODA)",
      make_displacement},
-    {"replay", "given forces on given joints, one a step, moved by Verlet", make_replay},
+    {"replay", "given forces on given joints, one per step, moved by Verlet", make_replay},
 };
 
 void require(bool ok, const char* name, double value, const char* range) {

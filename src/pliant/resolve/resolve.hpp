@@ -64,8 +64,8 @@ class Resolver {
   void check_arguments(std::span<const Vec3> positions, const Disturbed& disturbed,
                        std::span<const Vec3> reference) const;
 
-  /// The joints that the last resolve moved besides those disturbed, which may be among them;
-  /// nothing if it may have been any.
+  /// The joints, apart from those disturbed, that the last resolve moved; a disturbed joint may be
+  /// among them. Nothing if any joint may have moved.
   std::optional<std::span<const Joint>> moved() const;
 
  private:

@@ -26,15 +26,15 @@ namespace {
 
 std::vector<TechniqueEntry> all_techniques() {
   std::vector<TechniqueEntry> rows;
-  rows.push_back({"auto", "chosen by what the bars form: blocks, units, newton or anderson", false,
-                  false, true, make_automatic});
+  rows.push_back({"auto", "chosen from what the bars form: blocks, units, newton or anderson",
+                  false, false, true, make_automatic});
   for (const OrderingEntry& row : orderings())
     rows.push_back(
         {row.name, row.summary, row.forests_only, true, true, make_sweeps, make_lane_sweeps});
-  rows.push_back({"bfs_local", "bfs_cycle, of the region that a push of one joint disturbs", false,
+  rows.push_back({"bfs_local", "bfs_cycle on the region that a push of one joint disturbs", false,
                   true, true, make_local_sweeps, make_lane_local_sweeps});
   rows.push_back({"blocks",
-                  "bridges exact in one outward pass, each ring system alone by Newton's method",
+                  "bridges in one outward pass, exactly; each ring system alone by Newton's method",
                   false, false, false, make_blocks, make_lane_blocks});
   rows.push_back({"anderson", "bfs_cycle with Anderson acceleration from sweep to sweep", false,
                   true, true, make_anderson});
@@ -46,7 +46,7 @@ std::vector<TechniqueEntry> all_techniques() {
   rows.push_back({"newton", "the nearest whole positions, weighted by mass", false, false, false,
                   make_newton, make_lane_newton});
   rows.push_back({"shake",
-                  "along the bars as they were before the push, by inverse mass (SHAKE, CCMA)",
+                  "along the directions of the bars before the push, by inverse mass (SHAKE, CCMA)",
                   false, false, false, make_shake, make_lane_shake});
   rows.push_back(
       {"units", "rigid units (angles, small rings) placed exactly in one outward pass over hinges",

@@ -15,10 +15,10 @@ class TurnAboutPoint {
   void add(Vec3 from, Vec3 target, double weight) { fit_.add(from, target - point_, weight); }
 
   /// Finds the best rotation; stays unturned unless that is fitted or mirrored.
-  RotationFit::Outcome fit(bool mirror_allowed) {
-    const RotationFit::Outcome outcome = fit_.solve(mirror_allowed, rotation_);
-    sign_ = outcome == RotationFit::Outcome::mirrored ? -1.0 : 1.0;
-    return outcome;
+  RotationFit::Fit fit(bool mirror_allowed) {
+    const RotationFit::Fit fit = fit_.solve(mirror_allowed, rotation_);
+    sign_ = fit == RotationFit::Fit::mirrored ? -1.0 : 1.0;
+    return fit;
   }
 
   /// Where a joint comes to.

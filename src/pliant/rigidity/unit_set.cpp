@@ -10,7 +10,7 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t most_bars_a_joint = 256;
-/// Of so many bars from a joint to a body, three that are not on one line are looked for.
+/// Of so many bars from a joint to a unit, three that are not on one line are looked for.
 constexpr std::size_t most_links = 6;
 /// Least squared sine, roughly, of a triangle that counts as one.
 constexpr double flat = 1e-6;
@@ -24,9 +24,9 @@ bool is_flat(double a2, double b2, double c2) {
   return !(area > flat * longest * longest);
 }
 
-class BodySearch {
+class UnitSearch {
  public:
-  explicit BodySearch(const Framework& framework)
+  explicit UnitSearch(const Framework& framework)
       : framework_(framework),
         units_of_(framework.joint_count()),
         mark_(framework.joint_count(), none),
@@ -99,21 +99,21 @@ class BodySearch {
 
   /// Takes joints into members_ until none is left that has three bars to them.
   void grow() {
-    ++body_;
-    for (Joint joint : members_) taken_[joint] = body_;
+    ++unit_;
+    for (Joint joint : members_) taken_[joint] = unit_;
     for (std::size_t k = 0; k < members_.size(); ++k)
       for (const Incidence& at : framework_.neighbours(members_[k])) count_link(at.joint);
   }
 
   void count_link(Joint joint) {
-    if (taken_[joint] == body_ || is_hub(joint)) return;
-    auto& [body, count] = links_[joint];
-    if (body != body_) {
-      body = body_;
+    if (taken_[joint] == unit_ || is_hub(joint)) return;
+    auto& [unit, count] = links_[joint];
+    if (unit != unit_) {
+      unit = unit_;
       count = 0;
     }
     if (++count < 3 || !is_held(joint)) return;
-    taken_[joint] = body_;
+    taken_[joint] = unit_;
     members_.push_back(joint);
   }
 
@@ -122,7 +122,7 @@ class BodySearch {
     std::array<Joint, most_links> ends{};
     std::size_t count = 0;
     for (const Incidence& at : framework_.neighbours(joint))
-      if (taken_[at.joint] == body_ && count < most_links) ends[count++] = at.joint;
+      if (taken_[at.joint] == unit_ && count < most_links) ends[count++] = at.joint;
     for (std::size_t i = 0; i < count; ++i)
       for (std::size_t j = 0; j < i; ++j)
         for (std::size_t k = 0; k < j; ++k)
@@ -149,10 +149,10 @@ class BodySearch {
   }
 
   void add_rods() {
-    const UnitsOfJoints bodies(found_, framework_.joint_count());
+    const UnitsOfJoints units(found_, framework_.joint_count());
     std::vector<std::uint32_t> both;
     for (Bar bar : framework_.bars()) {
-      bodies.common(bar.a, bar.b, both);
+      units.common(bar.a, bar.b, both);
       if (!both.empty()) continue;
       const std::array<Joint, 2> ends{std::min(bar.a, bar.b), std::max(bar.a, bar.b)};
       found_.add(ends);
@@ -163,9 +163,9 @@ class BodySearch {
   Grouped<Incidence> up_;  ///< bars from each joint to those with more
   std::vector<std::vector<std::uint32_t>> units_of_;
   std::vector<BarIndex> mark_;                                  ///< bar to the joint in hand
-  std::vector<std::pair<std::uint32_t, std::uint32_t>> links_;  ///< body, bars to it
-  std::vector<std::uint32_t> taken_;                            ///< the last body that took it
-  std::uint32_t body_ = 0;
+  std::vector<std::pair<std::uint32_t, std::uint32_t>> links_;  ///< unit, bars to it
+  std::vector<std::uint32_t> taken_;                            ///< the last unit that took it
+  std::uint32_t unit_ = 0;
   std::vector<Joint> members_;
   UnitSet found_;
 };
@@ -186,6 +186,6 @@ void UnitsOfJoints::common(Joint a, Joint b, std::vector<std::uint32_t>& out) co
     if (std::binary_search(more.begin(), more.end(), unit)) out.push_back(unit);
 }
 
-UnitSet find_units(const Framework& framework) { return BodySearch(framework).run(); }
+UnitSet find_units(const Framework& framework) { return UnitSearch(framework).run(); }
 
 }  // namespace pliant

@@ -29,10 +29,10 @@ class UnitsOfJoints {
   Grouped<std::uint32_t> units_;  ///< of each joint
 };
 
-/// Bodies of three or more joints, then a unit of two joints (a rod) for each bar that no body
-/// holds. A body begins at a triangle of bars and takes in joints that have bars to three joints of
-/// it not on one line. Joints with more than 256 bars are in no body. O(bars^1.5) at worst, linear
-/// where joints have few bars.
+/// Units of three or more joints, then a rod (a unit of two joints) for each bar that none of them
+/// holds. A unit begins at a triangle of bars and takes in joints that have bars to three joints of
+/// it not on one line. Joints with more than 256 bars are in rods only. O(bars^1.5) at worst,
+/// linear where joints have few bars.
 UnitSet find_units(const Framework& framework);
 
 }  // namespace pliant

@@ -25,7 +25,8 @@ struct UnitShapes {
   std::vector<Vec3> points;
 };
 
-/// The points of the joints of a unit, as above, drawn or not; `room` may hold them.
+/// Where the joints of a unit lie, in the order of UnitSet::at (Angstrom), whether the framework is
+/// drawn or the shape comes from lengths. Where drawn the points are gathered into `room`.
 std::span<const Vec3> points_of(const Framework& framework, const UnitSet& set,
                                 const UnitShapes& shapes, std::size_t unit,
                                 std::vector<Vec3>& room);

@@ -47,7 +47,7 @@ TEST(RotationFit, FindsTheRotationOfTurnedPoints) {
     const auto points = cloud(seed, 3 + seed % 4);
     for (Vec3 p : points) fit.add(p, turned(p), 1.0 + double(seed));
     Rotation found;
-    ASSERT_EQ(fit.solve(false, found), RotationFit::Outcome::fitted);
+    ASSERT_EQ(fit.solve(false, found), RotationFit::Fit::fitted);
     for (Vec3 p : points) EXPECT_LT(distance(found(p), turned(p)), 1e-14);
   }
 }
@@ -60,9 +60,9 @@ TEST(RotationFit, NeverReflectsUnlessAllowed) {
     const auto points = cloud(seed);
     for (Vec3 p : points) fit.add(p, -turned(p), 1.0);
     Rotation found;
-    ASSERT_EQ(fit.solve(false, found), RotationFit::Outcome::fitted);
+    ASSERT_EQ(fit.solve(false, found), RotationFit::Fit::fitted);
     EXPECT_NEAR(dot(found.x, cross(found.y, found.z)), 1.0, 1e-14);
-    ASSERT_EQ(fit.solve(true, found), RotationFit::Outcome::mirrored);
+    ASSERT_EQ(fit.solve(true, found), RotationFit::Fit::mirrored);
     for (Vec3 p : points) EXPECT_LT(distance(-found(p), -turned(p)), 1e-14);
   }
 }
@@ -75,7 +75,7 @@ TEST(RotationFit, IsTheBestOfAllRotationsNearby) {
     RotationFit fit;
     for (std::size_t k = 0; k < shape.size(); ++k) fit.add(shape[k], target[k], 1.0 + double(k));
     Rotation best;
-    ASSERT_EQ(fit.solve(false, best), RotationFit::Outcome::fitted);
+    ASSERT_EQ(fit.solve(false, best), RotationFit::Fit::fitted);
     const auto badness = [&](auto turn) {
       double sum = 0.0;
       for (std::size_t k = 0; k < shape.size(); ++k)
@@ -94,10 +94,10 @@ TEST(RotationFit, IsTheBestOfAllRotationsNearby) {
 
 TEST(RotationFit, TellsWhatHasNoFit) {
   Rotation found;
-  EXPECT_EQ(RotationFit().solve(false, found), RotationFit::Outcome::undefined);
+  EXPECT_EQ(RotationFit().solve(false, found), RotationFit::Fit::undefined);
   RotationFit nowhere;
   nowhere.add({1, 0, 0}, {std::nan(""), 0, 0}, 1.0);
-  EXPECT_EQ(nowhere.solve(false, found), RotationFit::Outcome::not_finite);
+  EXPECT_EQ(nowhere.solve(false, found), RotationFit::Fit::not_finite);
 }
 
 TEST(AxisBasis, IsRightHandedAndOrthonormalForEveryAxis) {

@@ -67,7 +67,8 @@ TEST(RandomSequence, UniformIsInTheUnitIntervalWithItsMoments) {
     const double u = draws.uniform();
     ASSERT_GE(u, 0.0);
     ASSERT_LT(u, 1.0);
-    sum += u, squares += u * u;
+    sum += u;
+    squares += u * u;
   }
   EXPECT_NEAR(sum / count, 1.0 / 2.0, 0.005);
   EXPECT_NEAR(squares / count, 1.0 / 3.0, 0.005);

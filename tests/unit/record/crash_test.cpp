@@ -137,27 +137,27 @@ INSTANTIATE_TEST_SUITE_P(
                       KillCase{"split_of_the_numbers", 3, false, 64 * 256 - 1, 64 * 256 + 1}),
     [](const auto& kill) { return kill.param.name; });
 
-struct Outcome {
+struct Recorded {
   std::string message;
   std::int64_t committed = 0;
 };
 
-Outcome record_until_failure(const std::filesystem::path& path, std::size_t joints,
-                             std::int64_t frames) {
+Recorded record_until_failure(const std::filesystem::path& path, std::size_t joints,
+                              std::int64_t frames) {
   H5mdRecorder recorder(path, chain(joints), {}, {.overwrite = true, .flush_seconds = 0.0});
-  Outcome outcome;
-  outcome.message = message_of<FileError>([&] {
+  Recorded recorded;
+  recorded.message = message_of<FileError>([&] {
     for (std::int64_t f = 0; f < frames; ++f) recorder.record(sample_frame(f, joints).frame);
     recorder.close();
   });
-  outcome.committed = recorder.committed_frames();
-  if (!outcome.message.empty()) {
-    EXPECT_EQ(message_of<FileError>([&] { recorder.flush(); }), outcome.message);
+  recorded.committed = recorder.committed_frames();
+  if (!recorded.message.empty()) {
+    EXPECT_EQ(message_of<FileError>([&] { recorder.flush(); }), recorded.message);
     EXPECT_EQ(message_of<FileError>([&] { recorder.record(sample_frame(99, joints).frame); }),
-              outcome.message);
+              recorded.message);
     recorder.close();
   }
-  return outcome;
+  return recorded;
 }
 
 /// The disk is full from the k-th write on, for every k.
@@ -170,10 +170,10 @@ TEST(FullDisk, KeepsWhatWasCommittedAndSaysSo) {
     watch.fail_at = k;
     watch.error = ENOSPC;
     watch.half = k % 2 == 1;
-    Outcome outcome;
+    Recorded recorded;
     const std::string at_start =
-        message_of<FileError>([&] { outcome = record_until_failure(path, 200, 4); });
-    if (at_start.empty() && outcome.message.empty()) break;
+        message_of<FileError>([&] { recorded = record_until_failure(path, 200, 4); });
+    if (at_start.empty() && recorded.message.empty()) break;
     ++failures;
     if (!at_start.empty()) {
       EXPECT_EQ(at_start, path.string() + ": cannot write: No space left on device");
@@ -181,12 +181,12 @@ TEST(FullDisk, KeepsWhatWasCommittedAndSaysSo) {
       continue;
     }
     const std::string reason = path.string() + ": cannot write: No space left on device";
-    EXPECT_EQ(outcome.message.substr(0, reason.size()), reason);
-    if (outcome.committed > 0) {
-      EXPECT_EQ(outcome.message, reason + "; the file holds the first " +
-                                     std::to_string(outcome.committed) + " frames");
+    EXPECT_EQ(recorded.message.substr(0, reason.size()), reason);
+    if (recorded.committed > 0) {
+      EXPECT_EQ(recorded.message, reason + "; the file holds the first " +
+                                      std::to_string(recorded.committed) + " frames");
     }
-    expect_intact(path, outcome.committed, 0);
+    expect_intact(path, recorded.committed, 0);
     std::filesystem::remove(path);
   }
   EXPECT_GT(failures, 60);
@@ -197,10 +197,10 @@ int record_with_limit(const std::filesystem::path& path) {
   std::signal(SIGXFSZ, SIG_DFL);
   const rlimit limit{400'000, 400'000};
   ::setrlimit(RLIMIT_FSIZE, &limit);
-  const Outcome outcome = record_until_failure(path, 200, 1000);
+  const Recorded recorded = record_until_failure(path, 200, 1000);
   const bool told =
-      outcome.message.find("File too large; the file holds the first ") != std::string::npos;
-  return told && outcome.committed > 10 ? 0 : 1;
+      recorded.message.find("File too large; the file holds the first ") != std::string::npos;
+  return told && recorded.committed > 10 ? 0 : 1;
 }
 
 TEST(FileSizeLimit, IsAnErrorAndNoDeath) {

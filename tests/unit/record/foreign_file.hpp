@@ -42,7 +42,9 @@ class ForeignFile {
       for (std::size_t i = 0; i < values.size(); ++i) values[i] = double(i);
       H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data());
     }
-    H5Dclose(set), H5Pclose(links), H5Sclose(space);
+    H5Dclose(set);
+    H5Pclose(links);
+    H5Sclose(space);
   }
 
   void write(const std::string& path, const std::vector<double>& values) {
@@ -59,7 +61,9 @@ class ForeignFile {
                                               H5P_DEFAULT, H5P_DEFAULT);
     const char* pointer = text.c_str();
     H5Awrite(attribute, type, variable ? static_cast<const void*>(&pointer) : pointer);
-    H5Aclose(attribute), H5Sclose(space), H5Tclose(type);
+    H5Aclose(attribute);
+    H5Sclose(space);
+    H5Tclose(type);
   }
 
   /// Four frames of two joints, with everything that the format asks for.

@@ -160,7 +160,9 @@ TEST_F(H5mdDamageTest, CallsAFrameThatWasNeverWrittenDamaged) {
     const hid_t memory = H5Screate_simple(3, count, nullptr);
     const std::vector<double> values(6, 2.0);
     H5Dwrite(set, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, values.data());
-    H5Sclose(memory), H5Sclose(space), H5Dclose(set);
+    H5Sclose(memory);
+    H5Sclose(space);
+    H5Dclose(set);
   }
   H5Pclose(chunked);
   EXPECT_EQ(open().positions(0)[1].z, 2.0);

@@ -70,7 +70,8 @@ TEST(Run, ShowsTheStartEachStepAndTrueNumbers) {
     EXPECT_EQ(frame.max_residual, found.max_relative);
     EXPECT_EQ(frame.rms_residual, found.rms_relative);
     EXPECT_LE(frame.max_residual, 1e-6);
-    sweeps += frame.sweeps, projections += frame.projections;
+    sweeps += frame.sweeps;
+    projections += frame.projections;
     most = std::max(most, frame.sweeps);
     worst = std::max(worst, frame.max_residual);
   }

@@ -14,7 +14,7 @@ from pliant import console
 from pliant.lab.bench import subcommands
 
 EPILOG = """\
-pliant bench SUBCOMMAND --help tells more of each.
+pliant bench SUBCOMMAND --help explains each.
 
 examples:
   pliant bench work-precision protein.pdb --png race.png
@@ -41,8 +41,8 @@ def make_parser() -> console.Parser:
     rows = "\n".join(f"  {name.ljust(width)}  {row.SUMMARY}" for name, row in known.items())
     parser = console.Parser(
         "bench",
-        "Measures Pliant, with OpenMM's CCMA in the same run. Ratios within one run are what to\n"
-        "trust: times depend on the machine, and on what else it does.\n\n"
+        "Measures Pliant, with OpenMM's CCMA in the same run. Trust the ratios within one run:\n"
+        "times depend on the machine and on its other load.\n\n"
         f"subcommands:\n{rows}",
         EPILOG,
     )

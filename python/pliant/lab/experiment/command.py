@@ -22,15 +22,15 @@ if TYPE_CHECKING:
     from pliant.lab.experiment.table import Table
 
 EPILOG = """\
-DIR gets table.csv and table.h5 (the same bytes whenever the options are the same), and the wall
-time of each resolve in seconds.csv and seconds.h5: paste -d, DIR/table.csv DIR/seconds.csv.
-Killed at any moment, the same command goes on where it was.
+Writes table.csv and table.h5 into DIR (the same options give the same bytes), and the wall time of
+each resolve into seconds.csv and seconds.h5: paste -d, DIR/table.csv DIR/seconds.csv. After a kill
+at any moment, the same command continues where it stopped.
 
-pliant experiment report DIR   draws it and judges the claims of the thesis: one HTML page
-pliant experiment sweep DIR    where in the range of tolerance, force, size and box each one holds
+pliant experiment report DIR   draw the results and judge the claims of the thesis, on one HTML page
+pliant experiment sweep DIR    find for which tolerances, forces, sizes and boxes each claim holds
 
-Exit code: 0 when the table is complete, 1 when a file cannot be read or written or a test set
-holds other results, 2 for a bad option.
+Exit code: 0 if the table is complete, 1 if a file cannot be read or written or a test set holds
+different results, 2 for a bad option.
 
 examples:
   pliant experiment --out study --seed 1
@@ -48,7 +48,7 @@ def make_parser() -> console.Parser:
         EPILOG,
     )
     parser.add_argument("-o", "--out", metavar="DIR", type=Path, required=True,
-                        help="folder of the table; an unfinished one is finished")  # fmt: skip
+                        help="folder of the table; an unfinished table is continued")  # fmt: skip
     _add_counts(parser)
     _add_sizes(parser)
     _add_forces(parser)
@@ -61,19 +61,29 @@ def _add_counts(parser: console.Parser) -> None:
     add = parser.add_argument
     default = Settings()
     whole = console.whole_number
-    add("--seed", metavar="S", type=whole(0), help=f"seed of everything (default {default.seed})")
-    add("--graphs", metavar="N", type=whole(1), help=f"graphs a class (default {default.graphs})")
+    add(
+        "--seed",
+        metavar="S",
+        type=whole(0),
+        help=f"seed of all random numbers (default {default.seed})",
+    )
+    add(
+        "--graphs",
+        metavar="N",
+        type=whole(1),
+        help=f"graphs of each class (default {default.graphs})",
+    )
     add("--forces", metavar="N", type=whole(1),
-        help=f"forces a graph, each from rest (default {default.forces})")  # fmt: skip
+        help=f"forces on each graph, each from the start (default {default.forces})")  # fmt: skip
     add("--consecutive", action="store_true", default=None,
-        help="each force acts where the last one led, as pliant run does; starts then differ "
-             "between techniques")  # fmt: skip
+        help="each force acts on what the last one left, as in pliant run; the starts then "
+             "differ between techniques")  # fmt: skip
     add("--class", dest="classes", metavar="NAME", action="append",
-        help="class of graphs; may be repeated (default: all)")  # fmt: skip
+        help="class of graphs; may be given several times (default: all)")  # fmt: skip
     add("--technique", dest="techniques", metavar="NAME", action="append",
-        help="technique; may be repeated (default: all that apply)")  # fmt: skip
+        help="technique; may be given several times (default: all that apply)")  # fmt: skip
     add("--weighting", dest="weightings", metavar="W", type=float, action="append",
-        help="weighting; may be repeated (default 0.5, 0.75, 1)")  # fmt: skip
+        help="weighting; may be given several times (default 0.5, 0.75, 1)")  # fmt: skip
 
 
 def _add_sizes(parser: console.Parser) -> None:
@@ -100,22 +110,27 @@ def _add_forces(parser: console.Parser) -> None:
     positive = console.positive_number
     add("--force", type=positive, metavar="F",
         help=f"size of a force, kJ/(mol Angstrom) (default {default.force:g})")  # fmt: skip
-    add("--timestep", type=positive, metavar="T", help=f"ps (default {default.timestep:g})")
+    add(
+        "--timestep",
+        type=positive,
+        metavar="T",
+        help=f"length of a step, ps (default {default.timestep:g})",
+    )
     add("--tolerance-length", type=positive, metavar="E",
         help="largest |length - rest| of a whole bar, Angstrom "
              f"(default {default.tolerance_length:g})")  # fmt: skip
     add("--max-sweeps", type=console.whole_number(1), metavar="N",
-        help=f"give up after so many (default {default.max_sweeps})")  # fmt: skip
+        help=f"give a resolve up after so many sweeps (default {default.max_sweeps})")  # fmt: skip
 
 
 def _add_test_set(parser: console.Parser) -> None:
     add = parser.add_argument
     add("--test-set", metavar="FOLDER", type=Path,
-        help="take graphs, forces and settings from a test set (pliant structgen --test-set), and "
-             "put the results into its folders; those that it holds are compared")  # fmt: skip
+        help="take graphs, forces and settings from a test set (pliant structgen --test-set) and "
+             "write the results into its folders; results already there are compared")  # fmt: skip
     add("--folders", metavar="FOLDER", type=Path,
-        help="put the results into a test set, too: made of the same graphs and forces if FOLDER "
-             "is not there")  # fmt: skip
+        help="also write the results into a test set; if FOLDER does not exist, it is made from "
+             "the same graphs and forces")  # fmt: skip
 
 
 def main(words: Sequence[str] | None = None) -> int:

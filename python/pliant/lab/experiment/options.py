@@ -7,8 +7,8 @@ from pliant import console
 
 
 def add_running(parser: console.Parser) -> None:
-    """Options on how, not what."""
+    """Options that change how it runs, not what comes out."""
     parser.add_argument("--workers", metavar="N", type=console.whole_number(1),
-                        help="processes (default: one a core)")  # fmt: skip
+                        help="number of processes (default: one per core)")  # fmt: skip
     parser.add_argument("--quiet", action="store_true", help="show no progress")
     parser.add_argument("--json", action="store_true", help="print the summary as JSON")

@@ -16,11 +16,11 @@ if TYPE_CHECKING:
     from pliant.lab.experiment.settled import Settled
 
 REPORT_EPILOG = """\
-DIR gets report.html, which needs nothing else, figures/ and sweep.csv. A sweep.csv that is there
-is used again.
+Writes report.html, which needs no other file, figures/ and sweep.csv into DIR. A sweep.csv that
+exists is used again.
 
-Exit code: 0 when the report is written, 1 when the table cannot be read, a file cannot be written
-or a question could not be answered, 2 for a bad option.
+Exit code: 0 if the report is written, 1 if the table cannot be read, a file cannot be written or a
+question could not be answered, 2 for a bad option.
 
 examples:
   pliant experiment report study
@@ -28,8 +28,8 @@ examples:
 """
 
 SWEEP_EPILOG = """\
-DIR gets sweep.csv: for each setting, claim and yardstick how many of the claim's statements hold.
-pliant experiment report draws it.
+Writes sweep.csv into DIR: how many of a claim's statements hold, for each setting, claim and
+yardstick. pliant experiment report draws it.
 
 examples:
   pliant experiment sweep study
@@ -40,14 +40,17 @@ def make_report_parser() -> console.Parser:
     """The options of pliant experiment report."""
     parser = console.Parser(
         "experiment report",
-        "Draws the thesis' figures from the table of an experiment, judges its sixteen claims\n"
-        "there and over a sweep of settings, answers its open questions: one HTML page.",
+        "Draws the thesis' figures from the table of an experiment, judges its sixteen claims on\n"
+        "that table and over a range of settings, and answers its open questions. Writes one\n"
+        "HTML page.",
         REPORT_EPILOG,
     )
     parser.add_argument("folder", metavar="DIR", type=Path, help="folder of pliant experiment")
-    parser.add_argument("--no-sweep", action="store_true", help="leave the sweep of settings out")
-    parser.add_argument("--no-questions", action="store_true", help="leave open questions out")
-    parser.add_argument("--quick", action="store_true", help="small sizes: to look at, not to cite")
+    parser.add_argument("--no-sweep", action="store_true", help="leave out the range of settings")
+    parser.add_argument("--no-questions", action="store_true", help="leave out the open questions")
+    parser.add_argument(
+        "--quick", action="store_true", help="small sizes: for a look, not to be cited"
+    )
     add_running(parser)
     return parser
 
@@ -56,12 +59,14 @@ def make_sweep_parser() -> console.Parser:
     """The options of pliant experiment sweep."""
     parser = console.Parser(
         "experiment sweep",
-        "Repeats the experiment of DIR over tolerance, force, size of graph and box, and says\n"
-        "where each claim of the thesis holds.",
+        "Repeats the experiment of DIR for a range of tolerances, forces, graph sizes and boxes,\n"
+        "and says where each claim of the thesis holds.",
         SWEEP_EPILOG,
     )
     parser.add_argument("folder", metavar="DIR", type=Path, help="folder of pliant experiment")
-    parser.add_argument("--quick", action="store_true", help="small sizes: to look at, not to cite")
+    parser.add_argument(
+        "--quick", action="store_true", help="small sizes: for a look, not to be cited"
+    )
     add_running(parser)
     return parser
 

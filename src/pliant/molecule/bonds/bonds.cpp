@@ -55,7 +55,7 @@ Tally unknown_atoms(const Structure& structure) {
   return tally;
 }
 
-void report(const Perception& perception, const Log& log) {
+void warn_of_doubts(const Perception& perception, const Log& log) {
   const Structure& structure = perception.structure;
   warn(log, perception.unplaced, "atom", "at placeholder coordinates: no bonds perceived there");
   warn(log, perception.repeated, "atom",
@@ -82,7 +82,7 @@ void perceive_bonds(Structure& structure, const BondOptions& options) {
   }
   perception::sort_and_merge(steps.bonds, structure.size());
   structure.bonds = std::move(steps.bonds);
-  report(steps, options.log);
+  warn_of_doubts(steps, options.log);
 }
 
 }  // namespace pliant

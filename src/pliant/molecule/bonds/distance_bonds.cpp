@@ -119,7 +119,8 @@ class DistanceStep {
     first_bond_.assign(p_.structure.size() + 1, 0);
     for (const Bond& bond : p_.bonds) {
       ++first_bond_[bond.a + 1];
-      ++neighbours_[bond.a], ++neighbours_[bond.b];
+      ++neighbours_[bond.a];
+      ++neighbours_[bond.b];
     }
     for (std::size_t i = 0; i < p_.structure.size(); ++i) first_bond_[i + 1] += first_bond_[i];
   }
@@ -204,7 +205,10 @@ class DistanceStep {
   /// room. Only those at an atom with more candidates than room need to be in that order.
   void accept(std::vector<Candidate>& candidates) {
     std::vector<std::uint32_t> wanted(neighbours_);
-    for (const Candidate& c : candidates) ++wanted[c.a], ++wanted[c.b];
+    for (const Candidate& c : candidates) {
+      ++wanted[c.a];
+      ++wanted[c.b];
+    }
     const auto is_free = [&](const Candidate& c) {
       return wanted[c.a] <= most_neighbours(elements_[c.a]) &&
              wanted[c.b] <= most_neighbours(elements_[c.b]);
@@ -212,7 +216,8 @@ class DistanceStep {
     std::sort(std::partition(candidates.begin(), candidates.end(), is_free), candidates.end());
     for (const Candidate& c : candidates) {
       if (!has_room(c.a, neighbours_) || !has_room(c.b, neighbours_)) continue;
-      ++neighbours_[c.a], ++neighbours_[c.b];
+      ++neighbours_[c.a];
+      ++neighbours_[c.b];
       p_.add(c.a, c.b, BondOrigin::distance, 0);
     }
   }

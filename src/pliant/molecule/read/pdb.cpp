@@ -185,7 +185,8 @@ void PdbReader::finish_bonds() {
   }
   const std::vector<std::uint32_t> atom = choose_atoms(sites_, remarks_);
   for (Bond bond : bonds) {
-    bond.a = atom[bond.a], bond.b = atom[bond.b];
+    bond.a = atom[bond.a];
+    bond.b = atom[bond.b];
     if (bond.a != left_out && bond.b != left_out) sites_.structure.bonds.push_back(bond);
   }
   add_stated_links(sites_, pdb_links(link_records_, remarks_), remarks_);

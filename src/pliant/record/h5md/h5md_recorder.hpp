@@ -36,7 +36,7 @@ struct RecordedBond {
   friend bool operator==(const RecordedBond&, const RecordedBond&) = default;
 };
 
-/// What a file says besides the framework and the frames.
+/// What a file says in addition to the framework and the frames.
 struct H5mdHeader {
   std::vector<RecordedBond> bonds;
   std::vector<std::string> bond_origin_names;  ///< what RecordedBond::origin means; may be empty

@@ -39,11 +39,11 @@ bool BlockSolver::solve(std::uint32_t block, Joint entry, const RandomKey& key,
   equations_.hold(part, entry);
   equations_.gather(part, positions);
   std::int64_t left = most_iterations;
-  const BarNewton::Outcome outcome = newton_.make_whole(part, key, [&] { return left-- > 0; });
+  const PartResult result = newton_.make_whole(part, key, [&] { return left-- > 0; });
   equations_.scatter(part, positions);
-  summary.dropped_bars += outcome.dropped_bars;
-  summary.projections += (outcome.iterations + 1) * std::int64_t(part.bars.size());
-  return outcome.whole;
+  summary.dropped_bars += result.dropped_bars;
+  summary.projections += (result.iterations + 1) * std::int64_t(part.bars.size());
+  return result.whole;
 }
 
 }  // namespace pliant

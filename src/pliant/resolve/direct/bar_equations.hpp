@@ -69,7 +69,7 @@ class BarEquations {
   /// Writes joints that may move.
   void scatter(Part part, std::span<Vec3> to) const;
 
-  /// Holds this joint of the framework still besides those of weight 0; no_hold for none.
+  /// Holds this joint of the framework still, as if its weight were 0; no_hold for none.
   static constexpr Joint no_hold = static_cast<Joint>(-1);
   void hold(Part part, Joint joint);
 

@@ -7,50 +7,52 @@
 #include "pliant/resolve/direct/bar_loops.hpp"
 
 namespace pliant {
-BarNewton::Outcome BarNewton::make_whole(Part part, const RandomKey& key,
-                                         const MayGoOn& may_go_on) {
-  Outcome outcome;
+PartResult BarNewton::make_whole(Part part, const RandomKey& key, const MayGoOn& may_go_on) {
+  PartResult result;
   const BarEquations::Errors errors = equations_.measure(part);
-  outcome.whole = errors.whole;
-  if (errors.whole || errors.coincident || !errors.finite) return outcome;
+  result.whole = errors.whole;
+  if (errors.whole || errors.coincident || !errors.finite) return result;
   best_.resize(equations_.joint_count());
   copy(part, equations_.positions(), best_);
   ended_ = false;
   double best = errors.worst;
-  if (!is_overbraced(part)) best = iterate(part, best, may_go_on, outcome);
+  if (!is_overbraced(part)) best = iterate(part, best, may_go_on, result);
   if (best > 1.0 && !ended_) {
     copy(part, best_, equations_.positions());
     equations_.measure(part);
-    best = iterate_damped(part, best, key, may_go_on, outcome);
+    best = iterate_damped(part, best, key, may_go_on, result);
   }
   copy(part, best_, equations_.positions());
-  outcome.whole = best <= 1.0;
-  return outcome;
+  result.whole = best <= 1.0;
+  return result;
 }
 
 bool BarNewton::is_overbraced(Part part) { return part.bars.size() >= 2 * part.joints.size(); }
 
 /// Moves once; the new error in units of what is allowed, infinite where it cannot go on.
-double BarNewton::step(Part part, double damping, Outcome& outcome) {
-  outcome.dropped_bars = equations_.factor(part, equations_.directions(), damping);
+double BarNewton::step(Part part, double damping, PartResult& result) {
+  result.dropped_bars = equations_.factor(part, equations_.directions(), damping);
   equations_.solve(part, equations_.excess());
   equations_.pull(part, equations_.directions(), equations_.excess(), equations_.positions());
-  ++outcome.iterations;
+  ++result.iterations;
   const BarEquations::Errors errors = equations_.measure(part);
   if (errors.coincident || !errors.finite) return infinity;
   return errors.whole ? std::min(errors.worst, 1.0) : std::max(errors.worst, std::nextafter(1, 2));
 }
 
-double BarNewton::iterate(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome) {
+double BarNewton::iterate(Part part, double error, const MayGoOn& may_go_on, PartResult& result) {
   // Newton may take a step or two to come near; after that each must pay.
   double best = error;
   int bad_steps = 0;
   while (std::isfinite(error) && best > 1.0) {
     ended_ = !may_go_on();
     if (ended_) break;
-    error = step(part, 0.0, outcome);
+    error = step(part, 0.0, result);
     if (!(error < 0.9 * best) && ++bad_steps > newton_bad_steps) break;
-    if (error < best) best = error, copy(part, equations_.positions(), best_);
+    if (error < best) {
+      best = error;
+      copy(part, equations_.positions(), best_);
+    }
   }
   return best;
 }
@@ -58,13 +60,13 @@ double BarNewton::iterate(Part part, double error, const MayGoOn& may_go_on, Out
 /// Redundant bars have places where the error is least nearby, as when one atom of a flat ring has
 /// come out on the wrong side. A push of the joints around what is broken leaves them.
 double BarNewton::iterate_damped(Part part, double error, const RandomKey& key,
-                                 const MayGoOn& may_go_on, Outcome& outcome) {
+                                 const MayGoOn& may_go_on, PartResult& result) {
   constexpr std::uint64_t most_pushes = 12;
   double least = error;
   least_.resize(best_.size());
   copy(part, best_, least_);
   for (std::uint64_t push = 0;; ++push) {
-    error = descend(part, error, may_go_on, outcome);
+    error = descend(part, error, may_go_on, result);
     if (error <= least) {
       least = error;
       copy(part, best_, least_);
@@ -80,7 +82,7 @@ double BarNewton::iterate_damped(Part part, double error, const RandomKey& key,
 /// Levenberg and Marquardt's way: a step that does not pay is taken back and tried again shorter.
 /// The damping falls with the error, so that it costs no digits at the end (Yamashita, Fukushima,
 /// Computing Suppl. 15 (2001) 239).
-double BarNewton::descend(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome) {
+double BarNewton::descend(Part part, double error, const MayGoOn& may_go_on, PartResult& result) {
   constexpr double most_damping = 1e6;
   constexpr int patience = 12;  // iterations in which the sum of squares must fall to a quarter
   double least = equations_.sum_of_squares(part), goal = 0.25 * least;
@@ -90,7 +92,7 @@ double BarNewton::descend(Part part, double error, const MayGoOn& may_go_on, Out
   while (best > 1.0 && damping < most_damping && waited++ < patience) {
     ended_ = !may_go_on();
     if (ended_) break;
-    error = step(part, damping * std::min(1.0, equations_.relative_error(part)), outcome);
+    error = step(part, damping * std::min(1.0, equations_.relative_error(part)), result);
     const double squares = std::isfinite(error) ? equations_.sum_of_squares(part) : infinity;
     const bool pays = squares < least;
     if (pays) {

@@ -19,22 +19,26 @@ namespace pliant {
 /// Asked before each iteration; false ends it.
 using MayGoOn = std::function<bool()>;
 
+/// How solving a part went.
+struct PartResult {
+  bool whole = false;
+  std::int64_t iterations = 0;
+  std::int64_t dropped_bars = 0;  ///< dependent bars left out of the last matrix
+  /// The largest move towards the nearest whole positions that was still asked for (Angstrom); -1
+  /// where these were not looked for.
+  double off_nearest = -1.0;
+};
+
 /// Scratch for making parts of `equations` whole. Appending parts afterwards is allowed.
 class BarNewton {
  public:
   explicit BarNewton(BarEquations& equations) : equations_(equations) {}
 
-  struct Outcome {
-    bool whole = false;
-    std::int64_t iterations = 0;
-    std::int64_t dropped_bars = 0;  ///< dependent bars left out of the last matrix
-  };
-
   /// Moves equations.positions() of the part until its bars are within the tolerance, or the error
   /// stops falling: the positions are then as good as they got. Coincident joints and lengths that
   /// are not finite are left as they are.
   /// `key` is what pushes out of local minima depend on.
-  Outcome make_whole(BarEquations::Part part, const RandomKey& key, const MayGoOn& may_go_on);
+  PartResult make_whole(BarEquations::Part part, const RandomKey& key, const MayGoOn& may_go_on);
 
   /// Rings and cages of bonds have one to one and a half bars a joint; with 1-3 bars there are two
   /// and more, and where centres are planar some depend on others.
@@ -43,12 +47,12 @@ class BarNewton {
  private:
   using Part = BarEquations::Part;
 
-  double iterate(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome);
+  double iterate(Part part, double error, const MayGoOn& may_go_on, PartResult& result);
   double iterate_damped(Part part, double error, const RandomKey& key, const MayGoOn& may_go_on,
-                        Outcome& outcome);
-  double descend(Part part, double error, const MayGoOn& may_go_on, Outcome& outcome);
+                        PartResult& result);
+  double descend(Part part, double error, const MayGoOn& may_go_on, PartResult& result);
   double push_broken(Part part, std::uint64_t push, RandomKey key);
-  double step(Part part, double damping, Outcome& outcome);
+  double step(Part part, double damping, PartResult& result);
   void copy(Part part, std::span<const Vec3> from, std::span<Vec3> to) const;
 
   BarEquations& equations_;

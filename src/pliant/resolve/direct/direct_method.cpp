@@ -75,14 +75,14 @@ class DirectMethod final : public Method {
     std::copy(x.begin() + part.joints.begin, x.begin() + part.joints.end,
               broken_.begin() + part.joints.begin);
     if (errors.coincident) part_coincident_joints(part, call);
-    const PartSolver::Outcome outcome =
+    const PartResult result =
         solver_->solve(part, broken_, call, [&] { return budget.may_go_on(); });
     equations_.scatter(part, call.positions);
-    summary.sweeps = std::max(summary.sweeps, outcome.iterations);
-    summary.projections += outcome.iterations * std::int64_t(part.bars.size());
-    summary.dropped_bars += outcome.dropped_bars;
-    summary.off_nearest = std::max(summary.off_nearest, outcome.off_nearest);
-    return outcome.whole;
+    summary.sweeps = std::max(summary.sweeps, result.iterations);
+    summary.projections += result.iterations * std::int64_t(part.bars.size());
+    summary.dropped_bars += result.dropped_bars;
+    summary.off_nearest = std::max(summary.off_nearest, result.off_nearest);
+    return result.whole;
   }
 
   /// Bars without direction get one that the seed decides, and their length along it.

@@ -32,18 +32,11 @@ class ComponentEquations {
 /// Makes one component whole.
 class PartSolver {
  public:
-  struct Outcome {
-    bool whole = false;
-    std::int64_t iterations = 0;
-    std::int64_t dropped_bars = 0;
-    double off_nearest = -1.0;  ///< Angstrom; -1 where not looked for
-  };
-
   virtual ~PartSolver() = default;
   /// Begins at `broken` (of the joints of the equations); joints that coincided there have parted
   /// at equations.positions(). Leaves its answer there.
-  virtual Outcome solve(BarEquations::Part part, std::span<const Vec3> broken,
-                        const ResolveCall& call, const MayGoOn& may_go_on) = 0;
+  virtual PartResult solve(BarEquations::Part part, std::span<const Vec3> broken,
+                           const ResolveCall& call, const MayGoOn& may_go_on) = 0;
 };
 
 /// A solver for the parts of these equations.

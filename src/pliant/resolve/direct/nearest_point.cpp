@@ -19,17 +19,18 @@ JointScales joint_scales(const BarEquations& equations) {
   return scales;
 }
 
-NearestPoint::Outcome NearestPoint::find(Part part, std::span<const Vec3> broken,
-                                         const RandomKey& key, const MayGoOn& may_go_on) {
+PartResult NearestPoint::find(Part part, std::span<const Vec3> broken, const RandomKey& key,
+                              const MayGoOn& may_go_on) {
   reserve();
   broken_ = broken;
   key_ = key;
-  Outcome outcome;
+  PartResult result;
+  result.off_nearest = 0.0;
   copy(part, equations_.positions(), kept_);
-  if (!newton_.is_overbraced(part) && iterate(part, may_go_on, outcome)) return outcome;
+  if (!newton_.is_overbraced(part) && iterate(part, may_go_on, result)) return result;
   copy(part, kept_, equations_.positions());
-  if (restore(part, may_go_on, outcome)) slide(part, may_go_on, outcome);
-  return outcome;
+  if (restore(part, may_go_on, result)) slide(part, may_go_on, result);
+  return result;
 }
 
 void NearestPoint::reserve() {
@@ -44,7 +45,7 @@ void NearestPoint::reserve() {
 
 /// Whole steps n + t from where the positions are, as long as they become smaller. kept_ is then
 /// the least broken of what was seen.
-bool NearestPoint::iterate(Part part, const MayGoOn& may_go_on, Outcome& outcome) {
+bool NearestPoint::iterate(Part part, const MayGoOn& may_go_on, PartResult& result) {
   double least = infinity, least_error = infinity;
   int bad_steps = 0;
   for (;;) {
@@ -52,14 +53,14 @@ bool NearestPoint::iterate(Part part, const MayGoOn& may_go_on, Outcome& outcome
     if (errors.coincident || !errors.finite) return false;
     if (errors.worst < least_error) {
       least_error = errors.worst;
-      outcome.whole = errors.whole;
+      result.whole = errors.whole;
       copy(part, equations_.positions(), kept_);
     }
-    if (!may_go_on()) return outcome.whole && errors.whole;
-    find_moves(part, infinity, outcome);
+    if (!may_go_on()) return result.whole && errors.whole;
+    find_moves(part, infinity, result);
     if (errors.whole && asked(part, sliding_) <= 1.0) {
       polish(part, errors);
-      outcome.whole = true;
+      result.whole = true;
       return true;
     }
     add(part, 1.0, sliding_, restoring_);
@@ -80,25 +81,25 @@ void NearestPoint::polish(Part part, const BarEquations::Errors& before) {
     copy(part, kept_, equations_.positions());
 }
 
-bool NearestPoint::restore(Part part, const MayGoOn& may_go_on, Outcome& outcome) {
-  const BarNewton::Outcome restored = newton_.make_whole(part, key_, may_go_on);
-  outcome.iterations += restored.iterations;
-  outcome.dropped_bars = restored.dropped_bars;
-  outcome.whole = restored.whole;
+bool NearestPoint::restore(Part part, const MayGoOn& may_go_on, PartResult& result) {
+  const PartResult restored = newton_.make_whole(part, key_, may_go_on);
+  result.iterations += restored.iterations;
+  result.dropped_bars = restored.dropped_bars;
+  result.whole = restored.whole;
   return restored.whole;
 }
 
 /// From whole positions to nearer whole ones, each step held to what brings it nearer.
-void NearestPoint::slide(Part part, const MayGoOn& may_go_on, Outcome& outcome) {
+void NearestPoint::slide(Part part, const MayGoOn& may_go_on, PartResult& result) {
   constexpr int most_failures = 8, most_steps = 30;
   double radius = distance(part);
   int failures = 0;
   for (int step = 0; step < most_steps && failures < most_failures && may_go_on(); ++step) {
     equations_.measure(part);
-    find_moves(part, radius, outcome);
+    find_moves(part, radius, result);
     const double length = std::sqrt(product(part, sliding_, sliding_));
     if (asked(part, sliding_) <= 1.0 || length < 0.03 * distance(part)) break;
-    if (try_slide(part, may_go_on, outcome)) {
+    if (try_slide(part, may_go_on, result)) {
       radius = std::max(radius, 2.0 * length);
       failures = 0;
     } else {
@@ -107,30 +108,30 @@ void NearestPoint::slide(Part part, const MayGoOn& may_go_on, Outcome& outcome) 
     }
   }
   copy(part, equations_.positions(), kept_);
-  if (!iterate(part, may_go_on, outcome)) {
+  if (!iterate(part, may_go_on, result)) {
     copy(part, kept_, equations_.positions());
-    outcome.whole = equations_.measure(part).whole;
+    result.whole = equations_.measure(part).whole;
   }
 }
 
-bool NearestPoint::try_slide(Part part, const MayGoOn& may_go_on, Outcome& outcome) {
+bool NearestPoint::try_slide(Part part, const MayGoOn& may_go_on, PartResult& result) {
   const double before = distance(part);
   copy(part, equations_.positions(), kept_);
   add(part, 1.0, sliding_, equations_.positions());
-  if (restore(part, may_go_on, outcome) && distance(part) < before) return true;
+  if (restore(part, may_go_on, result) && distance(part) < before) return true;
   copy(part, kept_, equations_.positions());
-  outcome.whole = true;
+  result.whole = true;
   return false;
 }
 
 /// n and t at the positions just measured; |t| is at most `radius` (mass-weighted).
-void NearestPoint::find_moves(Part part, double radius, Outcome& outcome) {
-  outcome.dropped_bars = equations_.factor(part, equations_.directions());
-  ++outcome.iterations;
+void NearestPoint::find_moves(Part part, double radius, PartResult& result) {
+  result.dropped_bars = equations_.factor(part, equations_.directions());
+  ++result.iterations;
   find_restoring_move(part);
   find_multipliers(part);
   find_sliding_move(part, radius);
-  outcome.off_nearest = largest(part, sliding_);
+  result.off_nearest = largest(part, sliding_);
 }
 
 /// n = -W J^T (J W J^T)^-1 C.

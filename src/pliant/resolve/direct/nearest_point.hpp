@@ -31,27 +31,20 @@ class NearestPoint {
  public:
   explicit NearestPoint(BarEquations& equations) : equations_(equations), newton_(equations) {}
 
-  struct Outcome {
-    bool whole = false;
-    std::int64_t iterations = 0;
-    std::int64_t dropped_bars = 0;
-    double off_nearest = 0.0;  ///< Angstrom, the largest move towards the nearest point still asked
-  };
-
   /// Moves equations.positions() of the part to whole positions nearest to `broken` (of the joints
   /// of the equations, in mass-weighted distance), beginning where they are.
-  Outcome find(BarEquations::Part part, std::span<const Vec3> broken, const RandomKey& key,
-               const MayGoOn& may_go_on);
+  PartResult find(BarEquations::Part part, std::span<const Vec3> broken, const RandomKey& key,
+                  const MayGoOn& may_go_on);
 
  private:
   using Part = BarEquations::Part;
 
   void reserve();
-  bool iterate(Part part, const MayGoOn& may_go_on, Outcome& outcome);
-  void slide(Part part, const MayGoOn& may_go_on, Outcome& outcome);
-  bool try_slide(Part part, const MayGoOn& may_go_on, Outcome& outcome);
-  bool restore(Part part, const MayGoOn& may_go_on, Outcome& outcome);
-  void find_moves(Part part, double radius, Outcome& outcome);
+  bool iterate(Part part, const MayGoOn& may_go_on, PartResult& result);
+  void slide(Part part, const MayGoOn& may_go_on, PartResult& result);
+  bool try_slide(Part part, const MayGoOn& may_go_on, PartResult& result);
+  bool restore(Part part, const MayGoOn& may_go_on, PartResult& result);
+  void find_moves(Part part, double radius, PartResult& result);
   void polish(Part part, const BarEquations::Errors& before);
 
   void find_restoring_move(Part part);

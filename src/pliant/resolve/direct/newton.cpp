@@ -11,10 +11,9 @@ class NewtonSolver final : public PartSolver {
  public:
   explicit NewtonSolver(BarEquations& equations) : nearest_(equations) {}
 
-  Outcome solve(BarEquations::Part part, std::span<const Vec3> broken, const ResolveCall& call,
-                const MayGoOn& may_go_on) override {
-    const NearestPoint::Outcome found = nearest_.find(part, broken, call.key, may_go_on);
-    return {found.whole, found.iterations, found.dropped_bars, found.off_nearest};
+  PartResult solve(BarEquations::Part part, std::span<const Vec3> broken, const ResolveCall& call,
+                   const MayGoOn& may_go_on) override {
+    return nearest_.find(part, broken, call.key, may_go_on);
   }
 
  private:

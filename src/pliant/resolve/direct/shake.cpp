@@ -19,21 +19,21 @@ class ShakeSolver final : public PartSolver {
  public:
   explicit ShakeSolver(BarEquations& equations) : equations_(equations), newton_(equations) {}
 
-  Outcome solve(BarEquations::Part part, std::span<const Vec3> broken, const ResolveCall& call,
-                const MayGoOn& may_go_on) override {
+  PartResult solve(BarEquations::Part part, std::span<const Vec3> broken, const ResolveCall& call,
+                   const MayGoOn& may_go_on) override {
     along_.resize(equations_.bar_count());
     best_.resize(equations_.joint_count());
     take_directions(part, call.reference);
-    Outcome outcome;
-    outcome.dropped_bars = equations_.factor(part, along_);
-    if (iterate(part, may_go_on, outcome)) return outcome;
+    PartResult result;
+    result.dropped_bars = equations_.factor(part, along_);
+    if (iterate(part, may_go_on, result)) return result;
     // No answer along these directions that could be found: the nearest one instead.
     copy(part, broken, equations_.positions());
-    const BarNewton::Outcome made = newton_.make_whole(part, call.key, may_go_on);
-    outcome.iterations += made.iterations;
-    outcome.dropped_bars = made.dropped_bars;
-    outcome.whole = made.whole;
-    return outcome;
+    const PartResult made = newton_.make_whole(part, call.key, may_go_on);
+    result.iterations += made.iterations;
+    result.dropped_bars = made.dropped_bars;
+    result.whole = made.whole;
+    return result;
   }
 
  private:
@@ -48,13 +48,13 @@ class ShakeSolver final : public PartSolver {
     }
   }
 
-  bool iterate(BarEquations::Part part, const MayGoOn& may_go_on, Outcome& outcome) {
+  bool iterate(BarEquations::Part part, const MayGoOn& may_go_on, PartResult& result) {
     double best = std::numeric_limits<double>::infinity();
     int bad_steps = 0;
     for (;;) {
       const BarEquations::Errors errors = equations_.measure(part);
       if (errors.whole) {
-        outcome.whole = true;
+        result.whole = true;
         return true;
       }
       if (errors.coincident || !errors.finite) return false;
@@ -62,7 +62,7 @@ class ShakeSolver final : public PartSolver {
       best = std::min(best, errors.worst);
       if (!may_go_on()) return false;
       step(part);
-      ++outcome.iterations;
+      ++result.iterations;
     }
   }
 

@@ -8,14 +8,14 @@
 namespace pliant::PLIANT_LANE_LEVEL {
 namespace {
 
-LaneOutcome outcome_of(Mask whole, Lanes iterations, Lanes dropped) {
-  LaneOutcome outcome;
-  outcome.whole = whole.bits();
-  __builtin_memcpy(&outcome.iterations, &iterations, sizeof iterations);
-  __builtin_memcpy(&outcome.dropped_bars, &dropped, sizeof dropped);
+LaneResult result_of(Mask whole, Lanes iterations, Lanes dropped) {
+  LaneResult result;
+  result.whole = whole.bits();
+  __builtin_memcpy(&result.iterations, &iterations, sizeof iterations);
+  __builtin_memcpy(&result.dropped_bars, &dropped, sizeof dropped);
   const Lanes none = -1.0;
-  __builtin_memcpy(&outcome.off_nearest, &none, sizeof none);
-  return outcome;
+  __builtin_memcpy(&result.off_nearest, &none, sizeof none);
+  return result;
 }
 
 /// As BarNewton::step: the new error in units of what is allowed, infinite where it cannot go on.
@@ -29,7 +29,7 @@ PLIANT_LANE_INLINE Lanes newton_step(Part& part) {
 }
 
 /// As BarNewton::make_whole, as far as BarNewton::iterate.
-LaneOutcome block_newton(const BarPattern& pattern, const LaneRoom& room, LaneVector* positions) {
+LaneResult block_newton(const BarPattern& pattern, const LaneRoom& room, LaneVector* positions) {
   Part part(pattern, room);
   part.take(vectors(positions));
   const Errors errors = part.measure();
@@ -51,7 +51,7 @@ LaneOutcome block_newton(const BarPattern& pattern, const LaneRoom& room, LaneVe
     if (better.bits() != 0) part.keep_best(better);
   }
   part.give_best(vectors(positions));
-  return outcome_of(~hopeless & (best <= 1.0), iterations, dropped);
+  return result_of(~hopeless & (best <= 1.0), iterations, dropped);
 }
 
 /// Directions of the bars at the reference, where they have one there.
@@ -75,8 +75,8 @@ PLIANT_LANE_INLINE void shake_step(Part& part) {
 }
 
 /// Steps until a walker is whole or gains no more, as ShakeSolver::iterate.
-LaneOutcome shake(const BarPattern& pattern, const LaneRoom& room, const LaneVector* reference,
-                  std::int64_t most_iterations, LaneVector* positions) {
+LaneResult shake(const BarPattern& pattern, const LaneRoom& room, const LaneVector* reference,
+                 std::int64_t most_iterations, LaneVector* positions) {
   Part part(pattern, room);
   part.take(vectors(positions));
   Errors errors = part.measure();
@@ -102,7 +102,7 @@ LaneOutcome shake(const BarPattern& pattern, const LaneRoom& room, const LaneVec
     errors = part.measure();
   }
   part.give_best(vectors(positions));
-  return outcome_of(whole, iterations, dropped);
+  return result_of(whole, iterations, dropped);
 }
 
 }  // namespace

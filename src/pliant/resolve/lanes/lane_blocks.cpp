@@ -82,12 +82,12 @@ class LaneBlocks final : public LaneMethod {
 
   void solve(const LaneCall& call, const Stretch& stretch, LaneMask& active) {
     const BarPattern part = blocks_.hold(stretch.block, stretch.entry);
-    const LaneOutcome outcome = kernels_.block_newton(part, scratch_.room(), call.positions);
-    active = LaneMask(active & outcome.whole);
+    const LaneResult result = kernels_.block_newton(part, scratch_.room(), call.positions);
+    active = LaneMask(active & result.whole);
     call.each(active, [&](ResolveSummary& summary, std::size_t lane) {
-      summary.dropped_bars += static_cast<std::int64_t>(outcome.dropped_bars[lane]);
+      summary.dropped_bars += static_cast<std::int64_t>(result.dropped_bars[lane]);
       summary.projections +=
-          (static_cast<std::int64_t>(outcome.iterations[lane]) + 1) * part.bars.size();
+          (static_cast<std::int64_t>(result.iterations[lane]) + 1) * part.bars.size();
     });
   }
 

@@ -33,7 +33,7 @@ class LaneDirect : public LaneMethod {
   }
 
  protected:
-  virtual LaneOutcome solve(const LaneCall& call, const BarPattern& part) = 0;
+  virtual LaneResult solve(const LaneCall& call, const BarPattern& part) = 0;
 
   const LaneKernels& kernels_;
   std::int64_t most_iterations_;
@@ -41,15 +41,15 @@ class LaneDirect : public LaneMethod {
   LaneScratch scratch_;
 
  private:
-  static void count(const LaneCall& call, BarEquations::Part part, const LaneOutcome& outcome,
+  static void count(const LaneCall& call, BarEquations::Part part, const LaneResult& result,
                     LaneMask& active) {
-    active = LaneMask(active & outcome.whole);
+    active = LaneMask(active & result.whole);
     call.each(active, [&](ResolveSummary& summary, std::size_t lane) {
-      const auto iterations = static_cast<std::int64_t>(outcome.iterations[lane]);
+      const auto iterations = static_cast<std::int64_t>(result.iterations[lane]);
       summary.sweeps = std::max(summary.sweeps, iterations);
       summary.projections += iterations * std::int64_t(part.bars.size());
-      summary.dropped_bars += static_cast<std::int64_t>(outcome.dropped_bars[lane]);
-      summary.off_nearest = std::max(summary.off_nearest, outcome.off_nearest[lane]);
+      summary.dropped_bars += static_cast<std::int64_t>(result.dropped_bars[lane]);
+      summary.off_nearest = std::max(summary.off_nearest, result.off_nearest[lane]);
     });
   }
 };
@@ -60,7 +60,7 @@ class LaneShake final : public LaneDirect {
   bool needs_reference() const override { return true; }
 
  private:
-  LaneOutcome solve(const LaneCall& call, const BarPattern& part) override {
+  LaneResult solve(const LaneCall& call, const BarPattern& part) override {
     return kernels_.shake(part, scratch_.room(), call.reference, most_iterations_, call.positions);
   }
 };
@@ -79,7 +79,7 @@ class LaneNewton final : public LaneDirect {
   }
 
  private:
-  LaneOutcome solve(const LaneCall& call, const BarPattern& part) override {
+  LaneResult solve(const LaneCall& call, const BarPattern& part) override {
     return kernels_.nearest(part, scratch_.room(), nearest_room(part), most_iterations_,
                             call.positions);
   }

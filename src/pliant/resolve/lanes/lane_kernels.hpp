@@ -70,7 +70,8 @@ struct LaneRoom {
   LaneValue* lower;                        ///< of entries
 };
 
-/// Scratch of `nearest` besides, each beginning as in LaneRoom.
+/// What `nearest` needs beside a LaneRoom: scratch and scales, each beginning with the part's first
+/// joint or bar.
 struct LaneNearestRoom {
   LaneVector *broken, *restoring, *sliding, *residual, *direction, *curved;  ///< of joints
   LaneValue *lambda, *bars;                                                  ///< of bars
@@ -78,7 +79,7 @@ struct LaneNearestRoom {
 };
 
 /// How Newton's method on a part went.
-struct LaneOutcome {
+struct LaneResult {
   LaneMask whole;  ///< not whole: that walker is to be resolved alone
   double iterations[lane_count], dropped_bars[lane_count];
   double off_nearest[lane_count];  ///< Angstrom; of `nearest` alone, -1 where not looked for
@@ -111,14 +112,14 @@ struct LaneKernels {
 
   /// One block of technique `blocks`: BarNewton::make_whole without damping, on framework positions
   /// `x`; walkers that were not made whole have their last positions there.
-  LaneOutcome (*block_newton)(const BarPattern& part, const LaneRoom& room, LaneVector* x);
+  LaneResult (*block_newton)(const BarPattern& part, const LaneRoom& room, LaneVector* x);
   /// One part of technique `shake`; `reference` of the framework, or null.
-  LaneOutcome (*shake)(const BarPattern& part, const LaneRoom& room, const LaneVector* reference,
-                       std::int64_t most_iterations, LaneVector* x);
+  LaneResult (*shake)(const BarPattern& part, const LaneRoom& room, const LaneVector* reference,
+                      std::int64_t most_iterations, LaneVector* x);
   /// One part of technique `newton`: NearestPoint::find as far as NearestPoint::iterate.
-  LaneOutcome (*nearest)(const BarPattern& part, const LaneRoom& room,
-                         const LaneNearestRoom& nearest_room, std::int64_t most_iterations,
-                         LaneVector* x);
+  LaneResult (*nearest)(const BarPattern& part, const LaneRoom& room,
+                        const LaneNearestRoom& nearest_room, std::int64_t most_iterations,
+                        LaneVector* x);
 };
 
 /// All levels that this build holds and this processor knows, the best one first.

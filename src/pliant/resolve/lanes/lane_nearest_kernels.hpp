@@ -141,9 +141,8 @@ struct Nearest {
   }
 };
 
-LaneOutcome nearest(const BarPattern& pattern, const LaneRoom& room,
-                    const LaneNearestRoom& own_room, std::int64_t most_iterations,
-                    LaneVector* positions) {
+LaneResult nearest(const BarPattern& pattern, const LaneRoom& room, const LaneNearestRoom& own_room,
+                   std::int64_t most_iterations, LaneVector* positions) {
   Nearest at(pattern, room, own_room);
   Part& part = at.part;
   part.take(vectors(positions));
@@ -170,9 +169,9 @@ LaneOutcome nearest(const BarPattern& pattern, const LaneRoom& room,
     active &= errors.finite & ~errors.coincident;
   }
   part.give_best(vectors(positions));
-  LaneOutcome outcome = outcome_of(whole, iterations, dropped);
-  __builtin_memcpy(&outcome.off_nearest, &off_nearest, sizeof off_nearest);
-  return outcome;
+  LaneResult result = result_of(whole, iterations, dropped);
+  __builtin_memcpy(&result.off_nearest, &off_nearest, sizeof off_nearest);
+  return result;
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ std::pair<double, double> shares(const Technique& technique, const OrderedBar& v
                                  const Framework& framework);
 
 /// Shares (a, b) of a correction between two joints that no bar joins: half and half, or by inverse
-/// masses; of pinned joints as above.
+/// masses. They sum to 1; a pinned joint takes nothing, both are 0 when both are pinned.
 std::pair<double, double> equal_shares(const Framework& framework, Joint a, Joint b,
                                        bool mass_weighted);
 

@@ -25,7 +25,10 @@ class AndersonMixing {
   /// Makes room for sequences of `count` vectors, so that nothing after allocates.
   void reserve(std::size_t count);
   /// Forgets everything before.
-  void restart() { columns_ = next_column_ = 0, has_last_ = false; }
+  void restart() {
+    columns_ = next_column_ = 0;
+    has_last_ = false;
+  }
 
   /// Replaces `f` = g(x) - x by the x to go on with. False if there is nothing to go by yet, or
   /// nothing finite: `f` is then left as it was.

@@ -28,7 +28,7 @@ std::optional<LoopClosure> LoopClosure::make(const UnitSet& set, const UnitShape
   std::vector<std::int32_t> body_of(set.size(), -1), owner_of(graph.connections.size(), -1);
   std::vector<std::uint32_t> waiting{0};
   body_of[0] = 0;
-  made.add_body(set, shapes, 0);
+  made.add_unit(set, shapes, 0);
   for (std::size_t next = 0; next < waiting.size(); ++next)
     for (const Link& link : graph.links.at(waiting[next])) {
       std::int32_t& owner = owner_of[link.node - graph.units];
@@ -41,18 +41,18 @@ std::optional<LoopClosure> LoopClosure::make(const UnitSet& set, const UnitShape
           made.add_gaps(std::size_t(body_of[to.node]), next, at);
           continue;
         }
-        body_of[to.node] = static_cast<std::int32_t>(made.bodies_.size());
+        body_of[to.node] = static_cast<std::int32_t>(made.units_.size());
         waiting.push_back(to.node);
-        made.add_body(set, shapes, to.node);
-        made.hang(made.bodies_.size() - 1, next, at);
+        made.add_unit(set, shapes, to.node);
+        made.hang(made.units_.size() - 1, next, at);
       }
     }
   if (waiting.size() < set.size() || made.gaps_.size() > most_gaps ||
       made.turns_.size() > most_turns)
     return std::nullopt;
   made.places_ = made.targets_ = made.kept_ = made.shape_;
-  made.motions_.resize(made.bodies_.size());
-  made.way_.resize(made.bodies_.size());
+  made.motions_.resize(made.units_.size());
+  made.way_.resize(made.units_.size());
   made.residual_.resize(made.equations_);
   made.jacobian_.resize(made.residual_.size() * made.turns_.size());
   made.matrix_.resize(made.residual_.size() * made.residual_.size());
@@ -60,38 +60,38 @@ std::optional<LoopClosure> LoopClosure::make(const UnitSet& set, const UnitShape
   return made;
 }
 
-void LoopClosure::add_body(const UnitSet& set, const UnitShapes& shapes, std::uint32_t unit) {
-  Body body;
-  body.first = static_cast<std::uint32_t>(joints_.size());
-  body.count = static_cast<std::uint32_t>(set.at(unit).size());
-  body.mirror_allowed = shapes.kinds[unit] == ShapeKind::lengths;
-  joints_.insert(joints_.end(), set.at(unit).begin(), set.at(unit).end());
-  for (std::size_t k = set.begin_of(unit); k < set.begin_of(unit + 1); ++k)
+void LoopClosure::add_unit(const UnitSet& set, const UnitShapes& shapes, std::uint32_t index) {
+  LoopUnit unit;
+  unit.first = static_cast<std::uint32_t>(joints_.size());
+  unit.count = static_cast<std::uint32_t>(set.at(index).size());
+  unit.mirror_allowed = shapes.kinds[index] == ShapeKind::lengths;
+  joints_.insert(joints_.end(), set.at(index).begin(), set.at(index).end());
+  for (std::size_t k = set.begin_of(index); k < set.begin_of(index + 1); ++k)
     shape_.push_back(shapes.points[k]);
-  bodies_.push_back(body);
+  units_.push_back(unit);
 }
 
-std::uint32_t LoopClosure::copy_of(std::size_t body, Joint joint) const {
-  const auto first = joints_.begin() + bodies_[body].first;
-  return static_cast<std::uint32_t>(std::lower_bound(first, first + bodies_[body].count, joint) -
+std::uint32_t LoopClosure::copy_of(std::size_t unit, Joint joint) const {
+  const auto first = joints_.begin() + units_[unit].first;
+  return static_cast<std::uint32_t>(std::lower_bound(first, first + units_[unit].count, joint) -
                                     joints_.begin());
 }
 
 void LoopClosure::hang(std::size_t index, std::size_t parent, const UnitConnection& at) {
-  Body& body = bodies_[index];
-  body.parent = static_cast<std::int32_t>(parent);
-  body.a = copy_of(parent, at.a);
-  body.b = copy_of(parent, at.b);
-  body.own_a = copy_of(index, at.a);
-  body.own_b = copy_of(index, at.b);
-  body.first_turn = static_cast<std::uint32_t>(turns_.size());
-  body.turns = static_cast<std::uint32_t>(at.freedom());
-  turns_.resize(turns_.size() + body.turns);
+  LoopUnit& unit = units_[index];
+  unit.parent = static_cast<std::int32_t>(parent);
+  unit.a = copy_of(parent, at.a);
+  unit.b = copy_of(parent, at.b);
+  unit.own_a = copy_of(index, at.a);
+  unit.own_b = copy_of(index, at.b);
+  unit.first_turn = static_cast<std::uint32_t>(turns_.size());
+  unit.turns = static_cast<std::uint32_t>(at.freedom());
+  turns_.resize(turns_.size() + unit.turns);
 }
 
-void LoopClosure::add_gaps(std::size_t body, std::size_t owner, const UnitConnection& at) {
+void LoopClosure::add_gaps(std::size_t unit, std::size_t owner, const UnitConnection& at) {
   const auto add_gap = [&](Joint joint, std::optional<std::uint32_t> first_of_hinge) {
-    gaps_.push_back({copy_of(body, joint), copy_of(owner, joint), static_cast<std::int32_t>(body),
+    gaps_.push_back({copy_of(unit, joint), copy_of(owner, joint), static_cast<std::int32_t>(unit),
                      static_cast<std::int32_t>(owner), equations_, first_of_hinge});
     equations_ += first_of_hinge ? 2 : 3;
   };
@@ -101,45 +101,45 @@ void LoopClosure::add_gaps(std::size_t body, std::size_t owner, const UnitConnec
 
 void LoopClosure::place_all(std::span<const Vec3> positions, Vec3 origin) {
   for (std::size_t k = 0; k < joints_.size(); ++k) targets_[k] = positions[joints_[k]] - origin;
-  for (const Body& body : bodies_) {
-    if (body.turns == 1) {
-      place_by_torsion(body);
+  for (const LoopUnit& unit : units_) {
+    if (unit.turns == 1) {
+      place_by_torsion(unit);
     } else {
-      place_by_rotation(body);
+      place_by_rotation(unit);
     }
   }
 }
 
-/// About the shared joint, or about the centroid of the first body.
-void LoopClosure::place_by_rotation(const Body& body) {
+/// About the shared joint, or about the centroid of the first unit.
+void LoopClosure::place_by_rotation(const LoopUnit& unit) {
   Vec3 middle, goal;
-  for (std::size_t k = body.first; k < body.first + body.count; ++k) {
-    middle += (1.0 / body.count) * shape_[k];
-    goal += (1.0 / body.count) * targets_[k];
+  for (std::size_t k = unit.first; k < unit.first + unit.count; ++k) {
+    middle += (1.0 / unit.count) * shape_[k];
+    goal += (1.0 / unit.count) * targets_[k];
   }
-  if (body.parent >= 0) {
-    middle = shape_[body.own_a];
-    goal = places_[body.a];
+  if (unit.parent >= 0) {
+    middle = shape_[unit.own_a];
+    goal = places_[unit.a];
   }
   TurnAboutPoint turned(goal);
-  for (std::size_t k = body.first; k < body.first + body.count; ++k)
+  for (std::size_t k = unit.first; k < unit.first + unit.count; ++k)
     turned.add(shape_[k] - middle, targets_[k], 1.0);
-  turned.fit(body.mirror_allowed);
-  for (std::size_t k = body.first; k < body.first + body.count; ++k)
+  turned.fit(unit.mirror_allowed);
+  for (std::size_t k = unit.first; k < unit.first + unit.count; ++k)
     places_[k] = turned(shape_[k] - middle);
 }
 
-void LoopClosure::place_by_torsion(const Body& body) {
+void LoopClosure::place_by_torsion(const LoopUnit& unit) {
   const auto basis_of = [](Vec3 axis) { return AxisBasis((1.0 / norm(axis)) * axis); };
-  const Vec3 from = shape_[body.own_a], to = places_[body.a];
-  const AxisBasis own = basis_of(shape_[body.own_b] - from);
-  TurnAboutHinge turned(to, basis_of(places_[body.b] - to));
-  for (std::size_t k = body.first; k < body.first + body.count; ++k)
+  const Vec3 from = shape_[unit.own_a], to = places_[unit.a];
+  const AxisBasis own = basis_of(shape_[unit.own_b] - from);
+  TurnAboutHinge turned(to, basis_of(places_[unit.b] - to));
+  for (std::size_t k = unit.first; k < unit.first + unit.count; ++k)
     turned.add(seen_from(own, shape_[k] - from), targets_[k], 1.0);
-  TorsionFit::Turn turn = turned.best(body.mirror_allowed);
+  TorsionFit::Turn turn = turned.best(unit.mirror_allowed);
   if (!(turn.strength > 0.0)) turn = {};
   turned.turn_by(turn);
-  for (std::size_t k = body.first; k < body.first + body.count; ++k)
+  for (std::size_t k = unit.first; k < unit.first + unit.count; ++k)
     places_[k] = turned(seen_from(own, shape_[k] - from));
 }
 
@@ -154,12 +154,12 @@ double LoopClosure::measure_gaps() {
 
 void LoopClosure::find_turns() {
   constexpr Vec3 axes[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  for (const Body& body : bodies_) {
-    const Vec3 through = body.parent >= 0 ? places_[body.a] : Vec3{};
-    for (std::uint32_t k = 0; k < body.turns; ++k) turns_[body.first_turn + k] = {axes[k], through};
-    if (body.turns != 1) continue;
-    const Vec3 along = places_[body.b] - through;
-    turns_[body.first_turn].axis = (1.0 / norm(along)) * along;
+  for (const LoopUnit& unit : units_) {
+    const Vec3 through = unit.parent >= 0 ? places_[unit.a] : Vec3{};
+    for (std::uint32_t k = 0; k < unit.turns; ++k) turns_[unit.first_turn + k] = {axes[k], through};
+    if (unit.turns != 1) continue;
+    const Vec3 along = places_[unit.b] - through;
+    turns_[unit.first_turn].axis = (1.0 / norm(along)) * along;
   }
 }
 
@@ -175,9 +175,9 @@ void LoopClosure::set_directions(const Gap& gap) {
 
 void LoopClosure::mark_ways(const Gap& gap) {
   std::fill(way_.begin(), way_.end(), Way::neither);
-  for (std::int32_t k = gap.body; k >= 0; k = bodies_[std::size_t(k)].parent)
+  for (std::int32_t k = gap.unit; k >= 0; k = units_[std::size_t(k)].parent)
     way_[std::size_t(k)] = Way::one;
-  for (std::int32_t k = gap.other_body; k >= 0; k = bodies_[std::size_t(k)].parent) {
+  for (std::int32_t k = gap.other_unit; k >= 0; k = units_[std::size_t(k)].parent) {
     Way& way = way_[std::size_t(k)];
     way = way == Way::one ? Way::both : Way::other;
   }
@@ -199,11 +199,11 @@ void LoopClosure::fill_way(const Gap& gap, Way way) {
   const double sign = is_one ? 1.0 : -1.0;
   const Vec3 point = places_[is_one ? gap.one : gap.other];
   const std::size_t n = turns_.size();
-  for (std::int32_t k = is_one ? gap.body : gap.other_body; k >= 0;
-       k = bodies_[std::size_t(k)].parent) {
-    const Body& body = bodies_[std::size_t(k)];
+  for (std::int32_t k = is_one ? gap.unit : gap.other_unit; k >= 0;
+       k = units_[std::size_t(k)].parent) {
+    const LoopUnit& unit = units_[std::size_t(k)];
     if (way_[std::size_t(k)] != way) continue;
-    for (std::uint32_t t = body.first_turn; t < body.first_turn + body.turns; ++t) {
+    for (std::uint32_t t = unit.first_turn; t < unit.first_turn + unit.turns; ++t) {
       const Vec3 d = sign * cross(turns_[t].axis, point - turns_[t].through);
       for (std::size_t i = 0; i < gap.equations(); ++i)
         jacobian_[(gap.first + i) * n + t] = dot(directions_[i], d);
@@ -228,33 +228,33 @@ bool LoopClosure::solve_step() {
     step_[k] = 0.0;
     for (std::size_t i = 0; i < m; ++i) step_[k] -= jacobian_[i * n + k] * residual_[i];
   }
-  for (const Body& body : bodies_) largest = std::max(largest, norm(turn_vector(body)));
+  for (const LoopUnit& unit : units_) largest = std::max(largest, norm(turn_vector(unit)));
   if (largest > largest_turn)
     for (double& turn : step_) turn *= largest_turn / largest;
   return std::isfinite(largest);
 }
 
-/// Axis times angle of the turns of a body together (radians).
-Vec3 LoopClosure::turn_vector(const Body& body) const {
+/// Axis times angle of the turns of a unit together (radians).
+Vec3 LoopClosure::turn_vector(const LoopUnit& unit) const {
   Vec3 sum;
-  for (std::uint32_t t = body.first_turn; t < body.first_turn + body.turns; ++t)
+  for (std::uint32_t t = unit.first_turn; t < unit.first_turn + unit.turns; ++t)
     sum += step_[t] * turns_[t].axis;
   return sum;
 }
 
-/// Turns every body about the hinges on its way from the first, innermost last.
+/// Turns every unit about the hinges on its way from the first, innermost last.
 void LoopClosure::apply(double share) {
-  for (std::size_t k = 0; k < bodies_.size(); ++k) {
-    const Body& body = bodies_[k];
+  for (std::size_t k = 0; k < units_.size(); ++k) {
+    const LoopUnit& unit = units_[k];
     RigidMotion& motion = motions_[k];
-    motion = body.parent >= 0 ? motions_[std::size_t(body.parent)] : RigidMotion{};
-    const Vec3 vector = turn_vector(body);
+    motion = unit.parent >= 0 ? motions_[std::size_t(unit.parent)] : RigidMotion{};
+    const Vec3 vector = turn_vector(unit);
     const double angle = norm(vector);
     if (angle > 0.0) {
       const Rotation turn = turn_about((1.0 / angle) * vector, 0.5 * share * angle);
-      motion = motion.after(turn, turns_[body.first_turn].through);
+      motion = motion.after(turn, turns_[unit.first_turn].through);
     }
-    for (std::size_t j = body.first; j < body.first + body.count; ++j)
+    for (std::size_t j = unit.first; j < unit.first + unit.count; ++j)
       places_[j] = motion(kept_[j]);
   }
 }

@@ -35,11 +35,12 @@ class LoopClosure {
   bool close(std::span<Vec3> positions, double gap);
 
  private:
-  struct Body {
+  /// A unit on the loops, placed with copies of its joints of its own.
+  struct LoopUnit {
     std::uint32_t first = 0, count = 0;  ///< into joints_, shape_, places_
-    std::int32_t parent = -1;            ///< place in bodies_; the parent comes before
+    std::int32_t parent = -1;            ///< place in units_; the parent comes before
     std::uint32_t a = 0, b = 0;          ///< places of the shared joints with the parent in joints_
-    std::uint32_t own_a = 0, own_b = 0;  ///< the same joints as the body's own
+    std::uint32_t own_a = 0, own_b = 0;  ///< the same joints as the unit's own
     std::uint32_t first_turn = 0;        ///< into turns_: one for a hinge, three for a ball
     std::uint32_t turns = 0;
     bool mirror_allowed = false;
@@ -47,26 +48,26 @@ class LoopClosure {
   /// Two copies of one joint that must meet.
   struct Gap {
     std::uint32_t one, other;  ///< places in joints_
-    std::int32_t body, other_body;
+    std::int32_t unit, other_unit;
     std::uint32_t first;  ///< of its equations: three, or two for the second joint of a hinge
-    /// Of the second joint of a hinge: where the first is at `other_body`, a place in joints_.
+    /// Of the second joint of a hinge: where the first is at `other_unit`, a place in joints_.
     std::optional<std::uint32_t> first_of_hinge;
     std::size_t equations() const { return first_of_hinge ? 2 : 3; }
   };
   struct Turn {
     Vec3 axis, through;
   };
-  /// The way from a body to the first one: which bodies turn one end of the gap in hand.
+  /// The way from a unit to the first one: which units turn one end of the gap in hand.
   enum class Way : std::uint8_t { neither, one, other, both };
 
   LoopClosure() = default;
-  void add_body(const UnitSet& set, const UnitShapes& shapes, std::uint32_t unit);
-  void hang(std::size_t body, std::size_t parent, const UnitConnection& at);
-  std::uint32_t copy_of(std::size_t body, Joint joint) const;
-  void add_gaps(std::size_t body, std::size_t owner, const UnitConnection& at);
+  void add_unit(const UnitSet& set, const UnitShapes& shapes, std::uint32_t index);
+  void hang(std::size_t unit, std::size_t parent, const UnitConnection& at);
+  std::uint32_t copy_of(std::size_t unit, Joint joint) const;
+  void add_gaps(std::size_t unit, std::size_t owner, const UnitConnection& at);
   void place_all(std::span<const Vec3> positions, Vec3 origin);
-  void place_by_rotation(const Body& body);
-  void place_by_torsion(const Body& body);
+  void place_by_rotation(const LoopUnit& unit);
+  void place_by_torsion(const LoopUnit& unit);
   double measure_gaps();
   void find_turns();
   bool solve_step();
@@ -74,19 +75,19 @@ class LoopClosure {
   void fill_rows(const Gap& gap);
   void mark_ways(const Gap& gap);
   void fill_way(const Gap& gap, Way way);
-  Vec3 turn_vector(const Body& body) const;
+  Vec3 turn_vector(const LoopUnit& unit) const;
   void apply(double share);
   void keep() { kept_ = places_; }
 
-  std::vector<Body> bodies_;
-  std::vector<Joint> joints_;  ///< copies, body by body
+  std::vector<LoopUnit> units_;
+  std::vector<Joint> joints_;  ///< copies, unit by unit
   std::vector<Vec3> shape_, places_, targets_, kept_;
   std::vector<Gap> gaps_;
   std::uint32_t equations_ = 0;
   std::array<Vec3, 3> directions_;
   std::vector<Turn> turns_;
   std::vector<RigidMotion> motions_;
-  std::vector<Way> way_;  ///< of bodies: on the way to which ends of the gap in hand
+  std::vector<Way> way_;  ///< of units: on the way to which ends of the gap in hand
   std::vector<double> jacobian_, matrix_, residual_, step_;
 };
 

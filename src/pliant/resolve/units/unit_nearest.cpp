@@ -43,11 +43,20 @@ void add_point(std::array<double, 21>& a, Twist& force, Vec3 x, Vec3 pull, doubl
   const Vec3 wx = w * x;
   const double square = dot(wx, x);
   a[0] += square - wx.x * x.x;
-  a[1] -= wx.y * x.x, a[2] += square - wx.y * x.y;
-  a[3] -= wx.z * x.x, a[4] -= wx.z * x.y, a[5] += square - wx.z * x.z;
-  a[7] += wx.z, a[8] -= wx.y, a[9] += w;
-  a[10] -= wx.z, a[12] += wx.x, a[14] += w;
-  a[15] += wx.y, a[16] -= wx.x, a[20] += w;
+  a[1] -= wx.y * x.x;
+  a[2] += square - wx.y * x.y;
+  a[3] -= wx.z * x.x;
+  a[4] -= wx.z * x.y;
+  a[5] += square - wx.z * x.z;
+  a[7] += wx.z;
+  a[8] -= wx.y;
+  a[9] += w;
+  a[10] -= wx.z;
+  a[12] += wx.x;
+  a[14] += w;
+  a[15] += wx.y;
+  a[16] -= wx.x;
+  a[20] += w;
   const Vec3 f = w * pull, moment = cross(x, f);
   const Twist add = twist_of(moment, f);
   for (std::size_t k = 0; k < 6; ++k) force[k] += add[k];
@@ -90,7 +99,7 @@ std::size_t turns_of(const UnitStep& step) {
 void UnitNearest::approach(UnitPlan& plan, std::span<Vec3> positions,
                            std::span<const Vec3> targets) {
   const auto steps = plan.steps();
-  bodies_.resize(steps.size());
+  units_.resize(steps.size());
   first_turn_.assign(1, 0);
   first_turn_.reserve(steps.size() + 1);
   for (const UnitStep& step : steps)
@@ -125,12 +134,12 @@ double UnitNearest::gather(UnitPlan& plan, std::span<const Vec3> positions,
   const auto steps = plan.steps();
   if (!steps.empty()) origin_ = positions[steps[steps.size() / 2].a];
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    Body& body = bodies_[k];
-    body.begin();
+    HingedUnit& unit = units_[k];
+    unit.begin();
     for (const JointInUnit& joint : plan.joints(steps[k])) {
       const Vec3 pull = targets[joint.joint] - positions[joint.joint];
       const double weight = steps[k].scale * joint.weight;
-      add_point(body.inertia, body.force, positions[joint.joint] - origin_, pull, weight);
+      add_point(unit.inertia, unit.force, positions[joint.joint] - origin_, pull, weight);
       sum += weight * norm_squared(pull);
     }
     set_turns(steps[k], k, positions);
@@ -157,53 +166,52 @@ void UnitNearest::set_turns(const UnitStep& step, std::size_t index,
 
 void UnitNearest::go_inward(std::span<const UnitStep> steps) {
   for (std::size_t k = steps.size(); k-- > 0;) {
-    Body& body = bodies_[k];
+    HingedUnit& unit = units_[k];
     const std::span<Turn> own = turns(k);
-    for (std::size_t t = own.size(); t-- > 0;) eliminate(body, own[t]);
+    for (std::size_t t = own.size(); t-- > 0;) eliminate(unit, own[t]);
     if (steps[k].parent < 0) continue;
-    Body& parent = bodies_[std::size_t(steps[k].parent)];
-    for (std::size_t i = 0; i < 21; ++i) parent.inertia[i] += body.inertia[i];
-    for (std::size_t i = 0; i < 6; ++i) parent.force[i] += body.force[i];
+    HingedUnit& parent = units_[std::size_t(steps[k].parent)];
+    for (std::size_t i = 0; i < 21; ++i) parent.inertia[i] += unit.inertia[i];
+    for (std::size_t i = 0; i < 6; ++i) parent.force[i] += unit.force[i];
   }
 }
 
-void UnitNearest::eliminate(Body& body, Turn& turn) const {
-  turn.u = times(body.inertia, turn.s);
+void UnitNearest::eliminate(HingedUnit& unit, Turn& turn) const {
+  turn.u = times(unit.inertia, turn.s);
   turn.d = dot6(turn.s, turn.u);
-  turn.angle = dot6(turn.s, body.force);
+  turn.angle = dot6(turn.s, unit.force);
   double most = 0.0;
-  for (std::size_t i = 0; i < 6; ++i) most += turn.s[i] * turn.s[i] * body.inertia[entry(i, i)];
+  for (std::size_t i = 0; i < 6; ++i) most += turn.s[i] * turn.s[i] * unit.inertia[entry(i, i)];
   if (!(turn.d > vanishing * most)) turn.d = 0.0;
   if (turn.d == 0.0) return;
   for (std::size_t i = 0; i < 6; ++i) {
     const double share = turn.u[i] / turn.d;
-    body.force[i] -= share * turn.angle;
-    for (std::size_t j = 0; j <= i; ++j) body.inertia[entry(i, j)] -= share * turn.u[j];
+    unit.force[i] -= share * turn.angle;
+    for (std::size_t j = 0; j <= i; ++j) unit.inertia[entry(i, j)] -= share * turn.u[j];
   }
 }
 
-/// From here on bodies have twists.
+/// From here on units have twists.
 void UnitNearest::go_outward(std::span<const UnitStep> steps) {
   for (std::size_t k = 0; k < steps.size(); ++k) {
-    Body& body = bodies_[k];
+    HingedUnit& unit = units_[k];
     if (steps[k].parent >= 0) {
-      body.twist = bodies_[std::size_t(steps[k].parent)].twist;
+      unit.twist = units_[std::size_t(steps[k].parent)].twist;
     } else {
       if (steps[k].is<UnitStep::Rod>())  // its turns are two, and what is left shifts it
-        std::fill(body.inertia.begin(), body.inertia.begin() + 6, 0.0);
-      body.twist = steps[k].is_held ? Twist{} : solve_free(body.inertia, body.force);
+        std::fill(unit.inertia.begin(), unit.inertia.begin() + 6, 0.0);
+      unit.twist = steps[k].is_held ? Twist{} : solve_free(unit.inertia, unit.force);
     }
     for (Turn& turn : turns(k)) {
-      turn.angle = turn.d > 0.0 ? (turn.angle - dot6(turn.u, body.twist)) / turn.d : 0.0;
-      for (std::size_t i = 0; i < 6; ++i) body.twist[i] += turn.angle * turn.s[i];
+      turn.angle = turn.d > 0.0 ? (turn.angle - dot6(turn.u, unit.twist)) / turn.d : 0.0;
+      for (std::size_t i = 0; i < 6; ++i) unit.twist[i] += turn.angle * turn.s[i];
     }
   }
 }
 
 double UnitNearest::longest_share() const {
   double largest = 0.0;
-  for (std::size_t k = 0; k < bodies_.size(); ++k)
-    largest = std::max(largest, norm(turn_vector(k)));
+  for (std::size_t k = 0; k < units_.size(); ++k) largest = std::max(largest, norm(turn_vector(k)));
   return largest > largest_turn ? largest_turn / largest : 1.0;
 }
 
@@ -214,7 +222,7 @@ double UnitNearest::move(UnitPlan& plan, double share, std::span<Vec3> positions
   double sum = 0.0;
   for (std::size_t k = 0; k < steps.size(); ++k) {
     set_motion(steps[k], k, share);
-    const RigidMotion& motion = bodies_[k].motion;
+    const RigidMotion& motion = units_[k].motion;
     for (const JointInUnit& joint : plan.joints(steps[k])) {
       Vec3& x = positions[joint.joint];
       x = origin_ + motion(kept_[joint.joint] - origin_);
@@ -227,9 +235,9 @@ double UnitNearest::move(UnitPlan& plan, double share, std::span<Vec3> positions
 void UnitNearest::set_motion(const UnitStep& step, std::size_t index, double share) {
   RigidMotion motion;
   if (step.parent >= 0) {
-    motion = bodies_[std::size_t(step.parent)].motion;
+    motion = units_[std::size_t(step.parent)].motion;
   } else if (!step.is_held) {
-    const Twist& twist = bodies_[index].twist;
+    const Twist& twist = units_[index].twist;
     const Vec3 turn{twist[0], twist[1], twist[2]};
     const double angle = norm(turn);
     if (angle > 0.0) motion.rotation = turn_about((1.0 / angle) * turn, 0.5 * share * angle);
@@ -242,7 +250,7 @@ void UnitNearest::set_motion(const UnitStep& step, std::size_t index, double sha
     const Rotation rotation = turn_about((1.0 / angle) * turn, 0.5 * share * angle);
     motion = motion.after(rotation, through);
   }
-  bodies_[index].set(motion);
+  units_[index].set(motion);
 }
 
 /// Axis times angle of the turns of a unit together (radians).

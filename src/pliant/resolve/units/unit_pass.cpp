@@ -18,8 +18,8 @@ constexpr double weakest_turn = 1e-13;
 /// A unit whose joints are this close to its hinge, in lengths of the hinge, has no torsion.
 constexpr double thinnest_unit = 1e-10;
 
-UnitPass::Outcome worse(UnitPass::Outcome one, UnitPass::Outcome other) {
-  using enum UnitPass::Outcome;
+UnitPass::Placement worse(UnitPass::Placement one, UnitPass::Placement other) {
+  using enum UnitPass::Placement;
   if (one == not_finite || other == not_finite) return not_finite;
   return one == unfit || other == unfit ? unfit : placed;
 }
@@ -32,10 +32,10 @@ RandomSequence escape_draws(RandomKey key, Joint joint) {
 
 }  // namespace
 
-UnitPass::UnitPass(const Framework& framework, UnitSet bodies, const Technique& technique,
+UnitPass::UnitPass(const Framework& framework, UnitSet units, const Technique& technique,
                    const ResolveOptions& options)
     : framework_(framework),
-      forest_(find_unit_forest(framework, std::move(bodies), options.tolerance)),
+      forest_(find_unit_forest(framework, std::move(units), options.tolerance)),
       plan_(framework, forest_, technique.mass_weighted) {
   if (!forest_.has_unknown()) return;
   make_loops(technique, options);
@@ -94,11 +94,11 @@ void UnitPass::close_by_torsions(const ResolveOptions& options) {
     loop_of_[unit]->close_by_torsions(std::move(parts.rigid), parts.shapes);
 }
 
-UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
+UnitPass::Placement UnitPass::run(const ResolveCall& call) {
   planned_.prepare(call.disturbed.root, [this](Joint root) { plan_.plan(root); });
-  Outcome worst = Outcome::placed;
+  Placement worst = Placement::placed;
   for (auto& loop : loops_)
-    if (!loop->find_shape(call)) worst = Outcome::unfit;
+    if (!loop->find_shape(call)) worst = Placement::unfit;
   for (UnitStep& step : plan_.steps()) {
     if (step.is<UnitStep::Still>()) place_still(call, step);
     worst = worse(worst, place(call, step));
@@ -106,14 +106,14 @@ UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
   return worst;
 }
 
-UnitPass::Outcome UnitPass::approach(const ResolveCall& call, std::span<const Vec3> targets) {
+UnitPass::Placement UnitPass::approach(const ResolveCall& call, std::span<const Vec3> targets) {
   nearest_.approach(plan_, call.positions, targets);
-  Outcome worst = Outcome::placed;
+  Placement worst = Placement::placed;
   for (UnitStep& step : plan_.steps()) worst = worse(worst, place(call, step));
   return worst;
 }
 
-UnitPass::Outcome UnitPass::place(const ResolveCall& call, UnitStep& step) {
+UnitPass::Placement UnitPass::place(const ResolveCall& call, UnitStep& step) {
   if (!step.is_known && !step.is<UnitStep::Still>())
     plan_.set_shape(step, loop_of_[step.unit]->shape());
   return std::visit([&](const auto& entry) { return place_by(entry, call, step); }, step.entry);
@@ -126,20 +126,21 @@ void UnitPass::place_still(const ResolveCall& call, const UnitStep& step) const 
 }
 
 /// In run() it was placed already.
-UnitPass::Outcome UnitPass::place_by(const UnitStep::Still&, const ResolveCall&, const UnitStep&) {
-  return Outcome::placed;
+UnitPass::Placement UnitPass::place_by(const UnitStep::Still&, const ResolveCall&,
+                                       const UnitStep&) {
+  return Placement::placed;
 }
 
-UnitPass::Outcome UnitPass::place_by(const UnitStep::Rod& rod, const ResolveCall& call,
-                                     const UnitStep& step) {
-  if (framework_.is_pinned(rod.b)) return Outcome::placed;
+UnitPass::Placement UnitPass::place_by(const UnitStep::Rod& rod, const ResolveCall& call,
+                                       const UnitStep& step) {
+  if (framework_.is_pinned(rod.b)) return Placement::placed;
   carry_far(call.positions[step.a], call.positions[rod.b], rod.length,
             [&] { return framework_.random_direction(escape_draws(call.key, rod.b)); });
-  return Outcome::placed;
+  return Placement::placed;
 }
 
-UnitPass::Outcome UnitPass::place_by(const UnitStep::Free&, const ResolveCall& call,
-                                     const UnitStep& step) {
+UnitPass::Placement UnitPass::place_by(const UnitStep::Free&, const ResolveCall& call,
+                                       const UnitStep& step) {
   double sum = 0.0;
   Vec3 centroid;
   for (const JointInUnit& joint : plan_.joints(step)) {
@@ -150,45 +151,46 @@ UnitPass::Outcome UnitPass::place_by(const UnitStep::Free&, const ResolveCall& c
   return place_about(centroid, call.positions, step);
 }
 
-UnitPass::Outcome UnitPass::place_by(const UnitStep::Ball&, const ResolveCall& call,
-                                     const UnitStep& step) {
+UnitPass::Placement UnitPass::place_by(const UnitStep::Ball&, const ResolveCall& call,
+                                       const UnitStep& step) {
   return place_about(call.positions[step.a], call.positions, step);
 }
 
-UnitPass::Outcome UnitPass::place_about(Vec3 point, std::span<Vec3> positions,
-                                        const UnitStep& step) {
+UnitPass::Placement UnitPass::place_about(Vec3 point, std::span<Vec3> positions,
+                                          const UnitStep& step) {
   const auto joints = plan_.joints(step);
   TurnAboutPoint turned(point);
   for (const JointInUnit& joint : joints)
     turned.add(joint.from_point(), positions[joint.joint], joint.weight);
-  const auto outcome = turned.fit(step.mirror_allowed);
-  if (outcome == RotationFit::Outcome::not_finite) return Outcome::not_finite;
-  if (outcome == RotationFit::Outcome::undefined) return Outcome::unfit;
+  const RotationFit::Fit fit = turned.fit(step.mirror_allowed);
+  if (fit == RotationFit::Fit::not_finite) return Placement::not_finite;
+  if (fit == RotationFit::Fit::undefined) return Placement::unfit;
   for (const JointInUnit& joint : joints) positions[joint.joint] = turned(joint.from_point());
-  return Outcome::placed;
+  return Placement::placed;
 }
 
-UnitPass::Outcome UnitPass::place_by(const UnitStep::Hinge& hinge, const ResolveCall& call,
-                                     const UnitStep& step) {
+UnitPass::Placement UnitPass::place_by(const UnitStep::Hinge& hinge, const ResolveCall& call,
+                                       const UnitStep& step) {
   const std::span<Vec3> x = call.positions;
   const Vec3 a = x[step.a], along = x[hinge.b] - a;
   const double length = norm(along);
-  if (!std::isfinite(length)) return Outcome::not_finite;
-  if (!(std::abs(length - hinge.length) <= most_hinge_error * hinge.length)) return Outcome::unfit;
+  if (!std::isfinite(length)) return Placement::not_finite;
+  if (!(std::abs(length - hinge.length) <= most_hinge_error * hinge.length))
+    return Placement::unfit;
   TurnAboutHinge turned(a, AxisBasis((1.0 / length) * along));
   const auto joints = plan_.joints(step);
   for (const JointInUnit& joint : joints)
     turned.add(joint.from_hinge(), x[joint.joint], joint.weight);
   TorsionFit::Turn turn = turned.best(step.mirror_allowed);
-  if (std::isnan(turn.strength)) return Outcome::not_finite;
+  if (std::isnan(turn.strength)) return Placement::not_finite;
   if (!(turn.strength > weakest_turn * hinge.spread)) {
     turn = any_turn(call.key, hinge, length);
   } else if (!std::isfinite(turn.strength)) {
-    return Outcome::not_finite;
+    return Placement::not_finite;
   }
   turned.turn_by(turn);
   for (const JointInUnit& joint : joints) x[joint.joint] = turned(joint.from_hinge());
-  return Outcome::placed;
+  return Placement::placed;
 }
 
 /// What the seed decides; none where the unit has no torsion.

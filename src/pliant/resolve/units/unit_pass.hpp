@@ -24,31 +24,31 @@ namespace pliant {
 
 class UnitPass {
  public:
-  /// `bodies` as find_units() gives them; the framework outlives it.
-  UnitPass(const Framework& framework, UnitSet bodies, const Technique& technique,
+  /// `units` as find_units() gives them; the framework outlives it.
+  UnitPass(const Framework& framework, UnitSet units, const Technique& technique,
            const ResolveOptions& options);
 
-  enum class Outcome { placed, unfit, not_finite };
+  enum class Placement { placed, unfit, not_finite };
   /// Finds the shapes of units that have none, each alone, then places all. unfit: a unit was
   /// left as it was (no shape, or its joints all at one point), or pinned joints hold one wrongly.
-  Outcome run(const ResolveCall& call);
+  Placement run(const ResolveCall& call);
 
   /// After run(): turns all hinges at once towards the nearest place to `targets` (N), weighted by
   /// mass or not, and places every unit once more, exactly.
-  Outcome approach(const ResolveCall& call, std::span<const Vec3> targets);
+  Placement approach(const ResolveCall& call, std::span<const Vec3> targets);
 
  private:
   void make_loops(const Technique& technique, const ResolveOptions& options);
   void make_loop(std::uint32_t unit, std::span<const BarIndex> bars, const Technique& technique,
                  const ResolveOptions& options);
   void close_by_torsions(const ResolveOptions& options);
-  Outcome place(const ResolveCall& call, UnitStep& step);
-  Outcome place_by(const UnitStep::Free&, const ResolveCall& call, const UnitStep& step);
-  Outcome place_by(const UnitStep::Still&, const ResolveCall& call, const UnitStep& step);
-  Outcome place_by(const UnitStep::Ball&, const ResolveCall& call, const UnitStep& step);
-  Outcome place_by(const UnitStep::Hinge& hinge, const ResolveCall& call, const UnitStep& step);
-  Outcome place_by(const UnitStep::Rod& rod, const ResolveCall& call, const UnitStep& step);
-  Outcome place_about(Vec3 point, std::span<Vec3> positions, const UnitStep& step);
+  Placement place(const ResolveCall& call, UnitStep& step);
+  Placement place_by(const UnitStep::Free&, const ResolveCall& call, const UnitStep& step);
+  Placement place_by(const UnitStep::Still&, const ResolveCall& call, const UnitStep& step);
+  Placement place_by(const UnitStep::Ball&, const ResolveCall& call, const UnitStep& step);
+  Placement place_by(const UnitStep::Hinge& hinge, const ResolveCall& call, const UnitStep& step);
+  Placement place_by(const UnitStep::Rod& rod, const ResolveCall& call, const UnitStep& step);
+  Placement place_about(Vec3 point, std::span<Vec3> positions, const UnitStep& step);
   TorsionFit::Turn any_turn(RandomKey key, const UnitStep::Hinge& hinge, double length) const;
   void place_still(const ResolveCall& call, const UnitStep& step) const;
 

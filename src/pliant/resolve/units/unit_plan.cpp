@@ -37,13 +37,12 @@ bool UnitForest::has_unknown() const {
          shapes.kinds.end();
 }
 
-UnitForest find_unit_forest(const Framework& framework, UnitSet bodies,
-                            const Tolerance& tolerance) {
-  // Without drawn positions the shape of a rigid loop is found each time, from its bodies.
+UnitForest find_unit_forest(const Framework& framework, UnitSet units, const Tolerance& tolerance) {
+  // Without drawn positions the shape of a rigid loop is found each time, from the units on it.
   if (!framework.drawn().empty())
-    bodies = std::move(merge_rigid_loops(framework, std::move(bodies)).set);
+    units = std::move(merge_rigid_loops(framework, std::move(units)).set);
   UnitForest forest;
-  forest.rigid = std::move(bodies);
+  forest.rigid = std::move(units);
   {
     MergedUnits all = merge_all_loops(framework, forest.rigid);
     forest.set = std::move(all.set);

@@ -33,7 +33,7 @@ struct UnitForest {
   bool has_unknown() const;
 };
 
-UnitForest find_unit_forest(const Framework& framework, UnitSet bodies, const Tolerance& tolerance);
+UnitForest find_unit_forest(const Framework& framework, UnitSet units, const Tolerance& tolerance);
 
 /// A joint to place, or that a unit held still or a rod moves along with it.
 class JointInUnit {

@@ -13,24 +13,24 @@ namespace pliant {
 namespace {
 
 /// Units of three or more joints; without any there is nothing to gain.
-bool has_bodies(const UnitSet& set) { return set.things().size() > 2 * set.size(); }
+bool has_more_than_rods(const UnitSet& set) { return set.things().size() > 2 * set.size(); }
 
 class Units final : public Method {
  public:
   Units(const Framework& framework, const Technique& technique, const ResolveOptions& options,
         bool nearest)
       : framework_(framework), technique_(technique), options_(options), nearest_(nearest) {
-    UnitSet bodies = find_units(framework);
-    if (has_bodies(bodies))
-      pass_ = std::make_unique<UnitPass>(framework, std::move(bodies), technique, options);
+    UnitSet units = find_units(framework);
+    if (has_more_than_rods(units))
+      pass_ = std::make_unique<UnitPass>(framework, std::move(units), technique, options);
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
     if (!pass_) return leave_to_blocks(call, summary);
     if (is_whole(call.positions)) return Stop::converged;
     before_.assign(call.positions.begin(), call.positions.end());
-    const UnitPass::Outcome outcome = pass_->run(call);
-    if (outcome == UnitPass::Outcome::not_finite) return Stop::not_finite;
+    const UnitPass::Placement placement = pass_->run(call);
+    if (placement == UnitPass::Placement::not_finite) return Stop::not_finite;
     ++summary.sweeps;
     summary.projections += static_cast<std::int64_t>(framework_.bar_count());
     if (is_whole(call.positions)) return nearest_ ? approach(call, summary) : Stop::converged;
@@ -46,10 +46,10 @@ class Units final : public Method {
   Stop approach(const ResolveCall& call, ResolveSummary& summary) {
     if (summary.sweeps >= options_.max_sweeps) return Stop::converged;
     after_.assign(call.positions.begin(), call.positions.end());
-    const UnitPass::Outcome outcome = pass_->approach(call, before_);
+    const UnitPass::Placement placement = pass_->approach(call, before_);
     ++summary.sweeps;
     summary.projections += static_cast<std::int64_t>(framework_.bar_count());
-    if (outcome != UnitPass::Outcome::placed || !is_whole(call.positions))
+    if (placement != UnitPass::Placement::placed || !is_whole(call.positions))
       std::copy(after_.begin(), after_.end(), call.positions.begin());
     return Stop::converged;
   }
@@ -81,7 +81,7 @@ class Units final : public Method {
   const Framework& framework_;
   Technique technique_;
   ResolveOptions options_;
-  std::unique_ptr<UnitPass> pass_;  ///< null: no rigid bodies
+  std::unique_ptr<UnitPass> pass_;  ///< null: rods alone
   std::unique_ptr<Method> blocks_;
   bool nearest_;
   std::vector<Vec3> before_, after_;  ///< to keep what was better, and to come near it again

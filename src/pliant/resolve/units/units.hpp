@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Technique `units`: rigid units placed exactly in one outward pass, loops closed on their own.
 //
-// With bars across bond angles an atom and its neighbours are one rigid body, and so are small
-// rings; two bodies share a bond, about which they turn. FRODA (Wells et al., Phys. Biol. 2 (2005)
-// S127) fits such bodies to the atoms and the atoms to the bodies in turn until they agree; where
-// the bodies hang together as a tree one pass from body to body has them agree at once.
+// With bars across bond angles an atom and its neighbours are one rigid unit, and so are small
+// rings; two units share a bond, about which they turn. FRODA (Wells et al., Phys. Biol. 2 (2005)
+// S127) fits such units to the atoms and the atoms to the units in turn until they agree; where
+// the units hang together as a tree one pass from unit to unit has them agree at once.
 #pragma once
 
 #include <memory>
@@ -14,9 +14,9 @@
 namespace pliant {
 
 /// Rings of up to six joints with drawn positions are held as drawn, also the few (cyclohexane's
-/// boat) that special lengths leave flexible. Frameworks without rigid bodies, and what the pass
-/// leaves broken (loops that do not close, pinned joints in several units, impossible lengths), are
-/// resolved as by technique `blocks`.
+/// boat) that special lengths leave flexible. Frameworks with no unit of three joints, and what the
+/// pass leaves broken (loops that do not close, pinned joints in several units, impossible
+/// lengths), are resolved as by technique `blocks`.
 std::unique_ptr<Method> make_units(const Framework& framework, const Technique& technique,
                                    const ResolveOptions& options);
 

@@ -187,7 +187,8 @@ TEST_F(H5mdReaderTest, TakesIncrementsAndMissingTimes) {
                                            H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     const double start = 100.0;
     H5Awrite(offset, H5T_NATIVE_DOUBLE, &start);
-    H5Aclose(offset), H5Sclose(space);
+    H5Aclose(offset);
+    H5Sclose(space);
   }
   EXPECT_EQ(open().frames(), 4);
   EXPECT_EQ(open().step(3), 150);

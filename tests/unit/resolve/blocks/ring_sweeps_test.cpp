@@ -157,8 +157,10 @@ TEST(Anderson, NeedsLessWorkThanPlainSweeps) {
   each_pushed_graph([&](const Framework& framework, const std::vector<Vec3>& x, Joint root) {
     const auto plain = resolved_within({"bfs_cycle", 0.5}, framework, x, root);
     const auto fast = resolved_within({"anderson", 0.5}, framework, x, root);
-    plain_work += plain.projections, fast_work += fast.projections;
-    ++graphs, less += fast.projections < plain.projections;
+    plain_work += plain.projections;
+    fast_work += fast.projections;
+    ++graphs;
+    less += fast.projections < plain.projections;
   });
   EXPECT_EQ(graphs, 140);
   EXPECT_GE(less, 137);

@@ -234,7 +234,8 @@ TEST(UnitsNearest, LandsNoFartherThanWhereItWasShakenFrom) {
         if (mass_weighted) continue;
         EXPECT_LT(moved(x, start), moved(m.positions, start) * 1.001);
         EXPECT_LE(moved(x, start), moved(plain, start) * (1.0 + 1e-9));
-        all += moved(x, start), all_plain += moved(plain, start);
+        all += moved(x, start);
+        all_plain += moved(plain, start);
       }
   }
   EXPECT_LT(all, 0.2 * all_plain);

@@ -8,16 +8,16 @@ import argparse
 from pliant import console
 
 ORDER = 5
-SUMMARY = "technique auto beside every fixed technique, on every molecule of data/molecules"
+SUMMARY = "technique auto against every fixed technique, on every molecule of data/molecules"
 DESCRIPTION = """\
-Breaks each molecule into a few copies, with bars of bonds and with those of angles;
-auto and every fixed technique with every weighting repair them. Trials sort out who
-makes every copy whole, measured anew; those who may be quickest then take turns in
-many short rounds. A time is that of one repair by the library's own clock, so that the
-call from Python, longer than the repair of a small molecule, neither hides a ratio nor
-makes one. Where auto leaves a bar broken that a fixed technique mends, or a technique
-says 'converged' beyond the tolerance, it is named, and the exit code is 1. A ratio
-alone is no failure: the worst is told last."""
+Breaks each molecule into a few copies, with bars of bonds and with bars of angles, and
+has auto and every fixed technique with every weighting repair them. Trial runs find out
+which make every copy whole, by a measurement of their own. The fastest then take turns
+in many short rounds. Times are of one repair, by the library's own clock: the call from
+Python takes longer than the repair of a small molecule and would distort the ratios.
+The exit code is 1 where auto leaves a bar broken that a fixed technique repairs, or a
+technique says 'converged' beyond the tolerance; each such case is named. A large ratio
+alone is no failure; the worst one is printed last."""
 EPILOG = """\
 examples:
   pliant bench auto
@@ -35,15 +35,15 @@ def add_options(parser: console.Parser) -> None:
     add("--bars", metavar="NAME,...", type=console.words, default=BARS,
         help=f"what becomes a bar (default {','.join(BARS)})")  # fmt: skip
     add("--tolerances", metavar="T,T,...", type=console.positive_numbers, default="1e-6,1e-10",
-        help="relative (default 1e-6,1e-10)")  # fmt: skip
+        help="relative tolerances (default 1e-6,1e-10)")  # fmt: skip
     add("--displacement", metavar="A", type=console.positive_number, default=0.1,
-        help="Angstrom, standard deviation of each coordinate (default 0.1)")  # fmt: skip
+        help="standard deviation of each coordinate, Angstrom (default 0.1)")  # fmt: skip
     add("--copies", metavar="N", type=console.whole_number(1), default=COPIES,
-        help=f"broken copies, the same for all (default {COPIES})")  # fmt: skip
+        help=f"number of broken copies, the same for all (default {COPIES})")  # fmt: skip
     add("--rounds", metavar="N", type=console.whole_number(1), default=ROUNDS,
-        help=f"of which the median counts (default {ROUNDS})")  # fmt: skip
+        help=f"number of rounds, of which the median counts (default {ROUNDS})")  # fmt: skip
     add("--seed", metavar="N", type=console.whole_number(0), default=0,
-        help="of the displacements (default 0)")  # fmt: skip
+        help="seed of the displacements (default 0)")  # fmt: skip
     add("--csv", metavar="FILE", help="write the rows as CSV")
 
 

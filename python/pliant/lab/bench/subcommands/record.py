@@ -8,15 +8,16 @@ import argparse
 from pliant import console
 
 ORDER = 7
-SUMMARY = "what recording every frame costs, beside the run and beside plain writing"
+SUMMARY = "cost of recording every frame, compared with the run and with plain writing"
 DESCRIPTION = """\
-Runs a molecule with every frame recorded, and tells which share of the run's wall time
-the H5MD file took: to measure the frame, gather it and write it, of the run's own
-summary. Beside it as many bytes are written to a plain file, a megabyte a write: what
-the file system takes by itself. Where a push moves one joint, technique auto needs a
-few microseconds, less than copying the frame, so that writing is nearly all. Each file
-is read back: frames, the last positions bit by bit, bars of some frames measured anew.
-What is wrong is named, and the exit code is 1."""
+Runs a molecule with every frame recorded, and says which share of the run's wall time
+the H5MD file took, according to the run's own summary: measuring the frame, gathering
+it and writing it. For comparison it writes as many bytes to a plain file, a megabyte at
+a time, which is what the file system alone needs. Where a push moves one joint,
+technique auto needs a few microseconds, less than copying the frame, so that nearly all
+of the time goes into writing. Each file is read back to check the number of frames, the
+bits of the last positions, and the bars of some frames. Faults are named, and the exit
+code is then 1."""
 EPILOG = """\
 examples:
   pliant bench record
@@ -32,19 +33,19 @@ def add_options(parser: console.Parser) -> None:
     add("file", metavar="FILE", nargs="?", default="",
         help="molecule (default: adenylate kinase of MDAnalysisTests)")  # fmt: skip
     add("--perturb", metavar="NAME,...", type=console.words, default=PERTURBATIONS,
-        help=f"as of pliant run (default {','.join(PERTURBATIONS)})")  # fmt: skip
+        help=f"perturbations of pliant run (default {','.join(PERTURBATIONS)})")  # fmt: skip
     add("--techniques", metavar="NAME,...", type=console.words, default=TECHNIQUES,
-        help=f"of pliant techniques (default {','.join(TECHNIQUES)})")  # fmt: skip
+        help=f"techniques (see pliant techniques; default {','.join(TECHNIQUES)})")  # fmt: skip
     add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
-        help="relative (default 1e-6)")  # fmt: skip
+        help="relative tolerance (default 1e-6)")  # fmt: skip
     add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
-        help=f"of each run (default {STEPS})")  # fmt: skip
+        help=f"steps of each run (default {STEPS})")  # fmt: skip
     add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
-        help=f"rounds, of which the median counts (default {REPEATS})")  # fmt: skip
+        help=f"number of rounds, of which the median counts (default {REPEATS})")  # fmt: skip
     add("--single", action="store_true", help="positions as 32-bit floats")
     add("--compress", action="store_true", help="gzip positions")
     add("--folder", metavar="DIR", default=None,
-        help="where files are written and removed (default: for temporary files)")  # fmt: skip
+        help="folder for the files, which are removed (default: a temporary one)")  # fmt: skip
     add("--csv", metavar="FILE", help="write the rows as CSV")
 
 

@@ -11,9 +11,9 @@ ORDER = 2
 SUMMARY = "time and memory from a thousand to ten million joints"
 DESCRIPTION = """\
 Repairs chains, branched trees and protein-like frameworks of growing size, each in a
-process of its own: time for a bar, bytes for a joint or bar (growth of resident
-memory), and the exponent with which time grows, with its confidence. Sizes that do not
-fit into the memory that is free are told and left out."""
+process of its own. Prints the time per bar, the bytes per joint or bar (growth of
+resident memory), and the exponent with which time grows, with its confidence interval.
+Sizes that do not fit into the free memory are skipped, which is said."""
 EPILOG = """\
 examples:
   pliant bench scaling --sizes 1e3,1e4,1e5
@@ -28,17 +28,17 @@ def add_options(parser: console.Parser) -> None:
 
     add = parser.add_argument
     add("--sizes", metavar="N,N,...", type=console.positive_numbers, default="1e3,1e4,1e5,1e6,1e7",
-        help="joints (default 1e3,1e4,1e5,1e6,1e7)")  # fmt: skip
+        help="numbers of joints (default 1e3,1e4,1e5,1e6,1e7)")  # fmt: skip
     add("--kinds", metavar="NAME,...", type=console.words, default=tuple(KINDS),
-        help=f"of {', '.join(KINDS)} (default: all)")  # fmt: skip
+        help=f"kinds of framework: {', '.join(KINDS)} (default: all)")  # fmt: skip
     add("--technique", metavar="NAME", default="",
-        help="of pliant techniques (default: auto where there is one, else blocks)")  # fmt: skip
+        help="technique (default: auto where there is one, else blocks)")  # fmt: skip
     add("--weighting", metavar="W", type=console.positive_number, default=0.5,
-        help="of the technique (default 0.5)")  # fmt: skip
+        help="weighting of the technique (default 0.5)")  # fmt: skip
     add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
-        help="relative (default 1e-6)")  # fmt: skip
+        help="relative tolerance (default 1e-6)")  # fmt: skip
     add("--repeats", metavar="N", type=console.whole_number(1), default=3,
-        help="repairs, of which the median counts (default 3)")  # fmt: skip
+        help="number of repairs, of which the median counts (default 3)")  # fmt: skip
     add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS,
         help=f"seconds for one size of one kind (default {LIMIT_SECONDS:g})")  # fmt: skip
 

@@ -8,14 +8,15 @@ import argparse
 from pliant import console
 
 ORDER = 6
-SUMMARY = "what a step costs after a push of one joint, in 10^4 and in 10^6 joints"
+SUMMARY = "cost of a step after a push of one joint, with 10^4 and with 10^6 joints"
 DESCRIPTION = """\
-Runs large frameworks on and on, one joint pushed in each step, small and large ones by
-turns. A time is that of push and resolve, of the run's own summary, without recording;
-the ratio is that of the medians, and its span that of the quartiles. Techniques that
-look at the region of the push alone cost the same in any size but for what the caches
-of the processor no longer hold. Bars are measured anew in the end; where one is broken
-or a step did not converge, it is named, and the exit code is 1."""
+Runs large frameworks for many steps with one joint pushed in each, small and large
+frameworks by turns. Times are those of push and resolve in the run's own summary,
+without recording. The ratio is that of the medians, and its range that of the
+quartiles. Techniques that visit only the region of a push cost the same in any size,
+except for what no longer fits into the caches of the processor. At the end bars are
+measured again. Where one is broken, or a step did not converge, it is named, and the
+exit code is 1."""
 EPILOG = """\
 examples:
   pliant bench step
@@ -30,19 +31,19 @@ def add_options(parser: console.Parser) -> None:
 
     add = parser.add_argument
     add("--sizes", metavar="N,N,...", type=console.positive_numbers, default="1e4,1e6",
-        help="joints (default 1e4,1e6)")  # fmt: skip
+        help="numbers of joints (default 1e4,1e6)")  # fmt: skip
     add("--kinds", metavar="NAME,...", type=console.words, default=("protein",),
-        help=f"of {', '.join(KINDS)} (default protein)")  # fmt: skip
+        help=f"kinds of framework: {', '.join(KINDS)} (default protein)")  # fmt: skip
     add("--techniques", metavar="NAME,...", type=console.words, default=TECHNIQUES,
-        help=f"of pliant techniques (default {','.join(TECHNIQUES)})")  # fmt: skip
+        help=f"techniques (see pliant techniques; default {','.join(TECHNIQUES)})")  # fmt: skip
     add("--weighting", metavar="W", type=console.positive_number, default=0.5,
-        help="of the techniques (default 0.5)")  # fmt: skip
+        help="weighting of the techniques (default 0.5)")  # fmt: skip
     add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
-        help="relative (default 1e-6)")  # fmt: skip
+        help="relative tolerance (default 1e-6)")  # fmt: skip
     add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
-        help=f"of a round (default {STEPS})")  # fmt: skip
+        help=f"steps of a round (default {STEPS})")  # fmt: skip
     add("--rounds", metavar="N", type=console.whole_number(1), default=ROUNDS,
-        help=f"of which the median counts (default {ROUNDS})")  # fmt: skip
+        help=f"number of rounds, of which the median counts (default {ROUNDS})")  # fmt: skip
     add("--csv", metavar="FILE", help="write the rows as CSV")
 
 

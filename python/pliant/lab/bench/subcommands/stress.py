@@ -8,13 +8,14 @@ import argparse
 from pliant import OptionError, console
 
 ORDER = 4
-SUMMARY = "every technique, and OpenMM, on what is hard: far, tiny, huge, redundant, impossible"
+SUMMARY = "every technique and OpenMM on hard cases: far, tiny, huge, redundant, impossible"
 DESCRIPTION = """\
 Tries every technique on frameworks chosen to break it, each in a child process, and
-OpenMM's CCMA on the same. Told are the outcome, the worst bar measured anew, and where
-someone fell short how nearly least squares can make all bars whole. A process that
-dies, a position that is no number, a pinned joint that moved, or 'converged' beyond the
-tolerance is a violation: it is named, and the exit code is 1."""
+OpenMM's CCMA on the same ones. Prints how each ended, the worst bar measured again and,
+where someone fell short, how close to whole least squares can bring all bars. It is a
+violation if a process dies, a position is not a number, a pinned joint has moved, or a
+technique says 'converged' beyond the tolerance. Violations are named, and the exit code
+is then 1."""
 EPILOG = """\
 examples:
   pliant bench stress --cases offset
@@ -28,16 +29,21 @@ def add_options(parser: console.Parser) -> None:
     from pliant.lab.bench.stress_table import FULL_STEPS, STEPS
 
     add = parser.add_argument
-    add("--cases", metavar="WORD", default="", help="only cases whose name or group has this word")
+    add(
+        "--cases",
+        metavar="WORD",
+        default="",
+        help="only cases with this word in their name or group",
+    )
     add("--techniques", metavar="NAME,...", type=console.words, default=(),
-        help="of pliant techniques (default: all)")  # fmt: skip
+        help="techniques (default: all)")  # fmt: skip
     add("--weightings", metavar="W,W,...", type=console.positive_numbers, default=(0.5,),
-        help="of these techniques (default 0.5)")  # fmt: skip
+        help="weightings of these techniques (default 0.5)")  # fmt: skip
     add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
-        help=f"of the runs of closed mechanisms (default {STEPS})")  # fmt: skip
-    add("--full", action="store_true", help=f"{FULL_STEPS} steps: hours")
+        help=f"steps of the runs of closed mechanisms (default {STEPS})")  # fmt: skip
+    add("--full", action="store_true", help=f"make {FULL_STEPS} steps, which takes hours")
     add("--shrink", metavar="N", type=console.whole_number(1), default=1,
-        help="make the large frameworks so many times smaller (default 1)")  # fmt: skip
+        help="make the large frameworks N times smaller (default 1)")  # fmt: skip
     add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS,
         help=f"seconds for one technique on one case (default {LIMIT_SECONDS:g})")  # fmt: skip
     add("--no-openmm", action="store_true", help="leave OpenMM out")

@@ -8,11 +8,11 @@ import argparse
 from pliant import console
 
 ORDER = 3
-SUMMARY = "conformers made whole in a second, on one and on several threads"
+SUMMARY = "conformers made whole per second, on one thread and on several"
 DESCRIPTION = """\
-Breaks a molecule into many copies and makes them whole, on one thread and on several,
-each with copies and plans of its own; wall time. That the same bits come out of one
-thread and of several is looked at too."""
+Breaks a molecule into many copies and makes them whole on one thread and on several,
+each with its own copies and plans. Times are wall times. It also checks that one thread
+and several give the same bits."""
 EPILOG = """\
 example:
   pliant bench throughput protein.pdb --tolerance 1e-10
@@ -24,25 +24,25 @@ def add_options(parser: console.Parser) -> None:
     from pliant.lab.bench.throughput import CONFORMERS, REPEATS, TECHNIQUES, THREADS
 
     add = parser.add_argument
-    add("file", metavar="FILE", help="molecule, as of pliant run")
+    add("file", metavar="FILE", help="molecule file, as for pliant run")
     add("--bars", choices=["bonds", "angles"], default="bonds",
         help="what becomes a bar (default bonds)")  # fmt: skip
     add("--techniques", metavar="NAME,...", type=console.words, default=TECHNIQUES,
-        help=f"of pliant techniques (default {','.join(TECHNIQUES)})")  # fmt: skip
+        help=f"techniques (see pliant techniques; default {','.join(TECHNIQUES)})")  # fmt: skip
     add("--weighting", metavar="W", type=console.positive_number, default=1.0,
-        help="of the techniques (default 1)")  # fmt: skip
+        help="weighting of the techniques (default 1)")  # fmt: skip
     add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
-        help="relative (default 1e-6)")  # fmt: skip
+        help="relative tolerance (default 1e-6)")  # fmt: skip
     add("--displacement", metavar="A", type=console.positive_number, default=0.1,
-        help="Angstrom, standard deviation of each coordinate (default 0.1)")  # fmt: skip
+        help="standard deviation of each coordinate, Angstrom (default 0.1)")  # fmt: skip
     add("--threads", metavar="N,N,...", type=console.positive_numbers, default=THREADS,
-        help="(default 1,2)")  # fmt: skip
+        help="numbers of threads (default 1,2)")  # fmt: skip
     add("--conformers", metavar="N", type=console.whole_number(1), default=CONFORMERS,
         help=f"broken copies for each thread (default {CONFORMERS})")  # fmt: skip
     add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
-        help=f"rounds, of which the median counts (default {REPEATS})")  # fmt: skip
+        help=f"number of rounds, of which the median counts (default {REPEATS})")  # fmt: skip
     add("--csv", metavar="FILE", help="write the rows as CSV")
-    add("--without-openmm", action="store_true", help="time our techniques alone")
+    add("--without-openmm", action="store_true", help="time Pliant's techniques alone")
 
 
 def run(arguments: argparse.Namespace) -> int:

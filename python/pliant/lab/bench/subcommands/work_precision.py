@@ -12,14 +12,15 @@ ORDER = 1
 SUMMARY = "run time against error: every technique and OpenMM on one broken molecule"
 DESCRIPTION = """\
 Breaks a molecule once. Every technique with every weighting, and OpenMM's CCMA in the
-same process, repair it to tolerance after tolerance. All take turns, and medians of
-processor time count, so that what else the machine does falls on all. Errors are
-measured anew in double precision. Who takes too long or does not get there is told, and
-asked no more. CCMA runs twice: as Context.applyConstraints has it, which sees what the
-techniques see, and as in dynamics, where it is told the intact structure. Where gmx or
-gmx_d is installed, LINCS and SHAKE of GROMACS' mdrun take part, as in dynamics: times
-are those of its log for constraints, errors those of its trajectory, and of the
-settings of LINCS the quickest that meets a tolerance counts."""
+same process, repair it to tolerance after tolerance. All take turns and medians of
+processor time count, so that other load on the machine falls on all alike. Errors are
+measured again in double precision. Contenders that take too long or do not reach a
+tolerance are named and not asked again. CCMA runs twice: as in
+Context.applyConstraints, which starts from what the techniques start from, and as in
+dynamics, where it is given the intact structure. Where gmx or gmx_d is installed, LINCS
+and SHAKE of GROMACS' mdrun take part, as in dynamics. Their times are those for
+constraints in its log, their errors those of its trajectory. Of the settings of LINCS
+the fastest that meets a tolerance counts."""
 EPILOG = """\
 examples:
   pliant bench work-precision protein.pdb --png race.png --csv race.csv
@@ -32,23 +33,23 @@ def add_options(parser: console.Parser) -> None:
     from pliant.lab.bench.work_precision import LIMIT_SECONDS, REPEATS
 
     add = parser.add_argument
-    add("file", metavar="FILE", help="molecule, as of pliant run")
+    add("file", metavar="FILE", help="molecule file, as for pliant run")
     add("--bars", choices=["bonds", "angles"], default="bonds",
         help="what becomes a bar (default bonds)")  # fmt: skip
     add("--displacement", metavar="A", type=console.positive_number, default=0.1,
-        help="Angstrom, standard deviation of each coordinate (default 0.1)")  # fmt: skip
+        help="standard deviation of each coordinate, Angstrom (default 0.1)")  # fmt: skip
     add("--seed", metavar="N", type=console.whole_number(0), default=0,
-        help="of the displacement (default 0)")  # fmt: skip
+        help="seed of the displacement (default 0)")  # fmt: skip
     add("--tolerances", metavar="T,T,...", type=console.positive_numbers,
         default=",".join(f"1e-{k}" for k in range(2, 13)),
-        help="relative, tried from the largest (default 1e-2,1e-3,...,1e-12)")  # fmt: skip
+        help="relative tolerances, the largest first (default 1e-2,1e-3,...,1e-12)")  # fmt: skip
     add("--techniques", metavar="NAME,...", type=console.words, default=(),
-        help="of pliant techniques (default: all)")  # fmt: skip
+        help="techniques (default: all)")  # fmt: skip
     add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
-        help=f"rounds, of which the median counts (default {REPEATS})")  # fmt: skip
+        help=f"number of rounds, of which the median counts (default {REPEATS})")  # fmt: skip
     add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS,
         help=f"seconds for one technique at one tolerance (default {LIMIT_SECONDS:g})")  # fmt: skip
-    add("--mass-weighted", action="store_true", help="share corrections by inverse masses too")
+    add("--mass-weighted", action="store_true", help="also share corrections by inverse mass")
     add("--no-openmm", action="store_true", help="leave OpenMM out")
     add("--no-gromacs", action="store_true", help="leave GROMACS out")
     add("--csv", metavar="FILE", help="write the rows as CSV")

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "run_report.hpp"
+#include "print_run.hpp"
 
 #include <fmt/format.h>
 
@@ -46,17 +46,22 @@ RunSummary added_up(const std::vector<RunSummary>& summaries) {
   RunSummary sum = summaries.front();
   for (std::size_t k = 1; k < summaries.size(); ++k) {
     const RunSummary& one = summaries[k];
-    sum.steps += one.steps, sum.frames += one.frames;
-    sum.sweeps += one.sweeps, sum.projections += one.projections;
+    sum.steps += one.steps;
+    sum.frames += one.frames;
+    sum.sweeps += one.sweeps;
+    sum.projections += one.projections;
     sum.unconverged_steps += one.unconverged_steps;
     if (sum.first_unconverged_step < 0) sum.first_unconverged_step = one.first_unconverged_step;
     sum.max_sweeps = std::max(sum.max_sweeps, one.max_sweeps);
-    sum.seconds += one.seconds, sum.perturb_seconds += one.perturb_seconds;
-    sum.resolve_seconds += one.resolve_seconds, sum.observe_seconds += one.observe_seconds;
+    sum.seconds += one.seconds;
+    sum.perturb_seconds += one.perturb_seconds;
+    sum.resolve_seconds += one.resolve_seconds;
+    sum.observe_seconds += one.observe_seconds;
     sum.stopped_by_caller = sum.stopped_by_caller || one.stopped_by_caller;
     if (one.worst_residual <= sum.worst_residual) continue;
     sum.worst_residual = one.worst_residual;
-    sum.worst_bar = one.worst_bar, sum.worst_step = one.worst_step;
+    sum.worst_bar = one.worst_bar;
+    sum.worst_step = one.worst_step;
   }
   return sum;
 }
