@@ -55,7 +55,13 @@ def test_a_trajectory_without_a_schema_number_is_checked(recorded):
 def test_forces_are_replayed_to_the_frames_of_that_version(pliant, recorded, tmp_path):
     options = ("--technique", "bfs_cycle", "--weighting", 0.5, "--steps", 12, "--every", 2)
     ended = pliant(
-        "run", FILES / "molecule.xyz", "-o", "again.h5md", "--forces", FILES / "forces.txt", *options
+        "run",
+        FILES / "molecule.xyz",
+        "-o",
+        "again.h5md",
+        "--forces",
+        FILES / "forces.txt",
+        *options,
     )
     assert ended.code == 0, ended.err
     assert np.array_equal(positions_in(tmp_path / "again.h5md"), positions_in(recorded))

@@ -126,6 +126,19 @@ def compare(path):
     return Comparison(path, bond_tool.bonds([path])[0])
 
 
+MOST_BYTES = 500_000  # of files that every change is tested with
+
+
+def by_size(folder, names):
+    """Names as parameters; those of large files are for the long tests."""
+    return [
+        pytest.param(
+            name, marks=pytest.mark.long if (folder / name).stat().st_size > MOST_BYTES else ()
+        )
+        for name in names
+    ]
+
+
 OPENMM_FILES = sorted(str(path.relative_to(OPENMM)) for path in OPENMM.glob("**/*.pdb"))
 
 
@@ -134,14 +147,14 @@ def test_there_are_files_to_compare():
     assert len(STRUCTURES) > 50
 
 
-@pytest.mark.parametrize("name", OPENMM_FILES)
+@pytest.mark.parametrize("name", by_size(OPENMM, OPENMM_FILES))
 def test_bonds_equal_openmms_for_every_pdb_file_of_openmm(name):
     one = compare(OPENMM / name)
     assert one.ours
     assert one.differences() == []
 
 
-@pytest.mark.parametrize("name", STRUCTURES)
+@pytest.mark.parametrize("name", by_size(MDA, STRUCTURES))
 def test_bonds_equal_openmms_for_structures_of_mdanalysis(name):
     one = compare(MDA / name)
     assert one.ours

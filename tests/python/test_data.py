@@ -127,6 +127,7 @@ def test_the_long_peptide_has_each_amino_acid_once():
     assert len(residues) == len(set(residues)) == 20
 
 
+@pytest.mark.long
 def test_the_script_makes_the_files_again(tmp_path):
     rdkit = pytest.importorskip("rdkit")
     if f"RDKit {rdkit.__version__}." not in README:

@@ -169,11 +169,14 @@ def test_a_check_is_told_without_rich_and_matplotlib(trajectory, tmp_path):
     "imports",
     [
         "import pliant",
-        "import pliant.{name}",
-        "import pliant.{name}.command, pliant",
+        pytest.param("import pliant.{name}", marks=pytest.mark.long),
+        pytest.param("import pliant.{name}.command, pliant", marks=pytest.mark.long),
         "from pliant.{name} import {name} as function; import pliant",
-        "from pliant import {name}; import pliant.{name}.suite, pliant; assert pliant.{name} is "
-        "{name}",
+        pytest.param(
+            "from pliant import {name}; import pliant.{name}.suite, pliant; "
+            "assert pliant.{name} is {name}",
+            marks=pytest.mark.long,
+        ),
     ],
 )
 def test_what_is_a_package_can_be_called_in_whatever_order_it_is_imported(name, imports):

@@ -152,10 +152,19 @@ class TestViewer:
         assert shares[11] == 0
         assert shares[12] > 0.0005
 
+    @pytest.mark.parametrize(
+        ("style", "colour"), [("Cartoon", "mobility"), ("Ball and stick", "element")]
+    )
+    def test_styles_draw(self, report, opened, style, colour):
+        self.draws(opened(report), style, colour)
+
+    @pytest.mark.long
     @pytest.mark.parametrize("style", ["Cartoon", "Ball and stick", "Sticks", "Spheres", "Lines"])
     @pytest.mark.parametrize("colour", ["element", "mobility"])
     def test_every_style_draws(self, report, opened, style, colour):
-        browser = opened(report)
+        self.draws(opened(report), style, colour)
+
+    def draws(self, browser, style, colour):
         press(browser, "colours", colour)
         press(browser, "styles", style)
         assert browser.evaluate(INK)["ink"] > 0.0005

@@ -33,11 +33,13 @@ def test_names_are_told_apart():
     assert len(set(names)) == len(names) > 130
 
 
+@pytest.mark.long
 def test_nothing_happens_that_must_never_happen(table):
     assert table.violations == []
     assert sum(len(case.rows) for case in table.cases) > 1400
 
 
+@pytest.mark.long
 def test_what_cannot_be_whole_is_infeasible_and_has_a_floor(table):
     impossible = [c for c in table.cases if c.feasible is False and c.group == "examples"]
     assert len(impossible) >= 8
@@ -46,6 +48,7 @@ def test_what_cannot_be_whole_is_infeasible_and_has_a_floor(table):
         assert case.floor > 1e-3
 
 
+@pytest.mark.long
 def test_forests_are_whole_by_their_own_technique(table):
     for case in table.cases:
         known = case.feasible and case.group in ("examples", "offset", "push", "large", "peers")
@@ -54,6 +57,7 @@ def test_forests_are_whole_by_their_own_technique(table):
             assert rows[0].outcome == "converged" and rows[0].sweeps <= 2, case.name
 
 
+@pytest.mark.long
 def test_refusals_say_why(table):
     refused = {c.name: c.rows[0].note for c in table.cases if c.rows[0].outcome == "refused"}
     assert set(refused) == {"bar_of_0", "bar_of_1e-310", "bar_of_1e+200",

@@ -63,6 +63,7 @@ def page(report):
     return Page(report.path.read_text())
 
 
+@pytest.mark.long
 def test_every_figure_of_the_thesis_is_drawn(report):
     numbers = [chart.number for chart in (*BAR_CHARTS, *HISTOGRAMS)]
     assert numbers == THESIS_FIGURES
@@ -82,6 +83,7 @@ def test_histograms_are_numbered_as_the_list_of_figures_has_them():
     assert named["C.15"] == ("random", "2-cycle")
 
 
+@pytest.mark.long
 def test_the_page_needs_nothing_else(page, report):
     assert all(link.startswith(("data:", "#")) for link in page.links)
     assert len(page.images) == len(THESIS_FIGURES) + len(CLAIMS)
@@ -90,6 +92,7 @@ def test_the_page_needs_nothing_else(page, report):
     assert not re.search(r"\bNaN\b|\bnan\b", " ".join(page.texts))
 
 
+@pytest.mark.long
 def test_the_page_has_every_claim_with_a_verdict(page, report):
     texts = " ".join(page.texts)
     for claim in CLAIMS:
@@ -100,6 +103,7 @@ def test_the_page_has_every_claim_with_a_verdict(page, report):
     assert (t1.word, t1.settings_held) == ("holds", t1.settings) and t1.settings > 50
 
 
+@pytest.mark.long
 def test_the_sweep_is_read_back(report):
     points = read_sweep(report.path.parent)
     assert {point.claim for point in points} == {claim.id for claim in CLAIMS}
