@@ -25,7 +25,8 @@ double growth(const Framework& framework, std::span<const Vec3> positions, const
   std::vector<Vec3> x(positions.begin(), positions.end());
   for (Joint joint = all ? 0 : root; joint < (all ? x.size() : root + 1); ++joint)
     if (!framework.is_pinned(joint))
-      x[joint] += size * framework.random_direction({{7, Domain::force, 0, 0, joint}});
+      x[joint] += size * framework.random_direction(
+                             RandomSequence({7, Domain::force, 0, 0, joint}));
   const std::vector<Vec3> pushed = x;
   Resolver(framework, {technique}).resolve(x, root, 0, positions);
   return farthest(x, pushed) / size;

@@ -18,7 +18,8 @@ std::vector<Vec3> pushed(const Framework& framework, std::span<const Vec3> posit
   std::vector<Vec3> x(positions.begin(), positions.end());
   for (Joint joint = 0; joint < x.size(); ++joint)
     if (!framework.is_pinned(joint))
-      x[joint] += size * framework.random_direction({{1, Domain::force, 0, 0, joint}});
+      x[joint] +=
+          size * framework.random_direction(RandomSequence({1, Domain::force, 0, 0, joint}));
   return x;
 }
 
