@@ -43,12 +43,20 @@ class PlanarGroups {
     return found;
   }
 
-  void add_bars(const Bond& bond, std::vector<Bar>& bars) const {
+  /// More than one bar would depend on others in the plane, and make Newton's method slow.
+  void add_bar(const Bond& bond, std::vector<Bar>& bars) const {
+    Bar longest;
+    double most = -1.0;
     for (const Neighbour& one : neighbours_.at(bond.a))
       for (const Neighbour& other : neighbours_.at(bond.b)) {
         const auto [a, b] = std::minmax(one.atom, other.atom);
-        if (one.atom != bond.b && other.atom != bond.a && !are_near(a, b)) bars.push_back({a, b});
+        if (one.atom == bond.b || other.atom == bond.a || are_near(a, b)) continue;
+        const double length = distance(structure_.positions[a], structure_.positions[b]);
+        if (!(length > most)) continue;
+        most = length;
+        longest = {a, b};
       }
+    if (most >= 0.0) bars.push_back(longest);
   }
 
  private:
@@ -121,7 +129,7 @@ std::vector<std::size_t> find_planar_bonds(const Structure& structure) {
 std::vector<Bar> find_planar_bars(const Structure& structure) {
   PlanarGroups groups(structure);
   std::vector<Bar> bars;
-  for (const std::size_t k : groups.bonds()) groups.add_bars(structure.bonds[k], bars);
+  for (const std::size_t k : groups.bonds()) groups.add_bar(structure.bonds[k], bars);
   const auto before = [](Bar x, Bar y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
   std::sort(bars.begin(), bars.end(), before);
   bars.erase(std::unique(bars.begin(), bars.end()), bars.end());
