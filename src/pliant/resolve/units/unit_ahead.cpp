@@ -45,7 +45,7 @@ bool UnitAhead::find_places(UnitPlan& plan, std::span<const Vec3> positions) {
   for (std::size_t k = 0; k < steps.size(); ++k) {
     const UnitStep& step = steps[k];
     Body& body = bodies_[k];
-    if (step.is<UnitStep::Still>()) {
+    if (step.is<UnitStep::Still>() && step.is_held) {
       if (step.count == 0) continue;
       const JointInUnit& first = plan.joints(step)[0];
       body.place.origin = positions[first.joint] - first.from_point();

@@ -30,8 +30,8 @@ namespace pliant {
 class UnitAhead {
  public:
   /// Places all units of the plan near `targets` (N), and writes every joint of `positions` (N) that
-  /// is not pinned. The shapes of all steps are set; those of Still units are placed, in
-  /// `positions`. False, with anything in `positions`, if a unit or a hinge has no direction or
+  /// is not pinned. The shapes of all steps are set; Still units that are held have theirs
+  /// in `positions`. False, with anything in `positions`, if a unit or a hinge has no direction or
   /// something is not finite.
   bool place(UnitPlan& plan, std::span<Vec3> positions, std::span<const Vec3> targets);
 

@@ -33,7 +33,7 @@ Framework part_of(const Framework& framework, std::span<const Joint> joints,
 /// Newton's method and sweeps may stall at one start and not at another: one ring in a million does,
 /// and would leave all of a large framework to them.
 constexpr int most_attempts = 6;
-constexpr double shake = 0.1;  // Angstrom
+constexpr double shake = 0.1;  // of the shortest bar
 
 ResolveOptions half_the_tolerance(ResolveOptions options) {
   options.tolerance.relative *= 0.5;
@@ -50,9 +50,11 @@ UnitLoop::UnitLoop(const Framework& framework, std::span<const Joint> joints,
       part_(part_of(framework, joints, bars)),
       blocks_(make_blocks(part_, technique, half_the_tolerance(options))),
       positions_(joints.size()) {
-  widest_gap_ = HUGE_VAL;
-  for (double rest : part_.rest_lengths())
+  shortest_ = widest_gap_ = HUGE_VAL;
+  for (double rest : part_.rest_lengths()) {
+    shortest_ = std::min(shortest_, rest);
     widest_gap_ = std::min(widest_gap_, 0.2 * options.tolerance.of(rest));
+  }
 }
 
 void UnitLoop::close_by_torsions(UnitSet rigid, const UnitShapes& shapes) {
@@ -65,7 +67,7 @@ void UnitLoop::close_by_torsions(UnitSet rigid, const UnitShapes& shapes) {
 
 bool UnitLoop::find_shape(const ResolveCall& call) {
   for (int attempt = 0; attempt < most_attempts; ++attempt)
-    if (find_shape_from(call, attempt * shake)) return true;
+    if (find_shape_from(call, attempt * shake * shortest_)) return true;
   return false;
 }
 

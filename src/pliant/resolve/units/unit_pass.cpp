@@ -116,9 +116,9 @@ UnitPass::Outcome UnitPass::look_ahead(const ResolveCall& call, std::span<const 
 
 UnitPass::Outcome UnitPass::approach(const ResolveCall& call, std::span<const Vec3> targets) {
   nearest_.approach(plan_, call.positions, targets);
-  Outcome worst = Outcome::placed;
-  for (UnitStep& step : plan_.steps()) worst = worse(worst, place(call, step));
-  return worst;
+  approached_.assign(call.positions.begin(), call.positions.end());
+  // Not one unit at a time: rounding would grow from unit to unit.
+  return look_ahead(call, approached_);
 }
 
 UnitPass::Outcome UnitPass::place(const ResolveCall& call, UnitStep& step) {

@@ -64,6 +64,7 @@ class UnitPass {
   std::vector<UnitLoop*> loop_of_;                ///< of each unit up to the last that has one
   UnitAhead ahead_;
   UnitNearest nearest_;
+  std::vector<Vec3> approached_;
   PlanOfRoot planned_;
 };
 
