@@ -145,9 +145,9 @@ void print_molecule_rows(const Facts& facts) {
   print_row("residues", structure.atoms.residues.size(), numbered(facts.chains, "chain", "chains"));
   print_row("bonds", structure.bonds.size(), "from " + listed(facts.bonds_by_origin));
   const std::string pinned = pinned_joints(facts);
-  const std::string planar = facts.planar_bars == 0
-                                 ? ""
-                                 : fmt::format(", {} of them hold planar groups", facts.planar_bars);
+  const std::string planar =
+      facts.planar_bars == 0 ? ""
+                             : fmt::format(", {} of them hold planar groups", facts.planar_bars);
   print_row("bars", facts.graph.bars,
             facts.options.bars + planar + (pinned.empty() ? "" : ", " + pinned));
 }

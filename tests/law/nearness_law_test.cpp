@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What is resolved stays near: after a push of size e no joint ends further from where the push left
-// it than a constant times e, however long the framework. The page on methods has the constants.
+// What is resolved stays near: after a push of size e no joint ends further from where the push
+// left it than a constant times e, however long the framework. The page on methods has the
+// constants.
 #include <algorithm>
 #include <set>
 
@@ -25,8 +26,8 @@ double growth(const Framework& framework, std::span<const Vec3> positions, const
   std::vector<Vec3> x(positions.begin(), positions.end());
   for (Joint joint = all ? 0 : root; joint < (all ? x.size() : root + 1); ++joint)
     if (!framework.is_pinned(joint))
-      x[joint] += size * framework.random_direction(
-                             RandomSequence({7, Domain::force, 0, 0, joint}));
+      x[joint] +=
+          size * framework.random_direction(RandomSequence({7, Domain::force, 0, 0, joint}));
   const std::vector<Vec3> pushed = x;
   Resolver(framework, {technique}).resolve(x, root, 0, positions);
   return farthest(x, pushed) / size;
@@ -51,9 +52,7 @@ PLIANT_FOR_ALL_TECHNIQUES(NearnessLaw);
 
 /// A zigzag whose angles are held, and whose torsions are free: a chain without side groups, on
 /// which an error of one unit is a swing of the next.
-Sketch zigzag(std::size_t joints) {
-  return with_angles(shaken(chain(joints), 0.2));
-}
+Sketch zigzag(std::size_t joints) { return with_angles(shaken(chain(joints), 0.2)); }
 
 TEST(Nearness, HoldsOnLongThinChains) {
   for (std::size_t joints : {100, 1000, 10'000}) {

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from nearness import MOLECULES, Case, cases_of, largest_growth, large_files, without_hydrogens
+from nearness import MOLECULES, Case, cases_of, large_files, largest_growth, without_hydrogens
 
 import pliant
 

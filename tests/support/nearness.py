@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """How near a technique leaves what it resolves: farthest move over size of the push.
 
-``python tests/support/nearness.py [TECHNIQUE...]`` prints the table of the page on methods: for each
+``python tests/support/nearness.py [TECHNIQUE...]`` prints what the page on methods has: for each
 technique and structure, with and without hydrogens, the largest K of all pushes.
 """
 
@@ -98,7 +98,9 @@ def main() -> None:
     files = [*sorted(MOLECULES.iterdir()), *large_files()]
     for case in (case for file in files for case in cases_of(file)):
         found = [largest_growth(case, name) for name in names]
-        print(f"{case.name:40}", *(f"{name} {k:8.2f}" for name, k in zip(names, found, strict=True)))
+        print(
+            f"{case.name:40}", *(f"{name} {k:8.2f}" for name, k in zip(names, found, strict=True))
+        )
 
 
 if __name__ == "__main__":

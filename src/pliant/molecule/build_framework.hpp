@@ -30,7 +30,7 @@ struct LengthChoice {
 };
 inline constexpr BarChoice bar_choices[] = {
     {"bonds", BarKind::bonds, "a bar for each bond"},
-    {"angles", BarKind::angles, 
+    {"angles", BarKind::angles,
      "a bar for each bond, each pair of atoms bonded to one atom, and across planar groups"},
     {"none", BarKind::none, "no bar"}};
 inline constexpr LengthChoice length_choices[] = {

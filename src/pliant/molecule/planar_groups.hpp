@@ -17,9 +17,9 @@ namespace pliant {
 std::vector<std::size_t> find_planar_bonds(const Structure& structure);
 
 /// For each planar bond a pair of atoms bonded to its two ends (1-4), of those that are neither
-/// bonded nor bonded to one atom the pair furthest apart (the first of such): each pair once, a < b,
-/// sorted. A bar between them keeps the torsion that the structure has, cis or trans: with the bars
-/// across angles the group is one rigid unit.
+/// bonded nor bonded to one atom the pair furthest apart (the first of such): each pair once, a <
+/// b, sorted. A bar between them keeps the torsion that the structure has, cis or trans: with the
+/// bars across angles the group is one rigid unit.
 std::vector<Bar> find_planar_bars(const Structure& structure);
 
 }  // namespace pliant

@@ -55,8 +55,8 @@ TEST(PlanarGroups, HoldAmides) {
 }
 
 TEST(PlanarGroups, HoldNothingAtAQuaternaryNitrogen) {
-  const Structure salt = made("CCONCCC", {bond(0, 1), bond(1, 2, 2), bond(1, 3), bond(3, 4),
-                                          bond(3, 5), bond(3, 6)});
+  const Structure salt =
+      made("CCONCCC", {bond(0, 1), bond(1, 2, 2), bond(1, 3), bond(3, 4), bond(3, 5), bond(3, 6)});
   EXPECT_THAT(planar_bars(salt), IsEmpty());
 }
 

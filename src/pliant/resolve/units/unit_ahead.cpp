@@ -127,7 +127,7 @@ void UnitAhead::gather(UnitPlan& plan, const UnitStep& step, Body& body) {
 void UnitAhead::set_turns(const UnitStep& step, Body& body) {
   body.turn_count = step.turns();
   const std::array<Vec3, 3> axes =
-      step.is<UnitStep::Rod>() ? std::array{body.place.u, body.place.v, Vec3{}}
+      step.is<UnitStep::Rod>()     ? std::array{body.place.u, body.place.v, Vec3{}}
       : step.is<UnitStep::Hinge>() ? std::array{body.place.along, Vec3{}, Vec3{}}
                                    : std::array{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   for (std::size_t k = 0; k < body.turn_count; ++k) body.turns[k].s = turn_of(axes[k], {});

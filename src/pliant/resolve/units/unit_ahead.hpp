@@ -9,7 +9,8 @@
 // place that the unit would have alone (its nominal place); then, going outward, each unit takes
 // the turn q that costs least from where its hinge came to lie:
 //
-//   inward    I, p: of its own joints, and of each child: c: how the child's hinge lies when carried
+//   inward    I, p: of its own joints, and of each child: c: how the child's hinge lies when
+//   carried
 //             by this unit's nominal place, against the child's nominal place (a twist):
 //             p_child -= u (s . p_child) / d,  I_child -= u u^T / d,  p_child -= I_child c,  added
 //   outward   q = (s . p - u . v) / d,  v: how the hinge lies now against the nominal place
@@ -29,9 +30,9 @@ namespace pliant {
 
 class UnitAhead {
  public:
-  /// Places all units of the plan near `targets` (N), and writes every joint of `positions` (N) that
-  /// is not pinned. The shapes of all steps are set; Still units that are held have theirs
-  /// in `positions`. False, with anything in `positions`, if a unit or a hinge has no direction or
+  /// Places all units of the plan near `targets` (N), and writes every joint of `positions` (N)
+  /// that is not pinned. The shapes of all steps are set; Still units that are held have theirs in
+  /// `positions`. False, with anything in `positions`, if a unit or a hinge has no direction or
   /// something is not finite.
   bool place(UnitPlan& plan, std::span<Vec3> positions, std::span<const Vec3> targets);
 

@@ -30,8 +30,8 @@ Framework part_of(const Framework& framework, std::span<const Joint> joints,
   return Framework(std::move(parts));
 }
 
-/// Newton's method and sweeps may stall at one start and not at another: one ring in a million does,
-/// and would leave all of a large framework to them.
+/// Newton's method and sweeps may stall at one start and not at another: one ring in a million
+/// does, and would leave all of a large framework to them.
 constexpr int most_attempts = 6;
 constexpr double shake = 0.1;  // of the shortest bar
 

@@ -24,9 +24,8 @@ class UnitLoop {
   void close_by_torsions(UnitSet rigid, const UnitShapes& shapes);
 
   /// Finds a shape in which all bars of the unit are within half the tolerance (the pass adds its
-  /// own rounding), near where its joints are, or begun a little way off where that fails. Moves none
-  /// of `call.positions`. False if it fails:
-  /// the shape is then as good as it got.
+  /// own rounding), near where its joints are, or begun a little way off where that fails. Moves
+  /// none of `call.positions`. False if it fails: the shape is then as good as it got.
   bool find_shape(const ResolveCall& call);
 
   /// The places of the joints of the unit that find_shape() found.

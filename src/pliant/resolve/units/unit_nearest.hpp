@@ -38,7 +38,7 @@ class UnitNearest {
   struct Body {
     union {
       Inertia inertia;
-      RigidMotion motion;              ///< of a step, from the origin
+      RigidMotion motion;  ///< of a step, from the origin
     };
     union {
       Twist force;
@@ -72,8 +72,8 @@ class UnitNearest {
               std::span<const Vec3> targets);
   void set_motion(const UnitStep& step, std::size_t index, double share);
 
-  std::vector<Body> bodies_;  ///< of the steps of the plan
-  std::vector<BodyTurn> turns_;   ///< of all bodies: hinges have one, what begins a component none
+  std::vector<Body> bodies_;     ///< of the steps of the plan
+  std::vector<BodyTurn> turns_;  ///< of all bodies: hinges have one, what begins a component none
   std::vector<std::uint32_t> first_turn_;  ///< of each body, and one more
   std::vector<Vec3> kept_;                 ///< where the step began
   Vec3 origin_;
