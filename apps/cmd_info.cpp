@@ -11,6 +11,7 @@
 #include "molecule_input.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/framework/graph.hpp"
+#include "pliant/molecule/planar_groups.hpp"
 
 namespace pliant::app {
 namespace {
@@ -24,6 +25,7 @@ struct Facts {
   GraphFacts graph;
   std::size_t pinned;
   Counts elements, bonds_by_origin;
+  std::size_t planar_bars;  ///< across bonds about which nothing turns
   std::size_t chains;
   Counts limits_by_kind;
   bool has_sterics;
@@ -68,6 +70,7 @@ Facts facts_of(const MoleculeOptions& options, const Molecule& molecule) {
           framework.pinned_count(),
           elements_of(structure),
           bonds_by_origin(structure),
+          options.bars == "angles" ? find_planar_bars(structure).size() : 0,
           chains_of(structure),
           limits_by_kind(framework),
           framework.sterics() != nullptr};
@@ -93,7 +96,8 @@ Json json_of_atoms(const Facts& facts) {
           {"elements", as_object(facts.elements)},
           {"bonds", facts.structure.bonds.size()},
           {"bonds_by_origin", as_object(facts.bonds_by_origin)},
-          {"bar_kind", facts.options.bars}};
+          {"bar_kind", facts.options.bars},
+          {"planar_bars", facts.planar_bars}};
 }
 
 Json json_of_bars(const Facts& facts) {
@@ -164,7 +168,11 @@ void print_molecule_rows(const Facts& facts) {
   print_row("residues", structure.atoms.residues.size(), numbered(facts.chains, "chain", "chains"));
   print_row("bonds", structure.bonds.size(), "from " + listed(facts.bonds_by_origin));
   const std::string pinned = pinned_joints(facts);
-  print_row("bars", facts.graph.bars, facts.options.bars + (pinned.empty() ? "" : ", " + pinned));
+  const std::string planar =
+      facts.planar_bars == 0 ? ""
+                             : fmt::format(", {} of them hold planar groups", facts.planar_bars);
+  print_row("bars", facts.graph.bars,
+            facts.options.bars + planar + (pinned.empty() ? "" : ", " + pinned));
 }
 
 void print_graph_rows(const Facts& facts) {

@@ -13,7 +13,6 @@ FrameworkParts parts_of(const Framework& framework) {
   FrameworkParts parts = framework.parts();
   parts.atoms = nullptr;
   parts.drawn.clear();
-  parts.planar = false;
   return parts;
 }
 

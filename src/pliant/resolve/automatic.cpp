@@ -6,6 +6,7 @@
 
 #include "pliant/framework/graph.hpp"
 #include "pliant/resolve/method/method.hpp"
+#include "pliant/resolve/method/moved_joints.hpp"
 #include "pliant/resolve/techniques.hpp"
 
 namespace pliant {
@@ -54,20 +55,96 @@ Choice chosen(const char* name, const Technique& asked, std::string why) {
   return {{name, 0.5, asked.mass_weighted}, std::move(why)};
 }
 
+/// A technique, and those that take over in their order where it does not arrive.
+struct Chain {
+  std::string_view first;
+  std::vector<std::string_view> others;
+};
+
+/// `shake` goes along the bars as they were before the push, so large rings that are pushed far
+/// follow it where Newton's method loses its way; sweeps arrive where matrices are singular.
+const std::vector<Chain>& chains() {
+  static const std::vector<Chain> table = {{"blocks", {"shake", "newton", "anderson"}},
+                                           {"units", {"units_nearest", "shake", "newton", "anderson"}},
+                                           {"newton", {"shake", "anderson"}}};
+  return table;
+}
+
+std::vector<std::string_view> others_than(std::string_view first) {
+  for (const Chain& chain : chains())
+    if (chain.first == first) return chain.others;
+  return {};
+}
+
+/// Sweeps that a technique may take before the next is asked, and all of them: time stays
+/// proportional to the size of the framework.
+constexpr std::int64_t most_sweeps_of_one = 40, most_sweeps_of_all = 1000;
+
 class Automatic final : public Method {
  public:
   Automatic(const Framework& framework, const Technique& technique, const ResolveOptions& options)
-      : technique_(choose_technique(framework, technique).technique),
-        method_(find_technique(technique_.name).make(framework, technique_, options)) {}
+      : framework_(framework),
+        options_(options),
+        technique_(choose_technique(framework, technique).technique),
+        others_(others_than(technique_.name)),
+        methods_(1 + others_.size()) {
+    method(0);
+  }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
-    return method_->resolve(call, summary);
+    for (std::size_t k = 0;; ++k) {
+      const Stop stop = method(k).resolve(call, summary);
+      if (stop == Stop::converged || stop == Stop::stopped_by_caller) return stop;
+      if (k == others_.size() || summary.sweeps >= options_.max_sweeps)
+        return give_up(call, stop);
+      put_back(call);
+    }
   }
-  bool looks_near() const override { return method_->looks_near(); }
+
+  bool looks_near() const override { return methods_[0]->looks_near(); }
 
  private:
+  /// Made when it is needed first.
+  Method& method(std::size_t k) {
+    if (methods_[k]) return *methods_[k];
+    ResolveOptions options = options_;
+    if (!others_.empty())
+      options.max_sweeps = std::min(options.max_sweeps, k < others_.size()
+                                                            ? most_sweeps_of_one * std::int64_t(k + 1)
+                                                            : most_sweeps_of_all);
+    Technique technique = technique_;
+    if (k > 0) technique.name = others_[k - 1];
+    methods_[k] = find_technique(technique.name).make(framework_, technique, options);
+    return *methods_[k];
+  }
+
+  /// To where the push left the joints.
+  static void put_back(const ResolveCall& call) {
+    if (call.moved != nullptr) {
+      call.moved->put_back(call.positions);
+      call.moved->note_all(call.positions);
+    } else {
+      std::copy(call.pushed.begin(), call.pushed.end(), call.positions.begin());
+    }
+  }
+
+  /// Goes back to before the push if all bars were whole there, so that the next step begins whole.
+  Stop give_up(const ResolveCall& call, Stop stop) const {
+    if (others_.empty() || call.reference.empty()) return stop;
+    if (!is_whole(framework_, call.reference, options_.tolerance)) return stop;
+    if (call.moved != nullptr && !call.moved->holds_all()) {
+      call.moved->put_back(call.positions);
+      call.moved->note_all(call.positions);
+    }
+    std::copy(call.reference.begin(), call.reference.end(), call.positions.begin());
+    return stop;
+  }
+
+  const Framework& framework_;
+  ResolveOptions options_;
   Technique technique_;
-  std::unique_ptr<Method> method_;
+  std::vector<std::string_view> others_;
+  std::vector<std::unique_ptr<Method>> methods_;
 };
 
 }  // namespace
@@ -82,7 +159,7 @@ Choice choose_technique(const Framework& framework, const Technique& asked) {
     return chosen("newton", asked, "several joints are pinned: all bars are solved together");
   if (has_hubs(framework))
     return chosen("anderson", asked, "joints of many bars: sweeps, accelerated");
-  if (has_large_blocks(facts) && is_mostly_triangles(framework))
+  if (!framework.is_planar() && has_large_blocks(facts) && is_mostly_triangles(framework))
     return chosen("units", asked, "most bars are in triangles: rigid units in one outward pass");
   return chosen("blocks", asked,
                 counted(facts.blocks, "ring system") + ", each by Newton's method, and " +

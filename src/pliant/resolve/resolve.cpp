@@ -7,6 +7,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/method/mass_centre.hpp"
 #include "pliant/resolve/method/method.hpp"
 #include "pliant/resolve/method/moved_joints.hpp"
 #include "pliant/resolve/sweeps/sweeps.hpp"
@@ -46,6 +47,8 @@ struct Resolver::Plan {
   Plan(const Framework& framework_, const Technique& technique_, const ResolveOptions& options_)
       : framework(framework_), options(options_), technique(technique_) {
     method = entry_of(technique).make(framework, technique, options);
+    if (shifts_to_mass_centre(technique_used(framework, technique)))
+      method = keep_mass_centre(framework, std::move(method));
     if (framework.sterics() != nullptr) contacts = std::make_unique<Contacts>(framework);
     moved.note_all({});
   }
@@ -161,7 +164,8 @@ ResolveSummary Resolver::resolve(std::span<Vec3> positions, const Disturbed& dis
   summary.dropped_bars = summary.finishing_sweeps = 0;
   const bool is_near = plan_->begin(positions, disturbed);
   summary.stop = plan_->method->resolve({positions, disturbed, plan_->key(step), reference,
-                                         is_near ? &plan_->moved : nullptr, plan_->limits_off},
+                                         is_near ? &plan_->moved : nullptr, plan_->limits_off,
+                                         plan_->moved.before()},
                                         summary);
   plan_->finish(positions, disturbed, summary);
   summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -23,6 +23,7 @@ struct ResolveCall {
   /// method looks_near().
   MovedJoints* moved = nullptr;
   LimitsOff limits_off = {};  ///< (L) 1: this limit is switched off; empty: none is
+  std::span<const Vec3> pushed = {};  ///< (N) positions as they came; empty: `moved` notes them
 };
 
 class Method {

@@ -45,6 +45,11 @@ class MovedJoints {
   /// Those noted one by one.
   std::span<const Joint> joints() const { return joints_; }
 
+  /// (N) where all joints were, if holds_all().
+  std::span<const Vec3> before() const {
+    return holds_all_ ? std::span<const Vec3>(before_) : std::span<const Vec3>();
+  }
+
   void put_back(std::span<Vec3> positions) const {
     if (holds_all_) std::copy(before_.begin(), before_.end(), positions.begin());
     for (std::size_t k = 0; k < joints_.size(); ++k) positions[joints_[k]] = before_[k];

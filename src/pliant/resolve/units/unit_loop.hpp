@@ -24,19 +24,22 @@ class UnitLoop {
   void close_by_torsions(UnitSet rigid, const UnitShapes& shapes);
 
   /// Finds a shape in which all bars of the unit are within half the tolerance (the pass adds its
-  /// own rounding), near where its joints are. Moves none of `call.positions`. False if it fails:
-  /// the shape is then as good as it got.
+  /// own rounding), near where its joints are, or begun a little way off where that fails. Moves
+  /// none of `call.positions`. False if it fails: the shape is then as good as it got.
   bool find_shape(const ResolveCall& call);
 
   /// The places of the joints of the unit that find_shape() found.
   std::span<const Vec3> shape() const { return positions_; }
 
  private:
+  bool find_shape_from(const ResolveCall& call, double size);
+
   std::vector<Joint> joints_;
   Framework part_;  ///< the unit alone: joint k is joints_[k]
   std::unique_ptr<Method> blocks_;
   std::optional<LoopClosure> closure_;
   double widest_gap_ = 0.0;      ///< that leaves every bar within the tolerance (Angstrom)
+  double shortest_ = 0.0;        ///< rest length (Angstrom)
   std::vector<Vec3> positions_;  ///< of joints_
 };
 

@@ -106,11 +106,19 @@ UnitPass::Placement UnitPass::run(const ResolveCall& call) {
   return worst;
 }
 
+UnitPass::Placement UnitPass::look_ahead(const ResolveCall& call, std::span<const Vec3> targets) {
+  for (UnitStep& step : plan_.steps()) {
+    if (!step.is_known) plan_.set_shape(step, loop_of_[step.unit]->shape());
+    if (step.is<UnitStep::Still>()) place_still(call, step);
+  }
+  return ahead_.place(plan_, call.positions, targets) ? Placement::placed : Placement::unfit;
+}
+
 UnitPass::Placement UnitPass::approach(const ResolveCall& call, std::span<const Vec3> targets) {
   nearest_.approach(plan_, call.positions, targets);
-  Placement worst = Placement::placed;
-  for (UnitStep& step : plan_.steps()) worst = worse(worst, place(call, step));
-  return worst;
+  approached_.assign(call.positions.begin(), call.positions.end());
+  // Not one unit at a time: rounding would grow from unit to unit.
+  return look_ahead(call, approached_);
 }
 
 UnitPass::Placement UnitPass::place(const ResolveCall& call, UnitStep& step) {
