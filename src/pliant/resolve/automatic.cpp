@@ -76,9 +76,10 @@ std::vector<std::string_view> others_than(std::string_view first) {
   return {};
 }
 
-/// Sweeps that a technique may take before the next is asked, and all of them: time stays
-/// proportional to the size of the framework.
-constexpr std::int64_t most_sweeps_of_one = 40, most_sweeps_of_all = 1000;
+/// Sweeps that each technique may take before the next is asked: a hopeless push costs a time in
+/// proportion to the size of the framework, and is then taken back. Where there is nothing to go
+/// back to, the last technique goes on as long as the caller allows.
+constexpr std::int64_t most_sweeps_of_one = 20;
 
 class Automatic final : public Method {
  public:
@@ -88,12 +89,12 @@ class Automatic final : public Method {
         technique_(choose_technique(framework, technique).technique),
         others_(others_than(technique_.name)),
         methods_(1 + others_.size()) {
-    method(0);
+    method(0, true);
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
     for (std::size_t k = 0;; ++k) {
-      const Stop stop = method(k).resolve(call, summary);
+      const Stop stop = method(k, !call.reference.empty()).resolve(call, summary);
       if (stop == Stop::converged || stop == Stop::stopped_by_caller) return stop;
       if (k == others_.size() || summary.sweeps >= options_.max_sweeps)
         return give_up(call, stop);
@@ -104,18 +105,17 @@ class Automatic final : public Method {
   bool looks_near() const override { return methods_[0]->looks_near(); }
 
  private:
-  /// Made when it is needed first.
-  Method& method(std::size_t k) {
-    if (methods_[k]) return *methods_[k];
+  /// Made when it is needed first. A chain's last is not `limited` where nothing is before the push.
+  Method& method(std::size_t k, bool limited) {
+    std::unique_ptr<Method>& made = k > 0 && k == others_.size() && !limited ? last_ : methods_[k];
+    if (made) return *made;
     ResolveOptions options = options_;
-    if (!others_.empty())
-      options.max_sweeps = std::min(options.max_sweeps, k < others_.size()
-                                                            ? most_sweeps_of_one * std::int64_t(k + 1)
-                                                            : most_sweeps_of_all);
+    if (!others_.empty() && &made != &last_)
+      options.max_sweeps = std::min(options.max_sweeps, most_sweeps_of_one * std::int64_t(k + 1));
     Technique technique = technique_;
     if (k > 0) technique.name = others_[k - 1];
-    methods_[k] = find_technique(technique.name).make(framework_, technique, options);
-    return *methods_[k];
+    made = find_technique(technique.name).make(framework_, technique, options);
+    return *made;
   }
 
   /// To where the push left the joints.
@@ -145,6 +145,7 @@ class Automatic final : public Method {
   Technique technique_;
   std::vector<std::string_view> others_;
   std::vector<std::unique_ptr<Method>> methods_;
+  std::unique_ptr<Method> last_;  ///< the last of methods_ without its limit of sweeps
 };
 
 }  // namespace
