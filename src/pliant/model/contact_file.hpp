@@ -25,7 +25,7 @@ std::string contacts_as_json(const std::vector<MolecularContact>& contacts,
                              const Structure& structure);
 
 /// Reads what contacts_as_csv writes. Atoms are those of `structure`, by name or by index from 0.
-/// Columns may come in any order. Missing limits (no `most`) are those that the structure gives.
+/// Columns may come in any order; what is missing or empty is as the structure has it (energy: -1).
 /// Throws InputError naming file, line, field, expected and found; FileError.
 std::vector<MolecularContact> read_contacts(const std::filesystem::path& path,
                                             const Structure& structure);

@@ -31,9 +31,9 @@ std::string_view name(MolecularContactKind kind);
 struct ContactSlack {
   double usual_hydrogen = 2.0, usual_donor = 2.9;  ///< H..A and D..A of a usual hydrogen bond
   double hydrogen_bond = 0.2;
-  double base = 0.6;      ///< H..B, both ways
-  double tether = 0.5;    ///< beyond the sum of van der Waals radii, or the start
-  double metal = 0.2;     ///< both ways
+  double base = 0.6;    ///< H..B, both ways
+  double tether = 0.5;  ///< beyond the sum of van der Waals radii, or the start
+  double metal = 0.2;   ///< both ways
 };
 
 /// Two atoms in contact. Of a hydrogen bond or salt bridge: `a` the donor D, `b` the acceptor A,

@@ -26,7 +26,7 @@ struct ModelEntry {
   std::string_view name;     ///< "protein"
   std::string_view summary;  ///< one line for help
   BarKind bars;
-  bool is_prepared;   ///< waters out, polar hydrogens in
+  bool is_prepared;  ///< waters out, polar hydrogens in
   bool has_sterics;
   bool has_contacts;  ///< hydrogen bonds, salt bridges, tethers, metals
 };
@@ -48,8 +48,9 @@ struct ModelOptions {
   bool sterics = true;  ///< whether models that have sterics get them
   /// Contacts in place of those that would be found; atoms of the prepared structure.
   std::optional<std::vector<MolecularContact>> contacts = std::nullopt;
-  std::string contacts_file = "";  ///< the same from a file (read_contacts), after preparation; "": none
-  std::string pin = "";            ///< selection of atoms that never move; "": none
+  std::string contacts_file =
+      "";                ///< the same from a file (read_contacts), after preparation; "": none
+  std::string pin = "";  ///< selection of atoms that never move; "": none
   Log log = {};
 };
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "pliant/base/log.hpp"
+#include "pliant/model/atom_graph.hpp"
 #include "pliant/model/protonation.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 
@@ -14,10 +15,12 @@ namespace pliant {
 
 struct PrepareOptions {
   bool keep_waters = false;
-  bool add_hydrogens = true;              ///< polar hydrogens by rule where there are none
+  bool add_hydrogens = true;                ///< polar hydrogens by rule where there are none
   std::vector<std::string> protonate = {};  ///< "HIS57:HID", "A:ASP25:ASH"
-  double floppy_below = 0.0;  ///< models with pLDDT as B factors: residues below are floppy; 0: none
-  Log log = {};               ///< what is told goes here too: a guess as a warning
+  /// Models whose B factors are a confidence (pLDDT): contacts of residues below are left out; 0:
+  /// of none.
+  double floppy_below = 0.0;
+  Log log = {};  ///< what is told goes here too: what is missing or guessed as a warning
 };
 
 /// A structure made ready, and what was done to it.
@@ -30,13 +33,15 @@ struct Preparation {
   std::vector<bool> floppy;          ///< (R) residues whose contacts are left out; empty: none
 };
 
-inline constexpr std::uint32_t no_atom = ~std::uint32_t{0};
+/// Below this a model's residue is likely to have no fixed structure (pLDDT; Tunyasuvunakool et
+/// al., Nature 596 (2021) 590).
+inline constexpr double disordered_below = 50.0;
 
 /// Makes ready a structure whose bonds are known (perceive_bonds):
 /// - waters are taken out, unless they are to be kept;
 /// - selenium of MSE (and SEC) becomes the sulphur of MET (CYS), where it is;
 /// - ligands and metals stay, with the bonds that the file or distances tell;
-/// - residues of backbone alone, in a structure that has no side chain, get their CB by rule;
+/// - amino acids get their CB by rule, in a structure that has no side chain at all;
 /// - polar hydrogens (on N, O, S) are placed by rule where a residue's part has no hydrogen, with
 ///   protonation as protonation.hpp says; hydrogens of the structure stay.
 /// Deterministic; linear in the number of atoms.

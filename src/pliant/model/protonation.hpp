@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Protonation: which form of a titratable residue there is. By the residue's name (HID, ASH), by
-// what is asked for, by its hydrogens, else by a table for pH 7.
+// Protonation: which form of a titratable residue there is. By what is asked for, by the residue's
+// name (HID, ASH), by its hydrogens, else by a table for pH 7.
 #pragma once
 
 #include <cstdint>
@@ -17,20 +17,27 @@ namespace pliant {
 struct ProtonationForm {
   std::string_view name;     ///< "HID"
   std::string_view residue;  ///< "HIS"
+  std::string_view aliases;  ///< names of force fields that say this form
   std::string_view summary;  ///< "hydrogen on ND1"
 };
 
 /// The forms that can be asked for.
 std::span<const ProtonationForm> protonation_forms();
 
-/// (R) the form of each residue: its own name, or that of a row of protonation_forms().
+/// The form of each residue.
+struct Protonation {
+  std::vector<std::string> forms;  ///< (R) a name of the table, else the residue's standard name
+  std::vector<bool> is_asked_for;  ///< (R) whether `wanted` says it, whatever hydrogens there are
+};
+
+/// The forms of a structure whose bonds are known.
 ///
 /// `wanted` are "HIS57:HID" or, where several chains have that residue, "A:HIS57:HID". Otherwise:
 /// names that say a form (HID, HSE, GLUP, CYX) hold; Asp and Glu carry no hydrogen, Lys and Arg are
-/// charged; Cys on sulphur or a metal has none; His carries its hydrogen on NE2, but on ND1 where
-/// NE2 holds a metal or only ND1 has an acceptor within 3.3 Angstrom.
+/// charged; Cys bonded to more than its carbon or near a metal has none; His carries its hydrogen
+/// on NE2, but on ND1 where NE2 is at a metal, or where only ND1 has an O within 3.3 Angstrom; on
+/// neither where both are at metals (HIN).
 /// Throws OptionError naming what is wrong with a `wanted`.
-std::vector<std::string> protonation_of(const Structure& structure,
-                                        const std::vector<std::string>& wanted);
+Protonation protonation_of(const Structure& structure, const std::vector<std::string>& wanted);
 
 }  // namespace pliant
