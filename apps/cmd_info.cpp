@@ -82,7 +82,7 @@ Json json_of_atoms(const Facts& facts) {
           {"elements", as_object(facts.elements)},
           {"bonds", facts.structure.bonds.size()},
           {"bonds_by_origin", as_object(facts.bonds_by_origin)},
-          {"bar_kind", facts.options.bars}};
+          {"bar_kind", bars_of(facts.options)}};
 }
 
 Json json_of_bars(const Facts& facts) {
@@ -141,7 +141,8 @@ void print_molecule_rows(const Facts& facts) {
   print_row("residues", structure.atoms.residues.size(), numbered(facts.chains, "chain", "chains"));
   print_row("bonds", structure.bonds.size(), "from " + listed(facts.bonds_by_origin));
   const std::string pinned = pinned_joints(facts);
-  print_row("bars", facts.graph.bars, facts.options.bars + (pinned.empty() ? "" : ", " + pinned));
+  print_row("bars", facts.graph.bars,
+            bars_of(facts.options) + (pinned.empty() ? "" : ", " + pinned));
 }
 
 void print_graph_rows(const Facts& facts) {

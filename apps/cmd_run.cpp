@@ -29,7 +29,8 @@ std::vector<std::string> outputs_of(const RunSettings& settings) {
 /// The outputs must be none of the inputs, whatever name or link leads to them.
 void refuse_to_overwrite_inputs(const RunSettings& settings) {
   for (const std::string& input :
-       {settings.molecule.file, settings.molecule.bars, settings.forces, settings.ordering})
+       {settings.molecule.file, settings.molecule.bars, settings.molecule.kind.contacts,
+        settings.forces, settings.ordering})
     for (const std::string& output : outputs_of(settings)) refuse_same_file(input, output);
 }
 
