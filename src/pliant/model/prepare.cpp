@@ -194,11 +194,12 @@ class Preparer {
     for (std::uint32_t r : found.ligands) {
       const auto first = atoms().elements.begin();
       const auto begin = first + residues.begin(r), end = first + residues.end(r);
-      if (std::find(begin, end, 1) == end) bare.push_back(r);
+      const bool is_polar = std::any_of(begin, end, [](std::uint8_t e) { return e == 7 || e == 8; });
+      if (is_polar && std::find(begin, end, 1) == end) bare.push_back(r);
     }
     if (!bare.empty())
       now_.missing.push_back("hydrogens of " + listed_residues(atoms(), bare) +
-                             ": there is no rule for them; as donors they make no hydrogen bond");
+                             ": there is no rule for them, so these ligands donate no hydrogen bond");
   }
 
   void find_floppy() {

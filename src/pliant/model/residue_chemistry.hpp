@@ -32,7 +32,8 @@ enum class HydrogenShape : std::uint8_t {
 struct PolarSite {
   std::string_view form;       ///< residue or protonation form: "HID"
   std::string_view atom;       ///< "ND1"
-  std::string_view hydrogens;  ///< their names, set apart by blanks
+  /// Their names, set apart by blanks; in a plane the one beside the lightest atom first.
+  std::string_view hydrogens;
   HydrogenShape shape;
 };
 
