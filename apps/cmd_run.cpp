@@ -44,6 +44,16 @@ void refuse_to_replace(const RunSettings& settings) {
   }
 }
 
+/// Bars of bonds leave a molecule far more freedom than it has.
+void tell_what_is_free(const MoleculeOptions& options, const Structure& structure, const Log& log) {
+  const bool is_molecule =
+      structure.format != "graph" && usual_model(structure) == ModelKind::protein;
+  if (is_molecule && options.kind.name.empty() && bars_of(options) == "bonds")
+    log.note(
+        "bars of bonds: angles, planar groups, contacts and overlaps are free; --model protein "
+        "holds them, and pliant sample makes ensembles");
+}
+
 int exit_code_of(const RunSummary& summary) {
   if (summary.stopped_by_caller) return exit_interrupted;
   return summary.unconverged_steps > 0 ? exit_unconverged : exit_ok;
@@ -69,6 +79,7 @@ int command_run(const Arguments& arguments) {
   if (const int code = line.parse(arguments); code >= 0) return code;
   Messages messages(settings.json || settings.quiet);
   const Molecule molecule = load(settings.molecule, messages.log());
+  tell_what_is_free(settings.molecule, molecule.structure, messages.log());
   complete(line, settings, molecule.framework);
   refuse_to_overwrite_inputs(settings);
   refuse_to_replace(settings);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "model_input.hpp"
 
+#include <filesystem>
+
 #include "pliant/base/choices.hpp"
 
 namespace pliant::app {
@@ -18,16 +20,35 @@ void add_model_options(CommandLine& line, ModelSettings& settings) {
                 "leave out contacts of residues with a confidence (pLDDT) below 50");
 }
 
-void check_without_model(const ModelSettings& settings) {
+void check(const ModelSettings& settings) {
   const ModelSettings usual;
-  const char* given = settings.hbond_cutoff != usual.hbond_cutoff ? "--hbond-cutoff"
-                      : !settings.contacts.empty()                ? "--contacts"
-                      : settings.keep_waters                      ? "--keep-waters"
-                      : !settings.protonate.empty()               ? "--protonate"
-                      : settings.floppy                           ? "--floppy"
-                                                                  : nullptr;
-  if (given != nullptr)
-    throw OptionError(std::string(given) + ": goes with --model molecule or --model protein");
+  const ModelEntry* model = nullptr;
+  if (!settings.name.empty()) model = &choose(models(), "model", settings.name);
+  const auto refuse = [](bool is_given, const char* option, const char* expected) {
+    if (is_given) throw OptionError(std::string(option) + ": goes with " + expected);
+  };
+  if (model == nullptr || !model->is_prepared) {
+    const char* expected = "--model molecule or --model protein";
+    refuse(settings.keep_waters, "--keep-waters", expected);
+    refuse(!settings.protonate.empty(), "--protonate", expected);
+  }
+  if (model == nullptr || !model->has_contacts) {
+    refuse(settings.hbond_cutoff != usual.hbond_cutoff, "--hbond-cutoff", "--model protein");
+    refuse(!settings.contacts.empty(), "--contacts", "--model protein");
+    refuse(settings.floppy, "--floppy", "--model protein");
+  }
+}
+
+std::vector<NamedParameter> parameters_of(const ModelSettings& settings) {
+  if (settings.name.empty()) return {};
+  std::string forms;
+  for (const std::string& form : settings.protonate) forms += (forms.empty() ? "" : ",") + form;
+  return {{"model/kind", settings.name},
+          {"model/hbond_cutoff", settings.hbond_cutoff},
+          {"model/keep_waters", settings.keep_waters},
+          {"model/protonate", forms},
+          {"model/floppy", settings.floppy},
+          {"model/contacts", std::filesystem::path(settings.contacts).filename().string()}};
 }
 
 ModelOptions model_options_of(const ModelSettings& settings, const Log& log) {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "command_line.hpp"
+#include "pliant/base/parameter.hpp"
 #include "pliant/model/model.hpp"
 
 namespace pliant::app {
@@ -21,8 +22,11 @@ struct ModelSettings {
 /// Options of preparation, and which contacts there are.
 void add_model_options(CommandLine& line, ModelSettings& settings);
 
-/// Throws OptionError if an option of a model was given, but no model.
-void check_without_model(const ModelSettings& settings);
+/// Throws OptionError if an option was given that the model, or no model at all, does not know.
+void check(const ModelSettings& settings);
+
+/// The settings as they are stored below /parameters; none where no model was asked for.
+std::vector<NamedParameter> parameters_of(const ModelSettings& settings);
 
 ModelOptions model_options_of(const ModelSettings& settings, const Log& log);
 

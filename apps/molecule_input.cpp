@@ -36,7 +36,8 @@ Molecule load_graph(const MoleculeOptions& options, const Log& log) {
 
 /// A model says itself what its bars are and that they are as long as in the file.
 void check(const MoleculeOptions& options) {
-  if (options.kind.name.empty()) return check_without_model(options.kind);
+  pliant::app::check(options.kind);
+  if (options.kind.name.empty()) return;
   if (!options.bars.empty())
     throw OptionError("--model, --bars: expected one of them: a model has bars of its own");
   if (options.lengths != "geometry")

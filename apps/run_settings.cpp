@@ -222,6 +222,8 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
                  {"run/forces", fs::path(settings.forces).filename().string()},
                  {"record/single", settings.record.single},
                  {"record/compress", settings.record.compress}});
+  const std::vector<NamedParameter> model = parameters_of(settings.molecule.kind);
+  values.insert(values.end(), model.begin(), model.end());
   return values;
 }
 
