@@ -134,7 +134,7 @@ const Use uses[] = {
     of("pliant/molecule/read/read.hpp", &formats),
     of("pliant/molecule/sterics_lines.hpp", &usual_kind),
     of_type<Structure>("pliant/molecule/structure/structure.hpp"),
-    of_type<AtomGraph>("pliant/model/atom_graph.hpp"),
+    of("pliant/model/atom_graph.hpp", &AtomGraph::are_bonded),
     of("pliant/model/contact_file.hpp", &parse_contacts),
     of("pliant/model/contact_list.hpp", &limits_of),
     of("pliant/model/hydrogen_bond_energy.hpp", &hydrogen_bond_energy),
