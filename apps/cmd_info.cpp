@@ -12,9 +12,28 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/molecule/planar_groups.hpp"
+#include "pliant/model/survey.hpp"
 
 namespace pliant::app {
 namespace {
+
+/// What there is besides chains of residues with all their hydrogens.
+std::vector<std::string> found_lines(const Structure& structure, const Survey& found) {
+  std::vector<std::string> lines = found_parts(structure, found);
+  if (found.waters > 0) lines.insert(lines.begin(), fmt::format("waters: {}", found.waters));
+  return lines;
+}
+
+/// What there is not; of hydrogens, only what proteins and nucleic acids should have.
+std::vector<std::string> missing_lines(const Structure& structure, const Survey& found) {
+  std::vector<std::string> lines = missing_parts(structure, found);
+  if (!found.without_hydrogens.empty())
+    lines.insert(
+        lines.begin(),
+        fmt::format("hydrogens: of {} of {} residues (polar ones are placed by rule)",
+                    found.without_hydrogens.size(), found.amino_acids + found.nucleotides));
+  return lines;
+}
 
 /// How many there are of each name.
 using Counts = std::vector<std::pair<std::string, std::size_t>>;
@@ -29,6 +48,7 @@ struct Facts {
   std::size_t chains;
   Counts limits_by_kind;
   bool has_sterics;
+  Survey survey;
 
   /// A graph XML file has joints and bars, and nothing of chemistry.
   bool has_atoms() const { return structure.format != "graph"; }
@@ -62,6 +82,11 @@ std::size_t chains_of(const Structure& structure) {
   return chains.size();
 }
 
+/// Whether there are bars across bond angles: all models but that of bonds have them.
+bool has_angles(const MoleculeOptions& options) {
+  return bars_of(options) == "angles" || (!options.kind.name.empty() && options.kind.name != "bonds");
+}
+
 Facts facts_of(const MoleculeOptions& options, const Molecule& molecule) {
   const auto& [structure, framework] = molecule;
   return {options,
@@ -70,10 +95,11 @@ Facts facts_of(const MoleculeOptions& options, const Molecule& molecule) {
           framework.pinned_count(),
           elements_of(structure),
           bonds_by_origin(structure),
-          options.bars == "angles" ? find_planar_bars(structure).size() : 0,
+          has_angles(options) ? find_planar_bars(structure).size() : 0,
           chains_of(structure),
           limits_by_kind(framework),
-          framework.sterics() != nullptr};
+          framework.sterics() != nullptr,
+          survey(structure)};
 }
 
 Json as_object(const Counts& counts) {
@@ -96,8 +122,18 @@ Json json_of_atoms(const Facts& facts) {
           {"elements", as_object(facts.elements)},
           {"bonds", facts.structure.bonds.size()},
           {"bonds_by_origin", as_object(facts.bonds_by_origin)},
-          {"bar_kind", facts.options.bars},
+          {"bar_kind", bars_of(facts.options)},
           {"planar_bars", facts.planar_bars}};
+}
+
+Json json_of_survey(const Facts& facts) {
+  const Survey& found = facts.survey;
+  return {{"amino_acids", found.amino_acids},
+          {"nucleotides", found.nucleotides},
+          {"waters", found.waters},
+          {"usual_model", entry(usual_model(facts.structure)).name},
+          {"found", found_lines(facts.structure, found)},
+          {"missing", missing_lines(facts.structure, found)}};
 }
 
 Json json_of_bars(const Facts& facts) {
@@ -126,7 +162,7 @@ Json json_of_limits(const Facts& facts) {
 }
 
 void print_facts_as_json(const Facts& facts, const Messages& messages) {
-  const Json atoms = facts.has_atoms() ? json_of_atoms(facts) : Json{};
+  const Json atoms = facts.has_atoms() ? json_of_atoms(facts) + json_of_survey(facts) : Json{};
   print_json(json_of_file(facts) + atoms + json_of_bars(facts) + json_of_limits(facts) +
              Json{{"warnings", messages.warnings()}, {"notes", messages.notes()}});
 }
@@ -172,7 +208,7 @@ void print_molecule_rows(const Facts& facts) {
       facts.planar_bars == 0 ? ""
                              : fmt::format(", {} of them hold planar groups", facts.planar_bars);
   print_row("bars", facts.graph.bars,
-            facts.options.bars + planar + (pinned.empty() ? "" : ", " + pinned));
+            bars_of(facts.options) + planar + (pinned.empty() ? "" : ", " + pinned));
 }
 
 void print_graph_rows(const Facts& facts) {
@@ -202,12 +238,21 @@ void print_table(const Facts& facts) {
   print_limit_rows(facts);
 }
 
+void print_survey(const Facts& facts) {
+  if (!facts.has_atoms()) return;
+  for (const std::string& line : found_lines(facts.structure, facts.survey))
+    fmt::print("found       {}\n", line);
+  for (const std::string& line : missing_lines(facts.structure, facts.survey))
+    fmt::print("missing     {}\n", line);
+}
+
 }  // namespace
 
 int command_info(const Arguments& arguments) {
   CommandLine line("pliant info",
                    "Lists what a molecule file holds: atoms, bonds and their origins, bars,\n"
-                   "components, independent cycles, bridges and blocks, and what was guessed.");
+                   "components, independent cycles, bridges and blocks, what was guessed, and what\n"
+                   "is missing for the model of a protein.");
   MoleculeOptions options;
   bool as_json = false;
   add_molecule_options(line, options);
@@ -221,6 +266,7 @@ int command_info(const Arguments& arguments) {
     print_facts_as_json(facts, messages);
   } else {
     print_table(facts);
+    print_survey(facts);
     print_guesses(facts, messages);
   }
   return exit_ok;

@@ -13,6 +13,8 @@ namespace {
 
 constexpr Command commands[] = {
     {"info", "list what a molecule file holds: atoms, bonds, bars, cycles, blocks", command_info},
+    {"contacts", "list hydrogen bonds, salt bridges and hydrophobic contacts of a molecule",
+     command_contacts},
     {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
     {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},
     {"forcegen", "write a force file of random pushes", command_forcegen},
