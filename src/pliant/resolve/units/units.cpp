@@ -38,8 +38,9 @@ class Units final : public Method {
     ++summary.sweeps;
     summary.projections += static_cast<std::int64_t>(framework_.bar_count());
     if (is_whole(call.positions)) {
-      if (nearest_ || has_swung(call)) look_ahead(call, summary);
-      return nearest_ ? approach(call, summary) : Stop::converged;
+      const bool may_approach = nearest_ && summary.sweeps < options_.max_sweeps;
+      if (may_approach || has_swung(call)) look_ahead(call, summary);
+      return may_approach ? approach(call, summary) : Stop::converged;
     }
     if (summary.sweeps >= options_.max_sweeps) return Stop::max_sweeps;
     if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
@@ -79,7 +80,6 @@ class Units final : public Method {
 
   /// A second pass, nearer to where the joints were; what the first gave is kept if it fails.
   Stop approach(const ResolveCall& call, ResolveSummary& summary) {
-    if (summary.sweeps >= options_.max_sweeps) return Stop::converged;
     after_.assign(call.positions.begin(), call.positions.end());
     const UnitPass::Outcome outcome = pass_->approach(call, before_);
     ++summary.sweeps;
