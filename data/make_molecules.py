@@ -177,8 +177,32 @@ MOLECULES = [
 ]
 
 
+def in_small_ring(around: list[set[int]], a: int, b: int) -> bool:
+    """Whether a bond is in a ring of up to six atoms."""
+    reached = {a}
+    for _ in range(5):
+        ways = [(x, y) for x in reached for y in around[x] if {x, y} != {a, b}]
+        reached |= {y for _, y in ways}
+        if b in reached:
+            return True
+    return False
+
+
+def planar_torsions(sketch: Sketch, around: list[set[int]]) -> int:
+    """Double bonds, and nitrogens at a carbon that has one, where something hangs on both ends."""
+    doubled = {atom for a, b, order in sketch.bonds if order == 2 for atom in (a, b)}
+    count = 0
+    for a, b, order in sketch.bonds:
+        c, n = (a, b) if sketch.elements[a] == "C" else (b, a)
+        is_amide = (sketch.elements[c], sketch.elements[n]) == ("C", "N") and c in doubled
+        if order == 2 or (order == 1 and is_amide):
+            hangs = min(len(around[a]), len(around[b])) > 1
+            count += hangs and not in_small_ring(around, a, b)
+    return count
+
+
 def graph_facts(sketch: Sketch) -> tuple[int, int, int, int]:
-    """Atoms, bonds, bonds and pairs across angles, independent cycles: from the bonds above."""
+    """Atoms, bonds, bars of ``--bars angles``, independent cycles: from the bonds above."""
     around = [set() for _ in sketch.elements]
     for a, b, _ in sketch.bonds:
         around[a].add(b)
@@ -195,7 +219,8 @@ def graph_facts(sketch: Sketch) -> tuple[int, int, int, int]:
                 seen.add(here)
                 reached += around[here]
     atoms, bonds = len(around), len(bonded)
-    return atoms, bonds, len(bonded | across), bonds - atoms + components
+    held = len(bonded | across) + planar_torsions(sketch, around)
+    return atoms, bonds, held, bonds - atoms + components
 
 
 def write_table(rows: list[str]) -> None:

@@ -38,8 +38,11 @@ class Units final : public Method {
     ++summary.sweeps;
     summary.projections += static_cast<std::int64_t>(framework_.bar_count());
     if (is_whole(call.positions)) {
-      if (nearest_ || has_swung(call)) look_ahead(call, summary);
-      return nearest_ ? approach(call, summary) : Stop::converged;
+      const bool may_approach = nearest_ && summary.sweeps < options_.max_sweeps;
+      if (may_approach || has_swung(call)) look_ahead(call, summary);
+      const bool returns = has_swung(call) && return_to_reference(call);
+      const bool is_last = summary.sweeps >= options_.max_sweeps;
+      return (may_approach || returns) && !is_last ? approach(call, summary) : Stop::converged;
     }
     if (summary.sweeps >= options_.max_sweeps) return Stop::max_sweeps;
     if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
@@ -77,9 +80,18 @@ class Units final : public Method {
       std::copy(after_.begin(), after_.end(), call.positions.begin());
   }
 
+  /// Where even a pass that looks ahead has swung (a chain that is all stretched out cannot follow
+  /// its joints) it begins where all was whole before the push, if that is known and nearer.
+  bool return_to_reference(const ResolveCall& call) const {
+    if (call.reference.empty() || framework_.has_pinned_joints()) return false;
+    if (!(farthest(call.reference) < farthest(call.positions)) || !is_whole(call.reference))
+      return false;
+    std::copy(call.reference.begin(), call.reference.end(), call.positions.begin());
+    return true;
+  }
+
   /// A second pass, nearer to where the joints were; what the first gave is kept if it fails.
   Stop approach(const ResolveCall& call, ResolveSummary& summary) {
-    if (summary.sweeps >= options_.max_sweeps) return Stop::converged;
     after_.assign(call.positions.begin(), call.positions.end());
     const UnitPass::Placement placement = pass_->approach(call, before_);
     ++summary.sweeps;
