@@ -60,6 +60,9 @@ set(PLIANT_COMMON_HEADERS
 function(pliant_compile_in_batches target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ALONE")
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${PLIANT_UNITY} UNITY_BUILD_BATCH_SIZE 8)
+  if(PLIANT_UNITY)
+    target_compile_options(${target} PRIVATE -Wno-shadow) # files see each other's names
+  endif()
   set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 

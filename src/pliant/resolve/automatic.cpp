@@ -64,10 +64,10 @@ struct Chain {
 /// `shake` goes along the bars as they were before the push, so large rings that are pushed far
 /// follow it where Newton's method loses its way; sweeps arrive where matrices are singular.
 const std::vector<Chain>& chains() {
-  static const std::vector<Chain> table = {{"blocks", {"shake", "newton", "anderson"}},
+  static const std::vector<Chain> rows = {{"blocks", {"shake", "newton", "anderson"}},
                                            {"units", {"units_nearest", "shake", "newton", "anderson"}},
                                            {"newton", {"shake", "anderson"}}};
-  return table;
+  return rows;
 }
 
 std::vector<std::string_view> others_than(std::string_view first) {
