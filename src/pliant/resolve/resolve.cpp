@@ -47,7 +47,7 @@ struct Resolver::Plan {
   Plan(const Framework& framework_, const Technique& technique_, const ResolveOptions& options_)
       : framework(framework_), options(options_), technique(technique_) {
     method = entry_of(technique).make(framework, technique, options);
-    if (shifts_to_mass_centre(technique_used(framework, technique)))
+    if (framework.has_bars_only() && shifts_to_mass_centre(technique_used(framework, technique)))
       method = keep_mass_centre(framework, std::move(method));
     if (framework.sterics() != nullptr) contacts = std::make_unique<Contacts>(framework);
     moved.note_all({});

@@ -166,6 +166,9 @@ std::unique_ptr<Method> make_rings(const Framework& framework, const Technique& 
                                    const ResolveOptions& options, bool accelerated) {
   if (framework.has_bars_only())
     return std::make_unique<RingSweeps>(framework, technique, options, true, accelerated);
+  // The centre of mass is kept by sweeps, and by no shift of what limits tie to the rest.
+  if (technique.mass_weighted)
+    return std::make_unique<RingSweeps>(framework, technique, options, false, accelerated);
   return std::make_unique<RingsThenLimits>(framework, technique, options, accelerated);
 }
 
