@@ -7,6 +7,7 @@
 #include "pliant/resolve/blocks/outward_plan.hpp"
 #include "pliant/resolve/blocks/sweep_group.hpp"
 #include "pliant/resolve/blocks/sweep_groups.hpp"
+#include "pliant/resolve/method/mass_centre.hpp"
 #include "pliant/resolve/method/plan_of_root.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
 
@@ -145,12 +146,15 @@ class RingsThenLimits final : public Method {
  public:
   RingsThenLimits(const Framework& framework, const Technique& technique,
                   const ResolveOptions& options, bool accelerated)
-      : rings_(framework, technique, options, true, accelerated),
+      : rings_(std::make_unique<RingSweeps>(framework, technique, options, true, accelerated)),
         all_(framework, technique, options, false, accelerated),
-        limits_(framework, technique.mass_weighted, options.tolerance) {}
+        limits_(framework, technique.mass_weighted, options.tolerance) {
+    // Not after the sweeps: they keep it, and a shift would break what limits tie to the rest.
+    if (technique.mass_weighted) rings_ = keep_mass_centre(framework, std::move(rings_));
+  }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
-    const Stop stop = rings_.resolve(call, summary);
+    const Stop stop = rings_->resolve(call, summary);
     if (stop != Stop::converged) return stop;
     limits_.begin(call.limits_off);
     if (limits_.look(call.positions) == Look::all_whole) return stop;
@@ -158,7 +162,8 @@ class RingsThenLimits final : public Method {
   }
 
  private:
-  RingSweeps rings_, all_;
+  std::unique_ptr<Method> rings_;
+  RingSweeps all_;
   LimitSweep limits_;
 };
 
@@ -166,9 +171,6 @@ std::unique_ptr<Method> make_rings(const Framework& framework, const Technique& 
                                    const ResolveOptions& options, bool accelerated) {
   if (framework.has_bars_only())
     return std::make_unique<RingSweeps>(framework, technique, options, true, accelerated);
-  // The centre of mass is kept by sweeps, and by no shift of what limits tie to the rest.
-  if (technique.mass_weighted)
-    return std::make_unique<RingSweeps>(framework, technique, options, false, accelerated);
   return std::make_unique<RingsThenLimits>(framework, technique, options, accelerated);
 }
 
