@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+// Pairs of joints of different bodies that may come too near (Verlet list), in the numbering of a
+// plan of bodies.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pliant/framework/contacts.hpp"
+#include "pliant/resolve/froda/body_plan.hpp"
+
+namespace pliant {
+
+/// Two places i < j and how near they may come (Angstrom).
+struct NearPair {
+  Place i, j;
+  double least;
+};
+
+/// Which pairs a caller finds too near depends neither on the skin nor on when the list was made.
+class NearPairs {
+ public:
+  /// Both outlive it; the framework has sterics. `skin` (Angstrom): the list is made anew when a
+  /// joint has moved by more than half of it.
+  NearPairs(const Framework& framework, const BodyPlan& plan, double skin = 0.8);
+
+  /// Makes the list right for `x` (places, Angstrom, finite, within 1e4 of the origin).
+  void update(std::span<const Vec3> x);
+  std::span<const NearPair> pairs() const { return pairs_; }  ///< by i, then j
+  std::int64_t lists_made() const { return lists_made_; }
+
+ private:
+  struct Candidate {
+    Place i, j;
+  };
+
+  void exclude();
+  bool is_out_of_date(std::span<const Vec3> x) const;
+  void sort_into_cells(std::span<const Vec3> x);
+  void visit_cell(std::uint32_t x, std::uint32_t y, std::uint32_t z);
+  void gather_run(std::uint32_t row, std::uint32_t low, std::uint32_t high);
+  void compare(std::size_t own);
+  void take(Place one, Place other, float square);
+  double least_of(Place i, Place j) const;
+  void sort_pairs();
+
+  const BodyPlan& plan_;
+  ContactRules rules_;
+  const Sterics& sterics_;
+  std::vector<std::uint64_t> near_excluded_;  ///< of each place: bit k: place + k + 1
+  std::vector<std::uint8_t> is_special_;      ///< has further exclusions, or distances of its own
+  std::vector<Place> listed_;                 ///< places that may touch others: no copies
+  double skin_;
+  std::int64_t lists_made_ = 0;
+  std::vector<Vec3> listed_at_;
+  std::vector<NearPair> pairs_, unsorted_;
+  // while a list is made: places sorted into cells, and the candidates of the cell in hand
+  std::array<std::uint32_t, 3> cells_{};
+  std::vector<std::uint32_t> cell_of_, first_in_cell_, slot_;
+  std::vector<float> x_, y_, z_;
+  std::vector<float> near_x_, near_y_, near_z_, squares_;
+  std::vector<Place> near_;
+  std::vector<std::uint32_t> first_of_, next_;
+};
+
+}  // namespace pliant
