@@ -210,6 +210,7 @@ void keep_atoms(AtomSites& sites, const std::vector<bool>& keep,
   keep_rows(structure.atoms.serials, index);
   keep_rows(structure.positions, index);
   keep_rows(structure.charges, index);
+  keep_rows(structure.b_factors, index);
   keep_rows(sites.conformers, index);
   keep_rows(sites.occupancies, index);
   keep_rows(sites.lines, index);

@@ -42,12 +42,13 @@ struct Columns {
         serial(column_of(table, "id")),
         conformer(column_of(table, "label_alt_id")),
         occupancy(column_of(table, "occupancy")),
+        b_factor(column_of(table, "b_iso_or_equiv")),
         charge(column_of(table, "pdbx_formal_charge")),
         model(column_of(table, "pdbx_pdb_model_num")) {}
 
   std::array<Column, 3> position;
   Column name, residue, chain, number, insertion, instance, element, serial, conformer, occupancy,
-      charge, model;
+      b_factor, charge, model;
 };
 
 /// What makes atoms members of one residue: neighbours that share these.
@@ -263,6 +264,8 @@ void AtomSiteReader::take(std::size_t row) {
   sites_.structure.atoms.elements.push_back(element(row));
   sites_.conformers.push_back(conformer(row));
   sites_.occupancies.push_back(occupancy(row));
+  const auto b_factor = parse_real(without_uncertainty(word(row, columns_.b_factor)));
+  sites_.structure.b_factors.push_back(static_cast<float>(b_factor.value_or(0.0)));
   take_charge(row);
   sites_.lines.push_back(static_cast<std::uint32_t>(line_));
 }

@@ -79,6 +79,7 @@ void PdbReader::reserve(std::size_t count) {
   atoms.serials.reserve(count);
   sites_.structure.positions.reserve(count);
   sites_.conformers.reserve(count);
+  sites_.structure.b_factors.reserve(count);
   sites_.occupancies.reserve(count);
   sites_.lines.reserve(count);
 }
@@ -121,6 +122,7 @@ void PdbReader::take_atom(const PdbLine& line) {
   atoms.elements.push_back(elements_.next(line, atoms.residues.back().name, remarks_));
   sites_.conformers.push_back(column(line.text, 17));
   sites_.occupancies.push_back(pdb_occupancy(line, remarks_));
+  sites_.structure.b_factors.push_back(pdb_b_factor(line));
   sites_.lines.push_back(static_cast<std::uint32_t>(line.number));
   take_charge(line);
 }

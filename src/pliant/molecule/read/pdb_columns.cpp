@@ -146,6 +146,10 @@ float pdb_occupancy(const PdbLine& line, Remarks& remarks) {
   return value ? static_cast<float>(*value) : 1.0F;
 }
 
+float pdb_b_factor(const PdbLine& line) {
+  return static_cast<float>(parse_real(columns(line.text, 61, 66)).value_or(0.0));
+}
+
 std::int8_t pdb_charge(const PdbLine& line, Remarks& remarks) {
   char digit = column(line.text, 79), sign = column(line.text, 80);
   if (digit == ' ' && sign == ' ') return 0;

@@ -43,6 +43,9 @@ Residue pdb_residue(const PdbLine& line, const Residue& previous, Remarks& remar
 /// Warns of a B factor (columns 61-66) that is none, too: both are so in a renamed PQR file.
 float pdb_occupancy(const PdbLine& line, Remarks& remarks);
 
+/// Columns 61-66; 0 where they are blank or no number, which pdb_occupancy warns of.
+float pdb_b_factor(const PdbLine& line);
+
 /// Formal charge (columns 79-80: "2+", "+2", "1-"); 0 where blank; 0 with a warning for the rest.
 std::int8_t pdb_charge(const PdbLine& line, Remarks& remarks);
 

@@ -42,9 +42,10 @@ struct Structure {
   std::vector<Vec3> positions;       ///< (N) Angstrom
   std::vector<Bond> bonds;           ///< sorted by (a, b), each pair once
   std::vector<std::int8_t> charges;  ///< (N) formal charges that the file gives; empty: none
-  std::vector<bool> chain_end;  ///< (R) the chain ends after this residue (TER); empty: not known
-  std::size_t model = 1;        ///< which model or frame this is, from 1
-  std::size_t model_count = 1;  ///< models or frames in the file
+  std::vector<float> b_factors;  ///< (N) Angstrom^2, or a confidence; empty: the format has none
+  std::vector<bool> chain_end;   ///< (R) the chain ends after this residue (TER); empty: not known
+  std::size_t model = 1;         ///< which model or frame this is, from 1
+  std::size_t model_count = 1;   ///< models or frames in the file
 
   std::size_t size() const { return positions.size(); }
 };

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/model/model.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include "pliant/framework/contacts.hpp"
+#include "pliant/model/contact_file.hpp"
+#include "pliant/model/residue_chemistry.hpp"
+#include "pliant/model/steric_table.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr std::array<ModelEntry, 4> table{
+    {{ModelKind::bonds, "bonds", "a bar for each bond: only bond lengths hold", BarKind::bonds,
+      false, false, false},
+     {ModelKind::angles, "angles", "bars for bonds, angles and planar groups", BarKind::angles,
+      false, false, false},
+     {ModelKind::molecule, "molecule", "angles, and atoms keep their distance", BarKind::angles,
+      true, true, false},
+     {ModelKind::protein, "protein",
+      "molecule, and hydrogen bonds, salt bridges and hydrophobic tethers", BarKind::angles, true,
+      true, true}}};
+
+/// Limits of pairs that have no bar: a bar holds its distance anyhow.
+std::vector<Limit> without_barred(std::vector<Limit> limits, const Framework& bars) {
+  std::erase_if(limits, [&](const Limit& limit) {
+    const auto neighbours = bars.neighbours(limit.a);
+    return std::any_of(neighbours.begin(), neighbours.end(),
+                       [&](const Incidence& at) { return at.joint == limit.b; });
+  });
+  return limits;
+}
+
+void append(std::vector<MolecularContact>& all, std::vector<MolecularContact> more) {
+  all.insert(all.end(), more.begin(), more.end());
+}
+
+/// "58 hydrogen bonds (4 salt bridges), 31 hydrophobic tethers".
+std::string told_of(std::span<const MolecularContact> contacts) {
+  std::map<MolecularContactKind, std::size_t> counts;
+  for (const MolecularContact& contact : contacts) ++counts[contact.kind];
+  std::string text;
+  for (const auto& row : molecular_contact_kinds())
+    text +=
+        (text.empty() ? "" : ", ") + std::string(row.name) + " " + std::to_string(counts[row.kind]);
+  return "contacts: " + text;
+}
+
+/// Builds a model of a structure that was made ready.
+class ModelBuilder {
+ public:
+  ModelBuilder(const ModelOptions& options, Preparation ready)
+      : options_(options), entry_(entry(options.kind)), ready_(std::move(ready)) {}
+
+  MolecularModel build() {
+    building_.bars = entry_.bars;
+    building_.pin = options_.pin;
+    building_.log = options_.log;
+    if (entry_.has_contacts) take_contacts();
+    if (entry_.has_sterics && options_.sterics) take_sterics();
+    Framework framework = build_framework(ready_.structure, building_);
+    std::vector<Vec3> positions = ready_.structure.positions;
+    return {options_.kind,
+            std::move(ready_.structure),
+            std::move(framework),
+            std::move(positions),
+            std::move(contacts_),
+            std::move(ready_.steps),
+            std::move(ready_.missing)};
+  }
+
+ private:
+  void tell(std::string line) {
+    options_.log.note(line);
+    ready_.steps.push_back(std::move(line));
+  }
+
+  void take_contacts() {
+    if (options_.contacts) {
+      contacts_ = *options_.contacts;
+    } else if (!options_.contacts_file.empty()) {
+      contacts_ = read_contacts(options_.contacts_file, ready_.structure);
+    } else {
+      contacts_ = find_contacts(ready_.structure, options_, ready_.floppy);
+    }
+    building_.limits =
+        without_barred(limits_of(contacts_), build_framework(ready_.structure, building_));
+    tell(told_of(contacts_));
+  }
+
+  /// Pairs that are too close at the start keep the distance that they have.
+  void take_sterics() {
+    Sterics sterics = molecular_sterics(ready_.structure);
+    const Framework joints({.joint_count = ready_.structure.size(),
+                            .sterics = std::make_shared<const Sterics>(sterics)});
+    sterics.own = own_distances(joints, ready_.structure.positions);
+    if (!sterics.own.empty())
+      tell("sterics: " + std::to_string(sterics.own.size()) +
+           " pairs are nearer than usual and keep their own distance");
+    building_.sterics = std::make_shared<const Sterics>(std::move(sterics));
+  }
+
+  const ModelOptions& options_;
+  const ModelEntry& entry_;
+  Preparation ready_;
+  BuildOptions building_;
+  std::vector<MolecularContact> contacts_;
+};
+
+}  // namespace
+
+std::span<const ModelEntry> models() { return table; }
+
+const ModelEntry& entry(ModelKind kind) { return table[static_cast<std::size_t>(kind)]; }
+
+ModelKind usual_model(const Structure& structure) {
+  const auto& residues = structure.atoms.residues;
+  const bool is_polymer = std::any_of(residues.begin(), residues.end(), [](const Residue& r) {
+    return is_amino_acid(r) || is_nucleotide(r);
+  });
+  return is_polymer ? ModelKind::protein : ModelKind::molecule;
+}
+
+std::vector<MolecularContact> find_contacts(const Structure& structure, const ModelOptions& options,
+                                            const std::vector<bool>& floppy) {
+  std::vector<MolecularContact> all = hydrogen_bonds(structure, options.hydrogen_bonds);
+  append(all, hydrophobic_tethers(structure, options.tethers));
+  append(all, metal_contacts(structure, options.hydrogen_bonds.slack));
+  if (floppy.empty()) return all;
+  const auto& residue_of = structure.atoms.residue_of;
+  std::erase_if(all, [&](const MolecularContact& contact) {
+    return floppy[residue_of[contact.a]] || floppy[residue_of[contact.b]];
+  });
+  return all;
+}
+
+MolecularModel build_model(const Structure& structure, const ModelOptions& options) {
+  PrepareOptions preparing = options.prepare;
+  if (!preparing.log.function) preparing.log = options.log;
+  Preparation ready;
+  if (entry(options.kind).is_prepared) {
+    ready = prepare(structure, preparing);
+  } else {
+    ready.structure = structure;
+  }
+  return ModelBuilder(options, std::move(ready)).build();
+}
+
+}  // namespace pliant

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+// Least distances of atoms of molecules, pairs four or more bonds apart. Carbon stands for CH, CH2
+// and CH3 too: 3.2 Angstrom, above the 2.9 to 3.0 of Ramachandran and Sasisekharan (Adv. Protein
+// Chem. 23 (1968) 283) for bare carbon, from whom the others are (outer limits).
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "pliant/framework/sterics.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+
+namespace pliant {
+
+/// Names of the kinds of atom in the order of their numbers: C N O S H HC M X. H is polar, HC on
+/// carbon, M a metal, X any other; P, Se and halogens count as S.
+std::vector<std::string_view> steric_kind_names();
+
+/// The sterics of a structure whose bonds are known: its kinds, the table, its bonds for what is
+/// excluded (up to three apart). Own distances are empty: own_distances() finds them.
+Sterics molecular_sterics(const Structure& structure);
+
+}  // namespace pliant
