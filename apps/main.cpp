@@ -15,6 +15,8 @@ constexpr Command commands[] = {
     {"info", "what a molecule file holds: atoms, bonds, bars, cycles, bridges, blocks",
      command_info},
     {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
+    {"sample", "an ensemble of what a molecule can do, written to an H5MD trajectory",
+     command_sample},
     {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},
     {"forcegen", "write a force file of random pushes", command_forcegen},
     {"order", "write the sequence in which a technique visits the bars", command_order},

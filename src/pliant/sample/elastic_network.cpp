@@ -18,6 +18,7 @@ namespace {
 constexpr double anm_cutoff = 15.0;
 constexpr double gnm_cutoff = 10.0;
 constexpr double near_length = 6.0;      // of the springs that fall with the sixth power
+constexpr double least_length = 2.8;     // nearer nodes, atoms of a ligand, count as so far apart
 constexpr double far_cutoff = 15.0;      // of a weak spring besides
 constexpr double far_strength = 0.1;
 constexpr double shared_cutoff = 18.0;   // of neighbours that two nodes share
@@ -127,10 +128,11 @@ DenseMatrix chain_springs(const NetworkNodes& nodes) {
 Springs shared_springs(const NetworkNodes& nodes) {
   const DenseMatrix shares = shares_of_neighbours(nodes);
   const double near = near_length * near_length * nodes.scale * nodes.scale;
+  const double least = least_length * least_length * nodes.scale * nodes.scale;
   const double far = far_cutoff * far_cutoff * nodes.scale * nodes.scale;
   return {all_pairs(nodes,
                     [&](std::size_t i, std::size_t j, double square) {
-                      const double ratio = near / square;
+                      const double ratio = near / std::max(square, least);
                       const double spring =
                           ratio * ratio * ratio + (square < far ? far_strength : 0.0);
                       return spring * (shares(i, j) * shares(i, j));

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t largest_direct = 300;
 constexpr std::size_t block = 8;
-constexpr double least_share = 1e-6;  // of the largest diagonal entry: below, in the null space
+constexpr double least_share = 1e-9;  // of the largest diagonal entry: below, in the null space
 constexpr double shift_share = 1e-10;
 constexpr double least_residual = 1e-9;
 /// A vector that loses more than this in being set at right angles to others has nothing new.

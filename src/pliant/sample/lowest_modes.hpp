@@ -12,7 +12,7 @@
 namespace pliant {
 
 /// The `count` lowest eigenpairs of `a` (n x n, symmetric, no eigenvalue below zero) that are no
-/// part of its null space: those above a millionth of the largest diagonal entry. `still` (z x n,
+/// part of its null space: those above 1e-9 of the largest diagonal entry. `still` (z x n,
 /// rows of unit length at right angles) are directions known to be in the null space. Fewer come
 /// back where there are fewer.
 ///

@@ -57,7 +57,7 @@ void ArticulatedStep::gather(std::span<const Vec3> x, std::span<const Vec3> targ
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     froda::PointSums sums;
     Vec3 pull, moment;
-    for (Place at = bodies[k].first; at < bodies[k].last; ++at) {
+    for (Slot at = bodies[k].first; at < bodies[k].last; ++at) {
       sums.add(x[at]);
       if (targets.empty()) continue;
       const Vec3 force = targets[at] - x[at];
@@ -270,7 +270,7 @@ double ArticulatedStep::share_of(std::span<const Vec3> x, double bound) const {
   const auto bodies = plan_.bodies();
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (bodies[k].first == bodies[k].last) continue;
-    for (Place at : {bodies[k].first, bodies[k].last - 1})
+    for (Slot at : {bodies[k].first, bodies[k].last - 1})
       furthest = std::max(furthest, norm_squared(froda::velocity(twist_[k], x[at])));
     if (bodies[k].parent < 0)
       widest = std::max(widest, norm_squared(froda::upper(twist_[k])));
@@ -288,7 +288,7 @@ void ArticulatedStep::move(std::span<Vec3> x, double share) {
   for (std::size_t k = 0; k < bodies.size(); ++k)
     motion_[k] = motion_of(bodies[k], k, x, share);
   for (std::size_t k = 0; k < bodies.size(); ++k)
-    for (Place at = bodies[k].first; at < bodies[k].last; ++at) x[at] = motion_[k](x[at]);
+    for (Slot at = bodies[k].first; at < bodies[k].last; ++at) x[at] = motion_[k](x[at]);
 }
 
 /// Turns by Cayley's formula, without trigonometry; a hinge stays where the parent takes it.

@@ -29,7 +29,7 @@ namespace pliant {
 /// Two places that are to move apart along `along`, from j to i, by `gap` (Angstrom; below 0:
 /// together).
 struct ContactRow {
-  Place i = 0, j = 0;
+  Slot i = 0, j = 0;
   Vec3 along;
   double gap = 0.0, weight = 0.0;
 };

@@ -114,17 +114,17 @@ class BodyPlanner {
     }
     const auto index = static_cast<std::uint32_t>(plan_.bodies_.size());
     body_of_[unit] = index;
-    body.first = static_cast<Place>(plan_.joint_at_.size());
+    body.first = static_cast<Slot>(plan_.joint_at_.size());
     for (Joint joint : set_.at(unit))
       if (joint != entry.a && joint != entry.b) add_place(joint, index);
-    body.last = static_cast<Place>(plan_.joint_at_.size());
+    body.last = static_cast<Slot>(plan_.joint_at_.size());
     plan_.turn_count_ += body.turns();
     plan_.bodies_.push_back(body);
   }
 
   /// A joint that another branch moves already gets a copy here: a loop is cut.
   void add_place(Joint joint, std::uint32_t body) {
-    const auto place = static_cast<Place>(plan_.joint_at_.size());
+    const auto place = static_cast<Slot>(plan_.joint_at_.size());
     if (plan_.place_of_[joint] == unset) {
       plan_.place_of_[joint] = place;
     } else {
@@ -135,9 +135,9 @@ class BodyPlanner {
   }
 
   /// Where a body has a joint of its unit: among its own, else where its ancestors have it.
-  Place place_in(std::uint32_t body, Joint joint) const {
+  Slot place_in(std::uint32_t body, Joint joint) const {
     for (const PlanBody* at = &plan_.bodies_[body];; at = &plan_.bodies_[std::size_t(at->parent)]) {
-      for (Place place = at->first; place < at->last; ++place)
+      for (Slot place = at->first; place < at->last; ++place)
         if (plan_.joint_at_[place] == joint) return place;
       if (at->parent < 0) return plan_.place_of_[joint];
     }

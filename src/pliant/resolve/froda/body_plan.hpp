@@ -13,20 +13,20 @@
 namespace pliant {
 
 /// A place in the plan's own numbering of joints.
-using Place = std::uint32_t;
+using Slot = std::uint32_t;
 
 /// A rigid unit, hanging on its parent by a hinge, a ball, or not at all.
 struct PlanBody {
   std::int32_t parent = -1;       ///< comes before; -1: moves freely
-  Place first = 0, last = 0;      ///< its own joints, [first, last)
-  Place a = 0, b = 0;             ///< the joints that it shares with its parent; a == b: a ball
+  Slot first = 0, last = 0;      ///< its own joints, [first, last)
+  Slot a = 0, b = 0;             ///< the joints that it shares with its parent; a == b: a ball
   std::uint32_t first_turn = 0;   ///< of its turns, among those of all bodies
   std::uint32_t turns() const { return parent < 0 ? 0 : (a == b ? 3 : 1); }
 };
 
 /// Where a loop of bodies was cut: two places of one joint, which must come to lie together.
 struct LoopCut {
-  Place copy, joint;
+  Slot copy, joint;
 };
 
 class BodyPlan {
@@ -41,7 +41,7 @@ class BodyPlan {
   std::size_t turn_count() const { return turn_count_; }
   std::size_t place_count() const { return joint_at_.size(); }
   std::span<const Joint> joint_at() const { return joint_at_; }  ///< of each place, copies too
-  Place place_of(Joint joint) const { return place_of_[joint]; }
+  Slot place_of(Joint joint) const { return place_of_[joint]; }
   std::span<const std::uint32_t> body_at() const { return body_at_; }  ///< of each place
   std::span<const LoopCut> cuts() const { return cuts_; }
 
@@ -52,7 +52,7 @@ class BodyPlan {
   std::vector<PlanBody> bodies_;
   std::size_t turn_count_ = 0;
   std::vector<Joint> joint_at_;
-  std::vector<Place> place_of_;
+  std::vector<Slot> place_of_;
   std::vector<std::uint32_t> body_at_;
   std::vector<LoopCut> cuts_;
 };

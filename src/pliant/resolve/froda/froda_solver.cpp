@@ -141,7 +141,7 @@ void FrodaSolver::find_limit_rows(double weight, Violation& worst) {
   const auto limits = framework_.limits();
   for (LimitIndex k = 0; k < limits.size(); ++k) {
     if (is_off(limits_off_, k)) continue;
-    const Place i = plan_.place_of(limits[k].a), j = plan_.place_of(limits[k].b);
+    const Slot i = plan_.place_of(limits[k].a), j = plan_.place_of(limits[k].b);
     const Aim aim = aim_of(limits[k]);
     const Vec3 apart = x_[i] - x_[j];
     const double square = norm_squared(apart);

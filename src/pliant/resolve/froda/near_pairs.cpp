@@ -7,7 +7,7 @@
 namespace pliant {
 namespace {
 
-constexpr Place bits = 64;
+constexpr Slot bits = 64;
 /// Angstrom: a list reaches a little further than it must, for it looks at rounded positions.
 constexpr double slack = 0.01;
 constexpr std::size_t cells_a_place = 8;
@@ -25,13 +25,13 @@ NearPairs::NearPairs(const Framework& framework, const BodyPlan& plan, double sk
       near_excluded_(plan.place_count(), 0),
       is_special_(plan.place_count(), 0),
       skin_(skin) {
-  for (Place place = 0; place < plan.place_count(); ++place)
+  for (Slot place = 0; place < plan.place_count(); ++place)
     if (plan.place_of(plan.joint_at()[place]) == place) listed_.push_back(place);
   exclude();
 }
 
 void NearPairs::exclude() {
-  for (Place place : listed_)
+  for (Slot place : listed_)
     for (Joint other : rules_.excluded_above(plan_.joint_at()[place])) {
       const auto [low, high] = std::minmax(place, plan_.place_of(other));
       if (high - low <= bits) {
@@ -67,7 +67,7 @@ bool NearPairs::is_out_of_date(std::span<const Vec3> x) const {
 
 void NearPairs::sort_into_cells(std::span<const Vec3> x) {
   Vec3 low = x[listed_[0]], high = low;
-  for (Place place : listed_) {
+  for (Slot place : listed_) {
     const Vec3 at = x[place];
     low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
     high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
@@ -151,7 +151,7 @@ void NearPairs::compare(std::size_t own) {
   }
 }
 
-void NearPairs::take(Place one, Place other, float square) {
+void NearPairs::take(Slot one, Slot other, float square) {
   const auto [i, j] = std::minmax(one, other);
   const auto body_at = plan_.body_at();
   if (body_at[i] == body_at[j]) return;
@@ -160,7 +160,7 @@ void NearPairs::take(Place one, Place other, float square) {
   if (least > 0.0 && square < reach * reach) unsorted_.push_back({i, j, least});
 }
 
-double NearPairs::least_of(Place i, Place j) const {
+double NearPairs::least_of(Slot i, Slot j) const {
   const Joint a = plan_.joint_at()[i], b = plan_.joint_at()[j];
   const auto [low, high] = std::minmax(a, b);
   if (is_special_[i] || is_special_[j] || !sterics_.units.empty()) return rules_.of(low, high);

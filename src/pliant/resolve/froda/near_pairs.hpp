@@ -15,7 +15,7 @@ namespace pliant {
 
 /// Two places i < j and how near they may come (Angstrom).
 struct NearPair {
-  Place i, j;
+  Slot i, j;
   double least;
 };
 
@@ -33,7 +33,7 @@ class NearPairs {
 
  private:
   struct Candidate {
-    Place i, j;
+    Slot i, j;
   };
 
   void exclude();
@@ -42,8 +42,8 @@ class NearPairs {
   void visit_cell(std::uint32_t x, std::uint32_t y, std::uint32_t z);
   void gather_run(std::uint32_t row, std::uint32_t low, std::uint32_t high);
   void compare(std::size_t own);
-  void take(Place one, Place other, float square);
-  double least_of(Place i, Place j) const;
+  void take(Slot one, Slot other, float square);
+  double least_of(Slot i, Slot j) const;
   void sort_pairs();
 
   const BodyPlan& plan_;
@@ -51,7 +51,7 @@ class NearPairs {
   const Sterics& sterics_;
   std::vector<std::uint64_t> near_excluded_;  ///< of each place: bit k: place + k + 1
   std::vector<std::uint8_t> is_special_;      ///< has further exclusions, or distances of its own
-  std::vector<Place> listed_;                 ///< places that may touch others: no copies
+  std::vector<Slot> listed_;                 ///< places that may touch others: no copies
   double skin_;
   std::int64_t lists_made_ = 0;
   std::vector<Vec3> listed_at_;
@@ -61,7 +61,7 @@ class NearPairs {
   std::vector<std::uint32_t> cell_of_, first_in_cell_, slot_;
   std::vector<float> x_, y_, z_;
   std::vector<float> near_x_, near_y_, near_z_, squares_;
-  std::vector<Place> near_;
+  std::vector<Slot> near_;
   std::vector<std::uint32_t> first_of_, next_;
 };
 
