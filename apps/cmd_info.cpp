@@ -11,9 +11,28 @@
 #include "molecule_input.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/framework/graph.hpp"
+#include "pliant/model/survey.hpp"
 
 namespace pliant::app {
 namespace {
+
+/// What there is besides chains of residues with all their hydrogens.
+std::vector<std::string> found_lines(const Structure& structure, const Survey& found) {
+  std::vector<std::string> lines = found_parts(structure, found);
+  if (found.waters > 0) lines.insert(lines.begin(), fmt::format("waters: {}", found.waters));
+  return lines;
+}
+
+/// What there is not; of hydrogens, only what proteins and nucleic acids should have.
+std::vector<std::string> missing_lines(const Structure& structure, const Survey& found) {
+  std::vector<std::string> lines = missing_parts(structure, found);
+  if (!found.without_hydrogens.empty())
+    lines.insert(
+        lines.begin(),
+        fmt::format("hydrogens: of {} of {} residues (polar ones are placed by rule)",
+                    found.without_hydrogens.size(), found.amino_acids + found.nucleotides));
+  return lines;
+}
 
 /// How many there are of each name.
 using Counts = std::vector<std::pair<std::string, std::size_t>>;
@@ -25,6 +44,7 @@ struct Facts {
   std::size_t pinned;
   Counts elements, bonds_by_origin;
   std::size_t chains;
+  Survey survey;
 
   /// A graph XML file has joints and bars, and nothing of chemistry.
   bool has_atoms() const { return structure.format != "graph"; }
@@ -59,7 +79,8 @@ Facts facts_of(const MoleculeOptions& options, const Molecule& molecule) {
           framework.pinned_count(),
           elements_of(structure),
           bonds_by_origin(structure),
-          chains_of(structure)};
+          chains_of(structure),
+          survey(structure)};
 }
 
 Json as_object(const Counts& counts) {
@@ -82,7 +103,17 @@ Json json_of_atoms(const Facts& facts) {
           {"elements", as_object(facts.elements)},
           {"bonds", facts.structure.bonds.size()},
           {"bonds_by_origin", as_object(facts.bonds_by_origin)},
-          {"bar_kind", facts.options.bars}};
+          {"bar_kind", bars_of(facts.options)}};
+}
+
+Json json_of_survey(const Facts& facts) {
+  const Survey& found = facts.survey;
+  return {{"amino_acids", found.amino_acids},
+          {"nucleotides", found.nucleotides},
+          {"waters", found.waters},
+          {"usual_model", entry(usual_model(facts.structure)).name},
+          {"found", found_lines(facts.structure, found)},
+          {"missing", missing_lines(facts.structure, found)}};
 }
 
 Json json_of_bars(const Facts& facts) {
@@ -99,7 +130,7 @@ Json json_of_bars(const Facts& facts) {
 }
 
 void print_facts_as_json(const Facts& facts, const Messages& messages) {
-  const Json atoms = facts.has_atoms() ? json_of_atoms(facts) : Json{};
+  const Json atoms = facts.has_atoms() ? json_of_atoms(facts) + json_of_survey(facts) : Json{};
   print_json(json_of_file(facts) + atoms + json_of_bars(facts) +
              Json{{"warnings", messages.warnings()}, {"notes", messages.notes()}});
 }
@@ -141,7 +172,8 @@ void print_molecule_rows(const Facts& facts) {
   print_row("residues", structure.atoms.residues.size(), numbered(facts.chains, "chain", "chains"));
   print_row("bonds", structure.bonds.size(), "from " + listed(facts.bonds_by_origin));
   const std::string pinned = pinned_joints(facts);
-  print_row("bars", facts.graph.bars, facts.options.bars + (pinned.empty() ? "" : ", " + pinned));
+  print_row("bars", facts.graph.bars,
+            bars_of(facts.options) + (pinned.empty() ? "" : ", " + pinned));
 }
 
 void print_graph_rows(const Facts& facts) {
@@ -163,13 +195,23 @@ void print_table(const Facts& facts) {
                         graph.bars_in_blocks, graph.largest_block));
 }
 
+void print_survey(const Facts& facts) {
+  if (!facts.has_atoms()) return;
+  for (const std::string& line : found_lines(facts.structure, facts.survey))
+    fmt::print("found       {}\n", line);
+  for (const std::string& line : missing_lines(facts.structure, facts.survey))
+    fmt::print("missing     {}\n", line);
+}
+
 }  // namespace
 
 int command_info(const Arguments& arguments) {
   CommandLine line(
       "pliant info",
       "Tells what a molecule file holds: atoms, bonds and where each comes from, bars,\n"
-      "components, independent cycles, bridges and blocks. Says what was guessed.");
+      "components, independent cycles, bridges and blocks. Says what was guessed, and what is "
+      "missing for\n"
+      "a model of a protein.");
   MoleculeOptions options;
   bool as_json = false;
   add_molecule_options(line, options);
@@ -183,6 +225,7 @@ int command_info(const Arguments& arguments) {
     print_facts_as_json(facts, messages);
   } else {
     print_table(facts);
+    print_survey(facts);
     print_guesses(facts, messages);
   }
   return exit_ok;

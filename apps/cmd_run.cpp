@@ -29,7 +29,8 @@ std::vector<std::string> outputs_of(const RunSettings& settings) {
 /// The outputs must be none of the inputs, whatever name or link leads to them.
 void refuse_to_overwrite_inputs(const RunSettings& settings) {
   for (const std::string& input :
-       {settings.molecule.file, settings.molecule.bars, settings.forces, settings.ordering})
+       {settings.molecule.file, settings.molecule.bars, settings.molecule.kind.contacts,
+        settings.forces, settings.ordering})
     for (const std::string& output : outputs_of(settings)) refuse_same_file(input, output);
 }
 
@@ -41,6 +42,16 @@ void refuse_to_replace(const RunSettings& settings) {
     if (std::filesystem::is_regular_file(output, error))
       throw FileError(output + ": exists; --overwrite replaces it");
   }
+}
+
+/// Bars of bonds leave a molecule far more freedom than it has.
+void tell_what_is_free(const MoleculeOptions& options, const Structure& structure, const Log& log) {
+  const bool is_molecule =
+      structure.format != "graph" && usual_model(structure) == ModelKind::protein;
+  if (is_molecule && options.kind.name.empty() && bars_of(options) == "bonds")
+    log.note(
+        "bars of bonds: angles, planar groups, contacts and overlaps are free; --model protein "
+        "holds them, and pliant sample makes ensembles");
 }
 
 int exit_code_of(const RunSummary& summary) {
@@ -68,6 +79,7 @@ int command_run(const Arguments& arguments) {
   if (const int code = line.parse(arguments); code >= 0) return code;
   Messages messages(settings.json || settings.quiet);
   const Molecule molecule = load(settings.molecule, messages.log());
+  tell_what_is_free(settings.molecule, molecule.structure, messages.log());
   complete(line, settings, molecule.framework);
   refuse_to_overwrite_inputs(settings);
   refuse_to_replace(settings);

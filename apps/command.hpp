@@ -25,6 +25,7 @@ struct Command {
   int (*run)(const Arguments& arguments);  ///< null: a program pliant-NAME of its own
 };
 
+int command_contacts(const Arguments& arguments);
 int command_forcegen(const Arguments& arguments);
 int command_info(const Arguments& arguments);
 int command_order(const Arguments& arguments);

@@ -129,6 +129,26 @@ void CommandLine::add_integer(const std::string& name, std::int64_t& value, std:
   add_parsed(parser_->app, name, "N", shown, help, parse);
 }
 
+void CommandLine::add_integer_or_choice(const std::string& name, std::int64_t& value,
+                                        std::int64_t least, std::int64_t most, std::string& word,
+                                        const std::vector<std::string_view>& names,
+                                        const std::string& help) {
+  const std::vector<std::string> known(names.begin(), names.end());
+  const auto parse = [name, least, most, known, &value, &word](const std::string& text) {
+    const auto number = parse_integer(text);
+    const bool is_number = number && !has_blanks(text) && *number >= least && *number <= most;
+    if (is_number) {
+      value = *number;
+    } else if (std::find(known.begin(), known.end(), text) != known.end()) {
+      word = text;
+    } else {
+      refuse(name, wording(least, most) + fmt::format(" or one of {}", fmt::join(known, ", ")),
+             text);
+    }
+  };
+  add_parsed(parser_->app, name, "N or NAME", "", help, parse);
+}
+
 void CommandLine::add_seed(const std::string& name, std::uint64_t& value, const std::string& help) {
   const auto parse = [name, &value](const std::string& text) {
     const char* end = text.data() + text.size();

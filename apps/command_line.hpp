@@ -65,6 +65,11 @@ class CommandLine {
   void add_choice(const std::string& name, std::string& value,
                   const std::vector<std::string_view>& names, const std::string& help);
 
+  /// A whole number of [least, most], else one of `names`, which goes to `word`.
+  void add_integer_or_choice(const std::string& name, std::int64_t& value, std::int64_t least,
+                             std::int64_t most, std::string& word,
+                             const std::vector<std::string_view>& names, const std::string& help);
+
   /// Returns -1 to go on, else the exit code to end with (help was printed, or the error).
   int parse(const Arguments& arguments);
 

@@ -14,6 +14,8 @@ namespace {
 constexpr Command commands[] = {
     {"info", "what a molecule file holds: atoms, bonds, bars, cycles, bridges, blocks",
      command_info},
+    {"contacts", "hydrogen bonds, salt bridges and hydrophobic contacts of a molecule",
+     command_contacts},
     {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
     {"sample", "an ensemble of what a molecule can do, written to an H5MD trajectory",
      command_sample},

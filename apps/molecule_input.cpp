@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/model/model.hpp"
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/read/read.hpp"
@@ -17,7 +18,7 @@ constexpr std::int64_t most_models = 1'000'000'000;
 
 /// A graph XML file: its joints and bars as they stand, each bar shown as a bond of the file.
 Molecule load_graph(const MoleculeOptions& options, const Log& log) {
-  if (!options.pin.empty() || options.bars != "bonds" || options.lengths != "geometry")
+  if (!options.pin.empty() || bars_of(options) != "bonds" || options.lengths != "geometry")
     throw OptionError(
         "--pin, --bars and --lengths are for molecules: a graph XML file says itself "
         "what is pinned, its bars and their lengths");
@@ -33,39 +34,78 @@ Molecule load_graph(const MoleculeOptions& options, const Log& log) {
   return {std::move(structure), std::move(graph.framework)};
 }
 
+/// A model says itself what its bars are and that they are as long as in the file.
+void check(const MoleculeOptions& options) {
+  pliant::app::check(options.kind);
+  if (options.kind.name.empty()) return;
+  if (!options.bars.empty())
+    throw OptionError("--model, --bars: expected one of them: a model has bars of its own");
+  if (options.lengths != "geometry")
+    throw OptionError("--lengths " + options.lengths +
+                      ": goes with --bars: a model has the lengths of the file");
+}
+
+Molecule load_model(const MoleculeOptions& options, const Structure& structure, const Log& log) {
+  ModelOptions building = model_options_of(options.kind, log);
+  building.pin = options.pin;
+  MolecularModel model = build_model(structure, building);
+  return {std::move(model.structure), std::move(model.framework)};
+}
+
 bool is_graph(const MoleculeOptions& options) {
   return options.format.empty() && std::filesystem::path(options.file).extension() == ".xml";
 }
 
 }  // namespace
 
-void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
+std::string bars_of(const MoleculeOptions& options) {
+  if (!options.bars.empty()) return options.bars;
+  return options.kind.name.empty() ? "bonds" : options.kind.name;
+}
+
+void add_file_options(CommandLine& line, MoleculeOptions& options) {
   line.start_group("Molecule");
   line.add_required_text("input", options.file, "FILE",
                          "PDB, mmCIF, XYZ, SDF (may be gzipped), or a graph (.xml)");
   line.add_choice("--format", options.format, names_of(formats()),
                   "pdb, mmcif, xyz or sdf, if not told by extension or content");
-  line.add_integer("--model", options.model, 1, most_models, "which model, frame or record");
+  line.add_integer("--frame", options.model, 1, most_models, "which model, frame or record");
+  line.add_opposite("--no-distance-bonds", options.guess_distances,
+                    "guess no bond from a distance");
+}
+
+void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
+  add_file_options(line, options);
+  line.add_integer_or_choice("--model", options.model, 1, most_models, options.kind.name,
+                             names_of(models()),
+                             "what holds it: bonds, angles, molecule or protein, in place of "
+                             "--bars; a number is that of --frame");
   line.add_text("--bars", options.bars, "NAME or FILE",
                 "bonds, angles (bonds and 1-3 pairs), none or a bars file (default: bonds)");
   line.add_choice("--lengths", options.lengths, names_of(length_choices),
                   "rest lengths from the geometry or a table of bonds");
   line.add_text("--pin", options.pin, "SELECTION",
                 "atoms that never move, such as \"chainID A and name CA\"");
-  line.add_opposite("--no-distance-bonds", options.guess_distances,
-                    "guess no bond from a distance");
+  add_model_options(line, options.kind);
 }
 
-Molecule load(const MoleculeOptions& options, const Log& log) {
-  if (is_graph(options)) return load_graph(options, log);
+Structure read(const MoleculeOptions& options, const Log& log) {
   ReadOptions reading{static_cast<std::size_t>(options.model), options.format, log};
   Structure structure = read_structure(options.file, reading);
   BondOptions bonding;
   bonding.guess_distances = options.guess_distances;
   bonding.log = log;
   perceive_bonds(structure, bonding);
+  return structure;
+}
+
+Molecule load(const MoleculeOptions& options, const Log& log) {
+  check(options);
+  if (is_graph(options)) return load_graph(options, log);
+  Structure structure = read(options, log);
+  if (!options.kind.name.empty()) return load_model(options, structure, log);
   BuildOptions building;
-  take_bars(options.bars, structure, building);
+  take_bars(bars_of(options), structure, building);
   building.lengths = choose(length_choices, "source of lengths", options.lengths).source;
   building.pin = options.pin;
   building.log = log;

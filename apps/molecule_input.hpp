@@ -6,6 +6,7 @@
 #include <string>
 
 #include "command_line.hpp"
+#include "model_input.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/structure/structure.hpp"
@@ -15,11 +16,12 @@ namespace pliant::app {
 struct MoleculeOptions {
   std::string file;
   std::string format;
-  std::int64_t model = 1;
-  std::string bars = "bonds";
+  std::int64_t model = 1;  ///< which model, frame or record
+  std::string bars;        ///< "": as the kind of model says, bonds if that is left open
   std::string lengths = "geometry";
   std::string pin;
   bool guess_distances = true;
+  ModelSettings kind;
 };
 
 struct Molecule {
@@ -27,7 +29,17 @@ struct Molecule {
   Framework framework;
 };
 
+/// The name or file of the bars: "bonds" where nothing was asked for, else the kind of model.
+std::string bars_of(const MoleculeOptions& options);
+
+/// What tells the molecule and the kind of its model.
 void add_molecule_options(CommandLine& line, MoleculeOptions& options);
+
+/// Those of them that tell which file and how it is read.
+void add_file_options(CommandLine& line, MoleculeOptions& options);
+
+/// Reads the file and perceives its bonds. Throws as the library does.
+Structure read(const MoleculeOptions& options, const Log& log);
 
 /// Reads the file, perceives its bonds, builds its framework. Throws as the library does.
 Molecule load(const MoleculeOptions& options, const Log& log);

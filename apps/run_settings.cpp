@@ -211,16 +211,19 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
   RunOptions run = settings.run;
   run.resolve.walker = static_cast<std::uint64_t>(walker);
   std::vector<NamedParameter> values = pliant::parameters_of(run, framework);
-  values.insert(values.end(), {{"input/file", fs::path(settings.molecule.file).filename().string()},
-                               {"input/model", settings.molecule.model},
-                               {"input/bars", fs::path(settings.molecule.bars).filename().string()},
-                               {"input/lengths", settings.molecule.lengths},
-                               {"input/pin", settings.molecule.pin},
-                               {"input/distance_bonds", settings.molecule.guess_distances},
-                               {"run/ordering", fs::path(settings.ordering).filename().string()},
-                               {"run/forces", fs::path(settings.forces).filename().string()},
-                               {"record/single", settings.record.single},
-                               {"record/compress", settings.record.compress}});
+  values.insert(values.end(),
+                {{"input/file", fs::path(settings.molecule.file).filename().string()},
+                 {"input/model", settings.molecule.model},
+                 {"input/bars", fs::path(bars_of(settings.molecule)).filename().string()},
+                 {"input/lengths", settings.molecule.lengths},
+                 {"input/pin", settings.molecule.pin},
+                 {"input/distance_bonds", settings.molecule.guess_distances},
+                 {"run/ordering", fs::path(settings.ordering).filename().string()},
+                 {"run/forces", fs::path(settings.forces).filename().string()},
+                 {"record/single", settings.record.single},
+                 {"record/compress", settings.record.compress}});
+  const std::vector<NamedParameter> model = parameters_of(settings.molecule.kind);
+  values.insert(values.end(), model.begin(), model.end());
   return values;
 }
 

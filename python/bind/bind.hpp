@@ -18,6 +18,7 @@ void bind_framework(nb::module_& module);
 void bind_ensemble(nb::module_& module);
 void bind_generate(nb::module_& module);
 void bind_laboratory(nb::module_& module);
+void bind_model(nb::module_& module);
 void bind_molecule(nb::module_& module);
 void bind_motion(nb::module_& module);
 void bind_order(nb::module_& module);

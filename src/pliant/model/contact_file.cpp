@@ -4,14 +4,11 @@
 #include <algorithm>
 #include <array>
 #include <map>
-#include <memory>
-#include <optional>
-#include <span>
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/framework/joint_names.hpp"
+#include "pliant/model/atom_words.hpp"
 #include "pliant/text/text_lines.hpp"
 
 namespace pliant {
@@ -57,27 +54,17 @@ bool is_bond_kind(MolecularContactKind kind) {
   return kind == MolecularContactKind::hydrogen_bond || kind == MolecularContactKind::salt_bridge;
 }
 
-Framework joints_of(const Structure& structure) {
-  return Framework({.joint_count = structure.size(),
-                    .atoms = std::make_shared<const AtomTable>(structure.atoms)});
-}
-
 /// Atoms as words, and the words of a contact in the order of the columns; "" for none.
 class ContactWords {
  public:
-  explicit ContactWords(const Structure& structure)
-      : joints_(joints_of(structure)), names_(joints_) {}
-
-  std::string atom(std::uint32_t atom) const {
-    const std::string word = names_.word_for(atom, "contacts");
-    return word.find_first_of(",\"") == std::string::npos ? word : std::to_string(atom);
-  }
+  explicit ContactWords(const Structure& structure) : names_(structure.atoms) {}
 
   std::vector<std::string> of(const MolecularContact& contact) const {
     const bool is_bond = is_bond_kind(contact.kind);
     std::vector<std::string> words{std::string(name(contact.kind))};
     for (const AtomColumn& column : atom_columns)
-      words.push_back(column.is_of_hydrogen_bonds && !is_bond ? "" : atom(contact.*column.place));
+      words.push_back(
+          column.is_of_hydrogen_bonds && !is_bond ? "" : names_.word_for(contact.*column.place));
     for (const NumberColumn& column : number_columns)
       words.push_back(
           column.is_of_hydrogen_bonds && !is_bond ? "" : shortest_text(contact.*column.place));
@@ -85,8 +72,7 @@ class ContactWords {
   }
 
  private:
-  Framework joints_;
-  JointNames names_;
+  AtomWords names_;
 };
 
 std::vector<std::string_view> cells_of(std::string_view line) {
@@ -103,7 +89,7 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 class Parser {
  public:
   Parser(std::string_view file, const Structure& structure)
-      : place_{file, 0}, structure_(structure), joints_(joints_of(structure)), names_(joints_) {}
+      : place_{file, 0}, structure_(structure), names_(structure.atoms) {}
 
   std::vector<MolecularContact> parse(std::string_view text) {
     for (Lines lines(text); lines.next();) {
@@ -196,8 +182,7 @@ class Parser {
 
   Place place_;
   const Structure& structure_;
-  Framework joints_;
-  JointNames names_;
+  AtomWords names_;
   std::map<std::string, std::size_t, std::less<>> columns_;
   std::vector<std::string_view> cells_;
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> lines_;

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "pliant/base/error.hpp"
 #include "pliant/framework/contacts.hpp"
 #include "pliant/model/contact_file.hpp"
 #include "pliant/model/residue_chemistry.hpp"
@@ -87,9 +88,27 @@ class ModelBuilder {
     } else {
       contacts_ = find_contacts(ready_.structure, options_, ready_.floppy);
     }
+    check_atoms();
     building_.limits =
         without_barred(limits_of(contacts_), build_framework(ready_.structure, building_));
     tell(told_of(contacts_));
+  }
+
+  /// Contacts that a caller gives may name anything.
+  void check_atoms() const {
+    const std::size_t count = ready_.structure.size();
+    for (std::size_t k = 0; k < contacts_.size(); ++k) {
+      const MolecularContact& c = contacts_[k];
+      for (std::uint32_t atom : {c.a, c.b, c.hydrogen, c.base}) {
+        const bool may_lack = atom == MolecularContact::none && atom != c.a && atom != c.b;
+        if (atom >= count && !may_lack)
+          throw InputError("contact " + std::to_string(k) + " names atom " + std::to_string(atom) +
+                           " of " + std::to_string(count) + " (counted from 0)");
+      }
+      if ((c.hydrogen == MolecularContact::none) != (c.base == MolecularContact::none))
+        throw InputError("contact " + std::to_string(k) +
+                         ": expected both a hydrogen and a base, or neither");
+    }
   }
 
   /// Pairs that are too close at the start keep the distance that they have.

@@ -184,8 +184,17 @@ class Placer {
     return {};
   }
 
+  /// The lightest heavy atom beyond the neighbour, the first of equal ones.
+  std::uint32_t reference_of(std::uint32_t parent, std::uint32_t neighbour) const {
+    const auto& elements = structure_.atoms.elements;
+    std::uint32_t best = no_atom;
+    for (std::uint32_t atom : graph_.heavy_at(neighbour))
+      if (atom != parent && (best == no_atom || elements[atom] < elements[best])) best = atom;
+    return best;
+  }
+
   Spin spin_of(const Site& site, std::uint32_t neighbour) const {
-    const std::uint32_t reference = graph_.first_heavy(neighbour, site.parent);
+    const std::uint32_t reference = reference_of(site.parent, neighbour);
     const Vec3 from =
         reference != no_atom
             ? at(reference)

@@ -174,15 +174,7 @@ class Preparer {
 
   void tell_of_survey() {
     const Survey found = survey(now_.structure);
-    const auto list = [&](const char* what, const std::vector<std::uint32_t>& residues) {
-      if (!residues.empty())
-        tell(std::string(what) + " kept: " + listed_residues(atoms(), residues));
-    };
-    if (!found.disulphides.empty())
-      tell(counted(found.disulphides.size(), "disulphide", "disulphides"));
-    list("ligands", found.ligands);
-    list("metals", found.metals);
-    list("ions", found.ions);
+    for (const std::string& line : found_parts(now_.structure, found)) tell("kept " + line);
     tell_of_ligands_without_hydrogens(found);
     for (std::string& line : missing_parts(now_.structure, found))
       now_.missing.push_back(std::move(line));
@@ -194,11 +186,14 @@ class Preparer {
     for (std::uint32_t r : found.ligands) {
       const auto first = atoms().elements.begin();
       const auto begin = first + residues.begin(r), end = first + residues.end(r);
-      if (std::find(begin, end, 1) == end) bare.push_back(r);
+      const bool is_polar =
+          std::any_of(begin, end, [](std::uint8_t e) { return e == 7 || e == 8; });
+      if (is_polar && std::find(begin, end, 1) == end) bare.push_back(r);
     }
     if (!bare.empty())
-      now_.missing.push_back("hydrogens of " + listed_residues(atoms(), bare) +
-                             ": there is no rule for them; as donors they make no hydrogen bond");
+      now_.missing.push_back(
+          "hydrogens of " + listed_residues(atoms(), bare) +
+          ": there is no rule for them, so these ligands donate no hydrogen bond");
   }
 
   void find_floppy() {

@@ -30,9 +30,10 @@ enum class HydrogenShape : std::uint8_t {
 
 /// The polar hydrogens of one atom of a residue.
 struct PolarSite {
-  std::string_view form;       ///< residue or protonation form: "HID"
-  std::string_view atom;       ///< "ND1"
-  std::string_view hydrogens;  ///< their names, set apart by blanks
+  std::string_view form;  ///< residue or protonation form: "HID"
+  std::string_view atom;  ///< "ND1"
+  /// Their names, set apart by blanks; in a plane the one beside the lightest atom first.
+  std::string_view hydrogens;
   HydrogenShape shape;
 };
 

@@ -77,6 +77,7 @@ class Surveyor {
   void look_at_other(std::uint32_t r) {
     const std::uint32_t first = residues_.begin(r);
     const bool is_single = residues_.end(r) - first == 1;
+    if (has(r, "N") && has(r, "CA") && has(r, "C")) return found_.modified.push_back(r);
     if (!is_single) return found_.ligands.push_back(r);
     (is_metal(atoms_.elements[first]) ? found_.metals : found_.ions).push_back(r);
   }
@@ -159,6 +160,21 @@ std::string listed_residues(const AtomTable& atoms, const std::vector<std::uint3
     text += (k > 0 ? ", " : "") + residue_label(atoms, residues[k]);
   if (residues.size() > most) text += " and " + std::to_string(residues.size() - most) + " more";
   return text;
+}
+
+std::vector<std::string> found_parts(const Structure& structure, const Survey& survey) {
+  std::vector<std::string> lines;
+  const auto add = [&](const char* what, const std::vector<std::uint32_t>& residues) {
+    if (!residues.empty())
+      lines.push_back(std::string(what) + ": " + listed_residues(structure.atoms, residues));
+  };
+  add("modified residues", survey.modified);
+  add("ligands", survey.ligands);
+  add("metals", survey.metals);
+  add("ions", survey.ions);
+  if (!survey.disulphides.empty())
+    lines.push_back("disulphides: " + std::to_string(survey.disulphides.size()));
+  return lines;
 }
 
 std::vector<std::string> missing_parts(const Structure& structure, const Survey& survey) {

@@ -26,6 +26,7 @@ struct Survey {
   std::size_t amino_acids = 0, nucleotides = 0, waters = 0;
   std::size_t hydrogens = 0;
   std::vector<std::uint32_t> without_hydrogens;  ///< amino acids and nucleotides that have none
+  std::vector<std::uint32_t> modified;           ///< residues of a chain with a name not known
   std::vector<std::uint32_t> ligands;            ///< residues of no known kind, more than one atom
   std::vector<std::uint32_t> metals;             ///< residues that are one metal atom
   std::vector<std::uint32_t> ions;               ///< residues that are one other atom
@@ -46,6 +47,9 @@ std::string residue_label(const AtomTable& atoms, std::uint32_t residue);
 /// "A:LYS12, A:GLU13 and 5 more".
 std::string listed_residues(const AtomTable& atoms, const std::vector<std::uint32_t>& residues,
                             std::size_t most = 4);
+
+/// "ligands: A:HEM301", one line a kind: modified residues, ligands, metals, ions, disulphides.
+std::vector<std::string> found_parts(const Structure& structure, const Survey& survey);
 
 /// What is missing, one line each: hydrogens excepted, which preparation places.
 std::vector<std::string> missing_parts(const Structure& structure, const Survey& survey);

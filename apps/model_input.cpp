@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "model_input.hpp"
+
+#include <filesystem>
+
+#include "pliant/base/choices.hpp"
+
+namespace pliant::app {
+
+void add_model_options(CommandLine& line, ModelSettings& settings) {
+  line.start_group("Model");
+  line.add_real("--hbond-cutoff", settings.hbond_cutoff, Range::any,
+                "kcal/mol: hydrogen bonds of no lower energy are left out");
+  line.add_text("--contacts", settings.contacts, "FILE",
+                "contacts as pliant contacts --csv writes them, in place of those found");
+  line.add_flag("--keep-waters", settings.keep_waters, "do not take waters out");
+  line.add_names("--protonate", settings.protonate, "as hydrogens, names or pH 7 say",
+                 "forms of residues, as HIS57:HID or A:ASP25:ASH");
+  line.add_flag("--floppy", settings.floppy,
+                "leave out contacts of residues with a confidence (pLDDT) below 50");
+}
+
+void check(const ModelSettings& settings) {
+  const ModelSettings usual;
+  const ModelEntry* model = nullptr;
+  if (!settings.name.empty()) model = &choose(models(), "model", settings.name);
+  const auto refuse = [](bool is_given, const char* option, const char* expected) {
+    if (is_given) throw OptionError(std::string(option) + ": goes with " + expected);
+  };
+  if (model == nullptr || !model->is_prepared) {
+    const char* expected = "--model molecule or --model protein";
+    refuse(settings.keep_waters, "--keep-waters", expected);
+    refuse(!settings.protonate.empty(), "--protonate", expected);
+  }
+  if (model == nullptr || !model->has_contacts) {
+    refuse(settings.hbond_cutoff != usual.hbond_cutoff, "--hbond-cutoff", "--model protein");
+    refuse(!settings.contacts.empty(), "--contacts", "--model protein");
+    refuse(settings.floppy, "--floppy", "--model protein");
+  }
+}
+
+std::vector<NamedParameter> parameters_of(const ModelSettings& settings) {
+  if (settings.name.empty()) return {};
+  std::string forms;
+  for (const std::string& form : settings.protonate) forms += (forms.empty() ? "" : ",") + form;
+  return {{"model/kind", settings.name},
+          {"model/hbond_cutoff", settings.hbond_cutoff},
+          {"model/keep_waters", settings.keep_waters},
+          {"model/protonate", forms},
+          {"model/floppy", settings.floppy},
+          {"model/contacts", std::filesystem::path(settings.contacts).filename().string()}};
+}
+
+ModelOptions model_options_of(const ModelSettings& settings, const Log& log) {
+  ModelOptions options;
+  if (!settings.name.empty()) options.kind = choose(models(), "model", settings.name).kind;
+  options.prepare.keep_waters = settings.keep_waters;
+  options.prepare.protonate = settings.protonate;
+  options.prepare.floppy_below = settings.floppy ? disordered_below : 0.0;
+  options.hydrogen_bonds.cutoff = settings.hbond_cutoff;
+  options.contacts_file = settings.contacts;
+  options.log = log;
+  return options;
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/model/model.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "pliant/base/error.hpp"
+#include "pliant/framework/contacts.hpp"
+#include "pliant/model/hydrogen_bond_energy.hpp"
+#include "pliant/model/steric_table.hpp"
+#include "unit/molecule/made_structure.hpp"
+
+namespace pliant::testing {
+namespace {
+
+using ::testing::ElementsAre;
+
+/// N-H..O=C in a line, H on an N with two C; other methyl groups nearby.
+Structure amide_and_carbonyl() {
+  Structure s;
+  add_residue(s, "LIG", 1,
+              {{"N", "N", {0, 0, 0}},
+               {"H", "H", {1.0, 0, 0}},
+               {"C1", "C", {-0.7, 1.2, 0}},
+               {"C2", "C", {-0.7, -1.2, 0}}});
+  add_residue(s, "LIG", 5,
+              {{"O", "O", {2.8, 0, 0}},
+               {"C", "C", {4.0, 0, 0}},
+               {"C3", "C", {4.7, 1.3, 0}},
+               {"C4", "C", {4.7, -1.3, 0}}});
+  perceive_bonds(s);
+  return s;
+}
+
+TEST(HydrogenBonds, OneInALineHasTheWholeWell) {
+  const auto found = hydrogen_bonds(amide_and_carbonyl());
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found[0].kind, MolecularContactKind::hydrogen_bond);
+  EXPECT_EQ(found[0].a, 0U);
+  EXPECT_EQ(found[0].b, 4U);
+  EXPECT_EQ(found[0].hydrogen, 1U);
+  EXPECT_EQ(found[0].base, 5U);
+  EXPECT_NEAR(found[0].energy, -8.0, 1e-9);
+}
+
+TEST(HydrogenBonds, TheCutoffLeavesWeakOnesOut) {
+  EXPECT_TRUE(hydrogen_bonds(amide_and_carbonyl(), {.cutoff = -8.5}).empty());
+}
+
+TEST(HydrogenBonds, AChargedPairIsASaltBridge) {
+  Structure s;
+  add_residue(s, "LYS", 1,
+              {{"CE", "C", {-1.5, 0, 0}},
+               {"NZ", "N", {0, 0, 0}},
+               {"HZ1", "H", {0.95, 0.3, 0}},
+               {"HZ2", "H", {-0.3, -0.5, 0.85}},
+               {"HZ3", "H", {-0.3, -0.5, -0.85}}});
+  add_residue(s, "ASP", 9,
+              {{"OD1", "O", {2.8, 0, 0}},
+               {"CG", "C", {3.6, 1.0, 0}},
+               {"OD2", "O", {3.0, 2.1, 0}},
+               {"CB", "C", {5.1, 0.9, 0}}});
+  perceive_bonds(s);
+  const auto found = hydrogen_bonds(s);
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].kind, MolecularContactKind::salt_bridge);
+  EXPECT_NEAR(found[0].energy, salt_bridge_energy(2.8), 1e-12);
+}
+
+TEST(Tethers, AreBetweenCarbonsOfResiduesApart) {
+  Structure s;
+  for (int k = 0; k < 3; ++k) add_residue(s, "ALA", k + 1, {{"CB", "C", {3.8 * k, 0.0, 0.0}}});
+  add_residue(s, "ALA", 9, {{"CB", "C", {0.0, 3.6, 0.0}}}, "B");
+  const auto found = hydrophobic_tethers(s);
+  ASSERT_EQ(found.size(), 1U);  // neighbours in a chain are none
+  EXPECT_EQ(found[0].a, 0U);
+  EXPECT_EQ(found[0].b, 3U);
+  EXPECT_NEAR(found[0].most, 3.6 + 0.5, 1e-12);
+}
+
+TEST(Tethers, AMetalWithoutBondsIsHeldByWhatIsBesideIt) {
+  Structure s;
+  add_residue(s, "ZN", 1, {{"ZN", "Zn", {0, 0, 0}}});
+  add_residue(s, "CYS", 4, {{"SG", "S", {2.3, 0, 0}}});
+  const auto found = metal_contacts(s);
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_NEAR(found[0].least, 2.1, 1e-12);
+  EXPECT_NEAR(found[0].most, 2.5, 1e-12);
+}
+
+TEST(StericTable, IsWhatFrameworksTake) {
+  const Structure s = amide_and_carbonyl();
+  const Sterics sterics = molecular_sterics(s);
+  EXPECT_NO_THROW(check(sterics, s.size()));
+  EXPECT_EQ(sterics.kind_count, steric_kind_names().size());
+  EXPECT_EQ(sterics.of_kinds(1, 4), 1.7);  // H..O
+  EXPECT_EQ(sterics.of_kinds(2, 6), 3.2);  // C..C
+}
+
+TEST(BuildModel, StartsWithEveryLimitAndDistanceHeld) {
+  const MolecularModel model = build_model(amide_and_carbonyl());
+  for (const Limit& limit : model.framework.limits())
+    EXPECT_EQ(excess(limit, distance(model.positions[limit.a], model.positions[limit.b])), 0.0);
+  EXPECT_TRUE(own_distances(model.framework, model.positions).empty());
+  EXPECT_EQ(model.framework.limits().size(), 3U);
+}
+
+TEST(BuildModel, KindsAddUp) {
+  const Structure s = amide_and_carbonyl();
+  const auto bonds = build_model(s, {.kind = ModelKind::bonds}).framework.bar_count();
+  const MolecularModel molecule = build_model(s, {.kind = ModelKind::molecule});
+  EXPECT_EQ(bonds, s.bonds.size());
+  EXPECT_GT(molecule.framework.bar_count(), bonds);
+  EXPECT_TRUE(molecule.framework.limits().empty());
+  EXPECT_NE(molecule.framework.sterics(), nullptr);
+  EXPECT_EQ(build_model(s, {.kind = ModelKind::angles}).framework.sterics(), nullptr);
+}
+
+TEST(BuildModel, TakesContactsInPlaceOfItsOwn) {
+  ModelOptions options;
+  options.contacts = std::vector<MolecularContact>{};
+  EXPECT_TRUE(build_model(amide_and_carbonyl(), options).framework.limits().empty());
+  options.contacts->push_back({MolecularContactKind::hydrophobic, 2, 77});
+  try {
+    build_model(amide_and_carbonyl(), options);
+    FAIL() << "nothing refused";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "contact 0 names atom 77 of 8 (counted from 0)");
+  }
+}
+
+TEST(UsualModel, IsToldByResidues) {
+  Structure s;
+  add_residue(s, "GLY", 1, glycine({0, 0, 0}));
+  EXPECT_EQ(usual_model(s), ModelKind::protein);
+  EXPECT_EQ(usual_model(amide_and_carbonyl()), ModelKind::molecule);
+}
+
+}  // namespace
+}  // namespace pliant::testing
