@@ -12,6 +12,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/model/survey.hpp"
+#include "pliant/molecule/planar_groups.hpp"
 
 namespace pliant::app {
 namespace {
@@ -43,6 +44,7 @@ struct Facts {
   GraphFacts graph;
   std::size_t pinned;
   Counts elements, bonds_by_origin;
+  std::size_t planar_bars;  ///< across bonds about which nothing turns
   std::size_t chains;
   Survey survey;
 
@@ -79,6 +81,7 @@ Facts facts_of(const MoleculeOptions& options, const Molecule& molecule) {
           framework.pinned_count(),
           elements_of(structure),
           bonds_by_origin(structure),
+          bars_of(options) == "angles" ? find_planar_bars(structure).size() : 0,
           chains_of(structure),
           survey(structure)};
 }
@@ -103,7 +106,8 @@ Json json_of_atoms(const Facts& facts) {
           {"elements", as_object(facts.elements)},
           {"bonds", facts.structure.bonds.size()},
           {"bonds_by_origin", as_object(facts.bonds_by_origin)},
-          {"bar_kind", bars_of(facts.options)}};
+          {"bar_kind", bars_of(facts.options)},
+          {"planar_bars", facts.planar_bars}};
 }
 
 Json json_of_survey(const Facts& facts) {
@@ -172,8 +176,11 @@ void print_molecule_rows(const Facts& facts) {
   print_row("residues", structure.atoms.residues.size(), numbered(facts.chains, "chain", "chains"));
   print_row("bonds", structure.bonds.size(), "from " + listed(facts.bonds_by_origin));
   const std::string pinned = pinned_joints(facts);
+  const std::string planar = facts.planar_bars == 0
+                                 ? ""
+                                 : fmt::format(", {} of them hold planar groups", facts.planar_bars);
   print_row("bars", facts.graph.bars,
-            bars_of(facts.options) + (pinned.empty() ? "" : ", " + pinned));
+            bars_of(facts.options) + planar + (pinned.empty() ? "" : ", " + pinned));
 }
 
 void print_graph_rows(const Facts& facts) {

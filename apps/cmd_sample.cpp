@@ -5,7 +5,6 @@
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
-#include "molecule_input.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/record/topology_pdb.hpp"
@@ -30,14 +29,14 @@ H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model
   for (std::uint8_t element : model.structure.atoms.elements)
     header.masses.push_back(element_mass(element));
   header.creator_version = PLIANT_VERSION;
-  header.parameters = parameters_of(settings, model);
+  header.parameters = parameters_of(settings);
   return header;
 }
 
 /// Asked of both outputs before the first is made, so that none is left behind alone.
 void check_outputs(const SampleSettings& settings) {
   for (const std::string& output : {settings.output, settings.topology}) {
-    refuse_same_file(settings.file, output);
+    refuse_same_file(settings.molecule.file, output);
     std::error_code error;
     if (!settings.record.overwrite && output != "none" &&
         std::filesystem::is_regular_file(output, error))

@@ -60,7 +60,7 @@ void print_sample_table(const SampleSettings& settings, const MolecularModel& mo
 
 void print_sample_json(const SampleSettings& settings, const MolecularModel& model,
                        const SampleSummary& summary, const std::vector<std::string>& warnings) {
-  const Json json{{"input", settings.file},
+  const Json json{{"input", settings.molecule.file},
                   {"output", settings.output},
                   {"topology", settings.topology},
                   {"model", entry(model.kind).name},

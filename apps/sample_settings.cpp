@@ -3,13 +3,10 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <limits>
 #include <thread>
 
 #include "pliant/base/choices.hpp"
 #include "pliant/model/residue_nodes.hpp"
-#include "pliant/molecule/bonds/bonds.hpp"
-#include "pliant/molecule/read/read.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/samplers.hpp"
 
@@ -20,25 +17,12 @@ namespace fs = std::filesystem;
 constexpr std::int64_t most_frames = 100'000'000;
 
 void add_molecule_group(CommandLine& line, SampleSettings& settings) {
-  line.start_group("Molecule");
-  line.add_required_text("input", settings.file, "FILE", "PDB, mmCIF, XYZ, SDF (may be gzipped)");
-  line.add_choice("--format", settings.format, names_of(formats()),
-                  "pdb, mmcif, xyz or sdf, if not told by extension or content");
-  line.add_integer("--structure", settings.structure, 1, most_frames,
-                   "which model, frame or record of the file");
+  add_file_options(line, settings.molecule);
   std::vector<std::string_view> kinds{"auto"};
   for (const ModelEntry& row : models()) kinds.push_back(row.name);
   line.add_choice("--model", settings.model, kinds,
-                  "what holds the molecule; auto: protein for residues, else molecule");
-  line.add_real("--hbond-cutoff", settings.building.hydrogen_bonds.cutoff, Range::any,
-                "hydrogen bonds below this energy are held (kcal/mol)");
-  line.add_text("--contacts", settings.building.contacts_file, "FILE",
-                "contacts of this file in place of those found");
-  line.add_flag("--keep-waters", settings.building.prepare.keep_waters, "leave waters in");
-  line.add_names("--protonate", settings.building.prepare.protonate, "pH 7 by table",
-                 "residues and their forms, such as HIS57:HID");
-  line.add_opposite("--no-distance-bonds", settings.guess_distances,
-                    "guess no bond from a distance");
+                  "what holds it; auto: protein where there are residues, else molecule");
+  add_model_options(line, settings.molecule.kind);
 }
 
 void add_sample_group(CommandLine& line, SampleSettings& settings) {
@@ -98,24 +82,17 @@ void complete(SampleSettings& settings) {
   if (settings.threads == 0)
     settings.threads = std::max(1U, std::thread::hardware_concurrency());
   settings.sample.threads = static_cast<int>(settings.threads);
-  if (settings.output.empty()) settings.output = stem_of(settings.file).string() + ".h5md";
+  if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
   if (settings.topology.empty()) settings.topology = default_topology(settings);
   check(settings.sample);
 }
 
-MolecularModel load_model(const SampleSettings& settings, const Log& log) {
-  Structure structure = read_structure(
-      settings.file, {static_cast<std::size_t>(settings.structure), settings.format, log});
-  BondOptions bonding;
-  bonding.guess_distances = settings.guess_distances;
-  bonding.log = log;
-  perceive_bonds(structure, bonding);
-  ModelOptions building = settings.building;
-  building.kind = usual_model(structure);
-  for (const ModelEntry& row : models())
-    if (row.name == settings.model) building.kind = row.kind;
-  building.log = log;
-  return build_model(structure, building);
+MolecularModel load_model(SampleSettings& settings, const Log& log) {
+  const Structure structure = read(settings.molecule, log);
+  settings.molecule.kind.name =
+      settings.model == "auto" ? entry(usual_model(structure)).name : settings.model;
+  check(settings.molecule.kind);
+  return build_model(structure, model_options_of(settings.molecule.kind, log));
 }
 
 NetworkNodes nodes_of(const MolecularModel& model) {
@@ -127,21 +104,19 @@ NetworkNodes nodes_of(const MolecularModel& model) {
   return nodes;
 }
 
-std::vector<NamedParameter> parameters_of(const SampleSettings& settings,
-                                          const MolecularModel& model) {
+std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
   const SampleOptions& sample = settings.sample;
-  return {{"input/file", settings.file},
-          {"input/model", settings.structure},
-          {"model/kind", std::string(entry(model.kind).name)},
-          {"model/hbond_cutoff", settings.building.hydrogen_bonds.cutoff},
-          {"model/keep_waters", settings.building.prepare.keep_waters},
-          {"sample/frames", sample.frames},
-          {"sample/first_frame", sample.first_frame},
-          {"sample/amplitude", sample.amplitude},
-          {"sample/seed", std::to_string(sample.seed)},
-          {"sample/network", sample.network},
-          {"sample/sampler", sample.sampler},
-          {"sample/temperature", sample.temperature}};
+  std::vector<NamedParameter> all{{"input/file", settings.molecule.file},
+                                  {"input/model", settings.molecule.model},
+                                  {"sample/frames", sample.frames},
+                                  {"sample/first_frame", sample.first_frame},
+                                  {"sample/amplitude", sample.amplitude},
+                                  {"sample/seed", std::to_string(sample.seed)},
+                                  {"sample/network", sample.network},
+                                  {"sample/sampler", sample.sampler},
+                                  {"sample/temperature", sample.temperature}};
+  for (NamedParameter& one : parameters_of(settings.molecule.kind)) all.push_back(std::move(one));
+  return all;
 }
 
 }  // namespace pliant::app

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "command_line.hpp"
+#include "molecule_input.hpp"
 #include "pliant/base/parameter.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
@@ -14,12 +14,8 @@
 namespace pliant::app {
 
 struct SampleSettings {
-  std::string file;
-  std::string format;
-  std::int64_t structure = 1;  ///< which model, frame or record of the file
-  bool guess_distances = true;
+  MoleculeOptions molecule;
   std::string model = "auto";  ///< a name in models(), or what fits the file
-  ModelOptions building;
   SampleOptions sample;
   std::int64_t threads = 0;  ///< 0: as many as there are cores
   H5mdOptions record;
@@ -34,14 +30,14 @@ void add_sample_options(CommandLine& line, SampleSettings& settings);
 /// Fills in what the command line left open: names of outputs, threads.
 void complete(SampleSettings& settings);
 
-/// Reads the file, perceives its bonds, builds its model. Throws as the library does.
-MolecularModel load_model(const SampleSettings& settings, const Log& log);
+/// Reads the file, perceives its bonds, builds its model, whose kind is then in `settings`. Throws
+/// as the library does.
+MolecularModel load_model(SampleSettings& settings, const Log& log);
 
 /// The nodes of the elastic network of a model.
 NetworkNodes nodes_of(const MolecularModel& model);
 
 /// Every option as it is stored below /parameters.
-std::vector<NamedParameter> parameters_of(const SampleSettings& settings,
-                                          const MolecularModel& model);
+std::vector<NamedParameter> parameters_of(const SampleSettings& settings);
 
 }  // namespace pliant::app

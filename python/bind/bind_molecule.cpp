@@ -67,7 +67,8 @@ constexpr const char* framework_doc = R"(The framework whose joints are the atom
 Parameters
 ----------
 bars : str or path
-    ``bonds``: a bar for each bond; ``angles``: and for each pair of atoms bonded to one atom;
+    ``bonds``: a bar for each bond; ``angles``: and for each pair of atoms bonded to one atom, and
+    across the torsions of planar groups;
     ``none``; else the path of a bars file, which states bars, limits and sterics.
 lengths : str
     ``geometry``: the distances at ``positions``; ``table``: standard lengths by elements and order.

@@ -14,6 +14,7 @@ FrameworkParts parts_of(const Framework& framework) {
   parts.joint_count = framework.joint_count();
   parts.bars.assign(framework.bars().begin(), framework.bars().end());
   parts.rest_lengths.assign(framework.rest_lengths().begin(), framework.rest_lengths().end());
+  parts.planar = framework.is_planar();
   parts.limits.assign(framework.limits().begin(), framework.limits().end());
   if (framework.sterics() != nullptr)
     parts.sterics = std::make_shared<const Sterics>(*framework.sterics());

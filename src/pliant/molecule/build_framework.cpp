@@ -8,6 +8,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/bond_lengths.hpp"
+#include "pliant/molecule/planar_groups.hpp"
 #include "pliant/molecule/selection.hpp"
 
 namespace pliant {
@@ -38,6 +39,7 @@ class FrameworkBuilder {
     if (options_.bars != BarKind::none)
       for (const Bond& bond : structure_.bonds) add_bond(bond);
     if (options_.bars == BarKind::angles) add_angles();
+    if (options_.bars == BarKind::angles) add_planar_groups();
     add_stated();
     if (is_drawn()) parts_.drawn = structure_.positions;
     if (options_.use_masses) add_masses();
@@ -116,6 +118,14 @@ class FrameworkBuilder {
     std::sort(across.begin(), across.end(), [&](Bar x, Bar y) { return key(x) < key(y); });
     across.erase(std::unique(across.begin(), across.end()), across.end());
     for (Bar bar : across) {
+      parts_.bars.push_back(bar);
+      parts_.rest_lengths.push_back(measured_length(bar.a, bar.b));
+    }
+  }
+
+  /// Bars across the torsions of bonds about which nothing turns.
+  void add_planar_groups() {
+    for (Bar bar : find_planar_bars(structure_)) {
       parts_.bars.push_back(bar);
       parts_.rest_lengths.push_back(measured_length(bar.a, bar.b));
     }

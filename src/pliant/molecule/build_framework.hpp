@@ -13,7 +13,7 @@
 
 namespace pliant {
 
-/// Which pairs become bars: bonds (1-2), angles (1-2 and 1-3), or none.
+/// Which pairs become bars: bonds (1-2), angles (1-2, 1-3, and 1-4 in planar groups), or none.
 enum class BarKind : std::uint8_t { bonds, angles, none };
 /// Where rest lengths come from: the file's geometry, or sums of covalent radii (bonds only).
 enum class LengthSource : std::uint8_t { geometry, table };
@@ -30,7 +30,8 @@ struct LengthChoice {
 };
 inline constexpr BarChoice bar_choices[] = {
     {"bonds", BarKind::bonds, "a bar for each bond"},
-    {"angles", BarKind::angles, "a bar for each bond and each pair of atoms bonded to one atom"},
+    {"angles", BarKind::angles, 
+     "a bar for each bond, each pair of atoms bonded to one atom, and across planar groups"},
     {"none", BarKind::none, "no bar"}};
 inline constexpr LengthChoice length_choices[] = {
     {"geometry", LengthSource::geometry, "the distances in the file"},

@@ -82,7 +82,7 @@ Choice choose_technique(const Framework& framework, const Technique& asked) {
     return chosen("newton", asked, "several joints are pinned: all bars are solved together");
   if (has_hubs(framework))
     return chosen("anderson", asked, "joints of many bars: sweeps, accelerated");
-  if (has_large_blocks(facts) && is_mostly_triangles(framework))
+  if (!framework.is_planar() && has_large_blocks(facts) && is_mostly_triangles(framework))
     return chosen("units", asked, "most bars are in triangles: rigid units in one outward pass");
   return chosen("blocks", asked,
                 counted(facts.blocks, "ring system") + ", each by Newton's method, and " +

@@ -7,6 +7,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/method/mass_centre.hpp"
 #include "pliant/resolve/method/method.hpp"
 #include "pliant/resolve/method/moved_joints.hpp"
 #include "pliant/resolve/sweeps/sweeps.hpp"
@@ -46,6 +47,8 @@ struct Resolver::Plan {
   Plan(const Framework& framework_, const Technique& technique_, const ResolveOptions& options_)
       : framework(framework_), options(options_), technique(technique_) {
     method = entry_of(technique).make(framework, technique, options);
+    if (shifts_to_mass_centre(technique_used(framework, technique)))
+      method = keep_mass_centre(framework, std::move(method));
     if (framework.sterics() != nullptr) contacts = std::make_unique<Contacts>(framework);
     moved.note_all({});
   }

@@ -35,14 +35,14 @@ std::vector<TechniqueEntry> all_techniques() {
                   true, true, make_local_sweeps, make_lane_local_sweeps});
   rows.push_back({"blocks",
                   "bridges exact in one outward pass, each ring system alone by Newton's method",
-                  false, false, false, make_blocks, make_lane_blocks});
+                  false, false, false, make_blocks, make_lane_blocks, true});
   rows.push_back({"anderson", "bfs_cycle with Anderson acceleration from sweep to sweep", false,
                   true, true, make_anderson});
   rows.push_back({"rings_first",
                   "each ring system alone by bfs_cycle, then bridges in one outward pass", false,
-                  false, false, make_rings_first});
+                  false, false, make_rings_first, nullptr, true});
   rows.push_back({"rings_anderson", "rings_first with Anderson acceleration in each ring system",
-                  false, false, false, make_rings_anderson});
+                  false, false, false, make_rings_anderson, nullptr, true});
   rows.push_back({"newton", "the nearest whole positions, weighted by mass", false, false, false,
                   make_newton, make_lane_newton});
   rows.push_back({"shake",
@@ -50,10 +50,10 @@ std::vector<TechniqueEntry> all_techniques() {
                   false, false, false, make_shake, make_lane_shake});
   rows.push_back(
       {"units", "rigid units (angles, small rings) placed exactly in one outward pass over hinges",
-       false, false, false, make_units});
+       false, false, false, make_units, nullptr, true});
   rows.push_back({"units_nearest",
                   "units, then all hinges turned at once towards where the joints were", false,
-                  false, false, make_units_nearest});
+                  false, false, make_units_nearest, nullptr, true});
   return rows;
 }
 
@@ -86,6 +86,10 @@ const TechniqueEntry& entry_of(const Technique& technique) {
   static const TechniqueEntry custom{custom_technique,  "sweeps of your own", false, false, true,
                                      make_custom_sweeps};
   return technique.sweep ? custom : find_technique(technique.name);
+}
+
+bool shifts_to_mass_centre(const Technique& technique) {
+  return technique.mass_weighted && entry_of(technique).carries;
 }
 
 void check(const Technique& technique) {

@@ -28,6 +28,9 @@ struct TechniqueEntry {
                                   const ResolveOptions& options) = nullptr;
   /// Makes what resolves eight walkers at once, or none for such a framework. Null: no such way.
   std::unique_ptr<LaneMethod> (*make_lanes)(const LaneSetting& setting) = nullptr;
+  /// Goes outward and carries along what hangs on a joint: if asked to weight by mass, each component
+  /// is shifted afterwards so that its centre of mass stays.
+  bool carries = false;
 };
 
 std::span<const TechniqueEntry> techniques();
@@ -38,6 +41,9 @@ const TechniqueEntry& find_technique(std::string_view name);
 /// The row of this technique. Of one that has a sweep of its own (`custom`): a row that is not in
 /// techniques(). Throws OptionError as find_technique does.
 const TechniqueEntry& entry_of(const Technique& technique);
+
+/// Whether components are shifted after each resolve by this technique, which is not `auto`.
+bool shifts_to_mass_centre(const Technique& technique);
 
 /// Throws OptionError if the technique is unknown, the weighting is not in [0, 1], an ordering goes
 /// with another technique than `input`, or a sweep with another than `custom`.

@@ -71,7 +71,8 @@ struct WalkerResolver::Plan {
         kernels(find_level(lane_options.level)),
         alone(framework_, asked, options_),
         uses_lanes(lane_options.lanes && !options.on_bar && framework_.has_bars_only() &&
-                   entry_of(technique).make_lanes != nullptr) {}
+                   entry_of(technique).make_lanes != nullptr &&
+                   !shifts_to_mass_centre(technique)) {}
 
   /// A single walker never needs the lanes' plans and memory.
   bool prepare_lanes() {

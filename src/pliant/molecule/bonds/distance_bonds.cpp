@@ -21,6 +21,14 @@ constexpr double widest_ring_angle_cosine = 0.17364817766693033;
 
 constexpr std::uint8_t hydrogen = 1;
 
+// H2 is 0.74 Angstrom long; two hydrogens further apart than this are two that touch.
+constexpr double longest_hydrogen_molecule = 0.85;
+
+// Bonds of hydrogen to elements beyond the second period are 0.95 to 1.1 of the sum of radii long
+// (HCl 1.27, H2S 1.34, PH3 1.42, SiH4 1.48 Angstrom). What is much nearer is a placeholder.
+constexpr double least_ratio_to_heavy = 0.85;
+constexpr std::uint8_t neon = 10;
+
 struct ElementValence {
   std::uint8_t element;
   std::uint8_t neighbours;
@@ -136,6 +144,16 @@ class DistanceStep {
     return (water_[a] || water_[b]) && residue_of[a] != residue_of[b];
   }
 
+  /// Whether elements and residues allow a bond of this length, `ratio` to the sum of radii.
+  bool is_possible(std::uint32_t a, std::uint32_t b, double length, double ratio) const {
+    const auto [light, heavy] = std::minmax(elements_[a], elements_[b]);
+    if (light != hydrogen) return true;
+    if (heavy > neon) return ratio >= least_ratio_to_heavy;
+    if (heavy != hydrogen) return true;
+    const auto& residue_of = p_.structure.atoms.residue_of;
+    return residue_of[a] == residue_of[b] && length <= longest_hydrogen_molecule;
+  }
+
   std::vector<Vec3> positions() const {
     std::vector<Vec3> points;
     points.reserve(atoms_.size());
@@ -170,6 +188,7 @@ class DistanceStep {
       const double radii = covalent_radius(elements_[a]) + covalent_radius(elements_[b]);
       if (length <= p_.options.shortest || length > radii + p_.options.slack) return;
       if (is_known(a, b)) return;
+      if (!is_possible(a, b, length, length / radii)) return;
       const bool hydrogens = elements_[a] == hydrogen && elements_[b] == hydrogen;
       (hydrogens ? hydrogen_pairs_ : heavy_).push_back({length / radii, a, b});
     });

@@ -67,6 +67,7 @@ void write_framework(std::int64_t file, const Framework& framework) {
   std::vector<std::uint8_t> pinned;
   for (const double inverse : framework.inverse_masses()) pinned.push_back(inverse == 0.0);
   write_booleans(file, group + "/pinned", pinned);
+  if (framework.is_planar()) write_parameter(file, group + "/planar", true);
 }
 
 std::vector<std::string> names_of_kinds() {

@@ -21,7 +21,7 @@ inline constexpr char limit[] = "/parameters/limit";      // least, most, kind, 
 /// kind, least, own, own_least, unit, bonds_apart, bonds
 inline constexpr char sterics[] = "/parameters/sterics";
 inline constexpr int schema = 2;                              // of /h5md/creator; none is 1
-inline constexpr char framework[] = "/parameters/framework";  // rest_length, pinned
+inline constexpr char framework[] = "/parameters/framework";  // rest_length, pinned, planar
 inline constexpr char topology[] = "/parameters/topology";    // the atom table, bonds' origins
 }  // namespace h5md
 

@@ -109,6 +109,11 @@ std::vector<Joint> StaticReader::pinned() const {
   return joints;
 }
 
+bool StaticReader::planar() const {
+  const std::string path = framework_group + "/planar";
+  return has_object(file_, path) && integers(path, 1, 0, 1)[0] != 0;
+}
+
 std::vector<Limit> StaticReader::limits() const {
   const std::vector<Bar> ends = pairs(h5md::limits);
   if (ends.empty()) return {};
@@ -224,6 +229,7 @@ Framework StaticReader::framework() const {
                     .masses = masses(),
                     .pinned = pinned(),
                     .atoms = atoms(),
+                    .planar = planar(),
                     .limits = limits(),
                     .sterics = sterics()});
 }

@@ -24,6 +24,7 @@ class StaticReader {
   std::vector<double> rest_lengths() const;
   std::vector<double> masses() const;
   std::vector<Joint> pinned() const;
+  bool planar() const;  ///< whether it is a linkage of the plane
   std::vector<Limit> limits() const;
   std::shared_ptr<const Sterics> sterics() const;  ///< null where the file has none
   int schema() const;

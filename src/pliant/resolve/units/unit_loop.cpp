@@ -30,6 +30,11 @@ Framework part_of(const Framework& framework, std::span<const Joint> joints,
   return Framework(std::move(parts));
 }
 
+/// Newton's method and sweeps may stall at one start and not at another: one ring in a million does,
+/// and would leave all of a large framework to them.
+constexpr int most_attempts = 6;
+constexpr double shake = 0.1;  // Angstrom
+
 ResolveOptions half_the_tolerance(ResolveOptions options) {
   options.tolerance.relative *= 0.5;
   options.tolerance.length *= 0.5;
@@ -59,7 +64,21 @@ void UnitLoop::close_by_torsions(UnitSet rigid, const UnitShapes& shapes) {
 }
 
 bool UnitLoop::find_shape(const ResolveCall& call) {
-  for (std::size_t k = 0; k < joints_.size(); ++k) positions_[k] = call.positions[joints_[k]];
+  for (int attempt = 0; attempt < most_attempts; ++attempt)
+    if (find_shape_from(call, attempt * shake)) return true;
+  return false;
+}
+
+/// Where the joints are, or each moved by `size` in a direction that the seed decides.
+bool UnitLoop::find_shape_from(const ResolveCall& call, double size) {
+  for (std::size_t k = 0; k < joints_.size(); ++k) {
+    positions_[k] = call.positions[joints_[k]];
+    if (size == 0.0 || part_.is_pinned(static_cast<Joint>(k))) continue;
+    RandomKey key = call.key;
+    key.domain = Domain::escape;
+    key.joint = joints_[k];
+    positions_[k] += size * part_.random_direction(RandomSequence(key));
+  }
   ResolveCall alone = call;
   alone.positions = positions_;
   alone.disturbed = {};

@@ -24,7 +24,8 @@ class UnitLoop {
   void close_by_torsions(UnitSet rigid, const UnitShapes& shapes);
 
   /// Finds a shape in which all bars of the unit are within half the tolerance (the pass adds its
-  /// own rounding), near where its joints are. Moves none of `call.positions`. False if it fails:
+  /// own rounding), near where its joints are, or begun a little way off where that fails. Moves none
+  /// of `call.positions`. False if it fails:
   /// the shape is then as good as it got.
   bool find_shape(const ResolveCall& call);
 
@@ -32,6 +33,8 @@ class UnitLoop {
   std::span<const Vec3> shape() const { return positions_; }
 
  private:
+  bool find_shape_from(const ResolveCall& call, double size);
+
   std::vector<Joint> joints_;
   Framework part_;  ///< the unit alone: joint k is joints_[k]
   std::unique_ptr<Method> blocks_;

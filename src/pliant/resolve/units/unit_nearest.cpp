@@ -7,83 +7,11 @@
 namespace pliant {
 namespace {
 
-using Twist = std::array<double, 6>;
-
 constexpr int most_steps = 20;
 constexpr int most_halvings = 6;
 /// A step that takes less than this share off the sum was the last.
 constexpr double least_gain = 1e-3;
 constexpr double largest_turn = 0.5;  // radians
-/// A turn that moves less than this, against what the inertia could give, moves nothing.
-constexpr double vanishing = 1e-12;
-
-std::size_t entry(std::size_t i, std::size_t j) {
-  return i >= j ? i * (i + 1) / 2 + j : j * (j + 1) / 2 + i;
-}
-
-Twist times(const std::array<double, 21>& inertia, const Twist& s) {
-  Twist out{};
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t j = 0; j < 6; ++j) out[i] += inertia[entry(i, j)] * s[j];
-  return out;
-}
-
-double dot6(const Twist& a, const Twist& b) {
-  double sum = 0.0;
-  for (std::size_t k = 0; k < 6; ++k) sum += a[k] * b[k];
-  return sum;
-}
-
-Twist twist_of(Vec3 upper, Vec3 lower) {
-  return {upper.x, upper.y, upper.z, lower.x, lower.y, lower.z};
-}
-
-/// Adds a point of weight w at x, pulled by w times `pull`.
-void add_point(std::array<double, 21>& a, Twist& force, Vec3 x, Vec3 pull, double w) {
-  const Vec3 wx = w * x;
-  const double square = dot(wx, x);
-  a[0] += square - wx.x * x.x;
-  a[1] -= wx.y * x.x, a[2] += square - wx.y * x.y;
-  a[3] -= wx.z * x.x, a[4] -= wx.z * x.y, a[5] += square - wx.z * x.z;
-  a[7] += wx.z, a[8] -= wx.y, a[9] += w;
-  a[10] -= wx.z, a[12] += wx.x, a[14] += w;
-  a[15] += wx.y, a[16] -= wx.x, a[20] += w;
-  const Vec3 f = w * pull, moment = cross(x, f);
-  const Twist add = twist_of(moment, f);
-  for (std::size_t k = 0; k < 6; ++k) force[k] += add[k];
-}
-
-/// Solves inertia v = force; directions without inertia (a rod about itself) stay.
-Twist solve_free(std::array<double, 21> a, Twist b) {
-  for (std::size_t j = 0; j < 6; ++j) {
-    const double diagonal = a[entry(j, j)];
-    for (std::size_t k = 0; k < j; ++k)
-      a[entry(j, j)] -= a[entry(j, k)] * a[entry(j, k)] * a[entry(k, k)];
-    const double pivot = a[entry(j, j)];
-    const bool vanishes = !(pivot > vanishing * diagonal);
-    if (vanishes) a[entry(j, j)] = HUGE_VAL;
-    for (std::size_t i = j + 1; i < 6; ++i) {
-      double sum = a[entry(i, j)];
-      for (std::size_t k = 0; k < j; ++k) {
-        const double share = a[entry(i, k)] * a[entry(j, k)];
-        if (share != 0.0) sum -= share * a[entry(k, k)];
-      }
-      a[entry(i, j)] = vanishes ? 0.0 : sum / pivot;
-    }
-  }
-  for (std::size_t i = 0; i < 6; ++i)
-    for (std::size_t k = 0; k < i; ++k) b[i] -= a[entry(i, k)] * b[k];
-  for (std::size_t i = 0; i < 6; ++i) b[i] /= a[entry(i, i)];
-  for (std::size_t i = 6; i-- > 0;)
-    for (std::size_t k = i + 1; k < 6; ++k) b[i] -= a[entry(k, i)] * b[k];
-  return b;
-}
-
-std::size_t turns_of(const UnitStep& step) {
-  if (step.is<UnitStep::Rod>()) return 2;  // not about itself
-  if (step.parent < 0 && !step.is_held) return 0;
-  return step.is<UnitStep::Hinge>() ? 1 : 3;
-}
 
 }  // namespace
 
@@ -94,7 +22,7 @@ void UnitNearest::approach(UnitPlan& plan, std::span<Vec3> positions,
   first_turn_.assign(1, 0);
   first_turn_.reserve(steps.size() + 1);
   for (const UnitStep& step : steps)
-    first_turn_.push_back(first_turn_.back() + static_cast<std::uint32_t>(turns_of(step)));
+    first_turn_.push_back(first_turn_.back() + static_cast<std::uint32_t>(step.turns()));
   turns_.resize(first_turn_.back());
   kept_.assign(positions.begin(), positions.end());
   for (int step = 0; step < most_steps; ++step) {
@@ -149,36 +77,18 @@ void UnitNearest::set_turns(const UnitStep& step, std::size_t index,
   }
   const Vec3 through = positions[step.a] - origin_;
   std::size_t t = 0;
-  for (Turn& turn : turns(index)) {
-    turn.s = twist_of(axes[t], cross(through, axes[t]));
-    ++t;
-  }
+  for (BodyTurn& turn : turns(index)) turn.s = turn_of(axes[t++], through);
 }
 
 void UnitNearest::go_inward(std::span<const UnitStep> steps) {
   for (std::size_t k = steps.size(); k-- > 0;) {
     Body& body = bodies_[k];
-    const std::span<Turn> own = turns(k);
-    for (std::size_t t = own.size(); t-- > 0;) eliminate(body, own[t]);
+    const std::span<BodyTurn> own = turns(k);
+    for (std::size_t t = own.size(); t-- > 0;) own[t].eliminate(body.inertia, body.force);
     if (steps[k].parent < 0) continue;
     Body& parent = bodies_[std::size_t(steps[k].parent)];
     for (std::size_t i = 0; i < 21; ++i) parent.inertia[i] += body.inertia[i];
     for (std::size_t i = 0; i < 6; ++i) parent.force[i] += body.force[i];
-  }
-}
-
-void UnitNearest::eliminate(Body& body, Turn& turn) const {
-  turn.u = times(body.inertia, turn.s);
-  turn.d = dot6(turn.s, turn.u);
-  turn.angle = dot6(turn.s, body.force);
-  double most = 0.0;
-  for (std::size_t i = 0; i < 6; ++i) most += turn.s[i] * turn.s[i] * body.inertia[entry(i, i)];
-  if (!(turn.d > vanishing * most)) turn.d = 0.0;
-  if (turn.d == 0.0) return;
-  for (std::size_t i = 0; i < 6; ++i) {
-    const double share = turn.u[i] / turn.d;
-    body.force[i] -= share * turn.angle;
-    for (std::size_t j = 0; j <= i; ++j) body.inertia[entry(i, j)] -= share * turn.u[j];
   }
 }
 
@@ -193,10 +103,7 @@ void UnitNearest::go_outward(std::span<const UnitStep> steps) {
         std::fill(body.inertia.begin(), body.inertia.begin() + 6, 0.0);
       body.twist = steps[k].is_held ? Twist{} : solve_free(body.inertia, body.force);
     }
-    for (Turn& turn : turns(k)) {
-      turn.angle = turn.d > 0.0 ? (turn.angle - dot6(turn.u, body.twist)) / turn.d : 0.0;
-      for (std::size_t i = 0; i < 6; ++i) body.twist[i] += turn.angle * turn.s[i];
-    }
+    for (BodyTurn& turn : turns(k)) turn.settle(body.twist);
   }
 }
 
@@ -248,7 +155,7 @@ void UnitNearest::set_motion(const UnitStep& step, std::size_t index, double sha
 /// Axis times angle of the turns of a unit together (radians).
 Vec3 UnitNearest::turn_vector(std::size_t index) const {
   Vec3 sum;
-  for (const Turn& turn : turns(index)) sum += turn.angle * turn.axis();
+  for (const BodyTurn& turn : turns(index)) sum += turn.angle * turn.axis();
   return sum;
 }
 

@@ -15,12 +15,11 @@
 // of the joints of the unit, p: force and moment on them, s: the twist of the hinge, v: twist.
 #pragma once
 
-#include <array>
 #include <memory>
 #include <span>
 #include <vector>
 
-#include "pliant/base/best_fit.hpp"
+#include "pliant/resolve/units/articulated_body.hpp"
 #include "pliant/resolve/units/unit_plan.hpp"
 
 namespace pliant {
@@ -33,20 +32,12 @@ class UnitNearest {
   void approach(UnitPlan& plan, std::span<Vec3> positions, std::span<const Vec3> targets);
 
  private:
-  using Twist = std::array<double, 6>;  ///< (turn, shift at the origin), or (moment, force)
-  /// One way in which a unit turns against its parent, after elimination.
-  struct Turn {
-    Twist s{}, u{};      ///< s begins with the axis
-    double d = 0.0;      ///< s . u; 0: nothing turns
-    double angle = 0.0;  ///< going inward, s . p
-    Vec3 axis() const { return {s[0], s[1], s[2]}; }
-  };
   /// A body has two lives: going inward it has an inertia and a force, going outward it gets a
   /// twist in place of the force, and moved it has a motion in place of the inertia. They share
   /// their room: on long chains there are millions of bodies.
   struct Body {
     union {
-      std::array<double, 21> inertia;  ///< lower triangle, by rows
+      Inertia inertia;
       RigidMotion motion;              ///< of a step, from the origin
     };
     union {
@@ -66,13 +57,12 @@ class UnitNearest {
   double gather(UnitPlan& plan, std::span<const Vec3> positions, std::span<const Vec3> targets);
   void set_turns(const UnitStep& step, std::size_t index, std::span<const Vec3> positions);
   void go_inward(std::span<const UnitStep> steps);
-  void eliminate(Body& body, Turn& turn) const;
   void go_outward(std::span<const UnitStep> steps);
   Vec3 turn_vector(std::size_t index) const;
-  std::span<Turn> turns(std::size_t index) {
+  std::span<BodyTurn> turns(std::size_t index) {
     return {turns_.data() + first_turn_[index], turns_.data() + first_turn_[index + 1]};
   }
-  std::span<const Turn> turns(std::size_t index) const {
+  std::span<const BodyTurn> turns(std::size_t index) const {
     return {turns_.data() + first_turn_[index], turns_.data() + first_turn_[index + 1]};
   }
   double longest_share() const;
@@ -83,7 +73,7 @@ class UnitNearest {
   void set_motion(const UnitStep& step, std::size_t index, double share);
 
   std::vector<Body> bodies_;  ///< of the steps of the plan
-  std::vector<Turn> turns_;   ///< of all bodies: hinges have one, what begins a component none
+  std::vector<BodyTurn> turns_;   ///< of all bodies: hinges have one, what begins a component none
   std::vector<std::uint32_t> first_turn_;  ///< of each body, and one more
   std::vector<Vec3> kept_;                 ///< where the step began
   Vec3 origin_;

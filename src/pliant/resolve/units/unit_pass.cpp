@@ -106,6 +106,14 @@ UnitPass::Outcome UnitPass::run(const ResolveCall& call) {
   return worst;
 }
 
+UnitPass::Outcome UnitPass::look_ahead(const ResolveCall& call, std::span<const Vec3> targets) {
+  for (UnitStep& step : plan_.steps()) {
+    if (!step.is_known) plan_.set_shape(step, loop_of_[step.unit]->shape());
+    if (step.is<UnitStep::Still>()) place_still(call, step);
+  }
+  return ahead_.place(plan_, call.positions, targets) ? Outcome::placed : Outcome::unfit;
+}
+
 UnitPass::Outcome UnitPass::approach(const ResolveCall& call, std::span<const Vec3> targets) {
   nearest_.approach(plan_, call.positions, targets);
   Outcome worst = Outcome::placed;

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "pliant/resolve/method/plan_of_root.hpp"
+#include "pliant/resolve/units/unit_ahead.hpp"
 #include "pliant/resolve/units/unit_loop.hpp"
 #include "pliant/resolve/units/unit_nearest.hpp"
 #include "pliant/resolve/units/unit_plan.hpp"
@@ -32,6 +33,10 @@ class UnitPass {
   /// Finds the shapes of units that have none, each alone, then places all. unfit: a unit was
   /// left as it was (no shape, or its joints all at one point), or pinned joints hold one wrongly.
   Outcome run(const ResolveCall& call);
+
+  /// After run(): places all anew near `targets` (N), looking ahead (UnitAhead). unfit: as run(),
+  /// and if some unit has no direction; anything may be in the positions then.
+  Outcome look_ahead(const ResolveCall& call, std::span<const Vec3> targets);
 
   /// After run(): turns all hinges at once towards the nearest place to `targets` (N), weighted by
   /// mass or not, and places every unit once more, exactly.
@@ -57,6 +62,7 @@ class UnitPass {
   UnitPlan plan_;
   std::vector<std::unique_ptr<UnitLoop>> loops_;  ///< of units without a shape
   std::vector<UnitLoop*> loop_of_;                ///< of each unit up to the last that has one
+  UnitAhead ahead_;
   UnitNearest nearest_;
   PlanOfRoot planned_;
 };

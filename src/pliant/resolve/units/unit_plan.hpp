@@ -87,6 +87,14 @@ struct UnitStep {
   bool is() const {
     return std::holds_alternative<Kind>(entry);
   }
+  /// Whether it begins a component that nothing holds: moves as a whole.
+  bool moves_freely() const { return parent < 0 && !is_held; }
+  /// In how many ways it turns against what is placed before: hinges have one.
+  std::size_t turns() const {
+    if (is<Rod>()) return 2;  // not about itself
+    if (is<Still>() || moves_freely()) return 0;
+    return is<Hinge>() ? 1 : 3;
+  }
   /// Joint `b` of a hinge or rod; null of the others.
   const Joint* second() const {
     if (const auto* hinge = std::get_if<Hinge>(&entry)) return &hinge->b;

@@ -12,6 +12,9 @@
 namespace pliant {
 namespace {
 
+/// How many times further than bars are off joints may move before a pass looks ahead.
+constexpr double most_growth = 8.0;
+
 /// Units of three or more joints; without any there is nothing to gain.
 bool has_bodies(const UnitSet& set) { return set.things().size() > 2 * set.size(); }
 
@@ -20,6 +23,7 @@ class Units final : public Method {
   Units(const Framework& framework, const Technique& technique, const ResolveOptions& options,
         bool nearest)
       : framework_(framework), technique_(technique), options_(options), nearest_(nearest) {
+    if (framework.is_planar()) return;  // units would turn out of the plane
     UnitSet bodies = find_units(framework);
     if (has_bodies(bodies))
       pass_ = std::make_unique<UnitPass>(framework, std::move(bodies), technique, options);
@@ -33,7 +37,10 @@ class Units final : public Method {
     if (outcome == UnitPass::Outcome::not_finite) return Stop::not_finite;
     ++summary.sweeps;
     summary.projections += static_cast<std::int64_t>(framework_.bar_count());
-    if (is_whole(call.positions)) return nearest_ ? approach(call, summary) : Stop::converged;
+    if (is_whole(call.positions)) {
+      if (nearest_ || has_swung(call)) look_ahead(call, summary);
+      return nearest_ ? approach(call, summary) : Stop::converged;
+    }
     if (summary.sweeps >= options_.max_sweeps) return Stop::max_sweeps;
     if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
     if (!(largest_error(call.positions) < largest_error(before_)))
@@ -42,6 +49,34 @@ class Units final : public Method {
   }
 
  private:
+  /// Whether some joint ended much further from where it was than any bar was from whole: errors
+  /// grew from unit to unit. Where bars were as far off as that, one of the first tells so.
+  bool has_swung(const ResolveCall& call) const {
+    const double enough = farthest(call.positions) / most_growth;
+    for (const Incidence& at : framework_.neighbours(call.disturbed.root))
+      if (error(before_, at.bar) >= enough) return false;
+    for (std::size_t k = 0; k < framework_.bar_count(); ++k)
+      if (error(before_, k) >= enough) return false;
+    return true;
+  }
+
+  double farthest(std::span<const Vec3> positions) const {
+    double most = 0.0;
+    for (std::size_t k = 0; k < before_.size(); ++k)
+      most = std::max(most, norm_squared(positions[k] - before_[k]));
+    return std::sqrt(most);
+  }
+
+  /// The pass again, looking ahead; what the first gave is kept if that is nearer.
+  void look_ahead(const ResolveCall& call, ResolveSummary& summary) {
+    after_.assign(call.positions.begin(), call.positions.end());
+    const UnitPass::Outcome outcome = pass_->look_ahead(call, before_);
+    summary.projections += static_cast<std::int64_t>(framework_.bar_count());
+    if (outcome != UnitPass::Outcome::placed || !is_whole(call.positions) ||
+        farthest(call.positions) > farthest(after_))
+      std::copy(after_.begin(), after_.end(), call.positions.begin());
+  }
+
   /// A second pass, nearer to where the joints were; what the first gave is kept if it fails.
   Stop approach(const ResolveCall& call, ResolveSummary& summary) {
     if (summary.sweeps >= options_.max_sweeps) return Stop::converged;

@@ -37,6 +37,29 @@ TEST(DistanceBonds, JoinTwoHydrogensOnlyWithNothingElse) {
               ElementsAre("0-1 distance"));
 }
 
+/// Hydrogens of two residues that touch are no molecule, nor are two of one that are far apart.
+TEST(DistanceBonds, JoinNoHydrogensOfTwoResidues) {
+  for (double apart : {0.74, 1.0, 1.02, 1.04}) {
+    Structure s;
+    add_residue(s, "LIG", 1, {{"H1", "H", {}}});
+    add_residue(s, "LIG", 2, {{"H1", "H", {apart, 0, 0}}});
+    EXPECT_THAT(perceive(s).bonds, IsEmpty()) << apart;
+  }
+  EXPECT_THAT(perceive(molecule({{"H", {}}, {"H", {0.9, 0, 0}}})).bonds, IsEmpty());
+}
+
+/// HCl is 1.27 Angstrom long; dummies of PDB files lie 1 Angstrom from one another.
+TEST(DistanceBonds, JoinNoHydrogenAndChlorineThatAreTooNear) {
+  EXPECT_THAT(perceive(molecule({{"H", {}}, {"Cl", {1.27, 0, 0}}})).bonds,
+              ElementsAre("0-1 distance"));
+  EXPECT_THAT(perceive(molecule({{"H", {}}, {"Cl", {1.0, 0, 0}}})).bonds, IsEmpty());
+  for (const auto& [element, length] :
+       {std::pair("S", 1.34), {"P", 1.42}, {"Si", 1.48}, {"Br", 1.41}, {"Se", 1.46}})
+    EXPECT_THAT(perceive(molecule({{"H", {}}, {element, {length, 0, 0}}})).bonds,
+                ElementsAre("0-1 distance"))
+        << element;
+}
+
 TEST(DistanceBonds, BeyondTheValenceGoLongestFirst) {
   // The cage carbons of bicyclo[1.1.1]pentane are 1.87 Angstrom apart and not bonded.
   const double r = 1.55, h = 0.935;

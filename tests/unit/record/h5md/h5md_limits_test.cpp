@@ -42,6 +42,20 @@ TEST(H5mdLimits, AreReadBackAsTheyWere) {
   EXPECT_TRUE(std::ranges::equal(again.limits(), framework.limits()));
 }
 
+/// A file says that its framework is one of the plane, and nothing if it is not.
+TEST(H5mdLimits, LinkagesOfThePlaneAreReadBackAsSuch) {
+  for (const bool planar : {true, false}) {
+    const Framework framework({.joint_count = 2,
+                               .bars = {{0, 1}},
+                               .rest_lengths = {1.0},
+                               .planar = planar});
+    const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}};
+    const H5mdReader reader(recorded(framework, positions));
+    EXPECT_EQ(reader.framework().is_planar(), planar);
+    EXPECT_TRUE(reader.parameters().empty());
+  }
+}
+
 TEST(H5mdLimits, StericsAreReadBackAsTheyWere) {
   const Sterics sterics{.kind_count = 2,
                         .kinds = {0, 1, 0, 1, 1},

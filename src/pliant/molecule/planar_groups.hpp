@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// Planar groups: bonds about which nothing turns, and the bars that hold their torsions.
+#pragma once
+
+#include <vector>
+
+#include "pliant/framework/framework.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+
+namespace pliant {
+
+/// Places in Structure::bonds of the bonds about which nothing turns, as far as the orders of bonds
+/// say (from the file, or the template of a residue): double and aromatic bonds, and bonds from
+/// nitrogen to a carbon that has a double bond to O, S or N (amides, guanidinium, amidines), or an
+/// aromatic one to N; and peptide bonds. Without those at whose ends nothing hangs, and those in
+/// rings of up to six atoms, whose angles hold them.
+std::vector<std::size_t> find_planar_bonds(const Structure& structure);
+
+/// For each planar bond a pair of atoms bonded to its two ends (1-4), of those that are neither
+/// bonded nor bonded to one atom the pair furthest apart (the first of such): each pair once, a < b,
+/// sorted. A bar between them keeps the torsion that the structure has, cis or trans: with the bars
+/// across angles the group is one rigid unit.
+std::vector<Bar> find_planar_bars(const Structure& structure);
+
+}  // namespace pliant
