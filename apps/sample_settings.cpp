@@ -66,7 +66,7 @@ fs::path stem_of(const fs::path& input) {
 std::string default_topology(const SampleSettings& settings) {
   const fs::path beside = fs::path(settings.output).replace_extension(".pdb");
   std::error_code error;
-  if (!fs::equivalent(beside, settings.file, error)) return beside.string();
+  if (!fs::equivalent(beside, settings.molecule.file, error)) return beside.string();
   return (beside.parent_path() / (beside.stem().string() + "-topology.pdb")).string();
 }
 

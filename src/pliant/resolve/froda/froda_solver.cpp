@@ -20,6 +20,10 @@ constexpr int last_pulls = 3;          // blind, then as many with contacts
 constexpr int careful_pulls = 4;
 constexpr int careful_gradients = 2;
 constexpr int most_closings = 12;
+/// A step gains if it takes more than a twentieth off. Without gain for so many steps it is over;
+/// where something is still too near, later.
+constexpr double least_gain = 0.95;
+constexpr int patience = 6, long_patience = 15;
 constexpr double tiny = 1e-9;
 
 /// The interval that a step aims at.
@@ -91,22 +95,30 @@ void FrodaSolver::pull_to(double share, int steps, bool sees_contacts,
   }
 }
 
-/// Contacts alone, until all hold.
+/// Contacts alone, until all hold or nothing is gained any more.
 bool FrodaSolver::push_apart(const FrodaOptions& options, FrodaOutcome& outcome) {
+  double least = HUGE_VAL;
+  int since = 0;
   for (int k = 0;; ++k) {
-    Violation worst = find_rows(last_weight);
-    const bool holds = worst.limit <= options.limit && worst.overlap <= options.overlap;
-    if (holds || k >= options.last_steps) {
-      outcome.max_closing = close_loops();
-      if (outcome.max_closing > 0.0) worst = find_rows(last_weight);
-      outcome.max_limit = worst.limit;
-      outcome.max_overlap = worst.overlap;
-      const bool is_closed = widest_gap() <= 10.0 * widest_closed;
-      if (worst.limit <= options.limit && worst.overlap <= options.overlap) return is_closed;
-      if (k >= options.last_steps) return false;
-    }
+    const Violation worst = find_rows(last_weight);
+    const double here = std::max(worst.limit, worst.overlap);
+    if (here <= options.goal || k >= options.last_steps) break;
+    since = here < least_gain * least ? 0 : since + 1;
+    least = std::min(least, here);
+    if (since >= (least <= std::min(options.limit, options.overlap) ? patience : long_patience))
+      break;
     step({}, last_bound, options.is_careful ? careful_gradients : 0);
   }
+  return finish(options, outcome);
+}
+
+bool FrodaSolver::finish(const FrodaOptions& options, FrodaOutcome& outcome) {
+  outcome.max_closing = close_loops();
+  const Violation worst = find_rows(last_weight);
+  outcome.max_limit = worst.limit;
+  outcome.max_overlap = worst.overlap;
+  return worst.limit <= options.limit && worst.overlap <= options.overlap &&
+         widest_gap() <= 10.0 * widest_closed;
 }
 
 /// Closes the loops that were cut; how far a joint went (Angstrom).

@@ -15,8 +15,10 @@
 namespace pliant {
 
 struct FrodaOptions {
-  double limit = 0.02;    ///< Angstrom: how far a limit may be outside its interval
-  double overlap = 0.02;  ///< Angstrom: how much nearer than allowed two joints may be
+  double limit = 0.08;    ///< Angstrom: how far a limit may be outside its interval
+  double overlap = 0.08;  ///< Angstrom: how much nearer than allowed two joints may be
+  /// Angstrom: steps end where both are below this, or gain no more.
+  double goal = 0.02;
   /// Sees contacts at every step, and takes two conjugate gradients in each: for pushes of more
   /// than some Angstrom, through which chains must not pass each other.
   bool is_careful = false;
@@ -53,6 +55,7 @@ class FrodaSolver {
   void pull(const FrodaOptions& options);
   void pull_to(double share, int steps, bool sees_contacts, const FrodaOptions& options);
   bool push_apart(const FrodaOptions& options, FrodaOutcome& outcome);
+  bool finish(const FrodaOptions& options, FrodaOutcome& outcome);
   double close_loops();
   double widest_gap() const;
   Violation find_rows(double weight);

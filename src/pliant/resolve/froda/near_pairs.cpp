@@ -33,7 +33,8 @@ NearPairs::NearPairs(const Framework& framework, const BodyPlan& plan, double sk
 void NearPairs::exclude() {
   for (Slot place : listed_)
     for (Joint other : rules_.excluded_above(plan_.joint_at()[place])) {
-      const auto [low, high] = std::minmax(place, plan_.place_of(other));
+      const Slot there = plan_.place_of(other);
+      const Slot low = std::min(place, there), high = std::max(place, there);
       if (high - low <= bits) {
         near_excluded_[low] |= std::uint64_t{1} << (high - low - 1);
       } else {
