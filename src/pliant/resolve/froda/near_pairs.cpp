@@ -23,26 +23,55 @@ NearPairs::NearPairs(const Framework& framework, const BodyPlan& plan, double sk
       rules_(framework),
       sterics_(*framework.sterics()),
       near_excluded_(plan.place_count(), 0),
-      is_special_(plan.place_count(), 0),
+      kind_(plan.place_count(), 0),
+      kinds_(sterics_.kind_count),
       skin_(skin) {
   for (Slot place = 0; place < plan.place_count(); ++place)
     if (plan.place_of(plan.joint_at()[place]) == place) listed_.push_back(place);
+  for (Slot place : listed_) kind_[place] = sterics_.kinds[plan.joint_at()[place]];
   exclude();
+  set_reaches();
 }
 
+/// Pairs that are few bonds apart: a bit each where their places are near, else as pairs with
+/// distances of their own.
 void NearPairs::exclude() {
-  for (Slot place : listed_)
-    for (Joint other : rules_.excluded_above(plan_.joint_at()[place])) {
-      const Slot there = plan_.place_of(other);
-      const Slot low = std::min(place, there), high = std::max(place, there);
+  std::vector<std::pair<Slot, Special>> found;
+  const auto pair_of = [&](Joint a, Joint b) {
+    const Slot one = plan_.place_of(a), other = plan_.place_of(b);
+    return std::pair(std::min(one, other), std::max(one, other));
+  };
+  for (Slot place : listed_) {
+    const Joint joint = plan_.joint_at()[place];
+    for (Joint other : rules_.excluded_above(joint)) {
+      const auto [low, high] = pair_of(joint, other);
       if (high - low <= bits) {
         near_excluded_[low] |= std::uint64_t{1} << (high - low - 1);
       } else {
-        is_special_[low] = is_special_[high] = 1;
+        found.push_back({low, {high, 0.0}});
       }
     }
-  for (const OwnDistance& own : sterics_.own)
-    is_special_[plan_.place_of(own.a)] = is_special_[plan_.place_of(own.b)] = 1;
+  }
+  for (const OwnDistance& own : sterics_.own) {
+    const auto [low, high] = pair_of(own.a, own.b);
+    if (high - low <= bits) near_excluded_[low] &= ~(std::uint64_t{1} << (high - low - 1));
+    found.insert(found.begin(), {low, {high, own.least}});
+  }
+  special_ = Grouped<Special>(plan_.place_count(), [&](const auto& put) {
+    for (const auto& [low, special] : found) put(low, special);
+  });
+}
+
+/// How far the list reaches for each two kinds; as far as for any where a pair's own distance is
+/// above that of its kinds.
+void NearPairs::set_reaches() {
+  const bool is_beyond = std::any_of(sterics_.own.begin(), sterics_.own.end(), [&](auto& own) {
+    return own.least > sterics_.of_kinds(own.a, own.b);
+  });
+  for (double least : sterics_.least) {
+    const double reach = (is_beyond ? rules_.largest() : least) + skin_ + slack;
+    square_reaches_.push_back(least > 0.0 || is_beyond ? static_cast<float>(reach * reach) : 0.0F);
+  }
 }
 
 void NearPairs::update(std::span<const Vec3> x) {
@@ -94,10 +123,12 @@ void NearPairs::sort_into_cells(std::span<const Vec3> x) {
   next_.assign(first_in_cell_.begin(), first_in_cell_.end() - 1);
   for (auto* values : {&x_, &y_, &z_}) values->resize(listed_.size());
   slot_.resize(listed_.size());
+  kind_at_.resize(listed_.size());
   for (std::size_t k = 0; k < listed_.size(); ++k) {
     const std::uint32_t slot = next_[cell_of_[k]]++;
     const Vec3 at = x[listed_[k]];
     slot_[slot] = listed_[k];
+    kind_at_[slot] = kind_[listed_[k]];
     x_[slot] = static_cast<float>(at.x);
     y_[slot] = static_cast<float>(at.y);
     z_[slot] = static_cast<float>(at.z);
@@ -110,6 +141,7 @@ void NearPairs::visit_cell(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   const std::size_t own = first_in_cell_[row + c + 1] - first_in_cell_[row + c];
   if (own == 0) return;
   near_.clear();
+  near_kind_.clear();
   near_x_.clear();
   near_y_.clear();
   near_z_.clear();
@@ -128,6 +160,7 @@ void NearPairs::gather_run(std::uint32_t row, std::uint32_t low, std::uint32_t h
   const auto from = std::ptrdiff_t(first_in_cell_[row + low]);
   const auto to = std::ptrdiff_t(first_in_cell_[row + high + 1]);
   near_.insert(near_.end(), slot_.begin() + from, slot_.begin() + to);
+  near_kind_.insert(near_kind_.end(), kind_at_.begin() + from, kind_at_.begin() + to);
   near_x_.insert(near_x_.end(), x_.begin() + from, x_.begin() + to);
   near_y_.insert(near_y_.end(), y_.begin() + from, y_.begin() + to);
   near_z_.insert(near_z_.end(), z_.begin() + from, z_.begin() + to);
@@ -137,8 +170,6 @@ void NearPairs::gather_run(std::uint32_t row, std::uint32_t low, std::uint32_t h
 void NearPairs::compare(std::size_t own) {
   const std::size_t count = near_.size();
   squares_.resize(count);
-  const auto reach = static_cast<float>(rules_.largest() + skin_ + slack);
-  const float square_reach = reach * reach;
   const float *px = near_x_.data(), *py = near_y_.data(), *pz = near_z_.data();
   float* square = squares_.data();
   for (std::size_t k = 0; k < own; ++k) {
@@ -147,25 +178,28 @@ void NearPairs::compare(std::size_t own) {
       const float dx = px[m] - ax, dy = py[m] - ay, dz = pz[m] - az;
       square[m] = dx * dx + dy * dy + dz * dz;
     }
+    const float* reaches = square_reaches_.data() + near_kind_[k] * kinds_;
     for (std::size_t m = k + 1; m < count; ++m)
-      if (square[m] < square_reach) take(near_[k], near_[m], square[m]);
+      if (square[m] < reaches[near_kind_[m]]) take(near_[k], near_[m]);
   }
 }
 
-void NearPairs::take(Slot one, Slot other, float square) {
-  const auto [i, j] = std::minmax(one, other);
+void NearPairs::take(Slot one, Slot other) {
+  const Slot i = std::min(one, other), j = std::max(one, other);
   const auto body_at = plan_.body_at();
   if (body_at[i] == body_at[j]) return;
-  if (j - i <= bits && (near_excluded_[i] >> (j - i - 1) & 1) != 0 && !is_special_[i]) return;
-  const double least = least_of(i, j), reach = least + skin_ + slack;
-  if (least > 0.0 && square < reach * reach) unsorted_.push_back({i, j, least});
+  if (j - i <= bits && (near_excluded_[i] >> (j - i - 1) & 1) != 0) return;
+  const double least = least_of(i, j);
+  if (least > 0.0) unsorted_.push_back({i, j, least});
 }
 
 double NearPairs::least_of(Slot i, Slot j) const {
+  for (const Special& special : special_.at(i))
+    if (special.other == j) return special.least;
+  const auto& units = sterics_.units;
   const Joint a = plan_.joint_at()[i], b = plan_.joint_at()[j];
-  const auto [low, high] = std::minmax(a, b);
-  if (is_special_[i] || is_special_[j] || !sterics_.units.empty()) return rules_.of(low, high);
-  return sterics_.of_kinds(a, b);
+  if (!units.empty() && units[a] == units[b] && units[a] != no_unit) return 0.0;
+  return sterics_.least[kind_[i] * kinds_ + kind_[j]];
 }
 
 /// By i, then j: two passes of counting.

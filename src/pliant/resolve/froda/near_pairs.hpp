@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "pliant/base/grouped.hpp"
 #include "pliant/framework/contacts.hpp"
 #include "pliant/resolve/froda/body_plan.hpp"
 
@@ -36,13 +37,19 @@ class NearPairs {
     Slot i, j;
   };
 
+  /// A pair whose distance is its own; 0: may come as near as it likes.
+  struct Special {
+    Slot other;
+    double least;
+  };
   void exclude();
+  void set_reaches();
   bool is_out_of_date(std::span<const Vec3> x) const;
   void sort_into_cells(std::span<const Vec3> x);
   void visit_cell(std::uint32_t x, std::uint32_t y, std::uint32_t z);
   void gather_run(std::uint32_t row, std::uint32_t low, std::uint32_t high);
   void compare(std::size_t own);
-  void take(Slot one, Slot other, float square);
+  void take(Slot one, Slot other);
   double least_of(Slot i, Slot j) const;
   void sort_pairs();
 
@@ -50,7 +57,10 @@ class NearPairs {
   ContactRules rules_;
   const Sterics& sterics_;
   std::vector<std::uint64_t> near_excluded_;  ///< of each place: bit k: place + k + 1
-  std::vector<std::uint8_t> is_special_;      ///< has further exclusions, or distances of its own
+  Grouped<Special> special_;                  ///< of each place, with higher ones
+  std::vector<std::uint16_t> kind_;           ///< of each place, below kinds_
+  std::size_t kinds_ = 0;
+  std::vector<float> square_reaches_;   ///< (kinds * kinds) of the list, Angstrom^2
   std::vector<Slot> listed_;                 ///< places that may touch others: no copies
   double skin_;
   std::int64_t lists_made_ = 0;
@@ -62,6 +72,7 @@ class NearPairs {
   std::vector<float> x_, y_, z_;
   std::vector<float> near_x_, near_y_, near_z_, squares_;
   std::vector<Slot> near_;
+  std::vector<std::uint16_t> near_kind_, kind_at_;
   std::vector<std::uint32_t> first_of_, next_;
 };
 
