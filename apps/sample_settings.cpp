@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <thread>
+#include <utility>
 
 #include "pliant/base/choices.hpp"
 #include "pliant/model/residue_nodes.hpp"
@@ -97,11 +98,7 @@ MolecularModel load_model(SampleSettings& settings, const Log& log) {
 
 NetworkNodes nodes_of(const MolecularModel& model) {
   ResidueNodes found = residue_nodes(model.structure);
-  NetworkNodes nodes;
-  for (std::uint32_t atom : found.atoms) nodes.positions.push_back(model.positions[atom]);
-  nodes.chain = std::move(found.chain);
-  nodes.of_joint = std::move(found.of_atom);
-  return nodes;
+  return {std::move(found.positions), std::move(found.chain), std::move(found.of_atom)};
 }
 
 std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {

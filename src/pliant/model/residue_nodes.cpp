@@ -2,6 +2,7 @@
 #include "pliant/model/residue_nodes.hpp"
 
 #include <string_view>
+#include <utility>
 
 #include "pliant/model/atom_graph.hpp"
 
@@ -24,7 +25,7 @@ class NodeFinder {
       if (atom != no_atom) {
         add(atom);
         for (std::uint32_t i = residues_.begin(k); i < residues_.end(k); ++i)
-          nodes_.of_atom[i] = static_cast<std::uint32_t>(nodes_.atoms.size() - 1);
+          nodes_.of_atom[i] = static_cast<std::uint32_t>(nodes_.positions.size() - 1);
       } else {
         add_each_atom(k);
       }
@@ -34,7 +35,7 @@ class NodeFinder {
 
  private:
   void add(std::uint32_t atom) {
-    nodes_.atoms.push_back(atom);
+    nodes_.positions.push_back(structure_.positions[atom]);
     nodes_.chain.push_back(chain_);
   }
 
@@ -65,7 +66,7 @@ class NodeFinder {
       if (structure_.atoms.elements[i] == hydrogen) continue;
       ++chain_;
       add(i);
-      nodes_.of_atom[i] = static_cast<std::uint32_t>(nodes_.atoms.size() - 1);
+      nodes_.of_atom[i] = static_cast<std::uint32_t>(nodes_.positions.size() - 1);
     }
     ++chain_;
     for (std::uint32_t i = residues_.begin(residue); i < residues_.end(residue); ++i) {

@@ -13,7 +13,7 @@ inline constexpr std::uint32_t no_residue_node = ~std::uint32_t{0};
 
 /// The nodes of a structure, as plain arrays.
 struct ResidueNodes {
-  std::vector<std::uint32_t> atoms;    ///< (M) the atom at which each node is
+  std::vector<Vec3> positions;         ///< (M) Angstrom, of the atom at which each node is
   std::vector<std::uint32_t> chain;    ///< (M) nodes of one chain follow each other
   std::vector<std::uint32_t> of_atom;  ///< (N) the node that each atom goes with
 };
