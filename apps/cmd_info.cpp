@@ -11,8 +11,8 @@
 #include "molecule_input.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/framework/graph.hpp"
-#include "pliant/molecule/planar_groups.hpp"
 #include "pliant/model/survey.hpp"
+#include "pliant/molecule/planar_groups.hpp"
 
 namespace pliant::app {
 namespace {

@@ -30,6 +30,7 @@ int command_forcegen(const Arguments& arguments);
 int command_info(const Arguments& arguments);
 int command_order(const Arguments& arguments);
 int command_run(const Arguments& arguments);
+int command_sample(const Arguments& arguments);
 int command_structgen(const Arguments& arguments);
 int command_techniques(const Arguments& arguments);
 

@@ -16,6 +16,8 @@ constexpr Command commands[] = {
     {"contacts", "list hydrogen bonds, salt bridges and hydrophobic contacts of a molecule",
      command_contacts},
     {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
+    {"sample", "an ensemble of what a molecule can do, written to an H5MD trajectory",
+     command_sample},
     {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},
     {"forcegen", "write a force file of random pushes", command_forcegen},
     {"order", "write the order in which a technique visits the bars", command_order},

@@ -88,6 +88,14 @@
 #include "pliant/run/run_fields.hpp"        // the table of its options
 #include "pliant/run/run_summary.hpp"       // what a run did
 
+// sample: what a molecule can do
+#include "pliant/sample/dense_matrix.hpp"     // by rows
+#include "pliant/sample/elastic_network.hpp"  // the table of networks
+#include "pliant/sample/network_modes.hpp"    // directions in which residues move together
+#include "pliant/sample/sample.hpp"           // frames along them
+#include "pliant/sample/sample_summary.hpp"   // how exact, how far
+#include "pliant/sample/samplers.hpp"         // the table of ways to move
+
 // record: trajectories and graphs
 #include "pliant/record/h5md/h5md_reader.hpp"     // frames of any H5MD file
 #include "pliant/record/h5md/h5md_recorder.hpp"   // frames to an H5MD file

@@ -24,6 +24,7 @@ MAY_INCLUDE = {
     "order": ("base", "text", "framework"),
     "perturb": ("base", "text", "framework"),
     "resolve": ("base", "framework", "order", "rigidity"),
+    "sample": ("base", "framework", "rigidity", "resolve"),
     "run": ("base", "framework", "order", "resolve", "perturb"),
     "record": ("base", "text", "framework"),
     "laboratory": (
@@ -36,7 +37,7 @@ MAY_INCLUDE = {
 WINGS = {
     "molecule": ("structure", "read", "bonds"),
     "record": ("hdf5", "h5md", "xml"),
-    "resolve": ("method", "sweeps", "direct", "blocks", "units", "lanes"),
+    "resolve": ("method", "sweeps", "direct", "blocks", "units", "froda", "lanes"),
 }
 
 # Libraries that stay behind .cpp files, so that users of our headers need not have them.

@@ -22,6 +22,9 @@ enum class Domain : std::uint64_t {
   escape = 5,        ///< direction in which coincident joints part
   generate = 6,      ///< random frameworks
   pusher = 7,        ///< seeds of the pushers after the first
+  amplitude = 8,     ///< how far a sampled frame goes along each mode
+  dilution = 9,      ///< which limits are off in a sampled frame
+  walk = 10,         ///< steps of a sampler that walks
 };
 
 /// Where a random number is used: all of its fields together make the draw.

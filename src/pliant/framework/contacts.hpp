@@ -26,6 +26,10 @@ class ContactRules {
   double largest() const { return largest_; }  ///< of any pair; 0: nothing ever touches
   /// Of joints a < b (Angstrom); 0 if they may come as near as they like.
   double of(Joint a, Joint b) const;
+  /// The joints above `joint` that are so few bonds away that the two never touch, ascending.
+  std::span<const Joint> excluded_above(Joint joint) const {
+    return {excluded_.data() + first_[joint], excluded_.data() + first_[joint + 1]};
+  }
 
  private:
   void exclude_within(const Framework& framework);

@@ -12,6 +12,7 @@
 #include "pliant/resolve/blocks/ring_sweeps.hpp"
 #include "pliant/resolve/direct/newton.hpp"
 #include "pliant/resolve/direct/shake.hpp"
+#include "pliant/resolve/froda/froda.hpp"
 #include "pliant/resolve/lanes/lane_blocks.hpp"
 #include "pliant/resolve/lanes/lane_direct.hpp"
 #include "pliant/resolve/lanes/lane_sweeps.hpp"

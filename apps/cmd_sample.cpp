@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// pliant sample: an ensemble of what a molecule can do. A molecule in, an H5MD trajectory out.
+#include <filesystem>
+
+#include "command.hpp"
+#include "interrupt.hpp"
+#include "messages.hpp"
+#include "pliant/base/elements.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/record/topology_pdb.hpp"
+#include "sample_report.hpp"
+#include "sample_settings.hpp"
+
+namespace pliant::app {
+namespace {
+
+std::vector<RecordedBond> recorded_bonds(const Structure& structure) {
+  std::vector<RecordedBond> bonds;
+  bonds.reserve(structure.bonds.size());
+  for (const Bond& bond : structure.bonds)
+    bonds.push_back({bond.a, bond.b, static_cast<std::uint8_t>(bond.origin), bond.order});
+  return bonds;
+}
+
+H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model) {
+  H5mdHeader header;
+  header.bonds = recorded_bonds(model.structure);
+  header.bond_origin_names.assign(bond_origin_names.begin(), bond_origin_names.end());
+  for (std::uint8_t element : model.structure.atoms.elements)
+    header.masses.push_back(element_mass(element));
+  header.creator_version = PLIANT_VERSION;
+  header.parameters = parameters_of(settings);
+  return header;
+}
+
+/// Asked of both outputs before the first is made, so that none is left behind alone.
+void check_outputs(const SampleSettings& settings) {
+  for (const std::string& output : {settings.output, settings.topology}) {
+    refuse_same_file(settings.molecule.file, output);
+    std::error_code error;
+    if (!settings.record.overwrite && output != "none" &&
+        std::filesystem::is_regular_file(output, error))
+      throw FileError(output + ": exists; --overwrite replaces it");
+  }
+}
+
+void write_topology(const SampleSettings& settings, const MolecularModel& model, const Log& log) {
+  if (settings.topology == "none") return;
+  TopologyPdbOptions options;
+  options.overwrite = settings.record.overwrite;
+  options.log = log;
+  write_topology_pdb(settings.topology, model.structure.atoms, model.positions,
+                     recorded_bonds(model.structure), options);
+}
+
+/// A frame as recorders take it; frames of an ensemble have a number in place of a time.
+Frame recorded(const SampledFrame& sampled) {
+  Frame frame;
+  frame.step = sampled.frame;
+  frame.positions = sampled.positions;
+  frame.sweeps = sampled.steps;
+  frame.max_residual = sampled.max_residual;
+  frame.rms_residual = sampled.rms_residual;
+  frame.max_limit = sampled.max_limit;
+  frame.max_overlap = sampled.max_overlap;
+  return frame;
+}
+
+SampleSummary sample_to_file(const SampleSettings& settings, const MolecularModel& model,
+                             const Log& log) {
+  H5mdRecorder recorder(settings.output, model.framework, header_of(settings, model),
+                        settings.record);
+  write_topology(settings, model, log);
+  ProgressBar progress(settings.sample.frames, "frames", settings.quiet);
+  SampleOptions options = settings.sample;
+  options.should_stop = interrupted;
+  std::int64_t done = 0;
+  SampleSummary summary = sample(model.framework, model.positions, nodes_of(model), options,
+                                 [&](const SampledFrame& frame) {
+                                   recorder.record(recorded(frame));
+                                   progress.show(++done);
+                                   return interrupted();
+                                 });
+  recorder.close();
+  return summary;
+}
+
+int exit_code_of(const SampleSummary& summary) {
+  if (summary.stopped_by_caller) return exit_interrupted;
+  return summary.failed > 0 ? exit_unconverged : exit_ok;
+}
+
+}  // namespace
+
+int command_sample(const Arguments& arguments) {
+  CommandLine line(
+      "pliant sample",
+      "Samples what a molecule can do: independent frames about the structure of the file,\n"
+      "each with exact bonds and angles, its contacts held and nothing overlapping. How far\n"
+      "frames go (--amplitude) is an input, not a prediction; populations are not claimed.");
+  line.set_footer(
+      "Examples:\n"
+      "  pliant sample protein.pdb -o ensemble.h5md\n"
+      "  pliant sample protein.cif --frames 1000 --amplitude 2 --seed 7\n"
+      "  pliant sample protein.pdb --sampler dilute --hbond-cutoff -2\n"
+      "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a frame could not be resolved\n"
+      "and is left out, 130 ended early by Ctrl-C with whole frames.");
+  SampleSettings settings;
+  add_sample_options(line, settings);
+  if (const int code = line.parse(arguments); code >= 0) return code;
+  Messages messages(settings.json || settings.quiet);
+  complete(settings);
+  check_outputs(settings);
+  settings.record.log = messages.log();
+  const MolecularModel model = load_model(settings, messages.log());
+  watch_for_interrupt();
+  const SampleSummary summary = sample_to_file(settings, model, messages.log());
+  if (settings.json) {
+    print_sample_json(settings, model, summary, messages.warnings());
+  } else if (!settings.quiet) {
+    print_sample_table(settings, model, summary);
+  }
+  return exit_code_of(summary);
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: MIT
+#include "sample_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "json.hpp"
+
+namespace pliant::app {
+namespace {
+
+std::string worst_bar_of(const MolecularModel& model, const SampleSummary& summary) {
+  const Framework& framework = model.framework;
+  return framework.bar_count() == 0 ? ""
+                                    : framework.label(framework.bars()[summary.worst_bar]);
+}
+
+double ms_a_frame(const SampleSummary& summary) {
+  return 1e3 * summary.cpu_seconds / double(std::max<std::int64_t>(summary.frames, 1));
+}
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (double value : values) sum += value / double(values.size());
+  return sum;
+}
+
+std::vector<Json> numbers(const std::vector<double>& values) {
+  return {values.begin(), values.end()};
+}
+
+}  // namespace
+
+void print_sample_table(const SampleSettings& settings, const MolecularModel& model,
+                        const SampleSummary& summary) {
+  fmt::print("model           {}: {} atoms, {} bars, {} contacts\n", entry(model.kind).name,
+             model.framework.joint_count(), model.framework.bar_count(), model.contacts.size());
+  fmt::print("frames          {}, sampler {}, network {}, seed {}\n", summary.frames,
+             settings.sample.sampler, settings.sample.network, settings.sample.seed);
+  fmt::print("amplitude       asked {:.2f} A, reached {:.2f} A: an input, not a prediction\n",
+             summary.amplitude_asked, summary.amplitude_reached);
+  fmt::print("                frames show what can move; how often they occur is not claimed\n");
+  fmt::print("RMSF            {:.2f} A over atoms, {:.2f} A between halves of the frames\n",
+             mean_of(summary.rmsf), mean_of(summary.rmsf_error));
+  fmt::print("drawn again     {} frames; {} more took careful steps\n", summary.redrawn,
+             std::max<std::int64_t>(0, summary.rescued - summary.redrawn));
+  fmt::print("worst bar       {} off by {:.1e} of its length\n", worst_bar_of(model, summary),
+             summary.max_residual);
+  fmt::print("worst contact   off by {:.3f} A; worst overlap {:.3f} A\n", summary.max_limit,
+             summary.max_overlap);
+  fmt::print("time            {:.2f} s; {:.2f} ms of a core a frame\n", summary.seconds,
+             ms_a_frame(summary));
+  if (summary.failed > 0)
+    fmt::print("not resolved    {} frames, which are left out\n", summary.failed);
+  if (summary.stopped_by_caller) fmt::print("stopped early; what was recorded is whole\n");
+  if (settings.topology != "none") fmt::print("topology        {}\n", settings.topology);
+  fmt::print("trajectory      {}\n", settings.output);
+}
+
+void print_sample_json(const SampleSettings& settings, const MolecularModel& model,
+                       const SampleSummary& summary, const std::vector<std::string>& warnings) {
+  const Json json{{"input", settings.molecule.file},
+                  {"output", settings.output},
+                  {"topology", settings.topology},
+                  {"model", entry(model.kind).name},
+                  {"atoms", model.framework.joint_count()},
+                  {"bars", model.framework.bar_count()},
+                  {"contacts", model.contacts.size()},
+                  {"sampler", settings.sample.sampler},
+                  {"network", settings.sample.network},
+                  {"frames", summary.frames},
+                  {"amplitude_asked", summary.amplitude_asked},
+                  {"amplitude_reached", summary.amplitude_reached},
+                  {"amplitude_is_input", true},
+                  {"redrawn", summary.redrawn},
+                  {"rescued", summary.rescued},
+                  {"failed", summary.failed},
+                  {"worst_residual", summary.max_residual},
+                  {"worst_bar", worst_bar_of(model, summary)},
+                  {"worst_limit", summary.max_limit},
+                  {"worst_overlap", summary.max_overlap},
+                  {"worst_closing", summary.max_closing},
+                  {"off_target", summary.mean_off_target},
+                  {"steps_mean", summary.mean_steps},
+                  {"rmsf", Json::array(numbers(summary.rmsf))},
+                  {"rmsf_error", Json::array(numbers(summary.rmsf_error))},
+                  {"stopped_early", summary.stopped_by_caller},
+                  {"seconds", summary.seconds},
+                  {"cpu_ms_per_frame", ms_a_frame(summary)},
+                  {"told", model.told},
+                  {"missing", model.missing},
+                  {"warnings", warnings}};
+  print_json(json);
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: MIT
+#include "sample_settings.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <thread>
+#include <utility>
+
+#include "pliant/base/choices.hpp"
+#include "pliant/model/residue_nodes.hpp"
+#include "pliant/sample/elastic_network.hpp"
+#include "pliant/sample/samplers.hpp"
+
+namespace pliant::app {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr std::int64_t most_frames = 100'000'000;
+
+void add_molecule_group(CommandLine& line, SampleSettings& settings) {
+  add_file_options(line, settings.molecule);
+  std::vector<std::string_view> kinds{"auto"};
+  for (const ModelEntry& row : models()) kinds.push_back(row.name);
+  line.add_choice("--model", settings.model, kinds,
+                  "what holds it; auto: protein where there are residues, else molecule");
+  add_model_options(line, settings.molecule.kind);
+}
+
+void add_sample_group(CommandLine& line, SampleSettings& settings) {
+  line.start_group("Sampling");
+  SampleOptions& sample = settings.sample;
+  line.add_integer("--frames", sample.frames, 1, most_frames, "frames to write");
+  line.add_integer("--first-frame", sample.first_frame, 0, most_frames,
+                   "number of the first frame: a run may be made in pieces");
+  line.add_real("--amplitude", sample.amplitude, Range::positive,
+                "mean r.m.s. fluctuation of residues (Angstrom): an input, not a result");
+  line.add_seed("--seed", sample.seed, "of all random numbers");
+  line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the frames",
+                   "all cores");
+  line.add_choice("--network", sample.network, names_of(networks()),
+                  "elastic network whose modes frames go along");
+  line.add_choice("--sampler", sample.sampler, names_of(samplers()), "way to move");
+  line.add_real("--temperature", sample.temperature, Range::positive,
+                "T of sampler dilute (kJ/mol)");
+}
+
+void add_output_group(CommandLine& line, SampleSettings& settings) {
+  line.start_group("Output");
+  line.add_text("-o,--output", settings.output, "FILE",
+                "H5MD trajectory (default: INPUT's name.h5md)");
+  line.add_text("--topology", settings.topology, "FILE",
+                "PDB with names and bonds, or none (default: OUTPUT's name.pdb)");
+  line.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
+  line.add_flag("--single", settings.record.single, "positions as 32-bit floats");
+  line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
+  line.add_flag("--json", settings.json, "print the summary as one JSON object");
+  line.add_flag("--quiet", settings.quiet, "print nothing but errors");
+}
+
+fs::path stem_of(const fs::path& input) {
+  fs::path name = input.filename();
+  if (name.extension() == ".gz") name = name.stem();
+  return name.stem();
+}
+
+/// Beside the output and of its name; "mol-topology.pdb" where mol.pdb is the input.
+std::string default_topology(const SampleSettings& settings) {
+  const fs::path beside = fs::path(settings.output).replace_extension(".pdb");
+  std::error_code error;
+  if (!fs::equivalent(beside, settings.molecule.file, error)) return beside.string();
+  return (beside.parent_path() / (beside.stem().string() + "-topology.pdb")).string();
+}
+
+}  // namespace
+
+void add_sample_options(CommandLine& line, SampleSettings& settings) {
+  add_molecule_group(line, settings);
+  add_sample_group(line, settings);
+  add_output_group(line, settings);
+}
+
+void complete(SampleSettings& settings) {
+  if (settings.threads == 0)
+    settings.threads = std::max(1U, std::thread::hardware_concurrency());
+  settings.sample.threads = static_cast<int>(settings.threads);
+  if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
+  if (settings.topology.empty()) settings.topology = default_topology(settings);
+  check(settings.sample);
+}
+
+MolecularModel load_model(SampleSettings& settings, const Log& log) {
+  const Structure structure = read(settings.molecule, log);
+  settings.molecule.kind.name =
+      settings.model == "auto" ? entry(usual_model(structure)).name : settings.model;
+  check(settings.molecule.kind);
+  return build_model(structure, model_options_of(settings.molecule.kind, log));
+}
+
+NetworkNodes nodes_of(const MolecularModel& model) {
+  ResidueNodes found = residue_nodes(model.structure);
+  return {std::move(found.positions), std::move(found.chain), std::move(found.of_atom)};
+}
+
+std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
+  const SampleOptions& sample = settings.sample;
+  std::vector<NamedParameter> all{{"input/file", settings.molecule.file},
+                                  {"input/model", settings.molecule.model},
+                                  {"sample/frames", sample.frames},
+                                  {"sample/first_frame", sample.first_frame},
+                                  {"sample/amplitude", sample.amplitude},
+                                  {"sample/seed", std::to_string(sample.seed)},
+                                  {"sample/network", sample.network},
+                                  {"sample/sampler", sample.sampler},
+                                  {"sample/temperature", sample.temperature}};
+  for (NamedParameter& one : parameters_of(settings.molecule.kind)) all.push_back(std::move(one));
+  return all;
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The options of pliant sample, what they mean to the library, and how they are recorded.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "molecule_input.hpp"
+#include "pliant/base/parameter.hpp"
+#include "pliant/model/model.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/sample/sample.hpp"
+
+namespace pliant::app {
+
+struct SampleSettings {
+  MoleculeOptions molecule;
+  std::string model = "auto";  ///< a name in models(), or what fits the file
+  SampleOptions sample;
+  std::int64_t threads = 0;  ///< 0: as many as there are cores
+  H5mdOptions record;
+  std::string output;    ///< "": the input's name with .h5md, in the current folder
+  std::string topology;  ///< sidecar PDB; "": the output's name with .pdb; "none": none
+  bool json = false;
+  bool quiet = false;
+};
+
+void add_sample_options(CommandLine& line, SampleSettings& settings);
+
+/// Fills in what the command line left open: names of outputs, threads.
+void complete(SampleSettings& settings);
+
+/// Reads the file, perceives its bonds, builds its model, whose kind is then in `settings`. Throws
+/// as the library does.
+MolecularModel load_model(SampleSettings& settings, const Log& log);
+
+/// The nodes of the elastic network of a model.
+NetworkNodes nodes_of(const MolecularModel& model);
+
+/// Every option as it is stored below /parameters.
+std::vector<NamedParameter> parameters_of(const SampleSettings& settings);
+
+}  // namespace pliant::app

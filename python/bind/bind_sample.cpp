@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: MIT
+// Sampling: elastic networks, ways to move, and ensembles of frames.
+#include "arrays.hpp"
+#include "interrupt.hpp"
+#include "messages.hpp"
+#include "pliant/base/choices.hpp"
+#include "pliant/model/model.hpp"
+#include "pliant/model/residue_nodes.hpp"
+#include "pliant/sample/elastic_network.hpp"
+#include "pliant/sample/network_modes.hpp"
+#include "pliant/sample/sample.hpp"
+#include "pliant/sample/samplers.hpp"
+#include "structure.hpp"
+#include "tables.hpp"
+
+namespace pliant::python {
+namespace {
+
+/// Frames, and what they were made of.
+struct SampledEnsemble {
+  MolecularModel model;
+  std::vector<Vec3> positions;  ///< (F * N)
+  SampleSummary summary;
+};
+
+NetworkNodes nodes_of(const Structure& structure) {
+  ResidueNodes found = residue_nodes(structure);
+  return {std::move(found.positions), std::move(found.chain), std::move(found.of_atom)};
+}
+
+MolecularModel model_from(const nb::handle& argument, const std::string& model) {
+  if (nb::isinstance<MolecularModel>(argument)) {
+    if (!model.empty()) throw OptionError("model: goes with a structure, not with a model");
+    return nb::cast<MolecularModel>(argument);
+  }
+  if (!nb::isinstance<Structure>(argument))
+    throw nb::type_error("structure: expected a Structure or a MolecularModel");
+  const auto& structure = nb::cast<const Structure&>(argument);
+  ModelOptions options;
+  options.kind = usual_model(structure);
+  if (!model.empty()) options.kind = choose(models(), "model", model).kind;
+  options.log = python_log();
+  return build_model(structure, options);
+}
+
+SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames, double amplitude,
+                            std::uint64_t seed, int threads, const std::string& network,
+                            const std::string& sampler, std::int64_t first_frame,
+                            double temperature, const std::string& model) {
+  SampledEnsemble out{model_from(structure, model), {}, {}};
+  InterruptWatch watch;
+  SampleOptions options;
+  options.frames = frames;
+  options.first_frame = first_frame;
+  options.amplitude = amplitude;
+  options.seed = seed;
+  options.threads = threads;
+  options.network = network;
+  options.sampler = sampler;
+  options.temperature = temperature;
+  {
+    const nb::gil_scoped_release no_gil;
+    out.summary = sample(out.model.framework, out.model.positions, nodes_of(out.model.structure),
+                         options, [&](const SampledFrame& frame) {
+                           out.positions.insert(out.positions.end(), frame.positions.begin(),
+                                                frame.positions.end());
+                           return watch();
+                         });
+  }
+  if (watch.raised()) std::rethrow_exception(watch.raised());
+  return out;
+}
+
+using Frames = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
+
+Frames frames_of(nb::handle_t<SampledEnsemble> self) {
+  auto& ensemble = nb::cast<SampledEnsemble&>(self);
+  const std::size_t atoms = ensemble.model.positions.size();
+  const std::size_t frames = atoms == 0 ? 0 : ensemble.positions.size() / atoms;
+  return Frames(ensemble.positions.data(), {frames, atoms, 3}, self);
+}
+
+nb::tuple modes_of(const nb::handle& structure, const std::string& network, std::size_t count) {
+  const auto& from = nb::cast<const Structure&>(structure);
+  const NetworkNodes nodes = nodes_of(from);
+  check(nodes, from.size());
+  const NetworkModes modes = network_modes(nodes, network, count);
+  std::vector<double> flat;
+  for (std::size_t k = 0; k < modes.variances.size(); ++k)
+    flat.insert(flat.end(), modes.directions.row(k).begin(), modes.directions.row(k).end());
+  auto* kept = new std::vector<double>(std::move(flat));
+  nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<double>*>(p); });
+  const Frames directions(kept->data(), {modes.variances.size(), nodes.positions.size(), 3}, owner);
+  return nb::make_tuple(array_of(modes.variances), directions, new_positions(nodes.positions));
+}
+
+constexpr const char* sample_doc =
+    R"(Samples what a molecule can do: independent frames about its structure, bars exact.
+
+How far frames go is an input, not a prediction, and how often each occurs is not claimed.
+
+Parameters
+----------
+structure : Structure or MolecularModel
+    A structure with its bonds, as ``read`` gives it, or the model of one.
+frames : int
+    How many, from 1.
+amplitude : float
+    Mean r.m.s. fluctuation of residues (Angstrom).
+seed : int
+    Of all random numbers. Frames are a function of the model, the seed and their number.
+threads : int
+    From 1; changes no result.
+network : str
+    A name in ``networks()``.
+sampler : str
+    A name in ``samplers()``.
+first_frame : int
+    Number of the first frame: a run may be made in pieces.
+temperature : float
+    T of sampler ``dilute`` (kJ/mol).
+model : str
+    A name in ``models()``; empty: ``protein`` where there are residues, else ``molecule``.
+
+Returns
+-------
+SampledEnsemble
+
+Raises
+------
+OptionError
+    An option out of range or of no known name, or a model with pinned atoms.
+InputError
+    As ``build_model``, or where the start of a model is not whole.
+)";
+
+constexpr const char* modes_doc =
+    R"(Modes of the elastic network of a structure.
+
+Parameters
+----------
+structure : Structure
+network : str
+    A name in ``networks()``.
+count : int
+    How many modes, of largest variance first.
+
+Returns
+-------
+variances : (K,) float64
+    Descending, in the unit of 1 / the springs; of ``shared``, shares of the whole.
+directions : (K, M, 3) float64
+    Of unit length, signs canonical.
+nodes : (M, 3) float64
+    Where the nodes are (Angstrom).
+
+Raises
+------
+OptionError
+    No such network, or fewer than two nodes.
+)";
+
+void bind_ensemble_class(nb::module_& module) {
+  using E = SampledEnsemble;
+  nb::class_<E>(module, "SampledEnsemble", "Frames of a molecule, and how exact they are.")
+      .def_ro("model", &E::model, "What was sampled.")
+      .def_prop_ro("positions", &frames_of, "(F, N, 3) float64 view, Angstrom.")
+      .def_prop_ro("redrawn", [](const E& self) { return self.summary.redrawn; },
+                   "Frames whose first draw could not be resolved.")
+      .def_prop_ro("failed", [](const E& self) { return self.summary.failed; },
+                   "Frames that no draw gave; they are left out.")
+      .def_prop_ro("amplitude_reached",
+                   [](const E& self) { return self.summary.amplitude_reached; },
+                   "Mean r.m.s. fluctuation of residues in the frames (Angstrom).")
+      .def_prop_ro("max_residual", [](const E& self) { return self.summary.max_residual; },
+                   "Worst bar of all frames: abs(length - rest) / rest.")
+      .def_prop_ro("max_limit", [](const E& self) { return self.summary.max_limit; },
+                   "Largest distance of a contact outside its interval (Angstrom).")
+      .def_prop_ro("max_overlap", [](const E& self) { return self.summary.max_overlap; },
+                   "Largest overlap of two atoms (Angstrom).")
+      .def_prop_ro("rmsf", [](const E& self) { return array_of(self.summary.rmsf); },
+                   nb::rv_policy::reference,
+                   "(N,) float64: r.m.s. fluctuation of each atom about its mean (Angstrom).")
+      .def_prop_ro("rmsf_error", [](const E& self) { return array_of(self.summary.rmsf_error); },
+                   nb::rv_policy::reference,
+                   "(N,) float64: half the difference between halves of the frames (Angstrom).");
+}
+
+}  // namespace
+
+void bind_sample(nb::module_& module) {
+  bind_row<NetworkEntry>(module, "NetworkEntry", "One row of the table of elastic networks.");
+  bind_row<SamplerEntry>(module, "SamplerEntry", "One row of the table of samplers.");
+  module.def(
+      "networks", [] { return rows_of(networks()); }, nb::rv_policy::reference,
+      "The table of elastic networks that ``sample`` knows.");
+  module.def(
+      "samplers", [] { return rows_of(samplers()); }, nb::rv_policy::reference,
+      "The table of ways to move that ``sample`` knows.");
+  bind_ensemble_class(module);
+  module.def("network_modes", &modes_of, "structure"_a, "network"_a = "shared",
+             "count"_a = usual_mode_count,
+             nb::sig("def network_modes(structure: Structure, network: str = \"shared\", "
+                     "count: int = 60) -> tuple[numpy.typing.NDArray[numpy.float64], "
+                     "numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"),
+             modes_doc);
+  const SampleOptions usual;
+  module.def("sample", &sample_from, "structure"_a, "frames"_a = usual.frames, nb::kw_only(),
+             "amplitude"_a = usual.amplitude, "seed"_a = usual.seed, "threads"_a = usual.threads,
+             "network"_a = usual.network, "sampler"_a = usual.sampler,
+             "first_frame"_a = usual.first_frame, "temperature"_a = usual.temperature,
+             "model"_a = "",
+             nb::sig("def sample(structure: Structure | MolecularModel, frames: int = 200, *, "
+                     "amplitude: float = 1.4, seed: int = 0, threads: int = 1, "
+                     "network: str = \"shared\", sampler: str = \"modes\", first_frame: int = 0, "
+                     "temperature: float = 12.552, model: str = \"\") -> SampledEnsemble"),
+             sample_doc);
+}
+
+}  // namespace pliant::python

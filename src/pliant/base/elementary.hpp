@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Exponential and logarithm by sums and products in one fixed order. Those of C libraries differ in
+// their last bits from one library to the next; these give the same bits everywhere.
+#pragma once
+
+namespace pliant {
+
+/// e^x within 4e-16 of itself for x from -700 to 700; 0 below, infinite above, NaN of NaN.
+/// x = k ln 2 + r, then Taylor's series of r.
+double exact_bits_exp(double x);
+
+/// ln x within 1e-15 of itself or of 1, for normal numbers above 0; NaN for anything else.
+/// x = 2^k m, then ln m = 2 artanh((m - 1) / (m + 1)) as a series.
+double exact_bits_log(double x);
+
+}  // namespace pliant

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Numbers of the normal distribution (Gaussian), the same bits on every machine.
+#pragma once
+
+#include <span>
+
+#include "pliant/base/random.hpp"
+
+namespace pliant {
+
+/// Fills `out` with independent normal numbers of mean 0 and variance 1, two at a time from points
+/// in the unit circle (polar method: Marsaglia, Bray, SIAM Rev. 6 (1964) 260).
+void fill_normal(RandomSequence& draws, std::span<double> out);
+
+}  // namespace pliant

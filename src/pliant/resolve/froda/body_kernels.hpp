@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: MIT
+// What an articulated body is made of: twists, 6 x 6 inertias and a turn, for the inner loops of a
+// step in torsion space.
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+#include "pliant/base/vec3.hpp"
+
+namespace pliant::froda {
+
+/// (turn, shift at the origin), or (moment, force).
+using Twist = std::array<double, 6>;
+/// Lower triangle of a symmetric 6 x 6 matrix, by rows.
+using Inertia = std::array<double, 21>;
+
+inline Twist twist_of(Vec3 upper, Vec3 lower) {
+  return {upper.x, upper.y, upper.z, lower.x, lower.y, lower.z};
+}
+inline Vec3 upper(const Twist& t) { return {t[0], t[1], t[2]}; }
+inline Vec3 lower(const Twist& t) { return {t[3], t[4], t[5]}; }
+
+inline double dot6(const Twist& a, const Twist& b) {
+  return ((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])) +
+         (a[4] * b[4] + a[5] * b[5]);
+}
+
+inline void add_scaled(double factor, const Twist& x, Twist& y) {
+  for (std::size_t k = 0; k < 6; ++k) y[k] += factor * x[k];
+}
+
+/// How fast a twist moves the point x.
+inline Vec3 velocity(const Twist& twist, Vec3 x) { return lower(twist) + cross(upper(twist), x); }
+
+inline Twist times(const Inertia& m, const Twist& s) {
+  return {((m[0] * s[0] + m[1] * s[1]) + (m[3] * s[2] + m[6] * s[3])) +
+              (m[10] * s[4] + m[15] * s[5]),
+          ((m[1] * s[0] + m[2] * s[1]) + (m[4] * s[2] + m[7] * s[3])) +
+              (m[11] * s[4] + m[16] * s[5]),
+          ((m[3] * s[0] + m[4] * s[1]) + (m[5] * s[2] + m[8] * s[3])) +
+              (m[12] * s[4] + m[17] * s[5]),
+          ((m[6] * s[0] + m[7] * s[1]) + (m[8] * s[2] + m[9] * s[3])) +
+              (m[13] * s[4] + m[18] * s[5]),
+          ((m[10] * s[0] + m[11] * s[1]) + (m[12] * s[2] + m[13] * s[3])) +
+              (m[14] * s[4] + m[19] * s[5]),
+          ((m[15] * s[0] + m[16] * s[1]) + (m[17] * s[2] + m[18] * s[3])) +
+              (m[19] * s[4] + m[20] * s[5])};
+}
+
+/// m += weight g g^T.
+inline void add_direction(double weight, const Twist& g, Inertia& m) {
+  std::size_t k = 0;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double scaled = weight * g[i];
+    for (std::size_t j = 0; j <= i; ++j) m[k++] += scaled * g[j];
+  }
+}
+
+/// Moments of points, from which the inertia of a body and the force on it follow.
+class PointSums {
+ public:
+  void add(Vec3 x) {
+    ++count_;
+    sum_ += x;
+    xx_ += x.x * x.x;
+    yy_ += x.y * x.y;
+    zz_ += x.z * x.z;
+    xy_ += x.x * x.y;
+    xz_ += x.x * x.z;
+    yz_ += x.y * x.z;
+  }
+  Inertia inertia() const {
+    const Vec3 s = sum_;
+    const double n = count_;
+    return {yy_ + zz_, -xy_, xx_ + zz_, -xz_, -yz_, xx_ + yy_, 0.0, s.z, -s.y, n,  //
+            -s.z,      0.0,  s.x,       0.0,  n,    s.y,       -s.x, 0.0, 0.0, 0.0, n};
+  }
+
+ private:
+  double count_ = 0.0, xx_ = 0.0, yy_ = 0.0, zz_ = 0.0, xy_ = 0.0, xz_ = 0.0, yz_ = 0.0;
+  Vec3 sum_;
+};
+
+/// Solves m v = force by L D L^T. A little is added to the diagonal: directions without inertia (a
+/// rod about itself) stay.
+Twist solve6(Inertia m, Twist force);
+
+}  // namespace pliant::froda

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/froda/froda.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "pliant/framework/residual.hpp"
+#include "pliant/resolve/blocks/ring_sweeps.hpp"
+#include "pliant/resolve/froda/froda_solver.hpp"
+#include "pliant/resolve/units/units.hpp"
+
+namespace pliant {
+namespace {
+
+/// Each cut takes equations that are solved densely: more are left to sweeps.
+constexpr std::size_t most_cuts = 200;
+/// Bars this much better than asked for leave room for the rounding of a few steps.
+constexpr double start_share = 0.1;
+
+std::optional<BodyPlan> plan_of(const Framework& framework) {
+  std::optional<BodyPlan> plan = BodyPlan::make(framework);
+  if (plan && plan->cuts().size() > most_cuts) plan.reset();
+  return plan;
+}
+
+Tolerance for_start(Tolerance tolerance) {
+  tolerance.relative *= start_share;
+  tolerance.length *= start_share;
+  return tolerance;
+}
+
+class Froda final : public Method {
+ public:
+  Froda(const Framework& framework, const Technique& technique, const ResolveOptions& options)
+      : framework_(framework), technique_(technique), options_(options), plan_(plan_of(framework)) {
+    if (plan_) solver_ = std::make_unique<FrodaSolver>(framework, *plan_);
+    if (framework.sterics() != nullptr) contacts_ = std::make_unique<Contacts>(framework);
+  }
+
+  Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
+    if (!solver_) return leave_to_sweeps(call, summary);
+    const ResidualSummary now = look(call);
+    if (!now.finite) return Stop::not_finite;
+    if (now.within) return Stop::converged;
+    target_.assign(call.positions.begin(), call.positions.end());
+    if (!find_start(call, summary)) return leave_to_sweeps(call, summary);
+    const FrodaOutcome outcome = solver_->resolve(start_, target_, call.positions,
+                                                  options_of_solver(), call.limits_off);
+    note(outcome.steps, summary);
+    if (look(call).within) return Stop::converged;
+    if (summary.sweeps >= options_.max_sweeps) return Stop::max_sweeps;
+    if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
+    return leave_to_sweeps(call, summary);
+  }
+
+ private:
+  FrodaOptions options_of_solver() const {
+    FrodaOptions options;
+    options.limit = options_.tolerance.limit;
+    options.overlap = options_.tolerance.overlap;
+    options.goal = std::min({options.goal, options.limit, options.overlap});
+    options.last_steps = static_cast<int>(
+        std::min<std::int64_t>(options.last_steps, options_.max_sweeps));
+    return options;
+  }
+
+  ResidualSummary look(const ResolveCall& call) {
+    return measure(framework_, call.positions, options_.tolerance, call.limits_off,
+                   contacts_.get());
+  }
+
+  /// Where all bars are whole; the positions are left as they are.
+  bool find_start(const ResolveCall& call, ResolveSummary& summary) {
+    const Tolerance tolerance = for_start(options_.tolerance);
+    if (call.reference.size() == call.positions.size() &&
+        is_whole(framework_, call.reference, tolerance)) {
+      start_.assign(call.reference.begin(), call.reference.end());
+      return true;
+    }
+    start_ = target_;
+    if (!units_) units_ = make_units_nearest(framework_, technique_, options_with(tolerance));
+    ResolveCall alone = call;
+    alone.positions = start_;
+    alone.disturbed = {call.disturbed.root};
+    alone.moved = nullptr;
+    return units_->resolve(alone, summary) == Stop::converged &&
+           is_whole(framework_, start_, options_.tolerance);
+  }
+
+  ResolveOptions options_with(const Tolerance& tolerance) const {
+    ResolveOptions options = options_;
+    options.tolerance = tolerance;
+    return options;
+  }
+
+  void note(int steps, ResolveSummary& summary) const {
+    summary.sweeps += steps;
+    summary.projections += steps * static_cast<std::int64_t>(framework_.bar_count());
+  }
+
+  Stop leave_to_sweeps(const ResolveCall& call, ResolveSummary& summary) {
+    if (!sweeps_) sweeps_ = make_anderson(framework_, technique_, options_);
+    return sweeps_->resolve(call, summary);
+  }
+
+  const Framework& framework_;
+  Technique technique_;
+  ResolveOptions options_;
+  std::optional<BodyPlan> plan_;
+  std::unique_ptr<FrodaSolver> solver_;  ///< null: left to sweeps
+  std::unique_ptr<Contacts> contacts_;   ///< null: no sterics
+  std::unique_ptr<Method> units_, sweeps_;
+  std::vector<Vec3> start_, target_;
+};
+
+}  // namespace
+
+std::unique_ptr<Method> make_froda(const Framework& framework, const Technique& technique,
+                                   const ResolveOptions& options) {
+  return std::make_unique<Froda>(framework, technique, options);
+}
+
+}  // namespace pliant

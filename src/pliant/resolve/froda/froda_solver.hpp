@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Resolves a framework with limits and sterics from any push, in torsion space: rigid units stay
+// exact at every step while they are pulled towards where the joints were pushed, and are then
+// pushed until every limit and every least distance holds. How and why: ../README.md, froda.
+#pragma once
+
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "pliant/framework/limits.hpp"
+#include "pliant/resolve/froda/articulated_step.hpp"
+#include "pliant/resolve/froda/near_pairs.hpp"
+
+namespace pliant {
+
+struct FrodaOptions {
+  double limit = 0.08;    ///< Angstrom: how far a limit may be outside its interval
+  double overlap = 0.08;  ///< Angstrom: how much nearer than allowed two joints may be
+  /// Angstrom: steps end where both are below this, or gain no more.
+  double goal = 0.02;
+  /// Sees contacts at every step, and takes two conjugate gradients in each: for pushes of more
+  /// than some Angstrom, through which chains must not pass each other.
+  bool is_careful = false;
+  int last_steps = 60;  ///< that contacts alone get
+};
+
+struct FrodaOutcome {
+  bool is_whole = false;       ///< limits and least distances hold, loops are closed
+  double max_limit = 0.0;      ///< largest distance of a limit outside its interval (Angstrom)
+  double max_overlap = 0.0;    ///< largest overlap (Angstrom)
+  double max_closing = 0.0;    ///< largest move of a joint by the steps that closed loops (Angstrom)
+  int steps = 0;
+};
+
+/// Not for two threads at once.
+class FrodaSolver {
+ public:
+  /// Both outlive it.
+  FrodaSolver(const Framework& framework, const BodyPlan& plan);
+
+  /// `start` (N, Angstrom): all bars are whole. `target` (N): where the push wants the joints.
+  /// Writes `out` (N; may be either): bars as whole as at the start, to rounding. A function of its
+  /// arguments alone.
+  FrodaOutcome resolve(std::span<const Vec3> start, std::span<const Vec3> target,
+                       std::span<Vec3> out, const FrodaOptions& options = {},
+                       LimitsOff limits_off = {});
+
+ private:
+  struct Violation {
+    double limit = 0.0, overlap = 0.0;
+  };
+
+  void begin(std::span<const Vec3> start, std::span<const Vec3> target);
+  void pull(const FrodaOptions& options);
+  void pull_to(double share, int steps, bool sees_contacts, const FrodaOptions& options);
+  bool push_apart(const FrodaOptions& options, FrodaOutcome& outcome);
+  bool finish(const FrodaOptions& options, FrodaOutcome& outcome);
+  double close_loops();
+  double widest_gap() const;
+  Violation find_rows(double weight);
+  void find_limit_rows(double weight, Violation& worst);
+  void find_steric_rows(double weight, Violation& worst);
+  void step(std::span<const Vec3> targets, double bound, int conjugate_gradients);
+
+  const Framework& framework_;
+  const BodyPlan& plan_;
+  ArticulatedStep step_;
+  std::unique_ptr<NearPairs> pairs_;  ///< null: no sterics
+  LimitsOff limits_off_;
+  Vec3 origin_;
+  std::vector<Vec3> x_, start_, push_, target_, before_;  ///< of places, from the origin
+  std::vector<ContactRow> rows_;
+  int steps_ = 0;
+};
+
+}  // namespace pliant

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Cholesky's factors of a dense symmetric matrix, and solving with them for eight vectors at once.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+#include "pliant/sample/dense_matrix.hpp"
+
+namespace pliant {
+
+/// Eight vectors, number by number.
+using EightVectors = std::vector<std::array<double, 8>>;
+
+/// A = U^T U. Sums go in one fixed order.
+class DenseCholesky {
+ public:
+  /// Of `a` (n x n), of which the upper triangle is looked at. A pivot that is not above 1e-14 of
+  /// the largest diagonal entry is set to that.
+  explicit DenseCholesky(DenseMatrix a);
+
+  /// Solves A x = b in place.
+  void solve(EightVectors& b) const;
+
+ private:
+  void finish_rows(std::size_t first, std::size_t last, double least);
+  void update_rows(std::size_t first);
+
+  DenseMatrix u_;
+};
+
+}  // namespace pliant

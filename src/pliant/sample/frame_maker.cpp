@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/sample/frame_maker.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "pliant/framework/residual.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr int most_redraws = 20;
+/// Angstrom: no frame is shown in which closing loops moved a joint further.
+constexpr double largest_closing = 0.3;
+
+double thread_seconds() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
+}
+
+double rms_distance(std::span<const Vec3> one, std::span<const Vec3> other) {
+  double sum = 0.0;
+  for (std::size_t k = 0; k < one.size(); ++k) sum += norm_squared(one[k] - other[k]);
+  return std::sqrt(sum / double(std::max<std::size_t>(one.size(), 1)));
+}
+
+}  // namespace
+
+FrameMaker::FrameMaker(const Framework& framework, const BodyPlan& plan, const Sampler& sampler,
+                       bool is_careful)
+    : framework_(framework), sampler_(sampler), solver_(framework, plan), is_careful_(is_careful) {}
+
+void FrameMaker::make(std::int64_t number, std::span<const Vec3> now, std::span<const Vec3> before,
+                      MadeFrame& out) {
+  const double begun = thread_seconds();
+  out = MadeFrame{};
+  out.positions.resize(now.size());
+  now_.assign(now.begin(), now.end());
+  before_.assign(before.begin(), before.end());
+  for (int step = 0; step < sampler_.steps_a_frame(); ++step) {
+    out.is_made = make_step(number, step, now_, before_, out);
+    if (!out.is_made) break;
+    before_.swap(now_);
+    now_ = out.positions;
+  }
+  if (out.is_made) {
+    out.limits_off = request_.limits_off;
+    out.off_target = rms_distance(out.positions, request_.targets);
+    measure_bars(out);
+  }
+  out.cpu_seconds = thread_seconds() - begun;
+}
+
+/// The draw itself, then with careful steps, then drawn again.
+bool FrameMaker::make_step(std::int64_t number, int step, std::span<const Vec3> now,
+                           std::span<const Vec3> before, MadeFrame& out) {
+  for (int attempt = 0; attempt <= most_redraws; ++attempt) {
+    if (attempt == 1) ++out.redraws;
+    sampler_.ask(number, step, attempt, now, before, request_);
+    if (resolve(now, is_careful_, out)) return true;
+    if (is_careful_) continue;
+    out.is_rescued = true;
+    if (resolve(now, true, out)) return true;
+  }
+  return false;
+}
+
+bool FrameMaker::resolve(std::span<const Vec3> now, bool is_careful, MadeFrame& out) {
+  FrodaOptions options;
+  options.is_careful = is_careful;
+  out.outcome =
+      solver_.resolve(now, request_.targets, out.positions, options, request_.limits_off);
+  out.steps += out.outcome.steps;
+  return out.outcome.is_whole && out.outcome.max_closing <= largest_closing;
+}
+
+void FrameMaker::measure_bars(MadeFrame& out) const {
+  double squares = 0.0;
+  const auto bars = framework_.bars();
+  for (BarIndex k = 0; k < bars.size(); ++k) {
+    const double rest = framework_.rest_lengths()[k];
+    const double share =
+        std::abs(residual(out.positions[bars[k].a], out.positions[bars[k].b], rest)) / rest;
+    squares += share * share;
+    if (!(share > out.max_residual)) continue;
+    out.max_residual = share;
+    out.worst_bar = k;
+  }
+  if (!bars.empty()) out.rms_residual = std::sqrt(squares / double(bars.size()));
+}
+
+}  // namespace pliant

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// Makes frames one by one: asks a sampler, resolves, and tries again where that fails.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pliant/resolve/froda/froda_solver.hpp"
+#include "pliant/sample/samplers.hpp"
+
+namespace pliant {
+
+/// A frame and how it came about.
+struct MadeFrame {
+  bool is_made = false;
+  std::vector<Vec3> positions;           ///< (N)
+  std::vector<std::uint8_t> limits_off;  ///< (L) or empty
+  double max_residual = 0.0, rms_residual = 0.0;
+  BarIndex worst_bar = 0;
+  FrodaOutcome outcome;  ///< of the last step
+  double off_target = 0.0;
+  int redraws = 0;
+  bool is_rescued = false;
+  std::int64_t steps = 0;
+  double cpu_seconds = 0.0;
+};
+
+/// Not for two threads at once; each has its own.
+class FrameMaker {
+ public:
+  /// All outlive it. `is_careful`: takes careful steps at once.
+  FrameMaker(const Framework& framework, const BodyPlan& plan, const Sampler& sampler,
+             bool is_careful);
+
+  /// Frame `number`, which begins at `now`; `before` is where the step before began.
+  void make(std::int64_t number, std::span<const Vec3> now, std::span<const Vec3> before,
+            MadeFrame& out);
+
+ private:
+  bool make_step(std::int64_t number, int step, std::span<const Vec3> now,
+                 std::span<const Vec3> before, MadeFrame& out);
+  bool resolve(std::span<const Vec3> now, bool is_careful, MadeFrame& out);
+  void measure_bars(MadeFrame& out) const;
+
+  const Framework& framework_;
+  const Sampler& sampler_;
+  FrodaSolver solver_;
+  bool is_careful_;
+  FrameRequest request_;
+  std::vector<Vec3> now_, before_;
+};
+
+}  // namespace pliant

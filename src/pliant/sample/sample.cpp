@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/sample/sample.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
+
+#include "pliant/base/error.hpp"
+#include "pliant/base/range.hpp"
+#include "pliant/framework/residual.hpp"
+#include "pliant/sample/frame_maker.hpp"
+
+namespace pliant {
+namespace {
+
+/// Above this a push may lead chains through each other: all steps are careful ones.
+constexpr double careful_amplitude = 2.0;
+/// Frames that a thread makes before what was made is shown.
+constexpr std::size_t frames_a_thread = 4;
+constexpr double start_tolerance = 1e-6;
+
+void check_start(const Framework& framework, std::span<const Vec3> start) {
+  const Tolerance tolerance{start_tolerance, 0.0, 0.02, 0.02};
+  const ResidualSummary found = measure(framework, start, tolerance);
+  if (found.within) return;
+  if (found.max_relative > start_tolerance || !found.finite)
+    throw InputError("the start: bar " + framework.label(framework.bars()[found.worst_bar]) +
+                     " is not whole; resolve it first");
+  if (found.max_overlap > tolerance.overlap)
+    throw InputError("the start: joints " + framework.label(found.worst_overlap) +
+                     " overlap; give such pairs their own distance");
+  throw InputError("the start: a limit does not hold; give it the distance that it has");
+}
+
+class Sampling {
+ public:
+  Sampling(const Framework& framework, std::span<const Vec3> start, const NetworkNodes& nodes,
+           const SampleOptions& options, const BodyPlan& plan)
+      : framework_(framework),
+        start_(start),
+        options_(options),
+        sampler_(find_sampler(options.sampler).make({framework, start, nodes, options})),
+        sums_(start),
+        now_(start.begin(), start.end()),
+        before_(now_) {
+    for (Vec3 node : nodes.positions) joint_of_node_.push_back(nearest_joint(node));
+    const std::size_t threads = sampler_->is_walk() ? 1 : static_cast<std::size_t>(options.threads);
+    for (std::size_t k = 0; k < threads; ++k)
+      makers_.push_back(std::make_unique<FrameMaker>(framework, plan, *sampler_,
+                                                     options.amplitude > careful_amplitude));
+  }
+
+  SampleSummary run(const SampleObserver& observer) {
+    const std::int64_t last = options_.first_frame + options_.frames;
+    std::int64_t next = options_.first_frame;
+    if (sampler_->is_walk()) next = walk_to(next);
+    while (next < last && !summary_.stopped_by_caller) {
+      const auto count = std::min<std::int64_t>(
+          last - next, std::int64_t(makers_.size() == 1 ? 1 : makers_.size() * frames_a_thread));
+      made_.resize(static_cast<std::size_t>(count));
+      make_batch(next);
+      for (std::int64_t k = 0; k < count && !summary_.stopped_by_caller; ++k)
+        show(next + k, made_[static_cast<std::size_t>(k)], observer);
+      next += count;
+      if (options_.should_stop && options_.should_stop()) summary_.stopped_by_caller = next < last;
+    }
+    finish();
+    return std::move(summary_);
+  }
+
+ private:
+  std::size_t nearest_joint(Vec3 node) const {
+    const auto nearer = [&](Vec3 a, Vec3 b) {
+      return norm_squared(a - node) < norm_squared(b - node);
+    };
+    return static_cast<std::size_t>(std::min_element(start_.begin(), start_.end(), nearer) -
+                                    start_.begin());
+  }
+
+  /// A walk begins at its start whatever frames are asked for.
+  std::int64_t walk_to(std::int64_t first) {
+    made_.resize(1);
+    for (std::int64_t frame = 0; frame < first; ++frame) make_batch(frame);
+    return first;
+  }
+
+  void make_batch(std::int64_t first) {
+    if (makers_.size() == 1) {
+      for (std::size_t k = 0; k < made_.size(); ++k) make(*makers_[0], first, k);
+      return;
+    }
+    std::atomic<std::size_t> next{0};
+    std::exception_ptr thrown;
+    std::mutex throwing;
+    std::vector<std::thread> threads;
+    for (auto& maker : makers_)
+      threads.emplace_back([&, &mine = *maker] {
+        try {
+          for (std::size_t k = next++; k < made_.size(); k = next++) make(mine, first, k);
+        } catch (...) {
+          const std::lock_guard hold(throwing);
+          thrown = std::current_exception();
+        }
+      });
+    for (std::thread& thread : threads) thread.join();
+    if (thrown) std::rethrow_exception(thrown);
+  }
+
+  void make(FrameMaker& maker, std::int64_t first, std::size_t k) {
+    maker.make(first + static_cast<std::int64_t>(k), now_, before_, made_[k]);
+    if (!sampler_->is_walk() || !made_[k].is_made) return;
+    before_ = now_;
+    now_ = made_[k].positions;
+  }
+
+  void show(std::int64_t number, const MadeFrame& made, const SampleObserver& observer) {
+    note(number, made);
+    if (!made.is_made || !observer) return;
+    const SampledFrame frame{number,
+                             made.positions,
+                             made.limits_off,
+                             made.max_residual,
+                             made.rms_residual,
+                             made.outcome.max_limit,
+                             made.outcome.max_overlap,
+                             made.redraws,
+                             made.steps};
+    if (observer(frame)) summary_.stopped_by_caller = true;
+  }
+
+  void note(std::int64_t number, const MadeFrame& made) {
+    summary_.cpu_seconds += made.cpu_seconds;
+    summary_.mean_steps += double(made.steps);
+    summary_.redrawn += made.redraws;
+    if (!made.is_made) {
+      ++summary_.failed;
+      return;
+    }
+    ++summary_.frames;
+    summary_.rescued += made.is_rescued ? 1 : 0;
+    summary_.mean_off_target += made.off_target;
+    summary_.max_limit = std::max(summary_.max_limit, made.outcome.max_limit);
+    summary_.max_overlap = std::max(summary_.max_overlap, made.outcome.max_overlap);
+    summary_.max_closing = std::max(summary_.max_closing, made.outcome.max_closing);
+    if (made.max_residual > summary_.max_residual) {
+      summary_.max_residual = made.max_residual;
+      summary_.worst_bar = made.worst_bar;
+    }
+    sums_.add(made.positions, number - options_.first_frame >= options_.frames / 2);
+  }
+
+  void finish() {
+    const auto frames = double(std::max<std::int64_t>(summary_.frames, 1));
+    summary_.mean_off_target /= frames;
+    summary_.mean_steps /= frames;
+    summary_.amplitude_asked = options_.amplitude;
+    summary_.rmsf = sums_.rmsf();
+    summary_.rmsf_error = sums_.error();
+    for (std::size_t joint : joint_of_node_)
+      summary_.amplitude_reached += summary_.rmsf[joint] / double(joint_of_node_.size());
+  }
+
+  const Framework& framework_;
+  std::span<const Vec3> start_;
+  const SampleOptions& options_;
+  std::unique_ptr<Sampler> sampler_;
+  std::vector<std::unique_ptr<FrameMaker>> makers_;  ///< one a thread
+  std::vector<MadeFrame> made_;
+  std::vector<std::size_t> joint_of_node_;
+  FluctuationSums sums_;
+  std::vector<Vec3> now_, before_;  ///< of a walk; else both the start
+  SampleSummary summary_;
+};
+
+}  // namespace
+
+void check(const SampleOptions& options) {
+  if (options.frames < 1 || options.first_frame < 0)
+    throw OptionError("frames = " + std::to_string(options.frames) + " from " +
+                      std::to_string(options.first_frame) +
+                      ": must be from 1, beginning at 0 or later");
+  if (options.threads < 1)
+    throw OptionError("threads = " + std::to_string(options.threads) + ": must be from 1");
+  check_range("amplitude", options.amplitude, Range::positive);
+  check_range("temperature", options.temperature, Range::positive);
+  find_network(options.network);
+  find_sampler(options.sampler);
+}
+
+SampleSummary sample(const Framework& framework, std::span<const Vec3> start, NetworkNodes nodes,
+                     const SampleOptions& options, const SampleObserver& observer) {
+  const auto begun = std::chrono::steady_clock::now();
+  check(options);
+  if (start.size() != framework.joint_count())
+    throw OptionError("start: " + std::to_string(start.size()) + " positions for " +
+                      std::to_string(framework.joint_count()) + " joints");
+  check(nodes, framework.joint_count());
+  check_start(framework, start);
+  const std::optional<BodyPlan> plan = BodyPlan::make(framework);
+  if (!plan) throw OptionError("sample: the framework has pinned joints, or lies in a plane");
+  nodes = coarsened(std::move(nodes));
+  SampleSummary summary = Sampling(framework, start, nodes, options, *plan).run(observer);
+  summary.seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  return summary;
+}
+
+}  // namespace pliant

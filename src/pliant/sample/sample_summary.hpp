@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// What an ensemble of frames came to: how exact, how many were drawn again, and how far each joint
+// moves.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pliant/framework/framework.hpp"
+
+namespace pliant {
+
+/// What sampling did. No claim about populations follows from it: amplitude is an input.
+struct SampleSummary {
+  std::int64_t frames = 0;
+  std::int64_t redrawn = 0;        ///< frames whose first draw could not be resolved
+  std::int64_t rescued = 0;        ///< frames that needed careful steps
+  std::int64_t failed = 0;         ///< frames that no draw gave; not among `frames`
+  double amplitude_asked = 0.0;    ///< mean r.m.s. fluctuation of nodes (Angstrom)
+  double amplitude_reached = 0.0;  ///< the same of the joints nearest to nodes, of the frames
+  double max_residual = 0.0;       ///< worst bar: |length - rest| / rest
+  BarIndex worst_bar = 0;
+  double max_limit = 0.0;    ///< largest distance of a limit outside its interval (Angstrom)
+  double max_overlap = 0.0;  ///< largest overlap of two joints (Angstrom)
+  double max_closing = 0.0;  ///< largest move of a joint by the last steps that close loops
+  double mean_off_target = 0.0;  ///< r.m.s. distance of joints from where they were asked to go
+  double mean_steps = 0.0;       ///< of a frame, in torsion space
+  std::vector<double> rmsf;        ///< (N) r.m.s. fluctuation of each joint about its mean
+  std::vector<double> rmsf_error;  ///< (N) half the difference between halves of the frames
+  bool stopped_by_caller = false;
+  double seconds = 0.0;      ///< of wall time, all of it
+  double cpu_seconds = 0.0;  ///< of resolving, summed over threads
+};
+
+/// Sums of places and of their squares, of two halves of an ensemble.
+class FluctuationSums {
+ public:
+  /// `start` (N): sums are of what differs from it.
+  explicit FluctuationSums(std::span<const Vec3> start);
+
+  /// A frame of the first or the second half.
+  void add(std::span<const Vec3> positions, bool is_second);
+
+  /// (N) r.m.s. distance from the mean.
+  std::vector<double> rmsf() const;
+  /// (N) half the difference between the two halves; 0 if one has no frames.
+  std::vector<double> error() const;
+
+ private:
+  struct Half {
+    std::int64_t frames = 0;
+    std::vector<Vec3> sum;
+    std::vector<double> squares;
+  };
+  static std::vector<double> rmsf_of(const Half& half);
+
+  std::vector<Vec3> start_;
+  Half halves_[2];
+};
+
+}  // namespace pliant

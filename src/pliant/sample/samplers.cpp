@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/sample/samplers.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "pliant/base/choices.hpp"
+#include "pliant/base/elementary.hpp"
+#include "pliant/base/random.hpp"
+#include "pliant/sample/amplitudes.hpp"
+#include "pliant/sample/mode_displacement.hpp"
+#include "pliant/sample/sample.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr double walk_length = 0.1;     // Angstrom, a random move of a node
+constexpr double walk_momentum = 0.8;   // share of the last move that is made again
+constexpr int walk_steps = 20;          // from frame to frame
+
+NetworkModes scaled_modes(const SamplerSetting& setting) {
+  NetworkModes modes = network_modes(setting.nodes, setting.options.network);
+  scale_to(setting.options.amplitude, modes);
+  return modes;
+}
+
+/// Independent frames along the modes of an elastic network.
+class ModesSampler : public Sampler {
+ public:
+  explicit ModesSampler(const SamplerSetting& setting)
+      : start_(setting.start),
+        moves_(setting.nodes, scaled_modes(setting), setting.start),
+        seed_(setting.options.seed) {
+    const std::int64_t first = setting.options.first_frame;
+    const std::int64_t last = first + setting.options.frames - 1;
+    first_block_ = first / frames_a_block;
+    for (std::int64_t block = first_block_; block <= last / frames_a_block; ++block)
+      blocks_.push_back(white_amplitudes(seed_, block, moves_.mode_count()));
+  }
+
+  void ask(std::int64_t frame, int, int attempt, std::span<const Vec3>, std::span<const Vec3>,
+           FrameRequest& request) const override {
+    request.targets.resize(start_.size());
+    if (attempt == 0) {
+      const DenseMatrix& block =
+          blocks_[static_cast<std::size_t>(frame / frames_a_block - first_block_)];
+      moves_.displacements(block.row(static_cast<std::size_t>(frame % frames_a_block)),
+                           request.targets);
+    } else {
+      moves_.displacements(redrawn_amplitudes(seed_, frame, attempt, moves_.mode_count()),
+                           request.targets);
+    }
+    for (std::size_t k = 0; k < start_.size(); ++k) request.targets[k] += start_[k];
+    request.limits_off.clear();
+  }
+
+ private:
+  std::span<const Vec3> start_;
+  ModeDisplacement moves_;
+  std::uint64_t seed_;
+  std::int64_t first_block_ = 0;
+  std::vector<DenseMatrix> blocks_;
+};
+
+/// The same with contacts off by chance, the weaker the more often.
+class DiluteSampler final : public ModesSampler {
+ public:
+  explicit DiluteSampler(const SamplerSetting& setting)
+      : ModesSampler(setting),
+        limits_(setting.framework.limits()),
+        seed_(setting.options.seed),
+        temperature_(setting.options.temperature) {}
+
+  void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
+           std::span<const Vec3> before, FrameRequest& request) const override {
+    ModesSampler::ask(frame, step, attempt, now, before, request);
+    request.limits_off.assign(limits_.size(), 0);
+    for (std::size_t k = 0; k < limits_.size(); ++k) request.limits_off[k] = is_off(frame, attempt, k);
+  }
+
+ private:
+  /// Limits of one group are on or off together; those of no known energy stay on.
+  std::uint8_t is_off(std::int64_t frame, int attempt, std::size_t limit) const {
+    const Limit& at = limits_[limit];
+    if (at.energy == 0.0) return 0;
+    const bool alone = at.group == no_limit_group;
+    const std::uint64_t thing = alone ? limit : at.group;
+    RandomSequence draws({seed_, Domain::dilution, static_cast<std::uint64_t>(attempt),
+                          static_cast<std::uint64_t>(frame), thing + (alone ? 1ull << 32 : 0)});
+    return draws.uniform() < exact_bits_exp(-std::abs(at.energy) / temperature_) ? 1 : 0;
+  }
+
+  std::span<const Limit> limits_;
+  std::uint64_t seed_;
+  double temperature_;
+};
+
+/// Each node goes a little way at random, and goes on as it went.
+class WalkSampler final : public Sampler {
+ public:
+  explicit WalkSampler(const SamplerSetting& setting)
+      : of_joint_(setting.nodes.of_joint),
+        nodes_(setting.nodes.positions.size()),
+        seed_(setting.options.seed),
+        length_(walk_length * setting.options.amplitude / usual_amplitude) {}
+
+  bool is_walk() const override { return true; }
+  int steps_a_frame() const override { return walk_steps; }
+
+  void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
+           std::span<const Vec3> before, FrameRequest& request) const override {
+    std::vector<Vec3> moves(nodes_);
+    const auto number = static_cast<std::uint64_t>(frame * walk_steps + step);
+    random_directions({seed_, Domain::walk, static_cast<std::uint64_t>(attempt), number, 0}, false,
+                      moves);
+    request.targets.assign(now.begin(), now.end());
+    request.limits_off.clear();
+    for (std::size_t k = 0; k < now.size(); ++k) {
+      if (of_joint_[k] != no_node) request.targets[k] += length_ * moves[of_joint_[k]];
+      if (attempt == 0) request.targets[k] += walk_momentum * (now[k] - before[k]);
+    }
+  }
+
+ private:
+  std::vector<std::uint32_t> of_joint_;
+  std::size_t nodes_;
+  std::uint64_t seed_;
+  double length_;
+};
+
+template <class Made>
+std::unique_ptr<Sampler> make(const SamplerSetting& setting) {
+  return std::make_unique<Made>(setting);
+}
+
+constexpr SamplerEntry table[] = {
+    {"modes", "independent frames along the modes of an elastic network", make<ModesSampler>},
+    {"dilute", "the same, with contacts off by chance: 1 - exp(-|E| / T) are on",
+     make<DiluteSampler>},
+    {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>}};
+
+}  // namespace
+
+std::span<const SamplerEntry> samplers() { return table; }
+
+const SamplerEntry& find_sampler(std::string_view name) {
+  return choose(samplers(), "sampler", name);
+}
+
+}  // namespace pliant

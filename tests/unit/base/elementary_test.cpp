@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/base/elementary.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <vector>
+
+#include "pliant/base/normal.hpp"
+
+namespace pliant {
+namespace {
+
+TEST(Elementary, ExpIsThatOfTheLibraryToRounding) {
+  for (double x = -690.0; x <= 690.0; x += 0.37)
+    EXPECT_NEAR(exact_bits_exp(x) / std::exp(x), 1.0, 5e-16) << x;
+  EXPECT_EQ(exact_bits_exp(0.0), 1.0);
+  EXPECT_EQ(exact_bits_exp(-1e4), 0.0);
+  EXPECT_TRUE(std::isinf(exact_bits_exp(1e4)));
+}
+
+TEST(Elementary, LogIsThatOfTheLibraryToRounding) {
+  for (double x = 1e-300; x < 1e300; x *= 1.7)
+    EXPECT_NEAR(exact_bits_log(x), std::log(x), 1e-15 * std::max(1.0, std::abs(std::log(x)))) << x;
+  EXPECT_EQ(exact_bits_log(1.0), 0.0);
+  for (double x : {0.0, -1.0, std::numeric_limits<double>::infinity()})
+    EXPECT_TRUE(std::isnan(exact_bits_log(x))) << x;
+}
+
+/// Moments of the normal distribution: 0, 1, 0, 3; the bounds are five standard errors.
+TEST(Normal, HasTheMomentsOfTheNormalDistribution) {
+  std::vector<double> numbers(200001);
+  RandomSequence draws({7, Domain::amplitude, 0, 0, 0});
+  fill_normal(draws, numbers);
+  const auto count = double(numbers.size());
+  const double expected[] = {0.0, 1.0, 0.0, 3.0}, variance[] = {1.0, 2.0, 15.0, 96.0};
+  for (int power = 1; power <= 4; ++power) {
+    double sum = 0.0;
+    for (double x : numbers) sum += std::pow(x, power);
+    EXPECT_NEAR(sum / count, expected[power - 1], 5.0 * std::sqrt(variance[power - 1] / count));
+  }
+}
+
+}  // namespace
+}  // namespace pliant

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/froda/froda.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <memory>
+
+#include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/build_framework.hpp"
+#include "pliant/molecule/read/read.hpp"
+#include "pliant/resolve/froda/froda_solver.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace {
+
+struct Molecule {
+  Framework framework;
+  std::vector<Vec3> start;
+};
+
+Molecule molecule(const std::string& file, const std::shared_ptr<const Sterics>& sterics = {},
+                  const std::vector<Limit>& limits = {}) {
+  Structure structure = read_structure(PLIANT_SOURCE_DIR "/data/molecules/" + file);
+  perceive_bonds(structure);
+  BuildOptions options{.bars = BarKind::angles};
+  options.sterics = sterics;
+  options.limits = limits;
+  return {build_framework(structure, options), structure.positions};
+}
+
+double worst_bar(const Framework& framework, std::span<const Vec3> x) {
+  return measure(framework, x).max_relative;
+}
+
+/// Each joint belongs to one body, which comes after the one it hangs on; a forest needs no cuts.
+TEST(BodyPlan, EveryJointBelongsToOneBody) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(PLIANT_SOURCE_DIR "/data/molecules")) {
+    const Molecule m = molecule(entry.path().filename().string());
+    const auto plan = BodyPlan::make(m.framework);
+    ASSERT_TRUE(plan);
+    EXPECT_EQ(plan->place_count(), m.framework.joint_count() + plan->cuts().size());
+    for (Joint joint = 0; joint < m.framework.joint_count(); ++joint)
+      EXPECT_EQ(plan->joint_at()[plan->place_of(joint)], joint);
+    for (std::size_t k = 0; k < plan->bodies().size(); ++k)
+      EXPECT_LT(plan->bodies()[k].parent, static_cast<std::int32_t>(k));
+  }
+}
+
+/// However hard the push, bonds and angles stay: also where loops were cut.
+TEST(FrodaSolver, BarsStayWholeWhateverThePush) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(PLIANT_SOURCE_DIR "/data/molecules")) {
+    const Molecule m = molecule(entry.path().filename().string());
+    SCOPED_TRACE(entry.path().filename().string());
+    const auto plan = BodyPlan::make(m.framework);
+    FrodaSolver solver(m.framework, *plan);
+    std::vector<Vec3> out = m.start;
+    for (double size : {0.0, 0.3, 1.0}) {
+      const auto pushed = test::shake(m.framework, m.start, size, 4);
+      const FrodaOutcome outcome = solver.resolve(m.start, pushed, out);
+      EXPECT_TRUE(outcome.is_whole) << size;
+      EXPECT_LT(worst_bar(m.framework, out), 1e-10) << size;
+    }
+  }
+}
+
+/// Without contacts torsions alone follow the push: nothing else could come nearer than the best
+/// turn of the one bond of hydrogen peroxide's like, found by trying.
+TEST(FrodaSolver, OneTorsionGoesWhereItFitsBest) {
+  FrameworkParts parts;
+  parts.joint_count = 4;
+  parts.drawn = {{0, 1, 0}, {0, 0, 0}, {1.4, 0, 0}, {1.4, 1, 0}};
+  parts.bars = {{0, 1}, {1, 2}, {0, 2}, {2, 3}, {1, 3}};
+  for (Bar bar : parts.bars)
+    parts.rest_lengths.push_back(distance(parts.drawn[bar.a], parts.drawn[bar.b]));
+  const Framework framework(parts);
+  const auto plan = BodyPlan::make(framework);
+  FrodaSolver solver(framework, *plan);
+  std::vector<Vec3> target = parts.drawn, out = target;
+  target[3] = {1.4, std::cos(0.6), std::sin(0.6)};
+  target[0] = {0, std::cos(0.2), -std::sin(0.2)};
+  for (int again = 0; again < 20; ++again) {
+    const std::vector<Vec3> now = out;
+    solver.resolve(now, target, out);
+  }
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(distance(out[k], target[k]), 0.0, 1e-6) << k;
+}
+
+std::shared_ptr<Sterics> spheres(std::size_t joints, double least) {
+  auto sterics = std::make_shared<Sterics>();
+  sterics->kind_count = 1;
+  sterics->kinds.assign(joints, 0);
+  sterics->least = {least};
+  return sterics;
+}
+
+/// Two argon atoms on one place but for a little part; a limit pulls two others together.
+TEST(FrodaSolver, HoldsSpheresApartAndLimitsTogether) {
+  FrameworkParts parts;
+  parts.joint_count = 4;
+  parts.sterics = spheres(4, 3.0);
+  parts.limits = {{2, 3, 0.0, 5.0, LimitKind::given, 0.0, no_limit_group}};
+  const Framework framework(parts);
+  const std::vector<Vec3> start{{0, 0, 0}, {4, 0, 0}, {0, 20, 0}, {5, 20, 0}};
+  const std::vector<Vec3> target{{0, 0, 0}, {0.5, 0, 0}, {0, 20, 0}, {9, 20, 0}};
+  const auto plan = BodyPlan::make(framework);
+  FrodaSolver solver(framework, *plan);
+  std::vector<Vec3> out = start;
+  const FrodaOutcome outcome = solver.resolve(start, target, out);
+  EXPECT_TRUE(outcome.is_whole);
+  EXPECT_GE(distance(out[0], out[1]), 3.0 - 0.02);
+  EXPECT_LE(distance(out[2], out[3]), 5.0 + 0.02);
+  const std::vector<std::uint8_t> off{1};
+  solver.resolve(start, target, out, {}, off);
+  EXPECT_NEAR(distance(out[2], out[3]), 9.0, 1e-3);
+}
+
+/// The list of near pairs finds what a look at all pairs finds.
+TEST(NearPairs, AreThoseOfALookAtAllPairs) {
+  const Molecule bare = molecule("cyclic_hexapeptide.sdf");
+  auto sterics = spheres(bare.framework.joint_count(), 3.1);
+  sterics->own = {{0, 9, 0.5}, {3, 20, 0.0}};
+  const Molecule m = molecule("cyclic_hexapeptide.sdf", sterics);
+  const auto plan = BodyPlan::make(m.framework);
+  const ContactRules rules(m.framework);
+  NearPairs list(m.framework, *plan);
+  for (std::uint64_t seed = 1; seed < 6; ++seed) {
+    const auto moved = test::shake(m.framework, m.start, 0.3 * double(seed), seed);
+    std::vector<Vec3> x;
+    for (Joint joint : plan->joint_at()) x.push_back(moved[joint]);
+    list.update(x);
+    std::size_t listed = 0, expected = 0;
+    for (const NearPair& pair : list.pairs()) {
+      const Joint a = plan->joint_at()[pair.i], b = plan->joint_at()[pair.j];
+      EXPECT_EQ(pair.least, rules.of(std::min(a, b), std::max(a, b)));
+      listed += distance(x[pair.i], x[pair.j]) < pair.least;
+    }
+    for (Joint a = 0; a < m.framework.joint_count(); ++a)
+      for (Joint b = a + 1; b < m.framework.joint_count(); ++b) {
+        const bool is_rigid =
+            plan->body_at()[plan->place_of(a)] == plan->body_at()[plan->place_of(b)];
+        expected += !is_rigid && distance(moved[a], moved[b]) < rules.of(a, b);
+      }
+    EXPECT_EQ(listed, expected) << seed;
+    EXPECT_GT(expected, 0u);
+  }
+}
+
+/// The technique, from any push and without being told where bars were whole.
+TEST(Froda, ResolvesFrameworksWithLimitsAndSterics) {
+  const Molecule bare = molecule("cyclic_hexapeptide.sdf");
+  const Molecule m = molecule("cyclic_hexapeptide.sdf", spheres(bare.framework.joint_count(), 2.0));
+  std::vector<Vec3> x = test::shake(m.framework, m.start, 0.2, 3);
+  ResolveOptions options;
+  options.tolerance.overlap = 0.1;
+  const ResolveSummary summary = resolve(m.framework, {"froda"}, x, options);
+  EXPECT_TRUE(summary.converged()) << summary.brief(m.framework);
+}
+
+}  // namespace
+}  // namespace pliant
