@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, TypeAlias, TypeGuard
 
 import h5py
 import numpy as np
@@ -25,7 +25,7 @@ MOST_LINKS = 16
 #: Levels of groups that are looked into.
 MOST_LEVELS = 8
 
-Item = h5py.Group | h5py.Dataset
+Item: TypeAlias = "h5py.Group | h5py.Dataset"
 
 
 def item(group: h5py.Group, path: str) -> Item | None:
@@ -62,7 +62,7 @@ def _step(group: h5py.Group, name: str, left: list[int]) -> Item | None:
     found = _guarded(group, name, lambda: group[name])
     if isinstance(found, h5py.Dataset) and (found.external or found.is_virtual):
         raise refused(group, name, "has its values in other files, which are not read")
-    return found if isinstance(found, Item) else None
+    return found if isinstance(found, (h5py.Group, h5py.Dataset)) else None
 
 
 def refused(parent: Item, name: str, why: str) -> InputError:
@@ -112,7 +112,8 @@ def _selected(dataset: h5py.Dataset, selection: Any) -> int:
     """How many values a selection along the first extent has."""
     if not dataset.shape:
         return 1
-    rows, row = dataset.shape[0], math.prod(dataset.shape[1:])
+    rows = int(dataset.shape[0])
+    row = math.prod(int(extent) for extent in dataset.shape[1:])
     if isinstance(selection, slice):
         rows = len(range(*selection.indices(rows)))
     elif isinstance(selection, (int, np.integer)):
@@ -122,7 +123,7 @@ def _selected(dataset: h5py.Dataset, selection: Any) -> int:
     return rows * row
 
 
-def is_array(found: Item | None, kinds: str, shape: tuple[int | None, ...]) -> bool:
+def is_array(found: Item | None, kinds: str, shape: tuple[int | None, ...]) -> TypeGuard[Any]:
     """Whether this is a dataset of these kinds of numbers and this shape (None: any extent)."""
     if not isinstance(found, h5py.Dataset) or found.shape is None:  # None: h5py.Empty
         return False
@@ -132,7 +133,7 @@ def is_array(found: Item | None, kinds: str, shape: tuple[int | None, ...]) -> b
     return fits and found.dtype.kind in kinds
 
 
-def has_rows(found: Item | None) -> bool:
+def has_rows(found: Item | None) -> TypeGuard[Any]:
     """Whether this is a dataset with at least one extent."""
     return isinstance(found, h5py.Dataset) and bool(found.shape)
 

@@ -88,7 +88,8 @@ def _texts(file: h5py.File, name: str, count: int | None) -> npt.NDArray[np.obje
 
 def _atom_count(file: h5py.File) -> int:
     value = _hdf5.item(file, f"{_TRAJECTORY}/position/value")
-    _check(file, _hdf5.is_array(value, "fiu", (None, None, 3)), "there are no positions for it")
+    if not _hdf5.is_array(value, "fiu", (None, None, 3)):
+        raise InputError(f"{file.filename}: /{_TOPOLOGY}: there are no positions for it")
     return int(value.shape[1])
 
 
@@ -184,5 +185,5 @@ def _bonds(file: h5py.File, count: int) -> list[attributes.Bonds]:
 def _guessed(file: h5py.File, count: int) -> list[bool]:
     path = f"{_TOPOLOGY}/bond_origin"
     origins = _values(file, path, "iu", (count,))
-    names = h5py.check_enum_dtype(_hdf5.item(file, path).dtype) or {}
+    names = h5py.check_enum_dtype(origins.dtype) or {}
     return [bool(origin == names.get("distance", -1)) for origin in origins]
