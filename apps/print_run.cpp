@@ -40,6 +40,21 @@ double microseconds_per_step(const RunSummary& summary) {
   return summary.steps > 0 ? 1e6 * summary.seconds / double(summary.steps) : 0.0;
 }
 
+/// Walkers whose start, which is no step, could not be made whole.
+std::int64_t starts_left_broken(const std::vector<RunSummary>& summaries) {
+  return std::count_if(summaries.begin(), summaries.end(),
+                       [](const RunSummary& one) { return one.first_unconverged_step == 0; });
+}
+
+/// "3 of 20 steps, the first is step 5"; "20 of 20 steps, and the start".
+std::string unconverged_text(const RunSummary& summary, std::int64_t starts) {
+  std::string text =
+      fmt::format("{} of {} steps", summary.unconverged_steps - starts, summary.steps);
+  if (starts == 0)
+    return text + fmt::format(", the first is step {}", summary.first_unconverged_step);
+  return text + (starts == 1 ? ", and the start" : fmt::format(", and {} starts", starts));
+}
+
 }  // namespace
 
 RunSummary added_up(const std::vector<RunSummary>& summaries) {
@@ -79,8 +94,7 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
   fmt::print("time            {:.2f} s, {:.0f} us a step; resolving {:.1f} ns a bar and sweep\n",
              summary.seconds, microseconds_per_step(summary), summary.ns_per_bar_and_sweep());
   if (summary.unconverged_steps > 0)
-    fmt::print("not converged   {} of {} steps, the first is step {}\n", summary.unconverged_steps,
-               summary.steps, summary.first_unconverged_step);
+    fmt::print("not converged   {}\n", unconverged_text(summary, starts_left_broken(summaries)));
   if (summary.stopped_by_caller) fmt::print("stopped early; what was recorded is whole\n");
   if (settings.topology != "none") fmt::print("topology        {}\n", settings.topology);
   for (const std::string& output : outputs_of(settings, summaries))

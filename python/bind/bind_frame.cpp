@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Frame and Stop: what observers are shown.
+#include <cmath>
+
 #include "arrays.hpp"
 #include "frame.hpp"
+#include "pliant/base/error.hpp"
 #include "pushes.hpp"
 
 namespace pliant::python {
@@ -12,6 +15,7 @@ void make_frame(OwnedFrame* self, std::int64_t step, double time, const ArrayLik
                 std::int64_t sweeps, std::int64_t projections, double max_residual,
                 double rms_residual, Stop stop, std::optional<std::int64_t> root_joint,
                 const PythonForce& force) {
+  if (!std::isfinite(time)) throw InputError("time: is not finite");
   nb::object state = nb::cast(State(positions_from(positions)));
   const auto [x, y, z] = force;
   const std::span<const Vec3> own = nb::cast<const State&>(state).positions;

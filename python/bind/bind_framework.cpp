@@ -4,6 +4,7 @@
 #include "checks.hpp"
 #include "frame.hpp"
 #include "limits.hpp"
+#include "pickling.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/framework/graph.hpp"
@@ -233,6 +234,7 @@ void bind_framework_class(nb::module_& module) {
           "bar"_a, "What messages call a bar: \"CA - CB\".")
       .def("__repr__", &framework_repr);
   bind_framework_graph(framework);
+  bind_pickling(framework);
 }
 
 void set_positions(std::vector<Vec3>& to, const ArrayLike& values) {
@@ -246,11 +248,12 @@ std::vector<std::uint8_t> switches_from(const ArrayLike& values) {
 }
 
 void bind_state(nb::module_& module) {
-  nb::class_<State>(
+  nb::class_<State> state(
       module, "State",
       "What changes during a run: positions, and those of one step earlier.\n\n"
       "Both (N, 3) arrays are writeable views of the memory that runs work on. While a run\n"
-      "goes on in another thread their contents change; their number never does.")
+      "goes on in another thread their contents change; their number never does.");
+  state
       .def(
           "__init__",
           [](State* self, const ArrayLike& positions) {
@@ -272,6 +275,7 @@ void bind_state(nb::module_& module) {
             return mask_of({self.limits_off.begin(), self.limits_off.end()});
           },
           [](State& self, const ArrayLike& values) { self.limits_off = switches_from(values); },
+          nb::for_getter(nb::rv_policy::automatic),
           "(L,) bool, a copy: limits that are off from the next step on; empty: none is.")
       .def_rw("step", &State::step, "Steps done.")
       .def_rw("time", &State::time, "ps.")
@@ -279,6 +283,7 @@ void bind_state(nb::module_& module) {
         return "<pliant.State: " + count_of(self.positions.size(), "joint") + ", step " +
                std::to_string(self.step) + ">";
       });
+  bind_pickling(state);
 }
 
 }  // namespace

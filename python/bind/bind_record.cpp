@@ -2,6 +2,8 @@
 // Recording: frames to H5MD files.
 #include <nanobind/stl/filesystem.h>
 
+#include <cmath>
+
 #include "frame.hpp"
 #include "locked.hpp"
 #include "messages.hpp"
@@ -31,17 +33,26 @@ H5mdHeader header_of(const Structure* structure) {
 
 /// True and False are integers to Python, so they come first.
 Parameter parameter_from(const std::string& path, nb::handle value) {
-  if (nb::isinstance<nb::bool_>(value)) return nb::cast<bool>(value);
-  if (nb::isinstance<nb::int_>(value)) return nb::cast<std::int64_t>(value);
-  if (nb::isinstance<nb::float_>(value)) return nb::cast<double>(value);
-  if (nb::isinstance<nb::str>(value)) return nb::cast<std::string>(value);
-  throw nb::type_error(
-      ("parameters[\"" + path + "\"]: expected a bool, int, float or str").c_str());
+  const auto fail = [&](const std::string& why) {
+    return OptionError("parameters[\"" + path + "\"]: " + why);
+  };
+  try {
+    if (nb::isinstance<nb::bool_>(value)) return nb::cast<bool>(value);
+    if (nb::isinstance<nb::int_>(value)) return nb::cast<std::int64_t>(value);
+    if (nb::isinstance<nb::str>(value)) return nb::cast<std::string>(value);
+  } catch (const std::bad_cast&) {
+    throw fail("does not fit into 64 bits, or is no Unicode text");
+  }
+  if (!nb::isinstance<nb::float_>(value)) throw fail("expected a bool, int, float or str");
+  const auto real = nb::cast<double>(value);
+  if (!std::isfinite(real)) throw fail("is not finite");
+  return real;
 }
 
 std::vector<NamedParameter> parameters_from(const nb::dict& values) {
   std::vector<NamedParameter> parameters;
   for (const auto& [key, value] : values) {
+    if (!nb::isinstance<nb::str>(key)) throw OptionError("parameters: a path is no str");
     const auto path = nb::cast<std::string>(key);
     parameters.emplace_back(path, parameter_from(path, value));
   }
@@ -115,7 +126,8 @@ void bind_record(nb::module_& module) {
            "structure"_a = nb::none(), "parameters"_a = nb::dict(), "single"_a = false,
            "compress"_a = false, "overwrite"_a = false, "flush_seconds"_a = 1.0)
       .def("record", &record, "frame"_a,
-           "Adds a frame, which must come after the last one and have finite positions.")
+           "Adds a frame, which must come after the last one and have finite positions and time.\n"
+           "Raises FileError once the recorder is closed.")
       .def("__call__", &record, "frame"_a, "The same, so that it is an observer.")
       .def("flush", locked<&H5mdRecorder::flush>(),
            "Commits what was recorded: it survives this process.")

@@ -7,6 +7,8 @@
 #include <nanobind/stl/variant.h>
 
 #include <cctype>
+#include <set>
+#include <stdexcept>
 
 #include "arrays.hpp"
 #include "interrupt.hpp"
@@ -20,10 +22,29 @@
 namespace pliant::python {
 namespace {
 
+/// A State that a run moves; no other run may move it meanwhile. Made and ended with the GIL held.
+class StateInUse {
+ public:
+  explicit StateInUse(const State& state) : state_(&state) {
+    if (!all().insert(state_).second) throw std::runtime_error("State: another run is moving it");
+  }
+  ~StateInUse() { all().erase(state_); }
+  StateInUse(const StateInUse&) = delete;
+  StateInUse& operator=(const StateInUse&) = delete;
+
+ private:
+  static std::set<const State*>& all() {
+    static std::set<const State*> states;
+    return states;
+  }
+  const State* state_;
+};
+
 OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunOptions options,
                           const std::vector<nb::object>& observers, ForceRecorder* forces) {
   check_pushes(framework, options.replay);
   show_framework(options.technique, framework);
+  const StateInUse in_use(nb::cast<const State&>(state));
   InterruptWatch watch;
   if (forces) options.on_push = [forces](const Push& push) { forces->record(push); };
   options.log = python_log();

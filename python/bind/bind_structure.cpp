@@ -4,6 +4,7 @@
 
 #include "arrays.hpp"
 #include "checks.hpp"
+#include "pickling.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "structure.hpp"
@@ -245,6 +246,7 @@ nb::class_<Structure> bind_structure(nb::module_& module) {
   bind_atoms(structure);
   bind_residues(structure);
   bind_bonds(structure);
+  bind_pickling(structure);
   return structure;
 }
 

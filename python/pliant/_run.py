@@ -28,7 +28,7 @@ Value = bool | int | float | str
 
 
 def run(
-    framework: _core.Framework | _core.Structure,
+    framework: _core.Framework | _core.Structure | str | os.PathLike[str],
     state: _core.State | npt.ArrayLike | None = None,
     output: str | os.PathLike[str] | None = None,
     *,
@@ -74,8 +74,9 @@ def run(
 
     Parameters
     ----------
-    framework : Framework or Structure
-        The framework of a structure is built with `bars`, `lengths` and `pin`.
+    framework : Framework, Structure or path
+        The framework of a structure is built with `bars`, `lengths` and `pin`. A file is read as
+        the command does: a molecule with the bonds that it lacks perceived, or graph XML.
     state : State or (N, 3) Angstrom, optional
         Where to start. A State is changed in place; positions are copied. Default: those of the
         structure.
@@ -132,6 +133,7 @@ def run(
         The file exists (and `overwrite` is false) or cannot be written.
     """
     built: dict[str, Value] = {}
+    framework, state = _opened(framework, state)
     if isinstance(framework, _core.Structure):
         if structure is not None:
             raise TypeError("run: structure is given twice")
@@ -179,6 +181,19 @@ def run(
     )
     with recorder:
         return _core.run_steps(framework, start, options, [recorder, *observers], forces)
+
+
+def _opened(
+    source: _core.Framework | _core.Structure | str | os.PathLike[str],
+    state: _core.State | npt.ArrayLike | None,
+) -> tuple[_core.Framework | _core.Structure, _core.State | npt.ArrayLike | None]:
+    """What is in a file, if it is one: a structure, or a framework and where it starts."""
+    if not isinstance(source, (str, os.PathLike)):
+        return source, state
+    if Path(source).suffix == ".xml":
+        graph = _core.read_graph_xml(source)
+        return graph.framework, graph.positions if state is None else state
+    return _core.read(source), state
 
 
 def _write_topology(

@@ -25,6 +25,10 @@ EXIT_USAGE = 2  #: bad option or argument
 EXIT_INTERRUPTED = 130
 
 
+MOST_PROCESSES = 1024  #: of ``--workers``
+MOST_DIGITS = 18  #: of a whole number: it fits into 64 bits
+
+
 class Parser(argparse.ArgumentParser):
     """An argument parser that reads as the subcommands in C++ do: errors in one line, exit 2."""
 
@@ -43,15 +47,17 @@ class Parser(argparse.ArgumentParser):
         self.exit(EXIT_USAGE, f"{self.prog}: error: {message}\n{self.prog} --help tells more\n")
 
 
-def whole_number(least: int, *names: str) -> Callable[[str], int | str]:
-    """For ``type=``: a whole number from `least`, or one of `names` as it is."""
+def whole_number(least: int, *names: str, most: int | None = None) -> Callable[[str], int | str]:
+    """For ``type=``: a whole number from `least` (to `most`), or one of `names` as it is."""
 
     def parse(text: str) -> int | str:
         if text in names:
             return text
-        if text.isascii() and text.isdigit() and int(text) >= least:
+        short = text.isascii() and text.isdigit() and len(text) <= MOST_DIGITS
+        if short and least <= int(text) and (most is None or int(text) <= most):
             return int(text)
-        wanted = " or ".join([f"a whole number from {least}", *names])
+        end = "" if most is None else f" to {most}"
+        wanted = " or ".join([f"a whole number from {least}{end}", *names])
         raise argparse.ArgumentTypeError(f"expected {wanted}, found '{text}'")
 
     return parse

@@ -7,11 +7,13 @@ it; `import pliant` does so too, as soon as MDAnalysis is there.
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import h5py
 import numpy as np
 
+from pliant import _hdf5
+from pliant._core import InputError
 from pliant._extras import needed_by
 
 with needed_by("pliant.h5md_parser"):
@@ -45,13 +47,13 @@ class H5MDParser(TopologyReaderBase):  # type: ignore[misc]  # MDAnalysis has no
 
         Raises
         ------
-        ValueError
+        InputError
             The atom table does not fit the positions: the file is damaged.
         """
         with h5py.File(self.filename, "r") as file:
-            if f"{_TOPOLOGY}/atom_name" in file:
+            if _hdf5.item(file, f"{_TOPOLOGY}/atom_name") is not None:
                 return _named_topology(file)
-            if f"{_TOPOLOGY}/bond_order" in file:
+            if _hdf5.item(file, f"{_TOPOLOGY}/bond_order") is not None:
                 return _nameless_topology(file)
             if "n_atoms" not in kwargs and (count := _particle_count(file)) is not None:
                 kwargs["n_atoms"] = count
@@ -60,36 +62,53 @@ class H5MDParser(TopologyReaderBase):  # type: ignore[misc]  # MDAnalysis has no
 
 def _particle_count(file: h5py.File) -> int | None:
     """Particles of the first group, which is the one that MDAnalysis reads."""
-    for group in list(file.get("particles", {}).values())[:1]:
-        for name in ("position", "velocity", "force"):
-            value = group.get(f"{name}/value")
-            if isinstance(value, h5py.Dataset) and value.ndim == 3:
-                return int(value.shape[1])
+    group = _hdf5.first_in(file, "particles")
+    for name in ("position", "velocity", "force") if group is not None else ():
+        value = _hdf5.item(group, f"{name}/value")
+        if isinstance(value, h5py.Dataset) and value.ndim == 3:
+            return int(value.shape[1])
     return None
 
 
-def _texts(dataset: h5py.Dataset) -> npt.NDArray[np.object_]:
-    return np.asarray(dataset.asstr()[()], dtype=object)
+def _values(
+    file: h5py.File, path: str, kinds: str, shape: tuple[int | None, ...]
+) -> npt.NDArray[Any]:
+    """The values of a dataset. Raises InputError if there are none of these kinds and shape."""
+    found = _hdf5.item(file, path)
+    wanted = "x".join("n" if extent is None else str(extent) for extent in shape)
+    if not _hdf5.is_array(found, kinds, shape):
+        raise InputError(f"{file.filename}: /{path}: expected {wanted} values, found other ones")
+    return np.asarray(_hdf5.read(found))
+
+
+def _texts(file: h5py.File, name: str, count: int | None) -> npt.NDArray[np.object_]:
+    found = _values(file, f"{_TOPOLOGY}/{name}", "OS", (count,))
+    return np.array([str(_hdf5.plain(one)) for one in found], dtype=object)
+
+
+def _atom_count(file: h5py.File) -> int:
+    value = _hdf5.item(file, f"{_TRAJECTORY}/position/value")
+    if not _hdf5.is_array(value, "fiu", (None, None, 3)):
+        raise InputError(f"{file.filename}: /{_TOPOLOGY}: there are no positions for it")
+    return int(value.shape[1])
 
 
 def _named_topology(file: h5py.File) -> Topology:
-    table = file[_TOPOLOGY]
-    count = file[f"{_TRAJECTORY}/position/value"].shape[1]
-    residue_of = table["residue_of"][()].astype(np.intp)
-    residues = len(table["residue_name"])
-    _check(file, len(residue_of) == count, "residue_of does not have a residue for each particle")
-    _check(file, count == 0 or residue_of.max() < residues, "residue_of names no residue")
-    chains = _texts(table["chain"])
+    count = _atom_count(file)
+    residue_of = _values(file, f"{_TOPOLOGY}/residue_of", "iu", (count,)).astype(np.intp)
+    chains = _texts(file, "chain", None)
+    inside = count == 0 or (residue_of.min() >= 0 and residue_of.max() < len(chains))
+    _check(file, bool(inside), "residue_of names no residue")
     segments, segment_of = _segments(chains)
     return Topology(
         count,
-        residues,
+        len(chains),
         len(segments),
         atom_resindex=residue_of,
         residue_segindex=segment_of,
         attrs=[
-            *_atom_attributes(file, chains[residue_of]),
-            *_residue_attributes(table),
+            *_atom_attributes(file, count, chains[residue_of]),
+            *_residue_attributes(file, len(chains)),
             attributes.Segids(segments),
             *_bonds(file, count),
         ],
@@ -97,38 +116,40 @@ def _named_topology(file: h5py.File) -> Topology:
 
 
 def _nameless_topology(file: h5py.File) -> Topology:
-    count = file[f"{_TRAJECTORY}/position/value"].shape[1]
-    masses = attributes.Masses(file[f"{_TRAJECTORY}/mass"][()])
-    return Topology(count, 1, 1, attrs=[masses, *_bonds(file, count)])
+    count = _atom_count(file)
+    return Topology(count, 1, 1, attrs=[_masses(file, count), *_bonds(file, count)])
+
+
+def _masses(file: h5py.File, count: int) -> attributes.Masses:
+    return attributes.Masses(_values(file, f"{_TRAJECTORY}/mass", "fiu", (count,)))
 
 
 def _check(file: h5py.File, condition: bool, what: str) -> None:
     if not condition:
-        raise ValueError(f"{file.filename}: /{_TOPOLOGY}: {what}")
+        raise InputError(f"{file.filename}: /{_TOPOLOGY}: {what}")
 
 
 def _atom_attributes(
-    file: h5py.File, chain_of_atom: npt.NDArray[np.object_]
+    file: h5py.File, count: int, chain_of_atom: npt.NDArray[np.object_]
 ) -> list[attributes.AtomAttr]:
-    table = file[_TOPOLOGY]
-    elements = _texts(table["element"])
+    elements = _texts(file, "element", count)
     return [
-        attributes.Atomnames(_texts(table["atom_name"])),
+        attributes.Atomnames(_texts(file, "atom_name", count)),
         attributes.Elements(elements),
         attributes.Atomtypes(elements.copy()),
-        attributes.Masses(file[f"{_TRAJECTORY}/mass"][()]),
-        attributes.Atomids(table["atom_serial"][()]),
+        _masses(file, count),
+        attributes.Atomids(_values(file, f"{_TOPOLOGY}/atom_serial", "iu", (count,))),
         attributes.ChainIDs(chain_of_atom),
     ]
 
 
-def _residue_attributes(table: h5py.Group) -> list[attributes.ResidueAttr]:
-    numbers = table["residue_number"][()]
+def _residue_attributes(file: h5py.File, count: int) -> list[attributes.ResidueAttr]:
+    numbers = _values(file, f"{_TOPOLOGY}/residue_number", "iu", (count,))
     return [
         attributes.Resids(numbers),
         attributes.Resnums(numbers.copy()),
-        attributes.Resnames(_texts(table["residue_name"])),
-        attributes.ICodes(_texts(table["insertion_code"])),
+        attributes.Resnames(_texts(file, "residue_name", count)),
+        attributes.ICodes(_texts(file, "insertion_code", count)),
     ]
 
 
@@ -144,21 +165,25 @@ def _segments(
 
 
 def _bonds(file: h5py.File, count: int) -> list[attributes.Bonds]:
-    pairs = file["connectivity/bonds"][()] if "connectivity/bonds" in file else np.empty((0, 2))
+    if _hdf5.item(file, "connectivity/bonds") is None:
+        return []
+    pairs = _values(file, "connectivity/bonds", "iu", (None, 2))
     if len(pairs) == 0:
         return []
     _check(file, pairs.min() >= 0 and pairs.max() < count, "connectivity/bonds names no particle")
-    orders = file[f"{_TOPOLOGY}/bond_order"][()].tolist()
+    orders = _values(file, f"{_TOPOLOGY}/bond_order", "iu", (len(pairs),)).tolist()
     return [
         attributes.Bonds(
             [tuple(pair) for pair in pairs.tolist()],
-            guessed=_guessed(file[f"{_TOPOLOGY}/bond_origin"]),
+            guessed=_guessed(file, len(pairs)),
             # 4 is aromatic, 0 not known.
             order=[{0: None, 4: 1.5}.get(order, order) for order in orders],
         )
     ]
 
 
-def _guessed(origins: h5py.Dataset) -> list[bool]:
+def _guessed(file: h5py.File, count: int) -> list[bool]:
+    path = f"{_TOPOLOGY}/bond_origin"
+    origins = _values(file, path, "iu", (count,))
     names = h5py.check_enum_dtype(origins.dtype) or {}
-    return [bool(origin == names.get("distance", -1)) for origin in origins[()]]
+    return [bool(origin == names.get("distance", -1)) for origin in origins]

@@ -21,6 +21,21 @@ def contents(path):
     return found
 
 
+def test_the_start_is_no_step(tmp_path, pliant):
+    graph = tmp_path / "triangle.xml"
+    joints = "".join(f'<joint id="{n}" x="{x}" y="{y}" z="0"/>' for n, x, y in
+                     [("a", 0, 0), ("b", 1, 0.5), ("c", 2, 0)])  # fmt: skip
+    bars = "".join(f'<bar a="{a}" b="{b}" length="{length}"/>' for a, b, length in
+                   [("a", "b", 1), ("b", "c", 1), ("a", "c", 3)])  # fmt: skip
+    graph.write_text(f"<graph>{joints}{bars}</graph>")
+    words = ["run", graph, "--steps", "20", "--max-sweeps", "10", "--topology", "none"]
+    ended = pliant(*words, "-o", tmp_path / "one.h5md")
+    assert ended.code == 3
+    assert "not converged   20 of 20 steps, and the start\n" in ended.out
+    ended = pliant(*words, "-o", tmp_path / "two.h5md", "--walkers", "2")
+    assert "not converged   40 of 40 steps, and 2 starts\n" in ended.out
+
+
 def test_run_says_what_it_did(pliant, ethanol, tmp_path):
     ended = pliant("run", ethanol, "--steps", 20, "--json")
     assert (ended.code, ended.err) == (0, "")

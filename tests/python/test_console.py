@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What the subcommands written in Python share."""
 
+import argparse
 import io
 import json
 
@@ -99,3 +100,12 @@ def test_progress_is_a_bar_on_a_terminal_only(monkeypatch, capsys):
     assert capsys.readouterr().err == (
         "\rresolving: [############............] 1 / 2\x1b[K\r\x1b[K"
     )
+
+
+@pytest.mark.parametrize("text", ["1025", "10" * 30, "0", "-1", "٣"])
+def test_no_command_begins_thousands_of_processes(text, capsys):
+    parse = console.whole_number(1, most=console.MOST_PROCESSES)
+    with pytest.raises(argparse.ArgumentTypeError) as refused:
+        parse(text)
+    assert str(refused.value) == f"expected a whole number from 1 to 1024, found '{text}'"
+    assert parse("1024") == 1024

@@ -2,6 +2,7 @@
 """Recording: what run() and H5mdRecorder leave in a file, whatever ends them."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -166,9 +167,106 @@ def test_a_recorder_of_ones_own(tmp_path):
         assert file["observables/converged/value"][:].astype(bool).tolist() == [True, False]
 
 
-def test_parameters_are_numbers_or_text(tmp_path):
-    with pytest.raises(TypeError, match=r'^parameters\["run/x"\]: expected a bool, int, float'):
-        pliant.H5mdRecorder(tmp_path / "o", WATER.framework(), parameters={"run/x": [1]})
+@pytest.mark.parametrize(
+    ("value", "why"),
+    [
+        ([1], "expected a bool, int, float or str"),
+        (None, "expected a bool, int, float or str"),
+        (2**63, "does not fit into 64 bits, or is no Unicode text"),
+        ("\ud800", "does not fit into 64 bits, or is no Unicode text"),
+        (float("nan"), "is not finite"),
+        (float("inf"), "is not finite"),
+    ],
+)
+def test_a_bad_parameter_is_named(tmp_path, value, why):
+    path = tmp_path / "o"
+    with pytest.raises(ValueError, match="^" + re.escape(f'parameters["run/x"]: {why}') + "$"):
+        pliant.H5mdRecorder(path, WATER.framework(), parameters={"run/x": value})
+    assert not path.exists()
+
+
+def test_a_closed_recorder_takes_no_frame(tmp_path):
+    path = tmp_path / "out.h5md"
+    recorder = pliant.H5mdRecorder(path, WATER.framework())
+    recorder.record(pliant.Frame(0, 0.0, WATER.positions))
+    recorder.close()
+    with pytest.raises(pliant.FileError, match=f"^{path}: is closed: no frame can be recorded$"):
+        recorder.record(pliant.Frame(1, 0.1, WATER.positions))
+    recorder.flush()
+    recorder.close()
+    assert (recorder.frames, len(pliant.H5mdReader(path))) == (1, 1)
+
+
+@pytest.mark.parametrize("time", [float("nan"), float("inf"), -float("inf")])
+def test_a_frame_has_a_finite_time(time):
+    with pytest.raises(pliant.InputError, match=r"^time: is not finite$"):
+        pliant.Frame(0, time, WATER.positions)
+
+
+def test_a_state_is_moved_by_one_run_at_a_time():
+    framework, state = WATER.framework(), pliant.State(WATER.positions)
+    met = []
+
+    def run_within(frame):
+        with pytest.raises(RuntimeError, match=r"^State: another run is moving it$"):
+            pliant.run(framework, state, steps=1)
+        met.append(pliant.run(framework, pliant.State(WATER.positions), steps=1).steps)
+
+    pliant.run(framework, state, steps=2, observers=[run_within])
+    assert met == [1, 1, 1]
+    assert pliant.run(framework, state, steps=1).steps == 1
+
+
+FORKS = """
+import os, sys, threading
+import pliant
+path, other = sys.argv[1:]
+water = pliant.read_text("2\\n\\nH 0 0 0\\nH 0.74 0 0\\n", "h.xyz")
+framework = water.framework()
+recorder = pliant.H5mdRecorder(path, framework, flush_seconds=0)
+done = threading.Event()
+
+def record():
+    step = 0
+    while not done.is_set():
+        recorder.record(pliant.Frame(step, 0.1 * step, water.positions))
+        step += 1
+
+thread = threading.Thread(target=record)
+thread.start()
+codes = []
+for k in range(20):
+    child = os.fork()
+    if child == 0:
+        code = 1
+        try:
+            recorder.record(pliant.Frame(10**9, 1.0, water.positions))
+        except RuntimeError as error:
+            code = 0 if "belongs to process" in str(error) else 2
+        try:
+            pliant.run(water, output=f"{other}{k}", steps=2)
+        except pliant.FileError as error:
+            code = code if "was forked" in str(error) else 3
+        if k % 2:
+            os._exit(code)
+        del recorder
+        sys.exit(code)
+    codes.append(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+done.set()
+thread.join()
+frames = recorder.frames
+recorder.close()
+reader = pliant.H5mdReader(path)
+print(codes.count(0), frames == len(reader), reader.step(-1) < 10**9)
+"""
+
+
+def test_a_forked_process_neither_hangs_nor_writes(tmp_path):
+    done = subprocess.run(
+        [sys.executable, "-c", FORKS, tmp_path / "out.h5md", tmp_path / "child"],
+        capture_output=True, text=True, timeout=300, check=False,
+    )  # fmt: skip
+    assert (done.returncode, done.stdout) == (0, "20 True True\n"), done.stderr
 
 
 def test_reads_back_what_was_recorded(tmp_path):

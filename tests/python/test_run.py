@@ -5,12 +5,14 @@ import os
 import signal
 import threading
 import time
+from pathlib import Path
 
 import numpy as np
 import pytest
 
 import pliant
 
+DATA = Path(__file__).parents[2] / "data"
 SHAPE = np.array([[0, 0, 0], [1.5, 0, 0], [2, 1.4, 0.3], [0.7, 2.2, 0.6], [-0.5, 1.3, 0.2]])
 RING = pliant.Framework([[0, 1], [1, 2], [2, 3], [3, 4], [4, 0]], positions=SHAPE)
 
@@ -189,3 +191,16 @@ def test_tables_name_what_runs_take():
     for row in [*pliant.perturbations(), *pliant.techniques(), *pliant.orderings()]:
         assert row.summary
         assert row.name in repr(row)
+
+
+def test_a_file_is_enough(tmp_path):
+    """What the command does: bonds perceived, or the framework and positions of graph XML."""
+    path = DATA / "molecules" / "cholesterol.cif"
+    summary = pliant.run(path, steps=5, seed=2)
+    same = pliant.run(pliant.read(path), steps=5, seed=2)
+    assert np.array_equal(summary.state.positions, same.state.positions)
+    graph = str(DATA / "mechanisms" / "four_bar.xml")
+    summary = pliant.run(graph, output=tmp_path / "out.h5md", steps=5)
+    assert (summary.converged, len(pliant.H5mdReader(tmp_path / "out.h5md"))) == (True, 6)
+    with pytest.raises(pliant.FileError):
+        pliant.run("nowhere.pdb")

@@ -32,9 +32,13 @@ def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
         Implicit hydrogens are left out, as they have no positions.
     """
     ids = [known.GetId() for known in molecule.GetConformers()]
-    if not ids or (conformer != -1 and conformer not in ids):
-        wanted = "conformer" if conformer == -1 else f"conformer {conformer}"
-        raise InputError(f"the molecule has no {wanted}; it has {ids or 'none'}")
+    if not ids:
+        raise InputError(
+            "the molecule has no conformer, so that its atoms have no positions: make one with "
+            "rdkit.Chem.AllChem.EmbedMolecule(molecule)"
+        )
+    if conformer != -1 and conformer not in ids:
+        raise InputError(f"the molecule has no conformer {conformer}; it has {ids}")
     _warn_of_implicit_hydrogens(molecule)
     atoms = list(molecule.GetAtoms())
     places = [_place(atom) for atom in atoms]

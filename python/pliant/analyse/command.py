@@ -12,7 +12,15 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from pliant.console import EXIT_OK, Parser, note, print_json, run_command, whole_number
+from pliant.console import (
+    EXIT_OK,
+    MOST_PROCESSES,
+    Parser,
+    note,
+    print_json,
+    run_command,
+    whole_number,
+)
 
 DESCRIPTION = """\
 Analyses a trajectory and writes figures (PNG), tables (CSV) and one page, report.html, which
@@ -73,14 +81,14 @@ def _add_choice_of_frames(add: Callable[..., object]) -> None:
     add("--stop", type=int, metavar="N", help="frame before which to stop")
     add("--step", type=whole_number(1), metavar="N", help="take every N-th frame")
     add(
-        "--workers", type=whole_number(1), default=1, metavar="N",
+        "--workers", type=whole_number(1, most=MOST_PROCESSES), default=1, metavar="N",
         help="number of processes; more than 1 pays for gigabytes only (default: 1)",
     )  # fmt: skip
 
 
 def _add_output(add: Callable[..., object]) -> None:
     add(
-        "--dpi", type=whole_number(50), default=200, metavar="N",
+        "--dpi", type=whole_number(50, most=1200), default=200, metavar="N",
         help="resolution of the figures, dots per inch (default: 200)",
     )  # fmt: skip
     add("--json", action="store_true", help="print the results as one JSON object")

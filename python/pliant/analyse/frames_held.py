@@ -49,8 +49,9 @@ def _whole_frames(study: Study) -> np.ndarray:
         whole = min(whole, study.record.complete_frames)
     if whole < count:
         study.notes.append(f"the last {count - whole} frames are not complete: left out")
-    chosen = np.arange(count)[slice(options.start, options.stop, options.step)]
-    chosen = np.sort(chosen[chosen < whole])
+    wanted = range(*slice(options.start, options.stop, options.step).indices(count))
+    wanted = wanted if wanted.step > 0 else wanted[::-1]
+    chosen = np.array(range(wanted.start, min(wanted.stop, whole), wanted.step), dtype=int)
     if len(chosen) == 0:
         raise OptionError(f"--start, --stop, --step: choose none of the {count} frames")
     return chosen

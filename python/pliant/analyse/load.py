@@ -13,6 +13,7 @@ import h5py
 import MDAnalysis
 
 import pliant.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds from our files)
+from pliant import _hdf5
 from pliant._core import InputError
 
 if TYPE_CHECKING:
@@ -51,15 +52,27 @@ def _check_file(path: Path) -> None:
     if not h5py.is_hdf5(path):
         raise InputError(f"{path}: is not an HDF5 file, or was cut off while it was written")
     with h5py.File(path, "r") as file:
-        particles = file.get("particles")
-        if not isinstance(particles, h5py.Group) or len(particles) == 0:
+        group = _hdf5.first_in(file, "particles")
+        if group is None:
             raise InputError(f"{path}: is HDF5 but not H5MD: there is no group in /particles")
-        name = next(iter(particles))
-        values = particles[name].get("position/value")
+        values = _hdf5.item(group, "position/value")
         if not isinstance(values, h5py.Dataset):
-            raise InputError(f"{path}: there are no positions in /particles/{name}")
-        if values.shape[0] == 0:
-            raise InputError(f"{path}: holds no frames")
+            raise InputError(f"{path}: there are no positions in {group.name}")
+        _check_positions(path, values)
+
+
+def _check_positions(path: Path, values: h5py.Dataset) -> None:
+    if not _hdf5.is_array(values, "fiu", (None, None, 3)):
+        found = f"{values.dtype} of shape {values.shape}"
+        raise InputError(f"{path}: {values.name}: expected positions (F, N, 3), found {found}")
+    if values.shape[0] == 0:
+        raise InputError(f"{path}: holds no frames")
+    _hdf5.check_stored(values, 3 * values.shape[1])
+    steps = _hdf5.item(values.parent, "step")
+    if _hdf5.has_rows(steps) and not _hdf5.is_array(steps, "iu", (None,)):
+        raise InputError(f"{path}: {steps.name}: expected whole numbers, found {steps.dtype}")
+    frames = min(len(values), len(steps) if _hdf5.has_rows(steps) else len(values))
+    _hdf5.check_stored(values, 3 * values.shape[1] * frames)
 
 
 def _open(path: Path, topology: str | os.PathLike[str] | None) -> Universe:

@@ -82,8 +82,9 @@ class Runner:
     def __init__(self, study: Study) -> None:
         self._frames = np.arange(len(study.frames)) if study.held else study.frames
         self._backend = {}
-        if study.options.workers > 1:
-            self._backend = {"backend": "multiprocessing", "n_workers": study.options.workers}
+        workers = min(study.options.workers, len(self._frames))
+        if workers > 1:
+            self._backend = {"backend": "multiprocessing", "n_workers": workers}
 
     def run(self, analysis: FrameAnalysis, stride: int = 1) -> Results:
         """`analysis` after its run over the frames of the study, or every `stride`-th."""

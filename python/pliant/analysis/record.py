@@ -3,12 +3,15 @@
 
 from __future__ import annotations
 
+import math
 import os
 from dataclasses import dataclass, field
 from typing import Any
 
 import h5py
 import numpy as np
+
+from pliant import _hdf5
 
 #: used where a file has bars but does not say how exact they were to be
 DEFAULT_TOLERANCE = 1e-6
@@ -50,73 +53,54 @@ def read_record(path: str | bytes | os.PathLike[str]) -> RunRecord | None:
     """Reads the RunRecord of an H5MD file; None if the file is not HDF5 with /particles.
 
     What is there but has not the shape it should have is left out. Raises OSError when the file
-    cannot be read.
+    cannot be read, and InputError where links lead to other files or in a circle, the file does
+    not hold what it says, or a tolerance is no number above 0.
     """
     path = os.fsdecode(path)
     if not h5py.is_hdf5(path):
         return None
     with h5py.File(path, "r") as file:
-        if not isinstance(file.get("particles"), h5py.Group) or not len(file["particles"]):
+        group = _hdf5.first_in(file, "particles")
+        if group is None:
             return None
         record = RunRecord(path)
-        _read_creator(file, record)
+        creator = _hdf5.item(file, "h5md/creator")
+        record.creator, record.version = (_hdf5.text(creator, k) for k in ("name", "version"))
         _read_bars(file, record)
-        record.complete_frames = _complete_frames(file)
+        record.complete_frames = _complete_frames(group)
         record.observables = _read_observables(file)
-        if isinstance(file.get("parameters"), h5py.Group):
-            _read_parameters(file["parameters"], "", record.parameters)
+        record.parameters = dict(_hdf5.scalars(_hdf5.item(file, "parameters")))
+    _check_tolerances(record)
     return record
 
 
-def _read_creator(file: h5py.File, record: RunRecord) -> None:
-    creator = file.get("h5md/creator")
-    if creator is not None:
-        record.creator = _text(creator.attrs.get("name", ""))
-        record.version = _text(creator.attrs.get("version", ""))
-
-
-def _text(value: object) -> str:
-    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+def _check_tolerances(record: RunRecord) -> None:
+    for name, least in (("run/tolerance", math.ulp(0.0)), ("run/tolerance_length", 0.0)):
+        if name in record.parameters:
+            _hdf5.positive(record.path, f"parameters/{name}", record.parameters[name], least)
 
 
 def _read_bars(file: h5py.File, record: RunRecord) -> None:
-    bars = file.get("connectivity/bars")
-    lengths = file.get("parameters/framework/rest_length")
-    if not isinstance(bars, h5py.Dataset) or not isinstance(lengths, h5py.Dataset):
+    bars = _hdf5.item(file, "connectivity/bars")
+    lengths = _hdf5.item(file, "parameters/framework/rest_length")
+    if not _hdf5.is_array(bars, "iu", (None, 2)):
         return
-    if bars.ndim != 2 or bars.shape[1] != 2 or lengths.shape != bars.shape[:1]:
+    if not _hdf5.is_array(lengths, "fiu", bars.shape[:1]):
         return
-    record.bars = bars[()].astype(np.int64)
-    record.rest_lengths = lengths[()].astype(np.float64)
+    record.bars = _hdf5.read(bars).astype(np.int64)
+    record.rest_lengths = _hdf5.read(lengths).astype(np.float64)
 
 
-def _complete_frames(file: h5py.File) -> int:
-    position = file["particles"][next(iter(file["particles"]))].get("position")
-    if not isinstance(position, h5py.Group):
-        return 0
-    parts = (position.get(name) for name in ("value", "step", "time"))
-    return min(
-        (len(part) for part in parts if isinstance(part, h5py.Dataset) and part.ndim), default=0
-    )
+def _complete_frames(group: h5py.Group) -> int:
+    parts = [_hdf5.item(group, f"position/{name}") for name in ("value", "step", "time")]
+    return min((len(part) for part in parts if _hdf5.has_rows(part)), default=0)
 
 
 def _read_observables(file: h5py.File) -> dict[str, np.ndarray]:
-    observables = file.get("observables")
-    if not isinstance(observables, h5py.Group):
-        return {}
+    observables = _hdf5.item(file, "observables")
     found = {}
-    for name, element in observables.items():
-        value = element.get("value") if isinstance(element, h5py.Group) else None
-        if isinstance(value, h5py.Dataset) and value.ndim == 1 and value.dtype.kind in "biuf":
-            found[name] = value[()]
+    for name in _hdf5.names_in(observables) if isinstance(observables, h5py.Group) else []:
+        value = _hdf5.item(file, f"observables/{name}/value")
+        if _hdf5.is_array(value, "biuf", (None,)):
+            found[name] = _hdf5.read(value)
     return found
-
-
-def _read_parameters(group: h5py.Group, prefix: str, found: dict[str, Any]) -> None:
-    """Collects the scalars below a group; the atom table and other arrays are not options."""
-    for name, item in group.items():
-        if isinstance(item, h5py.Group):
-            _read_parameters(item, f"{prefix}{name}/", found)
-        elif item.shape == ():
-            value = item[()]
-            found[prefix + name] = _text(value) if isinstance(value, bytes) else value.item()

@@ -13,6 +13,8 @@ import numpy.typing as npt
 from MDAnalysis import units
 from MDAnalysis.coordinates.H5MD import H5MDReader
 
+from pliant import _hdf5
+
 if TYPE_CHECKING:
     from MDAnalysis.coordinates.base import ProtoReader
     from MDAnalysis.coordinates.timestep import Timestep
@@ -41,13 +43,13 @@ class StoredPositions:
 
     def _use(self, path: str) -> None:
         with h5py.File(path, "r") as file:
-            group = next(iter(file["particles"]))
-            value = file.get(f"particles/{group}/position/value")
-            if not isinstance(value, h5py.Dataset):
+            group = _hdf5.first_in(file, "particles")
+            value = None if group is None else _hdf5.item(group, "position/value")
+            if not _hdf5.is_array(value, "fiu", (None, None, 3)):
                 return
             self._path = path
             self._dataset = value.name
-            unit = H5MDReader._unit_translation["length"].get(value.attrs.get("unit"), "Angstrom")
+            unit = H5MDReader._unit_translation["length"].get(_hdf5.text(value, "unit"), "Angstrom")
             self._to_angstrom = units.get_conversion_factor("length", unit, "Angstrom")
             self.precision = "float64" if value.dtype.itemsize >= 8 else "float32"
 
@@ -68,17 +70,19 @@ class StoredPositions:
 
     def read(self, frames: int | slice) -> np.ndarray:
         """Positions (N, 3) of a frame of an H5MD file, (f, N, 3) of a slice; Angstrom, float64."""
-        positions: np.ndarray = (
-            self._open()[self._dataset][frames].astype(np.float64) * self._to_angstrom
-        )
+        found = _hdf5.read(self._open()[self._dataset], frames)
+        positions: np.ndarray = found.astype(np.float64) * self._to_angstrom
         return positions
 
     def times_and_steps(self) -> tuple[np.ndarray, np.ndarray | None]:
         """Times (F,), ps, and steps (F,) of all frames of an H5MD file; None if it has no steps."""
         group = self._open()[self._dataset].parent
-        unit = H5MDReader._unit_translation["time"].get(group["time"].attrs.get("unit"), "ps")
-        times = group["time"][()] * units.get_conversion_factor("time", unit, "ps")
-        return times, group["step"][()] if "step" in group else None
+        time, step = _hdf5.item(group, "time"), _hdf5.item(group, "step")
+        if not _hdf5.is_array(time, "fiu", (None,)):
+            raise _hdf5.refused(group, "time", "expected one number a frame")
+        unit = H5MDReader._unit_translation["time"].get(_hdf5.text(time, "unit"), "ps")
+        times = _hdf5.read(time) * units.get_conversion_factor("time", unit, "ps")
+        return times, _hdf5.read(step) if _hdf5.is_array(step, "iu", (None,)) else None
 
     def renumbered(self, frames: npt.ArrayLike) -> StoredPositions:
         """The same file for a universe that holds only some frames: its k-th is `frames[k]`."""

@@ -12,6 +12,7 @@ from typing import Any
 import h5py
 import numpy as np
 
+from pliant import _hdf5
 from pliant._core import InputError
 
 ANGSTROM_PER_UNIT = {"Angstrom": 1.0, "A": 1.0, "nm": 10.0, "pm": 0.01}
@@ -89,17 +90,18 @@ class Recording:
     def positions(self, frames: np.ndarray) -> np.ndarray:
         """(len(frames), N, 3) of ascending frame numbers."""
         with h5py.File(self.path, "r") as file:
-            value = file["particles/trajectory/position/value"]
-            positions: np.ndarray = value[np.asarray(frames)].astype(np.float64) * self.to_angstrom
+            value = _Parts(file, self.path).positions()
+            found = _hdf5.read(value, np.asarray(frames))
+            positions: np.ndarray = found.astype(np.float64) * self.to_angstrom
             return positions
 
     def blocks(self) -> Iterator[tuple[int, np.ndarray]]:
         """All frames in pieces: number of the first frame, positions (n, N, 3)."""
         size = max(1, BLOCK_BYTES // max(24 * self.joint_count, 1))
         with h5py.File(self.path, "r") as file:
-            value = file["particles/trajectory/position/value"]
+            value = _Parts(file, self.path).positions()
             for first in range(0, self.frame_count, size):
-                block = value[first : min(first + size, self.frame_count)]
+                block = _hdf5.read(value, slice(first, min(first + size, self.frame_count)))
                 yield first, block.astype(np.float64) * self.to_angstrom
 
 
@@ -131,34 +133,48 @@ class _Parts:
         self, name: str, kinds: str, shape: tuple[int | None, ...], expected: str
     ) -> h5py.Dataset:
         """A dataset whose dtype is of `kinds` and whose shape is `shape` (None: any extent)."""
-        item = self.file.get(name)
-        if not isinstance(item, h5py.Dataset):
+        found = _hdf5.item(self.file, name)
+        if not isinstance(found, h5py.Dataset):
             raise self.refuse(name, expected, "nothing")
-        fits = len(item.shape) == len(shape) and all(
-            want in (None, have) for want, have in zip(shape, item.shape, strict=True)
-        )
-        if item.dtype.kind not in kinds or not fits:
-            raise self.refuse(name, expected, f"{item.dtype} of shape {item.shape}")
-        return item
+        if not _hdf5.is_array(found, kinds, shape):
+            raise self.refuse(name, expected, f"{found.dtype} of shape {found.shape}")
+        return found
+
+    def values(
+        self, name: str, kinds: str, shape: tuple[int | None, ...], expected: str
+    ) -> np.ndarray:
+        """The numbers of such a dataset."""
+        found: np.ndarray = _hdf5.read(self.dataset(name, kinds, shape, expected))
+        return found
+
+    def step(self) -> h5py.Dataset:
+        """The numbers of the steps of all frames."""
+        name = "particles/trajectory/position/step"
+        return self.dataset(name, "iu", (None,), "one number a frame")
+
+    def positions(self) -> h5py.Dataset:
+        """The positions of all frames."""
+        name = "particles/trajectory/position/value"
+        return self.dataset(name, "f", (None, None, 3), "positions (F, N, 3)")
 
 
 def _read(parts: _Parts) -> Recording:
-    value = parts.dataset(
-        "particles/trajectory/position/value", "f", (None, None, 3), "positions (F, N, 3)"
-    )
+    value = parts.positions()
     joints = value.shape[1]
     frames = _complete_frames(parts, value)
+    _hdf5.check_stored(value, frames * joints * 3)
     bars, rest_lengths = _read_bars(parts, joints)
+    options = _read_options(parts)
     return Recording(
         path=parts.path,
         bars=bars,
         rest_lengths=rest_lengths,
         masses=_read_masses(parts, joints),
         pinned=_read_pinned(parts, joints),
-        steps=parts.file["particles/trajectory/position/step"][:frames],
+        steps=_hdf5.read(parts.step(), slice(frames)),
         observables=_read_observables(parts, frames),
-        options=_read_scalars(parts.file.get("parameters/run")),
-        angle_bars=_read_scalars(parts.file.get("parameters/input")).get("bars") == "angles",
+        options=options,
+        angle_bars=_scalars(parts, "parameters/input").get("bars") == "angles",
         single=value.dtype.itemsize < 8,
         to_angstrom=_unit_of(parts, value),
         names=_read_names(parts, joints),
@@ -166,25 +182,26 @@ def _read(parts: _Parts) -> Recording:
 
 
 def _read_names(parts: _Parts, joints: int) -> list[str]:
-    names = parts.file.get("parameters/topology/atom_name")
-    if not isinstance(names, h5py.Dataset) or names.shape != (joints,):
+    names = _hdf5.item(parts.file, "parameters/topology/atom_name")
+    if not _hdf5.is_array(names, "OS", (joints,)):
         return []
-    return [_text(name) for name in names[()]]
+    return [str(_hdf5.plain(name)) for name in _hdf5.read(names)]
 
 
 def _unit_of(parts: _Parts, value: h5py.Dataset) -> float:
-    unit = _text(value.attrs.get("unit", "Angstrom"))
-    if unit not in ANGSTROM_PER_UNIT:
+    stated = _hdf5.attribute(value, "unit")
+    unit = "Angstrom" if stated is None else _hdf5.plain(stated)
+    if not isinstance(unit, str) or unit not in ANGSTROM_PER_UNIT:
         known = ", ".join(ANGSTROM_PER_UNIT)
-        raise parts.refuse("particles/trajectory/position/value", f"unit {known}", f"'{unit}'")
+        found = f"'{unit}'" if isinstance(unit, str) else "no text"
+        raise parts.refuse("particles/trajectory/position/value", f"unit {known}", found)
     return ANGSTROM_PER_UNIT[unit]
 
 
 def _complete_frames(parts: _Parts, value: h5py.Dataset) -> int:
-    group = "particles/trajectory/position"
-    step = parts.dataset(f"{group}/step", "iu", (None,), "one number a frame")
-    time = parts.dataset(f"{group}/time", "fiu", (None,), "one number a frame")
-    frames = min(len(value), len(step), len(time))
+    time = "particles/trajectory/position/time"
+    times = parts.dataset(time, "fiu", (None,), "one number a frame")
+    frames = min(len(value), len(parts.step()), len(times))
     if frames == 0:
         raise InputError(f"{parts.path}: holds no frame")
     return frames
@@ -192,12 +209,12 @@ def _complete_frames(parts: _Parts, value: h5py.Dataset) -> int:
 
 def _read_bars(parts: _Parts, joints: int) -> tuple[np.ndarray, np.ndarray]:
     name = "connectivity/bars"
-    bars = parts.dataset(name, "iu", (None, 2), "joints (B, 2)")[()].astype(np.int64)
+    bars = parts.values(name, "iu", (None, 2), "joints (B, 2)").astype(np.int64)
     if len(bars) and (bars.min() < 0 or bars.max() >= joints):
         raise parts.refuse(name, f"joints from 0 to {joints - 1}", bars.max())
     name = "parameters/framework/rest_length"
     wanted = f"one length for each of {len(bars)} bars"
-    lengths = parts.dataset(name, "f", (len(bars),), wanted)[()].astype(np.float64)
+    lengths = parts.values(name, "f", (len(bars),), wanted).astype(np.float64)
     bad = ~(np.isfinite(lengths) & (lengths > 0))
     if bad.any():
         k = int(np.argmax(bad))
@@ -207,9 +224,9 @@ def _read_bars(parts: _Parts, joints: int) -> tuple[np.ndarray, np.ndarray]:
 
 def _read_masses(parts: _Parts, joints: int) -> np.ndarray:
     name = "particles/trajectory/mass"
-    if name not in parts.file:
+    if _hdf5.item(parts.file, name) is None:
         return np.ones(joints)
-    masses = parts.dataset(name, "f", (joints,), f"one mass for each of {joints} joints")[()]
+    masses = parts.values(name, "f", (joints,), f"one mass for each of {joints} joints")
     bad = ~(np.isfinite(masses) & (masses > 0))
     if bad.any():
         k = int(np.argmax(bad))
@@ -220,32 +237,30 @@ def _read_masses(parts: _Parts, joints: int) -> np.ndarray:
 
 def _read_pinned(parts: _Parts, joints: int) -> np.ndarray:
     name = "parameters/framework/pinned"
-    if name not in parts.file:
+    if _hdf5.item(parts.file, name) is None:
         return np.zeros(joints, bool)
     wanted = f"one truth value for each of {joints} joints"
-    pinned: np.ndarray = parts.dataset(name, "biu", (joints,), wanted)[()].astype(bool)
+    pinned: np.ndarray = parts.values(name, "biu", (joints,), wanted).astype(bool)
     return pinned
 
 
 def _read_observables(parts: _Parts, frames: int) -> dict[str, np.ndarray]:
+    group = _hdf5.item(parts.file, "observables")
     found = {}
-    for name in parts.file.get("observables", {}):
-        values = parts.file.get(f"observables/{name}/value")
-        if isinstance(values, h5py.Dataset) and len(values.shape) == 1 and len(values) >= frames:
-            found[name] = values[:frames]
+    for name in _hdf5.names_in(group) if isinstance(group, h5py.Group) else []:
+        values = _hdf5.item(parts.file, f"observables/{name}/value")
+        if _hdf5.is_array(values, "biuf", (None,)) and len(values) >= frames:
+            found[name] = _hdf5.read(values, slice(frames))
     return found
 
 
-def _read_scalars(group: h5py.Group | None) -> dict[str, object]:
-    if not isinstance(group, h5py.Group):
-        return {}
-    scalars = {
-        name: item[()]
-        for name, item in group.items()
-        if isinstance(item, h5py.Dataset) and item.shape == ()
-    }
-    return {name: _text(v) if isinstance(v, bytes) else v.item() for name, v in scalars.items()}
+def _read_options(parts: _Parts) -> dict[str, Any]:
+    options = _scalars(parts, "parameters/run")
+    for name, least in (("tolerance", math.ulp(0.0)), ("tolerance_length", 0.0)):
+        if name in options:
+            _hdf5.positive(parts.path, f"parameters/run/{name}", options[name], least)
+    return options
 
 
-def _text(value: object) -> str:
-    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
+def _scalars(parts: _Parts, group: str) -> dict[str, Any]:
+    return dict(_hdf5.scalars(_hdf5.item(parts.file, group), levels=1))

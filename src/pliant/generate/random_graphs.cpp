@@ -102,6 +102,32 @@ void require(bool ok, const char* name, const std::string& value, const char* ra
   if (!ok) throw OptionError(std::string(name) + " = " + value + ": must be " + range);
 }
 
+constexpr double most_joints = 1e8;
+
+/// Joints of a tree so many levels deep, on average.
+double joints_of_levels(std::int64_t depth, std::int64_t children) {
+  const double each = 0.5 * (1.0 + double(children));
+  double joints = 0.0, level = 1.0;
+  for (std::int64_t d = 0; d < depth && joints <= most_joints; ++d) {
+    level *= each;
+    joints += level;
+  }
+  return joints;
+}
+
+/// Refuses sizes that would fill the memory before anything else is said.
+void require_few_joints(const GenerateOptions& options) {
+  const double tree = joints_of_levels(options.depth, options.children);
+  const double hung =
+      joints_of_levels(std::max<std::int64_t>(1, options.depth / 2), options.children);
+  if (double(options.joints) > most_joints || double(options.ring) > most_joints ||
+      (options.joints == 0 && tree > most_joints) || double(options.ring) * hung > most_joints)
+    throw OptionError("depth = " + std::to_string(options.depth) +
+                      ", children = " + std::to_string(options.children) +
+                      ", ring = " + std::to_string(options.ring) + ", joints = " +
+                      std::to_string(options.joints) + ": make more than 100000000 joints");
+}
+
 }  // namespace
 
 std::span<const GraphClass> graph_classes() { return table; }
@@ -118,6 +144,7 @@ void check(const GenerateOptions& options) {
   require(options.joints >= 0, "joints", std::to_string(options.joints), "from 0");
   require(options.box > 0.0 && options.box < 1e100, "box", std::to_string(options.box),
           "positive and finite");
+  require_few_joints(options);
 }
 
 std::string class_fault(const GraphClass& kind, const GenerateOptions& options,

@@ -24,7 +24,8 @@ struct GenerateOptions {
   double box = 10.0;          ///< edge of the box that positions are drawn from (Angstrom)
 };
 
-/// Throws OptionError naming the option, its value and its range.
+/// Throws OptionError naming the option, its value and its range, and for sizes that make more than
+/// 10^8 joints on average.
 void check(const GenerateOptions& options);
 
 /// A random framework with its positions, at which all bars are whole.

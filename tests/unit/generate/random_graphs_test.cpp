@@ -83,6 +83,18 @@ TEST(Generate, NamesABadOption) {
   }
 }
 
+/// At once, whatever a tree of 2^63 joints would take.
+TEST(Generate, RefusesSizesThatNoMemoryHolds) {
+  for (const GenerateOptions options : {GenerateOptions{.depth = 63},
+                                        {.depth = std::int64_t{1} << 62, .children = 1},
+                                        {.children = std::int64_t{1} << 62},
+                                        {.ring = std::int64_t{1} << 62},
+                                        {.joints = std::int64_t{1} << 62}})
+    EXPECT_THROW(check(options), OptionError);
+  check(GenerateOptions{.depth = 1'000'000, .children = 1});
+  check(GenerateOptions{.depth = 20});
+}
+
 TEST(Generate, SaysWhenNoPairIsLeft) {
   GenerateOptions options;
   options.joints = 4;

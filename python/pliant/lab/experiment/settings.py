@@ -65,6 +65,8 @@ class Settings:
             if not 0.0 <= weighting <= 1.0:
                 raise OptionError(f"weighting = {weighting}: must be from 0 to 1")
         _distinct("weighting", self.weightings)
+        for kind in self.classes:  # sizes that cannot be made are refused here, by name
+            pliant.generate(kind, seed=self.seed, number=0, **self.sizes)
 
     @property
     def sizes(self) -> dict[str, Any]:

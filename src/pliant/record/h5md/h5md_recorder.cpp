@@ -152,7 +152,7 @@ H5mdRecorder::Writer::~Writer() {
 
 void H5mdRecorder::Writer::record(const Frame& frame) {
   throw_if_failed();
-  if (!hdf5_) return;
+  if (!hdf5_) throw FileError(path().string() + ": is closed: no frame can be recorded");
   check_frame(frame);
   series_->add(frame);
   last_step_ = frame.step;
@@ -171,6 +171,7 @@ void H5mdRecorder::Writer::check_frame(const Frame& frame) const {
                      " positions for " + std::to_string(joint_count_) + " joints");
   if (frames_ > 0 && frame.step <= last_step_)
     throw InputError(where() + " comes after that of step " + std::to_string(last_step_));
+  if (!std::isfinite(frame.time)) throw InputError(where() + " has a time that is not finite");
   const double most = options_.single ? double(std::numeric_limits<float>::max())
                                       : std::numeric_limits<double>::max();
   for (std::size_t i = 0; i < joint_count_; ++i)

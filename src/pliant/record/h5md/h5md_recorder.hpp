@@ -70,15 +70,15 @@ class H5mdRecorder {
   H5mdRecorder& operator=(H5mdRecorder&&) noexcept;
 
   /// Adds one frame. Throws InputError when the number of positions is not that of the joints,
-  /// when a position is not finite (naming the joint) or when the step does not increase;
-  /// FileError when it cannot be written.
+  /// when a position (naming the joint) or the time is not finite, or when the step does not
+  /// increase; FileError when it cannot be written, or the recorder is closed.
   void record(const Frame& frame);
 
   /// Commits what was recorded: it survives whatever happens to this process.
   void flush();
 
-  /// Commits and closes the file; further calls do nothing. Throws FileError, which the destructor
-  /// would only log.
+  /// Commits and closes the file; closing or flushing it again does nothing. Throws FileError,
+  /// which the destructor would only log.
   void close();
 
   std::int64_t frames() const;            ///< recorded

@@ -2,7 +2,12 @@
 #include "pliant/record/hdf5/hdf5_session.hpp"
 
 #include <hdf5.h>
+#include <pthread.h>
 
+#include <array>
+#include <chrono>
+#include <cstddef>
+#include <memory>
 #include <type_traits>
 
 #include "pliant/base/error.hpp"
@@ -12,9 +17,39 @@ namespace {
 
 static_assert(std::is_same_v<hid_t, std::int64_t>, "Hid holds what HDF5 calls hid_t");
 
-std::recursive_mutex& hdf5_mutex() {
-  static std::recursive_mutex mutex;
-  return mutex;
+/// The lock of HDF5. A process that is forked while another thread uses HDF5 gets it as that
+/// thread has it, for ever: it waits for the thread a moment before, and does without HDF5 after.
+struct Hdf5Lock {
+  std::recursive_timed_mutex mutex;
+  bool is_held_for_fork = false;
+  bool is_lost = false;  // HDF5 was in use when this process was forked
+};
+
+Hdf5Lock& hdf5_lock();
+
+void before_fork() {
+  constexpr std::chrono::milliseconds patience{500};
+  hdf5_lock().is_held_for_fork = hdf5_lock().mutex.try_lock_for(patience);
+}
+
+void after_fork_in_parent() {
+  if (hdf5_lock().is_held_for_fork) hdf5_lock().mutex.unlock();
+}
+
+/// The lock knows its thread by a number that the forked process has no more.
+void after_fork_in_child() {
+  hdf5_lock().is_lost = !hdf5_lock().is_held_for_fork || hdf5_lock().is_lost;
+  std::construct_at(&hdf5_lock().mutex);
+}
+
+/// Never ended: exit handlers may still look at it.
+Hdf5Lock& hdf5_lock() {
+  alignas(Hdf5Lock) static std::array<std::byte, sizeof(Hdf5Lock)> room;
+  static Hdf5Lock* lock = [] {
+    ::pthread_atfork(before_fork, after_fork_in_parent, after_fork_in_child);
+    return std::construct_at(reinterpret_cast<Hdf5Lock*>(room.data()));
+  }();
+  return *lock;
 }
 
 /// Keeps the description that the walk meets first, which is the innermost one.
@@ -26,7 +61,9 @@ herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* text) {
 
 }  // namespace
 
-Hdf5Session::Hdf5Session() : lock_(hdf5_mutex()) {
+Hdf5Session::Hdf5Session() : lock_(hdf5_lock().mutex) {
+  if (hdf5_lock().is_lost)
+    throw FileError("HDF5 was in use when this process was forked: start processes with spawn");
   H5Eget_auto2(H5E_DEFAULT, &printer_, &printer_argument_);
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
 }

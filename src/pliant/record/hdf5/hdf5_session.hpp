@@ -38,7 +38,8 @@ class Hid {
 };
 
 /// While it lives, this thread alone uses HDF5, and HDF5 prints nothing. HDF5 as Debian builds it
-/// is not thread-safe, so every public call that reaches it holds one.
+/// is not thread-safe, so every public call that reaches it holds one. Throws FileError in a
+/// process that was forked while another thread of its parent held one.
 class Hdf5Session {
  public:
   Hdf5Session();
@@ -47,7 +48,7 @@ class Hdf5Session {
   Hdf5Session& operator=(const Hdf5Session&) = delete;
 
  private:
-  std::unique_lock<std::recursive_mutex> lock_;
+  std::unique_lock<std::recursive_timed_mutex> lock_;
   int (*printer_)(std::int64_t, void*) = nullptr;
   void* printer_argument_ = nullptr;
 };

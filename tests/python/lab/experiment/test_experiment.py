@@ -256,6 +256,9 @@ def test_a_folder_of_something_else_is_refused(tmp_path, capsys):
         (["--weighting", "1.5"], "weighting = 1.5: must be from 0 to 1"),
         (["--class", "tree", "--class", "tree"], "class tree is named twice"),
         (["--graphs", "0"], "expected a whole number from 1, found '0'"),
+        (["--depth", "63"], "depth = 63, children = 3, ring = 8, joints = 0: make more than 10"),
+        (["--children", "1000000"], "make more than 100000000 joints"),
+        (["--workers", "100000"], "expected a whole number from 1 to 1024, found '100000'"),
         (["--tolerance-length", "-1"], "expected a number above 0, found '-1'"),
     ],
 )

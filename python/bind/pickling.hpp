@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Pickling of Framework, Structure and State: what sends them to worker processes. The bits of
+// every number survive.
+#pragma once
+
+#include "bind.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+
+namespace pliant::python {
+
+/// Each adds __getstate__ and __setstate__. States that were not written by it raise ValueError.
+void bind_pickling(nb::class_<Framework>& framework);
+void bind_pickling(nb::class_<Structure>& structure);
+void bind_pickling(nb::class_<State>& state);
+
+}  // namespace pliant::python

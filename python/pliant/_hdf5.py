@@ -1,0 +1,207 @@
+# SPDX-License-Identifier: MIT
+"""HDF5 files that may be damaged or made to do harm: what is read from them, and what is refused.
+
+Objects are opened one link at a time, so that links in circles and links to other files are seen
+before they are followed. Memory is taken for what a file holds, never for what it says to hold.
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Any, TypeAlias, TypeGuard
+
+import h5py
+import numpy as np
+
+from pliant._core import InputError
+
+#: No filter makes more of a byte: deflate's limit is 1032, and shuffle changes no size.
+MOST_EXPANSION = 1100
+#: Up to here values that were never written may be read: HDF5 fills them in.
+HARMLESS_BYTES = 1 << 24
+#: Soft links that are followed on one path.
+MOST_LINKS = 16
+#: Levels of groups that are looked into.
+MOST_LEVELS = 8
+
+Item: TypeAlias = "h5py.Group | h5py.Dataset"
+
+
+def item(group: h5py.Group, path: str) -> Item | None:
+    """The group or dataset at a path; None if there is none, or it is something else.
+
+    Raises InputError where a link leads to another file or in a circle, or HDF5 cannot read it.
+    """
+    return _follow(group, path, [MOST_LINKS])
+
+
+def _follow(group: h5py.Group, path: str, left: list[int]) -> Item | None:
+    here: Item | None = group.file["/"] if path.startswith("/") else group
+    for name in path.split("/"):
+        if name in ("", "."):
+            continue
+        if not isinstance(here, h5py.Group):
+            return None
+        here = _step(here, name, left)
+    return here
+
+
+def _step(group: h5py.Group, name: str, left: list[int]) -> Item | None:
+    """One link on: `left` counts the soft links that may still be followed."""
+    link = _guarded(group, name, lambda: group.get(name, getlink=True))
+    if link is None:
+        return None
+    if isinstance(link, h5py.ExternalLink):
+        raise refused(group, name, "leads to another file, which is not read")
+    if isinstance(link, h5py.SoftLink):
+        left[0] -= 1
+        if left[0] < 0:
+            raise refused(group, name, "is a link that leads in a circle")
+        return _follow(group, link.path, left)
+    found = _guarded(group, name, lambda: group[name])
+    if isinstance(found, h5py.Dataset) and (found.external or found.is_virtual):
+        raise refused(group, name, "has its values in other files, which are not read")
+    return found if isinstance(found, (h5py.Group, h5py.Dataset)) else None
+
+
+def refused(parent: Item, name: str, why: str) -> InputError:
+    """An InputError that names the file and the path of something below `parent`."""
+    base = (parent.name or "").rstrip("/")
+    return InputError(f"{_file_name(parent)}: {base}/{name}: {why}")
+
+
+def _file_name(item: Item) -> str:
+    name = item.file.filename
+    return name.decode("utf-8", "replace") if isinstance(name, bytes) else str(name)
+
+
+def _guarded(parent: Item, name: str, act: Any) -> Any:
+    try:
+        return act()
+    except KeyError:
+        return None
+    except (OSError, RuntimeError, TypeError, ValueError, MemoryError) as error:
+        raise refused(parent, name, f"cannot be read: {' '.join(str(error).split())}") from error
+
+
+def read(dataset: h5py.Dataset, selection: Any = ()) -> Any:
+    """The values of a dataset, or those of a selection, as h5py gives them.
+
+    Raises InputError before any memory is asked for if the file has not stored so many, and when
+    HDF5 cannot read them.
+    """
+    name = (dataset.name or "").rpartition("/")[2]
+    check_stored(dataset, _selected(dataset, selection))
+    return _guarded(dataset.parent, name, lambda: dataset[selection])
+
+
+def check_stored(dataset: h5py.Dataset, values: int) -> None:
+    """Raises InputError if the file cannot hold so many values of a dataset."""
+    stored = dataset.id.get_storage_size()
+    chunk = math.prod(dataset.chunks or ()) if dataset.chunks else 0
+    wanted = max(values, chunk) * dataset.dtype.itemsize
+    if wanted > max(MOST_EXPANSION * stored, HARMLESS_BYTES):
+        raise InputError(
+            f"{_file_name(dataset)}: {dataset.name}: of shape {dataset.shape} has {stored} bytes "
+            "in the file: it was never written, or is damaged"
+        )
+
+
+def _selected(dataset: h5py.Dataset, selection: Any) -> int:
+    """How many values a selection along the first extent has."""
+    if not dataset.shape:
+        return 1
+    rows = int(dataset.shape[0])
+    row = math.prod(int(extent) for extent in dataset.shape[1:])
+    if isinstance(selection, slice):
+        rows = len(range(*selection.indices(rows)))
+    elif isinstance(selection, (int, np.integer)):
+        rows = 1
+    elif isinstance(selection, np.ndarray):
+        rows = len(selection)
+    return rows * row
+
+
+def is_array(found: Item | None, kinds: str, shape: tuple[int | None, ...]) -> TypeGuard[Any]:
+    """Whether this is a dataset of these kinds of numbers and this shape (None: any extent)."""
+    if not isinstance(found, h5py.Dataset) or found.shape is None:  # None: h5py.Empty
+        return False
+    fits = len(found.shape) == len(shape) and all(
+        want in (None, have) for want, have in zip(shape, found.shape, strict=True)
+    )
+    return fits and found.dtype.kind in kinds
+
+
+def has_rows(found: Item | None) -> TypeGuard[Any]:
+    """Whether this is a dataset with at least one extent."""
+    return isinstance(found, h5py.Dataset) and bool(found.shape)
+
+
+def first_in(file: h5py.File, path: str) -> h5py.Group | None:
+    """The first group in a group, which is the one that MDAnalysis reads; None if there is none."""
+    group = item(file, path)
+    for name in names_in(group) if isinstance(group, h5py.Group) else []:
+        found = item(group, name)
+        return found if isinstance(found, h5py.Group) else None
+    return None
+
+
+def scalars(group: Item | None, levels: int = MOST_LEVELS) -> Iterator[tuple[str, Any]]:
+    """Path and value (bool, int, float or str) of each scalar below a group.
+
+    Groups that contain themselves, and those deeper than `levels`, are left out.
+    """
+    yield from _scalars(group, "", levels, set())
+
+
+def _scalars(
+    group: Item | None, prefix: str, levels: int, above: set[int]
+) -> Iterator[tuple[str, Any]]:
+    if not isinstance(group, h5py.Group) or levels == 0:
+        return
+    number = h5py.h5o.get_info(group.id).addr
+    if number in above:
+        return
+    for name in names_in(group):
+        found = item(group, name)
+        if isinstance(found, h5py.Group):
+            yield from _scalars(found, f"{prefix}{name}/", levels - 1, above | {number})
+        elif isinstance(found, h5py.Dataset) and found.shape == ():
+            value = plain(read(found))
+            if value is not None:
+                yield prefix + name, value
+
+
+def names_in(group: h5py.Group) -> list[str]:
+    """The names in a group that are text."""
+    names = _guarded(group, "", lambda: list(group))
+    return [name for name in names or [] if isinstance(name, str)]
+
+
+def plain(value: Any) -> bool | int | float | str | None:
+    """A scalar as Python has it; None if it is no truth value, number or text."""
+    if isinstance(value, bytes):
+        return value.decode("utf-8", "replace")
+    if isinstance(value, np.generic):
+        value = value.item()
+    return value if isinstance(value, (bool, int, float, str)) else None
+
+
+def attribute(found: Item, name: str) -> Any:
+    """An attribute; None if there is none."""
+    return _guarded(found, f"attribute {name}", lambda: found.attrs.get(name))
+
+
+def text(found: Item | None, name: str) -> str:
+    """A text attribute; "" if there is none."""
+    value = None if found is None else plain(attribute(found, name))
+    return value if isinstance(value, str) else ""
+
+
+def positive(path: str, name: str, value: Any, least: float = math.ulp(0.0)) -> float:
+    """A finite number from `least`, of an option in a file. Raises InputError for anything else."""
+    if isinstance(value, (int, float)) and math.isfinite(value) and value >= least:
+        return float(value)
+    wanted = "a number above 0" if least > 0 else "a number from 0"
+    raise InputError(f"{path}: /{name}: expected {wanted}, found {value}")
