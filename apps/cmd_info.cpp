@@ -72,7 +72,8 @@ Counts bonds_by_origin(const Structure& structure) {
 Counts limits_by_kind(const Framework& framework) {
   Counts counts;
   for (const LimitKindEntry& row : limit_kinds()) counts.emplace_back(row.name, 0);
-  for (const Limit& limit : framework.limits()) ++counts[static_cast<std::size_t>(limit.kind)].second;
+  for (const Limit& limit : framework.limits())
+    ++counts[static_cast<std::size_t>(limit.kind)].second;
   return counts;
 }
 
@@ -84,7 +85,8 @@ std::size_t chains_of(const Structure& structure) {
 
 /// Whether there are bars across bond angles: all models but that of bonds have them.
 bool has_angles(const MoleculeOptions& options) {
-  return bars_of(options) == "angles" || (!options.kind.name.empty() && options.kind.name != "bonds");
+  return bars_of(options) == "angles" ||
+         (!options.kind.name.empty() && options.kind.name != "bonds");
 }
 
 Facts facts_of(const MoleculeOptions& options, const Molecule& molecule) {
@@ -238,8 +240,10 @@ void print_table(const Facts& facts) {
   print_limit_rows(facts);
 }
 
+/// Of a molecule without residues there is nothing to add to its atoms and bonds.
 void print_survey(const Facts& facts) {
-  if (!facts.has_atoms()) return;
+  const Survey& found = facts.survey;
+  if (!facts.has_atoms() || found.amino_acids + found.nucleotides + found.waters == 0) return;
   for (const std::string& line : found_lines(facts.structure, facts.survey))
     fmt::print("found       {}\n", line);
   for (const std::string& line : missing_lines(facts.structure, facts.survey))
@@ -249,10 +253,11 @@ void print_survey(const Facts& facts) {
 }  // namespace
 
 int command_info(const Arguments& arguments) {
-  CommandLine line("pliant info",
-                   "Lists what a molecule file holds: atoms, bonds and their origins, bars,\n"
-                   "components, independent cycles, bridges and blocks, what was guessed, and what\n"
-                   "is missing for the model of a protein.");
+  CommandLine line(
+      "pliant info",
+      "Lists what a molecule file holds: atoms, bonds and their origins, bars,\n"
+      "components, independent cycles, bridges and blocks, what was guessed, and what\n"
+      "is missing for the model of a protein.");
   MoleculeOptions options;
   bool as_json = false;
   add_molecule_options(line, options);

@@ -180,6 +180,23 @@ void bind_framework_graph(nb::class_<Framework>& framework) {
           "(B,) bool: whether each bar is a bridge, that is on no cycle.");
 }
 
+void bind_limits_of_framework(nb::class_<Framework>& framework) {
+  framework
+      .def_prop_ro("limits", &limits_to_python,
+                   nb::sig("def limits(self) -> numpy.typing.NDArray[numpy.void]"),
+                   "(L,) structured array: a, b, least, most (Angstrom), kind, energy (kJ/mol),\n"
+                   "group (-1: none). ``Framework(limits=...)`` takes it.")
+      .def_prop_ro(
+          "has_sterics", [](const Framework& self) { return self.sterics() != nullptr; },
+          "Whether joints may come only so near.")
+      .def_prop_ro(
+          "sterics",
+          [](const Framework& self) {
+            return self.sterics() == nullptr ? std::nullopt : std::optional(*self.sterics());
+          },
+          "How near joints may come: a copy; None if they may come as near as they like.");
+}
+
 void bind_framework_class(nb::module_& module) {
   nb::class_<Framework> framework(module, "Framework", framework_doc);
   framework
@@ -206,19 +223,6 @@ void bind_framework_class(nb::module_& module) {
       .def_prop_ro(
           "pinned", [](const Framework& self) { return array_of(pinned_joints(self)); },
           nb::rv_policy::reference, "uint32 indices of the joints that never move, ascending.")
-      .def_prop_ro("limits", &limits_to_python,
-                   nb::sig("def limits(self) -> numpy.typing.NDArray[numpy.void]"),
-                   "(L,) structured array: a, b, least, most (Angstrom), kind, energy (kJ/mol),\n"
-                   "group (-1: none). ``Framework(limits=...)`` takes it.")
-      .def_prop_ro(
-          "has_sterics", [](const Framework& self) { return self.sterics() != nullptr; },
-          "Whether joints may come only so near.")
-      .def_prop_ro(
-          "sterics",
-          [](const Framework& self) {
-            return self.sterics() == nullptr ? std::nullopt : std::optional(*self.sterics());
-          },
-          "How near joints may come: a copy; None if they may come as near as they like.")
       .def_prop_ro("is_planar", &Framework::is_planar, "Whether no push changes the z of a joint.")
       .def_prop_ro("merged_bar_count", &Framework::merged_bar_count,
                    "How many bars were given twice and merged.")
@@ -271,11 +275,11 @@ void bind_state(nb::module_& module) {
           [](State& self, const ArrayLike& values) { set_positions(self.previous, values); },
           "(N, 3) float64 view, Angstrom: positions one step earlier, for Verlet.")
       .def_prop_rw(
-          "limits_off", [](const State& self) {
-            return mask_of({self.limits_off.begin(), self.limits_off.end()});
+          "limits_off",
+          [](const State& self) -> nb::object {
+            return nb::cast(mask_of({self.limits_off.begin(), self.limits_off.end()}));
           },
           [](State& self, const ArrayLike& values) { self.limits_off = switches_from(values); },
-          nb::for_getter(nb::rv_policy::automatic),
           "(L,) bool, a copy: limits that are off from the next step on; empty: none is.")
       .def_rw("step", &State::step, "Steps done.")
       .def_rw("time", &State::time, "ps.")

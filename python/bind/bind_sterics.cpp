@@ -83,7 +83,7 @@ void bind_sterics(nb::module_& module) {
            "own"_a = std::vector<OwnRow>(), "excluded_bonds"_a = 3)
       .def_prop_ro(
           "kinds", [](const Sterics& self) { return array_of(self.kinds); },
-          nb::rv_policy::automatic, "(N,) uint16, a copy: the kind of each joint.")
+          nb::rv_policy::reference, "(N,) uint16, a copy: the kind of each joint.")
       .def_prop_ro("least", &least_of,
                    nb::sig("def least(self) -> numpy.typing.NDArray[numpy.float64]"),
                    "(K, K) Angstrom, a copy: least distances by kinds.")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Feeds bytes to the readers of graphs, bars, orderings, forces and results. Errors are right; crashes,
-// hangs and numbers that are not finite are not; and what was read is written and read again.
+// Feeds bytes to the readers of graphs, bars, orderings, forces and results. Errors are right;
+// crashes, hangs and numbers that are not finite are not; and what was read is written and read
+// again.
 //
 //   read_laboratory_fuzz --format=graph FOLDER...   fuzzes one format
 //   read_laboratory_fuzz --formats                  lists them

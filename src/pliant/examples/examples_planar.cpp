@@ -4,9 +4,7 @@
 #include "pliant/examples/example_rows.hpp"
 
 namespace pliant {
-namespace {
-
-}  // namespace
+namespace {}  // namespace
 
 // Ranks are those of the plane, which are those of space too; flexes would differ.
 std::vector<ExampleRow> planar_examples() {

@@ -68,8 +68,10 @@ void measure_overlaps(std::span<const Vec3> positions, const Tolerance& toleranc
   for (const Contact& pair : contacts.near()) {
     const double overlap = pair.least - distance(positions[pair.a], positions[pair.b]);
     if (overlap > tolerance.overlap) summary.within = false;
-    if (overlap > summary.max_overlap) summary.max_overlap = overlap;
-    summary.worst_overlap = {pair.a, pair.b};
+    if (overlap > summary.max_overlap) {
+      summary.max_overlap = overlap;
+      summary.worst_overlap = {pair.a, pair.b};
+    }
   }
 }
 

@@ -18,7 +18,8 @@ void StericsLines::add_least(std::string_view one, std::string_view other, doubl
     if (name == no_kind) fail(place, "sterics: joints of kind \"none\" touch nothing");
   const auto [low, high] = std::minmax(one, other);
   if (!least_.emplace(std::pair(std::string(low), std::string(high)), least).second)
-    fail(place, "sterics: " + pliant::quoted(one) + " and " + pliant::quoted(other) + " are given twice");
+    fail(place,
+         "sterics: " + pliant::quoted(one) + " and " + pliant::quoted(other) + " are given twice");
   kinds_.emplace(one, std::uint16_t{0}), kinds_.emplace(other, std::uint16_t{0});
   if (kinds_.size() >= std::numeric_limits<std::uint16_t>::max())
     fail(place, "sterics: expected at most 65534 kinds");

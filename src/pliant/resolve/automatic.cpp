@@ -64,9 +64,10 @@ struct Chain {
 /// `shake` goes along the bars as they were before the push, so large rings that are pushed far
 /// follow it where Newton's method loses its way; sweeps arrive where matrices are singular.
 const std::vector<Chain>& chains() {
-  static const std::vector<Chain> rows = {{"blocks", {"shake", "newton", "anderson"}},
-                                           {"units", {"units_nearest", "shake", "newton", "anderson"}},
-                                           {"newton", {"shake", "anderson"}}};
+  static const std::vector<Chain> rows = {
+      {"blocks", {"shake", "newton", "anderson"}},
+      {"units", {"units_nearest", "shake", "newton", "anderson"}},
+      {"newton", {"shake", "anderson"}}};
   return rows;
 }
 
@@ -96,8 +97,7 @@ class Automatic final : public Method {
     for (std::size_t k = 0;; ++k) {
       const Stop stop = method(k, !call.reference.empty()).resolve(call, summary);
       if (stop == Stop::converged || stop == Stop::stopped_by_caller) return stop;
-      if (k == others_.size() || summary.sweeps >= options_.max_sweeps)
-        return give_up(call, stop);
+      if (k == others_.size() || summary.sweeps >= options_.max_sweeps) return give_up(call, stop);
       put_back(call);
     }
   }
@@ -105,7 +105,8 @@ class Automatic final : public Method {
   bool looks_near() const override { return methods_[0]->looks_near(); }
 
  private:
-  /// Made when it is needed first. A chain's last is not `limited` where nothing is before the push.
+  /// Made when it is needed first. A chain's last is not `limited` where nothing is before the
+  /// push.
   Method& method(std::size_t k, bool limited) {
     std::unique_ptr<Method>& made = k > 0 && k == others_.size() && !limited ? last_ : methods_[k];
     if (made) return *made;

@@ -163,10 +163,10 @@ ResolveSummary Resolver::resolve(std::span<Vec3> positions, const Disturbed& dis
   summary.sweeps = summary.projections = 0;
   summary.dropped_bars = summary.finishing_sweeps = 0;
   const bool is_near = plan_->begin(positions, disturbed);
-  summary.stop = plan_->method->resolve({positions, disturbed, plan_->key(step), reference,
-                                         is_near ? &plan_->moved : nullptr, plan_->limits_off,
-                                         plan_->moved.before()},
-                                        summary);
+  summary.stop = plan_->method->resolve(
+      {positions, disturbed, plan_->key(step), reference, is_near ? &plan_->moved : nullptr,
+       plan_->limits_off, plan_->moved.before()},
+      summary);
   plan_->finish(positions, disturbed, summary);
   summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();
   return summary;

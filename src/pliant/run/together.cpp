@@ -82,9 +82,8 @@ void Together::part_alike() {
 void Together::resolve_alike() {
   positions_.clear();
   for (Shown* walker : alike_)
-    positions_.push_back(
-        {walker->walk.number(), walker->walk.positions(), walker->walk.state().previous,
-         walker->walk.state().limits_off});
+    positions_.push_back({walker->walk.number(), walker->walk.positions(),
+                          walker->walk.state().previous, walker->walk.state().limits_off});
   resolved_.resize(alike_.size());
   const Shown& first = *alike_.front();
   const std::int64_t step = first.walk.state().step;

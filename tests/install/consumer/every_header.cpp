@@ -81,6 +81,12 @@
 #include "pliant/run/run.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "pliant/run/run_summary.hpp"
+#include "pliant/sample/dense_matrix.hpp"
+#include "pliant/sample/elastic_network.hpp"
+#include "pliant/sample/network_modes.hpp"
+#include "pliant/sample/sample.hpp"
+#include "pliant/sample/sample_summary.hpp"
+#include "pliant/sample/samplers.hpp"
 #include "pliant/text/file_text.hpp"
 #include "pliant/text/output_file.hpp"
 
@@ -126,6 +132,12 @@ const Use uses[] = {
     of("pliant/base/range.hpp", overload<bool(Range, double)>(&holds)),
     of_type<Vec3>("pliant/base/vec3.hpp"),
     of("pliant/base/version.hpp", &version),
+    of("pliant/sample/dense_matrix.hpp", &dot_product),
+    of("pliant/sample/elastic_network.hpp", &networks),
+    of("pliant/sample/network_modes.hpp", &network_modes),
+    of("pliant/sample/sample.hpp", &sample),
+    of("pliant/sample/sample_summary.hpp", &FluctuationSums::rmsf),
+    of("pliant/sample/samplers.hpp", &samplers),
     of("pliant/text/file_text.hpp", &read_bytes),
     of("pliant/text/output_file.hpp", &write_text_file),
     of("pliant/molecule/bars_file.hpp", &write_bars_file),

@@ -22,7 +22,8 @@ Structure made(const char* elements, std::vector<Bond> bonds) {
   std::vector<std::pair<const char*, Vec3>> atoms;
   for (std::size_t k = 0; k < symbols.size(); ++k) {
     const auto t = static_cast<double>(k);
-    atoms.emplace_back(symbols[k].c_str(), Vec3{1.3 * t, t * t * 0.1, static_cast<double>(k % 3) * 0.7});
+    atoms.emplace_back(symbols[k].c_str(),
+                       Vec3{1.3 * t, t * t * 0.1, static_cast<double>(k % 3) * 0.7});
   }
   Structure s = molecule(atoms);
   s.bonds = std::move(bonds);

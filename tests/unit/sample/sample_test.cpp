@@ -85,9 +85,8 @@ TEST(Sample, StopsWhereTheObserverAsks) {
   SampleOptions options;
   options.frames = 50;
   options.amplitude = 0.2;
-  const SampleSummary summary =
-      sample(p.framework, p.start, p.nodes, options,
-             [](const SampledFrame& frame) { return frame.frame == 2; });
+  const SampleSummary summary = sample(p.framework, p.start, p.nodes, options,
+                                       [](const SampledFrame& frame) { return frame.frame == 2; });
   EXPECT_TRUE(summary.stopped_by_caller);
   EXPECT_EQ(summary.frames, 3);
 }

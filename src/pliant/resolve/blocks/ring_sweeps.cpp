@@ -27,10 +27,10 @@ class RingSweeps final : public Method {
         planner_(framework),
         rings_alone_(rings_alone),
         bar_groups_(rings_alone ? group_ring_systems(framework, planner_)
-                                 : group_all_bars(framework)),
-        limits_(rings_alone ? nullptr
-                            : make_limit_sweep(framework, technique.mass_weighted,
-                                               options.tolerance)) {
+                                : group_all_bars(framework)),
+        limits_(rings_alone
+                    ? nullptr
+                    : make_limit_sweep(framework, technique.mass_weighted, options.tolerance)) {
     for (const std::vector<Joint>& joints : bar_groups_.joints)
       groups_.emplace_back(joints, accelerated);
     if (limits_) groups_.front().add(*limits_);

@@ -22,7 +22,7 @@ struct ResolveCall {
   /// Where to note joints before they move. None unless not all joints were disturbed and the
   /// method looks_near().
   MovedJoints* moved = nullptr;
-  LimitsOff limits_off = {};  ///< (L) 1: this limit is switched off; empty: none is
+  LimitsOff limits_off = {};          ///< (L) 1: this limit is switched off; empty: none is
   std::span<const Vec3> pushed = {};  ///< (N) positions as they came; empty: `moved` notes them
 };
 

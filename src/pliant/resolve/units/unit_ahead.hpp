@@ -69,8 +69,8 @@ class UnitAhead {
   bool settle(UnitPlan& plan, std::size_t index, std::span<Vec3> positions);
 
   std::span<const Vec3> targets_;
-  std::vector<HingedUnit> units_;   ///< of the steps of the plan
-  std::vector<Vec3> nominal_;  ///< (N) in the nominal place of the unit that places the joint
+  std::vector<HingedUnit> units_;  ///< of the steps of the plan
+  std::vector<Vec3> nominal_;      ///< (N) in the nominal place of the unit that places the joint
 };
 
 }  // namespace pliant

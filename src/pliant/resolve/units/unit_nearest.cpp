@@ -109,8 +109,7 @@ void UnitNearest::go_outward(std::span<const UnitStep> steps) {
 
 double UnitNearest::longest_share() const {
   double largest = 0.0;
-  for (std::size_t k = 0; k < units_.size(); ++k)
-    largest = std::max(largest, norm(turn_vector(k)));
+  for (std::size_t k = 0; k < units_.size(); ++k) largest = std::max(largest, norm(turn_vector(k)));
   return largest > largest_turn ? largest_turn / largest : 1.0;
 }
 

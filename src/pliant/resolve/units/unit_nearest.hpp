@@ -32,9 +32,9 @@ class UnitNearest {
   void approach(UnitPlan& plan, std::span<Vec3> positions, std::span<const Vec3> targets);
 
  private:
-  /// What a pass knows of one unit: going inward it has an inertia and a force, going outward it gets a
-  /// twist in place of the force, and moved it has a motion in place of the inertia. They share
-  /// their room: on long chains there are millions of bodies.
+  /// What a pass knows of one unit: going inward it has an inertia and a force, going outward it
+  /// gets a twist in place of the force, and moved it has a motion in place of the inertia. They
+  /// share their room: on long chains there are millions of bodies.
   struct HingedUnit {
     union {
       Inertia inertia;
@@ -72,8 +72,8 @@ class UnitNearest {
               std::span<const Vec3> targets);
   void set_motion(const UnitStep& step, std::size_t index, double share);
 
-  std::vector<HingedUnit> units_;     ///< of the steps of the plan
-  std::vector<BodyTurn> turns_;  ///< of all bodies: hinges have one, what begins a component none
+  std::vector<HingedUnit> units_;  ///< of the steps of the plan
+  std::vector<BodyTurn> turns_;    ///< of all bodies: hinges have one, what begins a component none
   std::vector<std::uint32_t> first_turn_;  ///< of each unit, and one more
   std::vector<Vec3> kept_;                 ///< where the step began
   Vec3 origin_;
