@@ -42,7 +42,7 @@ void print_sample_table(const SampleSettings& settings, const MolecularModel& mo
   fmt::print("                frames show what can move; how often they occur is not claimed\n");
   fmt::print("RMSF            {:.2f} A over atoms, {:.2f} A between halves of the frames\n",
              mean_of(summary.rmsf), mean_of(summary.rmsf_error));
-  fmt::print("drawn again     {} frames; {} more took careful steps\n", summary.redrawn,
+  fmt::print("drawn again     {} frames; {} more took a second way\n", summary.redrawn,
              std::max<std::int64_t>(0, summary.rescued - summary.redrawn));
   fmt::print("worst bar       {} off by {:.1e} of its length\n", worst_bar_of(model, summary),
              summary.max_residual);

@@ -28,9 +28,8 @@ double rms_distance(std::span<const Vec3> one, std::span<const Vec3> other) {
 
 }  // namespace
 
-FrameMaker::FrameMaker(const Framework& framework, const BodyPlan& plan, const Sampler& sampler,
-                       bool is_careful)
-    : framework_(framework), sampler_(sampler), solver_(framework, plan), is_careful_(is_careful) {}
+FrameMaker::FrameMaker(const Framework& framework, const BodyPlan& plan, const Sampler& sampler)
+    : framework_(framework), sampler_(sampler), solver_(framework, plan) {}
 
 void FrameMaker::make(std::int64_t number, std::span<const Vec3> now, std::span<const Vec3> before,
                       MadeFrame& out) {
@@ -53,16 +52,15 @@ void FrameMaker::make(std::int64_t number, std::span<const Vec3> now, std::span<
   out.cpu_seconds = thread_seconds() - begun;
 }
 
-/// The draw itself, then with careful steps, then drawn again.
+/// The draw itself, by careful steps, else by blind ones; then drawn again.
 bool FrameMaker::make_step(std::int64_t number, int step, std::span<const Vec3> now,
                            std::span<const Vec3> before, MadeFrame& out) {
   for (int attempt = 0; attempt <= most_redraws; ++attempt) {
     if (attempt == 1) ++out.redraws;
     sampler_.ask(number, step, attempt, now, before, request_);
-    if (resolve(now, is_careful_, out)) return true;
-    if (is_careful_) continue;
-    out.is_rescued = true;
     if (resolve(now, true, out)) return true;
+    out.is_rescued = true;
+    if (resolve(now, false, out)) return true;
   }
   return false;
 }

@@ -21,7 +21,7 @@ struct MadeFrame {
   FrodaOutcome outcome;  ///< of the last step
   double off_target = 0.0;
   int redraws = 0;
-  bool is_rescued = false;
+  bool is_rescued = false;  ///< by blind steps, or drawn again
   std::int64_t steps = 0;
   double cpu_seconds = 0.0;
 };
@@ -29,9 +29,8 @@ struct MadeFrame {
 /// Not for two threads at once; each has its own.
 class FrameMaker {
  public:
-  /// All outlive it. `is_careful`: takes careful steps at once.
-  FrameMaker(const Framework& framework, const BodyPlan& plan, const Sampler& sampler,
-             bool is_careful);
+  /// All outlive it.
+  FrameMaker(const Framework& framework, const BodyPlan& plan, const Sampler& sampler);
 
   /// Frame `number`, which begins at `now`; `before` is where the step before began.
   void make(std::int64_t number, std::span<const Vec3> now, std::span<const Vec3> before,
@@ -46,7 +45,6 @@ class FrameMaker {
   const Framework& framework_;
   const Sampler& sampler_;
   FrodaSolver solver_;
-  bool is_careful_;
   FrameRequest request_;
   std::vector<Vec3> now_, before_;
 };

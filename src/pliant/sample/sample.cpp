@@ -18,8 +18,6 @@
 namespace pliant {
 namespace {
 
-/// Above this a push may lead chains through each other: all steps are careful ones.
-constexpr double careful_amplitude = 2.0;
 /// Frames that a thread makes before what was made is shown.
 constexpr std::size_t frames_a_thread = 4;
 constexpr double start_tolerance = 1e-6;
@@ -51,8 +49,7 @@ class Sampling {
     for (Vec3 node : nodes.positions) joint_of_node_.push_back(nearest_joint(node));
     const std::size_t threads = sampler_->is_walk() ? 1 : static_cast<std::size_t>(options.threads);
     for (std::size_t k = 0; k < threads; ++k)
-      makers_.push_back(std::make_unique<FrameMaker>(framework, plan, *sampler_,
-                                                     options.amplitude > careful_amplitude));
+      makers_.push_back(std::make_unique<FrameMaker>(framework, plan, *sampler_));
   }
 
   SampleSummary run(const SampleObserver& observer) {

@@ -15,7 +15,7 @@ namespace pliant {
 struct SampleSummary {
   std::int64_t frames = 0;
   std::int64_t redrawn = 0;        ///< frames whose first draw could not be resolved
-  std::int64_t rescued = 0;        ///< frames that needed careful steps
+  std::int64_t rescued = 0;        ///< frames that careful steps did not resolve
   std::int64_t failed = 0;         ///< frames that no draw gave; not among `frames`
   double amplitude_asked = 0.0;    ///< mean r.m.s. fluctuation of nodes (Angstrom)
   double amplitude_reached = 0.0;  ///< the same of the joints nearest to nodes, of the frames

@@ -22,7 +22,7 @@ struct Peptide {
 };
 
 /// Every heavy atom is a node.
-Peptide peptide(const char* file = "cyclic_hexapeptide.sdf") {
+Peptide peptide(const char* file = "cyclic_hexapeptide.pdb") {
   Structure structure = read_structure(std::string(PLIANT_SOURCE_DIR "/data/molecules/") + file);
   perceive_bonds(structure);
   NetworkNodes nodes;

@@ -17,7 +17,7 @@ constexpr double widest_closed = 1e-12;
 constexpr double pull_weight = 10.0;
 constexpr double last_weight = 100.0;
 constexpr int last_pulls = 3;  // blind, then as many with contacts
-constexpr int careful_pulls = 4;
+constexpr int careful_pulls = 5;
 constexpr int careful_gradients = 2;
 constexpr int most_closings = 12;
 /// A step gains if it takes more than a twentieth off. Without gain for so many steps it is over;

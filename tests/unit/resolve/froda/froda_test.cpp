@@ -121,10 +121,10 @@ TEST(FrodaSolver, HoldsSpheresApartAndLimitsTogether) {
 
 /// The list of near pairs finds what a look at all pairs finds.
 TEST(NearPairs, AreThoseOfALookAtAllPairs) {
-  const Molecule bare = molecule("cyclic_hexapeptide.sdf");
+  const Molecule bare = molecule("cyclic_hexapeptide.pdb");
   auto sterics = spheres(bare.framework.joint_count(), 3.1);
   sterics->own = {{0, 9, 0.5}, {3, 20, 0.0}};
-  const Molecule m = molecule("cyclic_hexapeptide.sdf", sterics);
+  const Molecule m = molecule("cyclic_hexapeptide.pdb", sterics);
   const auto plan = BodyPlan::make(m.framework);
   const ContactRules rules(m.framework);
   NearPairs list(m.framework, *plan);
@@ -152,8 +152,8 @@ TEST(NearPairs, AreThoseOfALookAtAllPairs) {
 
 /// The technique, from any push and without being told where bars were whole.
 TEST(Froda, ResolvesFrameworksWithLimitsAndSterics) {
-  const Molecule bare = molecule("cyclic_hexapeptide.sdf");
-  const Molecule m = molecule("cyclic_hexapeptide.sdf", spheres(bare.framework.joint_count(), 2.0));
+  const Molecule bare = molecule("cyclic_hexapeptide.pdb");
+  const Molecule m = molecule("cyclic_hexapeptide.pdb", spheres(bare.framework.joint_count(), 2.0));
   std::vector<Vec3> x = test::shake(m.framework, m.start, 0.2, 3);
   ResolveOptions options;
   options.tolerance.overlap = 0.1;

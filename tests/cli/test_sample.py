@@ -1,0 +1,90 @@
+# SPDX-License-Identifier: MIT
+"""pliant sample, on a peptide."""
+
+import json
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+PEPTIDE = Path(__file__).parents[2] / "data" / "molecules" / "cyclic_hexapeptide.pdb"
+
+
+def test_frames_are_written_with_what_they_were_made_with(pliant, tmp_path):
+    ended = pliant(
+        "sample", PEPTIDE, "-o", "out.h5md", "--frames", 5, "--amplitude", 0.4, "--seed", 2, "--json"
+    )
+    assert ended.code == 0, ended.err
+    told = json.loads(ended.out)
+    assert told["frames"] == 5
+    assert told["amplitude_is_input"] is True
+    assert told["worst_residual"] < 1e-10
+    with h5py.File(tmp_path / "out.h5md") as file:
+        positions = file["particles/trajectory/position/value"][:]
+        assert positions.shape == (5, told["atoms"], 3)
+        assert np.isfinite(positions).all()
+        assert file["parameters/sample"].attrs.get("amplitude", None) == pytest.approx(0.4) or (
+            file["parameters/sample/amplitude"][()] == pytest.approx(0.4)
+        )
+
+
+def test_threads_and_pieces_give_the_same_frames(pliant, tmp_path):
+    common = ("--amplitude", 0.4, "--quiet", "--topology", "none")
+    pliant("sample", PEPTIDE, "-o", "one.h5md", "--frames", 6, "--threads", 1, *common)
+    pliant("sample", PEPTIDE, "-o", "two.h5md", "--frames", 6, "--threads", 2, *common)
+    pliant("sample", PEPTIDE, "-o", "end.h5md", "--frames", 2, "--first-frame", 4, *common)
+
+    def frames(name):
+        with h5py.File(tmp_path / name) as file:
+            return file["particles/trajectory/position/value"][:]
+
+    assert np.array_equal(frames("one.h5md"), frames("two.h5md"))
+    assert np.array_equal(frames("one.h5md")[4:], frames("end.h5md"))
+
+
+def test_it_says_that_the_amplitude_is_an_input(pliant):
+    ended = pliant("sample", PEPTIDE, "--frames", 2, "--amplitude", 0.4)
+    assert "an input, not a prediction" in ended.out
+    assert "how often they occur is not claimed" in ended.out
+
+
+def test_what_exists_is_not_replaced(pliant, tmp_path):
+    (tmp_path / "out.h5md").write_text("mine")
+    ended = pliant("sample", PEPTIDE, "-o", "out.h5md")
+    assert ended.code == 1
+    assert ended.err == "pliant: error: out.h5md: exists; --overwrite replaces it\n"
+    assert (tmp_path / "out.h5md").read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    ("option", "value", "text"),
+    [
+        ("--network", "amn", "--network"),
+        ("--sampler", "mode", "--sampler"),
+        ("--amplitude", "0", "--amplitude"),
+        ("--frames", "0", "--frames"),
+    ],
+)
+def test_bad_options_end_with_2(pliant, option, value, text):
+    ended = pliant("sample", PEPTIDE, option, value)
+    assert ended.code == 2
+    assert text in ended.err
+
+
+def test_ctrl_c_leaves_a_readable_file(command, tmp_path):
+    run = subprocess.Popen(
+        [command, "sample", PEPTIDE, "-o", "long.h5md", "--frames", "10000000", "--quiet"],
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+    )
+    while not (tmp_path / "long.h5md").exists() and run.poll() is None:
+        time.sleep(0.05)
+    time.sleep(0.5)
+    run.send_signal(signal.SIGINT)
+    assert run.wait(60) == 130, run.stderr.read()
+    with h5py.File(tmp_path / "long.h5md") as file:
+        assert np.isfinite(file["particles/trajectory/position/value"][:]).all()
