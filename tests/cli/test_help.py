@@ -14,6 +14,7 @@ PAGES = {
     "pliant-info": ["info", "--help"],
     "pliant-contacts": ["contacts", "--help"],
     "pliant-run": ["run", "--help"],
+    "pliant-sample": ["sample", "--help"],
     "pliant-structgen": ["structgen", "--help"],
     "pliant-forcegen": ["forcegen", "--help"],
     "pliant-order": ["order", "--help"],
