@@ -12,8 +12,7 @@ namespace {
 
 std::string worst_bar_of(const MolecularModel& model, const SampleSummary& summary) {
   const Framework& framework = model.framework;
-  return framework.bar_count() == 0 ? ""
-                                    : framework.label(framework.bars()[summary.worst_bar]);
+  return framework.bar_count() == 0 ? "" : framework.label(framework.bars()[summary.worst_bar]);
 }
 
 double ms_a_frame(const SampleSummary& summary) {

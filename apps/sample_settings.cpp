@@ -80,8 +80,7 @@ void add_sample_options(CommandLine& line, SampleSettings& settings) {
 }
 
 void complete(SampleSettings& settings) {
-  if (settings.threads == 0)
-    settings.threads = std::max(1U, std::thread::hardware_concurrency());
+  if (settings.threads == 0) settings.threads = std::max(1U, std::thread::hardware_concurrency());
   settings.sample.threads = static_cast<int>(settings.threads);
   if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
   if (settings.topology.empty()) settings.topology = default_topology(settings);
@@ -103,15 +102,12 @@ NetworkNodes nodes_of(const MolecularModel& model) {
 
 std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
   const SampleOptions& sample = settings.sample;
-  std::vector<NamedParameter> all{{"input/file", settings.molecule.file},
-                                  {"input/model", settings.molecule.model},
-                                  {"sample/frames", sample.frames},
-                                  {"sample/first_frame", sample.first_frame},
-                                  {"sample/amplitude", sample.amplitude},
-                                  {"sample/seed", std::to_string(sample.seed)},
-                                  {"sample/network", sample.network},
-                                  {"sample/sampler", sample.sampler},
-                                  {"sample/temperature", sample.temperature}};
+  std::vector<NamedParameter> all{
+      {"input/file", settings.molecule.file},    {"input/model", settings.molecule.model},
+      {"sample/frames", sample.frames},          {"sample/first_frame", sample.first_frame},
+      {"sample/amplitude", sample.amplitude},    {"sample/seed", std::to_string(sample.seed)},
+      {"sample/network", sample.network},        {"sample/sampler", sample.sampler},
+      {"sample/temperature", sample.temperature}};
   for (NamedParameter& one : parameters_of(settings.molecule.kind)) all.push_back(std::move(one));
   return all;
 }

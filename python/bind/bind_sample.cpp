@@ -165,25 +165,32 @@ void bind_ensemble_class(nb::module_& module) {
   nb::class_<E>(module, "SampledEnsemble", "Frames of a molecule, and how exact they are.")
       .def_ro("model", &E::model, "What was sampled.")
       .def_prop_ro("positions", &frames_of, "(F, N, 3) float64 view, Angstrom.")
-      .def_prop_ro("redrawn", [](const E& self) { return self.summary.redrawn; },
-                   "Frames whose first draw could not be resolved.")
-      .def_prop_ro("failed", [](const E& self) { return self.summary.failed; },
-                   "Frames that no draw gave; they are left out.")
-      .def_prop_ro("amplitude_reached",
-                   [](const E& self) { return self.summary.amplitude_reached; },
-                   "Mean r.m.s. fluctuation of residues in the frames (Angstrom).")
-      .def_prop_ro("max_residual", [](const E& self) { return self.summary.max_residual; },
-                   "Worst bar of all frames: abs(length - rest) / rest.")
-      .def_prop_ro("max_limit", [](const E& self) { return self.summary.max_limit; },
-                   "Largest distance of a contact outside its interval (Angstrom).")
-      .def_prop_ro("max_overlap", [](const E& self) { return self.summary.max_overlap; },
-                   "Largest overlap of two atoms (Angstrom).")
-      .def_prop_ro("rmsf", [](const E& self) { return array_of(self.summary.rmsf); },
-                   nb::rv_policy::reference,
-                   "(N,) float64: r.m.s. fluctuation of each atom about its mean (Angstrom).")
-      .def_prop_ro("rmsf_error", [](const E& self) { return array_of(self.summary.rmsf_error); },
-                   nb::rv_policy::reference,
-                   "(N,) float64: half the difference between halves of the frames (Angstrom).");
+      .def_prop_ro(
+          "redrawn", [](const E& self) { return self.summary.redrawn; },
+          "Frames whose first draw could not be resolved.")
+      .def_prop_ro(
+          "failed", [](const E& self) { return self.summary.failed; },
+          "Frames that no draw gave; they are left out.")
+      .def_prop_ro(
+          "amplitude_reached", [](const E& self) { return self.summary.amplitude_reached; },
+          "Mean r.m.s. fluctuation of residues in the frames (Angstrom).")
+      .def_prop_ro(
+          "max_residual", [](const E& self) { return self.summary.max_residual; },
+          "Worst bar of all frames: abs(length - rest) / rest.")
+      .def_prop_ro(
+          "max_limit", [](const E& self) { return self.summary.max_limit; },
+          "Largest distance of a contact outside its interval (Angstrom).")
+      .def_prop_ro(
+          "max_overlap", [](const E& self) { return self.summary.max_overlap; },
+          "Largest overlap of two atoms (Angstrom).")
+      .def_prop_ro(
+          "rmsf", [](const E& self) { return array_of(self.summary.rmsf); },
+          nb::rv_policy::reference,
+          "(N,) float64: r.m.s. fluctuation of each atom about its mean (Angstrom).")
+      .def_prop_ro(
+          "rmsf_error", [](const E& self) { return array_of(self.summary.rmsf_error); },
+          nb::rv_policy::reference,
+          "(N,) float64: half the difference between halves of the frames (Angstrom).");
 }
 
 }  // namespace

@@ -19,8 +19,8 @@ struct ResidueNodes {
 };
 
 /// A node at the alpha carbon of an amino acid, at P (else C4') of a nucleotide, at each heavy atom
-/// of anything else; hydrogens of the latter go with the heavy atom they are bonded to. Of a residue
-/// without any of these, such as a lone hydrogen, no atom has a node.
+/// of anything else; hydrogens of the latter go with the heavy atom they are bonded to. Of a
+/// residue without any of these, such as a lone hydrogen, no atom has a node.
 ResidueNodes residue_nodes(const Structure& structure);
 
 }  // namespace pliant

@@ -43,8 +43,7 @@ void DenseCholesky::update_rows(std::size_t first) {
   for (std::size_t i = first + panel; i < n; ++i) {
     double* row = u_.row(i).data();
     const double a = p[i], b = q[i], c = r[i], d = s[i];
-    for (std::size_t j = i; j < n; ++j)
-      row[j] -= (a * p[j] + b * q[j]) + (c * r[j] + d * s[j]);
+    for (std::size_t j = i; j < n; ++j) row[j] -= (a * p[j] + b * q[j]) + (c * r[j] + d * s[j]);
   }
 }
 

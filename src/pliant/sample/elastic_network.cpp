@@ -17,15 +17,15 @@ namespace {
 // Angstrom, between alpha carbons.
 constexpr double anm_cutoff = 15.0;
 constexpr double gnm_cutoff = 10.0;
-constexpr double near_length = 6.0;      // of the springs that fall with the sixth power
-constexpr double least_length = 2.8;     // nearer nodes, atoms of a ligand, count as so far apart
-constexpr double far_cutoff = 15.0;      // of a weak spring besides
+constexpr double near_length = 6.0;   // of the springs that fall with the sixth power
+constexpr double least_length = 2.8;  // nearer nodes, atoms of a ligand, count as so far apart
+constexpr double far_cutoff = 15.0;   // of a weak spring besides
 constexpr double far_strength = 0.1;
-constexpr double shared_cutoff = 18.0;   // of neighbours that two nodes share
-constexpr double contact_cutoff = 8.0;   // of pairs over which shares are averaged
+constexpr double shared_cutoff = 18.0;  // of neighbours that two nodes share
+constexpr double contact_cutoff = 8.0;  // of pairs over which shares are averaged
 constexpr double chain_strength = 3.0;
 constexpr std::size_t chain_reach = 3;
-constexpr double longest_link = 4.3;     // between neighbours in an unbroken chain
+constexpr double longest_link = 4.3;  // between neighbours in an unbroken chain
 
 /// Fills both halves of a matrix by spring(i, j, squared distance).
 template <class Spring>
@@ -43,10 +43,8 @@ DenseMatrix no_chain(const NetworkNodes& nodes) {
 }
 
 Springs within_cutoff(const NetworkNodes& nodes, double cutoff) {
-  return {all_pairs(nodes,
-                    [&](std::size_t, std::size_t, double square) {
-                      return square < cutoff * cutoff ? 1.0 : 0.0;
-                    }),
+  return {all_pairs(nodes, [&](std::size_t, std::size_t,
+                               double square) { return square < cutoff * cutoff ? 1.0 : 0.0; }),
           no_chain(nodes)};
 }
 
@@ -194,8 +192,8 @@ void check(const NetworkNodes& nodes, std::size_t joint_count) {
     throw OptionError("network: " + std::to_string(nodes.chain.size()) + " chains for " +
                       std::to_string(count) + " nodes");
   if (nodes.of_joint.size() != joint_count)
-    throw OptionError("network: nodes of " + std::to_string(nodes.of_joint.size()) + " joints for " +
-                      std::to_string(joint_count));
+    throw OptionError("network: nodes of " + std::to_string(nodes.of_joint.size()) +
+                      " joints for " + std::to_string(joint_count));
   for (std::uint32_t node : nodes.of_joint)
     if (node != no_node && node >= count)
       throw OptionError("network: node " + std::to_string(node) + " of " + std::to_string(count) +

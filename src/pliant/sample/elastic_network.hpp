@@ -18,8 +18,8 @@ inline constexpr std::uint32_t no_node = ~std::uint32_t{0};
 /// What moves together: a node for each residue (alpha carbon), nucleotide or heavy atom of a
 /// ligand.
 struct NetworkNodes {
-  std::vector<Vec3> positions;         ///< (M) Angstrom
-  std::vector<std::uint32_t> chain;    ///< (M) nodes of one unbroken chain follow each other
+  std::vector<Vec3> positions;          ///< (M) Angstrom
+  std::vector<std::uint32_t> chain;     ///< (M) nodes of one unbroken chain follow each other
   std::vector<std::uint32_t> of_joint;  ///< (N) the node that each joint goes with, or no_node
   /// How many Angstrom of these nodes stand for one of nodes that are residues: above 1 where a
   /// node stands for several.

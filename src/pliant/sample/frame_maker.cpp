@@ -68,8 +68,7 @@ bool FrameMaker::make_step(std::int64_t number, int step, std::span<const Vec3> 
 bool FrameMaker::resolve(std::span<const Vec3> now, bool is_careful, MadeFrame& out) {
   FrodaOptions options;
   options.is_careful = is_careful;
-  out.outcome =
-      solver_.resolve(now, request_.targets, out.positions, options, request_.limits_off);
+  out.outcome = solver_.resolve(now, request_.targets, out.positions, options, request_.limits_off);
   out.steps += out.outcome.steps;
   return out.outcome.is_whole && out.outcome.max_closing <= largest_closing;
 }

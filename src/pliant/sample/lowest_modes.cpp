@@ -48,9 +48,9 @@ EigenPairs keep_lowest(const EigenPairs& all, double least, double below, std::s
   while (first < all.values.size() && !(all.values[first] > least)) ++first;
   std::size_t last = first;
   while (last < all.values.size() && last - first < count && all.values[last] < below) ++last;
-  EigenPairs kept{{all.values.begin() + std::ptrdiff_t(first),
-                   all.values.begin() + std::ptrdiff_t(last)},
-                  DenseMatrix(last - first, all.vectors.columns())};
+  EigenPairs kept{
+      {all.values.begin() + std::ptrdiff_t(first), all.values.begin() + std::ptrdiff_t(last)},
+      DenseMatrix(last - first, all.vectors.columns())};
   for (std::size_t k = first; k < last; ++k) {
     const auto from = all.vectors.row(k);
     std::copy(from.begin(), from.end(), kept.vectors.row(k - first).begin());

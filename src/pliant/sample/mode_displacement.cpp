@@ -21,15 +21,21 @@ std::uint32_t nearest_node(std::span<const Vec3> nodes, Vec3 x) {
 }
 
 /// Of [xx xy xz; xy yy yz; xz yz zz]; all 0 if it is nearly singular.
-std::array<double, 9> inverse_of(double xx, double xy, double xz, double yy, double yz,
-                                 double zz) {
+std::array<double, 9> inverse_of(double xx, double xy, double xz, double yy, double yz, double zz) {
   const double a = yy * zz - yz * yz, b = xz * yz - xy * zz, c = xy * yz - xz * yy;
   const double det = xx * a + xy * b + xz * c;
   const double size = (xx + yy + zz) / 3.0;
   if (!(det > flat * size * size * size)) return {};
   const double s = 1.0 / det;
-  return {s * a, s * b, s * c, s * b, s * (xx * zz - xz * xz), s * (xy * xz - xx * yz),
-          s * c, s * (xy * xz - xx * yz), s * (xx * yy - xy * xy)};
+  return {s * a,
+          s * b,
+          s * c,
+          s * b,
+          s * (xx * zz - xz * xz),
+          s * (xy * xz - xx * yz),
+          s * c,
+          s * (xy * xz - xx * yz),
+          s * (xx * yy - xy * xy)};
 }
 
 }  // namespace

@@ -49,9 +49,9 @@ DenseMatrix joined(const Springs& springs, const std::vector<std::uint32_t>& dom
 NetworkModes modes_of(const NetworkNodes& nodes, const DenseMatrix& springs, bool has_directions,
                       std::size_t count) {
   const std::size_t wanted = has_directions ? count : (count + 2) / 3;
-  NetworkModes modes = from_stiffness(
-      lowest_modes(stiffness(nodes.positions, springs, has_directions),
-                   rigid_motions(nodes.positions, has_directions), wanted));
+  NetworkModes modes =
+      from_stiffness(lowest_modes(stiffness(nodes.positions, springs, has_directions),
+                                  rigid_motions(nodes.positions, has_directions), wanted));
   if (has_directions) return modes;
   return in_three_directions(modes, nodes.positions.size(), count);
 }
@@ -104,8 +104,8 @@ NetworkModes averaged_over_domains(const NetworkNodes& nodes, const Springs& spr
   std::vector<std::vector<double>> rows;
   add_weighted(whole, rows);
   const std::size_t looked_at = std::min(domain_modes, whole.variances.size());
-  const AverageLinkage tree(changes_of_distances(
-      nodes.positions, whole.directions, std::span(whole.variances).first(looked_at)));
+  const AverageLinkage tree(changes_of_distances(nodes.positions, whole.directions,
+                                                 std::span(whole.variances).first(looked_at)));
   const std::size_t domains = std::min(most_domains, n);
   for (std::size_t k = 2; k <= domains; ++k)
     add_weighted(modes_of(nodes, joined(springs, tree.cut(k)), true, count), rows);
@@ -114,8 +114,7 @@ NetworkModes averaged_over_domains(const NetworkNodes& nodes, const Springs& spr
 
 }  // namespace
 
-NetworkModes network_modes(const NetworkNodes& nodes, std::string_view network,
-                           std::size_t count) {
+NetworkModes network_modes(const NetworkNodes& nodes, std::string_view network, std::size_t count) {
   const NetworkEntry& entry = find_network(network);
   const Springs springs = entry.springs(nodes);
   if (entry.has_domains) return averaged_over_domains(nodes, springs, count);

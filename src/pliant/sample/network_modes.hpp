@@ -22,7 +22,8 @@ inline constexpr std::size_t usual_mode_count = 60;
 /// unit of 1 / its springs. With domains: of the mean covariance of the network and of the same cut
 /// into 2, 3 and 4 domains, where springs between domains are a tenth; the covariance of each is
 /// that of its `count` lowest modes, divided by its trace. Signs are canonical.
-/// Takes the cube of the number of nodes: coarsened() first. They pass check(). Throws OptionError on an unknown name.
+/// Takes the cube of the number of nodes: coarsened() first. They pass check(). Throws OptionError
+/// on an unknown name.
 NetworkModes network_modes(const NetworkNodes& nodes, std::string_view network = "shared",
                            std::size_t count = usual_mode_count);
 

@@ -202,8 +202,7 @@ SampleSummary sample(const Framework& framework, std::span<const Vec3> start, Ne
   if (!plan) throw OptionError("sample: the framework has pinned joints, or lies in a plane");
   nodes = coarsened(std::move(nodes));
   SampleSummary summary = Sampling(framework, start, nodes, options, *plan).run(observer);
-  summary.seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
   return summary;
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Samples the flexibility of a framework: frames with exact geometry around a start, along the modes
-// of an elastic network or by another way of the table.
+// Samples the flexibility of a framework: frames with exact geometry around a start, along the
+// modes of an elastic network or by another way of the table.
 #pragma once
 
 #include <cstdint>
@@ -23,10 +23,10 @@ struct SampleOptions {
   std::int64_t first_frame = 0;        ///< frames [first_frame, first_frame + frames) of the run
   double amplitude = usual_amplitude;  ///< mean r.m.s. fluctuation of nodes (Angstrom), 0.01 to 10
   std::uint64_t seed = 0;
-  int threads = 1;                     ///< from 1; changes no result
-  std::string network = "shared";      ///< a name in networks()
-  std::string sampler = "modes";       ///< a name in samplers()
-  double temperature = 12.552;         ///< kJ/mol, T of `dilute`: 3 kcal/mol
+  int threads = 1;                         ///< from 1; changes no result
+  std::string network = "shared";          ///< a name in networks()
+  std::string sampler = "modes";           ///< a name in samplers()
+  double temperature = 12.552;             ///< kJ/mol, T of `dilute`: 3 kcal/mol
   std::function<bool()> should_stop = {};  ///< asked between frames
 };
 
@@ -36,10 +36,10 @@ void check(const SampleOptions& options);
 /// A frame; spans are valid during the call only.
 struct SampledFrame {
   std::int64_t frame = 0;
-  std::span<const Vec3> positions;              ///< (N) Angstrom
-  std::span<const std::uint8_t> limits_off;     ///< (L) 1: was off; empty: none was
+  std::span<const Vec3> positions;           ///< (N) Angstrom
+  std::span<const std::uint8_t> limits_off;  ///< (L) 1: was off; empty: none was
   double max_residual = 0.0, rms_residual = 0.0;
-  double max_limit = 0.0, max_overlap = 0.0;    ///< Angstrom
+  double max_limit = 0.0, max_overlap = 0.0;  ///< Angstrom
   int redraws = 0;
   std::int64_t steps = 0;
 };
@@ -48,8 +48,8 @@ struct SampledFrame {
 using SampleObserver = std::function<bool(const SampledFrame&)>;
 
 /// Samples frames about `start` (N, Angstrom), at which all bars are whole. Each frame of `modes`
-/// and `dilute` is a function of the framework, the start, the seed and its number alone, and so the
-/// same for any number of threads and in whatever pieces a run is made. Frames that cannot be
+/// and `dilute` is a function of the framework, the start, the seed and its number alone, and so
+/// the same for any number of threads and in whatever pieces a run is made. Frames that cannot be
 /// resolved are drawn anew, and told; none is shown that is not whole.
 /// Throws OptionError, for bad options and nodes, and for frameworks with pinned joints or in a
 /// plane; InputError if the start is not whole or limits do not hold there.

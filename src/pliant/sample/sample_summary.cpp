@@ -28,8 +28,7 @@ std::vector<double> FluctuationSums::rmsf_of(const Half& half) {
   if (half.frames == 0) return out;
   const double share = 1.0 / double(half.frames);
   for (std::size_t k = 0; k < out.size(); ++k)
-    out[k] = std::sqrt(
-        std::max(0.0, share * half.squares[k] - norm_squared(share * half.sum[k])));
+    out[k] = std::sqrt(std::max(0.0, share * half.squares[k] - norm_squared(share * half.sum[k])));
   return out;
 }
 

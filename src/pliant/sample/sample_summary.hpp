@@ -21,11 +21,11 @@ struct SampleSummary {
   double amplitude_reached = 0.0;  ///< the same of the joints nearest to nodes, of the frames
   double max_residual = 0.0;       ///< worst bar: |length - rest| / rest
   BarIndex worst_bar = 0;
-  double max_limit = 0.0;    ///< largest distance of a limit outside its interval (Angstrom)
-  double max_overlap = 0.0;  ///< largest overlap of two joints (Angstrom)
-  double max_closing = 0.0;  ///< largest move of a joint by the last steps that close loops
-  double mean_off_target = 0.0;  ///< r.m.s. distance of joints from where they were asked to go
-  double mean_steps = 0.0;       ///< of a frame, in torsion space
+  double max_limit = 0.0;          ///< largest distance of a limit outside its interval (Angstrom)
+  double max_overlap = 0.0;        ///< largest overlap of two joints (Angstrom)
+  double max_closing = 0.0;        ///< largest move of a joint by the last steps that close loops
+  double mean_off_target = 0.0;    ///< r.m.s. distance of joints from where they were asked to go
+  double mean_steps = 0.0;         ///< of a frame, in torsion space
   std::vector<double> rmsf;        ///< (N) r.m.s. fluctuation of each joint about its mean
   std::vector<double> rmsf_error;  ///< (N) half the difference between halves of the frames
   bool stopped_by_caller = false;

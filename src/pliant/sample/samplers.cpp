@@ -14,9 +14,9 @@
 namespace pliant {
 namespace {
 
-constexpr double walk_length = 0.1;     // Angstrom, a random move of a node
-constexpr double walk_momentum = 0.8;   // share of the last move that is made again
-constexpr int walk_steps = 20;          // from frame to frame
+constexpr double walk_length = 0.1;    // Angstrom, a random move of a node
+constexpr double walk_momentum = 0.8;  // share of the last move that is made again
+constexpr int walk_steps = 20;         // from frame to frame
 
 NetworkModes scaled_modes(const SamplerSetting& setting) {
   NetworkModes modes = network_modes(setting.nodes, setting.options.network);
@@ -75,7 +75,8 @@ class DiluteSampler final : public ModesSampler {
            std::span<const Vec3> before, FrameRequest& request) const override {
     ModesSampler::ask(frame, step, attempt, now, before, request);
     request.limits_off.assign(limits_.size(), 0);
-    for (std::size_t k = 0; k < limits_.size(); ++k) request.limits_off[k] = is_off(frame, attempt, k);
+    for (std::size_t k = 0; k < limits_.size(); ++k)
+      request.limits_off[k] = is_off(frame, attempt, k);
   }
 
  private:

@@ -25,8 +25,7 @@ DenseMatrix with_spectrum(const std::vector<double>& values, DenseMatrix& axes) 
   }
   DenseMatrix a(n, n);
   for (std::size_t k = 0; k < n; ++k)
-    for (std::size_t i = 0; i < n; ++i)
-      add_scaled(values[k] * axes(k, i), axes.row(k), a.row(i));
+    for (std::size_t i = 0; i < n; ++i) add_scaled(values[k] * axes(k, i), axes.row(k), a.row(i));
   return a;
 }
 

@@ -85,9 +85,8 @@ TEST(Sample, StopsWhereTheObserverAsks) {
   SampleOptions options;
   options.frames = 50;
   options.amplitude = 0.2;
-  const SampleSummary summary =
-      sample(p.framework, p.start, p.nodes, options,
-             [](const SampledFrame& frame) { return frame.frame == 2; });
+  const SampleSummary summary = sample(p.framework, p.start, p.nodes, options,
+                                       [](const SampledFrame& frame) { return frame.frame == 2; });
   EXPECT_TRUE(summary.stopped_by_caller);
   EXPECT_EQ(summary.frames, 3);
 }
@@ -104,7 +103,8 @@ TEST(Sample, RefusesWhatItCannotSample) {
             "no network named \"amn\"; known: shared, anm, pfanm, gnm");
   options = {};
   options.amplitude = 0.0;
-  EXPECT_EQ(text(p.framework, p.start, p.nodes, options), "amplitude = 0: must be positive and finite");
+  EXPECT_EQ(text(p.framework, p.start, p.nodes, options),
+            "amplitude = 0: must be positive and finite");
   EXPECT_EQ(text(test::with_pinned(p.framework, {0}), p.start, p.nodes, {}),
             "sample: the framework has pinned joints, or lies in a plane");
   std::vector<Vec3> moved = p.start;

@@ -14,8 +14,8 @@ using froda::add_direction;
 using froda::add_scaled;
 using froda::dot6;
 using froda::Inertia;
-using froda::twist_of;
 using froda::Twist;
+using froda::twist_of;
 
 constexpr double largest_turn = 0.5;  // radians
 constexpr double tiny = 1e-30;
@@ -272,8 +272,7 @@ double ArticulatedStep::share_of(std::span<const Vec3> x, double bound) const {
     if (bodies[k].first == bodies[k].last) continue;
     for (Slot at : {bodies[k].first, bodies[k].last - 1})
       furthest = std::max(furthest, norm_squared(froda::velocity(twist_[k], x[at])));
-    if (bodies[k].parent < 0)
-      widest = std::max(widest, norm_squared(froda::upper(twist_[k])));
+    if (bodies[k].parent < 0) widest = std::max(widest, norm_squared(froda::upper(twist_[k])));
   }
   for (const Turn& turn : turns_) widest = std::max(widest, turn.angle * turn.angle);
   double share = 1.0;
@@ -285,8 +284,7 @@ double ArticulatedStep::share_of(std::span<const Vec3> x, double bound) const {
 
 void ArticulatedStep::move(std::span<Vec3> x, double share) {
   const auto bodies = plan_.bodies();
-  for (std::size_t k = 0; k < bodies.size(); ++k)
-    motion_[k] = motion_of(bodies[k], k, x, share);
+  for (std::size_t k = 0; k < bodies.size(); ++k) motion_[k] = motion_of(bodies[k], k, x, share);
   for (std::size_t k = 0; k < bodies.size(); ++k)
     for (Slot at = bodies[k].first; at < bodies[k].last; ++at) x[at] = motion_[k](x[at]);
 }

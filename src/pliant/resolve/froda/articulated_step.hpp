@@ -2,10 +2,10 @@
 // One step of Gauss and Newton's method in torsion space, in linear time: bodies that hang on each
 // other move towards places asked for, and contacts that are broken are mended.
 //
-// The steps of all torsions solve (H + sum w g g^T) q = f; H is the mass matrix of the bodies, which
-// articulated body inertias invert in one pass inward and one outward (Featherstone, Int. J. Robot.
-// Res. 2 (1983) 13). A contact joins two bodies that need not hang together, which would spoil the
-// tree; by
+// The steps of all torsions solve (H + sum w g g^T) q = f; H is the mass matrix of the bodies,
+// which articulated body inertias invert in one pass inward and one outward (Featherstone, Int. J.
+// Robot. Res. 2 (1983) 13). A contact joins two bodies that need not hang together, which would
+// spoil the tree; by
 //
 //   (n.(v_i - v_j) - C)^2 <= 2 (n.v_i - C/2)^2 + 2 (n.v_j + C/2)^2
 //
@@ -38,8 +38,8 @@ struct ContactRow {
 struct StepRequest {
   std::span<const Vec3> targets = {};  ///< (places) where each should come to; empty: stay
   std::span<const ContactRow> rows = {};
-  double bound = 1.0;              ///< Angstrom: no body goes further
-  int conjugate_gradients = 0;     ///< products inside the step
+  double bound = 1.0;           ///< Angstrom: no body goes further
+  int conjugate_gradients = 0;  ///< products inside the step
 };
 
 class ArticulatedStep {
@@ -96,8 +96,8 @@ class ArticulatedStep {
   std::vector<double> direction_angle_, sum_angle_;
   // of loops
   std::vector<ContactRow> cut_rows_;
-  std::vector<std::vector<froda::Twist>> answer_;     ///< of each row: twists of all bodies
-  std::vector<std::vector<double>> answer_angle_;     ///< and angles of all turns
+  std::vector<std::vector<froda::Twist>> answer_;  ///< of each row: twists of all bodies
+  std::vector<std::vector<double>> answer_angle_;  ///< and angles of all turns
   std::vector<double> products_, factors_;
 };
 

@@ -12,12 +12,10 @@ void factorize(Inertia& m) {
   for (std::size_t j = 0; j < 6; ++j) {
     double& pivot = m[entry(j, j)];
     pivot += least_inertia;
-    for (std::size_t k = 0; k < j; ++k)
-      pivot -= m[entry(j, k)] * m[entry(j, k)] * m[entry(k, k)];
+    for (std::size_t k = 0; k < j; ++k) pivot -= m[entry(j, k)] * m[entry(j, k)] * m[entry(k, k)];
     for (std::size_t i = j + 1; i < 6; ++i) {
       double sum = m[entry(i, j)];
-      for (std::size_t k = 0; k < j; ++k)
-        sum -= m[entry(i, k)] * m[entry(j, k)] * m[entry(k, k)];
+      for (std::size_t k = 0; k < j; ++k) sum -= m[entry(i, k)] * m[entry(j, k)] * m[entry(k, k)];
       m[entry(i, j)] = sum / pivot;
     }
   }

@@ -22,8 +22,7 @@ inline Vec3 upper(const Twist& t) { return {t[0], t[1], t[2]}; }
 inline Vec3 lower(const Twist& t) { return {t[3], t[4], t[5]}; }
 
 inline double dot6(const Twist& a, const Twist& b) {
-  return ((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])) +
-         (a[4] * b[4] + a[5] * b[5]);
+  return ((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])) + (a[4] * b[4] + a[5] * b[5]);
 }
 
 inline void add_scaled(double factor, const Twist& x, Twist& y) {
@@ -34,18 +33,15 @@ inline void add_scaled(double factor, const Twist& x, Twist& y) {
 inline Vec3 velocity(const Twist& twist, Vec3 x) { return lower(twist) + cross(upper(twist), x); }
 
 inline Twist times(const Inertia& m, const Twist& s) {
-  return {((m[0] * s[0] + m[1] * s[1]) + (m[3] * s[2] + m[6] * s[3])) +
-              (m[10] * s[4] + m[15] * s[5]),
-          ((m[1] * s[0] + m[2] * s[1]) + (m[4] * s[2] + m[7] * s[3])) +
-              (m[11] * s[4] + m[16] * s[5]),
-          ((m[3] * s[0] + m[4] * s[1]) + (m[5] * s[2] + m[8] * s[3])) +
-              (m[12] * s[4] + m[17] * s[5]),
-          ((m[6] * s[0] + m[7] * s[1]) + (m[8] * s[2] + m[9] * s[3])) +
-              (m[13] * s[4] + m[18] * s[5]),
-          ((m[10] * s[0] + m[11] * s[1]) + (m[12] * s[2] + m[13] * s[3])) +
-              (m[14] * s[4] + m[19] * s[5]),
-          ((m[15] * s[0] + m[16] * s[1]) + (m[17] * s[2] + m[18] * s[3])) +
-              (m[19] * s[4] + m[20] * s[5])};
+  return {
+      ((m[0] * s[0] + m[1] * s[1]) + (m[3] * s[2] + m[6] * s[3])) + (m[10] * s[4] + m[15] * s[5]),
+      ((m[1] * s[0] + m[2] * s[1]) + (m[4] * s[2] + m[7] * s[3])) + (m[11] * s[4] + m[16] * s[5]),
+      ((m[3] * s[0] + m[4] * s[1]) + (m[5] * s[2] + m[8] * s[3])) + (m[12] * s[4] + m[17] * s[5]),
+      ((m[6] * s[0] + m[7] * s[1]) + (m[8] * s[2] + m[9] * s[3])) + (m[13] * s[4] + m[18] * s[5]),
+      ((m[10] * s[0] + m[11] * s[1]) + (m[12] * s[2] + m[13] * s[3])) +
+          (m[14] * s[4] + m[19] * s[5]),
+      ((m[15] * s[0] + m[16] * s[1]) + (m[17] * s[2] + m[18] * s[3])) +
+          (m[19] * s[4] + m[20] * s[5])};
 }
 
 /// m += weight g g^T.
@@ -73,8 +69,8 @@ class PointSums {
   Inertia inertia() const {
     const Vec3 s = sum_;
     const double n = count_;
-    return {yy_ + zz_, -xy_, xx_ + zz_, -xz_, -yz_, xx_ + yy_, 0.0, s.z, -s.y, n,  //
-            -s.z,      0.0,  s.x,       0.0,  n,    s.y,       -s.x, 0.0, 0.0, 0.0, n};
+    return {yy_ + zz_, -xy_, xx_ + zz_, -xz_, -yz_, xx_ + yy_, 0.0,  s.z, -s.y, n,  //
+            -s.z,      0.0,  s.x,       0.0,  n,    s.y,       -s.x, 0.0, 0.0,  0.0, n};
   }
 
  private:

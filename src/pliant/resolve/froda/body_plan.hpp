@@ -17,10 +17,10 @@ using Slot = std::uint32_t;
 
 /// A rigid unit, hanging on its parent by a hinge, a ball, or not at all.
 struct PlanBody {
-  std::int32_t parent = -1;       ///< comes before; -1: moves freely
+  std::int32_t parent = -1;      ///< comes before; -1: moves freely
   Slot first = 0, last = 0;      ///< its own joints, [first, last)
   Slot a = 0, b = 0;             ///< the joints that it shares with its parent; a == b: a ball
-  std::uint32_t first_turn = 0;   ///< of its turns, among those of all bodies
+  std::uint32_t first_turn = 0;  ///< of its turns, among those of all bodies
   std::uint32_t turns() const { return parent < 0 ? 0 : (a == b ? 3 : 1); }
 };
 

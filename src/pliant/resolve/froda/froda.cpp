@@ -46,8 +46,8 @@ class Froda final : public Method {
     if (now.within) return Stop::converged;
     target_.assign(call.positions.begin(), call.positions.end());
     if (!find_start(call, summary)) return leave_to_sweeps(call, summary);
-    const FrodaOutcome outcome = solver_->resolve(start_, target_, call.positions,
-                                                  options_of_solver(), call.limits_off);
+    const FrodaOutcome outcome =
+        solver_->resolve(start_, target_, call.positions, options_of_solver(), call.limits_off);
     note(outcome.steps, summary);
     if (look(call).within) return Stop::converged;
     if (summary.sweeps >= options_.max_sweeps) return Stop::max_sweeps;
@@ -61,8 +61,8 @@ class Froda final : public Method {
     options.limit = options_.tolerance.limit;
     options.overlap = options_.tolerance.overlap;
     options.goal = std::min({options.goal, options.limit, options.overlap});
-    options.last_steps = static_cast<int>(
-        std::min<std::int64_t>(options.last_steps, options_.max_sweeps));
+    options.last_steps =
+        static_cast<int>(std::min<std::int64_t>(options.last_steps, options_.max_sweeps));
     return options;
   }
 

@@ -8,15 +8,15 @@ namespace pliant {
 namespace {
 
 // Angstrom
-constexpr double longest_pull = 2.0;   // of one target on the way
+constexpr double longest_pull = 2.0;  // of one target on the way
 constexpr double pull_bound = 1.5;
 constexpr double last_bound = 0.5;
-constexpr double margin = 0.01;        // steps aim inside limits, so that they end there
+constexpr double margin = 0.01;  // steps aim inside limits, so that they end there
 constexpr double widest_closed = 1e-12;
 
 constexpr double pull_weight = 10.0;
 constexpr double last_weight = 100.0;
-constexpr int last_pulls = 3;          // blind, then as many with contacts
+constexpr int last_pulls = 3;  // blind, then as many with contacts
 constexpr int careful_pulls = 5;
 constexpr int careful_gradients = 2;
 constexpr int most_closings = 12;
@@ -78,8 +78,7 @@ void FrodaSolver::pull(const FrodaOptions& options) {
   double furthest = 0.0;
   for (Vec3 push : push_) furthest = std::max(furthest, norm_squared(push));
   const int legs = std::max(1, static_cast<int>(std::ceil(std::sqrt(furthest) / longest_pull)));
-  for (int leg = 1; leg < legs; ++leg)
-    pull_to(double(leg) / legs, 1, options.is_careful, options);
+  for (int leg = 1; leg < legs; ++leg) pull_to(double(leg) / legs, 1, options.is_careful, options);
   if (options.is_careful) return pull_to(1.0, careful_pulls, true, options);
   pull_to(1.0, last_pulls, false, options);
   pull_to(1.0, last_pulls, true, options);
@@ -126,8 +125,7 @@ double FrodaSolver::close_loops() {
   if (plan_.cuts().empty()) return 0.0;
   before_ = x_;
   rows_.clear();
-  for (int k = 0; k < most_closings && widest_gap() > widest_closed; ++k)
-    step({}, last_bound, 0);
+  for (int k = 0; k < most_closings && widest_gap() > widest_closed; ++k) step({}, last_bound, 0);
   double furthest = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k)
     furthest = std::max(furthest, norm_squared(x_[k] - before_[k]));

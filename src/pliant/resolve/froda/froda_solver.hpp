@@ -26,10 +26,10 @@ struct FrodaOptions {
 };
 
 struct FrodaOutcome {
-  bool is_whole = false;       ///< limits and least distances hold, loops are closed
-  double max_limit = 0.0;      ///< largest distance of a limit outside its interval (Angstrom)
-  double max_overlap = 0.0;    ///< largest overlap (Angstrom)
-  double max_closing = 0.0;    ///< largest move of a joint by the steps that closed loops (Angstrom)
+  bool is_whole = false;     ///< limits and least distances hold, loops are closed
+  double max_limit = 0.0;    ///< largest distance of a limit outside its interval (Angstrom)
+  double max_overlap = 0.0;  ///< largest overlap (Angstrom)
+  double max_closing = 0.0;  ///< largest move of a joint by the steps that closed loops (Angstrom)
   int steps = 0;
 };
 

@@ -115,12 +115,14 @@ void NearPairs::sort_into_cells(std::span<const Vec3> x) {
   first_in_cell_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
   for (std::size_t k = 0; k < listed_.size(); ++k) {
     const Vec3 at = (1.0 / side) * (x[listed_[k]] - low);
-    cell_of_[k] = (static_cast<std::uint32_t>(at.x) * cells_[1] +
-                   static_cast<std::uint32_t>(at.y)) * cells_[2] +
-                  static_cast<std::uint32_t>(at.z);
+    cell_of_[k] =
+        (static_cast<std::uint32_t>(at.x) * cells_[1] + static_cast<std::uint32_t>(at.y)) *
+            cells_[2] +
+        static_cast<std::uint32_t>(at.z);
     ++first_in_cell_[cell_of_[k] + 1];
   }
-  for (std::size_t c = 1; c < first_in_cell_.size(); ++c) first_in_cell_[c] += first_in_cell_[c - 1];
+  for (std::size_t c = 1; c < first_in_cell_.size(); ++c)
+    first_in_cell_[c] += first_in_cell_[c - 1];
   next_.assign(first_in_cell_.begin(), first_in_cell_.end() - 1);
   for (auto* values : {&x_, &y_, &z_}) values->resize(listed_.size());
   slot_.resize(listed_.size());

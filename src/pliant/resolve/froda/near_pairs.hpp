@@ -60,9 +60,9 @@ class NearPairs {
   Grouped<Special> special_;                  ///< of each place, with higher ones
   std::vector<std::uint16_t> kind_;           ///< of each place, below kinds_
   std::size_t kinds_ = 0;
-  std::vector<float> square_reaches_;   ///< (kinds * kinds) of the list, Angstrom^2
-  float widest_ = 0.0F;                 ///< largest of them
-  std::vector<Slot> listed_;                 ///< places that may touch others: no copies
+  std::vector<float> square_reaches_;  ///< (kinds * kinds) of the list, Angstrom^2
+  float widest_ = 0.0F;                ///< largest of them
+  std::vector<Slot> listed_;           ///< places that may touch others: no copies
   double skin_;
   std::int64_t lists_made_ = 0;
   std::vector<Vec3> listed_at_;
