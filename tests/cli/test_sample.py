@@ -16,7 +16,17 @@ PEPTIDE = Path(__file__).parents[2] / "data" / "molecules" / "cyclic_hexapeptide
 
 def test_frames_are_written_with_what_they_were_made_with(pliant, tmp_path):
     ended = pliant(
-        "sample", PEPTIDE, "-o", "out.h5md", "--frames", 5, "--amplitude", 0.4, "--seed", 2, "--json"
+        "sample",
+        PEPTIDE,
+        "-o",
+        "out.h5md",
+        "--frames",
+        5,
+        "--amplitude",
+        0.4,
+        "--seed",
+        2,
+        "--json",
     )
     assert ended.code == 0, ended.err
     told = json.loads(ended.out)

@@ -8,7 +8,7 @@
 #include "law/technique_cases.hpp"
 
 namespace pliant {
-namespace {
+namespace nearness_law_test {
 
 constexpr double most_growth = 20.0;
 
@@ -68,5 +68,5 @@ TEST(Nearness, HoldsOnLongThinChains) {
   }
 }
 
-}  // namespace
+}  // namespace nearness_law_test
 }  // namespace pliant

@@ -3,7 +3,7 @@
 #include "law/technique_cases.hpp"
 
 namespace pliant {
-namespace {
+namespace plane_law_test {
 
 class PlaneLaw : public test::TechniqueLaw {};
 
@@ -58,5 +58,5 @@ TEST(Plane, PrismsAreMadeWholeByWhateverAutoTakes) {
   }
 }
 
-}  // namespace
+}  // namespace plane_law_test
 }  // namespace pliant

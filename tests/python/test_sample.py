@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Elastic networks beside numpy, and ensembles by numpy's own measures."""
 
-
 import numpy as np
 import pytest
 
@@ -75,7 +74,9 @@ def shared_springs(nodes):
     apart = nodes_apart(nodes)
     near = (apart < 18.0) * 1.0
     share = (near @ near) / np.sqrt(np.outer(near.sum(axis=1), near.sum(axis=1)))
-    contacts = ((6.0 / apart) ** 6 + 0.1 * (apart < 15.0)) * (share / share[apart < 8.0].mean()) ** 2
+    contacts = ((6.0 / apart) ** 6 + 0.1 * (apart < 15.0)) * (
+        share / share[apart < 8.0].mean()
+    ) ** 2
     chain = np.zeros_like(contacts)
     for k in (1, 2, 3):
         i = np.flatnonzero(apart.diagonal(k) < 4.3 * k)

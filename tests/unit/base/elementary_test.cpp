@@ -10,7 +10,7 @@
 #include "pliant/base/normal.hpp"
 
 namespace pliant {
-namespace {
+namespace elementary_test {
 
 TEST(Elementary, ExpIsThatOfTheLibraryToRounding) {
   for (double x = -690.0; x <= 690.0; x += 0.37)
@@ -42,5 +42,5 @@ TEST(Normal, HasTheMomentsOfTheNormalDistribution) {
   }
 }
 
-}  // namespace
+}  // namespace elementary_test
 }  // namespace pliant

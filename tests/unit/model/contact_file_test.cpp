@@ -6,7 +6,7 @@
 #include "pliant/base/error.hpp"
 #include "unit/molecule/made_structure.hpp"
 
-namespace pliant::testing {
+namespace pliant::contact_file_test {
 namespace {
 
 /// Two residues: N, H and two C of the one, O and C of the other.
@@ -110,4 +110,4 @@ TEST(ContactFile, AsJsonHasNullForWhatThereIsNot) {
 }
 
 }  // namespace
-}  // namespace pliant::testing
+}  // namespace pliant::contact_file_test

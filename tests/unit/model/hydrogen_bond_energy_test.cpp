@@ -8,7 +8,7 @@
 #include <numbers>
 
 namespace pliant {
-namespace {
+namespace hydrogen_bond_energy_test {
 
 constexpr double pi = std::numbers::pi, degree = pi / 180.0;
 constexpr auto sp2 = Hybridisation::sp2, sp3 = Hybridisation::sp3;
@@ -60,5 +60,5 @@ TEST(SaltBridgeEnergy, IsAWellOfTen) {
   EXPECT_EQ(salt_bridge_energy(2.1), 0.0);
 }
 
-}  // namespace
+}  // namespace hydrogen_bond_energy_test
 }  // namespace pliant

@@ -10,7 +10,7 @@
 #include "pliant/model/steric_table.hpp"
 #include "unit/molecule/made_structure.hpp"
 
-namespace pliant::testing {
+namespace pliant::model_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -137,4 +137,4 @@ TEST(UsualModel, IsToldByResidues) {
 }
 
 }  // namespace
-}  // namespace pliant::testing
+}  // namespace pliant::model_test

@@ -13,7 +13,7 @@
 #include "pliant/model/survey.hpp"
 #include "unit/molecule/made_structure.hpp"
 
-namespace pliant::testing {
+namespace pliant::prepare_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -237,4 +237,4 @@ TEST(Survey, NamesWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace pliant::testing
+}  // namespace pliant::prepare_test

@@ -10,7 +10,7 @@
 #include "support/error_text.hpp"
 #include "unit/molecule/made_structure.hpp"
 
-namespace pliant::testing {
+namespace pliant::bars_file_test {
 namespace bars_file_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -125,4 +125,4 @@ TEST(TakeBars, NamesTheFileOfALimitThatABarForbids) {
 }
 
 }  // namespace bars_file_test
-}  // namespace pliant::testing
+}  // namespace pliant::bars_file_test

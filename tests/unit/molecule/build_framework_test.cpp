@@ -7,7 +7,7 @@
 #include "pliant/base/error.hpp"
 #include "unit/molecule/made_structure.hpp"
 
-namespace pliant::testing {
+namespace pliant::build_framework_test {
 namespace build_framework_test {
 
 using ::testing::DoubleNear;
@@ -174,4 +174,4 @@ TEST(BuildFramework, RefusesASelectionOfNothing) {
 }
 
 }  // namespace build_framework_test
-}  // namespace pliant::testing
+}  // namespace pliant::build_framework_test

@@ -7,7 +7,7 @@
 #include "pliant/molecule/build_framework.hpp"
 #include "unit/molecule/made_structure.hpp"
 
-namespace pliant::testing {
+namespace pliant::planar_groups_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -96,4 +96,4 @@ TEST(PlanarGroups, AreBarsOfAnglesAfterAllOthersAndOfNothingElse) {
 }
 
 }  // namespace
-}  // namespace pliant::testing
+}  // namespace pliant::planar_groups_test

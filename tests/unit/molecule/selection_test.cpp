@@ -7,7 +7,7 @@
 #include "pliant/base/error.hpp"
 #include "unit/molecule/made_structure.hpp"
 
-namespace pliant::testing {
+namespace pliant::selection_test {
 namespace selection_test {
 
 using ::testing::ElementsAre;
@@ -132,4 +132,4 @@ TEST(Selection, ListsItsWords) {
 }
 
 }  // namespace selection_test
-}  // namespace pliant::testing
+}  // namespace pliant::selection_test

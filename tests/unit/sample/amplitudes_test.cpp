@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace pliant {
-namespace {
+namespace amplitudes_test {
 
 /// Mean 0 and covariance 1, which independent draws would miss by a tenth.
 TEST(Amplitudes, ABlockIsWhite) {
@@ -36,5 +36,5 @@ TEST(Amplitudes, DependOnSeedAndBlockAlone) {
   EXPECT_NE(redrawn_amplitudes(3, 5, 1, 20), redrawn_amplitudes(3, 5, 2, 20));
 }
 
-}  // namespace
+}  // namespace amplitudes_test
 }  // namespace pliant

@@ -6,7 +6,7 @@
 #include <cmath>
 
 namespace pliant {
-namespace {
+namespace domains_test {
 
 DenseMatrix distances_on_a_line(const std::vector<double>& x) {
   DenseMatrix d(x.size(), x.size());
@@ -40,5 +40,5 @@ TEST(ChangesOfDistances, AddUpOverModes) {
   EXPECT_NEAR(changes_of_distances(x, modes, doubled)(1, 0), 1.0, 1e-15);
 }
 
-}  // namespace
+}  // namespace domains_test
 }  // namespace pliant

@@ -8,7 +8,7 @@
 #include "pliant/base/normal.hpp"
 
 namespace pliant {
-namespace {
+namespace lowest_modes_test {
 
 /// Q D Q^T with these eigenvalues, Q some reflections; row k of `axes` belongs to value k.
 DenseMatrix with_spectrum(const std::vector<double>& values, DenseMatrix& axes) {
@@ -85,5 +85,5 @@ TEST(LowestModes, SignsAreCanonical) {
   EXPECT_EQ(v, (std::vector<double>{-0.5, 2.0, -2.0}));
 }
 
-}  // namespace
+}  // namespace lowest_modes_test
 }  // namespace pliant

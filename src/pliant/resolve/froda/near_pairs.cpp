@@ -71,6 +71,7 @@ void NearPairs::set_reaches() {
   for (double least : sterics_.least) {
     const double reach = (is_beyond ? rules_.largest() : least) + skin_ + slack;
     square_reaches_.push_back(least > 0.0 || is_beyond ? static_cast<float>(reach * reach) : 0.0F);
+    widest_ = std::max(widest_, square_reaches_.back());
   }
 }
 
@@ -172,6 +173,7 @@ void NearPairs::gather_run(std::uint32_t row, std::uint32_t low, std::uint32_t h
 void NearPairs::compare(std::size_t own) {
   const std::size_t count = near_.size();
   squares_.resize(count);
+  hits_.resize(count);
   const float *px = near_x_.data(), *py = near_y_.data(), *pz = near_z_.data();
   float* square = squares_.data();
   for (std::size_t k = 0; k < own; ++k) {
@@ -181,8 +183,13 @@ void NearPairs::compare(std::size_t own) {
       square[m] = dx * dx + dy * dy + dz * dz;
     }
     const float* reaches = square_reaches_.data() + near_kind_[k] * kinds_;
-    for (std::size_t m = k + 1; m < count; ++m)
-      if (square[m] < reaches[near_kind_[m]]) take(near_[k], near_[m]);
+    std::size_t hits = 0;
+    for (std::size_t m = k + 1; m < count; ++m) {  // no branch: which are near is anyone's guess
+      hits_[hits] = static_cast<std::uint32_t>(m);
+      hits += square[m] < widest_ ? 1 : 0;
+    }
+    for (std::size_t h = 0; h < hits; ++h)
+      if (square[hits_[h]] < reaches[near_kind_[hits_[h]]]) take(near_[k], near_[hits_[h]]);
   }
 }
 

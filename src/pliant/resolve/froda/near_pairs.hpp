@@ -61,6 +61,7 @@ class NearPairs {
   std::vector<std::uint16_t> kind_;           ///< of each place, below kinds_
   std::size_t kinds_ = 0;
   std::vector<float> square_reaches_;  ///< (kinds * kinds) of the list, Angstrom^2
+  float widest_ = 0.0F;                ///< largest of them
   std::vector<Slot> listed_;           ///< places that may touch others: no copies
   double skin_;
   std::int64_t lists_made_ = 0;
@@ -72,6 +73,7 @@ class NearPairs {
   std::vector<float> x_, y_, z_;
   std::vector<float> near_x_, near_y_, near_z_, squares_;
   std::vector<Slot> near_;
+  std::vector<std::uint32_t> hits_;
   std::vector<std::uint16_t> near_kind_, kind_at_;
   std::vector<std::uint32_t> first_of_, next_;
 };

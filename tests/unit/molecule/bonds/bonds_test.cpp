@@ -9,7 +9,7 @@
 #include "pliant/base/error.hpp"
 #include "unit/molecule/made_structure.hpp"
 
-namespace pliant::testing {
+namespace pliant::bonds_test {
 namespace bonds_test {
 
 using ::testing::ElementsAre;
@@ -289,4 +289,4 @@ TEST(PerceiveBonds, RefusesPositionsThatAreNone) {
 TEST(PerceiveBonds, TakesAnEmptyStructure) { EXPECT_THAT(perceive({}).bonds, IsEmpty()); }
 
 }  // namespace bonds_test
-}  // namespace pliant::testing
+}  // namespace pliant::bonds_test

@@ -8,7 +8,7 @@
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "unit/molecule/made_structure.hpp"
 
-namespace pliant::testing {
+namespace pliant::distance_bonds_test {
 namespace distance_bonds_test {
 
 using ::testing::ElementsAre;
@@ -151,4 +151,4 @@ TEST(DistanceBonds, CanBeSwitchedOff) {
 }
 
 }  // namespace distance_bonds_test
-}  // namespace pliant::testing
+}  // namespace pliant::distance_bonds_test
