@@ -7,6 +7,8 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::contact_file_test {
+
+using namespace test;
 namespace {
 
 /// Two residues: N, H and two C of the one, O and C of the other.

@@ -11,6 +11,8 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::model_test {
+
+using namespace test;
 namespace {
 
 using ::testing::ElementsAre;

@@ -14,6 +14,8 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::prepare_test {
+
+using namespace test;
 namespace {
 
 using ::testing::ElementsAre;

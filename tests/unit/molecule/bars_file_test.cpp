@@ -11,6 +11,8 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::bars_file_test {
+
+using namespace test;
 namespace bars_file_test {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();

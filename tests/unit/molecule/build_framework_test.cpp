@@ -8,6 +8,8 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::build_framework_test {
+
+using namespace test;
 namespace build_framework_test {
 
 using ::testing::DoubleNear;

@@ -9,7 +9,7 @@
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 
-namespace pliant::testing {
+namespace pliant::test {
 
 struct MadeAtom {
   const char* name;
@@ -80,4 +80,4 @@ inline Perceived perceive(Structure s, BondOptions options = {}) {
   return result;
 }
 
-}  // namespace pliant::testing
+}  // namespace pliant::test

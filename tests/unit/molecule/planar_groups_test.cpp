@@ -8,6 +8,8 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::planar_groups_test {
+
+using namespace test;
 namespace {
 
 using ::testing::ElementsAre;

@@ -8,6 +8,8 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::selection_test {
+
+using namespace test;
 namespace selection_test {
 
 using ::testing::ElementsAre;

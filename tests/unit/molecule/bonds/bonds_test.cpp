@@ -10,6 +10,8 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::bonds_test {
+
+using namespace test;
 namespace bonds_test {
 
 using ::testing::ElementsAre;

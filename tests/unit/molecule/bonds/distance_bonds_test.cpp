@@ -9,6 +9,8 @@
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::distance_bonds_test {
+
+using namespace test;
 namespace distance_bonds_test {
 
 using ::testing::ElementsAre;
