@@ -55,9 +55,6 @@ std::vector<TechniqueEntry> all_techniques() {
   rows.push_back({"units_nearest",
                   "units, then all hinges turned at once towards where the joints were", false,
                   false, false, make_units_nearest, nullptr, true});
-  rows.push_back({"froda",
-                  "torsions of rigid units towards the push, until limits and sterics hold", false,
-                  false, true, make_froda});
   return rows;
 }
 
