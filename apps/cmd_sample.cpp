@@ -42,8 +42,7 @@ void check_outputs(const SampleSettings& settings) {
   check_h5md_name(settings.output);
   for (const std::string& output : outputs) {
     std::error_code error;
-    if (!settings.record.overwrite &&
-        std::filesystem::is_regular_file(output, error))
+    if (!settings.record.overwrite && std::filesystem::is_regular_file(output, error))
       throw FileError(output + ": exists; --overwrite replaces it");
   }
 }

@@ -74,7 +74,8 @@ void add_file_options(CommandLine& line, MoleculeOptions& options) {
                          "PDB, mmCIF, XYZ, SDF (may be gzipped), or a graph (.xml)");
   line.add_choice("--format", options.format, names_of(formats()),
                   "pdb, mmcif, xyz or sdf (default: by extension or content)");
-  line.add_integer("--frame", options.model, 1, most_models, "number of the model, frame or record");
+  line.add_integer("--frame", options.model, 1, most_models,
+                   "number of the model, frame or record");
   line.add_opposite("--no-distance-bonds", options.guess_distances,
                     "guess no bonds from distances");
 }

@@ -19,13 +19,13 @@ struct ForeignName {
 };
 
 constexpr auto foreign_names = std::to_array<ForeignName>({
-    {".cif", "mmCIF"},     {".csv", "CSV"},       {".dcd", "DCD"},     {".ent", "PDB"},
-    {".extxyz", "XYZ"},    {".gro", "Gromos87"},  {".gz", "gzip"},     {".json", "JSON"},
-    {".mdcrd", "AMBER"},   {".mmcif", "mmCIF"},   {".mol", "MDL"},     {".mol2", "MOL2"},
-    {".nc", "NetCDF"},     {".ncdf", "NetCDF"},   {".netcdf", "NetCDF"}, {".npy", "NumPy"},
-    {".npz", "NumPy"},     {".pdb", "PDB"},       {".pdbqt", "PDBQT"}, {".sd", "SDF"},
-    {".sdf", "SDF"},       {".tng", "TNG"},       {".trj", "AMBER"},   {".trr", "TRR"},
-    {".xml", "graph XML"}, {".xtc", "XTC"},       {".xyz", "XYZ"},
+    {".cif", "mmCIF"},     {".csv", "CSV"},      {".dcd", "DCD"},       {".ent", "PDB"},
+    {".extxyz", "XYZ"},    {".gro", "Gromos87"}, {".gz", "gzip"},       {".json", "JSON"},
+    {".mdcrd", "AMBER"},   {".mmcif", "mmCIF"},  {".mol", "MDL"},       {".mol2", "MOL2"},
+    {".nc", "NetCDF"},     {".ncdf", "NetCDF"},  {".netcdf", "NetCDF"}, {".npy", "NumPy"},
+    {".npz", "NumPy"},     {".pdb", "PDB"},      {".pdbqt", "PDBQT"},   {".sd", "SDF"},
+    {".sdf", "SDF"},       {".tng", "TNG"},      {".trj", "AMBER"},     {".trr", "TRR"},
+    {".xml", "graph XML"}, {".xtc", "XTC"},      {".xyz", "XYZ"},
 });
 
 /// Where a name leads, also through a link to a file that does not exist yet.
@@ -70,8 +70,7 @@ void refuse_same_files(const std::vector<std::string>& inputs,
   for (const std::string& input : inputs) read.add(input);
   for (const std::string& output : outputs) {
     SeenFiles with_inputs = read;
-    if (!with_inputs.add(output).empty())
-      throw OptionError(output + ": is both input and output");
+    if (!with_inputs.add(output).empty()) throw OptionError(output + ": is both input and output");
     if (const std::string other = written.add(output); !other.empty())
       throw OptionError(output + ": two outputs are this one file" +
                         (other == output ? "" : ", also named " + other));
