@@ -9,6 +9,7 @@
 #include "json.hpp"
 #include "messages.hpp"
 #include "molecule_input.hpp"
+#include "output_files.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/text/output_file.hpp"
@@ -87,9 +88,9 @@ int command_forcegen(const Arguments& arguments) {
   add_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (settings.output.empty()) settings.output = default_output(settings.molecule.file);
+  refuse_same_files(inputs_of(settings.molecule), {settings.output});
   Messages messages(settings.json);
   const Molecule molecule = load(settings.molecule, messages.log());
-  refuse_same_file(settings.molecule.file, settings.output);
   write_text_file(settings.output,
                   write_force_file(force_file_of(settings, molecule.framework), molecule.framework),
                   settings.overwrite);

@@ -6,6 +6,7 @@
 #include "json.hpp"
 #include "messages.hpp"
 #include "molecule_input.hpp"
+#include "output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/order/ordering_file.hpp"
@@ -75,11 +76,11 @@ int command_order(const Arguments& arguments) {
   OrderSettings settings;
   add_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;
+  refuse_same_files(inputs_of(settings.molecule), {settings.output});
   Messages messages(settings.json);
   const Molecule molecule = load(settings.molecule, messages.log());
   const Ordering ordering = ordering_of(settings, molecule.framework);
   const std::string text = write_ordering_file(ordering, molecule.framework);
-  refuse_same_file(settings.molecule.file, settings.output);
   if (!settings.output.empty()) write_text_file(settings.output, text, settings.overwrite);
   if (settings.json) {
     print_json(settings, molecule.framework, ordering);

@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
+#include "output_files.hpp"
 #include "pliant/base/error.hpp"
 #include "print_run.hpp"
 #include "run_walkers.hpp"
@@ -26,12 +27,12 @@ std::vector<std::string> outputs_of(const RunSettings& settings) {
   return outputs;
 }
 
-/// The outputs must be none of the inputs, whatever name or link leads to them.
-void refuse_to_overwrite_inputs(const RunSettings& settings) {
-  for (const std::string& input :
-       {settings.molecule.file, settings.molecule.bars, settings.molecule.kind.contacts,
-        settings.forces, settings.ordering})
-    for (const std::string& output : outputs_of(settings)) refuse_same_file(input, output);
+/// Asked before a file is opened: no output is an input or another output.
+void check_outputs(const RunSettings& settings) {
+  std::vector<std::string> inputs = inputs_of(settings.molecule);
+  inputs.insert(inputs.end(), {settings.forces, settings.ordering});
+  refuse_same_files(inputs, outputs_of(settings));
+  check_h5md_name(settings.output);
 }
 
 /// Asked of all outputs before the first is made, so that none is left behind alone.
@@ -77,11 +78,12 @@ int command_run(const Arguments& arguments) {
   RunSettings settings;
   add_run_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;
+  name_outputs(line, settings);
+  check_outputs(settings);
   Messages messages(settings.json || settings.quiet);
   const Molecule molecule = load(settings.molecule, messages.log());
   tell_what_is_free(settings.molecule, molecule.structure, messages.log());
   complete(line, settings, molecule.framework);
-  refuse_to_overwrite_inputs(settings);
   refuse_to_replace(settings);
   settings.record.log = messages.log();
   watch_for_interrupt();

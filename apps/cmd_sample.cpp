@@ -5,6 +5,7 @@
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
+#include "output_files.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/record/topology_pdb.hpp"
@@ -35,11 +36,13 @@ H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model
 
 /// Asked of both outputs before the first is made, so that none is left behind alone.
 void check_outputs(const SampleSettings& settings) {
-  for (const std::string& output : {settings.output, settings.topology}) {
-    refuse_same_file(settings.molecule.file, output);
+  std::vector<std::string> outputs{settings.output};
+  if (settings.topology != "none") outputs.push_back(settings.topology);
+  refuse_same_files(inputs_of(settings.molecule), outputs);
+  check_h5md_name(settings.output);
+  for (const std::string& output : outputs) {
     std::error_code error;
-    if (!settings.record.overwrite && output != "none" &&
-        std::filesystem::is_regular_file(output, error))
+    if (!settings.record.overwrite && std::filesystem::is_regular_file(output, error))
       throw FileError(output + ": exists; --overwrite replaces it");
   }
 }

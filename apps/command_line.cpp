@@ -27,6 +27,14 @@ void add_parsed(CLI::App& app, const std::string& name, const std::string& type,
   app.add_option_function<std::string>(name, parse, help)->type_name(type)->default_str(fallback);
 }
 
+/// An option that stands for a file is refused without a name.
+void expect_name(CLI::Option* option, const std::string& type) {
+  if (type.find("FILE") == std::string::npos) return;
+  option->check([](const std::string& text) -> std::string {
+    return text.empty() ? "expected the name of a file, found \"\"" : "";
+  });
+}
+
 std::string wording(std::int64_t least, std::int64_t most) {
   if (most == std::numeric_limits<std::int64_t>::max())
     return fmt::format("a whole number from {}", least);
@@ -110,12 +118,12 @@ void CommandLine::add_opposite(const std::string& name, bool& value, const std::
 
 void CommandLine::add_text(const std::string& name, std::string& value, const std::string& type,
                            const std::string& help) {
-  parser_->app.add_option(name, value, help)->type_name(type);
+  expect_name(parser_->app.add_option(name, value, help)->type_name(type), type);
 }
 
 void CommandLine::add_required_text(const std::string& name, std::string& value,
                                     const std::string& type, const std::string& help) {
-  parser_->app.add_option(name, value, help)->type_name(type)->required();
+  expect_name(parser_->app.add_option(name, value, help)->type_name(type)->required(), type);
 }
 
 void CommandLine::add_integer(const std::string& name, std::int64_t& value, std::int64_t least,

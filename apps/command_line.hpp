@@ -36,7 +36,7 @@ class CommandLine {
   void add_flag(const std::string& name, bool& value, const std::string& help);
   void add_opposite(const std::string& name, bool& value, const std::string& help);
 
-  /// Any text; `type` says in the help what it stands for, such as FILE.
+  /// Any text; `type` says in the help what it stands for. The name of a FILE is not empty.
   void add_text(const std::string& name, std::string& value, const std::string& type,
                 const std::string& help);
   void add_required_text(const std::string& name, std::string& value, const std::string& type,

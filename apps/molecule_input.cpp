@@ -119,10 +119,9 @@ Molecule load(const MoleculeOptions& options, const Log& log) {
   return {std::move(structure), std::move(framework)};
 }
 
-void refuse_same_file(const std::string& input, const std::string& output) {
-  std::error_code error;
-  if (!input.empty() && std::filesystem::equivalent(input, output, error))
-    throw OptionError(output + ": is both input and output");
+std::vector<std::string> inputs_of(const MoleculeOptions& options) {
+  const bool has_bars_file = is_bars_file(bars_of(options));
+  return {options.file, has_bars_file ? options.bars : "", options.kind.contacts};
 }
 
 }  // namespace pliant::app

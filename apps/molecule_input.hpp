@@ -44,7 +44,8 @@ Structure read(const MoleculeOptions& options, const Log& log);
 /// Reads the file, perceives its bonds, builds its framework. Throws as the library does.
 Molecule load(const MoleculeOptions& options, const Log& log);
 
-/// Throws OptionError if both names lead to one file, whatever links there are.
-void refuse_same_file(const std::string& input, const std::string& output);
+/// The files that telling the molecule takes: itself, its bars, its contacts; "" where there is
+/// none.
+std::vector<std::string> inputs_of(const MoleculeOptions& options);
 
 }  // namespace pliant::app

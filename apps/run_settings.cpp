@@ -181,17 +181,20 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
   add_output_options(line, settings);
 }
 
+void name_outputs(const CommandLine& line, RunSettings& settings) {
+  if (line.was_given("--shard")) take_shard(line, settings);
+  if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
+  if (settings.topology.empty())
+    settings.topology = settings.first_walker > 0 ? "none" : default_topology(settings);
+}
+
 void complete(const CommandLine& line, RunSettings& settings, const Framework& framework) {
   if (settings.threads == 0) settings.threads = std::thread::hardware_concurrency();
   check_record_forces(settings);
-  if (line.was_given("--shard")) take_shard(line, settings);
   if (!settings.forces.empty()) take_forces(line, settings, framework);
   if (!settings.ordering.empty()) take_ordering(line, settings, framework);
   const bool is_left_to_auto = !line.was_given("--technique") && settings.ordering.empty();
   if (is_left_to_auto && line.was_given("--weighting")) settings.run.technique.name = "bfs_cycle";
-  if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
-  if (settings.topology.empty())
-    settings.topology = settings.first_walker > 0 ? "none" : default_topology(settings);
 }
 
 std::string of_walker(const RunSettings& settings, const std::string& name, std::int64_t walker) {

@@ -30,8 +30,10 @@ struct RunSettings {
 
 void add_run_options(CommandLine& line, RunSettings& settings);
 
-/// Fills in what the command line left open: output names, settings of the force file, the
-/// ordering.
+/// Fills in the numbers of the walkers and the output names that the command line left open.
+void name_outputs(const CommandLine& line, RunSettings& settings);
+
+/// Fills in what else it left open: settings of the force file, the ordering.
 void complete(const CommandLine& line, RunSettings& settings, const Framework& framework);
 
 /// The outputs of walkers [first_walker, first_walker + walkers): `name` itself if there is but one

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 import json
 
+import pytest
+
 
 def test_info_counts_as_json(pliant, ethanol):
     ended = pliant("info", ethanol, "--json")
@@ -86,3 +88,33 @@ def test_limits_and_sterics_of_a_bars_file_are_counted(pliant, tmp_path):
         "hydrophobic": 1,
         "torsion": 0,
     }
+
+
+TINKER = """     3  WATER
+{box}     1  O      0.000000    0.000000    0.000000     1     2     3
+     2  H      0.957200    0.000000    0.000000     2     1
+     3  H     -0.239988    0.926627    0.000000     2     1
+"""
+
+
+@pytest.mark.parametrize("box", ["", "    18.6  18.6  18.6  90.0  90.0  90.0\n"])
+def test_tinker_files_are_named(pliant, tmp_path, box):
+    (tmp_path / "water.xyz").write_text(TINKER.format(box=box))
+    ended = pliant("info", "water.xyz")
+    assert (ended.code, ended.out) == (1, "")
+    assert "water.xyz:1: is a Tinker XYZ file" in ended.err
+
+
+def test_a_comment_may_read_like_tinker(pliant, tmp_path):
+    (tmp_path / "water.xyz").write_text("1\n 1 O 0.0 0.0 0.0 1 2 3\nO 0 0 0\n")
+    assert pliant("info", "water.xyz").code == 0
+
+
+def test_chemical_components_are_named(pliant, tmp_path):
+    (tmp_path / "HOH.cif").write_text(
+        "data_HOH\n_chem_comp.id HOH\nloop_\n_chem_comp_atom.comp_id\n"
+        "_chem_comp_atom.atom_id\n_chem_comp_atom.type_symbol\nHOH O O\nHOH H1 H\n"
+    )
+    ended = pliant("info", "HOH.cif")
+    assert (ended.code, ended.out) == (1, "")
+    assert "no atom_site category: the definition of a chemical component" in ended.err

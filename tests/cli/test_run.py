@@ -309,3 +309,80 @@ def test_only_molecules_have_angles(pliant, tmp_path):
     assert (ended.code, ended.out) == (1, "")
     assert "bars.txt: bars angles: only molecules have angles" in ended.err
     assert pliant("run", "g.xml", "--bars", "angles").code == 2
+
+
+def paths_to_one_file(folder):
+    """Pairs of names of one file that is not there: the same, by a folder, by links."""
+    (folder / "sub").mkdir()
+    (folder / "alias").symlink_to(folder / "sub")
+    (folder / "dangling.h5md").symlink_to("sub/y.h5md")
+    (folder / "chain.h5md").symlink_to("dangling.h5md")
+    return [("y.h5md", "y.h5md"), ("y.h5md", "sub/../y.h5md"), ("sub/y.h5md", "alias/y.h5md"),
+            ("dangling.h5md", "sub/y.h5md"), ("chain.h5md", "alias/y.h5md")]  # fmt: skip
+
+
+@pytest.mark.parametrize("other", ["--record-forces", "--topology"])
+@pytest.mark.parametrize("case", range(5))
+def test_two_outputs_of_one_name_are_refused(pliant, ethanol, tmp_path, other, case):
+    one, two = paths_to_one_file(tmp_path)[case]
+    before = sorted(tmp_path.rglob("*"))
+    for first, second in ((one, two), (two, one)):
+        words = ("run", ethanol, "--steps", 3, "--overwrite", "-o", first, other, second)
+        ended = pliant(*words)
+        assert (ended.code, ended.out) == (2, "")
+        assert "two outputs are this one file" in ended.err
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_an_earlier_trajectory_survives_outputs_that_clash(pliant, ethanol, tmp_path):
+    assert pliant("run", ethanol, "--steps", 3, "-o", "x.h5md").code == 0
+    good = (tmp_path / "x.h5md").read_bytes()
+    (tmp_path / "hard.h5md").hardlink_to(tmp_path / "x.h5md")
+    for name in ("x.h5md", "hard.h5md"):
+        for option in ("--topology", "--record-forces"):
+            ended = pliant("run", ethanol, "--overwrite", "-o", "x.h5md", option, name)
+            assert ended.code == 2 and "two outputs are this one file" in ended.err
+    assert (tmp_path / "x.h5md").read_bytes() == good
+
+
+def test_files_are_compared_before_the_molecule_is_read(pliant, tmp_path):
+    (tmp_path / "bad.xyz").write_text("no molecule")
+    ended = pliant("run", "bad.xyz", "-o", "y.h5md", "--topology", "y.h5md")
+    assert ended.code == 2 and "two outputs" in ended.err
+
+
+@pytest.mark.parametrize("option", ["--forces", "--ordering", "--bars"])
+def test_no_output_is_any_input(pliant, ethanol, tmp_path, option):
+    (tmp_path / "in.txt").write_text("mine")
+    (tmp_path / "link.h5md").hardlink_to(tmp_path / "in.txt")
+    for output in ("-o", "--record-forces", "--topology"):
+        ended = pliant("run", ethanol, option, "in.txt", output, "link.h5md", "--overwrite")
+        assert ended.code == 2 and "link.h5md: is both input and output" in ended.err
+    assert (tmp_path / "in.txt").read_text() == "mine"
+
+
+FOREIGN = {"dcd": "DCD", "xtc": "XTC", "pdb": "PDB", "xyz": "XYZ", "PDB": "PDB", "trr": "TRR",
+           "nc": "NetCDF", "cif": "mmCIF"}  # fmt: skip
+
+
+@pytest.mark.parametrize("extension", FOREIGN)
+def test_a_name_of_another_format_is_refused(pliant, ethanol, tmp_path, extension):
+    ended = pliant("run", ethanol, "--steps", 2, "-o", f"out.{extension}")
+    assert (ended.code, ended.out) == (2, "")
+    assert (f"--output out.{extension}: is a name of {FOREIGN[extension]}; the trajectory is "
+            "written as H5MD: expected a name such as out.h5md\n") in ended.err  # fmt: skip
+    assert [path.name for path in tmp_path.iterdir()] == ["ethanol.xyz"]
+
+
+@pytest.mark.parametrize("name", ["out.h5md", "out.h5", "out", "out.v2"])
+def test_other_names_are_taken(pliant, ethanol, tmp_path, name):
+    assert pliant("run", ethanol, "--steps", 2, "-o", name, "--topology", "none").code == 0
+    assert (tmp_path / name).read_bytes().startswith(b"\x89HDF")
+
+
+@pytest.mark.parametrize("option", ["-o", "--topology", "--record-forces", "--forces", "--bars"])
+def test_an_empty_name_is_refused(pliant, ethanol, tmp_path, option):
+    ended = pliant("run", ethanol, option, "")
+    assert (ended.code, ended.out) == (2, "")
+    assert 'expected the name of a file, found ""' in ended.err
+    assert [path.name for path in tmp_path.iterdir()] == ["ethanol.xyz"]

@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pliant._csv_cells import harmless
 from pliant.analyse.names import atom_labels, bar_labels
 from pliant.analyse.study import known
 
@@ -62,8 +63,8 @@ def write_csv(path: Path, columns: Columns) -> None:
     ]
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow(columns)
-        writer.writerows(zip(*values, strict=True))
+        writer.writerow(map(harmless, columns))
+        writer.writerows(map(harmless, row) for row in zip(*values, strict=True))
 
 
 def frame_columns(study: Study) -> Columns:

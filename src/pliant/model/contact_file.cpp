@@ -75,11 +75,27 @@ class ContactWords {
   AtomWords names_;
 };
 
+/// Spreadsheets take a cell that begins so for a formula; an apostrophe makes it text.
+constexpr std::string_view formula_marks = "=+-@'";
+
+/// A cell of text that no spreadsheet runs.
+std::string harmless(const std::string& text) {
+  const bool is_risky = !text.empty() && formula_marks.find(text.front()) != std::string_view::npos;
+  return is_risky ? "'" + text : text;
+}
+
+/// The text that `harmless` was given.
+std::string_view without_apostrophe(std::string_view cell) {
+  const bool is_made = cell.size() > 1 && cell.front() == '\'' &&
+                       formula_marks.find(cell[1]) != std::string_view::npos;
+  return is_made ? cell.substr(1) : cell;
+}
+
 std::vector<std::string_view> cells_of(std::string_view line) {
   std::vector<std::string_view> cells;
   for (std::size_t begin = 0; begin <= line.size();) {
     const std::size_t end = std::min(line.find(',', begin), line.size());
-    cells.push_back(trimmed(line.substr(begin, end - begin)));
+    cells.push_back(without_apostrophe(trimmed(line.substr(begin, end - begin))));
     begin = end + 1;
   }
   return cells;
@@ -207,7 +223,9 @@ std::string contacts_as_csv(const std::vector<MolecularContact>& contacts,
   text.back() = '\n';
   const ContactWords words(structure);
   for (const MolecularContact& contact : contacts) {
-    for (const std::string& word : words.of(contact)) (text += word) += ',';
+    const std::vector<std::string> cells = words.of(contact);
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      (text += c <= atom_columns.size() ? harmless(cells[c]) : cells[c]) += ',';
     text.back() = '\n';
   }
   return text;

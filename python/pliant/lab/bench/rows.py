@@ -10,6 +10,8 @@ from collections.abc import Sequence
 from dataclasses import asdict, fields
 from typing import Any
 
+from pliant._csv_cells import harmless
+
 
 def write_csv(rows: Sequence[Any], path: str | os.PathLike[str]) -> None:
     """All rows under the names of their fields; what is not known is empty."""
@@ -23,6 +25,6 @@ def write_csv(rows: Sequence[Any], path: str | os.PathLike[str]) -> None:
 
 def _cell(value: object) -> object:
     if isinstance(value, (list, tuple)):
-        return "; ".join(map(str, value))
+        return harmless("; ".join(map(str, value)))
     unknown = value is None or (isinstance(value, float) and not math.isfinite(value))
-    return "" if unknown else value
+    return "" if unknown else harmless(value)

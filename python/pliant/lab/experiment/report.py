@@ -46,9 +46,10 @@ def make_report(folder: Path, choices: Choices | None = None) -> Report:
         bars, histograms = drawings.draw_all(studies, pictures)
         maps = heat_maps.draw_maps(points, table.settings, pictures) if points else {}
     asked = run_questions(folder, table.settings.seed, choices) if choices.questions else []
+    limits = sections.cannot_judge(settled, points, choices.quick)
     content = [
-        ("Claims", sections.summary(settled, bool(points))),
-        ("Reading the numbers", sections.method(table, points)),
+        ("Claims", limits + sections.summary(settled, bool(points))),
+        ("Reading the numbers", sections.method(table, points, choices.replicates)),
         ("Figures of chapter 5", document.figures(bars, wide=True)),
         ("Each claim", sections.each_claim(settled, maps)),
         ("Contradictions", sections.contradictions()),

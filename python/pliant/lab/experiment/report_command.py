@@ -98,6 +98,7 @@ def _report(arguments: argparse.Namespace) -> int:
                             "claims": sections.as_json(report.settled)})  # fmt: skip
     else:
         _print_claims(report.settled)
+        _warn_of_open(report.settled)
         print(f"\n{report.path}  ({report.seconds:.0f} s)")
     return console.EXIT_FAILED if report.failed_questions else console.EXIT_OK
 
@@ -110,6 +111,14 @@ def _print_claims(settled: Sequence[Settled]) -> None:
     for one in settled:
         table.rows.append((one.claim.id, one.word, settings_text(one), one.on_what))
     table.print()
+
+
+def _warn_of_open(settled: Sequence[Settled]) -> None:
+    """The sweep that must confirm these was too small, in this report or when it was made."""
+    left_open = [one.claim.id for one in settled if one.word == "open"]
+    if left_open:
+        console.warn(f"cannot judge {', '.join(left_open)}: the sweep has too few graphs and forces"
+                     "; remove sweep.csv and make the report without --quick")  # fmt: skip
 
 
 def _sweep(arguments: argparse.Namespace) -> int:

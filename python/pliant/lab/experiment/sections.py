@@ -13,11 +13,12 @@ from pliant.lab.experiment import document
 from pliant.lab.experiment.answer import Figure, Table
 from pliant.lab.experiment.contradictions import CONTRADICTIONS
 from pliant.lab.experiment.heat_maps import WORDS
-from pliant.lab.experiment.settled import Settled, settings_text
+from pliant.lab.experiment.settled import NEARLY_ALL, Settled, settings_text
 from pliant.lab.experiment.statistics import REPLICATES
-from pliant.lab.experiment.sweep import GRAPHS, PUSHES, QUICK_GRAPHS, Point
+from pliant.lab.experiment.sweep import GRAPHS, PUSHES, SWEEP_CSV, THESIS_FAMILIES, Point
 from pliant.lab.experiment.table import Table as Rows
-from pliant.lab.experiment.verdict import FAILS, HOLDS, Verdict
+from pliant.lab.experiment.trials import between
+from pliant.lab.experiment.verdict import CONFIDENCE, FAILS, HOLDS, OPEN, Verdict
 
 
 def subtitle(table: Rows) -> str:
@@ -31,11 +32,37 @@ def subtitle(table: Rows) -> str:
 def summary(settled: list[Settled], swept: bool) -> str:
     """How many claims hold, and the table of all."""
     words = [one.word for one in settled]
-    verbs = {"holds": "hold", "depends": "depend", "fails": "fail", "untested": "are untested"}
+    verbs = {"holds": "hold", "depends": "depend", "fails": "fail", "open": "are open",
+             "untested": "are untested"}  # fmt: skip
     counts = ", ".join(f"{words.count(w)} {verb}" for w, verb in verbs.items() if w in words)
     text = f"Of {len(settled)} claims of chapter 5: {counts}."
     return document.block(document.paragraph(text), document.table(claims_table(settled, swept),
                                                                    "claims"))  # fmt: skip
+
+
+def cannot_judge(settled: list[Settled], points: list[Point], quick: bool) -> str:
+    """What a quick report, or one on a quick sweep, does not know; "" of a full one."""
+    left_open = [one.claim.id for one in settled if one.word == OPEN]
+    texts = []
+    if left_open:
+        texts.append(
+            f"This report cannot judge {', '.join(left_open)}: they hold or fail in the table of "
+            f"this experiment, but the sweep, which must confirm that, {_sweep_size(points)}. A "
+            f"verdict takes {GRAPHS} graphs of each family and {PUSHES} forces a graph: remove "
+            f"{SWEEP_CSV} and make the report without --quick.")  # fmt: skip
+    if quick:
+        texts.append("It was asked to be quick: its open questions are answered on fewer and "
+                     "smaller graphs. It is for a look, not to be cited.")  # fmt: skip
+    return document.block(*map(document.paragraph, texts)) if texts else ""
+
+
+def _sweep_size(points: list[Point]) -> str:
+    """ "has 4 graphs of each of 3 families and 5 forces a graph", from the points themselves."""
+    graphs, pushes = ({getattr(point, name) for point in points} for name in ("graphs", "pushes"))
+    if 0 in graphs | pushes:
+        return "does not say how many graphs and forces it has"
+    return (f"has {between(graphs)} graphs of each of {len(THESIS_FAMILIES)} families and "
+            f"{between(pushes)} forces a graph")  # fmt: skip
 
 
 def claims_table(settled: list[Settled], swept: bool) -> Table:
@@ -105,7 +132,7 @@ def _statements(verdict: Verdict) -> Table:
     return made
 
 
-def method(table: Rows, points: list[Point]) -> str:
+def method(table: Rows, points: list[Point], replicates: int = REPLICATES) -> str:
     """How the numbers are to be read."""
     made = table.settings
     broken = int(np.sum(table.columns["sweeps"] == 0))
@@ -123,23 +150,22 @@ def method(table: Rows, points: list[Point]) -> str:
         f"Statistics are over the pushes that broke a bar: {broken} of {len(table)} resolves had "
         f"nothing to do and are left out. {stuck} met the limit of {made.max_sweeps} sweeps, and "
         "count as that.",
-        f"Intervals are 95 % of {REPLICATES} bootstrap replicates, in which whole graphs are drawn "
-        "with replacement. A statement holds or fails if 95 % of the replicates say what the "
-        "sample says, else it is open. A claim holds if all its statements do, fails if none does "
-        "and one fails, and else depends; over the sweep, one that holds must hold in nine tenths "
-        "of the settings, one that fails in less than a tenth.",
+        f"Intervals are 95 % of {replicates} bootstrap replicates, in which whole graphs are drawn "
+        f"with replacement. A statement holds or fails if {CONFIDENCE:.0%} of the replicates say "
+        "what the sample says, else it is open. A claim holds if all its statements do, fails if "
+        "none does and one fails, and else depends; over the sweep, one that holds must hold in "
+        f"{NEARLY_ALL:.0%} of the settings, one that fails in at most {1 - NEARLY_ALL:.0%}.",
     ]
     if points:
-        texts.append(_sweep_text(table, points))
+        texts.append(_sweep_text(points))
     return document.block(*map(document.paragraph, texts))
 
 
-def _sweep_text(table: Rows, points: list[Point]) -> str:
+def _sweep_text(points: list[Point]) -> str:
     names = ("tolerance_length", "force", "size", "box", "consecutive")
     settings = len({tuple(getattr(point, name) for name in names) for point in points})
-    return (f"The sweep has {settings} settings with up to {GRAPHS} graphs of each of three "
-            f"families and {PUSHES} forces a graph ({QUICK_GRAPHS} graphs if it was asked to be "
-            "quick): tolerance with the length of the push, the size of graphs (from mostly "
+    return (f"The sweep of {settings} settings {_sweep_size(points)}. It varies "
+            "tolerance with the length of the push, the size of graphs (from mostly "
             "cycle to mostly tree), the box, pushes from rest or in turn, and pushes in "
             "turn on small graphs such as the thesis draws. Lengths scale: only push and "
             "tolerance over the lengths of bars matter, so the box is another view on both."

@@ -13,9 +13,10 @@ from pliant.lab.experiment.heat_maps import WORDS, axes_of, shares
 from pliant.lab.experiment.settings import Settings
 from pliant.lab.experiment.statistics import Study
 from pliant.lab.experiment.sweep import TOLERANCES, Point
-from pliant.lab.experiment.verdict import DEPENDS, FAILS, HOLDS, UNTESTED, Verdict
+from pliant.lab.experiment.verdict import DEPENDS, FAILS, HOLDS, OPEN, UNTESTED, Verdict
 
 NEARLY_ALL = 0.9  #: share of the settings of the sweep in which a claim that holds must hold
+TOO_SMALL = "; whether elsewhere too, a sweep of so few graphs and pushes cannot tell"
 
 
 @dataclass
@@ -73,9 +74,15 @@ def _settings_held(points: list[Point]) -> tuple[int, int]:
 
 
 def _last_word(here: Verdict, points: list[Point], held: int, total: int) -> tuple[str, str]:
-    """Holds or fails only if the sweep agrees in nearly all of its settings."""
+    """Holds or fails only if the sweep agrees in nearly all of its settings.
+
+    A sweep that is too small leaves open what it would have to decide: so a quick report never says
+    other than a full one.
+    """
     if not total or here.word in (DEPENDS, UNTESTED):
         return here.word, here.on_what
+    if not all(point.is_full for point in points):
+        return OPEN, f"{here.word} here{TOO_SMALL}"
     if here.word == HOLDS and held < NEARLY_ALL * total:
         return DEPENDS, f"holds here, and in {held} of {total} settings of the sweep"
     most = max(_held_by(points).values())

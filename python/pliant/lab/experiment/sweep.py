@@ -6,6 +6,7 @@ from __future__ import annotations
 import csv
 import dataclasses
 import functools
+from collections import Counter
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
@@ -52,11 +53,18 @@ class Point:
     yardstick: str
     statements: int  #: 0 where no push broke a bar
     holding: int  #: of them, in the sample
+    graphs: int = 0  #: of each family, at least; 0: the file does not say
+    pushes: int = 0  #: on each graph; 0: the file does not say
 
     @property
     def size(self) -> tuple[int, int, int]:
         """As SIZES has it."""
         return self.depth, self.children, self.ring
+
+    @property
+    def is_full(self) -> bool:
+        """Of as many graphs and pushes as a verdict needs; a quick sweep's are not."""
+        return self.graphs >= GRAPHS and self.pushes >= PUSHES
 
 
 def grid(start: Settings) -> list[Settings]:
@@ -80,8 +88,8 @@ def run_sweep(
 ) -> list[Point]:  # fmt: skip
     """Runs every cell and writes ``sweep.csv`` into the folder; the same settings, the same file.
 
-    Each cell has 20 graphs of each family of the thesis and 25 forces on each (4 and 5 if `quick`)
-    and the thesis' techniques and weightings.
+    Each cell has GRAPHS graphs of each family of the thesis and PUSHES forces on each (fewer if
+    `quick`) and the thesis' techniques and weightings. Every point says how many it had.
     """
     cells = grid(_thesis(start))
     points: list[Point] = []
@@ -140,14 +148,23 @@ def points_of(table: tables.Table, joints: float) -> list[Point]:
     settings = table.settings
     studies = studies_of(Study(table, replicates=0))
     axes = {name: getattr(settings, name) for name in AXES}
+    graphs = _graphs_of_each_family(table)
     points = []
     for claim in CLAIMS:
         for yardstick in claim.yardsticks:
             statements = claim.judged(studies[yardstick]).statements
             holding = sum(bool(statement.holds[0]) for statement in statements)
             points.append(Point(**axes, joints=joints, claim=claim.id, yardstick=yardstick,
-                                statements=len(statements), holding=holding))  # fmt: skip
+                                statements=len(statements), holding=holding, graphs=graphs,
+                                pushes=settings.forces))  # fmt: skip
     return points
+
+
+def _graphs_of_each_family(table: tables.Table) -> int:
+    """Of the family that has fewest."""
+    members = zip(table.columns["class"].tolist(), table.columns["graph"].tolist(), strict=True)
+    counts = Counter(families()[kind.decode()] for kind, _ in set(members))
+    return min(counts.values())
 
 
 def _write(points: list[Point], path: Path) -> None:
@@ -164,7 +181,7 @@ def read_sweep(out: Path) -> list[Point]:
     if not path.is_file():
         return []
     types: dict[str, Callable[[str], Any]] = dict.fromkeys(
-        ("depth", "children", "ring", "statements", "holding"), int
+        ("depth", "children", "ring", "statements", "holding", "graphs", "pushes"), int
     )
     types |= {"claim": str, "yardstick": str, "consecutive": "True".__eq__}
     try:

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -144,6 +144,12 @@ def ratio_interval(
     ratios = (weights @ above) / (weights @ below)
     low, high = np.percentile(ratios, (2.5, 97.5))
     return float(above.sum() / below.sum()), float(low), float(high)
+
+
+def between(counts: Collection[int]) -> str:
+    """The smallest and the largest: "2 to 20", or "10" where all are alike."""
+    low, high = min(counts), max(counts)
+    return str(low) if low == high else f"{low} to {high}"
 
 
 def digits(value: float) -> str:

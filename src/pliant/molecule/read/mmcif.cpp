@@ -19,6 +19,7 @@ namespace {
 constexpr std::string_view atom_site = "_atom_site";
 constexpr std::string_view struct_conn = "_struct_conn";
 constexpr std::string_view component_bonds = "_chem_comp_bond";
+constexpr std::string_view component_atoms = "_chem_comp_atom";
 constexpr std::string_view structure_title = "_struct";
 
 /// The grammar knows LF and CRLF; a text with lone CRs gets LFs in `copy`, and is otherwise
@@ -31,18 +32,28 @@ std::string_view with_line_feeds(std::string_view text, std::string& copy) {
   return copy;
 }
 
+[[noreturn]] void fail_without_atoms(const CifDocument& document, const Remarks& remarks) {
+  const auto any = [&](auto is_so) {
+    return std::any_of(document.blocks.begin(), document.blocks.end(), is_so);
+  };
+  const std::string without = "no atom_site category: ";
+  if (any([](const CifBlock& block) { return block.table(component_atoms) != nullptr; }))
+    fail(remarks.place(0), without +
+                               "the definition of a chemical component (chem_comp_atom), which is "
+                               "not read; expected a structure: its SDF, or a PDBx/mmCIF entry");
+  if (any([](const CifBlock& block) { return block.has_fractions; }))
+    fail(remarks.place(0), without +
+                               "a CIF of a small molecule, with fractional coordinates, is not "
+                               "read");
+  fail(remarks.place(0), without + "no atoms");
+}
+
 /// The first data block that has atoms.
 const CifBlock& choose_block(const CifDocument& document, Remarks& remarks) {
   const auto& blocks = document.blocks;
   const auto has_atoms = [](const CifBlock& block) { return block.table(atom_site) != nullptr; };
   const auto found = std::find_if(blocks.begin(), blocks.end(), has_atoms);
-  if (found == blocks.end()) {
-    const bool small = std::any_of(blocks.begin(), blocks.end(),
-                                   [](const CifBlock& block) { return block.has_fractions; });
-    fail(remarks.place(0), small ? "no atom_site category: a CIF of a small molecule, with "
-                                   "fractional coordinates, is not read"
-                                 : "no atom_site category: no atoms");
-  }
+  if (found == blocks.end()) fail_without_atoms(document, remarks);
   if (blocks.size() > 1)
     remarks.note("data block " + pliant::quoted(found->name) + " of " +
                  std::to_string(blocks.size()) + " used");
@@ -102,7 +113,7 @@ Structure read_mmcif(const SourceText& source, const ReadOptions& options) {
   std::string copy;
   const SourceText text{source.name, with_line_feeds(source.text, copy)};
   const CifDocument document =
-      parse_cif(text, {atom_site, struct_conn, component_bonds, structure_title});
+      parse_cif(text, {atom_site, struct_conn, component_bonds, component_atoms, structure_title});
   const CifBlock& block = choose_block(document, remarks);
   return finish(read_block(document, block, options, remarks), source, "mmcif", remarks);
 }

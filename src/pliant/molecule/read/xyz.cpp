@@ -162,6 +162,35 @@ void read_frame(Frame frame, Structure& structure, Remarks& remarks) {
   }
 }
 
+/// Whether it is an atom line of Tinker: number 1, symbol, x, y, z, type of the force field.
+bool is_first_of_tinker(std::string_view line) {
+  if (next_field(line) != "1" || parse_integer(next_field(line))) return false;
+  for (int axis = 0; axis < 3; ++axis)
+    if (!parse_real(next_field(line))) return false;
+  return parse_integer(next_field(line)).has_value();
+}
+
+/// Tinker's files also begin with a count and are also named .xyz. Their atoms begin on the second
+/// line, or after a line of six numbers, the box.
+bool looks_like_tinker(std::string_view text) {
+  Lines lines(text);
+  for (int line = 1; lines.next() && line <= 3; ++line)
+    if (line > 1 && is_first_of_tinker(lines.line())) return true;
+  return false;
+}
+
+Structure read_plain_xyz(const SourceText& source, const ReadOptions& options) {
+  Remarks remarks(source.name, options.log);
+  std::size_t frame_count = 0;
+  const auto frame = find_frame(Lines(source.text), options.model, frame_count, remarks);
+  if (frame_count == 0) fail({source.name}, "has no atom count: only blank lines");
+  Structure structure;
+  take_model_count(structure, frame_count, options, "frame", remarks);
+  if (frame->atom_count == 0) fail(remarks.place(frame->first_line), "the frame has no atoms");
+  read_frame(*frame, structure, remarks);
+  return finish(std::move(structure), source, "xyz", remarks);
+}
+
 }  // namespace
 
 bool looks_like_xyz(std::string_view text) {
@@ -172,15 +201,15 @@ bool looks_like_xyz(std::string_view text) {
 }
 
 Structure read_xyz(const SourceText& source, const ReadOptions& options) {
-  Remarks remarks(source.name, options.log);
-  std::size_t frame_count = 0;
-  const auto frame = find_frame(Lines(source.text), options.model, frame_count, remarks);
-  if (frame_count == 0) fail({source.name}, "has no atom count: only blank lines");
-  Structure structure;
-  take_model_count(structure, frame_count, options, "frame", remarks);
-  if (frame->atom_count == 0) fail(remarks.place(frame->first_line), "the frame has no atoms");
-  read_frame(*frame, structure, remarks);
-  return finish(std::move(structure), source, "xyz", remarks);
+  try {
+    return read_plain_xyz(source, options);
+  } catch (const InputError&) {
+    // Not asked before: the comment of a good XYZ file may read like an atom of Tinker.
+    if (!looks_like_tinker(source.text)) throw;
+    fail({source.name, 1},
+         "is a Tinker XYZ file (numbered atoms with types and bonds), which is not read; expected "
+         "XYZ (a count, a comment, then a symbol and x y z a line), SDF or PDB");
+  }
 }
 
 }  // namespace pliant

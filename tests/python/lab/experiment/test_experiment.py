@@ -241,6 +241,14 @@ def test_a_folder_of_another_experiment_is_refused(study_folder, capsys):
     assert "holds another experiment: forces 8 there, 9 asked" in capsys.readouterr().err
 
 
+def test_an_empty_folder_is_taken(tmp_path, capsys):
+    (tmp_path / "new").mkdir()
+    words = ["--out", str(tmp_path / "new"), "--class", "tree", "--graphs", "1", "--forces", "2",
+             "--technique", "bfs_tree", "--workers", "1"]  # fmt: skip
+    assert command.main(words) == 0
+    assert (tmp_path / "new" / "table.csv").is_file()
+
+
 def test_a_folder_of_something_else_is_refused(tmp_path, capsys):
     (tmp_path / "thesis.txt").write_text("mine")
     assert command.main(["--out", str(tmp_path)]) == 2

@@ -61,6 +61,16 @@ def test_a_page_comes_out_the_same_twice(name, tmp_path):
     assert page(name).answer(tmp_path, 4, True).tables[0].rows != one.tables[0].rows
 
 
+@pytest.mark.parametrize(("graphs", "pushes"), [(3, 4), (5, 2)])
+def test_the_page_on_sizes_tells_the_pushes_that_were_made(graphs, pushes, tmp_path, monkeypatch):
+    sizes = page("sizes")
+    made = sizes.pushed_graphs
+    monkeypatch.setattr(sizes, "pushed_graphs", lambda kind, _, __, seed, **options: (
+        made(kind, graphs, pushes, seed, **options)))  # fmt: skip
+    (text,) = sizes.answer(tmp_path, 3, True).paragraphs
+    assert f"{graphs} graphs of each class and size with {pushes} pushes each" in text
+
+
 def chain(bars, angle=np.pi):
     """Unit bars in a row, each turned against the last by pi - angle in a plane."""
     turns = (np.pi - angle) * np.arange(bars)

@@ -11,7 +11,7 @@ from html.parser import HTMLParser
 from types import SimpleNamespace
 
 import pytest
-from pliant.lab.experiment import command, inquiry
+from pliant.lab.experiment import command, inquiry, sections
 from pliant.lab.experiment.answer import Answer, Figure, Table
 from pliant.lab.experiment.choices import Choices
 from pliant.lab.experiment.claims import CLAIMS, studies_of
@@ -21,6 +21,7 @@ from pliant.lab.experiment.settings import Settings
 from pliant.lab.experiment.settled import settle
 from pliant.lab.experiment.statistics import Study
 from pliant.lab.experiment.sweep import Point, grid, read_sweep, run_sweep
+from pliant.lab.experiment.sweep import points_of as sweep_points_of
 from pliant.lab.experiment.table import read
 
 THESIS_FIGURES = ["5.1", "5.3", "5.4", "5.6", "5.7", "5.9", *(f"C.{k}" for k in range(1, 16))]
@@ -97,10 +98,12 @@ def test_the_page_has_every_claim_with_a_verdict(page, report):
     texts = " ".join(page.texts)
     for claim in CLAIMS:
         assert claim.text in texts
-    assert {one.word for one in report.settled} <= {"holds", "fails", "depends"}
+    assert {one.word for one in report.settled} <= {"open", "depends"}  # of a quick sweep
     assert [one.claim.id for one in report.settled] == [claim.id for claim in CLAIMS]
     t1 = report.settled[0]
-    assert (t1.word, t1.settings_held) == ("holds", t1.settings) and t1.settings > 50
+    assert (t1.word, t1.settings_held) == ("open", t1.settings) and t1.settings > 50
+    assert "This report cannot judge T1, " in texts
+    assert "has 4 graphs of each of 3 families and 5 forces a graph" in texts
 
 
 @pytest.mark.long
@@ -131,10 +134,10 @@ def test_two_sweeps_are_the_same(tmp_path, monkeypatch):
     assert written[0] == written[1]
 
 
-def points_of(holding):
+def points_of(holding, graphs=20, pushes=25):
     """A sweep in which `holding` of two statements of T1 hold everywhere."""
-    return [Point(tolerance, 50.0, 4, 3, 8, 10.0, False, 30.0, "T1", "sweeps", 2, holding)
-            for tolerance in (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)]  # fmt: skip
+    return [Point(tolerance, 50.0, 4, 3, 8, 10.0, False, 30.0, "T1", "sweeps", 2, holding, graphs,
+                  pushes) for tolerance in (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)]  # fmt: skip
 
 
 def test_a_claim_of_no_settings_must_hold_in_nearly_all_of_them(study_folder):
@@ -143,6 +146,44 @@ def test_a_claim_of_no_settings_must_hold_in_nearly_all_of_them(study_folder):
     not_there = settle(studies, points_of(1))[0]
     assert not_there.word == "depends"
     assert not_there.on_what.startswith("holds here, and in 0 of 6 settings of the sweep")
+
+
+@pytest.mark.parametrize("size", [(4, 5), (19, 25), (20, 24), (0, 0)])
+@pytest.mark.parametrize("holding", [1, 2])
+def test_a_small_sweep_says_nothing_that_a_full_one_denies(study_folder, size, holding):
+    studies = studies_of(Study(read(study_folder), replicates=20))
+    full = settle(studies, points_of(1)) + settle(studies, points_of(2))
+    small = settle(studies, points_of(holding, *size))
+    assert small[0].word == "open"
+    assert small[0].on_what.startswith("holds here; whether elsewhere too, ")
+    for one in small[1:]:  # no sweep of these
+        assert one.word in {other.word for other in full if other.claim is one.claim}
+
+
+def test_what_a_report_cannot_judge_is_told_with_the_numbers_of_its_sweep(study_folder):
+    table = read(study_folder)
+    studies = studies_of(Study(table, replicates=20))
+    for graphs, pushes in ((4, 5), (7, 11)):
+        points = points_of(2, graphs, pushes)
+        text = sections.cannot_judge(settle(studies, points), points, quick=True)
+        size = f"has {graphs} graphs of each of 3 families and {pushes} forces a graph"
+        assert "cannot judge T1:" in text and size in text and "not to be cited" in text
+        assert f"The sweep of 6 settings {size}" in sections.method(table, points)
+    points = points_of(2, 0, 0)
+    text = sections.cannot_judge(settle(studies, points), points, quick=False)
+    assert "does not say how many graphs and forces it has" in text
+    points = points_of(2)
+    assert sections.cannot_judge(settle(studies, points), points, quick=False) == ""
+
+
+def test_the_page_tells_the_replicates_that_were_drawn(study_folder):
+    text = sections.method(read(study_folder), [], replicates=37)
+    assert "Intervals are 95 % of 37 bootstrap replicates" in text
+
+
+def test_points_of_the_sweep_count_their_graphs_and_pushes(study_folder):
+    table = read(study_folder)  # 3 graphs of each class, 8 forces on each; one class of trees
+    assert {(p.graphs, p.pushes) for p in sweep_points_of(table, 12.0)} == {(3, 8)}
 
 
 def test_questions_have_a_page_each_in_their_order(study_folder, tmp_path, monkeypatch):

@@ -17,6 +17,7 @@ from pliant.lab.experiment.answer import Answer, Figure, Table
 from pliant.lab.experiment.sweep_matrix import closing_rate, spectral_radius, sweep_matrix
 from pliant.lab.experiment.trials import (
     LIMIT,
+    PUSH,
     TOLERANCE,
     Trial,
     as_text,
@@ -181,8 +182,8 @@ def _polygon_table() -> Table:
 
 def _rate_table(found: dict[float, list[Observed]], trials: int) -> Table:
     table = Table(
-        f"{trials} pushes of random 1-cycles (both ways of making them; push 0.5 Å, tolerance "
-        f"0.01 Å, at most {LIMIT} sweeps): those that took more than one sweep.",
+        f"{trials} pushes of random 1-cycles (both ways of making them; push {PUSH:g} Å, tolerance "
+        f"{TOLERANCE:g} Å, at most {LIMIT} sweeps): those that took more than one sweep.",
         ["weighting", "pushes", "median rate", "90 % below", "largest rate", "mean sweeps",
          "sd", "most sweeps", "met the limit", "predicted / taken, median", "within a factor 1.5"],
     )  # fmt: skip

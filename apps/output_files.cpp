@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: MIT
+#include "output_files.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string_view>
+
+#include "pliant/base/error.hpp"
+
+namespace pliant::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ForeignName {
+  std::string_view extension, format;
+};
+
+constexpr auto foreign_names = std::to_array<ForeignName>({
+    {".cif", "mmCIF"},     {".csv", "CSV"},      {".dcd", "DCD"},       {".ent", "PDB"},
+    {".extxyz", "XYZ"},    {".gro", "Gromos87"}, {".gz", "gzip"},       {".json", "JSON"},
+    {".mdcrd", "AMBER"},   {".mmcif", "mmCIF"},  {".mol", "MDL"},       {".mol2", "MOL2"},
+    {".nc", "NetCDF"},     {".ncdf", "NetCDF"},  {".netcdf", "NetCDF"}, {".npy", "NumPy"},
+    {".npz", "NumPy"},     {".pdb", "PDB"},      {".pdbqt", "PDBQT"},   {".sd", "SDF"},
+    {".sdf", "SDF"},       {".tng", "TNG"},      {".trj", "AMBER"},     {".trr", "TRR"},
+    {".xml", "graph XML"}, {".xtc", "XTC"},      {".xyz", "XYZ"},
+});
+
+/// Where a name leads, also through a link to a file that does not exist yet.
+fs::path end_of_links(fs::path name) {
+  constexpr int most_links = 40;  // as systems have it: links may go in circles
+  std::error_code error;
+  for (int k = 0; k < most_links && fs::is_symlink(fs::symlink_status(name, error)); ++k)
+    name = name.parent_path() / fs::read_symlink(name, error);
+  const fs::path whole = fs::absolute(name, error);
+  const fs::path found = fs::weakly_canonical(whole, error);
+  return error ? whole.lexically_normal() : found;
+}
+
+/// Files seen so far, by where they lead; those with several names (hard links) also in a list, as
+/// no path tells that they are one.
+class SeenFiles {
+ public:
+  /// The earlier name of the same file, or "" and it is remembered.
+  std::string add(const std::string& name) {
+    std::error_code error;
+    const fs::file_status status = fs::status(name, error);
+    if (name.empty() || (fs::exists(status) && !fs::is_regular_file(status))) return {};
+    const auto [seen, is_new] = by_path_.emplace(end_of_links(name), name);
+    if (!is_new) return seen->second;
+    if (!fs::exists(status) || fs::hard_link_count(name, error) < 2) return {};
+    for (const std::string& other : linked_)
+      if (fs::equivalent(name, other, error)) return other;
+    linked_.push_back(name);
+    return {};
+  }
+
+ private:
+  std::map<fs::path, std::string> by_path_;
+  std::vector<std::string> linked_;
+};
+
+}  // namespace
+
+void refuse_same_files(const std::vector<std::string>& inputs,
+                       const std::vector<std::string>& outputs) {
+  SeenFiles read, written;
+  for (const std::string& input : inputs) read.add(input);
+  for (const std::string& output : outputs) {
+    SeenFiles with_inputs = read;
+    if (!with_inputs.add(output).empty()) throw OptionError(output + ": is both input and output");
+    if (const std::string other = written.add(output); !other.empty())
+      throw OptionError(output + ": two outputs are this one file" +
+                        (other == output ? "" : ", also named " + other));
+  }
+}
+
+void check_h5md_name(const std::string& output) {
+  std::string extension = fs::path(output).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
+  for (const ForeignName& foreign : foreign_names)
+    if (foreign.extension == extension)
+      throw OptionError("--output " + output + ": is a name of " + std::string(foreign.format) +
+                        "; the trajectory is written as H5MD: expected a name such as " +
+                        fs::path(output).replace_extension(".h5md").string());
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// What is asked of the files of a command before any of them is opened.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace pliant::app {
+
+/// Throws OptionError if an output is one of the inputs or another output, whatever names and
+/// links lead to it. Names "" are none. What exists and is no regular file, such as /dev/null, is
+/// not compared.
+void refuse_same_files(const std::vector<std::string>& inputs,
+                       const std::vector<std::string>& outputs);
+
+/// Throws OptionError if a trajectory's name promises another format than H5MD.
+void check_h5md_name(const std::string& output);
+
+}  // namespace pliant::app
