@@ -237,6 +237,7 @@ void bind_framework_class(nb::module_& module) {
           [](const Framework& self, std::int64_t bar) { return self.label(bar_at(self, bar)); },
           "bar"_a, "What messages call a bar: \"CA - CB\".")
       .def("__repr__", &framework_repr);
+  bind_limits_of_framework(framework);
   bind_framework_graph(framework);
   bind_pickling(framework);
 }
