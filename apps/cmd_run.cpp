@@ -31,8 +31,9 @@ std::vector<std::string> outputs_of(const RunSettings& settings) {
 void check_outputs(const RunSettings& settings) {
   std::vector<std::string> inputs = inputs_of(settings.molecule);
   inputs.insert(inputs.end(), {settings.forces, settings.ordering});
-  refuse_same_files(inputs, outputs_of(settings));
+  refuse_same_files(inputs, {settings.output});
   check_h5md_name(settings.output);
+  refuse_same_files(inputs, outputs_of(settings));
 }
 
 /// Asked of all outputs before the first is made, so that none is left behind alone.

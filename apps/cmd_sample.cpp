@@ -36,10 +36,11 @@ H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model
 
 /// Asked of both outputs before the first is made, so that none is left behind alone.
 void check_outputs(const SampleSettings& settings) {
+  refuse_same_files(inputs_of(settings.molecule), {settings.output});
+  check_h5md_name(settings.output);
   std::vector<std::string> outputs{settings.output};
   if (settings.topology != "none") outputs.push_back(settings.topology);
   refuse_same_files(inputs_of(settings.molecule), outputs);
-  check_h5md_name(settings.output);
   for (const std::string& output : outputs) {
     std::error_code error;
     if (!settings.record.overwrite && std::filesystem::is_regular_file(output, error))

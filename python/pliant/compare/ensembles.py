@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant._core import InputError
-from pliant.analysis.stored import StoredPositions
 from pliant.check.recording import Recording
 from pliant.check.sample import choose_frames
 from pliant.compare.pairing import Pairing
@@ -88,6 +87,8 @@ def _read_ours(recording: Recording, atoms: AtomGroup, frames: int | str) -> np.
 
 
 def _read_theirs(atoms: AtomGroup, frames: int | str, path: str | os.PathLike[str]) -> np.ndarray:
+    from pliant.analysis.stored import StoredPositions
+
     trajectory = atoms.universe.trajectory
     chosen = _chosen(len(trajectory), frames, len(atoms), path)
     stored = StoredPositions(trajectory)  # of H5MD files in the precision in which they are stored
