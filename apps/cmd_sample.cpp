@@ -6,30 +6,17 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "output_files.hpp"
-#include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/record/topology_pdb.hpp"
+#include "recorded_header.hpp"
 #include "sample_report.hpp"
 #include "sample_settings.hpp"
 
 namespace pliant::app {
 namespace {
 
-std::vector<RecordedBond> recorded_bonds(const Structure& structure) {
-  std::vector<RecordedBond> bonds;
-  bonds.reserve(structure.bonds.size());
-  for (const Bond& bond : structure.bonds)
-    bonds.push_back({bond.a, bond.b, static_cast<std::uint8_t>(bond.origin), bond.order});
-  return bonds;
-}
-
 H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model) {
-  H5mdHeader header;
-  header.bonds = recorded_bonds(model.structure);
-  header.bond_origin_names.assign(bond_origin_names.begin(), bond_origin_names.end());
-  for (std::uint8_t element : model.structure.atoms.elements)
-    header.masses.push_back(element_mass(element));
-  header.creator_version = PLIANT_VERSION;
+  H5mdHeader header = molecule_header(model.structure);
   header.parameters = parameters_of(settings);
   return header;
 }

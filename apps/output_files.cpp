@@ -77,6 +77,19 @@ void refuse_same_files(const std::vector<std::string>& inputs,
   }
 }
 
+std::string default_trajectory(const std::string& input) {
+  fs::path name = fs::path(input).filename();
+  if (name.extension() == ".gz") name = name.stem();
+  return name.stem().string() + ".h5md";
+}
+
+std::string default_topology(const std::string& output, const std::string& input) {
+  const fs::path beside = fs::path(output).replace_extension(".pdb");
+  std::error_code error;
+  if (!fs::equivalent(beside, input, error)) return beside.string();
+  return (beside.parent_path() / (beside.stem().string() + "-topology.pdb")).string();
+}
+
 void check_h5md_name(const std::string& output) {
   std::string extension = fs::path(output).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),

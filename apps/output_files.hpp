@@ -13,6 +13,12 @@ namespace pliant::app {
 void refuse_same_files(const std::vector<std::string>& inputs,
                        const std::vector<std::string>& outputs);
 
+/// The input's name in this folder: mol.h5md of data/mol.pdb.gz.
+std::string default_trajectory(const std::string& input);
+
+/// Beside the output and of its name; "mol-topology.pdb" where mol.pdb is the input.
+std::string default_topology(const std::string& output, const std::string& input);
+
 /// Throws OptionError if a trajectory's name promises another format than H5MD.
 void check_h5md_name(const std::string& output);
 

@@ -6,6 +6,7 @@
 #include <limits>
 #include <thread>
 
+#include "output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/order/ordering_file.hpp"
@@ -150,20 +151,6 @@ void check_record_forces(const RunSettings& settings) {
                       settings.run.perturb + " is not; use --perturb force");
 }
 
-fs::path stem_of(const fs::path& input) {
-  fs::path name = input.filename();
-  if (name.extension() == ".gz") name = name.stem();
-  return name.stem();
-}
-
-/// Beside the output and of its name; "mol-topology.pdb" where mol.pdb is the input.
-std::string default_topology(const RunSettings& settings) {
-  const fs::path beside = fs::path(settings.output).replace_extension(".pdb");
-  std::error_code error;
-  if (!fs::equivalent(beside, settings.molecule.file, error)) return beside.string();
-  return (beside.parent_path() / (beside.stem().string() + "-topology.pdb")).string();
-}
-
 }  // namespace
 
 void add_run_options(CommandLine& line, RunSettings& settings) {
@@ -183,9 +170,11 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
 
 void name_outputs(const CommandLine& line, RunSettings& settings) {
   if (line.was_given("--shard")) take_shard(line, settings);
-  if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
+  if (settings.output.empty()) settings.output = default_trajectory(settings.molecule.file);
   if (settings.topology.empty())
-    settings.topology = settings.first_walker > 0 ? "none" : default_topology(settings);
+    settings.topology = settings.first_walker > 0
+                            ? "none"
+                            : default_topology(settings.output, settings.molecule.file);
 }
 
 void complete(const CommandLine& line, RunSettings& settings, const Framework& framework) {

@@ -7,30 +7,16 @@
 
 #include "interrupt.hpp"
 #include "messages.hpp"
-#include "pliant/base/elements.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/record/topology_pdb.hpp"
 #include "pliant/run/ensemble.hpp"
+#include "recorded_header.hpp"
 
 namespace pliant::app {
 namespace {
 
-std::vector<RecordedBond> recorded_bonds(const Structure& structure) {
-  std::vector<RecordedBond> bonds;
-  bonds.reserve(structure.bonds.size());
-  for (const Bond& bond : structure.bonds)
-    bonds.push_back({bond.a, bond.b, static_cast<std::uint8_t>(bond.origin), bond.order});
-  return bonds;
-}
-
 H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std::int64_t walker) {
-  H5mdHeader header;
-  header.bonds = recorded_bonds(molecule.structure);
-  header.bond_origin_names.assign(bond_origin_names.begin(), bond_origin_names.end());
-  if (molecule.structure.format != "graph")
-    for (std::uint8_t element : molecule.structure.atoms.elements)
-      header.masses.push_back(element_mass(element));
-  header.creator_version = PLIANT_VERSION;
+  H5mdHeader header = molecule_header(molecule.structure);
   header.parameters = parameters_of(settings, molecule.framework, walker);
   return header;
 }

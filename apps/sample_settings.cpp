@@ -2,10 +2,10 @@
 #include "sample_settings.hpp"
 
 #include <algorithm>
-#include <filesystem>
 #include <thread>
 #include <utility>
 
+#include "output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/model/residue_nodes.hpp"
 #include "pliant/sample/elastic_network.hpp"
@@ -14,7 +14,6 @@
 namespace pliant::app {
 namespace {
 
-namespace fs = std::filesystem;
 constexpr std::int64_t most_frames = 100'000'000;
 
 void add_molecule_group(CommandLine& line, SampleSettings& settings) {
@@ -57,20 +56,6 @@ void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
 }
 
-fs::path stem_of(const fs::path& input) {
-  fs::path name = input.filename();
-  if (name.extension() == ".gz") name = name.stem();
-  return name.stem();
-}
-
-/// Beside the output and of its name; "mol-topology.pdb" where mol.pdb is the input.
-std::string default_topology(const SampleSettings& settings) {
-  const fs::path beside = fs::path(settings.output).replace_extension(".pdb");
-  std::error_code error;
-  if (!fs::equivalent(beside, settings.molecule.file, error)) return beside.string();
-  return (beside.parent_path() / (beside.stem().string() + "-topology.pdb")).string();
-}
-
 }  // namespace
 
 void add_sample_options(CommandLine& line, SampleSettings& settings) {
@@ -82,8 +67,9 @@ void add_sample_options(CommandLine& line, SampleSettings& settings) {
 void complete(SampleSettings& settings) {
   if (settings.threads == 0) settings.threads = std::max(1U, std::thread::hardware_concurrency());
   settings.sample.threads = static_cast<int>(settings.threads);
-  if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
-  if (settings.topology.empty()) settings.topology = default_topology(settings);
+  if (settings.output.empty()) settings.output = default_trajectory(settings.molecule.file);
+  if (settings.topology.empty())
+    settings.topology = default_topology(settings.output, settings.molecule.file);
   check(settings.sample);
 }
 

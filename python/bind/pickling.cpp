@@ -231,39 +231,28 @@ void make_from(Thing& self, Make&& make) {
   }
 }
 
-constexpr const char* get_signature = "def __getstate__(self) -> tuple[object, ...]";
-constexpr const char* set_signature = "def __setstate__(self, state: tuple[object, ...]) -> None";
+/// `get` makes a tuple of a thing, `set` a thing of a tuple.
+template <class Thing, class Get, class Set>
+void bind_state(nb::class_<Thing>& bound, Get get, Set set) {
+  bound.def("__getstate__", get, nb::sig("def __getstate__(self) -> tuple[object, ...]"))
+      .def(
+          "__setstate__",
+          [set](Thing& self, const nb::tuple& state) {
+            make_from(self, [&] { return Thing(set(state)); });
+          },
+          nb::sig("def __setstate__(self, state: tuple[object, ...]) -> None"));
+}
 
 }  // namespace
 
 void bind_pickling(nb::class_<Framework>& framework) {
-  framework.def("__getstate__", &framework_state, nb::sig(get_signature))
-      .def(
-          "__setstate__",
-          [](Framework& self, const nb::tuple& state) {
-            make_from(self, [&] { return Framework(parts_from(state)); });
-          },
-          nb::sig(set_signature));
+  bind_state(framework, &framework_state, &parts_from);
 }
 
 void bind_pickling(nb::class_<Structure>& structure) {
-  structure.def("__getstate__", &structure_state, nb::sig(get_signature))
-      .def(
-          "__setstate__",
-          [](Structure& self, const nb::tuple& state) {
-            make_from(self, [&] { return structure_from(state); });
-          },
-          nb::sig(set_signature));
+  bind_state(structure, &structure_state, &structure_from);
 }
 
-void bind_pickling(nb::class_<State>& state) {
-  state.def("__getstate__", &state_state, nb::sig(get_signature))
-      .def(
-          "__setstate__",
-          [](State& self, const nb::tuple& from) {
-            make_from(self, [&] { return state_from(from); });
-          },
-          nb::sig(set_signature));
-}
+void bind_pickling(nb::class_<State>& state) { bind_state(state, &state_state, &state_from); }
 
 }  // namespace pliant::python

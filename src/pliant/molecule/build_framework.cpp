@@ -3,13 +3,13 @@
 
 #include <algorithm>
 #include <cstdio>
-#include <map>
 
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/bond_lengths.hpp"
 #include "pliant/molecule/planar_groups.hpp"
 #include "pliant/molecule/selection.hpp"
+#include "pliant/molecule/stated_bars.hpp"
 
 namespace pliant {
 namespace {
@@ -134,22 +134,12 @@ class FrameworkBuilder {
 
   /// Stated bars, each in the place of the bar that its atoms have, if they have one.
   void add_stated() {
-    if (options_.stated.empty()) return;
-    std::map<std::pair<Joint, Joint>, std::size_t> bar_of;
-    for (std::size_t k = 0; k < parts_.bars.size(); ++k)
-      bar_of[std::minmax(parts_.bars[k].a, parts_.bars[k].b)] = k;
-    for (const auto& [bar, length] : options_.stated) {
-      check_atom(bar.a);
-      check_atom(bar.b);
-      const double rest = length ? *length : measured_length(bar.a, bar.b);
-      const auto at = bar_of.find(std::minmax(bar.a, bar.b));
-      if (at != bar_of.end()) {
-        parts_.rest_lengths[at->second] = rest;
-      } else {
-        parts_.bars.push_back(bar);
-        parts_.rest_lengths.push_back(rest);
-      }
+    for (const StatedBar& stated : options_.stated) {
+      check_atom(stated.bar.a);
+      check_atom(stated.bar.b);
     }
+    pliant::add_stated(
+        options_.stated, [this](Bar bar) { return measured_length(bar.a, bar.b); }, parts_);
   }
 
   /// Whether the structure shows every bar at its rest length.

@@ -5,19 +5,17 @@
 #include <map>
 
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/bars_file.hpp"
 
 namespace pliant {
-namespace {
 
-/// Each in the place of the bar that its joints have, if they have one.
-void add_stated(std::span<const StatedBar> stated, std::span<const Vec3> positions,
+void add_stated(std::span<const StatedBar> stated, const std::function<double(Bar)>& measured,
                 FrameworkParts& parts) {
+  if (stated.empty()) return;
   std::map<std::pair<Joint, Joint>, std::size_t> bar_of;
   for (std::size_t k = 0; k < parts.bars.size(); ++k)
     bar_of[std::minmax(parts.bars[k].a, parts.bars[k].b)] = k;
   for (const auto& [bar, length] : stated) {
-    const double rest = length.value_or(distance(positions[bar.a], positions[bar.b]));
+    const double rest = length ? *length : measured(bar);
     const auto [at, is_new] = bar_of.emplace(std::minmax(bar.a, bar.b), parts.bars.size());
     if (is_new) {
       parts.bars.push_back(bar);
@@ -27,6 +25,8 @@ void add_stated(std::span<const StatedBar> stated, std::span<const Vec3> positio
     }
   }
 }
+
+namespace {
 
 FrameworkParts parts_with(const Framework& framework, std::span<const Vec3> positions,
                           BarsFile file) {
@@ -38,7 +38,8 @@ FrameworkParts parts_with(const Framework& framework, std::span<const Vec3> posi
     parts.rest_lengths.clear();
   }
   parts.drawn.clear();
-  add_stated(file.stated, positions, parts);
+  add_stated(
+      file.stated, [&](Bar bar) { return distance(positions[bar.a], positions[bar.b]); }, parts);
   parts.limits = std::move(file.limits);
   if (file.sterics)
     parts.sterics = std::make_shared<const Sterics>(std::move(file.sterics->sterics));
