@@ -8,9 +8,11 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/printable.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/run/run_fields.hpp"
+#include "pliant/text/compression.hpp"
 
 namespace pliant::app {
 namespace {
@@ -98,12 +100,13 @@ void expect_settings(const CommandLine& line, const RunSettings& settings, const
          "--tolerance");
   expect(file.max_sweeps.has_value(), "--max-sweeps");
   if (!missing.empty())
-    throw InputError(settings.forces + ": does not say, so that the command line must: " + missing);
+    throw InputError(printable_name(settings.forces) +
+                     ": does not say, so that the command line must: " + missing);
 }
 
 void take_forces(const CommandLine& line, RunSettings& settings, const Framework& framework) {
   const ForceFile file = read_force_file(settings.forces, framework);
-  if (file.pushes.empty()) throw InputError(settings.forces + ": holds no push");
+  if (file.pushes.empty()) throw InputError(printable_name(settings.forces) + ": holds no push");
   expect_settings(line, settings, file);
   RunOptions& run = settings.run;
   take(line, "--timestep", file.timestep, run.perturb_options.timestep);
@@ -114,7 +117,7 @@ void take_forces(const CommandLine& line, RunSettings& settings, const Framework
   if (!line.was_given("--steps")) run.steps = static_cast<std::int64_t>(file.pushes.size());
   if (static_cast<std::size_t>(run.steps) > file.pushes.size())
     throw OptionError("--steps: expected at most " + std::to_string(file.pushes.size()) +
-                      ", the pushes in " + settings.forces);
+                      ", the pushes in " + printable_name(settings.forces));
   run.replay = file.pushes;
 }
 
@@ -151,9 +154,7 @@ void check_record_forces(const RunSettings& settings) {
 }
 
 fs::path stem_of(const fs::path& input) {
-  fs::path name = input.filename();
-  if (name.extension() == ".gz") name = name.stem();
-  return name.stem();
+  return without_compression_suffix(input.filename()).stem();
 }
 
 /// Beside the output and of its name; "mol-topology.pdb" where mol.pdb is the input.
@@ -217,6 +218,7 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
   values.insert(values.end(),
                 {{"input/file", fs::path(settings.molecule.file).filename().string()},
                  {"input/model", settings.molecule.model},
+                 {"input/select", settings.molecule.select},
                  {"input/bars", fs::path(bars_of(settings.molecule)).filename().string()},
                  {"input/lengths", settings.molecule.lengths},
                  {"input/pin", settings.molecule.pin},

@@ -10,6 +10,7 @@
 #include "pliant/model/residue_nodes.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/samplers.hpp"
+#include "pliant/text/compression.hpp"
 
 namespace pliant::app {
 namespace {
@@ -58,9 +59,7 @@ void add_output_group(CommandLine& line, SampleSettings& settings) {
 }
 
 fs::path stem_of(const fs::path& input) {
-  fs::path name = input.filename();
-  if (name.extension() == ".gz") name = name.stem();
-  return name.stem();
+  return without_compression_suffix(input.filename()).stem();
 }
 
 /// Beside the output and of its name; "mol-topology.pdb" where mol.pdb is the input.
@@ -103,11 +102,11 @@ NetworkNodes nodes_of(const MolecularModel& model) {
 std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
   const SampleOptions& sample = settings.sample;
   std::vector<NamedParameter> all{
-      {"input/file", settings.molecule.file},    {"input/model", settings.molecule.model},
-      {"sample/frames", sample.frames},          {"sample/first_frame", sample.first_frame},
-      {"sample/amplitude", sample.amplitude},    {"sample/seed", std::to_string(sample.seed)},
-      {"sample/network", sample.network},        {"sample/sampler", sample.sampler},
-      {"sample/temperature", sample.temperature}};
+      {"input/file", settings.molecule.file},       {"input/model", settings.molecule.model},
+      {"input/select", settings.molecule.select},   {"sample/frames", sample.frames},
+      {"sample/first_frame", sample.first_frame},   {"sample/amplitude", sample.amplitude},
+      {"sample/seed", std::to_string(sample.seed)}, {"sample/network", sample.network},
+      {"sample/sampler", sample.sampler},           {"sample/temperature", sample.temperature}};
   for (NamedParameter& one : parameters_of(settings.molecule.kind)) all.push_back(std::move(one));
   return all;
 }
