@@ -10,8 +10,10 @@
 #include "messages.hpp"
 #include "molecule_input.hpp"
 #include "output_files.hpp"
+#include "pliant/base/printable.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/resolve/resolve.hpp"
+#include "pliant/text/compression.hpp"
 #include "pliant/text/output_file.hpp"
 
 namespace pliant::app {
@@ -57,13 +59,13 @@ ForceFile force_file_of(const ForcegenSettings& settings, const Framework& frame
 }
 
 std::string default_output(const std::string& input) {
-  std::filesystem::path name = std::filesystem::path(input).filename();
-  if (name.extension() == ".gz") name = name.stem();
-  return name.stem().string() + "-forces.txt";
+  const std::filesystem::path name = std::filesystem::path(input).filename();
+  return without_compression_suffix(name).stem().string() + "-forces.txt";
 }
 
 void print_summary(const ForcegenSettings& settings) {
-  if (!settings.json) return fmt::print("{} pushes in {}\n", settings.count, settings.output);
+  if (!settings.json)
+    return fmt::print("{} pushes in {}\n", settings.count, printable_name(settings.output));
   print_json({{"input", settings.molecule.file},
               {"output", settings.output},
               {"pushes", settings.count},

@@ -10,6 +10,7 @@
 #include "messages.hpp"
 #include "molecule_input.hpp"
 #include "pliant/base/elements.hpp"
+#include "pliant/base/printable.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/model/survey.hpp"
 #include "pliant/molecule/planar_groups.hpp"
@@ -200,8 +201,8 @@ std::string pinned_joints(const Facts& facts) {
 
 void print_molecule_rows(const Facts& facts) {
   const Structure& structure = facts.structure;
-  fmt::print("{} ({}, model {} of {})\n", facts.options.file, structure.format, structure.model,
-             structure.model_count);
+  fmt::print("{} ({}, model {} of {})\n", printable_name(facts.options.file), structure.format,
+             structure.model, structure.model_count);
   print_row("atoms", structure.size(), listed(facts.elements));
   print_row("residues", structure.atoms.residues.size(), numbered(facts.chains, "chain", "chains"));
   print_row("bonds", structure.bonds.size(), "from " + listed(facts.bonds_by_origin));
@@ -214,7 +215,7 @@ void print_molecule_rows(const Facts& facts) {
 }
 
 void print_graph_rows(const Facts& facts) {
-  fmt::print("{} (graph)\n", facts.options.file);
+  fmt::print("{} (graph)\n", printable_name(facts.options.file));
   print_row("joints", facts.graph.joints, pinned_joints(facts));
   print_row("bars", facts.graph.bars, "");
 }

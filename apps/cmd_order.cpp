@@ -8,6 +8,7 @@
 #include "molecule_input.hpp"
 #include "output_files.hpp"
 #include "pliant/base/choices.hpp"
+#include "pliant/base/printable.hpp"
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/text/output_file.hpp"
@@ -87,7 +88,7 @@ int command_order(const Arguments& arguments) {
   } else if (settings.output.empty()) {
     fmt::print("{}", text);
   } else {
-    fmt::print("{} bars in {}\n", ordering.size(), settings.output);
+    fmt::print("{} bars in {}\n", ordering.size(), printable_name(settings.output));
   }
   return exit_ok;
 }

@@ -9,6 +9,7 @@
 #include "messages.hpp"
 #include "output_files.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/printable.hpp"
 #include "print_run.hpp"
 #include "run_walkers.hpp"
 
@@ -42,7 +43,7 @@ void refuse_to_replace(const RunSettings& settings) {
   for (const std::string& output : outputs_of(settings)) {
     std::error_code error;
     if (std::filesystem::is_regular_file(output, error))
-      throw FileError(output + ": exists; --overwrite replaces it");
+      throw FileError(printable_name(output) + ": exists; --overwrite replaces it");
   }
 }
 

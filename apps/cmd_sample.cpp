@@ -7,6 +7,7 @@
 #include "messages.hpp"
 #include "output_files.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/printable.hpp"
 #include "pliant/record/topology_pdb.hpp"
 #include "recorded_header.hpp"
 #include "sample_report.hpp"
@@ -31,7 +32,7 @@ void check_outputs(const SampleSettings& settings) {
   for (const std::string& output : outputs) {
     std::error_code error;
     if (!settings.record.overwrite && std::filesystem::is_regular_file(output, error))
-      throw FileError(output + ": exists; --overwrite replaces it");
+      throw FileError(printable_name(output) + ": exists; --overwrite replaces it");
   }
 }
 

@@ -5,6 +5,7 @@
 #include "command.hpp"
 #include "json.hpp"
 #include "messages.hpp"
+#include "pliant/base/printable.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/record/xml/write_graph_xml.hpp"
 #include "pliant/text/output_file.hpp"
@@ -56,7 +57,8 @@ void print_set(const TestSet& set) {
                kind.name, kind.graphs.size(), double(joints) / double(kind.graphs.size()),
                set.settings.forces, kind.graphs[0].heuristics.size());
   }
-  fmt::print("index           {}\n", (set.directory / test_set_paths::index_file).string());
+  fmt::print("index           {}\n",
+             printable_name((set.directory / test_set_paths::index_file).string()));
 }
 
 void write_set(StructgenSettings& settings) {

@@ -7,6 +7,7 @@
 #include "command.hpp"
 #include "external.hpp"
 #include "pliant/base/choices.hpp"
+#include "pliant/base/printable.hpp"
 
 namespace pliant::app {
 namespace {
@@ -96,7 +97,7 @@ int dispatch(const Arguments& words) {
 }
 
 int fail_with(int code, const char* message) {
-  std::fprintf(stderr, "pliant: error: %s\n", message);
+  std::fprintf(stderr, "pliant: error: %s\n", printable(message).c_str());
   return code;
 }
 

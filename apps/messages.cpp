@@ -4,13 +4,15 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "pliant/base/printable.hpp"
+
 namespace pliant::app {
 
 Log Messages::log() {
   return {[this](Severity severity, std::string_view text) {
     const bool is_warning = severity == Severity::warning;
     (is_warning ? warnings_ : notes_).emplace_back(text);
-    if (!quiet_) fmt::print(stderr, "{}: {}\n", is_warning ? "warning" : "note", text);
+    if (!quiet_) fmt::print(stderr, "{}: {}\n", is_warning ? "warning" : "note", printable(text));
   }};
 }
 

@@ -6,6 +6,7 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/model/model.hpp"
+#include "pliant/model/select_part.hpp"
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/read/read.hpp"
@@ -17,15 +18,26 @@ namespace {
 
 constexpr std::int64_t most_models = 1'000'000'000;
 
+/// All bytes of the file, expanded.
+std::string bytes_of(const MoleculeOptions& options) {
+  try {
+    return read_bytes(options.file, static_cast<std::size_t>(options.max_input) * 1'000'000);
+  } catch (const TooLargeError& error) {
+    throw OptionError(std::string(error.what()) + "; --max-input allows more");
+  }
+}
+
 /// A graph XML file: its joints and bars as they stand, each bar shown as a bond of the file.
 Molecule load_graph(const MoleculeOptions& options, const Log& log) {
   const bool has_bars_file = is_bars_file(bars_of(options));
-  if (!options.pin.empty() || options.lengths != "geometry" ||
+  if (!options.pin.empty() || !options.select.empty() || options.lengths != "geometry" ||
       (bars_of(options) != "bonds" && !has_bars_file))
     throw OptionError(
-        "--pin, --lengths and kinds of --bars are for molecules: a graph XML file says itself "
+        "--select, --pin, --lengths and kinds of --bars are for molecules: a graph XML file says "
+        "itself "
         "what is pinned, its bars and their lengths; --bars takes a bars file");
-  GraphFile graph = read_graph_xml(options.file, log);
+  const std::string bytes = bytes_of(options);
+  GraphFile graph = parse_graph_xml({options.file, without_byte_order_mark(bytes)}, log);
   if (has_bars_file)
     graph.framework = with_stated_bars(graph.framework, graph.positions, options.bars);
   Structure structure;
@@ -71,11 +83,15 @@ std::string bars_of(const MoleculeOptions& options) {
 void add_file_options(CommandLine& line, MoleculeOptions& options) {
   line.start_group("Molecule");
   line.add_required_text("input", options.file, "FILE",
-                         "PDB, mmCIF, XYZ, SDF (may be gzipped), or a graph (.xml)");
+                         "PDB, mmCIF, XYZ, SDF (also .gz, .bz2, .xz), or a graph (.xml)");
   line.add_choice("--format", options.format, names_of(formats()),
                   "pdb, mmcif, xyz or sdf (default: by extension or content)");
   line.add_integer("--frame", options.model, 1, most_models,
                    "number of the model, frame or record");
+  line.add_text("--select", options.select, "SELECTION",
+                "take these atoms only, such as \"protein\" or \"not resname HOH\"");
+  line.add_integer("--max-input", options.max_input, 1, largest_text / 1'000'000,
+                   "megabytes that the file may have, and expand to");
   line.add_opposite("--no-distance-bonds", options.guess_distances,
                     "guess no bonds from distances");
 }
@@ -96,13 +112,17 @@ void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
 }
 
 Structure read(const MoleculeOptions& options, const Log& log) {
-  ReadOptions reading{static_cast<std::size_t>(options.model), options.format, log};
-  Structure structure = read_structure(options.file, reading);
+  ReadOptions reading;
+  reading.model = static_cast<std::size_t>(options.model);
+  reading.format = options.format;
+  reading.log = log;
+  const std::string bytes = bytes_of(options);
+  Structure structure = read_structure(SourceText{options.file, bytes}, reading);
   BondOptions bonding;
   bonding.guess_distances = options.guess_distances;
   bonding.log = log;
   perceive_bonds(structure, bonding);
-  return structure;
+  return options.select.empty() ? structure : select_part(structure, options.select, log);
 }
 
 Molecule load(const MoleculeOptions& options, const Log& log) {

@@ -10,14 +10,17 @@
 #include "pliant/framework/framework.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/structure/structure.hpp"
+#include "pliant/text/file_text.hpp"
 
 namespace pliant::app {
 
 struct MoleculeOptions {
   std::string file;
   std::string format;
-  std::int64_t model = 1;  ///< which model, frame or record
-  std::string bars;        ///< "": as the kind of model says, bonds if that is left open
+  std::int64_t model = 1;                           ///< which model, frame or record
+  std::int64_t max_input = usual_text / 1'000'000;  ///< MB of the file, and of what it expands to
+  std::string select;                               ///< atoms to take; "": all
+  std::string bars;  ///< "": as the kind of model says, bonds if that is left open
   std::string lengths = "geometry";
   std::string pin;
   bool guess_distances = true;
@@ -38,10 +41,11 @@ void add_molecule_options(CommandLine& line, MoleculeOptions& options);
 /// Those of them that tell which file and how it is read.
 void add_file_options(CommandLine& line, MoleculeOptions& options);
 
-/// Reads the file and perceives its bonds. Throws as the library does.
+/// Reads the file, perceives its bonds, takes the atoms that were selected. Throws as the library
+/// does.
 Structure read(const MoleculeOptions& options, const Log& log);
 
-/// Reads the file, perceives its bonds, builds its framework. Throws as the library does.
+/// As read(), and builds its framework. Throws as the library does.
 Molecule load(const MoleculeOptions& options, const Log& log);
 
 /// The files that telling the molecule takes: itself, its bars, its contacts; "" where there is

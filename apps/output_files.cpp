@@ -8,6 +8,8 @@
 #include <string_view>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/printable.hpp"
+#include "pliant/text/compression.hpp"
 
 namespace pliant::app {
 namespace {
@@ -70,17 +72,16 @@ void refuse_same_files(const std::vector<std::string>& inputs,
   for (const std::string& input : inputs) read.add(input);
   for (const std::string& output : outputs) {
     SeenFiles with_inputs = read;
-    if (!with_inputs.add(output).empty()) throw OptionError(output + ": is both input and output");
+    if (!with_inputs.add(output).empty())
+      throw OptionError(printable_name(output) + ": is both input and output");
     if (const std::string other = written.add(output); !other.empty())
-      throw OptionError(output + ": two outputs are this one file" +
-                        (other == output ? "" : ", also named " + other));
+      throw OptionError(printable_name(output) + ": two outputs are this one file" +
+                        (other == output ? "" : ", also named " + printable_name(other)));
   }
 }
 
 std::string default_trajectory(const std::string& input) {
-  fs::path name = fs::path(input).filename();
-  if (name.extension() == ".gz") name = name.stem();
-  return name.stem().string() + ".h5md";
+  return without_compression_suffix(fs::path(input).filename()).stem().string() + ".h5md";
 }
 
 std::string default_topology(const std::string& output, const std::string& input) {
@@ -96,9 +97,10 @@ void check_h5md_name(const std::string& output) {
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   for (const ForeignName& foreign : foreign_names)
     if (foreign.extension == extension)
-      throw OptionError("--output " + output + ": is a name of " + std::string(foreign.format) +
+      throw OptionError("--output " + printable_name(output) + ": is a name of " +
+                        std::string(foreign.format) +
                         "; the trajectory is written as H5MD: expected a name such as " +
-                        fs::path(output).replace_extension(".h5md").string());
+                        printable_name(fs::path(output).replace_extension(".h5md").string()));
 }
 
 }  // namespace pliant::app

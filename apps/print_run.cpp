@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "json.hpp"
+#include "pliant/base/printable.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/techniques.hpp"
 
@@ -96,9 +97,10 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
   if (summary.unconverged_steps > 0)
     fmt::print("not converged   {}\n", unconverged_text(summary, starts_left_broken(summaries)));
   if (summary.stopped_by_caller) fmt::print("stopped early; what was recorded is whole\n");
-  if (settings.topology != "none") fmt::print("topology        {}\n", settings.topology);
+  if (settings.topology != "none")
+    fmt::print("topology        {}\n", printable_name(settings.topology));
   for (const std::string& output : outputs_of(settings, summaries))
-    fmt::print("trajectory      {}\n", output);
+    fmt::print("trajectory      {}\n", printable_name(output));
 }
 
 void print_run_json(const RunSettings& settings, const Framework& framework,

@@ -9,6 +9,7 @@
 #include "output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/base/printable.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/run/run_fields.hpp"
@@ -99,12 +100,13 @@ void expect_settings(const CommandLine& line, const RunSettings& settings, const
          "--tolerance");
   expect(file.max_sweeps.has_value(), "--max-sweeps");
   if (!missing.empty())
-    throw InputError(settings.forces + ": does not say, so that the command line must: " + missing);
+    throw InputError(printable_name(settings.forces) +
+                     ": does not say, so that the command line must: " + missing);
 }
 
 void take_forces(const CommandLine& line, RunSettings& settings, const Framework& framework) {
   const ForceFile file = read_force_file(settings.forces, framework);
-  if (file.pushes.empty()) throw InputError(settings.forces + ": holds no push");
+  if (file.pushes.empty()) throw InputError(printable_name(settings.forces) + ": holds no push");
   expect_settings(line, settings, file);
   RunOptions& run = settings.run;
   take(line, "--timestep", file.timestep, run.perturb_options.timestep);
@@ -115,7 +117,7 @@ void take_forces(const CommandLine& line, RunSettings& settings, const Framework
   if (!line.was_given("--steps")) run.steps = static_cast<std::int64_t>(file.pushes.size());
   if (static_cast<std::size_t>(run.steps) > file.pushes.size())
     throw OptionError("--steps: expected at most " + std::to_string(file.pushes.size()) +
-                      ", the pushes in " + settings.forces);
+                      ", the pushes in " + printable_name(settings.forces));
   run.replay = file.pushes;
 }
 
@@ -206,6 +208,7 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
   values.insert(values.end(),
                 {{"input/file", fs::path(settings.molecule.file).filename().string()},
                  {"input/model", settings.molecule.model},
+                 {"input/select", settings.molecule.select},
                  {"input/bars", fs::path(bars_of(settings.molecule)).filename().string()},
                  {"input/lengths", settings.molecule.lengths},
                  {"input/pin", settings.molecule.pin},

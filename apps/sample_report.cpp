@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "json.hpp"
+#include "pliant/base/printable.hpp"
 
 namespace pliant::app {
 namespace {
@@ -53,8 +54,9 @@ void print_sample_table(const SampleSettings& settings, const MolecularModel& mo
   if (summary.failed > 0)
     fmt::print("not resolved    {} frames, which are left out\n", summary.failed);
   if (summary.stopped_by_caller) fmt::print("stopped early; what was recorded is whole\n");
-  if (settings.topology != "none") fmt::print("topology        {}\n", settings.topology);
-  fmt::print("trajectory      {}\n", settings.output);
+  if (settings.topology != "none")
+    fmt::print("topology        {}\n", printable_name(settings.topology));
+  fmt::print("trajectory      {}\n", printable_name(settings.output));
 }
 
 void print_sample_json(const SampleSettings& settings, const MolecularModel& model,

@@ -89,11 +89,11 @@ NetworkNodes nodes_of(const MolecularModel& model) {
 std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
   const SampleOptions& sample = settings.sample;
   std::vector<NamedParameter> all{
-      {"input/file", settings.molecule.file},    {"input/model", settings.molecule.model},
-      {"sample/frames", sample.frames},          {"sample/first_frame", sample.first_frame},
-      {"sample/amplitude", sample.amplitude},    {"sample/seed", std::to_string(sample.seed)},
-      {"sample/network", sample.network},        {"sample/sampler", sample.sampler},
-      {"sample/temperature", sample.temperature}};
+      {"input/file", settings.molecule.file},       {"input/model", settings.molecule.model},
+      {"input/select", settings.molecule.select},   {"sample/frames", sample.frames},
+      {"sample/first_frame", sample.first_frame},   {"sample/amplitude", sample.amplitude},
+      {"sample/seed", std::to_string(sample.seed)}, {"sample/network", sample.network},
+      {"sample/sampler", sample.sampler},           {"sample/temperature", sample.temperature}};
   for (NamedParameter& one : parameters_of(settings.molecule.kind)) all.push_back(std::move(one));
   return all;
 }

@@ -7,6 +7,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/model/select_part.hpp"
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
@@ -23,14 +24,26 @@ void perceive(Structure& structure, double slack, double shortest, bool guess_di
   perceive_bonds(structure, options);
 }
 
+Structure select(const Structure& structure, std::string_view selection) {
+  const Log log = python_log();
+  const nb::gil_scoped_release no_gil;
+  return select_part(structure, selection, log);
+}
+
 ReadOptions read_options(std::int64_t model, const std::optional<std::string>& format) {
   if (model < 0) throw OptionError("model is " + std::to_string(model) + ": must be from 1");
-  return {static_cast<std::size_t>(model), format.value_or(""), python_log()};
+  ReadOptions options;
+  options.model = static_cast<std::size_t>(model);
+  options.format = format.value_or("");
+  options.log = python_log();
+  return options;
 }
 
 Structure read(const std::filesystem::path& path, std::int64_t model,
-               const std::optional<std::string>& format, bool perceive_bonds) {
-  const ReadOptions options = read_options(model, format);
+               const std::optional<std::string>& format, bool perceive_bonds,
+               std::uint64_t max_input) {
+  ReadOptions options = read_options(model, format);
+  options.max_input = max_input;
   const nb::gil_scoped_release no_gil;
   Structure structure = read_structure(path, options);
   BondOptions bonding;
@@ -87,8 +100,27 @@ OptionError
     An unknown choice, or a selection that cannot be understood.
 )";
 
+constexpr const char* select_doc =
+    R"(The atoms that a selection names, as a structure that holds no others.
+
+Parameters
+----------
+selection : str
+    In the words of MDAnalysis: ``"protein"``, ``"not resname HOH"``.
+
+Raises
+------
+OptionError
+    The selection cannot be understood, or names no atom.
+
+Warns
+-----
+PliantWarning
+    Bonds to atoms that are left out vanish.
+)";
+
 constexpr const char* read_doc =
-    R"(Reads one model of a molecule file: PDB, mmCIF, XYZ, SDF, also gzipped.
+    R"(Reads one model of a molecule file: PDB, mmCIF, XYZ, SDF, also compressed (gz, bz2, xz).
 
 Parameters
 ----------
@@ -99,6 +131,8 @@ format : str, optional
     A name in ``formats()``; default: by extension, then by content.
 perceive_bonds : bool
     Add bonds that the file does not state: residue templates, links, distances.
+max_input : int
+    Bytes that the file may have, and expand to, at most 2^32. What is larger is refused.
 
 Raises
 ------
@@ -139,10 +173,11 @@ void bind_molecule(nb::module_& module) {
            "Adds the bonds that residue templates, links and distances tell; bonds that are there "
            "stay.\n\nslack: Angstrom added to the sum of two covalent radii (Cordero et al.,\n"
            "Dalton Trans. 2008, 2832); shortest: closer atoms are not bonded.")
+      .def("select", &select, "selection"_a, select_doc)
       .def("framework", &framework_of, "bars"_a = "bonds", "lengths"_a = "geometry", "pin"_a = "",
            nb::kw_only(), "use_masses"_a = true, framework_doc);
   module.def("read", &read, "path"_a, "model"_a = 1, "format"_a = nb::none(), nb::kw_only(),
-             "perceive_bonds"_a = true, read_doc);
+             "perceive_bonds"_a = true, "max_input"_a = std::uint64_t{usual_text}, read_doc);
   module.def("read_text", &read_text, "text"_a, "name"_a = "text", "model"_a = 1,
              "format"_a = nb::none(), nb::kw_only(), "perceive_bonds"_a = true,
              "The same for text in memory; ``name`` stands in messages and gives the extension.");

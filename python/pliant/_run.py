@@ -53,6 +53,7 @@ def run(
     record_forces: str | os.PathLike[str] | None = None,
     seed: int = 0,
     walker: int = 0,
+    select: str = "",
     bars: str | os.PathLike[str] = "bonds",
     lengths: str = "geometry",
     pin: str = "",
@@ -103,6 +104,8 @@ def run(
         neither seed nor damping. It exists once the run has ended.
     seed, walker : int
         All random numbers are functions of these, the step and the joint.
+    select : str
+        Selection of atoms to take of a structure or file; `state` and `bars` count these alone.
     bars, lengths, pin : str (bars: or path)
         As for `Structure.framework`; ignored unless a structure is given.
     structure : Structure, optional
@@ -137,8 +140,16 @@ def run(
     if isinstance(framework, _core.Structure):
         if structure is not None:
             raise TypeError("run: structure is given twice")
-        structure, framework = framework, framework.framework(bars, lengths, pin)
-        built = {"input/bars": Path(bars).name, "input/lengths": lengths, "input/pin": pin}
+        structure = framework.select(select) if select else framework
+        framework = structure.framework(bars, lengths, pin)
+        built = {
+            "input/select": select,
+            "input/bars": Path(bars).name,
+            "input/lengths": lengths,
+            "input/pin": pin,
+        }
+    elif select:
+        raise TypeError("run: select is for a structure or a file of one")
     options = _options(
         replay,
         ordering,

@@ -44,7 +44,42 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Prints the one-line error and ends with exit code 2."""
         message = message.removeprefix("argument ")
-        self.exit(EXIT_USAGE, f"{self.prog}: error: {message}\n{self.prog} --help tells more\n")
+        text = f"{self.prog}: error: {printable(message)}\n{self.prog} --help tells more\n"
+        self.exit(EXIT_USAGE, text)
+
+
+def _is_foreign_byte(letter: str) -> bool:
+    """Whether it stands for a byte of a file name that is no UTF-8 (PEP 383)."""
+    return "\udc80" <= letter <= "\udcff"
+
+
+def _is_control(letter: str) -> bool:
+    return letter < " " or "\x7f" <= letter < "\xa0"
+
+
+def _escaped(text: str, kept: str) -> str:
+    def one(letter: str) -> str:
+        if _is_foreign_byte(letter):
+            return f"\\x{ord(letter) - 0xDC00:02x}"
+        if not _is_control(letter) or letter in kept:
+            return letter
+        return "".join(f"\\x{byte:02x}" for byte in letter.encode())
+
+    return "".join(one(letter) for letter in text)
+
+
+def printable(text: str) -> str:
+    r"""`text` with control characters (but tab and line end) as \xNN: no orders to a terminal."""
+    return _escaped(text, "\t\n")
+
+
+def printable_name(path: str | os.PathLike[str]) -> str:
+    r"""A file's name as it is, or in double quotes with \xNN for what a terminal would obey."""
+    name = os.fspath(path)
+    escaped = _escaped(name, "")
+    if escaped == name and '"' not in name:
+        return name
+    return '"' + escaped.replace('"', '\\"') + '"'
 
 
 def whole_number(least: int, *names: str, most: int | None = None) -> Callable[[str], int | str]:
@@ -99,13 +134,13 @@ def run_command(command: str, work: Callable[[], int]) -> int:
         sys.stdout.flush()
         return code
     except (OptionError, MissingPackageError) as error:
-        print(f"pliant {command}: error: {error}", file=sys.stderr)
+        print(f"pliant {command}: error: {printable(str(error))}", file=sys.stderr)
         return EXIT_USAGE
     except (Error, OSError) as error:
         if isinstance(error, BrokenPipeError):  # the reader of our output has gone
             os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
             return EXIT_FAILED
-        print(f"pliant {command}: error: {error}", file=sys.stderr)
+        print(f"pliant {command}: error: {printable(str(error))}", file=sys.stderr)
         return EXIT_FAILED
     except KeyboardInterrupt:
         print(f"pliant {command}: interrupted", file=sys.stderr)
@@ -129,7 +164,10 @@ def plain(value: Any) -> Any:
 
 def print_json(value: Any) -> None:
     """Prints one JSON object."""
-    print(json.dumps(plain(value), indent=2, allow_nan=False, ensure_ascii=False))
+    text = json.dumps(plain(value), indent=2, allow_nan=False, ensure_ascii=False)
+    if any(_is_foreign_byte(letter) for letter in text):
+        text = json.dumps(plain(value), indent=2, allow_nan=False)
+    print(text)
 
 
 @dataclass
@@ -184,12 +222,12 @@ def _style(cell: str) -> str:
 
 def note(text: str) -> None:
     """Says something beside the result, on stderr."""
-    print(f"note: {text}", file=sys.stderr)
+    print(f"note: {printable(text)}", file=sys.stderr)
 
 
 def warn(text: str) -> None:
     """Says that something is not as expected, on stderr."""
-    print(f"warning: {text}", file=sys.stderr)
+    print(f"warning: {printable(text)}", file=sys.stderr)
 
 
 BAR = 24  #: characters of a progress bar

@@ -13,6 +13,7 @@ import h5py
 import numpy as np
 
 from pliant import _hdf5
+from pliant._chains import NO_CHAIN
 from pliant._core import InputError
 from pliant._extras import needed_by
 
@@ -159,8 +160,7 @@ def _segments(
     """Names of the segments, one a chain in order of appearance, and each residue's segment."""
     order = {chain: index for index, chain in enumerate(dict.fromkeys(chains))}
     segment_of = np.array([order[chain] for chain in chains], dtype=np.intp)
-    # MDAnalysis' word for a system without chains.
-    names = ["SYSTEM"] if list(order) == [""] else list(order)
+    names = [NO_CHAIN] if list(order) == [""] else list(order)
     return np.array(names, dtype=object), segment_of
 
 

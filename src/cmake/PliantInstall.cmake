@@ -39,6 +39,16 @@ install(FILES
   ${CMAKE_CURRENT_LIST_DIR}/PliantDependencies.cmake
   DESTINATION ${package_folder} COMPONENT library)
 
+set(pliant_optional_libraries "")  # by name: not every system tells pkg-config of libbz2
+foreach(pair BZip2:-lbz2 LibLZMA:-llzma)
+  string(REPLACE ":" ";" pair ${pair})
+  list(GET pair 0 package)
+  list(GET pair 1 library)
+  if(package IN_LIST pliant_optional)
+    string(APPEND pliant_optional_libraries " ${library}")
+  endif()
+endforeach()
+
 # Wherever the prefix is moved to, pkg-config finds it from the folder of these files.
 file(RELATIVE_PATH prefix_from_pkgconfig
   ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})

@@ -16,7 +16,7 @@
 #include "pliant/base/version.hpp"    // of this library
 
 // text: files
-#include "pliant/text/file_text.hpp"    // the text of a file, gzip undone
+#include "pliant/text/file_text.hpp"    // the text of a file, expanded
 #include "pliant/text/output_file.hpp"  // files that are there whole or not at all
 
 // molecule: files to structures, structures to frameworks
@@ -36,6 +36,7 @@
 #include "pliant/model/model.hpp"                 // the model of a molecule
 #include "pliant/model/prepare.hpp"               // waters out, hydrogens in
 #include "pliant/model/protonation.hpp"           // forms of residues
+#include "pliant/model/select_part.hpp"           // the atoms that a selection names
 #include "pliant/model/steric_table.hpp"          // least distances of atoms
 #include "pliant/model/survey.hpp"                // what there is and what is missing
 #include "pliant/model/tethers.hpp"               // hydrophobic tethers, metals

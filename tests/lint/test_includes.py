@@ -43,7 +43,7 @@ WINGS = {
 # Libraries that stay behind .cpp files, so that users of our headers need not have them.
 PRIVATE_LIBRARIES = re.compile(
     r"(hdf5|H5\w+)\.h|(gemmi|Eigen|fmt|nlohmann|CLI|nanobind|gtest|gmock|rapidcheck)/|pugi\w+\.hpp|"
-    r"zlib\.h|CLI11?\.hpp"
+    r"(zlib|bzlib|lzma)\.h|CLI11?\.hpp"
 )
 
 INCLUDE = re.compile(r'\s*#\s*include\s*([<"])([^>"]+)[>"]')

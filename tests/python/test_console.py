@@ -2,8 +2,11 @@
 """What the subcommands written in Python share."""
 
 import argparse
+import importlib
 import io
 import json
+import os
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -109,3 +112,41 @@ def test_no_command_begins_thousands_of_processes(text, capsys):
         parse(text)
     assert str(refused.value) == f"expected a whole number from 1 to 1024, found '{text}'"
     assert parse("1024") == 1024
+
+
+@pytest.mark.parametrize(
+    ("text", "printed"),
+    [
+        ("a b", "a b"),
+        ("Müller 水", "Müller 水"),
+        ("\x1b[2J\x07", "\\x1b[2J\\x07"),
+        ("\x9b2J\x7f\r", "\\xc2\\x9b2J\\x7f\\x0d"),
+        (os.fsdecode(b"\xff"), "\\xff"),
+    ],
+)
+def test_names_of_files_give_terminals_no_orders(text, printed):
+    assert console.printable(f"x\n{text}\t") == f"x\n{printed}\t"
+    assert console.printable_name(text) == (text if text == printed else f'"{printed}"')
+
+
+def test_names_with_line_ends_and_quotes_are_quoted():
+    assert console.printable_name("a\nb") == '"a\\x0ab"'
+    assert console.printable_name(Path('say "hi"')) == '"say \\"hi\\""'
+
+
+@pytest.mark.parametrize("command", ["check", "analyse", "compare"])
+def test_errors_name_such_a_file_safely(command, tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    name = "\x1b]0;owned\x07.h5md"
+    Path(name).write_bytes(b"no HDF5")
+    words = [name, name] if command == "compare" else [name]
+    assert importlib.import_module(f"pliant.{command}.command").main(words) == 1
+    said = capsys.readouterr().err
+    assert "\\x1b]0;owned\\x07.h5md" in said
+    assert "\x1b" not in said and "\x07" not in said
+    assert said.count("\n") == 1
+
+
+def test_json_holds_names_that_are_no_utf8(capsys):
+    console.print_json({"file": os.fsdecode(b"a\xff")})
+    assert json.loads(capsys.readouterr().out) == {"file": "a\udcff"}

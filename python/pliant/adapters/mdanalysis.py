@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any, cast
 import numpy as np
 import numpy.typing as npt
 
+from pliant._chains import chain_of
 from pliant._core import Framework, InputError, PliantWarning, Structure
 from pliant._extras import need
 
@@ -103,7 +104,7 @@ def _chains(group: Any) -> list[str] | None:
     if chains is not None and any(chains):
         return chains
     segments = _texts(group, "segids")
-    return segments and ["" if name == "SYSTEM" else name for name in segments]
+    return segments and [chain_of(name) for name in segments]
 
 
 def _elements(group: Any) -> list[str] | None:

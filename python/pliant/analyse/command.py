@@ -18,6 +18,7 @@ from pliant.console import (
     Parser,
     note,
     print_json,
+    printable_name,
     run_command,
     whole_number,
 )
@@ -155,7 +156,7 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
     for label, key, text in rows:
         if key in summary:
             print(f"{label:<16}{text.format(summary[key])}")
-    print(f"report          {summary['outputs']['report']}")
+    print(f"report          {printable_name(summary['outputs']['report'])}")
 
 
 if __name__ == "__main__":

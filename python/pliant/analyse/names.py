@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant._chains import chain_of
+
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
     from MDAnalysis.core.groups import ResidueGroup
@@ -37,8 +39,7 @@ def residue_labels(residues: ResidueGroup) -> list[str]:
 
 def chains_of(residues: AtomGroup | ResidueGroup) -> np.ndarray:
     """Chain of each residue as an array of text; "" where there is none."""
-    chains = np.array([str(s) for s in getattr(residues, "segids", [""] * len(residues))])
-    return np.where(chains == "SYSTEM", "", chains)
+    return np.array([chain_of(s) for s in getattr(residues, "segids", [""] * len(residues))])
 
 
 def numbers_of(group: AtomGroup | ResidueGroup) -> np.ndarray:

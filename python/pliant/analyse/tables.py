@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant._csv_cells import harmless
-from pliant.analyse.names import atom_labels, bar_labels
+from pliant.analyse.names import atom_labels, bar_labels, chains_of
 from pliant.analyse.study import known
 
 if TYPE_CHECKING:
@@ -133,8 +133,9 @@ def atom_columns(study: Study) -> Columns:
 
 def _residue_columns_of(group: AtomGroup | ResidueGroup) -> Columns:
     """Name, number and chain of the residue of each atom, or of each residue."""
-    attributes = {"residue_name": "resnames", "residue_number": "resids", "chain": "segids"}
-    return {name: getattr(group, a) for name, a in attributes.items() if hasattr(group, a)}
+    attributes = {"residue_name": "resnames", "residue_number": "resids"}
+    columns = {name: getattr(group, a) for name, a in attributes.items() if hasattr(group, a)}
+    return columns | ({"chain": chains_of(group)} if hasattr(group, "segids") else {})
 
 
 def residue_columns(study: Study) -> Columns:

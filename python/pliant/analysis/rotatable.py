@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 import numpy.typing as npt
 
+from pliant._chains import chain_of
+
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup, Universe
 
@@ -180,7 +182,7 @@ class _Namer:
         if len(self._residues) == 1:
             return what
         owner = self._residues[residue]
-        chain = str(getattr(owner, "segid", ""))
+        chain = chain_of(getattr(owner, "segid", ""))
         prefix = f"{chain}:" if chain and self._several_chains else ""
         number = getattr(owner, "resid", residue + 1)
         return f"{prefix}{getattr(owner, 'resname', '')}{number} {what}"

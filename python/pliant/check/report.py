@@ -8,7 +8,7 @@ import math
 from pliant.check.check_report import CheckReport
 from pliant.check.contest import Method, Result
 from pliant.check.findings import CANNOT, FAILED, Finding
-from pliant.console import Table
+from pliant.console import Table, printable_name
 
 
 def time_text(seconds: float) -> str:
@@ -24,7 +24,7 @@ def time_text(seconds: float) -> str:
 def print_report(report: CheckReport) -> None:
     """Prints the report on stdout."""
     recording = report.recording
-    print(f"{recording.path}: {_headline(report)}\n")
+    print(f"{printable_name(recording.path)}: {_headline(report)}\n")
     _checks_table(report.findings).print()
     if report.methods:
         print()
@@ -37,7 +37,7 @@ def print_report(report: CheckReport) -> None:
         print("\nnotes")
         print("\n".join(f"  {note}" for note in notes))
     if report.picture:
-        print(f"\npicture  {report.picture}")
+        print(f"\npicture  {printable_name(report.picture)}")
     print(f"\n{conclusion(report)}")
 
 

@@ -10,7 +10,7 @@ import numpy as np
 
 from pliant import _core
 from pliant.compare.comparison_report import ComparisonReport, Fluctuations
-from pliant.console import Table
+from pliant.console import Table, printable_name
 
 MOST_TORSIONS = 40  #: rows that the table shows
 
@@ -18,8 +18,8 @@ MOST_TORSIONS = 40  #: rows that the table shows
 def print_report(report: ComparisonReport) -> None:
     """Prints the report on stdout."""
     ensembles = report.ensembles
-    print(f"ours    {ensembles.recording.path}: {_frames(len(ensembles.ours))}")
-    print(f"theirs  {report.theirs_path}: {_frames(len(ensembles.theirs))}")
+    print(f"ours    {printable_name(ensembles.recording.path)}: {_frames(len(ensembles.ours))}")
+    print(f"theirs  {printable_name(report.theirs_path)}: {_frames(len(ensembles.theirs))}")
     print(f"{len(ensembles.atoms)} atoms, {report.modes.atoms} of them fitted\n")
     _summary_table(report).print()
     if report.torsions:
@@ -29,7 +29,7 @@ def print_report(report: ComparisonReport) -> None:
         print("\nnotes")
         print("\n".join(f"  {note}" for note in report.notes))
     for path in report.pictures:
-        print(f"\npicture  {path}" if path == report.pictures[0] else f"picture  {path}")
+        print(("\n" if path == report.pictures[0] else "") + f"picture  {printable_name(path)}")
 
 
 def _frames(count: int) -> str:

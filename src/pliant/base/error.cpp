@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/base/error.hpp"
 
+#include "pliant/base/printable.hpp"
+
 namespace pliant {
 
 std::string at(const Place& place, std::string_view message) {
-  std::string text(place.file);
+  std::string text = printable_name(place.file);
   if (place.line > 0) text += ":" + std::to_string(place.line);
   return text.append(": ").append(message);
 }

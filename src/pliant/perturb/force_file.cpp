@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "pliant/base/number.hpp"
+#include "pliant/base/printable.hpp"
 #include "pliant/base/words.hpp"
 #include "pliant/framework/joint_names.hpp"
 
@@ -133,10 +134,10 @@ ForceFile parse_force_file(std::string_view text, std::string_view file_name,
 ForceFile read_force_file(const std::filesystem::path& path, const Framework& framework) {
   std::error_code error;
   if (!std::filesystem::is_regular_file(path, error))
-    throw FileError(path.string() +
+    throw FileError(printable_name(path.string()) +
                     ": cannot be read: " + (error ? error.message() : "not a regular file"));
   std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw FileError(path.string() + ": cannot be opened for reading");
+  if (!stream) throw FileError(printable_name(path.string()) + ": cannot be opened for reading");
   const std::string text{std::istreambuf_iterator<char>(stream), {}};
   return parse_force_file(text, path.string(), framework);
 }

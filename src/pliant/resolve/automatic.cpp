@@ -47,6 +47,21 @@ bool has_hubs(const Framework& framework) {
   return false;
 }
 
+/// Whether a component has joints that move and several that do not: bars between pinned joints
+/// are not free to follow a pass. Components that are pinned as a whole stand still and bind none.
+bool has_bound_component(const Framework& framework) {
+  if (framework.pinned_count() <= 1) return false;
+  const Components components = find_components(framework);
+  std::vector<std::size_t> pinned(components.count, 0), all(components.count, 0);
+  for (Joint joint = 0; joint < framework.joint_count(); ++joint) {
+    ++all[components.of_node[joint]];
+    pinned[components.of_node[joint]] += framework.is_pinned(joint) ? 1 : 0;
+  }
+  for (std::size_t c = 0; c < components.count; ++c)
+    if (pinned[c] > 1 && pinned[c] < all[c]) return true;
+  return false;
+}
+
 std::string counted(std::size_t number, const char* what) {
   return std::to_string(number) + " " + what + (number == 1 ? "" : "s");
 }
@@ -155,9 +170,10 @@ Choice choose_technique(const Framework& framework, const Technique& asked) {
   if (!framework.has_bars_only())
     return chosen("anderson", asked, "limits beside the bars: sweeps know them, accelerated");
   const GraphFacts facts = graph_facts(framework);
-  if (facts.is_forest() && framework.pinned_count() <= 1)
+  const bool is_bound = has_bound_component(framework);
+  if (facts.is_forest() && !is_bound)
     return chosen("blocks", asked, "the bars close no cycle: one outward pass makes them whole");
-  if (framework.pinned_count() > 1)
+  if (is_bound)
     return chosen("newton", asked, "several joints are pinned: all bars are solved together");
   if (has_hubs(framework))
     return chosen("anderson", asked, "joints of many bars: sweeps, accelerated");

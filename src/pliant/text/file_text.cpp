@@ -6,18 +6,18 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
 #include <cerrno>
 #include <system_error>
 
 #include "pliant/base/error.hpp"
-#include "pliant/text/gzip.hpp"
+#include "pliant/base/printable.hpp"
+#include "pliant/text/compression.hpp"
 
 namespace pliant {
 namespace {
 
 [[noreturn]] void fail_to_read(const std::string& name, std::string_view reason) {
-  throw FileError("cannot read " + name + ": " + std::string(reason));
+  throw FileError("cannot read " + printable_name(name) + ": " + std::string(reason));
 }
 
 [[noreturn]] void fail_by_errno(const std::string& name) {
@@ -60,15 +60,16 @@ class OpenFile {
   int descriptor_ = -1;
 };
 
-void check_size(std::size_t size, const std::string& name) {
-  if (size > largest_text)
-    fail({name}, "is larger than " + std::to_string(largest_text) + " bytes, which is refused");
+void check_size(std::size_t size, const std::string& name, std::size_t most) {
+  if (size > most)
+    throw TooLargeError(
+        at({name}, "is larger than " + megabytes(most) + ", the most that is read"));
 }
 
-std::string read_raw(const std::string& name) {
+std::string read_raw(const std::string& name, std::size_t most) {
   const OpenFile file(name);
   const std::size_t expected = file.expected_size();
-  check_size(expected, name);
+  check_size(expected, name, most);
   std::string bytes;
   bytes.reserve(expected + 1);
   for (std::size_t size = 0;;) {
@@ -77,25 +78,8 @@ std::string read_raw(const std::string& name) {
     const std::size_t got = file.read(bytes.data() + size, room);
     bytes.resize(size += got);
     if (got == 0) return bytes;
-    check_size(size, name);
+    check_size(size, name, most);
   }
-}
-
-void refuse_other_compressions(std::string_view bytes, const std::string& name) {
-  using namespace std::string_view_literals;
-  struct Magic {
-    std::string_view bytes, name;
-  };
-  constexpr std::array<Magic, 5> magics{{{"BZh"sv, "bzip2"},
-                                         {"\xfd"
-                                          "7zXZ\0"sv,
-                                          "xz"},
-                                         {"\x28\xb5\x2f\xfd"sv, "zstd"},
-                                         {"\x1f\x9d"sv, "compress"},
-                                         {"PK\x03\x04"sv, "zip"}}};
-  for (const Magic& magic : magics)
-    if (bytes.starts_with(magic.bytes))
-      fail({name}, "is compressed with " + std::string(magic.name) + ": only gzip is read");
 }
 
 /// Bytes that no text holds: NUL and control characters, but tab, line ends, form feed, and the
@@ -121,12 +105,18 @@ void refuse_wide_encodings(const SourceText& source) {
 
 }  // namespace
 
-std::string read_bytes(const std::filesystem::path& path) {
+std::string read_bytes(const std::filesystem::path& path, std::size_t most) {
   const std::string name = path.string();
-  std::string bytes = read_raw(name);
-  if (is_gzip(bytes)) return gunzip(bytes, name);
-  refuse_other_compressions(bytes, name);
+  std::string bytes = read_raw(name, most);
+  if (const Compression* compression = compression_of(bytes))
+    return expand(*compression, bytes, name, most);
   return bytes;
+}
+
+std::string megabytes(std::size_t bytes) {
+  constexpr std::size_t one = 1000000;
+  const bool is_whole = bytes >= one && bytes % one == 0;
+  return is_whole ? std::to_string(bytes / one) + " MB" : std::to_string(bytes) + " bytes";
 }
 
 std::string_view without_byte_order_mark(std::string_view text) {

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// From a path to text that can be read: bytes in bounded memory, gzip undone, encodings told.
+// From a path to text that can be read: bytes in bounded memory, compression undone, encodings
+// told.
 #pragma once
 
 #include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
+
+#include "pliant/base/error.hpp"
 
 namespace pliant {
 
@@ -15,14 +18,26 @@ struct SourceText {
   std::string_view text;  ///< all of it, without a UTF-8 byte order mark
 };
 
-/// Files (and what gzip inflates to) beyond this are refused: 4 GiB, 1 GiB where addresses have 32
-/// bits.
+/// The input is larger than the caller allows: whether it is wrong was not looked at.
+class TooLargeError : public InputError {
+ public:
+  using InputError::InputError;
+};
+
+/// Bytes of a file, and of what it expands to, beyond which it is refused unless a caller says
+/// otherwise: 2 GB, 1 GB where addresses have 32 bits. And the most that a caller may say.
+inline constexpr std::size_t usual_text =
+    std::size_t{sizeof(std::size_t) > 4 ? 2u : 1u} * 1000000000;
 inline constexpr std::size_t largest_text = std::size_t{1} << (sizeof(std::size_t) > 4 ? 32 : 30);
 
-/// All bytes of a regular file, pipe or socket, gzip undone (by its magic bytes).
-/// Throws FileError with the system's reason, for directories and devices too; InputError for more
-/// than largest_text bytes, other compressions and damaged gzip.
-std::string read_bytes(const std::filesystem::path& path);
+/// All bytes of a regular file, pipe or socket, gzip, bzip2 and xz undone (by their magic bytes).
+/// Throws FileError with the system's reason, for directories and devices too; TooLargeError for
+/// more than `most` bytes, before they are in memory; InputError for other compressions and damaged
+/// files.
+std::string read_bytes(const std::filesystem::path& path, std::size_t most = usual_text);
+
+/// "2000 MB", or "123 bytes" where it is no whole number of megabytes (10^6).
+std::string megabytes(std::size_t bytes);
 
 /// The same text without a UTF-8 byte order mark.
 std::string_view without_byte_order_mark(std::string_view text);

@@ -12,6 +12,7 @@
 #include <system_error>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/printable.hpp"
 
 namespace pliant {
 namespace {
@@ -33,8 +34,10 @@ struct Descriptor {
   Descriptor& operator=(const Descriptor&) = delete;
 };
 
+std::string shown(const fs::path& path) { return printable_name(path.string()); }
+
 [[noreturn]] void fail_with(const fs::path& path, const std::string& what, int error) {
-  throw FileError(path.string() + ": " + what + ": " + std::strerror(error));
+  throw FileError(shown(path) + ": " + what + ": " + std::strerror(error));
 }
 
 struct flock write_lock(off_t byte) {
@@ -66,13 +69,13 @@ bool is_being_written(int descriptor) {
   std::string holder = "another recorder";
   if (::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK && lock.l_pid > 0)
     holder = "process " + std::to_string(lock.l_pid);
-  throw FileError(path.string() + ": is being written by " + holder);
+  throw FileError(shown(path) + ": is being written by " + holder);
 }
 
 [[noreturn]] void refuse_existing(const fs::path& path) {
   const Descriptor existing(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (existing.value >= 0 && is_being_written(existing.value)) refuse_as_busy(path, existing.value);
-  throw FileError(path.string() + ": exists already, and was not to be overwritten");
+  throw FileError(shown(path) + ": exists already, and was not to be overwritten");
 }
 
 void check_directory(const fs::path& target) {
@@ -80,9 +83,9 @@ void check_directory(const fs::path& target) {
   std::error_code error;
   const fs::file_status status = fs::status(directory, error);
   if (status.type() == fs::file_type::not_found)
-    throw FileError(target.string() + ": the directory " + directory.string() + " does not exist");
+    throw FileError(shown(target) + ": the directory " + shown(directory) + " does not exist");
   if (status.type() != fs::file_type::directory)
-    throw FileError(target.string() + ": " + directory.string() + " is not a directory");
+    throw FileError(shown(target) + ": " + shown(directory) + " is not a directory");
 }
 
 void check_target(const fs::path& target, bool overwrite) {
@@ -90,9 +93,9 @@ void check_target(const fs::path& target, bool overwrite) {
   const fs::file_status status = fs::status(target, error);
   if (status.type() == fs::file_type::not_found) return;
   if (status.type() == fs::file_type::directory)
-    throw FileError(target.string() + ": is a directory");
+    throw FileError(shown(target) + ": is a directory");
   if (status.type() != fs::file_type::regular)
-    throw FileError(target.string() + ": is not a regular file");
+    throw FileError(shown(target) + ": is not a regular file");
   if (!overwrite) refuse_existing(target);
 }
 
@@ -123,8 +126,7 @@ void OutputFile::create() {
                                         std::to_string(::getpid()) + "-" + std::to_string(count++));
   ::unlink(temporary_.c_str());
   descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
-  if (descriptor_ < 0)
-    fail_with(target_, "cannot write to " + target_.parent_path().string(), errno);
+  if (descriptor_ < 0) fail_with(target_, "cannot write to " + shown(target_.parent_path()), errno);
   lock_for_writing(descriptor_);
 }
 
@@ -155,7 +157,7 @@ bool OutputFile::take_free_name() {
   std::error_code error;
   if (fs::exists(target_, error)) return false;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0)
-    fail_with(target_, "cannot rename " + temporary_.string(), errno);
+    fail_with(target_, "cannot rename " + shown(temporary_), errno);
   return true;
 }
 

@@ -44,6 +44,7 @@
 #include "pliant/model/model.hpp"
 #include "pliant/model/prepare.hpp"
 #include "pliant/model/protonation.hpp"
+#include "pliant/model/select_part.hpp"
 #include "pliant/model/steric_table.hpp"
 #include "pliant/model/survey.hpp"
 #include "pliant/model/tethers.hpp"
@@ -154,6 +155,7 @@ const Use uses[] = {
     of("pliant/model/model.hpp", &build_model),
     of("pliant/model/prepare.hpp", &prepare),
     of("pliant/model/protonation.hpp", &protonation_of),
+    of("pliant/model/select_part.hpp", &select_part),
     of("pliant/model/steric_table.hpp", &molecular_sterics),
     of("pliant/model/survey.hpp", &survey),
     of("pliant/model/tethers.hpp", &hydrophobic_tethers),

@@ -117,7 +117,7 @@ class TestViewer:
     def test_it_plays_and_pauses(self, report, opened):
         browser = opened(report)
         browser.evaluate("document.getElementById('play').click()")
-        browser.wait_for("Number(document.documentElement.dataset.frame) > 2", seconds=20)
+        browser.wait_for("Number(document.documentElement.dataset.frame) > 2")
         browser.evaluate("document.getElementById('play').click()")
         assert browser.evaluate("document.documentElement.dataset.playing") == "false"
         stopped = frame(browser)

@@ -32,6 +32,53 @@ TEST(Automatic, ChoosesByWhatTheBarsForm) {
   EXPECT_TRUE(choose_technique(pinned, {"auto", 0.5, true}).technique.mass_weighted);
 }
 
+/// `moving` and, after it, `still`, all of whose joints are pinned.
+Framework beside_pinned(const Sketch& moving, const Sketch& still) {
+  FrameworkParts parts = test::parts_of(framework_of(moving));
+  const auto first = static_cast<Joint>(moving.positions.size());
+  const Framework other = framework_of(still);
+  for (std::size_t k = 0; k < other.bar_count(); ++k) {
+    const Bar bar = other.bars()[k];
+    parts.bars.push_back({bar.a + first, bar.b + first});
+    parts.rest_lengths.push_back(other.rest_lengths()[k]);
+  }
+  parts.joint_count += other.joint_count();
+  parts.masses.clear();
+  parts.drawn.clear();
+  for (Joint joint = 0; joint < other.joint_count(); ++joint) parts.pinned.push_back(first + joint);
+  return Framework(std::move(parts));
+}
+
+TEST(Automatic, ComponentsThatArePinnedAsAWholeChangeNothing) {
+  for (const Sketch& moving : {shaken(chain(20), 0.2), ring(7), shaken(grid(3, 3), 0.1)}) {
+    const Framework alone = framework_of(moving);
+    for (const Sketch& still : {chain(4), ring(5), ring(3)}) {
+      const Framework both = beside_pinned(moving, still);
+      EXPECT_EQ(choose_technique(both).technique.name, "blocks");
+      std::vector<Vec3> x = test::shake(alone, moving.positions, 0.1), y = x;
+      y.insert(y.end(), still.positions.begin(), still.positions.end());
+      EXPECT_TRUE(resolve(alone, {}, x).converged());
+      EXPECT_TRUE(resolve(both, {}, y).converged());
+      EXPECT_LE(test::largest_difference(x, std::span(y).first(x.size())), 1e-12);
+      EXPECT_TRUE(test::same_bits(still.positions, std::span(y).subspan(x.size())));
+    }
+  }
+}
+
+TEST(Automatic, PinsThatBindAComponentAreToldFromThoseThatDoNot) {
+  const Framework two_rings = beside_pinned(ring(6), ring(6));
+  FrameworkParts parts = test::parts_of(two_rings);
+  parts.pinned = {0, 6};
+  EXPECT_EQ(choose_technique(Framework(parts)).technique.name, "blocks") << "one in each";
+  parts.pinned = {0, 3, 6};
+  EXPECT_EQ(choose_technique(Framework(parts)).technique.name, "newton");
+  parts.pinned = {0, 6, 7, 8, 9, 10, 11};
+  EXPECT_EQ(choose_technique(Framework(parts)).technique.name, "blocks");
+  parts.pinned.clear();
+  for (Joint joint = 0; joint < 12; ++joint) parts.pinned.push_back(joint);
+  EXPECT_EQ(choose_technique(Framework(parts)).technique.name, "blocks") << "nothing moves";
+}
+
 /// A star has a hub but no cycle; no bar at all is no cycle either.
 TEST(Automatic, TakesTheOutwardPassWhereItIsExact) {
   EXPECT_EQ(choose_technique(framework_of(star(500))).technique.name, "blocks");

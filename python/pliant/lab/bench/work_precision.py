@@ -20,7 +20,15 @@ from pliant.lab.bench.gromacs_race import race_gromacs
 from pliant.lab.bench.nearest import nearest_whole
 from pliant.lab.bench.target import Target, read_target
 from pliant.lab.bench.time_limit import TimeUp, time_limit
-from pliant.lab.bench.work_precision_rows import LOST, SHORT, TOLERANCES, WHOLE, Row, WorkPrecision
+from pliant.lab.bench.work_precision_rows import (
+    LOST,
+    SHORT,
+    TOLERANCES,
+    TOO_SHORT,
+    WHOLE,
+    Row,
+    WorkPrecision,
+)
 from pliant.lab.peers import measure
 
 REPEATS = 7
@@ -116,7 +124,15 @@ def race(
         _rounds(entries, broken, repeats, limit_seconds)
         for row, _, times in entries:
             row.repeats = len(times)
-            row.ns_per_bar = 1e9 * float(np.median(times)) / len(found.target.bars)
+            _time(row, float(np.median(times)), len(found.target.bars))
+
+
+def _time(row: Row, seconds: float, bars: int) -> None:
+    """Fills the time: none where it is the difference of two that cannot be told apart."""
+    if seconds > 0:
+        row.ns_per_bar = 1e9 * seconds / bars
+    else:
+        row.ns_per_bar, row.note = math.nan, TOO_SHORT
 
 
 def _first(
@@ -138,7 +154,7 @@ def _first(
         there = found.openmm_answers[same_task, row.tolerance]
         row.distance_to_ccma = measure.furthest_move(repair.positions, there)
     if row.outcome != WHOLE:
-        row.ns_per_bar = 1e9 * repair.seconds / len(found.target.bars)
+        _time(row, repair.seconds, len(found.target.bars))
     return []
 
 
@@ -173,11 +189,12 @@ def _rounds(
 
 
 def fastest_to(rows: Sequence[Row], method: str, error: float) -> float:
-    """Least ns per bar in which a method reaches `error` or less; infinite if it never does."""
-    return min(
-        (r.ns_per_bar for r in rows if r.method == method and r.max_residual <= error),
-        default=math.inf,
-    )
+    """Least ns per bar in which a method reaches `error` or less.
+
+    Infinite if it never does; not-a-number if none of the times can be told.
+    """
+    reached = [r.ns_per_bar for r in rows if r.method == method and r.max_residual <= error]
+    return min((t for t in reached if t > 0), default=math.nan if reached else math.inf)
 
 
 def compare_with_openmm(rows: Sequence[Row]) -> None:

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 import os
 from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
@@ -106,4 +107,5 @@ def _whole(rows: Sequence[Row]) -> int:
 
 
 def _cost(rows: Sequence[Row]) -> float:
-    return float(np.median([row.ns_per_bar for row in rows if row.outcome == WHOLE])) / _whole(rows)
+    told = [row.ns_per_bar for row in rows if row.outcome == WHOLE and row.ns_per_bar > 0]
+    return float(np.median(told)) / len(told) if told else math.inf

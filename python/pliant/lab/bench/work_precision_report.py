@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pliant import console
-from pliant.lab.bench.work_precision_rows import WHOLE, Row, WorkPrecision
+from pliant.lab.bench.work_precision_rows import TOO_SHORT, WHOLE, Row, WorkPrecision
 from pliant.lab.peers.gromacs import Program
 
 SHOWN = (1e-2, 1e-4, 1e-6, 1e-8, 1e-10, 1e-12)  #: tolerances that the table has columns for
@@ -91,7 +91,9 @@ def _sorted(rows: Sequence[Row]) -> list[tuple[tuple[str, float | None], list[Ro
 def _time(row: Row | None) -> str:
     if row is None:
         return ""
-    return f"{row.ns_per_bar:.1f}" if row.outcome == WHOLE else row.outcome
+    if row.outcome != WHOLE:
+        return row.outcome
+    return TOO_SHORT if math.isnan(row.ns_per_bar) else f"{row.ns_per_bar:.1f}"
 
 
 def _ratio(row: Row | None) -> str:
@@ -101,6 +103,8 @@ def _ratio(row: Row | None) -> str:
 
 
 def _times(ratio: float) -> str:
+    if math.isnan(ratio):
+        return "?"
     return f"{ratio:.1f}x" if math.isfinite(ratio) else "never"
 
 

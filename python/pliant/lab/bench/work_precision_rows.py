@@ -20,6 +20,10 @@ WHOLE, STOPPED, SHORT, LOST = "whole", "stopped", "not converged", "not finite"
 FAILED = "failed"  #: GROMACS gave up; the note says why
 
 
+#: The note of a row whose time comes out as nothing or less.
+TOO_SHORT = "too short to tell"
+
+
 @dataclass
 class Row:
     """One contender at one tolerance."""

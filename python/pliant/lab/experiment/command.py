@@ -205,14 +205,15 @@ def _say(
                             "seconds": seconds, "folders": vars(filled) if filled else None}
                            )  # fmt: skip
         return
-    print(f"{arguments.out}: {count} resolves, {stuck} of them not converged; {seconds:.1f} s")
+    where = console.printable_name(arguments.out)
+    print(f"{where}: {count} resolves, {stuck} of them not converged; {seconds:.1f} s")
     if filled:
-        folder = arguments.test_set or arguments.folders
+        folder = console.printable_name(arguments.test_set or arguments.folders)
         print(f"{folder}: {filled.written} results written, {filled.same} there already and the "
               f"same, {len(filled.different)} different")  # fmt: skip
         for path in filled.different:
             console.warn(f"{path}: holds other numbers; they were left")
-    print(f"next: pliant experiment report {arguments.out}")
+    print(f"next: pliant experiment report {where}")
 
 
 if __name__ == "__main__":

@@ -99,7 +99,7 @@ def _report(arguments: argparse.Namespace) -> int:
     else:
         _print_claims(report.settled)
         _warn_of_open(report.settled)
-        print(f"\n{report.path}  ({report.seconds:.0f} s)")
+        print(f"\n{console.printable_name(report.path)}  ({report.seconds:.0f} s)")
     return console.EXIT_FAILED if report.failed_questions else console.EXIT_OK
 
 
@@ -133,5 +133,5 @@ def _sweep(arguments: argparse.Namespace) -> int:
     if arguments.json:
         console.print_json({"sweep": str(path), "rows": len(points)})
     else:
-        print(f"{path}: {len(points)} rows")
+        print(f"{console.printable_name(path)}: {len(points)} rows")
     return console.EXIT_OK

@@ -21,6 +21,7 @@ from pliant._core import InputError
 
 WORKER = pathlib.Path(__file__).with_name("worker.py")
 TIME_LIMIT = 300.0  #: seconds for one job
+START_LIMIT = 120.0  #: seconds until the process says that it is there
 
 
 @dataclass
@@ -134,7 +135,8 @@ def _wait(
             if journal.stat().st_size != size:
                 size, since = journal.stat().st_size, time.monotonic()
                 progress(sum(line.get("event") == "started" for line in _events(journal)))
-            if time.monotonic() - since > time_limit:
+            limit = time_limit if size > 0 else max(time_limit, START_LIMIT)
+            if time.monotonic() - since > limit:
                 return True
             with contextlib.suppress(subprocess.TimeoutExpired):
                 child.wait(min(0.2, time_limit))

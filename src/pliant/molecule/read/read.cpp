@@ -7,10 +7,12 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/molecule/read/foreign.hpp"
 #include "pliant/molecule/read/mmcif.hpp"
 #include "pliant/molecule/read/pdb.hpp"
 #include "pliant/molecule/read/sdf.hpp"
 #include "pliant/molecule/read/xyz.hpp"
+#include "pliant/text/compression.hpp"
 #include "pliant/text/file_text.hpp"
 
 namespace pliant {
@@ -29,14 +31,12 @@ const std::array<Format, 4> table{{
     {"xyz", "XYZ and extended XYZ", xyz_extensions, looks_like_xyz, read_xyz},
 }};
 
-/// The extension in lower case, below a final ".gz": ".pdb" of "1ABC.PDB.gz".
+/// The extension in lower case, below that of a compression: ".pdb" of "1ABC.PDB.gz".
 std::string extension_of(std::string_view name) {
   std::string lower(name);
   std::transform(lower.begin(), lower.end(), lower.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  std::filesystem::path path(lower);
-  if (path.extension() == ".gz") path = path.stem();
-  return path.extension().string();
+  return without_compression_suffix(lower).extension().string();
 }
 
 const Format* format_by_extension(std::string_view name) {
@@ -54,10 +54,14 @@ const Format* format_by_content(std::string_view text) {
 }
 
 [[noreturn]] void fail_unknown(std::string_view name) {
+  const std::string extension = extension_of(name);
   std::string message = "neither extension nor content tell a known format; known:";
+  if (const std::string_view format = foreign_format(extension); !format.empty())
+    message = "is a file of " + std::string(format) + " by its extension " + extension +
+              ", which is not read (pliant.from_mdanalysis in Python may); known:";
   for (const Format& format : table) {
     message.append(&format == table.data() ? " " : "; ").append(format.name);
-    for (std::string_view extension : format.extensions) message.append(" ").append(extension);
+    for (std::string_view known : format.extensions) message.append(" ").append(known);
   }
   fail({name}, message);
 }
@@ -71,6 +75,9 @@ const Format& format_of(const SourceText& source, std::string_view wanted) {
 
 void check(const ReadOptions& options) {
   if (options.model == 0) throw OptionError("model is 0: models are counted from 1");
+  if (options.max_input == 0 || options.max_input > largest_text)
+    throw OptionError("max_input: expected 1 to " + std::to_string(largest_text) +
+                      " bytes, found " + std::to_string(options.max_input));
   if (!options.format.empty()) choose(table, "format", options.format);
 }
 
@@ -90,7 +97,7 @@ std::span<const Format> formats() { return table; }
 
 Structure read_structure(const std::filesystem::path& path, const ReadOptions& options) {
   check(options);
-  const std::string bytes = read_bytes(path);
+  const std::string bytes = read_bytes(path, options.max_input);
   const std::string name = path.string();
   return read_structure(SourceText{name, bytes}, options);
 }
@@ -98,6 +105,8 @@ Structure read_structure(const std::filesystem::path& path, const ReadOptions& o
 Structure read_structure(const SourceText& source, const ReadOptions& options) {
   check(options);
   const SourceText plain{source.name, without_byte_order_mark(source.text)};
+  if (const std::string_view what = foreign_content(plain.text); !what.empty())
+    fail({plain.name}, "is " + std::string(what));
   check_text(plain);
   const Format& format = format_of(plain, options.format);
   try {

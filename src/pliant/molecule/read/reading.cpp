@@ -15,6 +15,12 @@ namespace {
   fail(place, std::string(field) + " " + quoted(text) + " " + std::string(problem));
 }
 
+bool has_decimal_comma(std::string_view text) {
+  std::string with_point(text);
+  std::replace(with_point.begin(), with_point.end(), ',', '.');
+  return with_point != text && parse_real(with_point).has_value();
+}
+
 bool all_at_one_point(const std::vector<Vec3>& positions) {
   return positions.size() > 1 &&
          std::all_of(positions.begin(), positions.end(), [&](Vec3 p) { return p == positions[0]; });
@@ -36,7 +42,10 @@ double parse_coordinate(std::string_view text, const Place& place, std::string_v
   const auto value = parse_real(text);
   if (!value) {
     if (trimmed(text).empty()) fail(place, std::string(field) + " is blank: a number is needed");
-    fail_coordinate(text, place, field, "is not a finite number");
+    fail_coordinate(text, place, field,
+                    has_decimal_comma(text)
+                        ? "is not a finite number: decimals begin with a point, not a comma"
+                        : "is not a finite number");
   }
   if (std::abs(*value) > largest_coordinate)
     fail_coordinate(trimmed(text), place, field, "is too large: at most 1e9 Angstrom");

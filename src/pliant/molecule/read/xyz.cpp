@@ -33,12 +33,14 @@ std::string_view next_field(std::string_view& rest) {
   return field;
 }
 
-/// The count on the current line. Text after it is allowed with a warning.
-std::size_t atom_count_of(const Lines& lines, Remarks& remarks) {
+/// The count on the current line, behind `frames` frames. Text after it is allowed with a warning.
+std::size_t atom_count_of(const Lines& lines, std::size_t frames, Remarks& remarks) {
   std::string_view rest = lines.line();
   const auto count = parse_integer(next_field(rest));
   if (!count || *count < 0)
-    fail(remarks.place(lines.number()), quoted(lines.line()) + " is not an atom count");
+    fail(remarks.place(lines.number()),
+         quoted(lines.line()) + " is not an atom count" +
+             (frames == 0 ? "" : ": frame " + std::to_string(frames) + " has all of its atoms"));
   if (!trimmed(rest).empty())
     remarks.warn("text after count", lines.number(), [&] {
       return "text after the atom count " + std::to_string(*count) +
@@ -77,7 +79,7 @@ std::optional<Frame> find_frame(Lines lines, std::size_t wanted, std::size_t& fr
   while (next_text(lines)) {
     if (frame_count == 0 && lines.number() > 1)
       remarks.warn("blank before count", 1, [] { return "blank line before the atom count"; });
-    const std::size_t count = atom_count_of(lines, remarks);
+    const std::size_t count = atom_count_of(lines, frame_count, remarks);
     const std::size_t line = lines.number();
     if (!lines.next() && count > 0) fail_short(count, 0, line + 1, remarks);
     if (++frame_count == wanted) found = Frame{count, line, lines};

@@ -28,7 +28,6 @@ def test_local_techniques_look_at_as_many_bars_in_any_size():
         assert 0 < row.quarter <= row.step_microseconds <= row.three_quarters
         assert row.ratio_least <= row.ratio <= row.ratio_most
     assert small.ratio == all_small.ratio == 1
-    assert all_large.ratio > 2, "every step looks at all bars"
 
 
 def test_broken_ends_are_named(monkeypatch):

@@ -65,7 +65,7 @@ def test_seconds_stand_beside_the_table_row_by_row(study_folder):
     with h5py.File(study_folder / "table.h5") as file:
         seconds = file["seconds"][:]
         assert len(seconds) == len(file["sweeps"])
-    assert np.all(seconds > 0) and seconds.max() < 60
+    assert np.all(seconds > 0) and np.all(np.isfinite(seconds))
     lines = (study_folder / "seconds.csv").read_text().split()
     assert lines[0] == "seconds"
     np.testing.assert_allclose([float(line) for line in lines[1:]], seconds, atol=1e-9)

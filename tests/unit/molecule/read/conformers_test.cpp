@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
+#include <ctime>
 #include <string>
 
 namespace pliant {
@@ -50,9 +50,9 @@ TEST(Conformers, ManyAtomsInLittleTime) {
   std::vector<ConformerAtom> atoms;
   for (std::size_t k = 0; k < names.size(); ++k)
     atoms.push_back({names[k], k % 2 == 0 ? 'A' : 'B', k % 2 == 0 ? 0.4F : 0.6F});
-  const auto begin = std::chrono::steady_clock::now();
+  const std::clock_t begin = std::clock();  // of this process: others may be busy
   const std::vector<bool> stays = choose_conformers(atoms);
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(10));
+  EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
   for (std::size_t k = 0; k < stays.size(); ++k) ASSERT_EQ(stays[k], k % 2 == 1);
 }
 

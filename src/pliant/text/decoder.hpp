@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Undoing a compression piece by piece, in memory that does not grow with what the file holds.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace pliant {
+
+/// What one step of a Decoder did.
+struct Decoded {
+  std::size_t made = 0;     ///< bytes written to the room
+  bool is_end = false;      ///< the member of the file is complete
+  std::string damage = {};  ///< what is wrong with the data, in words; "": nothing
+};
+
+/// Expands the members of a compressed file, one after the other.
+class Decoder {
+ public:
+  Decoder() = default;
+  virtual ~Decoder() = default;
+  Decoder(const Decoder&) = delete;
+  Decoder& operator=(const Decoder&) = delete;
+
+  /// Fills `room` as far as `bytes` tell, and takes off `bytes` what it has used.
+  virtual Decoded step(std::string_view& bytes, std::span<char> room) = 0;
+  /// Makes ready for a new member.
+  virtual void restart() = 0;
+};
+
+}  // namespace pliant

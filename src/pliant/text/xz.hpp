@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// Undoing xz, with liblzma.
+#pragma once
+
+#include <memory>
+
+#include "pliant/text/decoder.hpp"
+
+namespace pliant {
+
+/// Null where this build has no liblzma. A file that needs more than 256 MiB to expand (`xz -9`
+/// makes files that need 65) counts as damaged. Throws std::bad_alloc.
+std::unique_ptr<Decoder> make_xz_decoder();
+
+}  // namespace pliant
