@@ -90,7 +90,8 @@ def bootstrap(
     """
     random = np.random.default_rng(0)
     values = [figure(random.integers(0, count, count)) for _ in range(draws)]
-    return np.std(np.array(values, dtype=float), axis=0)
+    errors: np.ndarray = np.std(np.array(values, dtype=float), axis=0)
+    return errors
 
 
 def correlation_over_residues(a: np.ndarray, b: np.ndarray, draws: int = 1000) -> Figure:

@@ -6,9 +6,10 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.spatial import cKDTree
 
-from pliant._core import network_modes
-from pliant.lab.validity.trace import Trace, trace_structure
+from pliant._core import Structure, network_modes
+from pliant.lab.validity.trace import Trace
 
 SHARED_MODES = 60  #: as many as frames are drawn from
 DRAWN_MODES = 60  #: of a peer's frames: the stiffest modes would tear them worse
@@ -32,13 +33,17 @@ class Network:
         return rmsf
 
 
-def network_of(trace: Trace, name: str) -> Network:
-    """Modes of a row of ``networks()``: all, of ``shared`` 60, of ANM 100 above 300 residues."""
+def network_of(structure: Structure, trace: Trace, name: str) -> Network:
+    """Modes of a row of ``networks()``: all, of ``shared`` 60, of ANM 100 above 300 residues.
+
+    A structure of amino acids has a node at each alpha carbon; of more than 1000 several share one.
+    """
     residues = len(trace.sequence)
     many = 3 * residues if residues <= ALL_TO else MANY
     count = {"shared": SHARED_MODES, "anm": many}.get(name, 3 * residues)
-    variances, directions, _ = network_modes(trace_structure(trace), name, count)
-    return Network(variances, directions)
+    variances, directions, nodes = network_modes(structure, name, count)
+    nearest = cKDTree(nodes).query(trace.positions)[1]
+    return Network(variances, directions[:, nearest])
 
 
 def drawn_frames(

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant._core import InputError
-from pliant.lab.validity.rows import Row, Validity
+from pliant.lab.validity.rows import TUNED, Row, Validity
 from pliant.plotting import BLUE, DASHED, GREY, VERMILION, figure, save
 
 if TYPE_CHECKING:
@@ -74,10 +74,10 @@ def _overlaps(axes: Axes, rows: list[Row]) -> None:
     axes.set_yticks(places, [_short(row) for row in rows])
     axes.tick_params(axis="y", labelsize=8)
     axes.set(title="known motions", ylim=(-0.7, len(rows) - 0.3),
-             xlabel="share within ten modes (cumulative overlap)")  # fmt: skip
+             xlabel="share within ten modes (* tuned on)")  # fmt: skip
     axes.legend(frameon=False, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.16))
 
 
 def _short(row: Row) -> str:
     name = row.system if row.system.startswith("AdK") else row.system.partition(", ")[2]
-    return name.replace(" to ", " → ")
+    return name.replace(" to ", " → ") + (" *" if row.data == TUNED else "")

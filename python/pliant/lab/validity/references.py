@@ -13,7 +13,7 @@ from pathlib import Path
 import numpy as np
 
 import pliant
-from pliant.lab.validity.trace import LETTERS, Trace, trace_of
+from pliant.lab.validity.trace import LETTERS, Trace, amino_part, trace_of
 
 
 @dataclass(frozen=True)
@@ -68,14 +68,15 @@ def _joined(positions: np.ndarray, cell: np.ndarray | None) -> np.ndarray:
 class BFactors:
     """Alpha carbons of a file, and the longest chain's B factors."""
 
-    trace: Trace  #: of all chains
+    structure: pliant.Structure  #: amino acids of all chains
+    trace: Trace  #: of it
     chain: np.ndarray  #: (K,) residues of the longest chain, into the trace
     values: np.ndarray  #: (K,) Angstrom^2
 
 
 def b_factors_of(path: str | os.PathLike[str]) -> BFactors:
-    """Of a PDB file. Residues are those with one CA; raises InputError as trace_of does."""
-    structure = read_quietly(path)
+    """Of a PDB file. Raises InputError as amino_part does."""
+    structure = amino_part(read_quietly(path))
     trace = trace_of(structure)
     lines = dict(_alpha_lines(Path(path)))
     keys = [
@@ -86,7 +87,7 @@ def b_factors_of(path: str | os.PathLike[str]) -> BFactors:
     chains = [chain for chain, _, _ in keys]
     longest = max(sorted(set(chains)), key=chains.count)
     kept = [k for k, key in enumerate(keys) if key[0] == longest and key in lines]
-    return BFactors(trace, np.array(kept), np.array([lines[keys[k]] for k in kept]))
+    return BFactors(structure, trace, np.array(kept), np.array([lines[keys[k]] for k in kept]))
 
 
 def _alpha_lines(path: Path) -> Iterator[tuple[tuple[str, int, str], float]]:

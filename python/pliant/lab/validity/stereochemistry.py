@@ -115,7 +115,8 @@ class _Nearness:
         pairs = self._close(positions)
         table = LEAST[self._kind[pairs[:, 0]], self._kind[pairs[:, 1]]]
         own = np.array([self._own.get(code, np.inf) for code in self._codes(pairs).tolist()])
-        return np.minimum(table, own) - _lengths(positions, pairs)
+        deep: np.ndarray = np.minimum(table, own) - _lengths(positions, pairs)
+        return deep
 
     def _close(self, positions: np.ndarray) -> np.ndarray:
         tree = cKDTree(positions)
@@ -123,7 +124,8 @@ class _Nearness:
         pairs = np.sort(pairs.reshape(-1, 2), axis=1)
         least = LEAST[self._kind[pairs[:, 0]], self._kind[pairs[:, 1]]]
         pairs = pairs[_lengths(positions, pairs) < least]
-        return pairs[~np.isin(self._codes(pairs), self._bonded)]
+        far: np.ndarray = pairs[~np.isin(self._codes(pairs), self._bonded)]
+        return far
 
     def _codes(self, pairs: np.ndarray) -> np.ndarray:
         codes: np.ndarray = pairs[:, 0] * self._count + pairs[:, 1]
@@ -189,7 +191,7 @@ def _links(structure: Structure, neighbours: list[list[int]]) -> list[tuple[int,
     """Rows CA, C, N, CA across each peptide bond."""
     names, residue = structure.names, structure.residue_of
     place = {(int(residue[k]), str(names[k])): int(k) for k in range(len(structure))}
-    links = []
+    links: list[tuple[int, ...]] = []
     for c in np.flatnonzero((names == "C") & (structure.elements == 6)).tolist():
         for n in neighbours[c]:
             ends = place.get((int(residue[c]), "CA")), place.get((int(residue[n]), "CA"))

@@ -71,7 +71,7 @@ class Subject:
     def network(self, name: str) -> Network:
         """Modes of a network of the alpha carbons."""
         if name not in self._networks:
-            self._networks[name] = network_of(self.trace, name)
+            self._networks[name] = network_of(self.model.structure, self.trace, name)
         return self._networks[name]
 
     def anm_look(self) -> Stereochemistry:

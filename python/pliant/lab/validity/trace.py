@@ -16,7 +16,6 @@ LETTERS = {
     "CYX": "C", "HID": "H", "HIE": "H", "HIP": "H", "HSD": "H", "HSE": "H", "HSP": "H",
 }  # fmt: skip
 UNKNOWN = "X"
-LONGEST_STEP = 4.3  #: Angstrom, between alpha carbons of neighbours
 MATCH, MISMATCH, GAP = 2, -1, -2
 
 
@@ -68,24 +67,6 @@ def _atoms_of(structure: Structure, kept: np.ndarray) -> Structure:
     )
     part.perceive_bonds()
     return part
-
-
-def trace_structure(trace: Trace) -> Structure:
-    """Alpha carbons alone as a structure, of which networks can be made.
-
-    A chain ends where the next alpha carbon is further than 4.3 Angstrom, whatever the file says.
-    """
-    count = len(trace.sequence)
-    steps = np.linalg.norm(np.diff(trace.positions, axis=0), axis=1)
-    chains = np.concatenate([[0], np.cumsum(steps > LONGEST_STEP)])
-    return Structure(
-        trace.positions,
-        elements=np.full(count, 6),
-        names=["CA"] * count,
-        residue_names=["ALA"] * count,
-        residue_ids=np.arange(1, count + 1),
-        chains=[str(chain) for chain in chains],
-    )
 
 
 def aligned(ours: str, theirs: str) -> np.ndarray:

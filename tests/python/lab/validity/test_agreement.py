@@ -5,7 +5,7 @@ import numpy as np
 import pytest
 from pliant.lab.validity import agreement as alike
 from pliant.lab.validity.peers import Network, drawn_frames, network_of
-from pliant.lab.validity.trace import LETTERS, aligned, amino_part, trace_of, trace_structure
+from pliant.lab.validity.trace import LETTERS, aligned, amino_part, trace_of
 
 import pliant
 
@@ -13,8 +13,13 @@ MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 
 
 @pytest.fixture(scope="module")
-def kinase():
-    return trace_of(amino_part(pliant.read(MDA.PDB_small)))
+def structure():
+    return amino_part(pliant.read(MDA.PDB_small))
+
+
+@pytest.fixture(scope="module")
+def kinase(structure):
+    return trace_of(structure)
 
 
 def rotation(seed):
@@ -116,35 +121,28 @@ def test_waters_ions_and_ligands_are_no_residues():
         amino_part(pliant.read_text(atoms.splitlines()[4], "y.pdb"))
 
 
-def test_a_chain_ends_where_the_next_alpha_carbon_is_far():
-    structure = pliant.Structure([[3.8 * k + 2.0 * (k > 2), 0, 0] for k in range(5)],
-        elements=[6] * 5, names=["CA"] * 5, residue_names=["GLY"] * 5,
-        residue_ids=[1, 2, 3, 4, 5], chains=["A"] * 5)  # fmt: skip
-    trace = trace_of(structure)
-    assert trace.sequence == "GGGGG"
-    assert list(trace_structure(trace).chains) == ["0", "0", "0", "1", "1"]
-
-
-def test_anm_and_gnm_are_those_of_prody(kinase):
+def test_anm_and_gnm_are_those_of_prody(structure, kinase):
     prody = pytest.importorskip("prody")
     prody.confProDy(verbosity="none")
-    theirs, ours = prody.ANM(), network_of(kinase, "anm")
+    theirs, ours = prody.ANM(), network_of(structure, kinase, "anm")
     theirs.buildHessian(kinase.positions)
     theirs.calcModes(None)
     np.testing.assert_allclose(ours.variances, 1 / theirs.getEigvals(), rtol=1e-6)
     assert alike.rmsip(ours.directions.reshape(-1, 642), theirs.getEigvecs().T) > 1 - 1e-8
     rmsf = np.sqrt(prody.calcSqFlucts(theirs))
     np.testing.assert_allclose(ours.fluctuations, rmsf, rtol=1e-6)
-    theirs, ours = prody.GNM(), network_of(kinase, "gnm")
+    theirs, ours = prody.GNM(), network_of(structure, kinase, "gnm")
     theirs.buildKirchhoff(kinase.positions)
     theirs.calcModes(None)
     rmsf = np.sqrt(prody.calcSqFlucts(theirs))
     assert alike.correlation(ours.fluctuations, rmsf) == pytest.approx(1.0, abs=1e-9)
 
 
-def test_a_peers_frames_have_the_rmsf_asked_for_and_whole_turns_stay_whole(kinase):
+def test_a_peers_frames_have_the_rmsf_asked_for_and_whole_turns_stay_whole(structure, kinase):
     atoms, owner = kinase.positions + np.array([0.0, 0.0, 1.5]), np.arange(214)
-    drawn = drawn_frames(network_of(kinase, "anm"), kinase, kinase.positions, owner, 400, 0.9)
+    drawn = drawn_frames(
+        network_of(structure, kinase, "anm"), kinase, kinase.positions, owner, 400, 0.9
+    )
     assert alike.fluctuations(drawn).mean() == pytest.approx(0.9, rel=0.1)
     turn = np.cross([0.0, 0.0, 0.01], kinase.positions).reshape(1, 214, 3)
     whole = Network(np.ones(1), turn / np.linalg.norm(turn))
