@@ -33,6 +33,7 @@ PAGES = {
     "pliant-bench-auto": ["bench", "auto", "--help"],
     "pliant-bench-step": ["bench", "step", "--help"],
     "pliant-bench-record": ["bench", "record", "--help"],
+    "pliant-bench-validity": ["bench", "validity", "--help"],
 }
 
 

@@ -23,6 +23,7 @@ examples:
   pliant bench auto
   pliant bench record
   pliant bench stress
+  pliant bench validity
 """
 
 

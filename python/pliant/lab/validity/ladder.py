@@ -1,0 +1,255 @@
+# SPDX-License-Identifier: MIT
+"""The table, group by group; a group whose source is missing is a row that says so."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+
+from pliant._core import InputError, OptionError
+from pliant.lab.validity import agreement as alike
+from pliant.lab.validity import measure
+from pliant.lab.validity.cases import (
+    CHANGES,
+    CRYSTALS,
+    FLUCTUATIONS,
+    OPEN,
+    PATHS,
+    TUNED_PAIRS,
+    Change,
+    Fluctuation,
+)
+from pliant.lab.validity.costs import cost_of
+from pliant.lab.validity.goals import goal_of
+from pliant.lab.validity.peers import network_of
+from pliant.lab.validity.references import b_factors_of, models_of, trajectory_of
+from pliant.lab.validity.rows import HELD_OUT, TUNED, Row, Validity
+from pliant.lab.validity.sources import Files, MissingSourceError, Source
+from pliant.lab.validity.stereochemistry import Stereochemistry
+from pliant.lab.validity.subject import Subject
+
+FRAMES, SEEDS = 200, 3
+DRAWS = 1000
+GOAL_OF = 30  #: directions held out, over which the goal of domain motions was set
+GOAL_ANM = "0.841 and 0.887"
+
+
+class Ladder:
+    """Measures groups of rows; subjects are made once."""
+
+    def __init__(self, files: Files, frames: int, seeds: int, pairs: Path | None) -> None:
+        self._files, self._frames, self._seeds, self._pairs = files, frames, seeds, pairs
+        self._subjects: dict[str, Subject] = {}
+        self._looks: list[Stereochemistry] = []
+        self.found = Validity(frames)
+
+    def groups(self) -> dict[str, Callable[[], list[Row]]]:
+        """Names of groups and what measures each, in the order of the table."""
+        found: dict[str, Callable[[], list[Row]]] = {}
+        for name, case in FLUCTUATIONS.items():
+            found[name] = partial(self._fluctuation, case)
+        for name, change in CHANGES.items():
+            found[name] = partial(self._change, name, change)
+        if self._pairs is not None:
+            found["pairs"] = self._domain_motions
+        found["crystals"] = self._crystals
+        found["cost"] = self._cost
+        return found
+
+    def measure(self, name: str) -> None:
+        """Adds the rows of a group."""
+        try:
+            self.found.rows += self.groups()[name]()
+        except MissingSourceError as error:
+            self.found.rows.append(Row(name, "all", note=str(error)))
+
+    def finish(self) -> Validity:
+        """Adds what all frames together must show, and gives the table."""
+        for subject in self._subjects.values():
+            self._looks += subject.looks
+        self.found.sampled = sum(look.frames for look in self._looks)
+        if self._looks:
+            self.found.rows += self._exact()
+        return self.found
+
+    def _subject(self, path: Path) -> Subject:
+        key = os.fspath(path)
+        if key not in self._subjects:
+            self._subjects[key] = Subject(path, self._frames)
+        return self._subjects[key]
+
+    def _fluctuation(self, case: Fluctuation) -> list[Row]:
+        paths = [self._files.find(source) for source in case.reference]
+        subject = self._subject(self._files.find(case.start))
+        both = measure.compared(subject, case.read(*paths))
+        rows = measure.fluctuation_rows(subject, both, case)
+        self.found.profiles[case.name] = measure.profiles(subject, both)
+        if case.start != OPEN:
+            rows += self._of_ensemble(subject, case.name, case.data)
+        return rows
+
+    def _change(self, name: str, case: Change) -> list[Row]:
+        target = models_of(self._files.find(case.target))
+        subject = self._subject(self._files.find(case.start))
+        rows = [measure.change_row(subject, target, case.name, case.data)]
+        if name in PATHS:
+            path = trajectory_of(*(self._files.find(source) for source in PATHS[name]))
+            rows.append(measure.path_row(subject, path, case.name, case.data))
+        return rows + self._of_ensemble(subject, case.name, case.data)
+
+    def _of_ensemble(self, subject: Subject, name: str, data: str) -> list[Row]:
+        rows = measure.seed_rows(subject, name, self._seeds, data)
+        return rows + measure.frame_rows(subject, name)
+
+    def _domain_motions(self) -> list[Row]:
+        """Both directions of each two files of a folder; a subject is let go after its row."""
+        rows = []
+        for folder, start, target in pairs_of(self._pairs or Path()):
+            subject = Subject(start, self._frames)
+            data = TUNED if folder in TUNED_PAIRS else HELD_OUT
+            name = f"{folder}, {start.stem} to {target.stem}"
+            rows.append(measure.change_row(subject, models_of(target), name, data))
+            self._looks += subject.looks
+        return rows + means(rows)
+
+    def _crystals(self) -> list[Row]:
+        """r of RMSF and root of B: mean over files, of networks alone."""
+        found, missing = [], []
+        for source in CRYSTALS:
+            try:
+                found.append(self._crystal(source))
+            except MissingSourceError as error:
+                missing.append(str(error))
+        if not found:
+            raise MissingSourceError("; ".join(missing))
+        table = np.array(found)
+        value = table.mean(axis=0)
+        errors = alike.bootstrap(len(table), lambda i: list(table[i].mean(axis=0)), DRAWS)
+        note = "; ".join([f"{len(table)} X-ray files; networks alone", *missing])
+        return [
+            Row("crystals", "r of RMSF and root of B, mean", value[0], errors[0], value[0],
+                value[1], errors[1], value[2], data=HELD_OUT, note=note)
+        ]  # fmt: skip
+
+    def _crystal(self, source: Source) -> list[float]:
+        b = b_factors_of(self._files.find(source))
+        root = np.sqrt(b.values)
+        networks = (network_of(b.structure, b.trace, name) for name in ("shared", "anm", "gnm"))
+        return [measure.crystal_figures(network, b.chain, root) for network in networks]
+
+    def _cost(self) -> list[Row]:
+        open_, ubiquitin = (
+            self._files.find(source) for source in (OPEN, FLUCTUATIONS["ubiquitin"].start)
+        )
+        return cost_rows(self._subject(open_), open_, ubiquitin, self._frames)
+
+    def _exact(self) -> list[Row]:
+        figures = {
+            "worst bar, relative": max(look.worst_bar for look in self._looks),
+            "new overlaps > 0.1 Angstrom": sum(look.overlaps for look in self._looks),
+            "flipped chirality": sum(look.flipped for look in self._looks),
+            "omega off > 5 degrees": sum(look.turned for look in self._looks),
+        }
+        name = f"all {self.found.sampled} frames"
+        rows = [Row(name, key, value, **goal_of(name, key)) for key, value in figures.items()]
+        deepest = max(look.worst_overlap for look in self._looks)
+        rows[1].note = f"the deepest is {deepest:.3f} Angstrom"
+        for row, value in zip(rows, self._of_anm(), strict=True):
+            row.anm = value
+        return rows
+
+    def _of_anm(self) -> list[float]:
+        """The same of ANM's frames of the subjects, drawn with the RMSF that ours reached."""
+        looks = [subject.anm_look() for subject in self._subjects.values() if subject.looks]
+        if not looks:
+            return [float("nan")] * 4
+        return [
+            max(look.worst_bar for look in looks),
+            sum(look.overlaps for look in looks),
+            sum(look.flipped for look in looks),
+            sum(look.turned for look in looks),
+        ]
+
+
+def cost_rows(subject: Subject, path: Path, small: Path, frames: int) -> list[Row]:
+    """Of the open kinase and of ubiquitin."""
+    drawn = subject.ensemble()
+    each = (drawn.seconds - subject.seconds_of_one()) / max(frames - 1, 1)
+    large, whole = cost_of(path, frames), cost_of(small, frames)
+    name, atoms = "AdK, open to closed", f"{len(subject.model.structure)} atoms"
+    figures = (
+        (name, "ms of a core a frame", 1e3 * each, atoms),
+        (name, "MB, whole command", large.megabytes, f"{frames} frames"),
+        ("ubiquitin", f"s, whole command, {frames} frames", whole.seconds,
+         f"{whole.core_seconds:.2f} s of a core, {whole.megabytes:.0f} MB"),
+    )  # fmt: skip
+    return [Row(s, f, value, note=note, **goal_of(s, f)) for s, f, value, note in figures]
+
+
+def pairs_of(folder: Path) -> list[tuple[str, Path, Path]]:
+    """Protein, start and target: both directions of each subfolder with two PDB files.
+
+    Raises InputError where none has.
+    """
+    found = []
+    for below in sorted(path for path in folder.iterdir() if path.is_dir()):
+        files = sorted(path for path in below.iterdir() if path.suffix in (".pdb", ".cif"))
+        if len(files) == 2:
+            found += [(below.name, files[0], files[1]), (below.name, files[1], files[0])]
+    if not found:
+        raise InputError(f"{folder}: no subfolder with two structures")
+    return found
+
+
+def means(rows: Sequence[Row]) -> list[Row]:
+    """Mean and median of the rows held out, and the mean of those that were tuned on."""
+    found = []
+    for data, title in ((HELD_OUT, "held out"), (TUNED, "tuned on")):
+        chosen = [row for row in rows if row.data == data]
+        name = f"domain motions, {title}"
+        for word, middle in (("mean", np.mean), ("median", np.median)):
+            if chosen:
+                found.append(_middle(name, f"{chosen[0].figure}, {word}", middle, chosen, data))
+    return found
+
+
+def _middle(
+    name: str, figure: str, middle: Callable[[np.ndarray], float], rows: Sequence[Row], data: str
+) -> Row:
+    table = np.array([[row.ours, row.network, row.anm] for row in rows])
+    values = [float(middle(table[:, k])) for k in range(3)]
+    error = alike.bootstrap(len(table), lambda i: [middle(table[i, k]) for k in (0, 2)], DRAWS)
+    row = Row(name, figure, values[0], float(error[0]), values[1], values[2], float(error[1]),
+              data=data, note=f"{len(rows)} directions")  # fmt: skip
+    goal = goal_of(name, figure)
+    if goal and len(rows) < GOAL_OF:
+        row.note += f"; the goal, {goal['must']}, is of {GOAL_OF}, of which ANM has {GOAL_ANM}"
+        return row
+    return replace(row, **goal)
+
+
+def validity(
+    names: Sequence[str] = (),
+    *,
+    data: str | os.PathLike[str] | None = None,
+    pairs: str | os.PathLike[str] | None = None,
+    frames: int = FRAMES,
+    seeds: int = SEEDS,
+    progress: Callable[[int, int], None] = lambda *_: None,
+) -> Validity:
+    """Measures the groups of these names, or all. Raises OptionError for a name of none."""
+    ladder = Ladder(Files(data), frames, seeds, None if pairs is None else Path(pairs))
+    known = ladder.groups()
+    for name in names:
+        if name not in known:
+            raise OptionError(f"--rows: no group is named '{name}'; known: {', '.join(known)}")
+    chosen = [name for name in known if name in names or not names]
+    for k, name in enumerate(chosen):
+        progress(k, len(chosen))
+        ladder.measure(name)
+    return ladder.finish()

@@ -1,0 +1,77 @@
+# SPDX-License-Identifier: MIT
+"""Elastic networks of alpha carbons as peers: fluctuations, modes, and frames of all atoms."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from scipy.spatial import cKDTree
+
+from pliant._core import Structure, network_modes
+from pliant.lab.validity.trace import Trace
+
+SHARED_MODES = 60  #: as many as frames are drawn from
+DRAWN_MODES = 60  #: of a peer's frames: the stiffest modes would tear them worse
+ALL_TO = 300  #: residues: ANM of more has its MANY lowest modes, all would take minutes
+MANY = 100
+TURNS_WITH = 8.0  #: Angstrom: neighbours that the atoms of a residue turn with
+
+
+@dataclass(frozen=True)
+class Network:
+    """Modes of one network about a structure of N residues."""
+
+    variances: np.ndarray  #: (K,) in the network's own unit, descending
+    directions: np.ndarray  #: (K, N, 3), each mode of unit length
+
+    @property
+    def fluctuations(self) -> np.ndarray:
+        """RMSF (N,) of the Gaussian of all modes, in a unit of its own."""
+        squares = np.einsum("k,kni->n", self.variances, self.directions**2)
+        rmsf: np.ndarray = np.sqrt(squares)
+        return rmsf
+
+
+def network_of(structure: Structure, trace: Trace, name: str) -> Network:
+    """Modes of a row of ``networks()``: all, of ``shared`` 60, of ANM 100 above 300 residues.
+
+    A structure of amino acids has a node at each alpha carbon; of more than 1000 several share one.
+    """
+    residues = len(trace.sequence)
+    many = 3 * residues if residues <= ALL_TO else MANY
+    count = {"shared": SHARED_MODES, "anm": many}.get(name, 3 * residues)
+    variances, directions, nodes = network_modes(structure, name, count)
+    nearest = cKDTree(nodes).query(trace.positions)[1]
+    return Network(variances, directions[:, nearest])
+
+
+def drawn_frames(
+    network: Network, trace: Trace, atoms: np.ndarray, owner: np.ndarray, frames: int, rmsf: float
+) -> np.ndarray:
+    """Frames (F, M, 3) of all atoms (M, 3), drawn from a network's Gaussian of that mean RMSF.
+
+    An atom goes with its residue `owner` (M,) and turns with the residues within 8 Angstrom, as
+    displacements of networks are usually extended to all atoms; 60 modes. Nothing holds atoms.
+    """
+    network = Network(network.variances[:DRAWN_MODES], network.directions[:DRAWN_MODES])
+    amplitudes = np.random.default_rng(0).standard_normal((frames, len(network.variances)))
+    amplitudes *= np.sqrt(network.variances) * rmsf / network.fluctuations.mean()
+    moved = np.einsum("fk,kni->fni", amplitudes, network.directions)
+    turns = _turns(trace.positions, moved)
+    arms = atoms - trace.positions[owner]
+    drawn: np.ndarray = atoms + moved[:, owner] + np.cross(turns[:, owner], arms)
+    return drawn
+
+
+def _turns(positions: np.ndarray, moved: np.ndarray) -> np.ndarray:
+    """Turns (F, N, 3), radians, of the surroundings of each residue, by least squares."""
+    turns = np.zeros_like(moved)
+    for i, centre in enumerate(positions):
+        arms = positions - centre
+        near = np.flatnonzero(np.linalg.norm(arms, axis=1) < TURNS_WITH)
+        arms = arms[near]
+        inertia = (arms**2).sum() * np.eye(3) - arms.T @ arms
+        torque = np.cross(arms, moved[:, near] - moved[:, i : i + 1]).sum(axis=1)
+        turns[:, i] = torque @ np.linalg.pinv(inertia)
+    return turns

