@@ -13,7 +13,11 @@ namespace pliant::app {
 void refuse_same_files(const std::vector<std::string>& inputs,
                        const std::vector<std::string>& outputs);
 
-/// Throws OptionError if a trajectory's name promises another format than H5MD.
-void check_h5md_name(const std::string& output);
+/// ".pdb" of "OUT.PDB".
+std::string extension_of(const std::string& name);
+
+/// Throws OptionError if a trajectory's name promises another format than H5MD or PDB. Names the
+/// command that makes such a file.
+void check_trajectory_name(const std::string& output);
 
 }  // namespace pliant::app

@@ -6,6 +6,7 @@
 #include <thread>
 #include <utility>
 
+#include "frame_output.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/model/residue_nodes.hpp"
 #include "pliant/sample/elastic_network.hpp"
@@ -47,7 +48,8 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
 void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FILE",
-                "H5MD trajectory (default: INPUT's name.h5md)");
+                "H5MD trajectory, or models of a PDB file where the name ends in .pdb\n"
+                "(default: INPUT's name.h5md)");
   line.add_text("--topology", settings.topology, "FILE",
                 "PDB with names and bonds, or none (default: OUTPUT's name.pdb)");
   line.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
@@ -83,7 +85,8 @@ void complete(SampleSettings& settings) {
   if (settings.threads == 0) settings.threads = std::max(1U, std::thread::hardware_concurrency());
   settings.sample.threads = static_cast<int>(settings.threads);
   if (settings.output.empty()) settings.output = stem_of(settings.molecule.file).string() + ".h5md";
-  if (settings.topology.empty()) settings.topology = default_topology(settings);
+  if (settings.topology.empty())
+    settings.topology = is_pdb_name(settings.output) ? "none" : default_topology(settings);
   check(settings.sample);
 }
 

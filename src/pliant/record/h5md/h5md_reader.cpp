@@ -4,6 +4,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/record/h5md/h5md_frame_reader.hpp"
 #include "pliant/record/h5md/h5md_static_reader.hpp"
+#include "pliant/record/hdf5/while_written.hpp"
 
 namespace pliant {
 
@@ -16,21 +17,15 @@ class H5mdReader::File {
     try {
       return read();
     } catch (const InputError& error) {
-      throw InputError(name_ + ": " + error.what());
+      throw InputError(name_ + ": " + error.what() + writer());
     } catch (const FileError& error) {
-      throw FileError(name_ + ": " + error.what());
+      throw FileError(name_ + ": " + error.what() + writer());
     }
   }
 
   File(const std::filesystem::path& path, const H5mdReadOptions& options) : name_(path.string()) {
     const Hdf5Session session;
-    hdf5_ = open_hdf5(path);
-    try {
-      guarded([&] { frames_.emplace(hdf5_, options.group, name_, options.log); });
-    } catch (...) {
-      release();
-      throw;
-    }
+    while_written(path, [&] { open(path, options); });
   }
   ~File() {
     const Hdf5Session session;
@@ -41,6 +36,20 @@ class H5mdReader::File {
   StaticReader fixed() const { return {hdf5_, frames_->group(), frames_->joint_count()}; }
 
  private:
+  void open(const std::filesystem::path& path, const H5mdReadOptions& options) {
+    try {
+      hdf5_ = open_hdf5(path);
+      frames_.emplace(hdf5_, options.group, name_, options.log);
+    } catch (...) {
+      release();
+      throw;
+    }
+  }
+  /// Frames that came after the file was opened are not always seen as a whole.
+  std::string writer() const {
+    const std::string writer = writer_of(name_);
+    return writer.empty() ? "" : "; it is being written by " + writer + ": open it again";
+  }
   void release() {
     frames_.reset();
     hdf5_.reset();

@@ -127,9 +127,17 @@ std::string as_utf8(const std::string& text) {
   return out;
 }
 
+/// HDF5 keeps more than eight links in a heap and a tree ("dense"), which it cannot list without
+/// crashing once a byte of them is wrong.
+void keep_links_in_header(std::int64_t properties) {
+  constexpr unsigned most_links = 65535;
+  checked(H5Pset_link_phase_change(properties, most_links, 0), "choose where links are kept");
+}
+
 Hid make_group(std::int64_t location, const std::string& path) {
   const Hid properties = owned(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "make group properties");
   checked(H5Pset_obj_track_times(properties, false), "switch time stamps off");
+  keep_links_in_header(properties);
   return owned(H5Gcreate2(location, path.c_str(), link_properties(), properties, H5P_DEFAULT),
                H5Gclose, "make the group " + path);
 }

@@ -15,6 +15,10 @@
 
 namespace pliant {
 
+/// For creating groups or files: all links of a group are in its header. Groups that are made on the
+/// way to others take this from the group that they are in.
+void keep_links_in_header(std::int64_t properties);
+
 /// A group at `path` below `location`; groups on the way are made too.
 Hid make_group(std::int64_t location, const std::string& path);
 
