@@ -10,8 +10,6 @@
 #include <iterator>
 #include <new>
 
-#include "pliant/record/hdf5/hdf5_write.hpp"
-
 namespace pliant {
 namespace {
 
@@ -128,10 +126,8 @@ Hid access_properties(CommittedFile* file) {
 
 Hid create_hdf5(CommittedFile& file) {
   const Hid access = access_properties(&file);
-  const Hid creation = owned(H5Pcreate(H5P_FILE_CREATE), H5Pclose, "make file properties");
-  keep_links_in_header(creation);
   // The name is only a key: the driver writes to `file`.
-  return owned(H5Fcreate("pliant", H5F_ACC_TRUNC, creation, access), H5Fclose,
+  return owned(H5Fcreate("pliant", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose,
                "create the file");
 }
 

@@ -27,10 +27,16 @@ Hid text_type(std::size_t size) {
   return type;
 }
 
-/// Names are UTF-8.
-Hid link_properties() {
+/// Groups on the way are made. A name in UTF-8 makes HDF5 keep the links of its group in the newer
+/// way: more than eight in a heap and a tree ("dense"), which it cannot list without crashing once
+/// a byte of them is wrong. So only what is no ASCII is called UTF-8.
+Hid link_properties(const std::string& path) {
   Hid properties = owned(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "make link properties");
-  checked(H5Pset_char_encoding(properties, H5T_CSET_UTF8), "set the encoding of names");
+  checked(H5Pset_create_intermediate_group(properties, 1), "ask for intermediate groups");
+  const bool is_ascii =
+      std::all_of(path.begin(), path.end(), [](char c) { return (c & 0x80) == 0; });
+  checked(H5Pset_char_encoding(properties, is_ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8),
+          "set the encoding of names");
   return properties;
 }
 
@@ -49,28 +55,10 @@ void write_attribute(hid_t object, const char* name, hid_t file_type, hid_t memo
   checked(H5Awrite(attribute, memory_type, value), what);
 }
 
-Hid make_one_group(hid_t location, const std::string& path) {
-  const Hid properties = owned(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "make group properties");
-  checked(H5Pset_obj_track_times(properties, false), "switch time stamps off");
-  keep_links_in_header(properties);
-  return owned(H5Gcreate2(location, path.c_str(), link_properties(), properties, H5P_DEFAULT),
-               H5Gclose, "make the group " + path);
-}
-
-/// Those that HDF5 would make on the way by itself would not keep their links in the header.
-void make_groups_to(hid_t location, const std::string& path) {
-  for (std::size_t end = path.find('/', 1); end != path.npos; end = path.find('/', end + 1)) {
-    const std::string group = path.substr(0, end);
-    if (checked(H5Lexists(location, group.c_str(), H5P_DEFAULT), "look for " + group) == 0)
-      make_one_group(location, group);
-  }
-}
-
 Hid write_dataset(hid_t location, const std::string& path, hid_t file_type, hid_t memory_type,
                   hid_t space, const void* values) {
   const std::string what = "write " + path;
-  make_groups_to(location, path);
-  Hid dataset = owned(H5Dcreate2(location, path.c_str(), file_type, space, link_properties(),
+  Hid dataset = owned(H5Dcreate2(location, path.c_str(), file_type, space, link_properties(path),
                                  dataset_properties(), H5P_DEFAULT),
                       H5Dclose, what);
   if (H5Sget_simple_extent_npoints(space) > 0)
@@ -144,14 +132,11 @@ std::string as_utf8(const std::string& text) {
   return out;
 }
 
-void keep_links_in_header(std::int64_t properties) {
-  constexpr unsigned most_links = 65535;
-  checked(H5Pset_link_phase_change(properties, most_links, 0), "choose where links are kept");
-}
-
 Hid make_group(std::int64_t location, const std::string& path) {
-  make_groups_to(location, path);
-  return make_one_group(location, path);
+  const Hid properties = owned(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "make group properties");
+  checked(H5Pset_obj_track_times(properties, false), "switch time stamps off");
+  return owned(H5Gcreate2(location, path.c_str(), link_properties(path), properties, H5P_DEFAULT),
+               H5Gclose, "make the group " + path);
 }
 
 void write_text_attribute(std::int64_t object, const char* name, const std::string& text) {

@@ -15,11 +15,6 @@
 
 namespace pliant {
 
-/// For creating groups or files: all links of a group are in its header. By itself HDF5 keeps more
-/// than eight in a heap and a tree ("dense"), which it cannot list without crashing once a byte of
-/// them is wrong.
-void keep_links_in_header(std::int64_t properties);
-
 /// A group at `path` below `location`; groups on the way are made too.
 Hid make_group(std::int64_t location, const std::string& path);
 
