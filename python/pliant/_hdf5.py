@@ -71,7 +71,7 @@ def while_written(path: str | os.PathLike[str], read: Callable[[], Result]) -> R
             return read()
         except (InputError, FileError, OSError) as error:
             writer = writer_of(os.fsdecode(path))
-            if is_last or isinstance(error, FileNotFoundError):
+            if is_last or not (writer or _is_new(path)):
                 raise
             if not writer:
                 is_last = True  # it may have ended just now: once more
@@ -79,6 +79,13 @@ def while_written(path: str | os.PathLike[str], read: Callable[[], Result]) -> R
                 name = os.fsdecode(path)
                 raise FileError(f"{name}: is being written by {writer} ({error})") from error
         time.sleep(PAUSE)
+
+
+def _is_new(path: str | os.PathLike[str]) -> bool:
+    try:
+        return time.time() - os.stat(path).st_mtime < PATIENCE
+    except OSError:
+        return False
 
 
 def item(group: h5py.Group, path: str) -> Item | None:
@@ -121,7 +128,10 @@ def _step(group: h5py.Group, name: str, left: list[int]) -> Item | None:
 def refused(parent: Item, name: str, why: str) -> InputError:
     """An InputError that names the file and the path of something below `parent`."""
     base = (parent.name or "").rstrip("/")
-    return InputError(f"{_file_name(parent)}: {base}/{name}: {why}")
+    file = _file_name(parent)
+    writer = writer_of(file)
+    note = f"; it is being written by {writer}: try again" if writer else ""
+    return InputError(f"{file}: {base}/{name}: {why}{note}")
 
 
 def _file_name(item: Item) -> str:
@@ -155,7 +165,8 @@ def read(dataset: h5py.Dataset, selection: Any = ()) -> Any:
 
 def check_stored(dataset: h5py.Dataset, values: int) -> None:
     """Raises InputError if the file cannot hold so many values of a dataset."""
-    stored = dataset.id.get_storage_size()
+    name = (dataset.name or "").rpartition("/")[2]
+    stored = _guarded(dataset.parent, name, dataset.id.get_storage_size)
     chunk = math.prod(dataset.chunks or ()) if dataset.chunks else 0
     wanted = max(values, chunk) * dataset.dtype.itemsize
     if wanted > max(MOST_EXPANSION * stored, HARMLESS_BYTES):

@@ -108,7 +108,8 @@ def _message(path: str, name: str, piece: Piece) -> tuple[str, bool, Any]:
         with h5py.File(path, "r") as file:
             return name, True, piece(file)
     except Exception as error:  # whatever HDF5 and h5py meet
-        return name, False, " ".join(str(error).split()) or type(error).__name__
+        reason = " ".join(str(error).split()).removeprefix(f"{path}: ")
+        return name, False, reason or type(error).__name__
 
 
 def dataset(path: str) -> Piece:

@@ -338,7 +338,7 @@ def _recover(arguments: argparse.Namespace) -> int:
         f"{recovery.parameters} options"
     )
     for what, why in recovery.lost.items():
-        print(f"lost: {what}: {why}")
+        print(f"lost: {why}" if why.startswith(f"/{what}") else f"lost: {what}: {why}")
     if not recovery.lost:
         print("nothing was lost")
     return console.EXIT_OK

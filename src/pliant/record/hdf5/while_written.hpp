@@ -5,6 +5,7 @@
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <thread>
 
 #include "pliant/base/error.hpp"
@@ -12,8 +13,12 @@
 
 namespace pliant {
 
+/// Whether somebody has written to the file in the last seconds.
+bool is_new(const std::filesystem::path& path);
+
 /// Returns what `read` returns. While the file is being written, a failure may come from a commit
-/// that is half done: `read` is then called again, for two seconds.
+/// that is half done: after a FileError, or an InputError that speaks of damage, `read` is then
+/// called again, for two seconds.
 /// Throws what `read` threw last, with the file's name before it; FileError "is being written by
 /// ..." where the writer is still at it.
 template <class Read>
@@ -23,9 +28,10 @@ auto while_written(const std::filesystem::path& path, const Read& read) {
   const Clock::time_point deadline = Clock::now() + patience;
   const std::string name = path.string() + ": ";
   for (bool is_last = false;; std::this_thread::sleep_for(pause)) {
-    const auto fail = [&]<class Failure>(const Failure& error) {
+    const auto fail = [&]<class Failure>(const Failure& error, bool may_pass) {
       const std::string writer = writer_of(path);
-      if (is_last) throw Failure(name + error.what());
+      if (is_last || !may_pass || (writer.empty() && !is_new(path)))
+        throw Failure(name + error.what());
       if (writer.empty()) {
         is_last = true;  // it may have ended just now: once more
       } else if (Clock::now() > deadline) {
@@ -35,9 +41,9 @@ auto while_written(const std::filesystem::path& path, const Read& read) {
     try {
       return read();
     } catch (const InputError& error) {
-      fail(error);
+      fail(error, std::string_view(error.what()).find("damaged") != std::string_view::npos);
     } catch (const FileError& error) {
-      fail(error);
+      fail(error, true);
     }
   }
 }
