@@ -33,7 +33,7 @@ void check_outputs(const RunSettings& settings) {
   std::vector<std::string> inputs = inputs_of(settings.molecule);
   inputs.insert(inputs.end(), {settings.forces, settings.ordering});
   refuse_same_files(inputs, {settings.output});
-  check_h5md_name(settings.output);
+  check_trajectory_name(settings.output);
   refuse_same_files(inputs, outputs_of(settings));
 }
 

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "command.hpp"
+#include "frame_output.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "output_files.hpp"
@@ -25,7 +26,7 @@ H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model
 /// Asked of both outputs before the first is made, so that none is left behind alone.
 void check_outputs(const SampleSettings& settings) {
   refuse_same_files(inputs_of(settings.molecule), {settings.output});
-  check_h5md_name(settings.output);
+  check_trajectory_name(settings.output);
   std::vector<std::string> outputs{settings.output};
   if (settings.topology != "none") outputs.push_back(settings.topology);
   refuse_same_files(inputs_of(settings.molecule), outputs);
@@ -60,8 +61,8 @@ Frame recorded(const SampledFrame& sampled) {
 
 SampleSummary sample_to_file(const SampleSettings& settings, const MolecularModel& model,
                              const Log& log) {
-  H5mdRecorder recorder(settings.output, model.framework, header_of(settings, model),
-                        settings.record);
+  FrameOutput recorder(settings.output, model.framework, header_of(settings, model),
+                       settings.record);
   write_topology(settings, model, log);
   ProgressBar progress(settings.sample.frames, "frames", settings.quiet);
   SampleOptions options = settings.sample;

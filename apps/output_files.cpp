@@ -21,14 +21,16 @@ struct ForeignName {
 };
 
 constexpr auto foreign_names = std::to_array<ForeignName>({
-    {".cif", "mmCIF"},     {".csv", "CSV"},      {".dcd", "DCD"},       {".ent", "PDB"},
-    {".extxyz", "XYZ"},    {".gro", "Gromos87"}, {".gz", "gzip"},       {".json", "JSON"},
-    {".mdcrd", "AMBER"},   {".mmcif", "mmCIF"},  {".mol", "MDL"},       {".mol2", "MOL2"},
-    {".nc", "NetCDF"},     {".ncdf", "NetCDF"},  {".netcdf", "NetCDF"}, {".npy", "NumPy"},
-    {".npz", "NumPy"},     {".pdb", "PDB"},      {".pdbqt", "PDBQT"},   {".sd", "SDF"},
-    {".sdf", "SDF"},       {".tng", "TNG"},      {".trj", "AMBER"},     {".trr", "TRR"},
-    {".xml", "graph XML"}, {".xtc", "XTC"},      {".xyz", "XYZ"},
+    {".cif", "mmCIF"},    {".csv", "CSV"},       {".dcd", "DCD"},       {".extxyz", "XYZ"},
+    {".gro", "Gromos87"}, {".gz", "gzip"},       {".json", "JSON"},     {".mdcrd", "AMBER"},
+    {".mmcif", "mmCIF"},  {".mol", "MDL"},       {".mol2", "MOL2"},     {".nc", "NetCDF"},
+    {".ncdf", "NetCDF"},  {".netcdf", "NetCDF"}, {".npy", "NumPy"},     {".npz", "NumPy"},
+    {".pdbqt", "PDBQT"},  {".sd", "SDF"},        {".sdf", "SDF"},       {".tng", "TNG"},
+    {".trj", "AMBER"},    {".trr", "TRR"},       {".xml", "graph XML"}, {".xtc", "XTC"},
+    {".xyz", "XYZ"},
 });
+
+constexpr auto convertible = std::to_array<std::string_view>({".dcd", ".trr", ".xtc", ".xyz"});
 
 /// Where a name leads, also through a link to a file that does not exist yet.
 fs::path end_of_links(fs::path name) {
@@ -91,16 +93,27 @@ std::string default_topology(const std::string& output, const std::string& input
   return (beside.parent_path() / (beside.stem().string() + "-topology.pdb")).string();
 }
 
-void check_h5md_name(const std::string& output) {
-  std::string extension = fs::path(output).extension().string();
+std::string extension_of(const std::string& name) {
+  std::string extension = fs::path(name).extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  for (const ForeignName& foreign : foreign_names)
-    if (foreign.extension == extension)
-      throw OptionError("--output " + printable_name(output) + ": is a name of " +
-                        std::string(foreign.format) +
-                        "; the trajectory is written as H5MD: expected a name such as " +
-                        printable_name(fs::path(output).replace_extension(".h5md").string()));
+  return extension;
+}
+
+void check_trajectory_name(const std::string& output) {
+  const std::string extension = extension_of(output);
+  for (const ForeignName& foreign : foreign_names) {
+    if (foreign.extension != extension) continue;
+    const std::string h5md = fs::path(output).replace_extension(".h5md").string();
+    const bool converts =
+        std::find(convertible.begin(), convertible.end(), extension) != convertible.end();
+    throw OptionError(
+        "--output " + printable_name(output) + ": is a name of " + std::string(foreign.format) +
+        "; trajectories are written as H5MD or PDB: expected a name such as " + printable_name(h5md) +
+        (converts ? ", of which \"pliant convert " + printable_name(h5md) + " -o " +
+                        printable_name(output) + "\" makes this one"
+                  : ""));
+  }
 }
 
 }  // namespace pliant::app

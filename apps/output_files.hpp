@@ -19,7 +19,11 @@ std::string default_trajectory(const std::string& input);
 /// Beside the output and of its name; "mol-topology.pdb" where mol.pdb is the input.
 std::string default_topology(const std::string& output, const std::string& input);
 
-/// Throws OptionError if a trajectory's name promises another format than H5MD.
-void check_h5md_name(const std::string& output);
+/// ".pdb" of "OUT.PDB".
+std::string extension_of(const std::string& name);
+
+/// Throws OptionError if a trajectory's name promises another format than H5MD or PDB. Names the
+/// command that makes such a file.
+void check_trajectory_name(const std::string& output);
 
 }  // namespace pliant::app

@@ -6,6 +6,7 @@
 #include <limits>
 #include <thread>
 
+#include "frame_output.hpp"
 #include "output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
@@ -72,7 +73,8 @@ void add_perturb_options(CommandLine& line, RunSettings& settings) {
 void add_output_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FILE",
-                "H5MD trajectory (default: INPUT's name.h5md)");
+                "H5MD trajectory, or models of a PDB file where the name ends in .pdb\n"
+                "(default: INPUT's name.h5md)");
   line.add_text("--topology", settings.topology, "FILE",
                 "PDB with names and bonds, or none (default: OUTPUT's name.pdb)");
   line.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
@@ -174,7 +176,7 @@ void name_outputs(const CommandLine& line, RunSettings& settings) {
   if (line.was_given("--shard")) take_shard(line, settings);
   if (settings.output.empty()) settings.output = default_trajectory(settings.molecule.file);
   if (settings.topology.empty())
-    settings.topology = settings.first_walker > 0
+    settings.topology = settings.first_walker > 0 || is_pdb_name(settings.output)
                             ? "none"
                             : default_topology(settings.output, settings.molecule.file);
 }

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 
+#include "frame_output.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
@@ -61,7 +62,7 @@ std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t w
 
 /// The outputs of a walker.
 struct RecordedWalker {
-  H5mdRecorder recorder;
+  FrameOutput recorder;
   std::optional<ForceRecorder> forces;
   std::int64_t last_step = 0;
 

@@ -5,6 +5,7 @@
 #include <thread>
 #include <utility>
 
+#include "frame_output.hpp"
 #include "output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/model/residue_nodes.hpp"
@@ -46,7 +47,8 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
 void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FILE",
-                "H5MD trajectory (default: INPUT's name.h5md)");
+                "H5MD trajectory, or models of a PDB file where the name ends in .pdb\n"
+                "(default: INPUT's name.h5md)");
   line.add_text("--topology", settings.topology, "FILE",
                 "PDB with names and bonds, or none (default: OUTPUT's name.pdb)");
   line.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
@@ -69,7 +71,9 @@ void complete(SampleSettings& settings) {
   settings.sample.threads = static_cast<int>(settings.threads);
   if (settings.output.empty()) settings.output = default_trajectory(settings.molecule.file);
   if (settings.topology.empty())
-    settings.topology = default_topology(settings.output, settings.molecule.file);
+    settings.topology = is_pdb_name(settings.output)
+                            ? "none"
+                            : default_topology(settings.output, settings.molecule.file);
   check(settings.sample);
 }
 

@@ -12,6 +12,8 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/structure/structure.hpp"
+#include "pliant/record/hdf5/structure_check.hpp"
+#include "pliant/record/hdf5/while_written.hpp"
 #include "structure_columns.hpp"
 
 namespace pliant::python {
@@ -132,9 +134,19 @@ void bind_recorded(nb::class_<LockedReader>& reader) {
           "frame"_a = 0, "The atoms and bonds that were recorded, at the positions of a frame.");
 }
 
+bool check_structure(const std::filesystem::path& path) {
+  const nb::gil_scoped_release no_gil;
+  return while_written(path, [&] { return check_hdf5_structure(path); });
+}
+
 }  // namespace
 
 void bind_h5md_reader(nb::module_& module) {
+  module.def("check_hdf5_structure", &check_structure, "path"_a,
+             "Looks at the structure of an HDF5 file within bounds, without HDF5. Returns whether\n"
+             "all of it is of a known format; raises InputError where it is damaged.");
+  module.def("writer_of", &writer_of, "path"_a,
+             "Who is writing a file now, such as \"process 123\"; \"\" for nobody.");
   nb::class_<LockedReader> reader(
       module, "H5mdReader",
       "An H5MD file, ours or another program's, which may still be written.\n\n"

@@ -5,7 +5,9 @@
 #include "arrays.hpp"
 #include "checks.hpp"
 #include "messages.hpp"
+#include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/structure/structure.hpp"
+#include "pliant/record/pdb_recorder.hpp"
 #include "pliant/record/topology_pdb.hpp"
 #include "pliant/record/xml/graph_xml.hpp"
 #include "pliant/record/xml/write_graph_xml.hpp"
@@ -24,6 +26,57 @@ void write_pdb(const std::filesystem::path& path, const Structure& structure,
   const TopologyPdbOptions options{overwrite, hybrid36_bonds, structure.title, python_log()};
   const nb::gil_scoped_release no_gil;
   write_topology_pdb(path, structure.atoms, points, recorded_bonds(structure), options);
+}
+
+PdbRecorder make_pdb_recorder(const std::filesystem::path& path, const Structure& structure,
+                              bool overwrite) {
+  TopologyPdbOptions options;
+  options.overwrite = overwrite;
+  options.title = structure.title;
+  options.log = python_log();
+  return {path, std::make_shared<const AtomTable>(structure.atoms), recorded_bonds(structure),
+          options};
+}
+
+void bind_pdb_recorder(nb::module_& module) {
+  nb::class_<PdbRecorder>(
+      module, "PdbRecorder",
+      "Writes frames as the models of one PDB file, for viewers.\n\n"
+      "The file takes its name when it is closed with at least one model; what is not closed is\n"
+      "deleted. Positions are rounded to 0.001 Angstrom; steps and times have no place in it.\n"
+      "An observer of runs: it can be called with a frame.\n\n"
+      "Raises InputError where a coordinate does not fit the format (-999.999 to 9999.999),\n"
+      "FileError where the file exists (and ``overwrite`` is false) or cannot be written.")
+      .def(
+          "__init__",
+          [](PdbRecorder* self, const std::filesystem::path& path, const Structure& structure,
+             bool overwrite) {
+            new (self) PdbRecorder(make_pdb_recorder(path, structure, overwrite));
+          },
+          "path"_a, "structure"_a, nb::kw_only(), "overwrite"_a = false)
+      .def(
+          "record",
+          [](PdbRecorder& self, const ArrayLike& positions) {
+            self.record(positions_from(positions));
+          },
+          "positions"_a, "Adds a model of positions (N, 3), Angstrom.")
+      .def(
+          "__call__", [](PdbRecorder& self, const Frame& frame) { self.record(frame); }, "frame"_a,
+          "Adds a frame, so that it is an observer.")
+      .def("close", &PdbRecorder::close, "Ends the file and gives it its name.")
+      .def_prop_ro("models", &PdbRecorder::models, "Models recorded.")
+      .def_prop_ro("path", &PdbRecorder::path, "Where the file is.")
+      .def(
+          "__enter__", [](nb::handle_t<PdbRecorder> self) { return nb::borrow(self); },
+          nb::sig("def __enter__(self) -> PdbRecorder"))
+      .def(
+          "__exit__",
+          [](PdbRecorder& self, nb::handle type, nb::handle, nb::handle) {
+            if (type.is_none()) self.close();
+          },
+          "type"_a.none(), "value"_a.none(), "traceback"_a.none(),
+          nb::sig("def __exit__(self, type: object, value: object, traceback: object) -> None"),
+          "Closes it, unless there was an exception.");
 }
 
 GraphFile read_graph(const std::filesystem::path& path) {
@@ -87,6 +140,15 @@ void bind_topology(nb::module_& module) {
       "atoms past 99,999 too, which MDAnalysis does not open. Raises InputError where a\n"
       "coordinate does not fit the format, FileError where the file exists or cannot be\n"
       "written.");
+  module.def(
+      "select_atoms",
+      [](const Structure& structure, const std::string& selection) {
+        return array_of(select_atoms(structure.atoms, selection));
+      },
+      "structure"_a, "selection"_a,
+      "Indices (n,) of the atoms that a selection names, ascending. Raises OptionError where it\n"
+      "cannot be understood.");
+  bind_pdb_recorder(module);
   bind_graph(module);
 }
 

@@ -1,20 +1,24 @@
 # SPDX-License-Identifier: MIT
 """HDF5 files that may be damaged or made to do harm: what is read from them, and what is refused.
 
-Objects are opened one link at a time, so that links in circles and links to other files are seen
-before they are followed. Memory is taken for what a file holds, never for what it says to hold.
+The structure of a file is looked at before HDF5 does, which a wrong byte can crash. Objects are
+opened one link at a time, so that links in circles and links to other files are seen before they are
+followed. Memory is taken for what a file holds, never for what it says to hold.
 """
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from typing import Any, TypeAlias, TypeGuard
+import os
+import time
+from collections.abc import Callable, Iterator
+from typing import Any, TypeAlias, TypeGuard, TypeVar
 
 import h5py
 import numpy as np
 
-from pliant._core import InputError
+from pliant._core import FileError, InputError, check_hdf5_structure, writer_of
+from pliant._hdf5_probe import probe
 
 #: No filter makes more of a byte: deflate's limit is 1032, and shuffle changes no size.
 MOST_EXPANSION = 1100
@@ -25,7 +29,63 @@ MOST_LINKS = 16
 #: Levels of groups that are looked into.
 MOST_LEVELS = 8
 
+#: Seconds for which a file that is being written is tried again.
+PATIENCE = 2.0
+PAUSE = 0.02
+
 Item: TypeAlias = "h5py.Group | h5py.Dataset"
+Result = TypeVar("Result")
+
+#: Files whose structure was found good, as they were then: path -> device, number, size, time.
+_good: dict[str, tuple[int, ...]] = {}
+
+
+def open_file(path: str | os.PathLike[str]) -> h5py.File:
+    """An HDF5 file that is open for reading, once its structure was looked at.
+
+    Raises InputError where it is damaged, FileError or OSError where it cannot be read.
+    """
+    name = os.fspath(path)
+    status = os.stat(name)
+    state = (status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns)
+    if _good.get(name) != state:
+        if not check_hdf5_structure(name):
+            probe(name)
+        _good[name] = state
+    try:
+        return h5py.File(name, "r")
+    except OSError as error:
+        raise FileError(f"{name}: cannot be opened: {_one_line(error)}") from error
+
+
+def while_written(path: str | os.PathLike[str], read: Callable[[], Result]) -> Result:
+    """What `read` returns, which is called again for two seconds while somebody writes the file.
+
+    A failure may come from a commit that is half done. Raises what `read` raises, or FileError
+    "is being written by ...".
+    """
+    deadline = time.monotonic() + PATIENCE
+    is_last = False
+    while True:
+        try:
+            return read()
+        except (InputError, FileError, OSError) as error:
+            writer = writer_of(os.fsdecode(path))
+            if is_last or not (writer or _is_new(path)):
+                raise
+            if not writer:
+                is_last = True  # it may have ended just now: once more
+            elif time.monotonic() > deadline:
+                name = os.fsdecode(path)
+                raise FileError(f"{name}: is being written by {writer} ({error})") from error
+        time.sleep(PAUSE)
+
+
+def _is_new(path: str | os.PathLike[str]) -> bool:
+    try:
+        return time.time() - os.stat(path).st_mtime < PATIENCE
+    except OSError:
+        return False
 
 
 def item(group: h5py.Group, path: str) -> Item | None:
@@ -68,7 +128,10 @@ def _step(group: h5py.Group, name: str, left: list[int]) -> Item | None:
 def refused(parent: Item, name: str, why: str) -> InputError:
     """An InputError that names the file and the path of something below `parent`."""
     base = (parent.name or "").rstrip("/")
-    return InputError(f"{_file_name(parent)}: {base}/{name}: {why}")
+    file = _file_name(parent)
+    writer = writer_of(file)
+    note = f"; it is being written by {writer}: try again" if writer else ""
+    return InputError(f"{file}: {base}/{name}: {why}{note}")
 
 
 def _file_name(item: Item) -> str:
@@ -82,7 +145,11 @@ def _guarded(parent: Item, name: str, act: Any) -> Any:
     except KeyError:
         return None
     except (OSError, RuntimeError, TypeError, ValueError, MemoryError) as error:
-        raise refused(parent, name, f"cannot be read: {' '.join(str(error).split())}") from error
+        raise refused(parent, name, f"cannot be read: {_one_line(error)}") from error
+
+
+def _one_line(error: Exception) -> str:
+    return " ".join(str(error).split())
 
 
 def read(dataset: h5py.Dataset, selection: Any = ()) -> Any:
@@ -98,7 +165,8 @@ def read(dataset: h5py.Dataset, selection: Any = ()) -> Any:
 
 def check_stored(dataset: h5py.Dataset, values: int) -> None:
     """Raises InputError if the file cannot hold so many values of a dataset."""
-    stored = dataset.id.get_storage_size()
+    name = (dataset.name or "").rpartition("/")[2]
+    stored = _guarded(dataset.parent, name, dataset.id.get_storage_size)
     chunk = math.prod(dataset.chunks or ()) if dataset.chunks else 0
     wanted = max(values, chunk) * dataset.dtype.itemsize
     if wanted > max(MOST_EXPANSION * stored, HARMLESS_BYTES):

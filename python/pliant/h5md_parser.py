@@ -51,7 +51,7 @@ class H5MDParser(TopologyReaderBase):  # type: ignore[misc]  # MDAnalysis has no
         InputError
             The atom table does not fit the positions: the file is damaged.
         """
-        with h5py.File(self.filename, "r") as file:
+        with _hdf5.open_file(self.filename) as file:
             if _hdf5.item(file, f"{_TOPOLOGY}/atom_name") is not None:
                 return _named_topology(file)
             if _hdf5.item(file, f"{_TOPOLOGY}/bond_order") is not None:

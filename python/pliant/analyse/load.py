@@ -27,7 +27,10 @@ def open_universe(
 
     Raises InputError with one line: no such file, not HDF5, no frames, no or a wrong topology.
     """
-    path = Path(path)
+    return _hdf5.while_written(path, lambda: _checked_universe(Path(path), topology))
+
+
+def _checked_universe(path: Path, topology: str | os.PathLike[str] | None) -> Universe:
     _check_file(path)
     if topology is not None:
         _check_file(Path(topology))
@@ -51,7 +54,7 @@ def _check_file(path: Path) -> None:
         return
     if not h5py.is_hdf5(path):
         raise InputError(f"{path}: is not an HDF5 file, or was cut off while it was written")
-    with h5py.File(path, "r") as file:
+    with _hdf5.open_file(path) as file:
         group = _hdf5.first_in(file, "particles")
         if group is None:
             raise InputError(f"{path}: is HDF5 but not H5MD: there is no group in /particles")

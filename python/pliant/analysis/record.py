@@ -52,14 +52,18 @@ class RunRecord:
 def read_record(path: str | bytes | os.PathLike[str]) -> RunRecord | None:
     """Reads the RunRecord of an H5MD file; None if the file is not HDF5 with /particles.
 
-    What is there but has not the shape it should have is left out. Raises OSError when the file
-    cannot be read, and InputError where links lead to other files or in a circle, the file does
+    What is there but has not the shape it should have is left out. Raises FileError when the file
+    cannot be read or is being written without a rest, and InputError where links lead to other files or in a circle, the file does
     not hold what it says, or a tolerance is no number above 0.
     """
-    path = os.fsdecode(path)
-    if not h5py.is_hdf5(path):
+    name = os.fsdecode(path)
+    if not h5py.is_hdf5(name):
         return None
-    with h5py.File(path, "r") as file:
+    return _hdf5.while_written(name, lambda: _read_record(name))
+
+
+def _read_record(path: str) -> RunRecord | None:
+    with _hdf5.open_file(path) as file:
         group = _hdf5.first_in(file, "particles")
         if group is None:
             return None

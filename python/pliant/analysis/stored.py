@@ -42,7 +42,7 @@ class StoredPositions:
             self._use(os.fspath(trajectory.filename))
 
     def _use(self, path: str) -> None:
-        with h5py.File(path, "r") as file:
+        with _hdf5.open_file(path) as file:
             group = _hdf5.first_in(file, "particles")
             value = None if group is None else _hdf5.item(group, "position/value")
             if not _hdf5.is_array(value, "fiu", (None, None, 3)):
@@ -92,7 +92,7 @@ class StoredPositions:
 
     def _open(self) -> h5py.File:
         if self._file is None:
-            self._file = h5py.File(self._path, "r")
+            self._file = _hdf5.open_file(self._path)
         return self._file
 
     def close(self) -> None:

@@ -89,7 +89,7 @@ class Recording:
 
     def positions(self, frames: np.ndarray) -> np.ndarray:
         """(len(frames), N, 3) of ascending frame numbers."""
-        with h5py.File(self.path, "r") as file:
+        with _hdf5.open_file(self.path) as file:
             value = _Parts(file, self.path).positions()
             found = _hdf5.read(value, np.asarray(frames))
             positions: np.ndarray = found.astype(np.float64) * self.to_angstrom
@@ -98,7 +98,7 @@ class Recording:
     def blocks(self) -> Iterator[tuple[int, np.ndarray]]:
         """All frames in pieces: number of the first frame, positions (n, N, 3)."""
         size = max(1, BLOCK_BYTES // max(24 * self.joint_count, 1))
-        with h5py.File(self.path, "r") as file:
+        with _hdf5.open_file(self.path) as file:
             value = _Parts(file, self.path).positions()
             for first in range(0, self.frame_count, size):
                 block = _hdf5.read(value, slice(first, min(first + size, self.frame_count)))
@@ -116,7 +116,11 @@ def read_recording(path: str | os.PathLike[str]) -> Recording:
         raise InputError(f"{path}: no such file")
     if not h5py.is_hdf5(path):
         raise InputError(f"{path}: not an HDF5 file")
-    with h5py.File(path, "r") as file:
+    return _hdf5.while_written(path, lambda: _read_file(path))
+
+
+def _read_file(path: str) -> Recording:
+    with _hdf5.open_file(path) as file:
         return _read(_Parts(file, path))
 
 

@@ -64,12 +64,15 @@ bool is_being_written(int descriptor) {
   return ::fcntl(descriptor, F_OFD_GETLK, &lock) == 0 && lock.l_type != F_UNLCK;
 }
 
-[[noreturn]] void refuse_as_busy(const fs::path& path, int descriptor) {
+std::string holder_of(int descriptor) {
   struct flock lock = write_lock(process_byte);
-  std::string holder = "another recorder";
-  if (::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK && lock.l_pid > 0)
-    holder = "process " + std::to_string(lock.l_pid);
-  throw FileError(shown(path) + ": is being written by " + holder);
+  const bool is_known =
+      ::fcntl(descriptor, F_GETLK, &lock) == 0 && lock.l_type != F_UNLCK && lock.l_pid > 0;
+  return is_known ? "process " + std::to_string(lock.l_pid) : "another recorder";
+}
+
+[[noreturn]] void refuse_as_busy(const fs::path& path, int descriptor) {
+  throw FileError(shown(path) + ": is being written by " + holder_of(descriptor));
 }
 
 [[noreturn]] void refuse_existing(const fs::path& path) {
@@ -179,6 +182,11 @@ void OutputFile::close() {
   if (!published_) ::unlink(temporary_.c_str());
   ::close(descriptor_);
   descriptor_ = -1;
+}
+
+std::string writer_of(const fs::path& path) {
+  const Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  return file.value >= 0 && is_being_written(file.value) ? holder_of(file.value) : "";
 }
 
 void make_folder(const fs::path& path) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace pliant {
@@ -44,6 +45,10 @@ class OutputFile {
   bool published_ = false;
   int descriptor_ = -1;
 };
+
+/// Who is writing the file now: "process 123", "another recorder" where that cannot be told, ""
+/// for nobody.
+std::string writer_of(const std::filesystem::path& path);
 
 /// Writes a file that is there as a whole or not at all. Throws as OutputFile does.
 void write_text_file(const std::filesystem::path& path, std::string_view text, bool overwrite);

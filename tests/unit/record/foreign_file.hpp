@@ -22,8 +22,9 @@ using Extents = std::vector<hsize_t>;
 /// A file as other programs write it, built dataset by dataset.
 class ForeignFile {
  public:
-  explicit ForeignFile(const std::filesystem::path& path, hid_t creation = H5P_DEFAULT)
-      : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, H5P_DEFAULT)) {}
+  explicit ForeignFile(const std::filesystem::path& path, hid_t creation = H5P_DEFAULT,
+                       hid_t access = H5P_DEFAULT)
+      : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation, access)) {}
   ~ForeignFile() { H5Fclose(file_); }
 
   hid_t id() const { return file_; }

@@ -41,12 +41,12 @@ std::string list_of(const std::vector<std::string>& names) {
 }
 
 std::string choose_group(std::int64_t file, const std::string& asked) {
-  const std::vector<std::string> names = names_in(file, "/particles");
-  if (!asked.empty() && std::find(names.begin(), names.end(), asked) == names.end())
-    throw InputError("no group " + pliant::quoted(asked) +
-                     " in /particles; there are: " + list_of(names));
   const std::string wanted = asked.empty() ? "trajectory" : asked;
   if (has_object(file, "/particles/" + wanted)) return wanted;
+  const std::vector<std::string> names = names_in(file, "/particles");
+  if (!asked.empty())
+    throw InputError("no group " + pliant::quoted(asked) +
+                     " in /particles; there are: " + list_of(names));
   for (const std::string& name : names)
     if (has_object(file, "/particles/" + name + "/position/value")) return name;
   throw InputError("no group with positions in /particles; groups of the file: " +

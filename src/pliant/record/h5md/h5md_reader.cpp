@@ -1,36 +1,33 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/record/h5md/h5md_reader.hpp"
 
-#include "pliant/base/error.hpp"
+#include <utility>
+
 #include "pliant/record/h5md/h5md_frame_reader.hpp"
 #include "pliant/record/h5md/h5md_static_reader.hpp"
+#include "pliant/record/hdf5/while_written.hpp"
 
 namespace pliant {
 
 class H5mdReader::File {
  public:
-  /// Calls `read` alone with HDF5, and puts the file's name before its errors.
+  /// Calls `read` alone with HDF5, and puts the file's name before its errors. While somebody
+  /// writes the file, what fails is tried again in the file as it is then.
   template <class Read>
-  auto guarded(Read read) const {
+  auto guarded(Read read) {
     const Hdf5Session session;
-    try {
+    bool is_again = false;
+    return while_written(name_, [&] {
+      if (std::exchange(is_again, true)) open();
       return read();
-    } catch (const InputError& error) {
-      throw InputError(name_ + ": " + error.what());
-    } catch (const FileError& error) {
-      throw FileError(name_ + ": " + error.what());
-    }
+    });
   }
 
-  File(const std::filesystem::path& path, const H5mdReadOptions& options) : name_(path.string()) {
-    const Hdf5Session session;
-    hdf5_ = open_hdf5(path);
-    try {
-      guarded([&] { frames_.emplace(hdf5_, options.group, name_, options.log); });
-    } catch (...) {
-      release();
-      throw;
-    }
+  File(const std::filesystem::path& path, H5mdReadOptions options)
+      : name_(path.string()), options_(std::move(options)) {
+    guarded([&] {
+      if (!frames_) open();
+    });
   }
   ~File() {
     const Hdf5Session session;
@@ -41,12 +38,23 @@ class H5mdReader::File {
   StaticReader fixed() const { return {hdf5_, frames_->group(), frames_->joint_count()}; }
 
  private:
+  void open() {
+    release();
+    try {
+      hdf5_ = open_hdf5(name_);
+      frames_.emplace(hdf5_, options_.group, name_, options_.log);
+    } catch (...) {
+      release();
+      throw;
+    }
+  }
   void release() {
     frames_.reset();
     hdf5_.reset();
   }
 
   std::string name_;
+  H5mdReadOptions options_;
   Hid hdf5_;
   std::optional<FrameReader> frames_;
 };

@@ -30,7 +30,9 @@ struct H5mdReadOptions {
 /// InputError when what was read makes no sense; both name the file and the path within it.
 class H5mdReader {
  public:
-  /// Opens the file, which another program may be writing. Notes how many frames are left out
+  /// Opens the file. While a recorder writes it, a read that meets a commit half done is repeated
+  /// in the file opened anew, which may then have more frames; after two seconds of that it throws
+  /// FileError "is being written by ...". Notes how many frames are left out
   /// when positions, steps and times differ in number; warns when steps do not increase.
   explicit H5mdReader(const std::filesystem::path& path, const H5mdReadOptions& options = {});
   ~H5mdReader();

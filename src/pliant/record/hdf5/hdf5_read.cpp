@@ -4,12 +4,10 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
-#include <system_error>
 
 #include "pliant/base/error.hpp"
+#include "pliant/record/hdf5/hdf5_probe.hpp"
+#include "pliant/record/hdf5/structure_check.hpp"
 
 namespace pliant {
 namespace {
@@ -105,16 +103,11 @@ Hid open_single_attribute(std::int64_t object, const char* name) {
 }  // namespace
 
 Hid open_hdf5(const std::filesystem::path& path) {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  const std::string name = path.string();
-  if (!std::filesystem::exists(status))
-    throw FileError(name + ": cannot open: " + std::strerror(error ? error.value() : ENOENT));
-  if (!std::filesystem::is_regular_file(status)) throw FileError(name + ": is not a regular file");
+  if (!check_hdf5_structure(path)) probe_hdf5(path);
   const Hid access = owned(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "make file properties");
   checked(H5Pset_fclose_degree(access, H5F_CLOSE_STRONG), "choose how the file closes");
-  Hid file(H5Fopen(name.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
-  if (!file) throw FileError(name + ": " + open_failure(hdf5_reason()));
+  Hid file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access), H5Fclose);
+  if (!file) throw FileError(open_failure(hdf5_reason()));
   return file;
 }
 

@@ -13,7 +13,9 @@
 
 namespace pliant {
 
-/// Opens a file for reading. Throws FileError with a reason that says what to do.
+/// Opens a file for reading, once its structure was looked at: HDF5 can crash on a wrong byte.
+/// Throws FileError with a reason that says what to do, and InputError where the file is damaged;
+/// neither names the file.
 Hid open_hdf5(const std::filesystem::path& path);
 
 /// Whether `path` leads to an object within the file. Throws FileError on a link that leaves the

@@ -27,11 +27,16 @@ Hid text_type(std::size_t size) {
   return type;
 }
 
-/// Groups on the way are made, names are UTF-8.
-Hid link_properties() {
+/// Groups on the way are made. A name in UTF-8 makes HDF5 keep the links of its group in the newer
+/// way: more than eight in a heap and a tree ("dense"), which it cannot list without crashing once
+/// a byte of them is wrong. So only what is no ASCII is called UTF-8.
+Hid link_properties(const std::string& path) {
   Hid properties = owned(H5Pcreate(H5P_LINK_CREATE), H5Pclose, "make link properties");
   checked(H5Pset_create_intermediate_group(properties, 1), "ask for intermediate groups");
-  checked(H5Pset_char_encoding(properties, H5T_CSET_UTF8), "set the encoding of names");
+  const bool is_ascii =
+      std::all_of(path.begin(), path.end(), [](char c) { return (c & 0x80) == 0; });
+  checked(H5Pset_char_encoding(properties, is_ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8),
+          "set the encoding of names");
   return properties;
 }
 
@@ -53,7 +58,7 @@ void write_attribute(hid_t object, const char* name, hid_t file_type, hid_t memo
 Hid write_dataset(hid_t location, const std::string& path, hid_t file_type, hid_t memory_type,
                   hid_t space, const void* values) {
   const std::string what = "write " + path;
-  Hid dataset = owned(H5Dcreate2(location, path.c_str(), file_type, space, link_properties(),
+  Hid dataset = owned(H5Dcreate2(location, path.c_str(), file_type, space, link_properties(path),
                                  dataset_properties(), H5P_DEFAULT),
                       H5Dclose, what);
   if (H5Sget_simple_extent_npoints(space) > 0)
@@ -130,7 +135,7 @@ std::string as_utf8(const std::string& text) {
 Hid make_group(std::int64_t location, const std::string& path) {
   const Hid properties = owned(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, "make group properties");
   checked(H5Pset_obj_track_times(properties, false), "switch time stamps off");
-  return owned(H5Gcreate2(location, path.c_str(), link_properties(), properties, H5P_DEFAULT),
+  return owned(H5Gcreate2(location, path.c_str(), link_properties(path), properties, H5P_DEFAULT),
                H5Gclose, "make the group " + path);
 }
 

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "frame_output.hpp"
+
+#include "output_files.hpp"
+
+namespace pliant::app {
+
+bool is_pdb_name(const std::string& output) {
+  const std::string extension = extension_of(output);
+  return extension == ".pdb" || extension == ".ent";
+}
+
+FrameOutput::FrameOutput(const std::string& output, const Framework& framework,
+                         const H5mdHeader& header, const H5mdOptions& options) {
+  if (!is_pdb_name(output)) {
+    h5md_.emplace(output, framework, header, options);
+    return;
+  }
+  TopologyPdbOptions pdb;
+  pdb.overwrite = options.overwrite;
+  pdb.log = options.log;
+  pdb_.emplace(output, framework.atoms(), header.bonds, pdb);
+}
+
+void FrameOutput::record(const Frame& frame) { h5md_ ? h5md_->record(frame) : pdb_->record(frame); }
+
+void FrameOutput::close() { h5md_ ? h5md_->close() : pdb_->close(); }
+
+}  // namespace pliant::app

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Where run and sample put their frames: an H5MD file, or a PDB file by its name.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/pdb_recorder.hpp"
+
+namespace pliant::app {
+
+/// Whether the name is one of PDB (.pdb, .ent).
+bool is_pdb_name(const std::string& output);
+
+/// Records frames in the format that the name asks for.
+class FrameOutput {
+ public:
+  /// A PDB file takes names and bonds only. Throws as the recorders do.
+  FrameOutput(const std::string& output, const Framework& framework, const H5mdHeader& header,
+              const H5mdOptions& options);
+
+  void record(const Frame& frame);
+  void close();
+
+ private:
+  std::optional<H5mdRecorder> h5md_;
+  std::optional<PdbRecorder> pdb_;
+};
+
+}  // namespace pliant::app

@@ -1,0 +1,292 @@
+# SPDX-License-Identifier: MIT
+"""``pliant convert``: an H5MD trajectory in a format that other programs read."""
+
+from __future__ import annotations
+
+import argparse
+import os
+import pathlib
+import sys
+import tempfile
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
+
+import numpy as np
+
+from pliant import _core, console
+from pliant._core import InputError, OptionError
+from pliant._extras import need
+from pliant._superposition import Superposition
+
+#: Endings of names -> what they are, and whether MDAnalysis writes them.
+FORMATS = {
+    ".pdb": ("PDB, a model a frame", False),
+    ".ent": ("PDB, a model a frame", False),
+    ".dcd": ("DCD", True),
+    ".xtc": ("XTC", True),
+    ".trr": ("TRR", True),
+    ".xyz": ("XYZ", True),
+}
+
+EPILOG = """\
+The name of OUT says the format: .pdb (a model a frame), .dcd, .xtc, .trr or .xyz. PDB is written by
+Pliant itself, the others by MDAnalysis (pip install "pliant[analysis]"). H5MD has every digit: PDB
+and XYZ keep 0.001 and 0.00001 Angstrom, XTC 0.01, DCD and TRR 32-bit floats. Observables and bars stay
+behind; PDB has names and bonds, DCD, XTC and TRR have positions only: open them with OUT's .pdb of
+pliant run --topology.
+
+exit codes: 0 done, 1 bad input or file, 2 bad option or missing package
+
+examples:
+  pliant convert out.h5md -o out.xtc
+  pliant convert out.h5md -o ca.pdb --select "name CA" --every 10 --superpose
+"""
+
+
+@dataclass
+class Converted:
+    """What was written."""
+
+    path: str
+    format: str
+    frames: int
+    atoms: int
+
+
+def convert(
+    source: str | os.PathLike[str],
+    output: str | os.PathLike[str],
+    *,
+    select: str = "",
+    every: int = 1,
+    superpose: bool = False,
+    overwrite: bool = False,
+) -> Converted:
+    """Writes the frames of an H5MD file in the format that the name of `output` asks for.
+
+    Parameters
+    ----------
+    source, output : path
+        Endings of `output`: .pdb, .ent, .dcd, .xtc, .trr, .xyz.
+    select : str
+        Atoms that are written; "": all.
+    every : int
+        Only each so manyth frame, from the first.
+    superpose : bool
+        Each frame is laid on the first, by least squares over the atoms that are written.
+    overwrite : bool
+        Replace an existing file.
+
+    Raises
+    ------
+    OptionError
+        The format is not known, or `select` chooses nothing.
+    MissingPackageError
+        MDAnalysis is needed and not there.
+    InputError, FileError
+        The files cannot be read or written. `output` is then as it was before.
+    """
+    ending = pathlib.Path(output).suffix.lower()
+    if ending not in FORMATS:
+        known = ", ".join(FORMATS)
+        raise OptionError(f"{os.fspath(output)}: expected a name that ends in {known}")
+    name, is_of_mdanalysis = FORMATS[ending]
+    if is_of_mdanalysis:
+        need(f"writing {name}", "MDAnalysis")
+    _refuse(source, output, overwrite)
+    reader = _core.H5mdReader(os.fspath(source))
+    if len(reader) == 0:
+        raise InputError(f"{os.fspath(source)}: holds no frame")
+    structure = _structure_of(reader)
+    atoms = _chosen(structure, select)
+    part = structure if len(atoms) == len(structure) else _part_of(structure, atoms)
+    frames = _frames(reader, atoms, every, superpose)
+    write = _write_with_mdanalysis if is_of_mdanalysis else _write_pdb
+    count = write(os.fspath(output), part, frames, overwrite)
+    return Converted(os.fspath(output), name, count, len(atoms))
+
+
+def _refuse(
+    source: str | os.PathLike[str], output: str | os.PathLike[str], overwrite: bool
+) -> None:
+    if os.path.exists(source) and os.path.exists(output) and os.path.samefile(source, output):
+        raise OptionError(f"{os.fspath(output)}: is both input and output")
+    if not overwrite and os.path.exists(output):
+        raise _core.FileError(f"{os.fspath(output)}: exists; --overwrite replaces it")
+
+
+def _structure_of(reader: _core.H5mdReader) -> _core.Structure:
+    """The atoms that were recorded; nameless ones of files that have no names."""
+    try:
+        return reader.structure(0)
+    except InputError as error:
+        if "no atom table" not in str(error):
+            raise
+        return _core.Structure(reader.positions(0))
+
+
+def _chosen(structure: _core.Structure, select: str) -> np.ndarray:
+    if not select:
+        return np.arange(len(structure))
+    atoms: np.ndarray = np.asarray(_core.select_atoms(structure, select), dtype=np.int64)
+    if len(atoms) == 0:
+        raise OptionError(f'--select "{select}": chooses none of {len(structure)} atoms')
+    return atoms
+
+
+def _part_of(structure: _core.Structure, atoms: np.ndarray) -> _core.Structure:
+    place = np.full(len(structure), -1)
+    place[atoms] = np.arange(len(atoms))
+    bonds = place[np.asarray(structure.bonds, dtype=np.int64).reshape(-1, 2)]
+    inside = (bonds >= 0).all(axis=1)
+    return _core.Structure(
+        structure.positions[atoms],
+        elements=structure.elements[atoms],
+        names=[str(name) for name in structure.names[atoms]],
+        residue_names=[str(name) for name in structure.residue_names[atoms]],
+        residue_ids=structure.residue_ids[atoms],
+        insertion_codes=[str(code) for code in structure.insertion_codes[atoms]],
+        chains=[str(chain) for chain in structure.chains[atoms]],
+        serials=structure.serials[atoms],
+        bonds=bonds[inside],
+        bond_orders=np.asarray(structure.bond_orders)[inside],
+        title=structure.title,
+    )
+
+
+@dataclass
+class _Moment:
+    """A frame on its way: positions (n, 3) Angstrom, step, time in ps."""
+
+    positions: np.ndarray
+    step: int
+    time: float
+
+
+def _frames(
+    reader: _core.H5mdReader, atoms: np.ndarray, every: int, superpose: bool
+) -> Iterator[_Moment]:
+    fit: Superposition | None = None
+    for frame in range(0, len(reader), every):
+        positions = np.asarray(reader.positions(frame))[atoms]
+        if superpose and fit is None:
+            fit = Superposition(positions, np.ones(len(atoms)))
+        elif fit is not None:
+            positions = fit.apply(positions)
+        yield _Moment(positions, reader.step(frame), _time(reader, frame))
+
+
+def _time(reader: _core.H5mdReader, frame: int) -> float:
+    try:
+        return reader.time(frame)
+    except InputError:  # the file has none
+        return float(frame)
+
+
+def _write_pdb(
+    output: str, structure: _core.Structure, frames: Iterator[_Moment], overwrite: bool
+) -> int:
+    with _core.PdbRecorder(output, structure, overwrite=overwrite) as recorder:
+        for moment in frames:
+            recorder.record(moment.positions)
+    return int(recorder.models)
+
+
+def _write_with_mdanalysis(
+    output: str, structure: _core.Structure, frames: Iterator[_Moment], overwrite: bool
+) -> int:
+    import MDAnalysis
+
+    from pliant.adapters import to_mdanalysis
+
+    universe = to_mdanalysis(structure)
+    options = {"precision": 5} if output.lower().endswith(".xyz") else {}
+    count = 0
+    with _beside(output, overwrite) as path:
+        with MDAnalysis.Writer(path, n_atoms=len(structure), **options) as writer:
+            for moment in frames:
+                step = universe.trajectory.ts
+                step.positions = moment.positions
+                step.time, step.frame = moment.time, count
+                step.data["step"] = moment.step
+                writer.write(universe.atoms)
+                count += 1
+    return count
+
+
+@contextmanager
+def _beside(output: str, overwrite: bool) -> Iterator[str]:
+    """A name in the folder of `output`, whose file takes its name at the end, or goes."""
+    folder, name = os.path.split(os.path.abspath(output))
+    if not os.path.isdir(folder):
+        raise _core.FileError(f"{output}: the directory {folder} does not exist")
+    with tempfile.TemporaryDirectory(prefix=f".{name}.", dir=folder) as own:
+        path = os.path.join(own, name)
+        yield path
+        _take_name(path, output, overwrite)
+
+
+def _take_name(path: str, output: str, overwrite: bool) -> None:
+    if overwrite:
+        os.replace(path, output)
+        return
+    try:
+        os.link(path, output)
+    except FileExistsError:
+        raise _core.FileError(f"{output}: exists; --overwrite replaces it") from None
+    except OSError:  # a file system without hard links
+        os.rename(path, output)
+
+
+def make_parser() -> console.Parser:
+    """The options of pliant convert."""
+    parser = console.Parser(
+        "convert", "Writes an H5MD trajectory in a format that other programs read.", EPILOG
+    )
+    add = parser.add_argument
+    add("file", metavar="IN", help="H5MD trajectory of pliant run or sample")
+    add("-o", "--output", metavar="OUT", required=True, type=_file_name,
+        help="file to write; its ending says the format")  # fmt: skip
+    add("--select", metavar="WORDS", default="",
+        help='atoms that are written, such as "protein and name CA" (default: all)')  # fmt: skip
+    add("--every", metavar="N", type=console.whole_number(1), default=1,
+        help="only each Nth frame, from the first (default 1)")  # fmt: skip
+    add("--superpose", action="store_true",
+        help="lay each frame on the first, by least squares over the atoms written")  # fmt: skip
+    add("--overwrite", action="store_true", help="replace an existing OUT")
+    add("--json", action="store_true", help="print what was written as one JSON object")
+    add("--quiet", action="store_true", help="print nothing but errors")
+    return parser
+
+
+def _file_name(text: str) -> str:
+    if not text:
+        raise argparse.ArgumentTypeError("expected the name of a file, found nothing")
+    return text
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Runs the command; returns its exit code."""
+    arguments = make_parser().parse_args(words)
+    return console.run_command("convert", lambda: _convert(arguments))
+
+
+def _convert(arguments: argparse.Namespace) -> int:
+    done = convert(
+        arguments.file,
+        arguments.output,
+        select=arguments.select,
+        every=arguments.every,
+        superpose=arguments.superpose,
+        overwrite=arguments.overwrite,
+    )
+    if arguments.json:
+        console.print_json(vars(done))
+    elif not arguments.quiet:
+        print(f"{done.path}: {done.frames} frames of {done.atoms} atoms, {done.format}")
+    return console.EXIT_OK
+
+
+if __name__ == "__main__":
+    sys.exit(main())

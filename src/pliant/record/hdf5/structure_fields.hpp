@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Bytes of a file that may be damaged, read field by field within bounds.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace pliant {
+
+/// HDF5's address of what is not there, at eight bytes.
+inline constexpr std::uint64_t no_address = ~std::uint64_t{0};
+
+/// Little-endian fields of a block, one after the other. Everything throws InputError
+/// ("is damaged: WHAT: WHY") where the block ends before the field does.
+class StructureFields {
+ public:
+  /// `what` names the block in errors. Does not own the bytes.
+  StructureFields(std::span<const std::byte> bytes, std::string what)
+      : bytes_(bytes), what_(std::move(what)) {}
+
+  std::uint64_t number(std::size_t width);  ///< of 1 to 8 bytes
+  void skip(std::size_t count);
+  /// The next `count` bytes as a block of their own.
+  StructureFields part(std::size_t count, std::string_view what);
+  /// Text up to a NUL, which is passed.
+  std::string text();
+  /// Throws unless these characters come next.
+  void signature(std::string_view characters);
+
+  std::size_t left() const { return bytes_.size() - at_; }
+  std::size_t position() const { return at_; }
+  std::span<const std::byte> all() const { return bytes_; }
+
+  [[noreturn]] void fail(std::string_view why) const;
+  void require(bool condition, std::string_view why) const {
+    if (!condition) fail(why);
+  }
+
+ private:
+  std::span<const std::byte> bytes_;
+  std::string what_;
+  std::size_t at_ = 0;
+};
+
+/// A regular file that is open for reading.
+class StructureFile {
+ public:
+  /// Throws FileError.
+  explicit StructureFile(const std::filesystem::path& path);
+  ~StructureFile();
+  StructureFile(const StructureFile&) = delete;
+  StructureFile& operator=(const StructureFile&) = delete;
+
+  std::uint64_t size() const { return size_; }
+  /// Bytes [address, address + count), which lie within the file. Throws InputError if it has
+  /// become shorter.
+  std::vector<std::byte> read(std::uint64_t address, std::size_t count) const;
+
+ private:
+  int descriptor_ = -1;
+  std::uint64_t size_ = 0;
+};
+
+/// Bob Jenkins' lookup3 with a start of 0, which HDF5 has for a checksum of metadata.
+std::uint32_t structure_checksum(std::span<const std::byte> bytes);
+
+}  // namespace pliant

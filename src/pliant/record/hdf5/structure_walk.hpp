@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+// What is shared while the structure of an HDF5 file is walked through: its bytes, which of them
+// are taken by what, and what still has to be looked at.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "pliant/record/hdf5/structure_fields.hpp"
+
+namespace pliant {
+
+/// Sizes of tree nodes and group nodes, which the superblock states.
+struct StructureSizes {
+  std::uint64_t group_leaf = 4, group_node = 16, chunk_node = 32;
+};
+
+/// Each block is read once, and no two overlap: what is walked through ends.
+class StructureWalk {
+ public:
+  explicit StructureWalk(const StructureFile& file) : file_(file), end_(file.size()) {}
+
+  /// Reads a block of metadata and takes its bytes. Throws InputError where it is not in the file.
+  std::vector<std::byte> block(std::uint64_t address, std::uint64_t bytes, const std::string& what);
+  /// Takes bytes of values, which may be taken again as a whole.
+  void take_values(std::uint64_t address, std::uint64_t bytes, const std::string& what);
+  /// Reads bytes that were taken.
+  std::vector<std::byte> read(std::uint64_t address, std::size_t bytes) const {
+    return file_.read(address, bytes);
+  }
+  /// Throws InputError if blocks overlap.
+  void check_overlaps();
+
+  /// Where the file ends, as its superblock says.
+  void set_end(std::uint64_t end) { end_ = end; }
+  std::uint64_t end() const { return end_; }
+  std::uint64_t file_size() const { return file_.size(); }
+
+  /// An object that something leads to.
+  void visit_later(std::uint64_t object) { objects_.push_back(object); }
+  /// One that was not looked at yet.
+  std::optional<std::uint64_t> next_object();
+
+  /// False if it was entered before. Throws InputError where it was something else.
+  bool enter(std::uint64_t address, const std::string& what);
+
+  /// There is something that is not checked: of formats that our files do not have.
+  void leave_unchecked() { is_complete_ = false; }
+  bool is_complete() const { return is_complete_; }
+
+  StructureSizes sizes;
+
+  /// Global heap collections: size of each object by its number.
+  std::map<std::uint64_t, std::map<std::uint64_t, std::uint64_t>> heaps;
+
+ private:
+  struct Taken {
+    std::uint64_t address, bytes;
+    bool is_values;
+    auto operator<=>(const Taken&) const = default;
+  };
+
+  void take(std::uint64_t address, std::uint64_t bytes, bool is_values, const std::string& what);
+
+  const StructureFile& file_;
+  std::uint64_t end_;
+  std::vector<Taken> taken_;
+  std::vector<std::uint64_t> objects_;
+  std::set<std::uint64_t> seen_;
+  std::map<std::uint64_t, std::string> entered_;
+  std::uint64_t read_bytes_ = 0;
+  bool is_complete_ = true;
+};
+
+}  // namespace pliant

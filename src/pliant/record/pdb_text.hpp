@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+// Records of PDB files (wwPDB format 3.3), written to a text.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <iterator>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/base/log.hpp"
+#include "pliant/base/vec3.hpp"
+#include "pliant/framework/atom_table.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
+
+namespace pliant {
+
+/// What did not fit, said once of each kind.
+struct PdbCuts {
+  std::size_t atom_names = 0, residue_names = 0, chains = 0, bonds = 0;
+
+  void tell(const std::string& file, const Log& log) const;
+};
+
+/// Records of the same atoms. Throws InputError naming the atom whose position, residue number or
+/// bond has no room in the columns. Keeps the table of atoms by reference.
+class PdbText {
+ public:
+  /// `hybrid36_bonds`: bonds of atoms past 99,999 are written, too.
+  PdbText(const AtomTable& atoms, bool hybrid36_bonds)
+      : atoms_(atoms), hybrid36_bonds_(hybrid36_bonds) {}
+
+  void add_title(const std::string& title);
+  /// Serials are 1 to N in the order of the joints, hybrid-36 past 99,999. TER between chains.
+  void add_atoms(std::span<const Vec3> positions);
+  /// The same as a model, numbered from 1.
+  void add_model(std::int64_t number, std::span<const Vec3> positions);
+  void add_bonds(std::span<const RecordedBond> bonds);
+  void add_end() { text_ += "END\n"; }
+
+  const std::string& text() const { return text_; }
+  void clear() { text_.clear(); }
+  /// Of everything that was added.
+  const PdbCuts& cuts() const { return cuts_; }
+
+ private:
+  std::back_insert_iterator<std::string> out() { return std::back_inserter(text_); }
+  void add_atom(std::size_t atom, Vec3 position);
+  std::string number_columns(std::size_t atom) const;
+  void check_position(std::size_t atom, Vec3 position) const;
+  std::vector<std::vector<std::uint32_t>> neighbours(std::span<const RecordedBond> bonds);
+  void add_conect(std::size_t atom, std::span<const std::uint32_t> others);
+
+  const AtomTable& atoms_;
+  bool hybrid36_bonds_;
+  std::string text_;
+  PdbCuts cuts_;
+};
+
+}  // namespace pliant
