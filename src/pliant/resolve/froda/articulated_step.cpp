@@ -18,6 +18,7 @@ using froda::Twist;
 using froda::twist_of;
 
 constexpr double largest_turn = 0.5;  // radians
+constexpr double damping = 10.0;
 constexpr double tiny = 1e-30;
 constexpr double redundant = 1e-9;
 /// Each of the two directional masses of a row, so that their sum is above the row.
@@ -29,9 +30,10 @@ Twist direction_of(const ContactRow& row, Vec3 x) {
 
 }  // namespace
 
-ArticulatedStep::ArticulatedStep(const BodyPlan& plan, double damping)
+ArticulatedStep::ArticulatedStep(const BodyPlan& plan, double unit)
     : plan_(plan),
-      damping_(damping),
+      square_unit_(unit * unit),
+      damping_(damping * square_unit_),
       inertia_(plan.bodies().size()),
       force_(plan.bodies().size()),
       twist_(plan.bodies().size()),
@@ -139,7 +141,7 @@ void ArticulatedStep::go_outward(const std::vector<Twist>& forces) {
   const auto bodies = plan_.bodies();
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (bodies[k].parent < 0) {
-      twist_[k] = froda::solve6(inertia_[k], forces[k]);
+      twist_[k] = froda::solve6(inertia_[k], forces[k], square_unit_);
       continue;
     }
     Twist v = twist_[std::size_t(bodies[k].parent)];

@@ -44,8 +44,9 @@ struct StepRequest {
 
 class ArticulatedStep {
  public:
-  /// The plan outlives it. `damping` (Angstrom^2) is added to what a turn moves.
-  explicit ArticulatedStep(const BodyPlan& plan, double damping = 10.0);
+  /// The plan outlives it. Ten times the square of `unit` (Angstrom) is added to what a turn moves:
+  /// damping.
+  explicit ArticulatedStep(const BodyPlan& plan, double unit = 1.0);
 
   /// Moves `x` (places, Angstrom, near the origin): bodies turn about their hinges, whose shapes
   /// stay as they are to rounding.
@@ -85,7 +86,7 @@ class ArticulatedStep {
                    double share) const;
 
   const BodyPlan& plan_;
-  double damping_;
+  double square_unit_, damping_;
   std::vector<froda::Inertia> inertia_;
   std::vector<froda::Twist> force_, twist_;
   std::vector<Turn> turns_;

@@ -79,7 +79,7 @@ class PointSums {
 };
 
 /// Solves m v = force by L D L^T. A little is added to the diagonal: directions without inertia (a
-/// rod about itself) stay.
-Twist solve6(Inertia m, Twist force);
+/// rod about itself) stay. `square_unit`: of lengths, Angstrom^2.
+Twist solve6(Inertia m, Twist force, double square_unit);
 
 }  // namespace pliant::froda
