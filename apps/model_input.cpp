@@ -14,8 +14,9 @@ void add_model_options(CommandLine& line, ModelSettings& settings) {
   line.add_text("--contacts", settings.contacts, "FILE",
                 "contacts as pliant contacts --csv writes them, in place of those found");
   line.add_flag("--keep-waters", settings.keep_waters, "do not take waters out");
-  line.add_names("--protonate", settings.protonate, "as hydrogens, names or pH 7 say",
-                 "forms of residues, as HIS57:HID or A:ASP25:ASH");
+  line.add_names("--protonate", settings.protonate, "",
+                 "forms of residues, as HIS57:HID,A:ASP25:ASH (default: as hydrogens, names and pH "
+                 "7 say)");
   line.add_flag("--floppy", settings.floppy,
                 "leave out contacts of residues with a confidence (pLDDT) below 50");
 }

@@ -27,6 +27,19 @@
 #include "pliant/molecule/sterics_lines.hpp"        // the sterics of such a text
 #include "pliant/molecule/structure/structure.hpp"  // atoms, positions, bonds
 
+// model: structures to models of molecules
+#include "pliant/model/atom_graph.hpp"            // who is bonded to whom
+#include "pliant/model/contact_file.hpp"          // contacts as text
+#include "pliant/model/contact_list.hpp"          // contacts, and the limits that they are
+#include "pliant/model/hydrogen_bond_energy.hpp"  // of one hydrogen bond
+#include "pliant/model/hydrogen_bonds.hpp"        // hydrogen bonds and salt bridges
+#include "pliant/model/model.hpp"                 // the model of a molecule
+#include "pliant/model/prepare.hpp"               // waters out, hydrogens in
+#include "pliant/model/protonation.hpp"           // forms of residues
+#include "pliant/model/steric_table.hpp"          // least distances of atoms
+#include "pliant/model/survey.hpp"                // what there is and what is missing
+#include "pliant/model/tethers.hpp"               // hydrophobic tethers, metals
+
 // framework: joints, bars and what is known of them
 #include "pliant/framework/atom_table.hpp"       // names of joints
 #include "pliant/framework/check_positions.hpp"  // can these positions carry the framework?

@@ -12,6 +12,7 @@ import pytest
 PAGES = {
     "pliant": ["--help"],
     "pliant-info": ["info", "--help"],
+    "pliant-contacts": ["contacts", "--help"],
     "pliant-run": ["run", "--help"],
     "pliant-structgen": ["structgen", "--help"],
     "pliant-forcegen": ["forcegen", "--help"],

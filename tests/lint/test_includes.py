@@ -19,6 +19,7 @@ MAY_INCLUDE = {
     "examples": ("base", "framework"),
     "rigidity": ("base", "framework"),
     "molecule": ("base", "text", "framework"),
+    "model": ("base", "text", "framework", "rigidity", "molecule"),
     "generate": ("base", "framework"),
     "order": ("base", "text", "framework"),
     "perturb": ("base", "text", "framework"),

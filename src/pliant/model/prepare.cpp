@@ -37,7 +37,8 @@ Vec3 ideal_cb(Vec3 n, Vec3 ca, Vec3 c) {
 /// Makes a structure ready, one step after the other.
 class Preparer {
  public:
-  Preparer(const Structure& structure, const PrepareOptions& options) : options_(options) {
+  Preparer(const Structure& structure, const PrepareOptions& options)
+      : options_(options), has_confidence_(survey(structure).has_confidence) {
     now_.structure = structure;
     now_.origin.resize(structure.size());
     for (std::uint32_t i = 0; i < structure.size(); ++i) now_.origin[i] = i;
@@ -47,9 +48,10 @@ class Preparer {
     take_out_waters();
     rename_selenium();
     refuse_ca_only();
-    add_cb();
+    const bool is_backbone_only = survey(now_.structure).is_backbone_only;
+    if (is_backbone_only) add_cb();
     add_hydrogens();
-    tell_of_survey();
+    tell_of_survey(is_backbone_only);
     find_floppy();
     for (const std::string& line : now_.steps) options_.log.note(line);
     for (const std::string& line : now_.missing) options_.log.warn(line);
@@ -113,7 +115,6 @@ class Preparer {
   }
 
   void add_cb() {
-    if (!survey(now_.structure).is_backbone_only) return;
     const ResidueAtoms residues(atoms());
     const auto& x = now_.structure.positions;
     std::vector<NewAtom> added;
@@ -172,8 +173,9 @@ class Preparer {
       tell("protonation " + form + ": " + listed_residues(atoms(), residues));
   }
 
-  void tell_of_survey() {
-    const Survey found = survey(now_.structure);
+  void tell_of_survey(bool is_backbone_only) {
+    Survey found = survey(now_.structure);
+    if (is_backbone_only) found.incomplete.clear();  // it was said already
     for (const std::string& line : found_parts(now_.structure, found)) tell("kept " + line);
     tell_of_ligands_without_hydrogens(found);
     for (std::string& line : missing_parts(now_.structure, found))
@@ -197,9 +199,8 @@ class Preparer {
   }
 
   void find_floppy() {
-    const Survey found = survey(now_.structure);
     const double below = options_.floppy_below > 0.0 ? options_.floppy_below : disordered_below;
-    if (!found.has_confidence && options_.floppy_below == 0.0) return;
+    if (!has_confidence_ && options_.floppy_below == 0.0) return;
     const std::vector<double> confidence = residue_b_factors(now_.structure);
     std::vector<std::uint32_t> low;
     for (std::uint32_t r = 0; r < confidence.size(); ++r)
@@ -218,6 +219,7 @@ class Preparer {
   }
 
   const PrepareOptions& options_;
+  bool has_confidence_;  ///< of the file: hydrogens hide it
   Preparation now_;
 };
 

@@ -27,9 +27,9 @@ class Surveyor {
   Survey survey() {
     for (std::uint32_t r = 0; r < atoms_.residues.size(); ++r) look_at(r);
     const std::size_t amino_acids = found_.amino_acids;
-    found_.is_ca_only = amino_acids > 0 && with_backbone_ == 0;
+    found_.is_ca_only = amino_acids > 0 && of_ca_only_ == amino_acids;
     found_.is_backbone_only =
-        amino_acids > 0 && !found_.is_ca_only && with_side_chain_ == 0 && amino_acids > glycines_;
+        with_backbone_ > 0 && with_side_chain_ == 0 && amino_acids > glycines_;
     if (found_.is_backbone_only || found_.is_ca_only) found_.incomplete.clear();
     for (const Bond& bond : structure_.bonds)
       if (atoms_.elements[bond.a] == 16 && atoms_.elements[bond.b] == 16)
@@ -62,6 +62,7 @@ class Surveyor {
 
   void look_at_amino_acid(std::uint32_t r) {
     if (has(r, "N") && has(r, "C")) ++with_backbone_;
+    if (residues_.end(r) - residues_.begin(r) == 1 && has(r, "CA")) ++of_ca_only_;
     const std::string_view standard = standard_name(atoms_.residues[r].name);
     if (standard == "GLY") ++glycines_;
     std::string missing;
@@ -119,7 +120,7 @@ class Surveyor {
   AtomGraph graph_;
   ResidueAtoms residues_;
   Survey found_;
-  std::size_t with_backbone_ = 0, with_side_chain_ = 0, glycines_ = 0;
+  std::size_t with_backbone_ = 0, with_side_chain_ = 0, of_ca_only_ = 0, glycines_ = 0;
 };
 
 std::string incomplete_text(const AtomTable& atoms, const std::vector<IncompleteResidue>& all) {

@@ -36,6 +36,17 @@
 #include "pliant/laboratory/read_test_set.hpp"
 #include "pliant/laboratory/test_results.hpp"
 #include "pliant/laboratory/test_set.hpp"
+#include "pliant/model/atom_graph.hpp"
+#include "pliant/model/contact_file.hpp"
+#include "pliant/model/contact_list.hpp"
+#include "pliant/model/hydrogen_bond_energy.hpp"
+#include "pliant/model/hydrogen_bonds.hpp"
+#include "pliant/model/model.hpp"
+#include "pliant/model/prepare.hpp"
+#include "pliant/model/protonation.hpp"
+#include "pliant/model/steric_table.hpp"
+#include "pliant/model/survey.hpp"
+#include "pliant/model/tethers.hpp"
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
@@ -123,6 +134,17 @@ const Use uses[] = {
     of("pliant/molecule/read/read.hpp", &formats),
     of("pliant/molecule/sterics_lines.hpp", &usual_kind),
     of_type<Structure>("pliant/molecule/structure/structure.hpp"),
+    of("pliant/model/atom_graph.hpp", &AtomGraph::are_bonded),
+    of("pliant/model/contact_file.hpp", &parse_contacts),
+    of("pliant/model/contact_list.hpp", &limits_of),
+    of("pliant/model/hydrogen_bond_energy.hpp", &hydrogen_bond_energy),
+    of("pliant/model/hydrogen_bonds.hpp", &hydrogen_bonds),
+    of("pliant/model/model.hpp", &build_model),
+    of("pliant/model/prepare.hpp", &prepare),
+    of("pliant/model/protonation.hpp", &protonation_of),
+    of("pliant/model/steric_table.hpp", &molecular_sterics),
+    of("pliant/model/survey.hpp", &survey),
+    of("pliant/model/tethers.hpp", &hydrophobic_tethers),
     of("pliant/framework/atom_table.hpp", overload<void(const AtomTable&)>(&check)),
     of("pliant/framework/check_positions.hpp", &check_positions),
     of("pliant/framework/contacts.hpp", &Contacts::update),

@@ -116,7 +116,7 @@ class Froda final : public Method {
   }
 
   void note(int steps, ResolveSummary& summary) const {
-    summary.sweeps += steps;
+    ++summary.sweeps;
     summary.projections += steps * static_cast<std::int64_t>(framework_.bar_count());
   }
 

@@ -1,0 +1,134 @@
+# SPDX-License-Identifier: MIT
+"""pliant contacts, and the model that other commands take it into."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import pytest
+
+pytest.importorskip("MDAnalysisTests")
+import MDAnalysisTests
+
+DATA = Path(MDAnalysisTests.__file__).parent / "data"
+OPEN = DATA / "adk_open.pdb"
+XRAY = DATA / "1a28.pdb.gz"
+
+HISTIDINE = """\
+ATOM      1  CB  HIS A   7      -1.500   0.000   0.000  1.00  0.00           C
+ATOM      2  CG  HIS A   7       0.000   0.000   0.000  1.00  0.00           C
+ATOM      3  ND1 HIS A   7       0.800   1.100   0.000  1.00  0.00           N
+ATOM      4  CD2 HIS A   7       0.800  -1.100   0.000  1.00  0.00           C
+ATOM      5  CE1 HIS A   7       2.100   0.700   0.000  1.00  0.00           C
+ATOM      6  NE2 HIS A   7       2.100  -0.650   0.000  1.00  0.00           N
+"""
+
+
+def rows_of(text):
+    return list(csv.DictReader(io.StringIO(text)))
+
+
+def test_json_and_csv_say_the_same(pliant):
+    rows = rows_of(pliant("contacts", OPEN, "--csv").out)
+    contacts = json.loads(pliant("contacts", OPEN, "--json").out)["contacts"]
+    assert len(rows) == len(contacts) > 200
+    assert [row["b"] for row in rows] == [contact["b"] for contact in contacts]
+    assert [float(row["energy"]) for row in rows] == [contact["energy"] for contact in contacts]
+
+
+def test_what_was_done_is_told(pliant):
+    ended = pliant("contacts", XRAY)
+    assert ended.code == 0
+    assert "note: 180 waters taken out\n" in ended.err
+    assert "polar hydrogens placed by rule\n" in ended.err
+    assert "warning: side chains: 5 residues lack atoms: A:GLN682 (CG CD OE1 NE2), " in ended.err
+
+
+def test_the_same_file_gives_the_same_contacts(pliant):
+    assert pliant("contacts", XRAY, "--csv").out == pliant("contacts", XRAY, "--csv").out
+
+
+def test_a_lower_cutoff_leaves_bonds_out(pliant):
+    all_of_them = rows_of(pliant("contacts", OPEN, "--csv").out)
+    strong = rows_of(pliant("contacts", OPEN, "--csv", "--hbond-cutoff", "-4").out)
+    bonds = [row for row in strong if row["kind"] == "hydrogen_bond"]
+    assert max(float(row["energy"]) for row in bonds) < -4
+    kept = [row for row in all_of_them if row["hydrogen"] and float(row["energy"]) < -4]
+    assert len(kept) == sum(bool(row["hydrogen"]) for row in strong)
+
+
+def test_contacts_edited_are_given_back(pliant, tmp_path):
+    lines = pliant("contacts", OPEN, "--csv").out.splitlines()
+    edited = tmp_path / "edited.csv"
+    edited.write_text("\n".join([lines[0], *lines[5:9]]) + "\n")
+    ended = pliant("contacts", OPEN, "--contacts", edited, "--csv")
+    assert ended.out.splitlines() == [lines[0], *lines[5:9]]
+
+
+def test_a_wrong_line_is_named(pliant, tmp_path):
+    wrong = tmp_path / "wrong.csv"
+    wrong.write_text("kind,a,b\nhydrophobic,0,A:NO1:CA\n")
+    ended = pliant("contacts", OPEN, "--contacts", wrong)
+    assert ended.code == 1
+    assert f'{wrong}:2: there is no atom called "A:NO1:CA"\n' in ended.err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (
+            ["--model", "protein", "--bars", "bonds"],
+            "--model, --bars: expected one of them: a model has bars of its own",
+        ),
+        (
+            ["--keep-waters"],
+            "--keep-waters: goes with --model molecule or --model protein",
+        ),
+        (["--model", "molecule", "--floppy"], "--floppy: goes with --model protein"),
+        (
+            ["--model", "protein", "--lengths", "table"],
+            "--lengths table: goes with --bars: a model has the lengths of the file",
+        ),
+        (
+            ["--model", "protein", "--protonate", "HIS7:ASH"],
+            'protonate: "HIS7:ASH": ASH is a form of ASP',
+        ),
+    ],
+)
+def test_options_that_do_not_go_together(pliant, tmp_path, arguments, message):
+    molecule = tmp_path / "his.pdb"
+    molecule.write_text(HISTIDINE)
+    ended = pliant("run", molecule, *arguments)
+    assert (ended.code, ended.err.splitlines()[-1]) == (2, f"pliant: error: {message}")
+    assert not (tmp_path / "his.h5md").exists()
+
+
+def test_a_run_knows_its_model(pliant, tmp_path):
+    molecule = tmp_path / "his.pdb"
+    molecule.write_text(HISTIDINE)
+    ended = pliant(
+        "run", molecule, "--model", "protein", "--steps", "2", "--technique", "bfs_cycle"
+    )
+    assert ended.code in (0, 3)
+    h5py = pytest.importorskip("h5py")
+    with h5py.File(tmp_path / "his.h5md") as file:
+        assert file["parameters/model/kind"][()].decode() == "protein"
+        assert file["particles/trajectory/position/value"].shape[1] == 7
+
+
+def test_bars_of_bonds_are_said_to_be_free(pliant, tmp_path):
+    molecule = tmp_path / "his.pdb"
+    molecule.write_text(HISTIDINE)
+    ended = pliant("run", molecule, "--steps", "1")
+    assert ended.code == 0
+    assert "note: bars of bonds: angles, planar groups, contacts and overlaps are free" in ended.err
+
+
+def test_info_says_what_is_missing(pliant):
+    facts = json.loads(pliant("info", XRAY, "--json").out)
+    assert facts["usual_model"] == "protein"
+    assert facts["waters"] == 180
+    assert facts["found"] == ["waters: 180", "ligands: A:STR1, B:STR2"]
+    assert facts["missing"][0].startswith("hydrogens: of ")
+    assert "missing     hydrogens: of " in pliant("info", XRAY).out
