@@ -77,7 +77,8 @@ void FrodaSolver::begin(std::span<const Vec3> start, std::span<const Vec3> targe
 void FrodaSolver::pull(const FrodaOptions& options) {
   double furthest = 0.0;
   for (Vec3 push : push_) furthest = std::max(furthest, norm_squared(push));
-  const int legs = std::max(1, static_cast<int>(std::ceil(std::sqrt(furthest) / (longest_pull * unit_))));
+  const int legs =
+      std::max(1, static_cast<int>(std::ceil(std::sqrt(furthest) / (longest_pull * unit_))));
   for (int leg = 1; leg < legs; ++leg) pull_to(double(leg) / legs, 1, options.is_careful, options);
   if (options.is_careful) return pull_to(1.0, careful_pulls, true, options);
   pull_to(1.0, last_pulls, false, options);
@@ -125,7 +126,8 @@ double FrodaSolver::close_loops() {
   if (plan_.cuts().empty()) return 0.0;
   before_ = x_;
   rows_.clear();
-  for (int k = 0; k < most_closings && widest_gap() > widest_closed * unit_; ++k) step({}, last_bound, 0);
+  for (int k = 0; k < most_closings && widest_gap() > widest_closed * unit_; ++k)
+    step({}, last_bound, 0);
   double furthest = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k)
     furthest = std::max(furthest, norm_squared(x_[k] - before_[k]));

@@ -36,8 +36,8 @@ struct FrodaOutcome {
 /// Not for two threads at once.
 class FrodaSolver {
  public:
-  /// Both outlive it. `unit` (Angstrom): of the lengths by which steps are bounded and damped, 1 for
-  /// molecules.
+  /// Both outlive it. `unit` (Angstrom): of the lengths by which steps are bounded and damped, 1
+  /// for molecules.
   FrodaSolver(const Framework& framework, const BodyPlan& plan, double unit = 1.0);
 
   /// `start` (N, Angstrom): all bars are whole. `target` (N): where the push wants the joints.
