@@ -12,12 +12,9 @@ namespace {
 
 using froda::add_direction;
 using froda::add_scaled;
-using froda::dot6;
-using froda::Inertia;
-using froda::Twist;
-using froda::twist_of;
 
 constexpr double largest_turn = 0.5;  // radians
+constexpr double damping = 10.0;
 constexpr double tiny = 1e-30;
 constexpr double redundant = 1e-9;
 /// Each of the two directional masses of a row, so that their sum is above the row.
@@ -29,9 +26,10 @@ Twist direction_of(const ContactRow& row, Vec3 x) {
 
 }  // namespace
 
-ArticulatedStep::ArticulatedStep(const BodyPlan& plan, double damping)
+ArticulatedStep::ArticulatedStep(const BodyPlan& plan, double unit)
     : plan_(plan),
-      damping_(damping),
+      square_unit_(unit * unit),
+      damping_(damping * square_unit_),
       inertia_(plan.bodies().size()),
       force_(plan.bodies().size()),
       twist_(plan.bodies().size()),
@@ -110,7 +108,7 @@ void ArticulatedStep::pass_on(const PlanBody& body, std::size_t index) {
   const auto own = turns(body);
   for (std::size_t t = own.size(); t-- > 0;) {
     Turn& turn = own[t];
-    turn.u = froda::times(m, turn.s);
+    turn.u = froda::product(m, turn.s);
     turn.inverse = 1.0 / (dot6(turn.s, turn.u) + damping_);
     turn.force = dot6(turn.s, p);
     add_scaled(-turn.force * turn.inverse, turn.u, p);
@@ -139,7 +137,7 @@ void ArticulatedStep::go_outward(const std::vector<Twist>& forces) {
   const auto bodies = plan_.bodies();
   for (std::size_t k = 0; k < bodies.size(); ++k) {
     if (bodies[k].parent < 0) {
-      twist_[k] = froda::solve6(inertia_[k], forces[k]);
+      twist_[k] = froda::solve6(inertia_[k], forces[k], square_unit_);
       continue;
     }
     Twist v = twist_[std::size_t(bodies[k].parent)];
@@ -248,7 +246,7 @@ double ArticulatedStep::apply_matrix(std::span<const Vec3> x, std::span<const Co
   image_.resize(plain_.size());
   double sum = 0.0;
   for (std::size_t k = 0; k < plain_.size(); ++k) {
-    image_[k] = froda::times(plain_[k], direction_[k]);
+    image_[k] = froda::product(plain_[k], direction_[k]);
     sum += dot6(image_[k], direction_[k]);
   }
   for (double angle : direction_angle_) sum += damping_ * angle * angle;
@@ -272,7 +270,7 @@ double ArticulatedStep::share_of(std::span<const Vec3> x, double bound) const {
     if (bodies[k].first == bodies[k].last) continue;
     for (Slot at : {bodies[k].first, bodies[k].last - 1})
       furthest = std::max(furthest, norm_squared(froda::velocity(twist_[k], x[at])));
-    if (bodies[k].parent < 0) widest = std::max(widest, norm_squared(froda::upper(twist_[k])));
+    if (bodies[k].parent < 0) widest = std::max(widest, norm_squared(upper_of(twist_[k])));
   }
   for (const Turn& turn : turns_) widest = std::max(widest, turn.angle * turn.angle);
   double share = 1.0;
@@ -294,18 +292,18 @@ ArticulatedStep::Motion ArticulatedStep::motion_of(const PlanBody& body, std::si
                                                    std::span<const Vec3> x, double share) const {
   Vec3 h;
   if (body.parent < 0) {
-    h = (0.5 * share) * froda::upper(twist_[index]);
+    h = (0.5 * share) * upper_of(twist_[index]);
   } else {
     for (std::uint32_t t = 0; t < body.turns(); ++t) {
       const Turn& turn = turns_[body.first_turn + t];
-      h += (0.5 * share * turn.angle) * froda::upper(turn.s);
+      h += (0.5 * share * turn.angle) * upper_of(turn.s);
     }
   }
   const Vec3 g = (2.0 / (1.0 + norm_squared(h))) * h;
   const Vec3 rx{1.0 - (h.y * g.y + h.z * g.z), h.x * g.y - g.z, h.x * g.z + g.y};
   const Vec3 ry{h.x * g.y + g.z, 1.0 - (h.x * g.x + h.z * g.z), h.y * g.z - g.x};
   const Vec3 rz{h.x * g.z - g.y, h.y * g.z + g.x, 1.0 - (h.x * g.x + h.y * g.y)};
-  if (body.parent < 0) return {rx, ry, rz, share * froda::lower(twist_[index])};
+  if (body.parent < 0) return {rx, ry, rz, share * lower_of(twist_[index])};
   const Motion& carried = motion_[std::size_t(body.parent)];
   const Vec3 through = x[body.a];
   const Vec3 turned{dot(rx, through), dot(ry, through), dot(rz, through)};

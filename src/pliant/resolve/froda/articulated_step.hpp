@@ -44,8 +44,9 @@ struct StepRequest {
 
 class ArticulatedStep {
  public:
-  /// The plan outlives it. `damping` (Angstrom^2) is added to what a turn moves.
-  explicit ArticulatedStep(const BodyPlan& plan, double damping = 10.0);
+  /// The plan outlives it. Ten times the square of `unit` (Angstrom) is added to what a turn moves:
+  /// damping.
+  explicit ArticulatedStep(const BodyPlan& plan, double unit = 1.0);
 
   /// Moves `x` (places, Angstrom, near the origin): bodies turn about their hinges, whose shapes
   /// stay as they are to rounding.
@@ -53,7 +54,7 @@ class ArticulatedStep {
 
  private:
   struct Turn {
-    froda::Twist s{}, u{};
+    Twist s{}, u{};
     double inverse = 0.0;  ///< 1 / (s . u + damping)
     double force = 0.0;    ///< s . p, going inward
     double angle = 0.0;    ///< radians
@@ -73,8 +74,8 @@ class ArticulatedStep {
   void add_rows(std::span<const Vec3> x, std::span<const ContactRow> rows, double factor);
   void go_inward();
   void pass_on(const PlanBody& body, std::size_t index);
-  void push_inward(std::vector<froda::Twist>& forces);
-  void go_outward(const std::vector<froda::Twist>& forces);
+  void push_inward(std::vector<Twist>& forces);
+  void go_outward(const std::vector<Twist>& forces);
   void refine(std::span<const Vec3> x, const StepRequest& request);
   void close_loops(std::span<const Vec3> x);
   void answer(const ContactRow& row, std::span<const Vec3> x);
@@ -85,18 +86,18 @@ class ArticulatedStep {
                    double share) const;
 
   const BodyPlan& plan_;
-  double damping_;
-  std::vector<froda::Inertia> inertia_;
-  std::vector<froda::Twist> force_, twist_;
+  double square_unit_, damping_;
+  std::vector<Inertia> inertia_;
+  std::vector<Twist> force_, twist_;
   std::vector<Turn> turns_;
   std::vector<Motion> motion_;
   // of conjugate gradients
-  std::vector<froda::Inertia> plain_;
-  std::vector<froda::Twist> left_, room_, direction_, image_, sum_;
+  std::vector<Inertia> plain_;
+  std::vector<Twist> left_, room_, direction_, image_, sum_;
   std::vector<double> direction_angle_, sum_angle_;
   // of loops
   std::vector<ContactRow> cut_rows_;
-  std::vector<std::vector<froda::Twist>> answer_;  ///< of each row: twists of all bodies
+  std::vector<std::vector<Twist>> answer_;         ///< of each row: twists of all bodies
   std::vector<std::vector<double>> answer_angle_;  ///< and angles of all turns
   std::vector<double> products_, factors_;
 };
