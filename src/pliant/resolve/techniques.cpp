@@ -55,6 +55,9 @@ std::vector<TechniqueEntry> all_techniques() {
   rows.push_back({"units_nearest",
                   "units, then all hinges turned at once towards where the joints were", false,
                   false, false, make_units_nearest, nullptr, true});
+  rows.push_back({"froda",
+                  "rigid units turned about their hinges, towards the push and out of contacts",
+                  false, false, true, make_froda});
   return rows;
 }
 

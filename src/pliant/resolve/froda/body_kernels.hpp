@@ -1,38 +1,27 @@
 // SPDX-License-Identifier: MIT
-// What an articulated body is made of: twists, 6 x 6 inertias and a turn, for the inner loops of a
-// step in torsion space.
+// What the inner loops of a step in torsion space do with twists and inertias, besides what
+// articulated_body.hpp has.
 #pragma once
 
 #include <array>
 #include <cstddef>
 
 #include "pliant/base/vec3.hpp"
+#include "pliant/resolve/units/articulated_body.hpp"
 
 namespace pliant::froda {
-
-/// (turn, shift at the origin), or (moment, force).
-using Twist = std::array<double, 6>;
-/// Lower triangle of a symmetric 6 x 6 matrix, by rows.
-using Inertia = std::array<double, 21>;
-
-inline Twist twist_of(Vec3 upper, Vec3 lower) {
-  return {upper.x, upper.y, upper.z, lower.x, lower.y, lower.z};
-}
-inline Vec3 upper(const Twist& t) { return {t[0], t[1], t[2]}; }
-inline Vec3 lower(const Twist& t) { return {t[3], t[4], t[5]}; }
-
-inline double dot6(const Twist& a, const Twist& b) {
-  return ((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])) + (a[4] * b[4] + a[5] * b[5]);
-}
 
 inline void add_scaled(double factor, const Twist& x, Twist& y) {
   for (std::size_t k = 0; k < 6; ++k) y[k] += factor * x[k];
 }
 
 /// How fast a twist moves the point x.
-inline Vec3 velocity(const Twist& twist, Vec3 x) { return lower(twist) + cross(upper(twist), x); }
+inline Vec3 velocity(const Twist& twist, Vec3 x) {
+  return lower_of(twist) + cross(upper_of(twist), x);
+}
 
-inline Twist times(const Inertia& m, const Twist& s) {
+/// m s, its sums in pairs: half the time of sums one by one.
+inline Twist product(const Inertia& m, const Twist& s) {
   return {
       ((m[0] * s[0] + m[1] * s[1]) + (m[3] * s[2] + m[6] * s[3])) + (m[10] * s[4] + m[15] * s[5]),
       ((m[1] * s[0] + m[2] * s[1]) + (m[4] * s[2] + m[7] * s[3])) + (m[11] * s[4] + m[16] * s[5]),
@@ -79,7 +68,7 @@ class PointSums {
 };
 
 /// Solves m v = force by L D L^T. A little is added to the diagonal: directions without inertia (a
-/// rod about itself) stay.
-Twist solve6(Inertia m, Twist force);
+/// rod about itself) stay. `square_unit`: of lengths, Angstrom^2.
+Twist solve6(Inertia m, Twist force, double square_unit);
 
 }  // namespace pliant::froda

@@ -25,6 +25,13 @@ std::optional<BodyPlan> plan_of(const Framework& framework) {
   return plan;
 }
 
+/// A molecule has bars of some 2 Angstrom; others are taken for large or small molecules.
+double unit_of(const Framework& framework) {
+  double sum = 0.0;
+  for (double rest : framework.rest_lengths()) sum += rest;
+  return sum > 0.0 ? 0.5 * sum / double(framework.bar_count()) : 1.0;
+}
+
 Tolerance for_start(Tolerance tolerance) {
   tolerance.relative *= start_share;
   tolerance.length *= start_share;
@@ -35,7 +42,7 @@ class Froda final : public Method {
  public:
   Froda(const Framework& framework, const Technique& technique, const ResolveOptions& options)
       : framework_(framework), technique_(technique), options_(options), plan_(plan_of(framework)) {
-    if (plan_) solver_ = std::make_unique<FrodaSolver>(framework, *plan_);
+    if (plan_) solver_ = std::make_unique<FrodaSolver>(framework, *plan_, unit_of(framework));
     if (framework.sterics() != nullptr) contacts_ = std::make_unique<Contacts>(framework);
   }
 
@@ -49,6 +56,7 @@ class Froda final : public Method {
     const FrodaOutcome outcome =
         solver_->resolve(start_, target_, call.positions, options_of_solver(), call.limits_off);
     note(outcome.steps, summary);
+    if (technique_.mass_weighted) keep_centre_of_mass(call.positions);
     if (look(call).within) return Stop::converged;
     if (summary.sweeps >= options_.max_sweeps) return Stop::max_sweeps;
     if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
@@ -95,8 +103,20 @@ class Froda final : public Method {
     return options;
   }
 
+  /// Shifts all by as much as the centre of mass has left where the push took it.
+  void keep_centre_of_mass(std::span<Vec3> positions) const {
+    Vec3 off;
+    double masses = 0.0;
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+      const double mass = 1.0 / framework_.inverse_masses()[k];
+      off += mass * (target_[k] - positions[k]);
+      masses += mass;
+    }
+    for (Vec3& x : positions) x += (1.0 / masses) * off;
+  }
+
   void note(int steps, ResolveSummary& summary) const {
-    summary.sweeps += steps;
+    ++summary.sweeps;
     summary.projections += steps * static_cast<std::int64_t>(framework_.bar_count());
   }
 

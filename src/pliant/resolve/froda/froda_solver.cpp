@@ -39,8 +39,8 @@ Aim aim_of(const Limit& limit) {
 
 }  // namespace
 
-FrodaSolver::FrodaSolver(const Framework& framework, const BodyPlan& plan)
-    : framework_(framework), plan_(plan), step_(plan) {
+FrodaSolver::FrodaSolver(const Framework& framework, const BodyPlan& plan, double unit)
+    : framework_(framework), plan_(plan), unit_(unit), step_(plan, unit) {
   if (framework.sterics() != nullptr) pairs_ = std::make_unique<NearPairs>(framework, plan);
 }
 
@@ -77,7 +77,8 @@ void FrodaSolver::begin(std::span<const Vec3> start, std::span<const Vec3> targe
 void FrodaSolver::pull(const FrodaOptions& options) {
   double furthest = 0.0;
   for (Vec3 push : push_) furthest = std::max(furthest, norm_squared(push));
-  const int legs = std::max(1, static_cast<int>(std::ceil(std::sqrt(furthest) / longest_pull)));
+  const int legs =
+      std::max(1, static_cast<int>(std::ceil(std::sqrt(furthest) / (longest_pull * unit_))));
   for (int leg = 1; leg < legs; ++leg) pull_to(double(leg) / legs, 1, options.is_careful, options);
   if (options.is_careful) return pull_to(1.0, careful_pulls, true, options);
   pull_to(1.0, last_pulls, false, options);
@@ -117,7 +118,7 @@ bool FrodaSolver::finish(const FrodaOptions& options, FrodaOutcome& outcome) {
   outcome.max_limit = worst.limit;
   outcome.max_overlap = worst.overlap;
   return worst.limit <= options.limit && worst.overlap <= options.overlap &&
-         widest_gap() <= 10.0 * widest_closed;
+         widest_gap() <= 10.0 * widest_closed * unit_;
 }
 
 /// Closes the loops that were cut; how far a joint went (Angstrom).
@@ -125,7 +126,8 @@ double FrodaSolver::close_loops() {
   if (plan_.cuts().empty()) return 0.0;
   before_ = x_;
   rows_.clear();
-  for (int k = 0; k < most_closings && widest_gap() > widest_closed; ++k) step({}, last_bound, 0);
+  for (int k = 0; k < most_closings && widest_gap() > widest_closed * unit_; ++k)
+    step({}, last_bound, 0);
   double furthest = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k)
     furthest = std::max(furthest, norm_squared(x_[k] - before_[k]));
@@ -177,7 +179,7 @@ void FrodaSolver::find_steric_rows(double weight, Violation& worst) {
 }
 
 void FrodaSolver::step(std::span<const Vec3> targets, double bound, int conjugate_gradients) {
-  step_.step(x_, {targets, rows_, bound, conjugate_gradients});
+  step_.step(x_, {targets, rows_, bound * unit_, conjugate_gradients});
   ++steps_;
 }
 

@@ -36,8 +36,9 @@ struct FrodaOutcome {
 /// Not for two threads at once.
 class FrodaSolver {
  public:
-  /// Both outlive it.
-  FrodaSolver(const Framework& framework, const BodyPlan& plan);
+  /// Both outlive it. `unit` (Angstrom): of the lengths by which steps are bounded and damped, 1
+  /// for molecules.
+  FrodaSolver(const Framework& framework, const BodyPlan& plan, double unit = 1.0);
 
   /// `start` (N, Angstrom): all bars are whole. `target` (N): where the push wants the joints.
   /// Writes `out` (N; may be either): bars as whole as at the start, to rounding. A function of its
@@ -65,6 +66,7 @@ class FrodaSolver {
 
   const Framework& framework_;
   const BodyPlan& plan_;
+  double unit_;
   ArticulatedStep step_;
   std::unique_ptr<NearPairs> pairs_;  ///< null: no sterics
   LimitsOff limits_off_;
