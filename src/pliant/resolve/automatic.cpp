@@ -21,10 +21,18 @@ bool share_a_neighbour(const Framework& framework, Bar bar, std::vector<std::uin
   return found;
 }
 
+std::size_t joints_with_bars(const Framework& framework) {
+  std::size_t count = 0;
+  for (Joint joint = 0; joint < framework.joint_count(); ++joint)
+    count += framework.neighbours(joint).empty() ? 0 : 1;
+  return count;
+}
+
 /// Bars across bond angles make triangles with the bonds: then most bars are in one.
 bool is_mostly_triangles(const Framework& framework) {
-  // A triangle is two bars more for one joint: fewer bars cannot be mostly triangles.
-  if (framework.bar_count() < framework.joint_count()) return false;
+  // A triangle is two bars more for one joint: fewer bars cannot be mostly triangles. Joints
+  // without bars (ions, dummy sites of waters) do not count.
+  if (framework.bar_count() < joints_with_bars(framework)) return false;
   std::vector<std::uint8_t> marked(framework.joint_count(), 0);
   std::size_t in_triangles = 0;
   for (const Bar& bar : framework.bars())
@@ -77,12 +85,12 @@ struct Chain {
 };
 
 /// `shake` goes along the bars as they were before the push, so large rings that are pushed far
-/// follow it where Newton's method loses its way; sweeps arrive where matrices are singular.
+/// follow it where Newton's method loses its way; sweeps arrive where matrices are singular. Where
+/// `units` does not arrive `units_nearest` does not either: it begins with the same pass.
 const std::vector<Chain>& chains() {
-  static const std::vector<Chain> rows = {
-      {"blocks", {"shake", "newton", "anderson"}},
-      {"units", {"units_nearest", "shake", "newton", "anderson"}},
-      {"newton", {"shake", "anderson"}}};
+  static const std::vector<Chain> rows = {{"blocks", {"shake", "newton", "anderson"}},
+                                          {"units", {"shake", "newton", "anderson"}},
+                                          {"newton", {"shake", "anderson"}}};
   return rows;
 }
 

@@ -7,6 +7,8 @@ namespace pliant {
 namespace {
 
 constexpr std::int64_t most_iterations = 1000;
+/// From a shape nearer to one that is whole Newton's method arrives soon or not at all.
+constexpr std::int64_t most_iterations_on_the_way = 20;
 
 std::vector<double> weights_of(const Framework& framework, const Technique& technique) {
   const auto masses = framework.inverse_masses();
@@ -34,12 +36,30 @@ bool BlockSolver::any_overbraced() const {
 
 bool BlockSolver::solve(std::uint32_t block, Joint entry, const RandomKey& key,
                         std::span<Vec3> positions, ResolveSummary& summary) {
+  return parts_[block] && iterate(block, entry, key, positions, summary, most_iterations);
+}
+
+bool BlockSolver::go_part_of_the_way(std::uint32_t block, Joint entry, const RandomKey& key,
+                                     const WayOfPush& way, std::span<Vec3> positions,
+                                     ResolveSummary& summary) {
   if (!parts_[block]) return false;
+  const Vec3 shift = positions[entry] - way.from[entry];
+  for (double share : {0.5, 0.25, 0.0}) {
+    each_joint(block, [&](Joint joint) {
+      const Vec3 carried = way.from[joint] + shift;
+      if (joint != entry) positions[joint] = carried + share * (way.to[joint] - carried);
+    });
+    if (iterate(block, entry, key, positions, summary, most_iterations_on_the_way)) return true;
+  }
+  return false;
+}
+
+bool BlockSolver::iterate(std::uint32_t block, Joint entry, const RandomKey& key,
+                          std::span<Vec3> positions, ResolveSummary& summary, std::int64_t most) {
   const BarEquations::Part part = *parts_[block];
   equations_.hold(part, entry);
   equations_.gather(part, positions);
-  std::int64_t left = most_iterations;
-  const PartResult result = newton_.make_whole(part, key, [&] { return left-- > 0; });
+  const PartResult result = newton_.make_whole(part, key, [&] { return most-- > 0; });
   equations_.scatter(part, positions);
   summary.dropped_bars += result.dropped_bars;
   summary.projections += (result.iterations + 1) * std::int64_t(part.bars.size());

@@ -11,6 +11,11 @@
 
 namespace pliant {
 
+/// Where a push began and where it led, (N) each.
+struct WayOfPush {
+  std::span<const Vec3> from, to;
+};
+
 class BlockSolver {
  public:
   /// `blocks` are the bars of each; the framework must outlive it.
@@ -43,7 +48,16 @@ class BlockSolver {
   bool solve(std::uint32_t block, Joint entry, const RandomKey& key, std::span<Vec3> positions,
              ResolveSummary& summary);
 
+  /// The same for a block that could not follow a push: carried along with `entry`, it follows half
+  /// of it, a quarter, or none, which is whole if the block was whole before the push. None of its
+  /// joints but `entry` may be pinned.
+  bool go_part_of_the_way(std::uint32_t block, Joint entry, const RandomKey& key,
+                          const WayOfPush& way, std::span<Vec3> positions, ResolveSummary& summary);
+
  private:
+  bool iterate(std::uint32_t block, Joint entry, const RandomKey& key, std::span<Vec3> positions,
+               ResolveSummary& summary, std::int64_t most);
+
   BarEquations equations_;
   std::vector<std::optional<BarEquations::Part>> parts_;
   BarNewton newton_;

@@ -39,6 +39,7 @@ class BlockPass final : public Method {
     if (call.moved != nullptr && resolve_near(call, summary)) return Stop::converged;
     if (is_whole(call.positions)) return Stop::converged;
     planned_.prepare(call.disturbed.root, [this](Joint root) { plan(root); });
+    note_pushed(call);
     const bool all_whole = pass(call, summary);
     ++summary.sweeps;
     if (all_whole && !several_pinned()) return Stop::converged;
@@ -82,11 +83,25 @@ class BlockPass final : public Method {
         project(call, step);
         ++summary.projections;
       } else {
-        all_whole =
-            blocks_.solve(step.block, step.near, call.key, call.positions, summary) && all_whole;
+        all_whole = solve(call, step, summary) && all_whole;
       }
     }
     return all_whole;
+  }
+
+  /// Near passes do not say where the push left all joints; by now they are all there again.
+  void note_pushed(const ResolveCall& call) {
+    if (call.reference.empty() || !call.pushed.empty()) return;
+    pushed_.assign(call.positions.begin(), call.positions.end());
+  }
+
+  /// A block that cannot follow its push is no matter for the others.
+  bool solve(const ResolveCall& call, const PassStep& step, ResolveSummary& summary) {
+    if (blocks_.solve(step.block, step.near, call.key, call.positions, summary)) return true;
+    if (call.reference.empty() || several_pinned()) return false;
+    const std::span<const Vec3> pushed = call.pushed.empty() ? pushed_ : call.pushed;
+    return blocks_.go_part_of_the_way(step.block, step.near, call.key, {call.reference, pushed},
+                                      call.positions, summary);
   }
 
   void project(const ResolveCall& call, const PassStep& step) const {
@@ -102,6 +117,7 @@ class BlockPass final : public Method {
   FinishingSweeps finishing_sweeps_;
   std::vector<OutwardStep> outward_;
   std::vector<PassStep> steps_;
+  std::vector<Vec3> pushed_;  ///< (N) what the pass began with
   std::unique_ptr<NearPass> near_;
   PlanOfRoot planned_;
 };

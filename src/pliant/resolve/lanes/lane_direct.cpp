@@ -5,6 +5,7 @@
 
 #include "pliant/resolve/direct/direct_method.hpp"
 #include "pliant/resolve/direct/nearest_point.hpp"
+#include "pliant/resolve/direct/shape_keeper.hpp"
 
 namespace pliant {
 namespace {
@@ -106,12 +107,14 @@ class LaneNewton final : public LaneDirect {
 }  // namespace
 
 std::unique_ptr<LaneMethod> make_lane_newton(const LaneSetting& setting) {
+  if (has_shapes_to_keep(setting.framework, setting.options)) return nullptr;
   auto method = std::make_unique<LaneNewton>(setting);
   if (method->is_entangled() || method->any_overbraced()) return nullptr;
   return method;
 }
 
 std::unique_ptr<LaneMethod> make_lane_shake(const LaneSetting& setting) {
+  if (has_shapes_to_keep(setting.framework, setting.options)) return nullptr;
   auto method = std::make_unique<LaneShake>(setting);
   if (method->is_entangled()) return nullptr;
   return method;

@@ -56,6 +56,7 @@ std::optional<LoopClosure> LoopClosure::make(const UnitSet& set, const UnitShape
   made.residual_.resize(made.equations_);
   made.jacobian_.resize(made.residual_.size() * made.turns_.size());
   made.matrix_.resize(made.residual_.size() * made.residual_.size());
+  made.rows_of_turn_.resize(made.turns_.size());
   made.step_.resize(made.turns_.size());
   return made;
 }
@@ -205,28 +206,43 @@ void LoopClosure::fill_way(const Gap& gap, Way way) {
     if (way_[std::size_t(k)] != way) continue;
     for (std::uint32_t t = unit.first_turn; t < unit.first_turn + unit.turns; ++t) {
       const Vec3 d = sign * cross(turns_[t].axis, point - turns_[t].through);
-      for (std::size_t i = 0; i < gap.equations(); ++i)
+      for (std::uint32_t i = 0; i < gap.equations(); ++i) {
         jacobian_[(gap.first + i) * n + t] = dot(directions_[i], d);
+        rows_of_turn_[t].push_back(gap.first + i);
+      }
     }
   }
 }
 
+void LoopClosure::fill_jacobian() {
+  const std::size_t n = turns_.size();
+  for (std::size_t t = 0; t < n; ++t) {
+    for (std::uint32_t row : rows_of_turn_[t]) jacobian_[row * n + t] = 0.0;
+    rows_of_turn_[t].clear();
+  }
+  for (const Gap& gap : gaps_) fill_rows(gap);
+}
+
+/// J J^T, its lower half. Most turns are on the way to few gaps.
+void LoopClosure::fill_matrix() {
+  const std::size_t m = residual_.size(), n = turns_.size();
+  std::fill(matrix_.begin(), matrix_.end(), 0.0);
+  for (std::size_t t = 0; t < n; ++t)
+    for (std::uint32_t i : rows_of_turn_[t])
+      for (std::uint32_t j : rows_of_turn_[t])
+        if (j <= i) matrix_[i * m + j] += jacobian_[i * n + t] * jacobian_[j * n + t];
+}
+
 bool LoopClosure::solve_step() {
   find_turns();
-  std::fill(jacobian_.begin(), jacobian_.end(), 0.0);
-  for (const Gap& gap : gaps_) fill_rows(gap);
-  const std::size_t m = residual_.size(), n = turns_.size();
-  for (std::size_t i = 0; i < m; ++i)
-    for (std::size_t j = 0; j <= i; ++j) {
-      double sum = 0.0;
-      for (std::size_t k = 0; k < n; ++k) sum += jacobian_[i * n + k] * jacobian_[j * n + k];
-      matrix_[i * m + j] = sum;
-    }
+  fill_jacobian();
+  fill_matrix();
   if (!solve_positive(matrix_, residual_, least_pivot)) return false;
   double largest = 0.0;
+  const std::size_t n = turns_.size();
   for (std::size_t k = 0; k < n; ++k) {
     step_[k] = 0.0;
-    for (std::size_t i = 0; i < m; ++i) step_[k] -= jacobian_[i * n + k] * residual_[i];
+    for (std::uint32_t i : rows_of_turn_[k]) step_[k] -= jacobian_[i * n + k] * residual_[i];
   }
   for (const LoopUnit& unit : units_) largest = std::max(largest, norm(turn_vector(unit)));
   if (largest > largest_turn)

@@ -70,6 +70,8 @@ class LoopClosure {
   void place_by_torsion(const LoopUnit& unit);
   double measure_gaps();
   void find_turns();
+  void fill_jacobian();
+  void fill_matrix();
   bool solve_step();
   void set_directions(const Gap& gap);
   void fill_rows(const Gap& gap);
@@ -89,6 +91,7 @@ class LoopClosure {
   std::vector<RigidMotion> motions_;
   std::vector<Way> way_;  ///< of units: on the way to which ends of the gap in hand
   std::vector<double> jacobian_, matrix_, residual_, step_;
+  std::vector<std::vector<std::uint32_t>> rows_of_turn_;  ///< of jacobian_, not 0, ascending
 };
 
 }  // namespace pliant

@@ -65,7 +65,9 @@ bool UnitAhead::find_place(UnitPlan& plan, const UnitStep& step, Place& place) c
     double length = 0.0;
     place.origin = targets_[step.a];
     if (!direction_of(place.origin, targets_[rod->b], length, place.along)) return false;
-    place.u = AxisBasis(place.along).e1, place.v = AxisBasis(place.along).e2;
+    const AxisBasis basis(place.along);
+    place.u = basis.e1;
+    place.v = basis.e2;
     return true;
   }
   if (step.is<UnitStep::Ball>()) return find_place_about(plan, step, targets_[step.a], place);
@@ -89,7 +91,9 @@ bool UnitAhead::find_place_about(UnitPlan& plan, const UnitStep& step, Vec3 poin
     return false;
   place.origin = point;
   const double sign = outcome == RotationFit::Fit::mirrored ? -1.0 : 1.0;
-  place.along = sign * place.along, place.u = sign * place.u, place.v = sign * place.v;
+  place.along = sign * place.along;
+  place.u = sign * place.u;
+  place.v = sign * place.v;
   place.turn(rotation);
   return true;
 }
@@ -197,14 +201,7 @@ bool UnitAhead::settle(UnitPlan& plan, std::size_t index, std::span<Vec3> positi
     place.origin = positions[step.a];
     twist = seen_from(unit.place, place.origin, hinge != nullptr ? &positions[hinge->b] : nullptr);
   }
-  if (hinge != nullptr) {
-    double length = 0.0;
-    if (!direction_of(place.origin, positions[hinge->b], length, place.along)) return false;
-    if (!(std::abs(length - hinge->length) <= most_hinge_error * hinge->length)) return false;
-    const bool mirrored = dot(cross(unit.place.along, unit.place.u), unit.place.v) < 0.0;
-    place.u = carried(unit.place.u, unit.place.along, place.along);
-    place.v = (mirrored ? -1.0 : 1.0) * cross(place.along, place.u);
-  }
+  if (hinge != nullptr && !lay_along(*hinge, unit.place, positions[hinge->b], place)) return false;
   Vec3 turn = step.moves_freely() ? upper_of(twist) : Vec3{};
   for (std::size_t t = 0; t < unit.turn_count; ++t) {
     unit.turns[t].settle(twist);
@@ -212,15 +209,35 @@ bool UnitAhead::settle(UnitPlan& plan, std::size_t index, std::span<Vec3> positi
   }
   const Rotation rotation = turn_by(turn);
   if (hinge == nullptr) place.along = rotation(place.along);
-  place.u = rotation(place.u), place.v = rotation(place.v);
+  place.u = rotation(place.u);
+  place.v = rotation(place.v);
   if (!is_finite(place.origin) || !is_finite(place.along) || !is_finite(place.u)) return false;
   if (rod != nullptr) place.along *= rod->length / norm(place.along);
+  put_joints(plan, step, place, positions);
+  return true;
+}
+
+/// Turns a place at the start of the hinge so that it lies along it, by the shortest turn; false
+/// if the hinge has no direction or not its length.
+bool UnitAhead::lay_along(const UnitStep::Hinge& hinge, const Place& nominal, Vec3 end,
+                          Place& place) {
+  double length = 0.0;
+  if (!direction_of(place.origin, end, length, place.along)) return false;
+  if (!(std::abs(length - hinge.length) <= most_hinge_error * hinge.length)) return false;
+  const bool mirrored = dot(cross(nominal.along, nominal.u), nominal.v) < 0.0;
+  place.u = carried(nominal.u, nominal.along, place.along);
+  place.v = (mirrored ? -1.0 : 1.0) * cross(place.along, place.u);
+  return true;
+}
+
+void UnitAhead::put_joints(UnitPlan& plan, const UnitStep& step, const Place& place,
+                           std::span<Vec3> positions) {
+  const auto* rod = std::get_if<UnitStep::Rod>(&step.entry);
   for (const JointInUnit& joint : plan.joints(step)) {
     Vec3& x = positions[joint.joint];
     x = place(joint.from_hinge());
     if (rod != nullptr && joint.joint == rod->b) x = place.origin + place.along;
   }
-  return true;
 }
 
 }  // namespace pliant

@@ -9,11 +9,13 @@
 // place that the unit would have alone (its nominal place); then, going outward, each unit takes
 // the turn q that costs least from where its hinge came to lie:
 //
-//   inward    I, p: of its own joints, and of each child: c: how the child's hinge lies when
-//   carried
-//             by this unit's nominal place, against the child's nominal place (a twist):
-//             p_child -= u (s . p_child) / d,  I_child -= u u^T / d,  p_child -= I_child c,  added
-//   outward   q = (s . p - u . v) / d,  v: how the hinge lies now against the nominal place
+//   inward    p_child -= u (s . p_child) / d,  I_child -= u u^T / d,  p_child -= I_child c,
+//             I += I_child,  p += p_child
+//   outward   q = (s . p - u . v) / d
+//
+// I, p: inertia and force of the unit's own joints and of what its children add. c: a twist, how
+// the child's hinge lies when this unit's nominal place carries it, against the child's nominal
+// place. v: the same as the hinge came to lie.
 //
 // This is the optimal feedback of a linear system with quadratic cost (Bellman; Jacobson and Mayne,
 // Differential Dynamic Programming, 1970) with articulated body inertias as its matrices; what is
@@ -44,7 +46,9 @@ class UnitAhead {
       return origin + (at.along * along + at.u * u + at.v * v);
     }
     void turn(const Rotation& rotation) {
-      along = rotation(along), u = rotation(u), v = rotation(v);
+      along = rotation(along);
+      u = rotation(u);
+      v = rotation(v);
     }
   };
   struct HingedUnit {
@@ -67,6 +71,9 @@ class UnitAhead {
   static Twist seen_from(const Place& place, Vec3 a, const Vec3* b);
   bool go_outward(UnitPlan& plan, std::span<Vec3> positions);
   bool settle(UnitPlan& plan, std::size_t index, std::span<Vec3> positions);
+  static bool lay_along(const UnitStep::Hinge& hinge, const Place& nominal, Vec3 end, Place& place);
+  static void put_joints(UnitPlan& plan, const UnitStep& step, const Place& place,
+                         std::span<Vec3> positions);
 
   std::span<const Vec3> targets_;
   std::vector<HingedUnit> units_;  ///< of the steps of the plan

@@ -35,9 +35,16 @@ Framework part_of(const Framework& framework, std::span<const Joint> joints,
 constexpr int most_attempts = 6;
 constexpr double shake = 0.1;  // of the shortest bar
 
+/// Shares of a push that a loop tries to follow where it cannot follow all of it.
+constexpr double shares[] = {0.5, 0.25};
+
+/// Angles that Newton's method does not make whole are hardly made so by sweeps.
+constexpr std::int64_t most_sweeps = 200;
+
 ResolveOptions half_the_tolerance(ResolveOptions options) {
   options.tolerance.relative *= 0.5;
   options.tolerance.length *= 0.5;
+  options.max_sweeps = std::min(options.max_sweeps, most_sweeps);
   return options;
 }
 
@@ -48,6 +55,7 @@ UnitLoop::UnitLoop(const Framework& framework, std::span<const Joint> joints,
                    const ResolveOptions& options)
     : joints_(joints.begin(), joints.end()),
       part_(part_of(framework, joints, bars)),
+      tolerance_(options.tolerance),
       blocks_(make_blocks(part_, technique, half_the_tolerance(options))),
       positions_(joints.size()) {
   shortest_ = widest_gap_ = HUGE_VAL;
@@ -66,21 +74,45 @@ void UnitLoop::close_by_torsions(UnitSet rigid, const UnitShapes& shapes) {
 }
 
 bool UnitLoop::find_shape(const ResolveCall& call) {
-  for (int attempt = 0; attempt < most_attempts; ++attempt)
-    if (find_shape_from(call, attempt * shake * shortest_)) return true;
+  take(call.positions);
+  if (make_whole(call)) return true;
+  if (!call.reference.empty() && go_part_of_the_way(call)) return true;
+  for (int attempt = 1; attempt < most_attempts; ++attempt) {
+    take(call.positions);
+    shake_by(attempt * shake * shortest_, call.key);
+    if (make_whole(call)) return true;
+  }
   return false;
 }
 
-/// Where the joints are, or each moved by `size` in a direction that the seed decides.
-bool UnitLoop::find_shape_from(const ResolveCall& call, double size) {
+/// From where it was whole before the push, less and less far; at last it keeps that shape.
+bool UnitLoop::go_part_of_the_way(const ResolveCall& call) {
+  for (double share : shares) {
+    take(call.reference);
+    for (std::size_t k = 0; k < joints_.size(); ++k)
+      positions_[k] += share * (call.positions[joints_[k]] - positions_[k]);
+    if (make_whole(call)) return true;
+  }
+  take(call.reference);
+  if (closure_) closure_->close(positions_, widest_gap_);
+  return is_whole(part_, positions_, tolerance_);
+}
+
+void UnitLoop::take(std::span<const Vec3> positions) {
+  for (std::size_t k = 0; k < joints_.size(); ++k) positions_[k] = positions[joints_[k]];
+}
+
+/// Moves each joint in a direction that the key decides.
+void UnitLoop::shake_by(double size, RandomKey key) {
+  key.domain = Domain::escape;
   for (std::size_t k = 0; k < joints_.size(); ++k) {
-    positions_[k] = call.positions[joints_[k]];
-    if (size == 0.0 || part_.is_pinned(static_cast<Joint>(k))) continue;
-    RandomKey key = call.key;
-    key.domain = Domain::escape;
+    if (part_.is_pinned(static_cast<Joint>(k))) continue;
     key.joint = joints_[k];
     positions_[k] += size * part_.random_direction(RandomSequence(key));
   }
+}
+
+bool UnitLoop::make_whole(const ResolveCall& call) {
   ResolveCall alone = call;
   alone.positions = positions_;
   alone.disturbed = {};

@@ -24,18 +24,23 @@ class UnitLoop {
   void close_by_torsions(UnitSet rigid, const UnitShapes& shapes);
 
   /// Finds a shape in which all bars of the unit are within half the tolerance (the pass adds its
-  /// own rounding), near where its joints are, or begun a little way off where that fails. Moves
-  /// none of `call.positions`. False if it fails: the shape is then as good as it got.
+  /// own rounding), near where its joints are. Where that fails, and the positions before the push
+  /// are given, it goes half of the way from there, a quarter, or none; else it begins a little way
+  /// off. Moves none of `call.positions`. False if it fails: the shape is then as good as it got.
   bool find_shape(const ResolveCall& call);
 
   /// The places of the joints of the unit that find_shape() found.
   std::span<const Vec3> shape() const { return positions_; }
 
  private:
-  bool find_shape_from(const ResolveCall& call, double size);
+  void take(std::span<const Vec3> positions);
+  void shake_by(double size, RandomKey key);
+  bool make_whole(const ResolveCall& call);
+  bool go_part_of_the_way(const ResolveCall& call);
 
   std::vector<Joint> joints_;
   Framework part_;  ///< the unit alone: joint k is joints_[k]
+  Tolerance tolerance_;
   std::unique_ptr<Method> blocks_;
   std::optional<LoopClosure> closure_;
   double widest_gap_ = 0.0;      ///< that leaves every bar within the tolerance (Angstrom)
