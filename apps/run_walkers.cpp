@@ -9,6 +9,7 @@
 #include "messages.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
+#include "pliant/laboratory/recorded_inputs.hpp"
 #include "pliant/record/topology_pdb.hpp"
 #include "pliant/run/ensemble.hpp"
 
@@ -32,6 +33,8 @@ H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std:
       header.masses.push_back(element_mass(element));
   header.creator_version = PLIANT_VERSION;
   header.parameters = parameters_of(settings, molecule.framework, walker);
+  header.inputs = recorded_inputs(settings.run.replay, settings.run.technique.ordering.get());
+  if (is_ensemble(settings)) header.inputs->start = molecule.structure.positions;
   return header;
 }
 
@@ -91,7 +94,8 @@ struct RecordedWalker {
     return interrupted();
   }
 
-  void close() {
+  void close(const State& state) {
+    recorder.end_run(state);
     recorder.close();
     if (forces) forces->publish();
   }
@@ -105,7 +109,7 @@ Watchers recorded(Shared& shared, std::int64_t walker) {
       [outputs, &shared](const Frame& frame) { return outputs->record(shared, frame); }};
   if (outputs->forces)
     watchers.on_push = [outputs](const Push& push) { outputs->forces->record(push); };
-  watchers.on_end = [outputs](const RunSummary&, const State&) { outputs->close(); };
+  watchers.on_end = [outputs](const RunSummary&, const State& state) { outputs->close(state); };
   if (walker == shared.settings.first_walker) watchers.log = shared.log;
   return watchers;
 }
