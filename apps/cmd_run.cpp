@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "command.hpp"
+#include "continue_run.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "output_files.hpp"
@@ -57,11 +58,6 @@ void tell_what_is_free(const MoleculeOptions& options, const Structure& structur
         "holds them, and pliant sample makes ensembles");
 }
 
-int exit_code_of(const RunSummary& summary) {
-  if (summary.stopped_by_caller) return exit_interrupted;
-  return summary.unconverged_steps > 0 ? exit_unconverged : exit_ok;
-}
-
 }  // namespace
 
 int command_run(const Arguments& arguments) {
@@ -75,11 +71,14 @@ int command_run(const Arguments& arguments) {
       "  pliant run caffeine.sdf\n"
       "  pliant run protein.pdb -o out.h5md --steps 10000 --every 10 --technique blocks\n"
       "  pliant run protein.pdb --perturb displacement --pin \"chainID A\" --walkers 8\n"
+      "  pliant run --continue out.h5md                after its end, Ctrl-C or a crash\n"
+      "  pliant run --continue out.h5md --steps 20000\n"
       "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge,\n"
       "130 ended early by Ctrl-C, with all frames complete.");
   RunSettings settings;
   add_run_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;
+  if (!settings.go_on.empty()) return continue_run(line, settings);
   name_outputs(line, settings);
   check_outputs(settings);
   Messages messages(settings.json || settings.quiet);

@@ -89,10 +89,11 @@ std::string single_spaced(std::string text) {
 
 struct CommandLine::Parser {
   CLI::App app;
+  std::vector<std::pair<std::string, std::string>> not_required_with = {};
 };
 
 CommandLine::CommandLine(const std::string& command, const std::string& summary)
-    : parser_(new Parser{CLI::App(summary, command)}) {
+    : parser_(new Parser{CLI::App(summary, command), {}}) {
   CLI::App& app = parser_->app;
   app.get_formatter()->column_width(32);
   app.option_defaults()->always_capture_default(false);
@@ -124,6 +125,10 @@ void CommandLine::add_text(const std::string& name, std::string& value, const st
 void CommandLine::add_required_text(const std::string& name, std::string& value,
                                     const std::string& type, const std::string& help) {
   expect_name(parser_->app.add_option(name, value, help)->type_name(type)->required(), type);
+}
+
+void CommandLine::not_required_with(const std::string& name, const std::string& option) {
+  parser_->not_required_with.emplace_back(name, option);
 }
 
 void CommandLine::add_integer(const std::string& name, std::int64_t& value, std::int64_t least,
@@ -215,6 +220,9 @@ void CommandLine::add_choice(const std::string& name, std::string& value,
 int CommandLine::parse(const Arguments& arguments) {
   CLI::App& app = parser_->app;
   Arguments reversed(arguments.rbegin(), arguments.rend());
+  for (const auto& [name, option] : parser_->not_required_with)
+    for (const std::string& word : arguments)
+      if (word == option || word.starts_with(option + "=")) app.get_option(name)->required(false);
   try {
     app.parse(reversed);
     return -1;

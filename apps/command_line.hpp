@@ -42,6 +42,9 @@ class CommandLine {
   void add_required_text(const std::string& name, std::string& value, const std::string& type,
                          const std::string& help);
 
+  /// The text need not be given where that option is.
+  void not_required_with(const std::string& name, const std::string& option);
+
   /// A whole number of [least, most]. `fallback` is what the help shows in place of the value.
   void add_integer(const std::string& name, std::int64_t& value, std::int64_t least,
                    std::int64_t most, const std::string& help, const char* fallback = nullptr);

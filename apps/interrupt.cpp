@@ -21,8 +21,10 @@ void ask(int) {
 }  // namespace
 
 void watch_for_interrupt() {
-  // A shell starts background jobs with Ctrl-C ignored: it is meant for the job in front.
-  if (std::signal(SIGINT, ask) == SIG_IGN) std::signal(SIGINT, SIG_IGN);
+  // A shell starts background jobs with Ctrl-C ignored: it is meant for the job in front. nohup
+  // ignores the end of a terminal.
+  for (const int signal : {SIGINT, SIGHUP})
+    if (std::signal(signal, ask) == SIG_IGN) std::signal(signal, SIG_IGN);
   std::signal(SIGTERM, ask);
 }
 

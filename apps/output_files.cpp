@@ -107,12 +107,13 @@ void check_trajectory_name(const std::string& output) {
     const std::string h5md = fs::path(output).replace_extension(".h5md").string();
     const bool converts =
         std::find(convertible.begin(), convertible.end(), extension) != convertible.end();
-    throw OptionError(
-        "--output " + printable_name(output) + ": is a name of " + std::string(foreign.format) +
-        "; trajectories are written as H5MD or PDB: expected a name such as " + printable_name(h5md) +
-        (converts ? ", of which \"pliant convert " + printable_name(h5md) + " -o " +
-                        printable_name(output) + "\" makes this one"
-                  : ""));
+    throw OptionError("--output " + printable_name(output) + ": is a name of " +
+                      std::string(foreign.format) +
+                      "; trajectories are written as H5MD or PDB: expected a name such as " +
+                      printable_name(h5md) +
+                      (converts ? ", of which \"pliant convert " + printable_name(h5md) + " -o " +
+                                      printable_name(output) + "\" makes this one"
+                                : ""));
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "command.hpp"
 #include "json.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/resolve/automatic.hpp"
@@ -12,12 +13,12 @@
 
 namespace pliant::app {
 namespace {
-/// Of the walkers that were begun: each shows at least its start.
+/// Of the walkers that were begun: each shows at least its start, or has no more to do.
 std::vector<std::string> outputs_of(const RunSettings& settings,
                                     const std::vector<RunSummary>& summaries) {
   std::vector<std::string> outputs;
   for (std::size_t k = 0; k < summaries.size(); ++k)
-    if (summaries[k].frames > 0)
+    if (summaries[k].frames > 0 || !summaries[k].stopped_by_caller)
       outputs.push_back(output_of(settings, settings.first_walker + std::int64_t(k)));
   return outputs;
 }
@@ -82,12 +83,17 @@ RunSummary added_up(const std::vector<RunSummary>& summaries) {
   return sum;
 }
 
+int exit_code_of(const RunSummary& summary) {
+  if (summary.stopped_by_caller) return exit_interrupted;
+  return summary.unconverged_steps > 0 ? exit_unconverged : exit_ok;
+}
+
 void print_run_table(const RunSettings& settings, const Framework& framework,
                      const std::vector<RunSummary>& summaries) {
   const RunSummary summary = added_up(summaries);
   fmt::print("technique       {}\n", technique_line(settings.run.technique, framework));
-  fmt::print("steps           {}, of which {} frames are recorded (the start is one)\n",
-             summary.steps, summary.frames);
+  fmt::print("steps           {}, of which {} frames are recorded{}\n", summary.steps,
+             summary.frames, settings.go_on.empty() ? " (the start is one)" : "");
   fmt::print("sweeps a step   {:.1f} on average, {} at most\n", summary.mean_sweeps(),
              summary.max_sweeps);
   fmt::print("worst bar       {} off by {:.2e} of its length, after step {}\n",

@@ -12,6 +12,9 @@ namespace pliant::app {
 /// Sums over walkers; the worst residual is the worst of all.
 RunSummary added_up(const std::vector<RunSummary>& summaries);
 
+/// What the command ends with: interrupted, unconverged or done.
+int exit_code_of(const RunSummary& summary);
+
 void print_run_table(const RunSettings& settings, const Framework& framework,
                      const std::vector<RunSummary>& summaries);
 void print_run_json(const RunSettings& settings, const Framework& framework,

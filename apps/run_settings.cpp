@@ -78,6 +78,8 @@ void add_output_options(CommandLine& line, RunSettings& settings) {
   line.add_text("--topology", settings.topology, "FILE",
                 "PDB with names and bonds, or none (default: OUTPUT's name.pdb)");
   line.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
+  line.add_flag("--durable", settings.record.durable,
+                "wait for the disk with each commit, so that frames survive a power cut");
   line.add_flag("--single", settings.record.single, "positions as 32-bit floats");
   line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
@@ -161,6 +163,10 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
   add_molecule_options(line, settings.molecule);
   line.start_group("Run");
   add_fields(line, settings.run, RunGroup::run);
+  line.add_text("--continue", settings.go_on, "FILE",
+                "go on with the run of a trajectory, up to --steps in all, as if it had never "
+                "stopped");
+  line.not_required_with("input", "--continue");
   line.add_integer("--walkers", settings.walkers, 1, most_walkers,
                    "independent runs, each with its own output");
   line.add_text("--shard", settings.shard, "FIRST..LAST",
@@ -172,8 +178,12 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
   add_output_options(line, settings);
 }
 
-void name_outputs(const CommandLine& line, RunSettings& settings) {
+void number_walkers(const CommandLine& line, RunSettings& settings) {
   if (line.was_given("--shard")) take_shard(line, settings);
+}
+
+void name_outputs(const CommandLine& line, RunSettings& settings) {
+  number_walkers(line, settings);
   if (settings.output.empty()) settings.output = default_trajectory(settings.molecule.file);
   if (settings.topology.empty())
     settings.topology = settings.first_walker > 0 || is_pdb_name(settings.output)
@@ -190,8 +200,12 @@ void complete(const CommandLine& line, RunSettings& settings, const Framework& f
   if (is_left_to_auto && line.was_given("--weighting")) settings.run.technique.name = "bfs_cycle";
 }
 
+bool is_ensemble(const RunSettings& settings) {
+  return settings.walkers != 1 || !settings.shard.empty();
+}
+
 std::string of_walker(const RunSettings& settings, const std::string& name, std::int64_t walker) {
-  if (settings.walkers == 1 && settings.shard.empty()) return name;
+  if (!is_ensemble(settings)) return name;
   const fs::path path(name);
   const std::string numbered =
       path.stem().string() + "-" + std::to_string(walker) + path.extension().string();

@@ -15,6 +15,7 @@ struct RunSettings {
   MoleculeOptions molecule;
   RunOptions run;
   H5mdOptions record;
+  std::string go_on;          ///< trajectory whose run goes on; "": a new run
   std::string output;         ///< "": the input's name with .h5md, in the current folder
   std::string topology;       ///< sidecar PDB; "": the output's name with .pdb; "none": none
   std::string forces;         ///< force file to replay; "": none
@@ -30,11 +31,17 @@ struct RunSettings {
 
 void add_run_options(CommandLine& line, RunSettings& settings);
 
+/// Fills in the numbers of the walkers.
+void number_walkers(const CommandLine& line, RunSettings& settings);
+
 /// Fills in the numbers of the walkers and the output names that the command line left open.
 void name_outputs(const CommandLine& line, RunSettings& settings);
 
 /// Fills in what else it left open: settings of the force file, the ordering.
 void complete(const CommandLine& line, RunSettings& settings, const Framework& framework);
+
+/// Whether there are several walkers, or a part of several.
+bool is_ensemble(const RunSettings& settings);
 
 /// The outputs of walkers [first_walker, first_walker + walkers): `name` itself if there is but one
 /// walker, and no shard was asked for.

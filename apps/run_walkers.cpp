@@ -9,6 +9,7 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
+#include "pliant/laboratory/recorded_inputs.hpp"
 #include "pliant/record/topology_pdb.hpp"
 #include "pliant/run/ensemble.hpp"
 #include "recorded_header.hpp"
@@ -19,6 +20,8 @@ namespace {
 H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std::int64_t walker) {
   H5mdHeader header = molecule_header(molecule.structure);
   header.parameters = parameters_of(settings, molecule.framework, walker);
+  header.inputs = recorded_inputs(settings.run.replay, settings.run.technique.ordering.get());
+  if (is_ensemble(settings)) header.inputs->start = molecule.structure.positions;
   return header;
 }
 
@@ -78,7 +81,8 @@ struct RecordedWalker {
     return interrupted();
   }
 
-  void close() {
+  void close(const State& state) {
+    recorder.end_run(state);
     recorder.close();
     if (forces) forces->publish();
   }
@@ -92,7 +96,7 @@ Watchers recorded(Shared& shared, std::int64_t walker) {
       [outputs, &shared](const Frame& frame) { return outputs->record(shared, frame); }};
   if (outputs->forces)
     watchers.on_push = [outputs](const Push& push) { outputs->forces->record(push); };
-  watchers.on_end = [outputs](const RunSummary&, const State&) { outputs->close(); };
+  watchers.on_end = [outputs](const RunSummary&, const State& state) { outputs->close(state); };
   if (walker == shared.settings.first_walker) watchers.log = shared.log;
   return watchers;
 }

@@ -98,16 +98,18 @@
 #include "pliant/sample/samplers.hpp"         // the table of ways to move
 
 // record: trajectories and graphs
-#include "pliant/record/h5md/h5md_reader.hpp"     // frames of any H5MD file
-#include "pliant/record/h5md/h5md_recorder.hpp"   // frames to an H5MD file
-#include "pliant/record/pdb_recorder.hpp"         // frames as models of a PDB file
-#include "pliant/record/topology_pdb.hpp"         // names and bonds for other programs
-#include "pliant/record/xml/graph_xml.hpp"        // frameworks as XML
-#include "pliant/record/xml/write_graph_xml.hpp"  // and back
+#include "pliant/record/h5md/h5md_checkpoint_reader.hpp"  // a run in a file, to go on
+#include "pliant/record/h5md/h5md_reader.hpp"             // frames of any H5MD file
+#include "pliant/record/h5md/h5md_recorder.hpp"           // frames to an H5MD file
+#include "pliant/record/pdb_recorder.hpp"                 // frames as models of a PDB file
+#include "pliant/record/topology_pdb.hpp"                 // names and bonds for other programs
+#include "pliant/record/xml/graph_xml.hpp"                // frameworks as XML
+#include "pliant/record/xml/write_graph_xml.hpp"          // and back
 
 // laboratory: graphs, forces and results in folders
-#include "pliant/laboratory/force_recorder.hpp"  // the pushes of a run as a force file
-#include "pliant/laboratory/make_test_set.hpp"   // of random graphs
-#include "pliant/laboratory/read_test_set.hpp"   // from folders
-#include "pliant/laboratory/test_results.hpp"    // what a heuristic did with the forces of a graph
-#include "pliant/laboratory/test_set.hpp"        // the test sets of the thesis
+#include "pliant/laboratory/force_recorder.hpp"   // the pushes of a run as a force file
+#include "pliant/laboratory/make_test_set.hpp"    // of random graphs
+#include "pliant/laboratory/read_test_set.hpp"    // from folders
+#include "pliant/laboratory/recorded_inputs.hpp"  // what a run was given, as files keep it
+#include "pliant/laboratory/test_results.hpp"     // what a heuristic did with the forces of a graph
+#include "pliant/laboratory/test_set.hpp"         // the test sets of the thesis

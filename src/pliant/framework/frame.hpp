@@ -37,6 +37,9 @@ struct Frame {
   Vec3 force;                          ///< on root_joint, kJ/(mol Angstrom); 0 if none
   double max_limit = 0.0;    ///< largest distance of a limit outside its interval (Angstrom)
   double max_overlap = 0.0;  ///< largest overlap of two joints (Angstrom)
+  /// (N) Angstrom, one step earlier: with them the run can go on from here. Empty: not known.
+  std::span<const Vec3> previous = {};
+  std::span<const std::uint8_t> limits_off = {};  ///< (L) 1: this limit is off; empty: none is
 };
 
 }  // namespace pliant

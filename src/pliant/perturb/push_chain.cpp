@@ -23,8 +23,15 @@ void PushChain::push(State& state) {
     throw;
   }
   drop_repeated_joints();
+  state.time = next_time(state);
   ++state.step;
-  state.time += timestep_;
+}
+
+/// A sum of many steps would drift away from the clock: as long as the time is that of the steps,
+/// it stays so.
+double PushChain::next_time(const State& state) const {
+  const auto at = [&](std::int64_t step) { return double(step) * timestep_; };
+  return state.time == at(state.step) ? at(state.step + 1) : state.time + timestep_;
 }
 
 void PushChain::push_all(State& state) {

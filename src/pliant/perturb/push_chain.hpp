@@ -39,6 +39,7 @@ class PushChain {
   };
 
   void push_all(State& state);
+  double next_time(const State& state) const;
   void drop_repeated_joints();
 
   const Framework& framework_;

@@ -67,6 +67,7 @@ struct Watched {
     WalkerRun run{state, number};
     run.observers = {[this](const Frame& frame) { return show(frame); }};
     run.log = watchers.log;
+    if (watchers.reached) run.began = watchers.reached->began;
     if (watchers.on_push)
       run.on_push = [this](const Push& push) { guard([&] { watchers.on_push(push); }); };
     return run;
@@ -81,7 +82,8 @@ class Ensemble {
         start_(start),
         options_(options),
         watchers_of_(watchers_of),
-        summaries_(options.shard.size()) {}
+        summaries_(options.shard.size()),
+        begun_(options.shard.size()) {}
 
   std::vector<RunSummary> run() {
     const auto threads = static_cast<std::uint64_t>(options_.threads);
@@ -94,8 +96,8 @@ class Ensemble {
       run_next_groups();
     }
     failure_.rethrow();
-    for (RunSummary& summary : summaries_)  // a walker that begins shows a frame
-      if (summary.frames == 0) summary.stopped_by_caller = true;
+    for (std::size_t k = 0; k < summaries_.size(); ++k)
+      if (!begun_[k]) summaries_[k].stopped_by_caller = true;
     return std::move(summaries_);
   }
 
@@ -130,6 +132,7 @@ class Ensemble {
     const std::lock_guard one_after_another(watchers_);
     for (std::size_t k = 0; k < group.size(); ++k) {
       summaries_[group[k].number - options_.shard.first] = summaries[k];
+      begun_[group[k].number - options_.shard.first] = true;
       group[k].end(summaries[k]);
     }
     return true;
@@ -138,7 +141,9 @@ class Ensemble {
   void watch(std::uint64_t walker, std::deque<Watched>& group) {
     const std::lock_guard one_after_another(watchers_);
     try {
-      group.push_back({walker, watchers_of_ ? watchers_of_(walker) : Watchers(), start_, failure_});
+      Watchers watchers = watchers_of_ ? watchers_of_(walker) : Watchers();
+      State state = watchers.reached ? std::move(watchers.reached->state) : start_;
+      group.push_back({walker, std::move(watchers), std::move(state), failure_});
     } catch (...) {
       failure_.keep();
     }
@@ -153,6 +158,7 @@ class Ensemble {
   std::mutex watchers_;
   FirstFailure failure_;
   std::vector<RunSummary> summaries_;
+  std::vector<bool> begun_;  ///< of the shard
 };
 
 }  // namespace

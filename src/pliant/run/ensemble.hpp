@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "pliant/run/run.hpp"
@@ -28,6 +29,12 @@ struct EnsembleOptions {
 /// Throws OptionError naming the option, its value and its range.
 void check(const EnsembleOptions& options);
 
+/// Where a walker goes on that has begun in an earlier run.
+struct WalkerReached {
+  State state;
+  std::int64_t began = 0;  ///< as RunOptions::began
+};
+
 /// Who looks at one walker. What they throw stops this walker alone, at its next frame.
 struct Watchers {
   std::vector<Observer> observers = {};
@@ -35,6 +42,7 @@ struct Watchers {
   /// Told once what the walker did and where it ended, if it was begun.
   std::function<void(const RunSummary&, const State&)> on_end = {};
   Log log = {};
+  std::optional<WalkerReached> reached = {};  ///< in place of the start of all
 
   Watchers() = default;
   Watchers(std::vector<Observer> them) : observers(std::move(them)) {}

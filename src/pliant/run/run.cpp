@@ -22,10 +22,11 @@ MotionOptions motion_of(const RunOptions& options, std::int64_t start, const Log
 RunSummary run(const Framework& framework, State& state, const RunOptions& options,
                const std::vector<Observer>& observers) {
   check(options);
-  Motion motion(framework, std::ref(state), motion_of(options, state.step, options.log),
+  const std::int64_t began = options.began.value_or(state.step);
+  Motion motion(framework, std::ref(state), motion_of(options, began, options.log),
                 options.resolve.walker);
-  Showing showing(observers, options.on_push, options, state.step);
-  showing.show(motion, motion.start());
+  Showing showing(observers, options.on_push, options, began);
+  if (!options.began) showing.show(motion, motion.start());
   while (!showing.is_over(motion))
     if (motion.advance()) showing.tell(motion);
   return showing.with_observers(motion.summary());

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -28,6 +29,9 @@ struct RunOptions {
                                         ///< `perturb`; the run ends with the last one
   std::int64_t steps = 1000;            ///< steps to do; from 0
   std::int64_t every = 1;               ///< show every so many steps (and step 0); from 1
+  /// The step at which the run began, if the state is one that it has reached: steps count from
+  /// there, and nothing is resolved or shown before the next step. None: it begins here.
+  std::optional<std::int64_t> began = {};
   std::function<void(const Push&)> on_push = {};  ///< told the push of each step once it is done
   LaneOptions lanes = {};                         ///< of run_walkers; changes no result
   Log log = {};
@@ -40,6 +44,7 @@ struct WalkerRun {
   std::vector<Observer> observers = {};
   std::function<void(const Push&)> on_push = {};  ///< in place of RunOptions::on_push
   Log log = {};                                   ///< in place of RunOptions::log
+  std::optional<std::int64_t> began = {};         ///< in place of RunOptions::began
 };
 
 /// Throws OptionError naming the option, its value and its range.

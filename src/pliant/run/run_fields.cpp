@@ -2,8 +2,10 @@
 #include "pliant/run/run_fields.hpp"
 
 #include <algorithm>
+#include <charconv>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/base/error.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/techniques.hpp"
@@ -96,6 +98,35 @@ struct Recorded {
   Parameter operator()(const auto* value) const { return *value; }
 };
 
+const Parameter& recorded(const std::vector<NamedParameter>& parameters, const std::string& path) {
+  const auto found = std::find_if(parameters.begin(), parameters.end(),
+                                  [&](const NamedParameter& one) { return one.first == path; });
+  if (found == parameters.end()) throw InputError("does not say /parameters/" + path);
+  return found->second;
+}
+
+[[noreturn]] void refuse_recorded(const std::string& path) {
+  throw InputError("/parameters/" + path + " has a value that is none");
+}
+
+/// Puts a recorded value into a place.
+struct Restored {
+  const std::string& path;
+  const Parameter& value;
+
+  void operator()(std::uint64_t* place) const {
+    const auto* text = std::get_if<std::string>(&value);
+    if (text == nullptr) refuse_recorded(path);
+    const char* end = text->data() + text->size();
+    if (std::from_chars(text->data(), end, *place).ptr != end) refuse_recorded(path);
+  }
+  template <class T>
+  void operator()(T* place) const {
+    if (!std::holds_alternative<T>(value)) refuse_recorded(path);
+    *place = std::get<T>(value);
+  }
+};
+
 }  // namespace
 
 std::span<const RunField> run_fields() { return table; }
@@ -113,6 +144,19 @@ void check_fields(const RunOptions& options) {
     const bool is_custom = options.technique.sweep && place == RunPlace(&places.technique.name);
     if (!is_custom) std::visit(Check{field}, place);
   }
+}
+
+RunOptions run_options_from(const std::vector<NamedParameter>& parameters) {
+  RunOptions options;
+  for (const RunField& field : run_fields()) {
+    const std::string path = "run/" + std::string(field.name);
+    std::visit(Restored{path, recorded(parameters, path)}, field.place(options));
+  }
+  std::int64_t walker = 0;
+  Restored{"run/walker", recorded(parameters, "run/walker")}(&walker);
+  options.resolve.walker = static_cast<std::uint64_t>(walker);
+  if (options.perturb == "replay") options.perturb = RunOptions().perturb;
+  return options;
 }
 
 std::vector<NamedParameter> parameters_of(const RunOptions& options, const Framework& framework) {

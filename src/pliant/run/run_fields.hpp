@@ -50,4 +50,9 @@ void check_fields(const RunOptions& options);
 /// without sign do not fit a Parameter; of a replay "run/perturb" is "replay".
 std::vector<NamedParameter> parameters_of(const RunOptions& options, const Framework& framework);
 
+/// The inverse: options of a recorded run. Without what is not recorded: a technique's own ordering
+/// or sweep, and the forces of a replay. Throws InputError naming a path that is missing or has a
+/// value that is none.
+RunOptions run_options_from(const std::vector<NamedParameter>& parameters);
+
 }  // namespace pliant

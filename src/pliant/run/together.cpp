@@ -21,15 +21,16 @@ Together::Together(const Framework& framework, std::span<WalkerRun> walkers,
     : resolver_(framework, options.technique, options.resolve, options.lanes) {
   walkers_.reserve(walkers.size());
   for (WalkerRun& walker : walkers) {
-    const std::int64_t start = walker.state.step;
+    const std::int64_t start = walker.began.value_or(walker.state.step);
     walkers_.push_back(
         {Walk(framework, walker.state, motion_of(options, start, walker.log), walker.number),
-         Showing(walker.observers, walker.on_push, options, start)});
+         Showing(walker.observers, walker.on_push, options, start), walker.began.has_value()});
   }
 }
 
 std::vector<RunSummary> Together::run() {
   for (Shown& walker : walkers_) {
+    if (walker.goes_on) continue;
     walker.walk.start(resolver_.alone());
     walker.showing.show(walker.walk, walker.walk.frame());
   }

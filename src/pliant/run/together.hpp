@@ -20,6 +20,7 @@ class Together {
   struct Shown {
     Walk walk;
     Showing showing;
+    bool goes_on;  ///< from the middle of its run
 
     bool is_over() const { return showing.is_over(walk); }
   };

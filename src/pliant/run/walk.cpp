@@ -192,7 +192,8 @@ Frame Walk::frame() {
   ++summary_.frames;
   return {state_.step,         state_.time,        state_.positions,   last_.sweeps,
           last_.projections,   last_.max_residual, last_.rms_residual, last_.stop,
-          pushed().root_joint, pushed().force,     last_.max_limit,    last_.max_overlap};
+          pushed().root_joint, pushed().force,     last_.max_limit,    last_.max_overlap,
+          state_.previous,     state_.limits_off};
 }
 
 }  // namespace pliant

@@ -10,6 +10,7 @@
 #include <cstring>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
@@ -49,14 +50,15 @@ struct flock write_lock(off_t byte) {
   return lock;
 }
 
-/// False when another writer holds the lock.
-bool lock_for_writing(int descriptor) {
+enum class Locking { locked, held_by_another, has_no_locks };
+
+Locking lock_for_writing(int descriptor) {
   struct flock writer = write_lock(writer_byte);
-  if (::fcntl(descriptor, F_OFD_SETLK, &writer) != 0 && (errno == EAGAIN || errno == EACCES))
-    return false;
+  if (::fcntl(descriptor, F_OFD_SETLK, &writer) != 0)
+    return errno == EAGAIN || errno == EACCES ? Locking::held_by_another : Locking::has_no_locks;
   struct flock process = write_lock(process_byte);
   ::fcntl(descriptor, F_SETLK, &process);
-  return true;
+  return Locking::locked;
 }
 
 bool is_being_written(int descriptor) {
@@ -100,6 +102,23 @@ void check_target(const fs::path& target, bool overwrite) {
   if (status.type() != fs::file_type::regular)
     throw FileError(shown(target) + ": is not a regular file");
   if (!overwrite) refuse_existing(target);
+  const Descriptor existing(::open(target.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
+  if (existing.value >= 0 && is_being_written(existing.value))
+    refuse_as_busy(target, existing.value);
+}
+
+fs::path resolved(const fs::path& target) {
+  if (target.empty()) throw FileError("the name of the output file is empty");
+  std::error_code error;
+  fs::path found = fs::weakly_canonical(fs::absolute(target, error), error);
+  if (error) fail_with(target, "cannot find it", error.value());
+  check_directory(found);
+  return found;
+}
+
+/// Beside the target, hidden. Without a number it is the same for all who write the target.
+fs::path temporary_name(const fs::path& target, const std::string& number) {
+  return target.parent_path() / ("." + target.filename().string() + number + ".partial");
 }
 
 bool is_same_file(int descriptor, const fs::path& path) {
@@ -111,26 +130,67 @@ bool is_same_file(int descriptor, const fs::path& path) {
 
 }  // namespace
 
-OutputFile::OutputFile(const fs::path& target, bool overwrite) : overwrite_(overwrite) {
-  if (target.empty()) throw FileError("the name of the output file is empty");
-  std::error_code error;
-  target_ = fs::weakly_canonical(fs::absolute(target, error), error);
-  if (error) fail_with(target, "cannot find it", error.value());
-  check_directory(target_);
+OutputFile::OutputFile(const fs::path& target, bool overwrite)
+    : target_(resolved(target)), overwrite_(overwrite) {
   check_target(target_, overwrite_);
   create();
+  try {
+    // Whoever held the lock until now may have taken the name.
+    check_target(target_, overwrite_);
+  } catch (...) {
+    close();
+    throw;
+  }
+}
+
+OutputFile::OutputFile(const fs::path& existing)
+    : target_(resolved(existing)), overwrite_(true), published_(true) {
+  descriptor_ = ::open(target_.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK);
+  if (descriptor_ < 0) fail_with(target_, "cannot open it for writing", errno);
+  try {
+    struct stat status {};
+    if (::fstat(descriptor_, &status) != 0 || !S_ISREG(status.st_mode))
+      throw FileError(target_.string() + ": is not a regular file");
+    if (lock_for_writing(descriptor_) == Locking::held_by_another)
+      refuse_as_busy(target_, descriptor_);
+  } catch (...) {
+    close();
+    throw;
+  }
 }
 
 OutputFile::~OutputFile() { close(); }
 
+/// What a killed writer has left behind is taken over: nobody holds its lock.
 void OutputFile::create() {
+  temporary_ = temporary_name(target_, "");
+  for (;;) {
+    descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (descriptor_ < 0)
+      fail_with(target_, "cannot write to " + shown(target_.parent_path()), errno);
+    const Locking locking = lock_for_writing(descriptor_);
+    if (locking == Locking::has_no_locks) return create_apart();
+    if (locking == Locking::held_by_another) {
+      const Descriptor busy(std::exchange(descriptor_, -1));
+      refuse_as_busy(target_, busy.value);
+    }
+    // It may have been published or deleted between the two calls.
+    if (is_same_file(descriptor_, temporary_)) break;
+    ::close(std::exchange(descriptor_, -1));
+  }
+  if (::ftruncate(descriptor_, 0) != 0) fail_with(target_, "cannot write", errno);
+}
+
+/// Without locks each writer needs a name of its own.
+void OutputFile::create_apart() {
   static std::atomic<unsigned> count = 0;
-  temporary_ = target_.parent_path() / ("." + target_.filename().string() + "." +
-                                        std::to_string(::getpid()) + "-" + std::to_string(count++));
+  ::close(std::exchange(descriptor_, -1));
+  ::unlink(temporary_.c_str());
+  temporary_ =
+      temporary_name(target_, "." + std::to_string(::getpid()) + "-" + std::to_string(count++));
   ::unlink(temporary_.c_str());
   descriptor_ = ::open(temporary_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail_with(target_, "cannot write to " + shown(target_.parent_path()), errno);
-  lock_for_writing(descriptor_);
 }
 
 void OutputFile::write(std::string_view text) const {
@@ -170,11 +230,18 @@ bool OutputFile::replace_existing() {
   const Descriptor existing(::open(target_.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK));
   if (existing.value < 0 && errno == ENOENT) return false;
   if (existing.value < 0) fail_with(target_, "cannot replace it", errno);
-  if (!lock_for_writing(existing.value)) refuse_as_busy(target_, existing.value);
+  if (lock_for_writing(existing.value) == Locking::held_by_another)
+    refuse_as_busy(target_, existing.value);
   if (!is_same_file(existing.value, target_)) return false;
   if (::rename(temporary_.c_str(), target_.c_str()) != 0)
     fail_with(target_, "cannot replace it", errno);
   return true;
+}
+
+void OutputFile::sync_name() const {
+  const Descriptor folder(
+      ::open(target_.parent_path().c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  if (folder.value >= 0) ::fsync(folder.value);
 }
 
 void OutputFile::close() {

@@ -15,11 +15,14 @@ namespace pliant {
 /// there is none.
 class OutputFile {
  public:
-  /// Creates the file under a temporary name in the directory of `target`; a symbolic link is
-  /// followed. Throws FileError with the system's reason when that cannot be, or when publish()
-  /// could not succeed: `target` exists and `overwrite` is false, it is not a regular file, or it
-  /// is being written.
+  /// Creates the file under a temporary name in the directory of `target` (".NAME.partial", which
+  /// takes the place of what a killed writer left there); a symbolic link is followed. Throws
+  /// FileError with the system's reason when that cannot be, or when publish() could not succeed:
+  /// `target` exists and `overwrite` is false, it is not a regular file, or it is being written.
   OutputFile(const std::filesystem::path& target, bool overwrite);
+  /// Opens a file that is there, as it is, to be written on. Throws FileError when it is not a
+  /// regular file, cannot be written, or is being written.
+  explicit OutputFile(const std::filesystem::path& existing);
   /// Deletes the file unless it was published.
   ~OutputFile();
   OutputFile(const OutputFile&) = delete;
@@ -32,10 +35,14 @@ class OutputFile {
   /// Gives the file its final name. With `overwrite` it replaces what has that name, at once and
   /// as a whole. Throws as the constructor does.
   void publish();
+  bool is_published() const { return published_; }
+  /// Has the folder's entry written to the disk.
+  void sync_name() const;
   void close();
 
  private:
   void create();
+  void create_apart();
   bool replace_existing();
   bool take_free_name();
 

@@ -58,16 +58,29 @@ std::vector<std::string> stop_names() {
   return names;
 }
 
-Series make_series(std::int64_t file, const std::string& path, NumberKind kind) {
-  const Hid type = kind == truth ? boolean_type() : named_number_type(stop_names());
+Hid memory_type(NumberKind kind) {
   switch (kind) {
     case integer:
-      return {file, path, H5T_STD_I64LE, H5T_NATIVE_INT64};
+      return owned(H5Tcopy(H5T_NATIVE_INT64), H5Tclose, "copy a type");
     case real:
-      return {file, path, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE};
+      return owned(H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose, "copy a type");
+    case truth:
+      return boolean_type();
     default:
-      return {file, path, type, type};
+      return named_number_type(stop_names());
   }
+}
+
+Series make_series(std::int64_t file, const std::string& path, NumberKind kind) {
+  const Hid type = memory_type(kind);
+  const std::int64_t little_endian = kind == integer ? H5T_STD_I64LE : H5T_IEEE_F64LE;
+  return {file, path, kind == integer || kind == real ? little_endian : std::int64_t{type}, type};
+}
+
+std::size_t number_bytes(std::int64_t file, const std::string& path) {
+  const Hid dataset = owned(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
+  const Hid type = owned(H5Dget_type(dataset), H5Tclose, "look at " + path);
+  return H5Tget_size(type);
 }
 
 // A chunk of positions holds one frame, which is what readers ask for. Small frames share one:
@@ -89,11 +102,32 @@ FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, const H5
   make_observables(file);
 }
 
+FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, std::uint64_t frames)
+    : observable_count_(table_for(framework).size()) {
+  const std::string group = h5md::position;
+  single_ = number_bytes(file, group + "/value") == sizeof(float);
+  positions_.emplace_back(file, group + "/value", single_ ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE,
+                          frames);
+  positions_.emplace_back(file, group + "/time", H5T_NATIVE_DOUBLE, frames);
+  positions_.emplace_back(file, group + "/step", H5T_NATIVE_INT64, frames);
+  for (const Observable& observable : table_for(framework)) {
+    const Hid type = memory_type(observable.kind);
+    observables_.emplace_back(
+        file, std::string(h5md::observables) + "/" + observable.name + "/value", type, frames);
+  }
+  count_bytes(framework.joint_count());
+}
+
+void FrameSeries::count_bytes(std::size_t joint_count) {
+  frame_bytes_ = joint_count * 3 * (single_ ? sizeof(float) : sizeof(double)) +
+                 (2 + observable_count_) * sizeof(double);
+}
+
 /// In the order value, time, step: HDF5 itself then also writes them in this order.
 void FrameSeries::make_positions(std::int64_t file, std::size_t joint_count,
                                  const H5mdOptions& options) {
   const std::size_t position_bytes = joint_count * 3 * (single_ ? sizeof(float) : sizeof(double));
-  frame_bytes_ = position_bytes + (2 + observable_count_) * sizeof(double);
+  count_bytes(joint_count);
   const SeriesLayout layout{.row = {joint_count, 3},
                             .chunk_rows = frames_per_chunk(position_bytes, options.compress),
                             .compress = options.compress,
@@ -146,6 +180,17 @@ void FrameSeries::add_positions(std::span<const Vec3> positions) {
   for (const Vec3 p : positions)
     for (const double x : {p.x, p.y, p.z}) singles_.push_back(static_cast<float>(x));
   positions_[0].add_bytes(std::as_bytes(std::span(singles_)));
+}
+
+bool FrameSeries::last_is(std::span<const Vec3> positions) const {
+  const std::vector<double> there = positions_[0].last_row();
+  if (there.size() != 3 * positions.size()) return false;
+  for (std::size_t i = 0; i < there.size(); ++i) {
+    const Vec3 p = positions[i / 3];
+    const double x = i % 3 == 0 ? p.x : i % 3 == 1 ? p.y : p.z;
+    if (there[i] != (single_ ? double(static_cast<float>(x)) : x)) return false;
+  }
+  return true;
 }
 
 void FrameSeries::write() {

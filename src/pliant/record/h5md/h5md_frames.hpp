@@ -16,10 +16,19 @@ class FrameSeries {
   /// Makes empty series in the HDF5 file `file` (hid_t). Throws FileError.
   FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options);
 
+  /// Opens the series of a file, to go on after its first `frames` frames. Throws FileError.
+  FrameSeries(std::int64_t file, const Framework& framework, std::uint64_t frames);
+
+  /// Cuts off steps of frames beyond those: readers see these frames no more.
+  void cut() { positions_[2].cut(); }
+
   void add(const Frame& frame);
+  /// Whether the last frame of the file has these positions, bit by bit as they are recorded.
+  bool last_is(std::span<const Vec3> positions) const;
   /// Hands the waiting frames to HDF5. Throws FileError.
   void write();
 
+  bool is_single() const { return single_; }
   std::uint64_t waiting_frames() const { return waiting_frames_; }
   std::size_t waiting_bytes() const { return waiting_frames_ * frame_bytes_; }
 
@@ -29,6 +38,7 @@ class FrameSeries {
   std::vector<std::uint64_t> addresses(std::int64_t file) const;
 
  private:
+  void count_bytes(std::size_t joint_count);
   void make_positions(std::int64_t file, std::size_t joint_count, const H5mdOptions& options);
   void make_observables(std::int64_t file);
   void add_positions(std::span<const Vec3> positions);

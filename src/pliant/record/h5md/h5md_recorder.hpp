@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -22,8 +23,9 @@ namespace pliant {
 struct H5mdOptions {
   bool single = false;         ///< positions as 32-bit floats: half the size, 1e-7 relative
   bool compress = false;       ///< shuffle and gzip 1: about 0.8 of the size, ten times the time
-  bool overwrite = false;      ///< replace an existing file once the new one can be written
+  bool overwrite = false;      ///< replace an existing file once the new one has a frame
   double flush_seconds = 1.0;  ///< frames are committed to the file this often (s); 0: each frame
+  bool durable = false;        ///< a commit waits for the disk (fsync): it survives a power cut
   Log log = {};                ///< where warnings go
 };
 
@@ -36,6 +38,20 @@ struct RecordedBond {
   friend bool operator==(const RecordedBond&, const RecordedBond&) = default;
 };
 
+/// What a run is given besides its framework and its parameters. It is recorded so that the run can
+/// go on from the file.
+struct RunInputs {
+  std::vector<Vec3> start = {};                     ///< (N) Angstrom; or empty: not kept
+  std::vector<Joint> replay_joints = {};            ///< (R) of a replay
+  std::vector<Vec3> replay_forces = {};             ///< (R) kJ/(mol Angstrom)
+  std::vector<BarIndex> ordering_bars = {};         ///< (V) of an ordering that was given
+  std::vector<Joint> ordering_near = {};            ///< (V)
+  std::vector<std::uint8_t> ordering_is_tree = {};  ///< (V)
+};
+
+struct H5mdCheckpoint;
+class H5mdWriter;
+
 /// What a file says in addition to the framework and the frames.
 struct H5mdHeader {
   std::vector<RecordedBond> bonds;
@@ -45,26 +61,36 @@ struct H5mdHeader {
   std::string creator_version = "";
   std::string author = "unknown";
   std::vector<NamedParameter> parameters;  ///< every option of the run; no path twice
+  std::optional<RunInputs> inputs = {};    ///< of a run; with them it can go on from the file
 };
 
 /// Writes frames to one file, which holds the group /particles/trajectory.
 ///
-/// Frames are gathered in memory and committed together: about every `flush_seconds`, whenever
-/// some megabytes have gathered, on flush(), on close() and by the destructor. The order of
-/// writes within a commit is such that the file opens after the writer was killed at any moment,
-/// with every frame committed before, and while the writer lives.
+/// Frames are gathered in memory and committed together: the first at once, then about every
+/// `flush_seconds`, up to five times a second where some megabytes have gathered, on flush(), on
+/// close() and by the destructor. The order of writes within a commit is such that the file opens
+/// after the writer was killed at any moment, with every frame committed before, and while the
+/// writer lives.
+///
+/// Where the header has the inputs of a run, what the run can go on from (a checkpoint) is
+/// committed with the first frame, then about every `flush_seconds`, and by end_run().
 ///
 /// A failed write (disk full, file size limit) ends the recording: the frames committed before it
 /// stay readable, later calls throw the same error, and the destructor does nothing.
 class H5mdRecorder {
  public:
-  /// Creates the file and commits all but the frames. It appears under its name only when it is
-  /// complete; until then an existing file is as it was.
+  /// Creates the file under a temporary name (".NAME.partial"). It takes its name with its first
+  /// frame; until then an existing file is as it was.
   /// Throws FileError (with the system's reason) when the directory is missing, the file exists
   /// and may not be overwritten, is not a regular file, or is being written by another recorder
   /// (named by its process id); OptionError on bad options or parameters.
   H5mdRecorder(const std::filesystem::path& path, const Framework& framework,
                const H5mdHeader& header = {}, const H5mdOptions& options = {});
+  /// Goes on in a file where read_checkpoint() says that it ends. Frames up to there, which the run
+  /// shows again, are not recorded a second time. Of the options, `single`, `compress` and
+  /// `overwrite` are not looked at. Throws FileError when the file cannot be written, or is being
+  /// written, or has been since it was read.
+  explicit H5mdRecorder(const H5mdCheckpoint& from, const H5mdOptions& options = {});
   ~H5mdRecorder();
   H5mdRecorder(H5mdRecorder&&) noexcept;
   H5mdRecorder& operator=(H5mdRecorder&&) noexcept;
@@ -73,6 +99,10 @@ class H5mdRecorder {
   /// when a position (naming the joint) or the time is not finite, or when the step does not
   /// increase; FileError when it cannot be written, or the recorder is closed.
   void record(const Frame& frame);
+
+  /// The run of the frames ends in this state: commits both, so that it can go on from there. Only
+  /// where the header has inputs, and a frame was recorded.
+  void end_run(const State& state);
 
   /// Commits what was recorded: it survives whatever happens to this process.
   void flush();
@@ -86,8 +116,7 @@ class H5mdRecorder {
   const std::filesystem::path& path() const;
 
  private:
-  class Writer;
-  std::unique_ptr<Writer> writer_;
+  std::unique_ptr<H5mdWriter> writer_;
 };
 
 }  // namespace pliant

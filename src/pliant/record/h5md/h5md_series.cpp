@@ -7,6 +7,8 @@
 #include <limits>
 #include <type_traits>
 
+#include "pliant/base/error.hpp"
+
 namespace pliant {
 namespace {
 
@@ -51,6 +53,47 @@ bool is_chunk_as_it_stands(const SeriesLayout& layout, hid_t file_type, hid_t me
 
 }  // namespace
 
+namespace {
+
+std::vector<std::uint64_t> series_extents(hid_t dataset) {
+  const Hid space = owned(H5Dget_space(dataset), H5Sclose, "look at a dataset");
+  std::vector<hsize_t> extents(
+      static_cast<std::size_t>(checked(H5Sget_simple_extent_ndims(space), "look at a dataset")));
+  checked(H5Sget_simple_extent_dims(space, extents.data(), nullptr), "look at a dataset");
+  return {extents.begin(), extents.end()};
+}
+
+SeriesLayout series_layout(hid_t dataset) {
+  const Hid properties = owned(H5Dget_create_plist(dataset), H5Pclose, "look at a dataset");
+  const std::vector<std::uint64_t> extents = series_extents(dataset);
+  std::vector<hsize_t> chunk(extents.size());
+  if (extents.empty() || H5Pget_layout(properties) != H5D_CHUNKED)
+    throw FileError("a series is not laid out as this program lays it out");
+  checked(H5Pget_chunk(properties, static_cast<int>(chunk.size()), chunk.data()), "look at chunks");
+  return {.row = {extents.begin() + 1, extents.end()},
+          .chunk_rows = chunk[0],
+          .compress = H5Pget_nfilters(properties) > 0};
+}
+
+}  // namespace
+
+Series::Series(std::int64_t location, const std::string& path, std::int64_t memory_type,
+               std::uint64_t rows)
+    : path_(path) {
+  dataset_ = owned(H5Dopen2(location, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
+  const SeriesLayout layout = series_layout(dataset_);
+  dataset_.reset();  // properties are those of the first who opens it
+  dataset_ =
+      owned(H5Dopen2(location, path.c_str(), access_properties(layout)), H5Dclose, "open " + path);
+  memory_type_ = owned(H5Tcopy(memory_type), H5Tclose, "copy a type");
+  const Hid file_type = owned(H5Dget_type(dataset_), H5Tclose, "look at " + path);
+  row_is_chunk_ = is_chunk_as_it_stands(layout, file_type, memory_type);
+  extents_ = series_extents(dataset_);
+  rows_there_ = extents_[0];
+  if (rows_there_ < rows) throw FileError(path + " has fewer rows than frames");
+  extents_[0] = rows;
+}
+
 Series::Series(std::int64_t location, const std::string& path, std::int64_t file_type,
                std::int64_t memory_type, const SeriesLayout& layout)
     : path_(path),
@@ -71,10 +114,36 @@ Series::Series(std::int64_t location, const std::string& path, std::int64_t file
 void Series::write(std::uint64_t rows) {
   const std::uint64_t first = extents_[0];
   extents_[0] += rows;
-  const std::vector<hsize_t> extents(extents_.begin(), extents_.end());
-  checked(H5Dset_extent(dataset_, extents.data()), "extend " + path_);
+  if (extents_[0] > rows_there_) set_extent();
   row_is_chunk_ ? write_chunks(first, rows) : write_selected(first, rows);
   waiting_.clear();
+}
+
+void Series::set_extent() {
+  const std::vector<hsize_t> extents(extents_.begin(), extents_.end());
+  checked(H5Dset_extent(dataset_, extents.data()), "extend " + path_);
+  rows_there_ = extents_[0];
+}
+
+void Series::cut() {
+  if (rows_there_ > extents_[0]) set_extent();
+}
+
+std::vector<double> Series::last_row() const {
+  std::vector<hsize_t> start(extents_.size(), 0), count(extents_.begin(), extents_.end());
+  start[0] = extents_[0] - 1;
+  count[0] = 1;
+  std::size_t size = 1;
+  for (const hsize_t extent : count) size *= extent;
+  const Hid space = owned(H5Dget_space(dataset_), H5Sclose, "look at " + path_);
+  checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr),
+          "select rows of " + path_);
+  const Hid memory = owned(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+                           H5Sclose, "make a dataspace");
+  std::vector<double> row(size);
+  checked(H5Dread(dataset_, H5T_NATIVE_DOUBLE, memory, space, H5P_DEFAULT, row.data()),
+          "read " + path_);
+  return row;
 }
 
 void Series::write_selected(std::uint64_t first, std::uint64_t rows) {

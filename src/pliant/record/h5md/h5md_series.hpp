@@ -27,6 +27,11 @@ class Series {
   Series(std::int64_t location, const std::string& path, std::int64_t file_type,
          std::int64_t memory_type, const SeriesLayout& layout = {});
 
+  /// Opens the dataset at `path`, to go on after its first `rows` rows. Throws FileError if it has
+  /// fewer.
+  Series(std::int64_t location, const std::string& path, std::int64_t memory_type,
+         std::uint64_t rows);
+
   template <class T>
   void add(const T& value) {
     add_bytes(std::as_bytes(std::span(&value, 1)));
@@ -34,20 +39,28 @@ class Series {
   void add_bytes(std::span<const std::byte> bytes) {
     waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
   }
-  /// Appends `rows` waiting rows to the dataset. Throws FileError.
+  /// Appends `rows` waiting rows to the dataset, or writes them over such as an interrupted commit
+  /// has left beyond the last row. Throws FileError.
   void write(std::uint64_t rows);
+  /// Cuts off all rows beyond those that were written. Throws FileError.
+  void cut();
+
+  /// The last row that was written, as numbers. Throws FileError.
+  std::vector<double> last_row() const;
 
   std::int64_t dataset() const { return dataset_; }
 
  private:
+  void set_extent();
   void write_selected(std::uint64_t first, std::uint64_t rows);
   void write_chunks(std::uint64_t first, std::uint64_t rows);
 
   std::string path_;
   Hid memory_type_;
   Hid dataset_;
-  bool row_is_chunk_;  ///< and has in memory the bytes that it has in the file
-  std::vector<std::uint64_t> extents_;
+  bool row_is_chunk_ = false;           ///< and has in memory the bytes that it has in the file
+  std::vector<std::uint64_t> extents_;  ///< with the rows that count
+  std::uint64_t rows_there_ = 0;        ///< with those of an interrupted commit
   std::vector<std::byte> waiting_;
 };
 

@@ -176,8 +176,8 @@ void check_parameters(const std::vector<NamedParameter>& parameters) {
     if (path.empty() || path.front() == '/' || path.back() == '/')
       refuse_parameter(path, "must be a path below /parameters, such as run/seed");
     if (is_own_parameter(path))
-      refuse_parameter(path,
-                       "the groups framework, limit, sterics and topology are the file's own");
+      refuse_parameter(
+          path, "the groups framework, limit, sterics, topology and checkpoint are the file's own");
     if (!paths.insert(path).second) refuse_parameter(path, "is given twice");
     const double* number = std::get_if<double>(&value);
     if (number != nullptr && std::isnan(*number)) refuse_parameter(path, "is not a number");
@@ -192,7 +192,8 @@ void write_parameters(std::int64_t file, const std::vector<NamedParameter>& para
 
 bool is_own_parameter(const std::string& path) {
   return path.starts_with("framework/") || path.starts_with("limit/") ||
-         path.starts_with("sterics/") || path.starts_with("topology/");
+         path.starts_with("sterics/") || path.starts_with("topology/") ||
+         path.starts_with("checkpoint/");
 }
 
 void write_static_part(std::int64_t file, const Framework& framework, const H5mdHeader& header) {

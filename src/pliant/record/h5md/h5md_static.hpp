@@ -20,9 +20,10 @@ inline constexpr char limits[] = "/connectivity/limits";  // (L, 2) joints
 inline constexpr char limit[] = "/parameters/limit";      // least, most, kind, energy, group
 /// kind, least, own, own_least, unit, bonds_apart, bonds
 inline constexpr char sterics[] = "/parameters/sterics";
-inline constexpr int schema = 2;                              // of /h5md/creator; none is 1
-inline constexpr char framework[] = "/parameters/framework";  // rest_length, pinned, planar
-inline constexpr char topology[] = "/parameters/topology";    // the atom table, bonds' origins
+inline constexpr int schema = 2;                                // of /h5md/creator; none is 1
+inline constexpr char framework[] = "/parameters/framework";    // rest_length, pinned, planar
+inline constexpr char checkpoint[] = "/parameters/checkpoint";  // see h5md_checkpoint.hpp
+inline constexpr char topology[] = "/parameters/topology";      // the atom table, bonds' origins
 }  // namespace h5md
 
 /// Whether a path below /parameters is in a group of ours.

@@ -131,4 +131,9 @@ Hid create_hdf5(CommittedFile& file) {
                "create the file");
 }
 
+Hid open_hdf5_to_write(CommittedFile& file) {
+  const Hid access = access_properties(&file);
+  return owned(H5Fopen("pliant", H5F_ACC_RDWR, access), H5Fclose, "open the file");
+}
+
 }  // namespace pliant

@@ -12,4 +12,7 @@ namespace pliant {
 /// so that any HDF5 program opens it, also while it is being written. Throws FileError.
 Hid create_hdf5(CommittedFile& file);
 
+/// Opens the HDF5 file that `file` holds, to be written on. Otherwise as create_hdf5.
+Hid open_hdf5_to_write(CommittedFile& file);
+
 }  // namespace pliant

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/record/hdf5/committed_file.hpp"
 
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -17,6 +18,16 @@ constexpr int new_rank = 0;
 constexpr int superblock_rank = 1;
 constexpr int root_node_rank = 2;  // level 255, the highest that a byte holds
 constexpr int in_place_rank = 300;
+
+// Ranks where rows are taken away.
+constexpr int shrunk_tree_rank = 10'000;
+constexpr int shrunk_data_rank = 20'000;
+constexpr int shrunk_superblock_rank = 30'000;
+
+// By how much the file is longer than it is said to be: this many times what the last commit added,
+// and at least so much.
+constexpr std::uint64_t room_factor = 4;
+constexpr std::uint64_t least_room = std::uint64_t{64} << 10;
 
 /// Level of a version 1 B-tree node (0: leaf). HDF5 File Format Specification, III.A.1.
 int tree_level(std::span<const std::byte> node) {
@@ -38,10 +49,15 @@ void overlay(std::uint64_t block_address, std::span<const std::byte> block, std:
 
 }  // namespace
 
-CommittedFile::CommittedFile(int descriptor) : descriptor_(descriptor), owner_(::getpid()) {}
+CommittedFile::CommittedFile(int descriptor, bool durable)
+    : descriptor_(descriptor), durable_(durable), owner_(::getpid()) {
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0) failure_ = errno;
+  known_end_ = committed_end_ = end_ = written_end_ = static_cast<std::uint64_t>(status.st_size);
+}
 
 void CommittedFile::write(BlockKind kind, std::uint64_t address, std::span<const std::byte> bytes) {
-  if (kind == BlockKind::data) return write_through(address, bytes);
+  if (kind == BlockKind::data && !shrinks_) return write_through(address, bytes);
   pending_[address] = {kind, {bytes.begin(), bytes.end()}};
 }
 
@@ -70,9 +86,20 @@ std::uint64_t CommittedFile::size() const {
 
 int CommittedFile::rank(const Blocks::value_type& entry) const {
   const auto& [address, block] = entry;
-  if (!written_.contains(address)) return new_rank;
+  if (address >= known_end_ && !written_.contains(address)) return new_rank;
+  if (shrinks_ && block.kind != BlockKind::other_metadata) return rank_when_shrinking(block);
   if (block.kind == BlockKind::superblock) return superblock_rank;
   if (block.kind == BlockKind::tree_node) return root_node_rank + 255 - tree_level(block.bytes);
+  return rank_of_header(address);
+}
+
+int CommittedFile::rank_when_shrinking(const Block& block) const {
+  if (block.kind == BlockKind::superblock) return shrunk_superblock_rank;
+  if (block.kind == BlockKind::data) return shrunk_data_rank;
+  return shrunk_tree_rank + 255 - tree_level(block.bytes);
+}
+
+int CommittedFile::rank_of_header(std::uint64_t address) const {
   const auto place = std::find(last_.begin(), last_.end(), address);
   return in_place_rank + (place == last_.end() ? 0 : 1 + static_cast<int>(place - last_.begin()));
 }
@@ -93,7 +120,8 @@ void CommittedFile::commit() {
                                      [](const Ranked& block) { return block.rank != new_rank; });
   for (auto at = order.begin(); at != in_place; ++at)
     write_through(at->entry->first, at->entry->second.bytes);
-  if (written_end_ < end_) resize(end_);  // the superblock must not promise more than there is
+  make_room();
+  sync();
   if (failure_ != 0) {
     // The file is still as the last commit left it: what lies beyond only takes space.
     [[maybe_unused]] const int ignored =
@@ -102,11 +130,33 @@ void CommittedFile::commit() {
   }
   for (auto at = in_place; at != order.end(); ++at)
     write_backwards(at->entry->first, at->entry->second.bytes);
-  if (written_end_ > end_) resize(end_);
+  sync();
   if (failure_ != 0) return;
   for (const auto& [address, block] : pending_) written_.insert(address);
   pending_.clear();
   committed_end_ = end_;
+  shrinks_ = false;
+}
+
+/// The superblock must not promise more than there is, also not to a reader that has asked for the
+/// file's length before this commit.
+void CommittedFile::make_room() {
+  const std::uint64_t added = end_ > committed_end_ ? end_ - committed_end_ : 0;
+  if (written_end_ >= end_ + added) return;
+  const std::uint64_t room = std::max(room_factor * added, least_room);
+  if (may_write() && ::ftruncate(descriptor_, static_cast<off_t>(end_ + room)) == 0) {
+    written_end_ = end_ + room;
+  } else if (written_end_ < end_) {
+    resize(end_);
+  }
+}
+
+void CommittedFile::trim() {
+  if (written_end_ > committed_end_) resize(committed_end_);
+}
+
+void CommittedFile::sync() {
+  if (durable_ && may_write() && ::fdatasync(descriptor_) != 0) failure_ = errno;
 }
 
 void CommittedFile::write_backwards(std::uint64_t address, std::span<const std::byte> bytes) {

@@ -10,6 +10,12 @@
 //      into a new node by 1, and the left half shrinks only when its parent knows the new one;
 //   4. then the other blocks in place, which are object headers with the new extents; those named
 //      to write_last() are the last, in that order.
+// Where rows are taken away, the order is another: headers first, then trees, then data, then the
+// superblock, so that what a reader is led to is there.
+//
+// A reader asks how long the file is before it reads the superblock: the file is always longer than
+// the superblock says by what the next commit may add, until it is closed.
+//
 // A kill stops a write between two pages of the file, never within one. Tree nodes lie within one
 // page (the driver aligns them); what lies in two is written from its end, because an object header
 // has its extents before the address of its chunk tree.
@@ -35,8 +41,9 @@ enum class BlockKind : std::uint8_t { data, superblock, tree_node, other_metadat
 /// that the library above can go on and close in peace.
 class CommittedFile {
  public:
-  /// Does not own `descriptor`, which is open for reading and writing and empty.
-  explicit CommittedFile(int descriptor);
+  /// Does not own `descriptor`, which is open for reading and writing. What the file holds is
+  /// committed. `durable`: a commit waits until it is on the disk.
+  explicit CommittedFile(int descriptor, bool durable = false);
 
   /// Data goes to the disk at once, metadata with the next commit.
   void write(BlockKind kind, std::uint64_t address, std::span<const std::byte> bytes);
@@ -52,6 +59,10 @@ class CommittedFile {
   /// Addresses of the blocks that a commit writes last, in this order.
   void write_last(std::vector<std::uint64_t> addresses) { last_ = std::move(addresses); }
   void commit();
+  /// Rows are taken away until the next commit: data waits for it too.
+  void shrink() { shrinks_ = true; }
+  /// After the last commit: the file becomes as long as the superblock says.
+  void trim();
 
   /// errno of the first write that failed, or 0.
   int failure() const { return failure_; }
@@ -70,18 +81,25 @@ class CommittedFile {
 
   std::vector<Ranked> in_commit_order() const;
   int rank(const Blocks::value_type& entry) const;
+  int rank_when_shrinking(const Block& block) const;
+  int rank_of_header(std::uint64_t address) const;
   bool may_write() const;
   void write_through(std::uint64_t address, std::span<const std::byte> bytes);
   void write_backwards(std::uint64_t address, std::span<const std::byte> bytes);
   void resize(std::uint64_t size);
+  void make_room();
+  void sync();
 
   int descriptor_;
+  bool durable_;
+  bool shrinks_ = false;
   pid_t owner_;  // a forked child holds the same descriptor and must leave the file alone
   std::uint64_t end_ = 0;
   std::uint64_t written_end_ = 0;
   std::uint64_t committed_end_ = 0;
   Blocks pending_;
-  std::set<std::uint64_t> written_;  // addresses of the metadata blocks on the disk
+  std::uint64_t known_end_ = 0;      // all metadata blocks before it are on the disk ...
+  std::set<std::uint64_t> written_;  // ... and those at these addresses
   std::vector<std::uint64_t> last_;
   int failure_ = 0;
 };

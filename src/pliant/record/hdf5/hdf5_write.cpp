@@ -193,6 +193,20 @@ Hid write_numbers(std::int64_t location, const std::string& path,
   return write_array(location, path, H5T_STD_U8LE, H5T_NATIVE_UINT8, values);
 }
 
+Hid write_table(std::int64_t location, const std::string& path, std::size_t rows,
+                std::size_t columns, std::span<const double> values) {
+  const hsize_t extents[] = {rows, columns};
+  const Hid space = owned(H5Screate_simple(2, extents, nullptr), H5Sclose, "make a dataspace");
+  return write_dataset(location, path, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space, values.data());
+}
+
+void rewrite_integer(std::int64_t location, const std::string& path, std::int64_t value) {
+  const Hid dataset =
+      owned(H5Dopen2(location, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
+  checked(H5Dwrite(dataset, H5T_NATIVE_INT64, H5S_ALL, H5S_ALL, H5P_DEFAULT, &value),
+          "write " + path);
+}
+
 Hid write_pairs(std::int64_t location, const std::string& path, std::span<const Bar> pairs) {
   const hsize_t extents[] = {pairs.size(), 2};
   const Hid space = owned(H5Screate_simple(2, extents, nullptr), H5Sclose, "make a dataspace");

@@ -36,6 +36,9 @@ Hid write_numbers(std::int64_t location, const std::string& path,
                   std::span<const std::uint32_t> values);
 Hid write_numbers(std::int64_t location, const std::string& path,
                   std::span<const std::uint8_t> values);
+/// (rows, columns) little-endian numbers, row by row.
+Hid write_table(std::int64_t location, const std::string& path, std::size_t rows,
+                std::size_t columns, std::span<const double> values);
 /// (n, 2) joints.
 Hid write_pairs(std::int64_t location, const std::string& path, std::span<const Bar> pairs);
 /// (n) truth values, in the enumeration {FALSE, TRUE} that h5py reads as bool.
@@ -49,6 +52,9 @@ Hid write_texts(std::int64_t location, const std::string& path,
                 const std::vector<std::string>& texts);
 /// A dataset without dimensions.
 void write_parameter(std::int64_t location, const std::string& path, const Parameter& value);
+
+/// Writes over the integer at `path`.
+void rewrite_integer(std::int64_t location, const std::string& path, std::int64_t value);
 
 /// Enumeration of one byte, as used above.
 Hid boolean_type();

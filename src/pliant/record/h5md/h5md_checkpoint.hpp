@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: MIT
+// Checkpoint: what a run needs to go on from an H5MD file, bit by bit.
+//
+// Below /parameters/checkpoint:
+//   state (2, 5 + 6 N + L)  two states in turn, so that one is whole while the other is written:
+//     number of the checkpoint (the larger is the later), step, time (ps), two halves of a digest,
+//     positions (3 N), previous positions (3 N), limits that are off (L, 1 for off)
+//   mass (N) u, drawn (N, 3)   where /particles does not say them bit by bit, or at all
+//   start (N, 3)   of one of several walkers, where it is not the drawn positions
+//   replay_joint (R), replay_force (R, 3) kJ/(mol Angstrom)   of a replay
+//   ordering_bar, ordering_near, ordering_is_tree (V)         of an ordering that was given
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/framework/framework.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_static.hpp"
+#include "pliant/record/hdf5/hdf5_session.hpp"
+
+namespace pliant {
+
+/// How a row of `state` is laid out.
+namespace checkpoint {
+inline const std::string group = h5md::checkpoint;
+inline const std::string state = group + "/state";
+inline constexpr std::size_t number_column = 0;
+inline constexpr std::size_t step_column = 1;
+inline constexpr std::size_t time_column = 2;
+inline constexpr std::size_t digest_column = 3;  // two
+inline constexpr std::size_t head_columns = 5;
+inline constexpr std::size_t state_count = 2;
+
+/// Columns of a row.
+std::size_t columns_of(const Framework& framework);
+
+/// Of all columns but its own: a state that was cut short in writing does not have it.
+std::array<double, 2> digest_of(std::span<const double> row);
+}  // namespace checkpoint
+
+/// The states of a file that is being written. Callers hold an Hdf5Session.
+class CheckpointWriter {
+ public:
+  /// Makes the group in the new HDF5 file `file` (hid_t). Throws FileError.
+  CheckpointWriter(std::int64_t file, const Framework& framework, const H5mdHeader& header);
+  /// Opens it, to go on after the checkpoint of this number. Throws FileError.
+  CheckpointWriter(std::int64_t file, const Framework& framework, std::int64_t number);
+
+  /// Writes what a run can go on from after this frame, over the older of the two states. The frame
+  /// must be committed before the next state is written. Throws FileError.
+  void write(const Frame& frame);
+
+ private:
+  Hid dataset_;
+  std::size_t joint_count_;
+  std::int64_t number_ = 0;  ///< of the last one that was written; 0: none was
+  std::vector<double> row_;
+};
+
+}  // namespace pliant
