@@ -10,6 +10,7 @@ import numpy as np
 from MDAnalysis.exceptions import NoDataError, SelectionError
 
 from pliant._core import OptionError
+from pliant.analyse import biology
 from pliant.analyse.frames_held import choose_frames
 from pliant.analyse.load import open_universe
 from pliant.analyse.study import Study
@@ -53,6 +54,7 @@ def study_trajectory(
     study.atoms = _select(universe, options.select, "--select")
     study.fitted, study.fitted_name = _fitted(study)
     choose_frames(study)
+    biology.basics(study)
     runner = Runner(study)
     for name, stage in STAGES.items():
         on_stage(name)
@@ -212,4 +214,8 @@ STAGES = {
     "radius of gyration": _radius_of_gyration,
     "torsions": _torsions,
     "PCA": _principal_components,
+    "flexibility": lambda study, _: biology.flexibility_stage(study),
+    "stereochemistry": lambda study, _: biology.stereochemistry_stage(study),
+    "contacts": lambda study, _: biology.contacts_stage(study),
+    "distances": lambda study, _: biology.distances_stage(study),
 }

@@ -5,6 +5,9 @@ from __future__ import annotations
 
 import numpy as np
 
+#: the average structure is final when an iteration moves it by less (RMS over atoms, Angstrom)
+AVERAGE_TOLERANCE = 1e-5
+
 
 class Superposition:
     """Brings positions onto a reference by the best rotation and translation.
@@ -37,3 +40,35 @@ class Superposition:
         rotation, centre = self.motion(positions if fitted is None else fitted)
         moved: np.ndarray = (positions - centre) @ rotation + self.centre
         return moved
+
+
+def superpose_all(
+    positions: np.ndarray, fitted: np.ndarray | None = None, iterations: int = 20
+) -> np.ndarray:
+    """All frames superposed on their average, which is found by iteration, as Rmsf finds it.
+
+    positions: (F, n, 3), Angstrom; fitted: which of the n atoms are fitted (mask or indices),
+    all by default. Returns the moved positions (F, n, 3), float64.
+    """
+    chosen = slice(None) if fitted is None else fitted
+    moved = np.asarray(positions, dtype=np.float64)
+    average = moved[0, chosen]
+    for _ in range(iterations):
+        moved = _onto(moved, chosen, average)
+        before, average = average, moved[:, chosen].mean(axis=0)
+        if np.sqrt(np.mean(np.sum((average - before) ** 2, axis=1))) < AVERAGE_TOLERANCE:
+            break
+    return moved
+
+
+def _onto(
+    positions: np.ndarray, chosen: np.ndarray | slice, reference: np.ndarray
+) -> np.ndarray:
+    """Each frame by the rotation and translation that bring its chosen atoms onto a reference."""
+    middle = reference.mean(axis=0)
+    centres = positions[:, chosen].mean(axis=1, keepdims=True)
+    part = positions[:, chosen] - centres
+    u, _, vt = np.linalg.svd(np.swapaxes(part, 1, 2) @ (reference - middle))
+    u[:, :, -1] *= np.sign(np.linalg.det(u) * np.linalg.det(vt))[:, None]
+    moved: np.ndarray = (positions - centres) @ (u @ vt) + middle
+    return moved
