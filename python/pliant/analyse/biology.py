@@ -19,7 +19,7 @@ from pliant.analysis.flexibility import flexibility
 from pliant.analysis.overlaps import ResidueContacts
 from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.stereochemistry import Stereochemistry
-from pliant.analysis.superposition import superpose_all
+from pliant.analysis.superposition import superpose_all, superpose_onto
 
 if TYPE_CHECKING:
     from pliant.analyse.study import Study
@@ -45,6 +45,20 @@ def basics(study: Study) -> None:
     study.kind = kind_of(study)
     study.reference = reference_of(study)
     study.units = units_of(study)
+
+
+def rmsd_to_reference(study: Study) -> None:
+    """RMSD of independent frames from the reference: of the fitted atoms, and of all others too."""
+    assert study.reference is not None
+    fitted = np.isin(study.atoms.ix, study.fitted.ix)
+    target = study.reference.positions[study.atoms.ix]
+    values = np.empty((2, len(study.frames)))
+    for k in range(len(study.frames)):
+        one = study.positions(k)[study.atoms.ix][None]
+        squares = np.sum((superpose_onto(one, fitted, target[fitted])[0] - target) ** 2, axis=1)
+        values[:, k] = np.sqrt([squares[fitted].mean(), squares.mean()])
+    study.rmsd = values[0]
+    study.rmsd_all = None if fitted.all() else values[1]
 
 
 def flexibility_stage(study: Study) -> None:

@@ -12,6 +12,7 @@ from MDAnalysis.exceptions import NoDataError, SelectionError
 from pliant._core import OptionError
 from pliant.analyse import biology
 from pliant.analyse.frames_held import choose_frames
+from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.load import open_universe
 from pliant.analyse.study import Study
 from pliant.analysis import (
@@ -153,6 +154,9 @@ def _sweeps(study: Study, runner: Runner) -> None:
 
 
 def _rmsd(study: Study, runner: Runner) -> None:
+    if study.kind == ENSEMBLE:
+        biology.rmsd_to_reference(study)
+        return
     first = runner.first
     study.rmsd = runner.run(RmsdToStart(study.fitted, reference_frame=first)).rmsd
     if set(study.atoms.ix) != set(study.fitted.ix):

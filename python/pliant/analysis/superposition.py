@@ -54,17 +54,17 @@ def superpose_all(
     moved = np.asarray(positions, dtype=np.float64)
     average = moved[0, chosen]
     for _ in range(iterations):
-        moved = _onto(moved, chosen, average)
+        moved = superpose_onto(moved, chosen, average)
         before, average = average, moved[:, chosen].mean(axis=0)
         if np.sqrt(np.mean(np.sum((average - before) ** 2, axis=1))) < AVERAGE_TOLERANCE:
             break
     return moved
 
 
-def _onto(
+def superpose_onto(
     positions: np.ndarray, chosen: np.ndarray | slice, reference: np.ndarray
 ) -> np.ndarray:
-    """Each frame by the rotation and translation that bring its chosen atoms onto a reference."""
+    """Each frame (n, 3) moved so that its chosen atoms lie on the reference (m, 3)."""
     middle = reference.mean(axis=0)
     centres = positions[:, chosen].mean(axis=1, keepdims=True)
     part = positions[:, chosen] - centres
