@@ -14,7 +14,7 @@ from pliant.analyse import biology
 from pliant.analyse.frames_held import choose_frames
 from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.load import open_universe
-from pliant.analyse.study import Study
+from pliant.analyse.study import MAX_ANGLES, Study
 from pliant.analysis import (
     BarResiduals,
     PrincipalComponents,
@@ -192,6 +192,10 @@ def _torsions(study: Study, runner: Runner) -> None:
         raise ValueError("no bond is rotatable: each is in a ring or at an end of the molecule")
     runner.run(torsions)
     study.torsions = torsions
+    if torsions.results.angles.size > MAX_ANGLES:
+        study.notes.append(
+            f"torsion_angles.csv is left out: it would hold {torsions.results.angles.size:,} numbers"
+        )
 
 
 def _principal_components(study: Study, runner: Runner) -> None:

@@ -30,6 +30,9 @@ Part = TypeVar("Part")
 #: units of correlations and domains; more are thinned along their chains
 MOST_SITES = 1000
 
+#: a table of more torsion angles than this is not written
+MAX_ANGLES = 250_000
+
 
 def known(part: Part | None) -> Part:
     """What an analysis gave, for those who know that it was possible."""

@@ -74,8 +74,8 @@ FIGURES = (
     ),
     FigureKind(
         "contacts", CHEMISTRY, flexibility_figures.contacts, _has("contacts"),
-        "Residues with heavy atoms within 4.5 Å, more than three apart in the chain. Above the "
-        "diagonal those of the start, below it the share of frames that have them.",
+        "Residues with heavy atoms within 4.5 Å, more than three apart in the chain. Below the "
+        "diagonal those of the start, above it the share of frames that have each.",
         "",
         "Hydrogen bonds and hydrophobic contacts of the start are held by construction.",
     ),

@@ -7,7 +7,6 @@ import itertools
 from typing import TYPE_CHECKING
 
 import numpy as np
-from matplotlib.colors import ListedColormap
 
 from pliant.analyse.figures.style import (
     BLUE,
@@ -49,7 +48,8 @@ def flexibility(study: Study) -> Figure:
     else:
         _line_with_band(axes, study)
     agree = "halves agree" if found.converged else "not converged: halves differ"
-    axes.set(ylabel="RMSF (Å)", title=f"Flexibility, {agree}")
+    error = f"two errors {2 * found.error.mean():.1g} Å on average"
+    axes.set(ylabel="RMSF (Å)", title=f"Flexibility: {agree}, {error}")
     axes.set_ylim(0, 1.04 * float((found.rmsf + 2 * found.error).max()) or 1.0)
     return figure
 
@@ -135,14 +135,13 @@ def motions(study: Study) -> Figure:
 
 
 def contacts(study: Study) -> Figure:
-    """The contact map: share of frames below the diagonal, the start structure above."""
+    """The contact map: share of frames above the diagonal, the start structure below."""
     found, units = known(study.contacts), known(study.units)
     figure, axes = new_figure((4.9, 4.1))
     first, second = found.pairs.T
     start = found.at_start
     size = float(np.clip(900 / len(units.labels), 1.0, 14))
-    colours = ListedColormap([GREY])
-    axes.scatter(second[start], first[start], s=size, c=GREY, marker="s", lw=0, cmap=colours)
+    axes.scatter(second[start], first[start], s=size, c=GREY, marker="s", lw=0)
     seen = found.share > 0
     dots = axes.scatter(
         first[seen], second[seen], c=100 * found.share[seen], s=size, marker="s", lw=0,
