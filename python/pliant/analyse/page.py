@@ -15,11 +15,15 @@ from typing import TYPE_CHECKING, Any
 
 from pliant._core import techniques
 from pliant.analyse.figures.style import WIDE
+from pliant.analyse.methods import METHODS
+from pliant.analyse.page_tables import PageTable, facts, tables, title
 from pliant.analyse.scene import scene
-from pliant.analyse.summary import facts, tables, title, verdict
+from pliant.analyse.sections import SECTIONS
+from pliant.analyse.verdicts import verdicts, whole
 from pliant.console import plain
 
 if TYPE_CHECKING:
+    from pliant.analyse.bar_verdict import Verdict
     from pliant.analyse.figures import FigureKind
     from pliant.analyse.study import Study
 
@@ -31,24 +35,6 @@ MISSING_VIEWER = (
     "(pliant/static/3Dmol-min.js). It is fetched from npm when pliant is built. "
     "The rest of the page is whole."
 )
-
-METHODS = (
-    ("Residuals", "|length − rest length| / rest length of every bar in every frame, from the "
-     "coordinates as they are stored. A frame is within tolerance when all its bars are."),
-    ("Superposition", "Frames are fitted by least squares (Kabsch) with equal weights."),
-    ("RMSD", "Root mean square distance from the first frame analysed."),
-    ("RMSF", "Root mean square distance from the average place, after superposition on the "
-     "average structure, which is found by iteration. For a residue: root of the mean of its "
-     "atoms' squares."),
-    ("Torsions", "A bond is rotatable when it is in no ring and both ends have another neighbour. "
-     "Mean and spread are circular; a spread beyond 180° means that all angles are about alike."),
-    ("PCA", "Eigenvectors of the covariance of the superposed coordinates. A cosine content near "
-     "1 says that the motion along a component looks like a random walk: the run is too short to "
-     "have visited its states repeatedly."),
-    ("Frames", "All counts of frames and atoms begin at 0. A step of a geometric run is a push and "
-     "its resolution, not a time."),
-)  # fmt: skip
-
 
 def write_page(
     study: Study,
@@ -66,7 +52,7 @@ def page(
     study: Study, figures: Sequence[tuple[FigureKind, Path]], files: Sequence[Path], dpi: int
 ) -> str:
     """The page as text."""
-    judged = verdict(study)
+    judged = whole(study)
     javascript = viewer_script()
     shown = scene(study) if javascript else None
     return _template("page.html").substitute(
@@ -83,8 +69,8 @@ def page(
         else f'<div class="viewer card notes">{escape(MISSING_VIEWER)}</div>',
         facts="\n".join(_fact(*row) for row in facts(study)),
         notes=_notes(study, shown),
-        figures="\n".join(_figure(kind, png, dpi) for kind, png in figures),
-        tables="\n".join(_table(*table) for table in tables(study)),
+        verdicts=_verdicts(study),
+        sections=_sections(study, figures, dpi),
         details=_details(study, files),
         footer=escape(f"pliant {_version()} · MDAnalysis {metadata.version('MDAnalysis')}"),
         scripts=_scripts(javascript, shown) if shown else "",
@@ -140,22 +126,51 @@ def _fact(number: str, unit: str, meaning: str) -> str:
     )
 
 
-def _figure(kind: FigureKind, png: Path, dpi: int) -> str:
+def _verdicts(study: Study) -> str:
+    """One line a question; none is green while another has failed."""
+    made = verdicts(study).values()
+    failed = any(one.kind == "bad" for one in made)
+    return "\n".join(_verdict(one, failed) for one in made)
+
+
+def _verdict(one: Verdict, failed: bool) -> str:
+    colour = "open" if failed and one.kind == "good" else one.kind
+    return (
+        f'<div class="one {colour}"><div class="mark" aria-hidden="true">{MARKS[one.kind]}</div>'
+        f"<p><b>{escape(one.sentence)}</b> <span>{escape(one.details)}</span></p></div>"
+    )
+
+
+def _sections(study: Study, figures: Sequence[tuple[FigureKind, Path]], dpi: int) -> str:
+    """Each section that has anything: its heading, figures and tables."""
+    parts = []
+    numbers = tables(study)
+    for section in SECTIONS:
+        drawn = [_figure(study, kind, png, dpi) for kind, png in figures if kind.section == section]
+        told = [_table(table) for table in numbers if table.section == section]
+        if drawn or told:
+            content = "\n".join(drawn + told)
+            parts.append(f'<h2>{section}</h2>\n<section class="figures">{content}</section>')
+    return "\n".join(parts)
+
+
+def _figure(study: Study, kind: FigureKind, png: Path, dpi: int) -> str:
+    caption = kind.caption(study)
     content = Path(png).read_bytes()
     width, height = (int.from_bytes(content[k : k + 4], "big") for k in (16, 20))  # of the PNG
     tall = ' class="card tall"' if height > 0.9 * width else ' class="card"'
     style = f"max-width:{min(100, 100 * width / dpi / WIDE[0]):.0f}%"
     data = base64.b64encode(content).decode("ascii")
     return (
-        f'<figure{tall}><img alt="{escape(kind.caption)}" style="{style}" '
+        f'<figure{tall}><img alt="{escape(caption)}" style="{style}" '
         f'src="data:image/png;base64,{data}">'
-        f"<figcaption>{escape(kind.caption)}</figcaption></figure>"
+        f"<figcaption>{escape(caption)}</figcaption></figure>"
     )
 
 
-def _table(caption: str, headers: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    title = f"<caption>{escape(caption)}</caption>" if caption else ""
-    body = _row("th", headers) + "".join(_row("td", row) for row in rows)
+def _table(table: PageTable) -> str:
+    title = f"<caption>{escape(table.caption)}</caption>" if table.caption else ""
+    body = _row("th", table.headers) + "".join(_row("td", row) for row in table.rows)
     return f'<div class="table card"><table>{title}{body}</table></div>'
 
 
@@ -191,7 +206,7 @@ def _details(study: Study, files: Sequence[Path]) -> str:
             (name, f"{value:g}" if isinstance(value, float) else str(value))
             for name, value in sorted(study.record.parameters.items())
         ]
-        parts.append(_disclosure("Options of the run", _table("", ("option", "value"), rows)))
+        parts.append(_disclosure("Options of the run", _table(PageTable("", "", ("option", "value"), rows))))
     links = "".join(f'<li><a href="{escape(f.name)}">{escape(f.name)}</a></li>' for f in files)
     parts.append(_disclosure("Files beside this page", f"<ul>{links}</ul>"))
     licence = resources.files("pliant") / "static" / "3Dmol-LICENSE.txt"

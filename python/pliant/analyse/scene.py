@@ -14,6 +14,7 @@ import numpy.typing as npt
 
 from pliant.analyse.names import chains_of, numbers_of
 from pliant.analyse.study import known
+from pliant.analysis.collective import participation
 from pliant.analysis.frames import weights_of
 from pliant.analysis.residuals import bar_residuals
 from pliant.analysis.rotatable import is_hydrogen
@@ -29,8 +30,11 @@ if TYPE_CHECKING:
 #: atoms that a browser draws fluently
 MAX_ATOMS = 12_000
 
+#: of more atoms than these the hydrogens are not shown
+MAX_WITH_HYDROGENS = 1_500
+
 #: of frames in the page, before they are written as text
-MAX_BYTES = 8_000_000
+MAX_BYTES = 1_000_000
 
 #: codes of residuals: 0 to 255 for |residual| / tolerance from 1e-4 to 1e4, logarithmic
 CODES_PER_DECADE = 32
@@ -60,11 +64,13 @@ def thinned(study: Study, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES
 
 
 def _shown_atoms(atoms: AtomGroup, max_atoms: int) -> tuple[AtomGroup, list[str]]:
-    if len(atoms) <= max_atoms:
+    if len(atoms) <= min(max_atoms, MAX_WITH_HYDROGENS):
         return atoms, []
     heavy = atoms[~is_hydrogen(atoms)]
+    if len(heavy) == len(atoms) <= max_atoms:
+        return atoms, []
     if len(heavy) <= max_atoms:
-        return heavy, [f"without the {len(atoms) - len(heavy)} hydrogens"]
+        return heavy, [f"the molecule without the {len(atoms) - len(heavy)} hydrogens"]
     trace = atoms[:0]
     with contextlib.suppress(Exception):  # foreign topologies lack names or residues
         trace = atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
@@ -85,6 +91,7 @@ def scene(study: Study, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES) 
     step = max(float(np.abs(positions).max()) / 32767, 1e-6)
     return {
         "atoms": _atom_columns(atoms, study),
+        "units": _unit_columns(study),
         "bonds": _pairs_among(_bonds(study), place)[0].ravel().tolist(),
         "bars": bars.ravel().tolist(),
         "frames": study.frames[shown.frames].tolist(),
@@ -161,9 +168,38 @@ def _atom_columns(atoms: AtomGroup, study: Study) -> dict[str, Any]:
         "chains": chains_of(atoms).tolist(),
         "cartoon": _secondary_structure(atoms, study),
     }
-    if study.rmsf is not None:
-        where = np.searchsorted(study.atoms.ix, atoms.ix)
-        columns["rmsf"] = np.round(study.rmsf.results.rmsf[where], 4).tolist()
+    return columns | {"unit": units_of_atoms(study, atoms).tolist()}
+
+
+def units_of_atoms(study: Study, atoms: AtomGroup) -> np.ndarray:
+    """(n,) the unit whose colour an atom takes; -1 where it has none.
+
+    That is its residue; in a single residue the atom itself, or the nearest that is a unit.
+    """
+    units = known(study.units)
+    if units.what == "residue":
+        owners = atoms.resindices
+    else:
+        first = known(study.reference).positions
+        apart = first[atoms.ix][:, None] - first[units.owners][None]
+        owners = units.owners[np.argmin(np.sum(apart**2, axis=2), axis=1)]
+    place = np.searchsorted(units.owners, owners)
+    place = np.minimum(place, len(units.owners) - 1)
+    return np.where(units.owners[place] == owners, place, -1)
+
+
+def _unit_columns(study: Study) -> dict[str, Any]:
+    """One number a unit for each thing that atoms may be coloured by."""
+    count = len(known(study.units).labels)
+    columns: dict[str, Any] = {}
+    if study.flexibility is not None:
+        columns["mobility"] = np.round(study.flexibility.rmsf, 4).tolist()
+    if study.domains is not None and study.domains.count > 1:
+        columns["domain"] = np.repeat(study.domains.domain, study.site_stride)[:count].tolist()
+    if study.pca is not None and len(study.fitted) == count:
+        found = study.pca.results
+        share = participation(found.components[:1])[0]
+        columns["motion"] = np.round(np.sqrt(share * found.eigenvalues[0]), 4).tolist()
     return columns
 
 

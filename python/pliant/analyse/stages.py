@@ -10,9 +10,11 @@ import numpy as np
 from MDAnalysis.exceptions import NoDataError, SelectionError
 
 from pliant._core import OptionError
+from pliant.analyse import biology
 from pliant.analyse.frames_held import choose_frames
+from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.load import open_universe
-from pliant.analyse.study import Study
+from pliant.analyse.study import MAX_ANGLES, Study
 from pliant.analysis import (
     BarResiduals,
     PrincipalComponents,
@@ -53,6 +55,7 @@ def study_trajectory(
     study.atoms = _select(universe, options.select, "--select")
     study.fitted, study.fitted_name = _fitted(study)
     choose_frames(study)
+    biology.basics(study)
     runner = Runner(study)
     for name, stage in STAGES.items():
         on_stage(name)
@@ -151,6 +154,9 @@ def _sweeps(study: Study, runner: Runner) -> None:
 
 
 def _rmsd(study: Study, runner: Runner) -> None:
+    if study.kind == ENSEMBLE:
+        biology.rmsd_to_reference(study)
+        return
     first = runner.first
     study.rmsd = runner.run(RmsdToStart(study.fitted, reference_frame=first)).rmsd
     if set(study.atoms.ix) != set(study.fitted.ix):
@@ -186,6 +192,10 @@ def _torsions(study: Study, runner: Runner) -> None:
         raise ValueError("no bond is rotatable: each is in a ring or at an end of the molecule")
     runner.run(torsions)
     study.torsions = torsions
+    if torsions.results.angles.size > MAX_ANGLES:
+        study.notes.append(
+            f"torsion_angles.csv is left out: it would hold {torsions.results.angles.size:,} numbers"
+        )
 
 
 def _principal_components(study: Study, runner: Runner) -> None:
@@ -212,4 +222,8 @@ STAGES = {
     "radius of gyration": _radius_of_gyration,
     "torsions": _torsions,
     "PCA": _principal_components,
+    "flexibility": lambda study, _: biology.flexibility_stage(study),
+    "stereochemistry": lambda study, _: biology.stereochemistry_stage(study),
+    "contacts": lambda study, _: biology.contacts_stage(study),
+    "distances": lambda study, _: biology.distances_stage(study),
 }

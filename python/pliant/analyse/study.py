@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 import numpy as np
 
@@ -15,9 +15,23 @@ from pliant.analysis import (
     RunRecord,
     TorsionDistributions,
 )
+from pliant.analysis.domains import Domains
+from pliant.analysis.flexibility import Flexibility
+from pliant.analysis.stereochemistry import Stereochemistry, StereochemistryResults
 from pliant.analysis.stored import StoredPositions
 
+if TYPE_CHECKING:
+    from pliant.analyse.biology import Contacts
+    from pliant.analyse.reference import Reference
+    from pliant.analyse.units import Units
+
 Part = TypeVar("Part")
+
+#: units of correlations and domains; more are thinned along their chains
+MOST_SITES = 1000
+
+#: a table of more torsion angles than this is not written
+MAX_ANGLES = 250_000
 
 
 def known(part: Part | None) -> Part:
@@ -44,6 +58,8 @@ class StudyOptions:
     stop: int | None = None
     step: int | None = None
     workers: int = 1
+    reference: str | None = None  #: file of the structure that frames are compared with
+    distances: tuple[tuple[str, str], ...] = ()  #: pairs of selections, in MDAnalysis' language
 
 
 @dataclass
@@ -69,6 +85,16 @@ class Study:
     torsions: TorsionDistributions | None = None
     pca: PrincipalComponents | None = None
     pca_stride: int = 1  #: every so many frames analysed are in the PCA
+    kind: str = ""  #: a word of `pliant.analyse.kind`
+    reference: Reference | None = None  #: what frames are compared with
+    units: Units | None = None  #: residues or atoms whose flexibility is told
+    flexibility: Flexibility | None = None
+    correlations: np.ndarray | None = None  #: (s, s) of every `site_stride`-th unit
+    domains: Domains | None = None  #: of the same
+    shape: Stereochemistry | None = None
+    shape_results: StereochemistryResults | None = None
+    contacts: Contacts | None = None
+    distances: list[np.ndarray] = field(default_factory=list)  #: (F,) of each asked for
     skipped: dict[str, str] = field(default_factory=dict)  #: analysis -> why it is missing
     notes: list[str] = field(default_factory=list)  #: what a reader of the results should know
     held: bool = False  #: the universe holds the F frames analysed in memory, and no others
@@ -78,6 +104,17 @@ class Study:
         if self.stored.in_file:
             return self.stored.read(self.frames[k])
         return self.stored.at(self.universe.trajectory[k if self.held else self.frames[k]])
+
+    def some_positions(self, atoms: np.ndarray) -> np.ndarray:
+        """Positions (F, m, 3) of some atoms in all frames analysed, Angstrom."""
+        if self.held:
+            return np.asarray(self.universe.trajectory.get_array()[:, atoms])
+        return np.array([self.positions(k)[atoms] for k in range(len(self.frames))])
+
+    @property
+    def site_stride(self) -> int:
+        """Correlations and domains are of every so many units."""
+        return 1 if self.units is None else -(-len(self.units.labels) // MOST_SITES)
 
     def observable(self, name: str) -> np.ndarray | None:
         """(F,) an observable of the run at the frames analysed; None if there is none."""

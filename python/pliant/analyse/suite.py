@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+from pliant.analyse.bar_verdict import Verdict, verdict
 from pliant.analyse.stages import study_trajectory
 from pliant.analyse.study import Study, StudyOptions
-from pliant.analyse.summary import Verdict, summary, verdict
+from pliant.analyse.summary import summary
 from pliant.analyse.write import make_folder, write_report
 
 DPI = 200
@@ -28,7 +29,7 @@ class AnalysisReport:
 
     @property
     def verdict(self) -> Verdict:
-        """Whether every bar of every frame is within tolerance."""
+        """Of the bars: whether every bar of every frame is within tolerance."""
         return verdict(self.study)
 
     def as_json(self) -> dict[str, Any]:
@@ -45,6 +46,8 @@ def analyse(
     superpose: str | None = None,
     mass_weighted: bool = False,
     hydrogens: bool = False,
+    reference: str | os.PathLike[str] | None = None,
+    distances: Sequence[tuple[str, str]] = (),
     start: int | None = None,
     stop: int | None = None,
     step: int | None = None,
@@ -54,9 +57,10 @@ def analyse(
 ) -> AnalysisReport:
     """Analyses a trajectory; writes figures, tables and a report page if told where.
 
-    Measures every bar of every frame from the coordinates in the file, and computes RMSD,
-    RMSF, radius of gyration, torsions of rotatable bonds and principal components. What cannot
-    be computed from a file is left out; `study.skipped` says why.
+    Tells how flexible each residue is, with an error; which parts move together; collective
+    motions; contacts kept and lost; whether stereochemistry holds; RMSD, radius of gyration and
+    torsions. Measures every bar of every frame. What cannot be computed from a file is left out;
+    `study.skipped` says why.
 
     Parameters
     ----------
@@ -76,6 +80,11 @@ def analyse(
         Weigh the PCA by mass.
     hydrogens : bool
         Include torsions that turn hydrogens only.
+    reference : str or path, optional
+        Structure to compare frames with, of the same atoms. Default: the PDB that ``pliant run``
+        and ``sample`` write beside their trajectory, else the first frame.
+    distances : sequence of (str, str)
+        Pairs of MDAnalysis selections whose centres' distance is measured.
     start, stop, step : int, optional
         Which frames, as in a slice.
     workers : int
@@ -108,6 +117,8 @@ def analyse(
             stop,
             step,
             workers,
+            None if reference is None else os.fspath(reference),
+            tuple((str(a), str(b)) for a, b in distances),
         ),
         on_stage,
     )

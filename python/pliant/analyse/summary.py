@@ -1,91 +1,19 @@
 # SPDX-License-Identifier: MIT
-"""The few numbers and sentences that a study comes down to."""
+"""A study as one JSON object."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
-from pathlib import Path
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant.analyse.figures.torsion_figures import most_mobile
-from pliant.analyse.names import bar_labels, greek, residue_labels
+from pliant.analyse.bar_verdict import verdict
 from pliant.analyse.study import known
+from pliant.analyse.verdicts import shape_rows, verdicts, whole
 
 if TYPE_CHECKING:
     from pliant.analyse.study import Study
-
-
-#: A table of the page: caption, headers, rows of text.
-PageTable = tuple[str, Sequence[str], Sequence[Sequence[str]]]
-
-
-@dataclass(frozen=True)
-class Verdict:
-    """Whether the run kept its promise, in a sentence."""
-
-    kind: str  #: "good", "mixed", "bad" or "open" (there is nothing to judge)
-    sentence: str
-    details: str
-
-
-def verdict(study: Study) -> Verdict:
-    """Judges the bars of all frames analysed, from the coordinates."""
-    if study.residuals is None:
-        return Verdict(
-            "open", "There are no bars in this file to judge.", study.skipped["bar residuals"]
-        )
-    within = study.residuals.results.within
-    beyond = np.count_nonzero(~within)
-    details = _worst(study)
-    if beyond == 0:
-        return Verdict("good", "Every bar of every frame is within tolerance.", details)
-    broken = study.broken_promises
-    count = f"{beyond} of {len(within)} frames"
-    if broken is None:
-        return Verdict("bad", f"{count} have a bar beyond tolerance.", details)
-    if broken.any():
-        called = f"{np.count_nonzero(broken)} of which the run calls converged"
-        sentence = f"{count} have a bar beyond tolerance, {called}."
-        return Verdict("bad", sentence, details)
-    sentence = f"{count} have a bar beyond tolerance; the run says so of each."
-    return Verdict("mixed", sentence, details)
-
-
-def tolerance_text(study: Study) -> str:
-    """The tolerance with its unit."""
-    residuals = known(study.residuals)
-    if residuals.tolerance_length > 0:
-        return f"{residuals.tolerance_length:g} Å"
-    return scientific(residuals.tolerance, 0)
-
-
-def scientific(value: float, digits: int = 2) -> str:
-    """A small number for readers: 9.97 × 10⁻⁷; for 10⁻⁶ sharp only the power."""
-    mantissa, exponent = f"{value:.{digits}e}".split("e")
-    power = "10" + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
-    if value == 0:
-        return "0"
-    return power if mantissa == "1" else f"{mantissa} × {power}"
-
-
-def _worst(study: Study) -> str:
-    residuals = known(study.residuals)
-    found = residuals.results
-    k = int(np.argmax(found.max_relative))
-    bar = residuals.bars[found.worst_bar[k]]
-    (name,) = bar_labels(study.universe.atoms, [bar])
-    where = f"frame {study.frames[k]}"
-    if study.steps is not None:
-        where += f" (step {study.steps[k]})"
-    return (
-        f"The worst is off by {scientific(found.max_relative[k])} of its length (tolerance "
-        f"{tolerance_text(study)}): bar {name} in {where}. Computed anew from the "
-        f"{'double' if residuals.precision == 'float64' else 'single'} precision "
-        "coordinates in the file."
-    )
 
 
 def summary(study: Study, outputs: Mapping[str, Any]) -> dict[str, Any]:
@@ -102,7 +30,15 @@ def summary(study: Study, outputs: Mapping[str, Any]) -> dict[str, Any]:
         "verdict": judged.kind,
         "verdict_text": judged.sentence,
     }
-    for part in (_residual_values, _motion_values, _torsion_values, _pca_values):
+    for part in (
+        _verdict_values,
+        _flexibility_values,
+        _shape_values,
+        _residual_values,
+        _motion_values,
+        _torsion_values,
+        _pca_values,
+    ):
         values |= part(study)
     return values | {"skipped": study.skipped, "notes": study.notes, "outputs": outputs}
 
@@ -158,104 +94,35 @@ def _pca_values(study: Study) -> dict[str, Any]:
     return values
 
 
-def facts(study: Study) -> list[tuple[str, str, str]]:
-    """Up to seven (number, unit, meaning) for the side of the page."""
-    rows = []
-    if study.residuals is not None:
-        worst = study.residuals.results.max_relative.max()
-        rows.append(
-            (scientific(worst), "", f"largest relative residual; tolerance {tolerance_text(study)}")
-        )
-    sweeps = study.observable("sweeps")
-    if sweeps is not None:
-        rows.append(
-            (f"{np.mean(sweeps):.1f}", "", f"sweeps a step on average, {np.max(sweeps)} at most")
-        )
-    if study.rmsd is not None:
-        text = f"RMSD of the last frame from the first, {study.fitted_name}"
-        rows.append((f"{study.rmsd[-1]:.2f}", "Å", text))
-    if study.rmsf is not None:
-        rows.append(
-            (f"{study.rmsf.results.rmsf.mean():.2f}", "Å", "mean fluctuation of an atom (RMSF)")
-        )
-    if study.radius is not None:
-        rows.append(
-            (f"{study.radius.mean():.2f}", "Å", f"radius of gyration, ± {study.radius.std():.2g} Å")
-        )
-    if study.torsions is not None:
-        rows.append((str(len(study.torsions.torsions)), "", "rotatable bonds"))
-    if study.pca is not None:
-        rows.append(
-            (
-                f"{100 * study.pca.results.explained[0]:.0f}",
-                "%",
-                "of the motion along one direction (PC1)",
-            )
-        )
-    return rows
+def _flexibility_values(study: Study) -> dict[str, Any]:
+    found = study.flexibility
+    if found is None:
+        return {}
+    values = {
+        "flexibility_mean": float(found.rmsf.mean()),
+        "flexibility_error_mean": float(found.error.mean()),
+        "flexibility_blocks": found.blocks,
+        "halves_correlation": found.correlation,
+        "halves_difference": found.difference,
+        "converged": found.converged,
+    }
+    if study.domains is not None:
+        values["domains"] = study.domains.count
+        values["domains_explained"] = study.domains.explained
+    return values
 
 
-def tables(study: Study) -> list[PageTable]:
-    """Tables for the page: (caption, headers, rows of text)."""
-    made = []
-    if study.residuals is not None:
-        made.append(_bar_table(study))
-    if study.rmsf is not None and len(study.rmsf.results.residues) > 1:
-        made.append(_residue_table(study))
-    if study.torsions is not None:
-        made.append(_torsion_table(study))
-    if study.pca is not None:
-        made.append(_component_table(study))
-    return made
-
-
-def _bar_table(study: Study) -> PageTable:
-    residuals = known(study.residuals)
-    values = residuals.results.bar_max_relative
-    chosen = np.argsort(-values, kind="stable")[:8]
-    names = bar_labels(study.universe.atoms, residuals.bars[chosen])
-    lengths = residuals.rest_lengths[chosen]
-    rows = [
-        (n, f"{length:.4f}", scientific(values[k]))
-        for n, length, k in zip(names, lengths, chosen, strict=True)
+def _shape_values(study: Study) -> dict[str, Any]:
+    rows = {row.name: {"found": row.found, "passed": row.passed} for row in shape_rows(study)}
+    values: dict[str, Any] = {"stereochemistry": rows} if rows else {}
+    asked = zip(study.options.distances, study.distances, strict=False)
+    distances = [
+        {"from": ends[0], "to": ends[1], "mean": float(found.mean()), "sd": float(found.std())}
+        for ends, found in asked
     ]
-    return "Bars that were furthest off", ("bar", "rest length (Å)", "largest residual"), rows
+    return values | ({"distances": distances} if distances else {})
 
 
-def _residue_table(study: Study) -> PageTable:
-    found = known(study.rmsf).results
-    chosen = np.argsort(-found.residue_rmsf, kind="stable")[:8]
-    names = residue_labels(study.universe.residues)
-    rows = [(names[found.residues[k]], f"{found.residue_rmsf[k]:.3f}") for k in chosen]
-    return "Most mobile residues", ("residue", "RMSF (Å)"), rows
-
-
-def _torsion_table(study: Study) -> PageTable:
-    torsions = known(study.torsions)
-    found = torsions.results
-    rows = [
-        (
-            greek(torsions.torsions[k].label),
-            f"{found.mean[k]:.0f}°",
-            f"{found.spread[k]:.0f}°",
-        )
-        for k in sorted(most_mobile(torsions, 8), key=lambda k: -found.spread[k])
-    ]
-    return "Most mobile torsions", ("torsion", "circular mean", "spread"), rows
-
-
-def _component_table(study: Study) -> PageTable:
-    found = known(study.pca).results
-    rows = []
-    for k, share in enumerate(found.explained[:5]):
-        cosine = f"{found.cosine_content[k]:.2f}" if k < len(found.cosine_content) else "–"
-        rows.append((f"PC{k + 1}", f"{found.eigenvalues[k]:.4g}", f"{100 * share:.1f} %", cosine))
-    unit = "u Å²" if study.options.mass_weighted else "Å²"
-    return "Principal components", ("", f"variance ({unit})", "share", "cosine content"), rows
-
-
-def title(study: Study) -> str:
-    """Name of the molecule's file, or of the trajectory."""
-    if study.record and study.record.parameters.get("input/file"):
-        return Path(str(study.record.parameters["input/file"])).name
-    return Path(study.options.path).name
+def _verdict_values(study: Study) -> dict[str, Any]:
+    made = {name: {"kind": v.kind, "text": v.sentence} for name, v in verdicts(study).items()}
+    return {"frames_are": study.kind, "judgement": whole(study).kind, "verdicts": made}

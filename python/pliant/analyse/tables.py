@@ -14,8 +14,15 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant._csv_cells import harmless
+from pliant.analyse.biology_tables import (
+    contact_columns,
+    correlation_columns,
+    distance_columns,
+    flexibility_columns,
+    shape_columns,
+)
 from pliant.analyse.names import atom_labels, bar_labels, chains_of
-from pliant.analyse.study import known
+from pliant.analyse.study import MAX_ANGLES, known
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
@@ -31,9 +38,6 @@ Columns = dict[str, Any]
 #: components whose projections stand in frames.csv
 PROJECTIONS = 10
 
-#: a table of more angles than this is not written
-MAX_ANGLES = 5_000_000
-
 
 def save_tables(study: Study, folder: Path) -> list[Path]:
     """Writes the CSV files that the study gives into a folder; returns their paths."""
@@ -46,6 +50,10 @@ def save_tables(study: Study, folder: Path) -> list[Path]:
         "torsion_histograms": histogram_columns(study),
         "torsion_angles": angle_columns(study),
         "pca": component_columns(study),
+        "flexibility": flexibility_columns(study),
+        "correlations": correlation_columns(study),
+        "contacts": contact_columns(study),
+        "stereochemistry": shape_columns(study),
     }
     written = []
     for name, columns in tables.items():
@@ -58,13 +66,18 @@ def save_tables(study: Study, folder: Path) -> list[Path]:
 
 def write_csv(path: Path, columns: Columns) -> None:
     """Writes columns {header: values of equal length} as CSV with a header line."""
-    values = [
-        column.tolist() if hasattr(column, "tolist") else column for column in columns.values()
-    ]
+    values = [_cells(column) for column in columns.values()]
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(map(harmless, columns))
-        writer.writerows(map(harmless, row) for row in zip(*values, strict=True))
+        writer.writerows(zip(*values, strict=True))
+
+
+def _cells(column: Any) -> list[Any]:
+    """The values of a column; text that a spreadsheet would run is made harmless."""
+    if isinstance(column, np.ndarray) and column.dtype.kind in "fiub":
+        return list(column.tolist())
+    return [harmless(cell) for cell in (column.tolist() if hasattr(column, "tolist") else column)]
 
 
 def frame_columns(study: Study) -> Columns:
@@ -84,7 +97,7 @@ def frame_columns(study: Study) -> Columns:
         columns["rmsd_all_angstrom"] = study.rmsd_all
     if study.radius is not None:
         columns["radius_of_gyration_angstrom"] = study.radius
-    return columns | _projection_columns(study)
+    return columns | distance_columns(study) | _projection_columns(study)
 
 
 def _residual_columns(study: Study) -> Columns:

@@ -14,6 +14,8 @@ function startViewer() {
     F: "#63b96a", Cl: "#3fa34d", Br: "#a0522d", I: "#7b4fa3", Se: "#d9992b",
   };
   const ramp = [[47, 103, 153], [127, 165, 196], [222, 226, 228], [238, 180, 110], [213, 94, 0]];
+  const domainColours = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00"];
+  const loose = "#c3cad1";
   const resting = [213, 219, 225], strained = [0, 114, 178], broken = "#d55e00";
 
   const bytes = (text) => Uint8Array.from(atob(text), (c) => c.charCodeAt(0));
@@ -35,10 +37,12 @@ function startViewer() {
   });
 
   function atomColours(kind) {
-    const { elements, rmsf } = scene.atoms;
-    if (kind === "mobility") {
-      const top = rmsf.slice().sort((a, b) => a - b)[Math.floor(0.98 * (rmsf.length - 1))] || 1;
-      return rmsf.map((value) => rampAt(value / top));
+    const { elements, unit } = scene.atoms;
+    const values = scene.units[kind];
+    if (kind === "domain") return unit.map((k) => domainColours[values[k]] || loose);
+    if (values) {
+      const top = values.slice().sort((a, b) => a - b)[Math.floor(0.98 * (values.length - 1))] || 1;
+      return unit.map((k) => (k < 0 ? loose : rampAt(values[k] / top)));
     }
     if (kind === "residual") return elements.map(() => hex(resting));
     return elements.map((element) => elementColours[element] || "#8a929b");
@@ -141,8 +145,15 @@ function startViewer() {
     const box = document.getElementById("legend");
     const [left, strip, right] = box.children;
     box.hidden = state.colour === "element";
-    if (state.colour === "mobility") {
-      [left.textContent, right.textContent] = ["still", "mobile (RMSF)"];
+    const domains = new Set(scene.units.domain || []);
+    domains.delete(-1);
+    if (state.colour === "domain") {
+      [left.textContent, right.textContent] = ["", `${domains.size} domains; grey: none`];
+      const step = 100 / domains.size;
+      strip.style.background = `linear-gradient(90deg, ${[...domains].sort().map((k, place) =>
+        `${domainColours[k]} ${place * step}% ${(place + 1) * step}%`).join(",")})`;
+    } else if (state.colour === "mobility" || state.colour === "motion") {
+      [left.textContent, right.textContent] = ["still", { mobility: "mobile (RMSF)", motion: "moved by PC1" }[state.colour]];
       strip.style.background = `linear-gradient(90deg, ${ramp.map(hex).join(",")})`;
     } else if (state.colour === "residual") {
       [left.textContent, right.textContent] = ["bar at rest", "at tolerance, beyond"];
@@ -177,9 +188,10 @@ function startViewer() {
       if (state.ready) draw();
     });
     const kinds = [["element", "element"]];
-    if (scene.atoms.rmsf) kinds.push(["mobility", "mobility"]);
+    const labels = { mobility: "mobility", domain: "domains", motion: "PC1" };
+    for (const key of Object.keys(labels)) if (scene.units[key]) kinds.push([key, labels[key]]);
     if (barCount) kinds.push(["residual", "bar residual"]);
-    choices("colours", kinds, protein && scene.atoms.rmsf ? "mobility" : "element", (key) => {
+    choices("colours", kinds, protein && scene.units.mobility ? "mobility" : "element", (key) => {
       state.colour = key;
       colours = atomColours(key);
       legend();

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pliant._core import InputError
+from pliant.analyse.exports import save_exports
 from pliant.analyse.figures import save_figures
 from pliant.analyse.page import write_page
 from pliant.analyse.tables import save_tables
@@ -23,18 +24,20 @@ def make_folder(folder: Path) -> None:
 
 
 def write_report(study: Study, folder: Path, dpi: int = 200) -> dict[str, Any]:
-    """Writes figures, tables and report.html; returns the paths of all.
+    """Writes figures, tables, files for other programs and report.html; returns the paths of all.
 
     Files of an earlier report are replaced.
     """
     make_folder(folder)
     figures = save_figures(study, folder, dpi)
     tables = save_tables(study, folder)
+    exports = save_exports(study, folder)
     report = folder / "report.html"
     pictures = [path for _, path in figures]
-    write_page(study, figures, [*tables, *pictures], report, dpi)
+    write_page(study, figures, [*exports, *tables, *pictures], report, dpi)
     return {
         "report": str(report),
         "figures": [str(path) for path in pictures],
         "tables": [str(path) for path in tables],
+        "exports": [str(path) for path in exports],
     }

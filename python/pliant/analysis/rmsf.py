@@ -10,7 +10,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant.analysis.frames import FrameAnalysis, Merge, reference_positions, summed, weights_of
-from pliant.analysis.superposition import Superposition
+from pliant.analysis.superposition import AVERAGE_TOLERANCE, Superposition
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
     from pliant.analysis.frames import Weights
 
 
-#: the average structure is final when an iteration moves it by less (RMS over the atoms, Angstrom)
-AVERAGE_TOLERANCE = 1e-5
+
+
 
 
 class Rmsf(FrameAnalysis):

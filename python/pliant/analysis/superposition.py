@@ -1,6 +1,43 @@
 # SPDX-License-Identifier: MIT
-"""Least-squares superposition (Kabsch fit), which needs no MDAnalysis and so lives above."""
+"""Least-squares superposition (Kabsch fit), of one structure or of all frames at once."""
+
+import numpy as np
 
 from pliant._superposition import Superposition
 
-__all__ = ["Superposition"]
+__all__ = ["Superposition", "superpose_all", "superpose_onto"]
+
+#: the average structure is final when an iteration moves it by less (RMS over atoms, Angstrom)
+AVERAGE_TOLERANCE = 1e-5
+
+
+def superpose_all(
+    positions: np.ndarray, fitted: np.ndarray | None = None, iterations: int = 20
+) -> np.ndarray:
+    """All frames superposed on their average, which is found by iteration, as Rmsf finds it.
+
+    positions: (F, n, 3), Angstrom; fitted: which of the n atoms are fitted (mask or indices),
+    all by default. Returns the moved positions (F, n, 3), float64.
+    """
+    chosen = slice(None) if fitted is None else fitted
+    moved = np.asarray(positions, dtype=np.float64)
+    average = moved[0, chosen]
+    for _ in range(iterations):
+        moved = superpose_onto(moved, chosen, average)
+        before, average = average, moved[:, chosen].mean(axis=0)
+        if np.sqrt(np.mean(np.sum((average - before) ** 2, axis=1))) < AVERAGE_TOLERANCE:
+            break
+    return moved
+
+
+def superpose_onto(
+    positions: np.ndarray, chosen: np.ndarray | slice, reference: np.ndarray
+) -> np.ndarray:
+    """Each frame (n, 3) moved so that its chosen atoms lie on the reference (m, 3)."""
+    middle = reference.mean(axis=0)
+    centres = positions[:, chosen].mean(axis=1, keepdims=True)
+    part = positions[:, chosen] - centres
+    u, _, vt = np.linalg.svd(np.swapaxes(part, 1, 2) @ (reference - middle))
+    u[:, :, -1] *= np.sign(np.linalg.det(u) * np.linalg.det(vt))[:, None]
+    moved: np.ndarray = (positions - centres) @ (u @ vt) + middle
+    return moved

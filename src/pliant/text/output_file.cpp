@@ -77,9 +77,13 @@ std::string holder_of(int descriptor) {
   throw FileError(shown(path) + ": is being written by " + holder_of(descriptor));
 }
 
-[[noreturn]] void refuse_existing(const fs::path& path) {
+void refuse_if_busy(const fs::path& path) {
   const Descriptor existing(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
   if (existing.value >= 0 && is_being_written(existing.value)) refuse_as_busy(path, existing.value);
+}
+
+[[noreturn]] void refuse_existing(const fs::path& path) {
+  refuse_if_busy(path);
   throw FileError(shown(path) + ": exists already, and was not to be overwritten");
 }
 
@@ -102,9 +106,7 @@ void check_target(const fs::path& target, bool overwrite) {
   if (status.type() != fs::file_type::regular)
     throw FileError(shown(target) + ": is not a regular file");
   if (!overwrite) refuse_existing(target);
-  const Descriptor existing(::open(target.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (existing.value >= 0 && is_being_written(existing.value))
-    refuse_as_busy(target, existing.value);
+  refuse_if_busy(target);
 }
 
 fs::path resolved(const fs::path& target) {

@@ -8,9 +8,11 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from pliant.analyse.figures import mobility, series, torsion_figures
+from pliant.analyse.figures import flexibility_figures, mobility, series, torsion_figures
 from pliant.analyse.figures.style import styled
+from pliant.analyse.kind import ENSEMBLE, PATH
 from pliant.analyse.names import has_backbone
+from pliant.analyse.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -23,9 +25,17 @@ class FigureKind:
     """A row of the table of figures."""
 
     name: str  #: of the PNG file
+    section: str  #: of the page
     draw: Callable[[Study], Figure]
     applies: Callable[[Study], bool]  #: of a study: has what is drawn
-    caption: str  #: what it shows, for the page
+    text: str  #: what it shows, for the page
+    of_a_path: str = ""  #: what must be said beside that of a path of pushes
+    of_an_ensemble: str = ""  #: ... of independent frames
+
+    def caption(self, study: Study) -> str:
+        """What the figure shows of this study."""
+        more = {PATH: self.of_a_path, ENSEMBLE: self.of_an_ensemble}.get(study.kind, "")
+        return f"{self.text} {more}".strip()
 
 
 def _has(*attributes: str) -> Callable[[Study], bool]:
@@ -34,45 +44,74 @@ def _has(*attributes: str) -> Callable[[Study], bool]:
 
 FIGURES = (
     FigureKind(
-        "residuals", series.residuals, _has("residuals"),
+        "flexibility", FLEXIBLE, flexibility_figures.flexibility, _has("flexibility"),
+        "Root mean square fluctuation about the average place, after superposition. The band (or "
+        "bar) is twice the error, from independent blocks of frames: 19 of 20 values of a much "
+        "longer run lie within it. The strip along the axis has the colours of the domains.",
+        "Of this path only: with other pushes, or more of them, the profile would be another.",
+        "The error is that of having few frames; that a model made them is not in it.",
+    ),
+    FigureKind(
+        "correlations", TOGETHER, flexibility_figures.together, _has("correlations"),
+        "Correlation of displacements: 1 moves along with, −1 against, 0 neither, or at right "
+        "angles, which this measure cannot tell apart. It depends on what was superposed.",
+        "Random pushes move neighbours together; far correlations of one path are chance.",
+    ),
+    FigureKind(
+        "motions", COLLECTIVE, flexibility_figures.motions,
+        lambda study: study.pca is not None and study.units is not None
+        and study.units.what == "residue" and len(study.units.labels) >= 4
+        and len(study.fitted) == len(study.units.labels),
+        "How far (one standard deviation) each of the three largest motions moves each residue.",
+        "Components of a random path look like slow waves: see the cosine content.",
+    ),
+    FigureKind(
+        "pca", COLLECTIVE, mobility.principal_components, _has("pca"),
+        "The frames along the two directions of largest motion, and how much of the motion each "
+        "direction explains.",
+        "Dark to light as the run goes.",
+        "Frames are independent: that they are spread evenly was put in, and is no free energy.",
+    ),
+    FigureKind(
+        "contacts", CHEMISTRY, flexibility_figures.contacts, _has("contacts"),
+        "Residues with heavy atoms within 4.5 Å, more than three apart in the chain. Below the "
+        "diagonal those of the start, above it the share of frames that have each.",
+        "",
+        "Hydrogen bonds and hydrophobic contacts of the start are held by construction.",
+    ),
+    FigureKind(
+        "distances", SHAPES, flexibility_figures.distances, lambda study: bool(study.distances),
+        "The distances that were asked for, between centres of the atoms selected; dashed: mean.",
+    ),
+    FigureKind(
+        "ramachandran", CHEMISTRY, torsion_figures.ramachandran,
+        lambda study: study.torsions is not None and has_backbone(study.torsions.torsions),
+        "The backbone angles of all residues in all frames. Inside green: favoured, inside red: "
+        "allowed, for residues other than glycine and proline, which the plot has too.",
+    ),
+    FigureKind(
+        "torsions", SHAPES, torsion_figures.torsions, _has("torsions"),
+        "How often each angle was taken: areas are shares of the frames, the red line is the "
+        "first frame.",
+        "", "How often is a matter of the model, not of energies.",
+    ),
+    FigureKind(
+        "rmsd", SHAPES, series.rmsd, _has("rmsd"),
+        "Root mean square distance of the atoms from the first frame, or the start structure of "
+        "an ensemble, after superposition.",
+    ),
+    FigureKind(
+        "radius_of_gyration", SHAPES, series.radius_of_gyration, _has("radius"),
+        "How spread out the molecule is; the band is one standard deviation.",
+    ),
+    FigureKind(
+        "residuals", EXACT, series.residuals, _has("residuals"),
         "How far the worst bar of each frame, and the bars on the whole, are from their rest "
         "lengths: computed anew from the coordinates in the file.",
     ),
     FigureKind(
-        "sweeps", series.sweeps, lambda study: study.observable("sweeps") is not None,
+        "sweeps", EXACT, series.sweeps, lambda study: study.observable("sweeps") is not None,
         "How many sweeps over all bars it took to mend each recorded step.",
-    ),
-    FigureKind(
-        "rmsd", series.rmsd, _has("rmsd"),
-        "Root mean square distance of the atoms from the first frame, after superposition.",
-    ),
-    FigureKind(
-        "radius_of_gyration", series.radius_of_gyration, _has("radius"),
-        "How spread out the molecule is; the band is one standard deviation.",
-    ),
-    FigureKind(
-        "rmsf_residues", mobility.rmsf_residues,
-        lambda study: study.rmsf is not None and len(study.rmsf.results.residues) > 1,
-        "Root mean square fluctuation of the atoms of each residue about their average place.",
-    ),
-    FigureKind(
-        "rmsf_atoms", mobility.rmsf_atoms, _has("rmsf"),
-        "Root mean square fluctuation of each atom about its average place.",
-    ),
-    FigureKind(
-        "torsions", torsion_figures.torsions, _has("torsions"),
-        "How often each angle was taken: areas are shares of the frames, the red line is the "
-        "first frame.",
-    ),
-    FigureKind(
-        "ramachandran", torsion_figures.ramachandran,
-        lambda study: study.torsions is not None and has_backbone(study.torsions.torsions),
-        "The backbone angles of all residues in all frames.",
-    ),
-    FigureKind(
-        "pca", mobility.principal_components, _has("pca"),
-        "The frames along the two directions of largest motion, from dark to light as the run "
-        "goes, and how much of the motion each direction explains.",
     ),
 )  # fmt: skip
 

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from matplotlib.ticker import MaxNLocator
@@ -22,6 +22,7 @@ from pliant.analyse.figures.style import (
     mark_size,
     new_figure,
 )
+from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.study import known
 
 if TYPE_CHECKING:
@@ -118,17 +119,24 @@ def _counts_beside(axes: Axes, counts: np.ndarray) -> None:
 
 
 def rmsd(study: Study) -> Figure:
-    """RMSD from the first frame."""
+    """RMSD from the first frame analysed."""
     x, label = study.axis
     figure, axes = new_figure()
-    width = line_width(len(x))
+    style = _style(study)
     if study.rmsd_all is not None:
-        axes.plot(x, study.rmsd_all, color=SKY, lw=width, label=_analysed_name(study))
-    axes.plot(x, study.rmsd, color=BLUE, lw=width, label=study.fitted_name)
+        axes.plot(x, study.rmsd_all, color=SKY, label=_analysed_name(study), **style)
+    axes.plot(x, study.rmsd, color=BLUE, label=study.fitted_name, **style)
     axes.set(xlabel=label, ylabel="RMSD (Å)", title="Distance from the start")
     axes.set_ylim(bottom=0)
     _legend_above(axes)
     return figure
+
+
+def _style(study: Study) -> dict[str, Any]:
+    """A line along a path; dots for frames that do not follow each other."""
+    if study.kind == ENSEMBLE:
+        return {"lw": 0, "marker": "o", "mew": 0, "ms": 0.5 * mark_size(len(study.frames)) ** 0.5}
+    return {"lw": line_width(len(study.frames))}
 
 
 def _analysed_name(study: Study) -> str:
@@ -143,7 +151,7 @@ def radius_of_gyration(study: Study) -> Figure:
     figure, axes = new_figure()
     axes.axhspan(mean - spread, mean + spread, color=FAINT, lw=0, zorder=0.5)
     axes.axhline(mean, color=GREY, lw=1, zorder=1, label=f"mean {mean:.2f} ± {spread:.2g} Å")
-    axes.plot(x, radius, color=GREEN, lw=line_width(len(x)))
+    axes.plot(x, radius, color=GREEN, **_style(study))
     what = "mass-weighted" if study.radius_weights == "mass" else "equal weights"
     axes.set(xlabel=label, ylabel="radius of gyration (Å)", title=f"Size ({what})")
     _legend_above(axes)

@@ -3,12 +3,18 @@
 
 from __future__ import annotations
 
+import itertools
+from collections.abc import Sequence
 from contextlib import AbstractContextManager
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
+import numpy as np
 from matplotlib import rc_context
 from matplotlib.figure import Figure
 from matplotlib.layout_engine import ConstrainedLayoutEngine
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
 
 # M. Okabe, K. Ito, Color Universal Design (2008); grey for what is only a frame of reference.
 BLUE = "#0072B2"
@@ -20,6 +26,9 @@ PURPLE = "#CC79A7"
 GREY = "#8A929B"
 INK = "#2B333B"
 FAINT = "#E3E7EB"
+
+#: of domains, largest first
+DOMAIN_COLOURS = (BLUE, ORANGE, GREEN, PURPLE, SKY, VERMILION)
 
 #: perceptually even and readable without colour (J. Nunez et al., PLoS ONE 13 (2018) e0199239)
 MAP = "cividis"
@@ -89,3 +98,38 @@ def line_width(count: int) -> float:
 def mark_size(count: int) -> int:
     """Smaller marks for more of them."""
     return 22 if count <= 300 else 10 if count <= 3000 else 3
+
+
+def named_bars(
+    axes: Axes, names: Sequence[str], values: np.ndarray, colours: str | np.ndarray
+) -> None:
+    """One bar for each name."""
+    axes.bar(np.arange(len(values)), values, color=colours, width=0.72)
+    slanted = max(map(len, names)) * len(names) > 90
+    axes.set_xticks(np.arange(len(values)), names, rotation=90 if slanted else 0, fontsize=8)
+    axes.grid(False, axis="x")
+    axes.margins(x=0.01)
+
+
+def chain_axis(axes: Axes, numbers: np.ndarray, chains: np.ndarray) -> None:
+    """Labels the axis of residues, one after the other; chains are named above."""
+    starts = [0, *(np.flatnonzero(chains[1:] != chains[:-1]) + 1).tolist(), len(chains)]
+    for first, last in itertools.pairwise(starts):
+        if len(starts) > 2 and chains[first]:
+            axes.text(
+                (first + last - 1) / 2, 1.0, chains[first], ha="center", va="bottom",
+                transform=axes.get_xaxis_transform(), color=GREY,
+            )  # fmt: skip
+    ticks = _round_numbers(numbers)
+    axes.set_xticks(ticks, [str(numbers[tick]) for tick in ticks])
+    axes.margins(x=0.01)
+    axes.set_xlabel("residue number")
+
+
+def _round_numbers(numbers: np.ndarray, wanted: int = 9) -> np.ndarray:
+    """Places of the numbers that are multiples of 1, 2, 5, 10, 20 ...: about `wanted` of them."""
+    for step in (factor * 10**power for power in range(8) for factor in (1, 2, 5)):
+        places = np.flatnonzero(np.asarray(numbers) % step == 0)
+        if len(places) <= wanted:
+            return places
+    return np.zeros(0, dtype=np.int64)

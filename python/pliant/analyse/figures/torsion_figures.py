@@ -7,9 +7,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant.analyse.figures.style import BLUE, GREY, INK, MAP, VERMILION, WIDE, new_figure, pad
+from pliant.analyse.figures.style import (
+    BLUE,
+    GREEN,
+    GREY,
+    INK,
+    MAP,
+    VERMILION,
+    WIDE,
+    new_figure,
+    pad,
+)
 from pliant.analyse.names import greek, phi_psi_pairs
 from pliant.analyse.study import known
+from pliant.analysis.ramachandran import judged
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -85,6 +96,12 @@ def ramachandran(study: Study) -> Figure:
     shares = np.ma.masked_equal(counts.T / counts.sum() / 25.0 * 1e4, 0)
     edges = np.linspace(-180, 180, 73)
     image = axes.pcolormesh(edges, edges, shares, cmap=MAP + "_r", rasterized=True)
+    cells = np.linspace(-180, 180, 361)
+    axes.contour(
+        cells[:-1] + 0.5, cells[:-1] + 0.5,
+        judged(*np.meshgrid(cells[:-1] + 0.5, cells[:-1] + 0.5)), levels=[0.5, 1.5],
+        colors=[VERMILION, GREEN], linewidths=0.8,
+    )  # fmt: skip
     axes.scatter(
         angles[0, phi], angles[0, psi], s=7, facecolors="none", edgecolors=INK, linewidths=0.5,
         label="first frame",

@@ -1,0 +1,81 @@
+# SPDX-License-Identifier: MIT
+"""Whether the bars of all frames are whole, as a sentence."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant.analyse.names import bar_labels
+from pliant.analyse.study import known
+
+if TYPE_CHECKING:
+    from pliant.analyse.study import Study
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """Whether the run kept its promise, in a sentence."""
+
+    kind: str  #: "good", "mixed", "bad" or "open" (there is nothing to judge)
+    sentence: str
+    details: str
+
+
+def verdict(study: Study) -> Verdict:
+    """Judges the bars of all frames analysed, from the coordinates."""
+    if study.residuals is None:
+        return Verdict(
+            "open", "There are no bars in this file to judge.", study.skipped["bar residuals"]
+        )
+    within = study.residuals.results.within
+    beyond = np.count_nonzero(~within)
+    details = _worst(study)
+    if beyond == 0:
+        return Verdict("good", "Every bar of every frame is within tolerance.", details)
+    broken = study.broken_promises
+    count = f"{beyond} of {len(within)} frames"
+    if broken is None:
+        return Verdict("bad", f"{count} have a bar beyond tolerance.", details)
+    if broken.any():
+        called = f"{np.count_nonzero(broken)} of which the run calls converged"
+        sentence = f"{count} have a bar beyond tolerance, {called}."
+        return Verdict("bad", sentence, details)
+    sentence = f"{count} have a bar beyond tolerance; the run says so of each."
+    return Verdict("mixed", sentence, details)
+
+
+def tolerance_text(study: Study) -> str:
+    """The tolerance with its unit."""
+    residuals = known(study.residuals)
+    if residuals.tolerance_length > 0:
+        return f"{residuals.tolerance_length:g} Å"
+    return scientific(residuals.tolerance, 0)
+
+
+def scientific(value: float, digits: int = 2) -> str:
+    """A small number for readers: 9.97 × 10⁻⁷; for 10⁻⁶ sharp only the power."""
+    mantissa, exponent = f"{value:.{digits}e}".split("e")
+    power = "10" + str(int(exponent)).translate(str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹"))
+    if value == 0:
+        return "0"
+    return power if mantissa == "1" else f"{mantissa} × {power}"
+
+
+def _worst(study: Study) -> str:
+    residuals = known(study.residuals)
+    found = residuals.results
+    k = int(np.argmax(found.max_relative))
+    bar = residuals.bars[found.worst_bar[k]]
+    (name,) = bar_labels(study.universe.atoms, [bar])
+    where = f"frame {study.frames[k]}"
+    if study.steps is not None:
+        where += f" (step {study.steps[k]})"
+    return (
+        f"The worst is off by {scientific(found.max_relative[k])} of its length (tolerance "
+        f"{tolerance_text(study)}): bar {name} in {where}. Computed anew from the "
+        f"{'double' if residuals.precision == 'float64' else 'single'} precision "
+        "coordinates in the file."
+    )

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""The stages of a study that answer a biologist: what is flexible, what moves together, and is it
+still the molecule."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant._core import OptionError
+from pliant.analyse.kind import frame_blocks, kind_of
+from pliant.analyse.names import phi_psi_pairs
+from pliant.analyse.reference import reference_of
+from pliant.analyse.units import units_of
+from pliant.analysis.domains import correlations, find_domains
+from pliant.analysis.flexibility import flexibility
+from pliant.analysis.overlaps import ResidueContacts
+from pliant.analysis.rotatable import is_hydrogen
+from pliant.analysis.stereochemistry import Stereochemistry
+from pliant.analysis.superposition import superpose_all, superpose_onto
+
+if TYPE_CHECKING:
+    from pliant.analyse.study import Study
+
+#: frames whose chemistry and contacts are looked at, spread over all
+LOOKED_AT = 200
+#: chains shorter than this have no domains
+LEAST_CHAIN = 20
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """Pairs of residues in contact (heavy atoms within 4.5 Angstrom) and how often."""
+
+    pairs: np.ndarray  #: (k, 2) numbers of units
+    share: np.ndarray  #: (k,) of the frames looked at
+    at_start: np.ndarray  #: (k,) bool: in the reference
+    frames: int  #: that were looked at
+
+
+def basics(study: Study) -> None:
+    """What kind of frames these are, their reference and units."""
+    study.kind = kind_of(study)
+    study.reference = reference_of(study)
+    study.units = units_of(study)
+
+
+def rmsd_to_reference(study: Study) -> None:
+    """RMSD of independent frames from the reference: of the fitted atoms, and of all others too."""
+    assert study.reference is not None
+    fitted = np.isin(study.atoms.ix, study.fitted.ix)
+    target = study.reference.positions[study.atoms.ix]
+    values = np.empty((2, len(study.frames)))
+    for k in range(len(study.frames)):
+        one = study.positions(k)[study.atoms.ix][None]
+        squares = np.sum((superpose_onto(one, fitted, target[fitted])[0] - target) ** 2, axis=1)
+        values[:, k] = np.sqrt([squares[fitted].mean(), squares.mean()])
+    study.rmsd = values[0]
+    study.rmsd_all = None if fitted.all() else values[1]
+
+
+def flexibility_stage(study: Study) -> None:
+    """RMSF of the units with its error; correlations and domains of their sites."""
+    if len(study.frames) < 4:
+        raise ValueError("it needs at least 4 frames")
+    units = study.units
+    assert units is not None
+    chosen = np.unique(np.concatenate([units.atoms, study.fitted.ix]))
+    fitted = np.searchsorted(chosen, study.fitted.ix)
+    moved = superpose_all(study.some_positions(chosen), fitted)
+    moved = moved[:, np.searchsorted(chosen, units.atoms)]
+    study.flexibility = flexibility(moved, units.unit, frame_blocks(study))
+    if len(units.labels) < 4 or not study.flexibility.rmsf.any():
+        return
+    sites = units.sites(moved)[:, :: study.site_stride]
+    study.correlations = correlations(sites)
+    if units.what == "residue" and sites.shape[1] >= LEAST_CHAIN:
+        study.domains = find_domains(sites, units.chains[:: study.site_stride])
+
+
+def stereochemistry_stage(study: Study) -> None:
+    """Angles, hands, planes, backbone and overlaps of frames spread over all."""
+    atoms = study.universe.atoms
+    if not hasattr(atoms, "elements") or not np.any(atoms.elements != ""):
+        raise ValueError("the file does not say which elements the atoms are")
+    if not hasattr(study.universe, "bonds") or len(study.universe.bonds) == 0:
+        raise ValueError("the file has no bonds")
+    assert study.reference is not None
+    torsions = study.torsions.torsions if study.torsions else []
+    phi, psi = phi_psi_pairs(torsions)
+    names = study.universe.residues.resnames if phi else []
+    with_side_chain = [k for k, p in enumerate(phi) if names[torsions[p].residue] != "GLY"]
+    measured = Stereochemistry(
+        np.asarray(atoms.elements),
+        np.asarray(study.universe.bonds.indices),
+        study.reference.positions,
+        [t.atoms for t in torsions if t.kind == "omega"],
+        [torsions[phi[k]].atoms for k in with_side_chain],
+        [torsions[psi[k]].atoms for k in with_side_chain],
+    )
+    study.shape = measured
+    study.shape_results = measured.run([study.positions(k) for k in spread(study)])
+
+
+def contacts_stage(study: Study) -> None:
+    """Residue contacts of frames spread over all, and of the reference."""
+    units = study.units
+    assert units is not None and study.reference is not None
+    if units.what != "residue" or len(units.labels) < LEAST_CHAIN:
+        return
+    heavy = study.atoms[~is_hydrogen(study.atoms)]
+    heavy = heavy[np.isin(heavy.resindices, units.owners)]
+    finder = ResidueContacts(np.searchsorted(units.owners, heavy.resindices), units.chains)
+    at_start = finder.of(study.reference.positions[heavy.ix])
+    looked_at = spread(study)
+    found = [finder.of(study.positions(k)[heavy.ix]) for k in looked_at]
+    keys, counts = np.unique(np.concatenate(found), return_counts=True)
+    every = np.union1d(keys, at_start)
+    share = np.zeros(len(every))
+    share[np.searchsorted(every, keys)] = counts / len(looked_at)
+    pairs = np.stack(np.divmod(every, len(units.labels)), axis=1)
+    study.contacts = Contacts(pairs, share, np.isin(every, at_start), len(looked_at))
+
+
+def distances_stage(study: Study) -> None:
+    """Distances of the centres of the selections that were asked for."""
+    for first, second in study.options.distances:
+        ends = []
+        for selection in (first, second):
+            try:
+                atoms = study.universe.select_atoms(selection)
+            except Exception as error:  # MDAnalysis raises many kinds for a wrong selection
+                reason = " ".join(str(error).split())
+                raise OptionError(f"--distance '{selection}': {reason}") from error
+            if len(atoms) == 0:
+                raise OptionError(f"--distance '{selection}': selects no atoms")
+            ends.append(study.some_positions(atoms.ix).astype(np.float64).mean(axis=1))
+        study.distances.append(np.linalg.norm(ends[1] - ends[0], axis=1))
+
+
+def spread(study: Study) -> np.ndarray:
+    """Places of at most LOOKED_AT frames, spread over those analysed."""
+    count = min(LOOKED_AT, len(study.frames))
+    return np.unique(np.linspace(0, len(study.frames) - 1, count).round().astype(int))

@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+"""Columns of the tables of flexibility, correlations, contacts, distances and stereochemistry."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pliant.analyse.biology import spread
+from pliant.analyse.study import known
+from pliant.analysis.collective import participation
+
+if TYPE_CHECKING:
+    from pliant.analyse.study import Study
+
+#: components whose motion of each unit stands in flexibility.csv
+MOTIONS = 3
+
+
+def flexibility_columns(study: Study) -> dict[str, Any]:
+    """One row per residue, or atom of a small molecule: RMSF with its error, domain, motions."""
+    if study.flexibility is None:
+        return {}
+    found, units = study.flexibility, known(study.units)
+    columns: dict[str, Any] = {
+        units.what: units.labels,
+        "chain": units.chains,
+        "number": units.numbers,
+        "rmsf_angstrom": found.rmsf,
+        "error_angstrom": found.error,
+        "first_half_angstrom": found.halves[0],
+        "second_half_angstrom": found.halves[1],
+        "converged": [int(found.converged)] * len(units.labels),
+    }
+    if study.domains is not None:
+        domain = np.repeat(study.domains.domain, study.site_stride)[: len(units.labels)]
+        columns["domain"] = domain + 1  # 0: none
+    if study.pca is not None and len(study.fitted) == len(units.labels):
+        results = study.pca.results
+        share = participation(results.components[:MOTIONS])
+        for k, row in enumerate(share):
+            columns[f"pc{k + 1}_angstrom"] = np.sqrt(row * results.eigenvalues[k])
+    return columns
+
+
+def correlation_columns(study: Study) -> dict[str, Any]:
+    """The correlation matrix, rounded to 4 digits; one column a unit."""
+    if study.correlations is None:
+        return {}
+    labels = known(study.units).labels[:: study.site_stride]
+    unique = len(set(labels)) == len(labels)
+    names = labels if unique else [f"{label} ({k})" for k, label in enumerate(labels)]
+    columns: dict[str, Any] = {"unit": names}
+    return columns | dict(zip(names, np.round(study.correlations, 4), strict=True))
+
+
+def contact_columns(study: Study) -> dict[str, Any]:
+    """One row per pair of residues that are in contact at the start or in any frame looked at."""
+    if study.contacts is None:
+        return {}
+    found, labels = study.contacts, known(study.units).labels
+    return {
+        "first": [labels[k] for k in found.pairs[:, 0]],
+        "second": [labels[k] for k in found.pairs[:, 1]],
+        "share_of_frames": found.share,
+        "at_start": found.at_start.astype(int),
+    }
+
+
+def distance_columns(study: Study) -> dict[str, Any]:
+    """One column per distance that was asked for."""
+    return {
+        f"distance {first} to {second} (angstrom)": values
+        for (first, second), values in zip(study.options.distances, study.distances, strict=False)
+    }
+
+
+def shape_columns(study: Study) -> dict[str, Any]:
+    """One row per frame looked at."""
+    if study.shape_results is None:
+        return {}
+    found = study.shape_results
+    return {
+        "frame": study.frames[spread(study)],
+        "largest_angle_change_degrees": found.angle,
+        "rms_angle_change_degrees": found.angle_rms,
+        "centres_turned_over": found.flips,
+        "furthest_out_of_plane_angstrom": found.plane,
+        "omega_furthest_off_degrees": found.omega,
+        "omega_beyond_30_degrees": found.twisted,
+        "ramachandran_outliers": found.outliers,
+        "ramachandran_favoured": found.favoured,
+        "new_overlaps": found.overlaps,
+        "deepest_new_overlap_angstrom": found.overlap,
+    }

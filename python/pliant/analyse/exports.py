@@ -1,0 +1,162 @@
+# SPDX-License-Identifier: MIT
+"""Files for other programs: B factors, normal modes, and an ensemble with scripts that show it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant.analyse.figures.style import DOMAIN_COLOURS
+from pliant.analyse.kind import ENSEMBLE
+from pliant.analyse.multi_model import write_models
+from pliant.analyse.scene import units_of_atoms
+from pliant.analyse.study import known
+from pliant.analysis.superposition import superpose_all
+
+if TYPE_CHECKING:
+    from pliant.analyse.study import Study
+
+#: frames of ensemble.pdb at most
+MODELS = 25
+#: components in modes.nmd
+MODES = 10
+
+
+def b_factors(rmsf: np.ndarray) -> np.ndarray:
+    """8 pi^2 / 3 RMSF^2, Angstrom^2: the isotropic B factor of that fluctuation."""
+    return np.asarray(8.0 * np.pi**2 / 3.0 * np.asarray(rmsf) ** 2)
+
+
+def save_exports(study: Study, folder: Path) -> list[Path]:
+    """Writes what the study gives: bfactors.pdb, ensemble.pdb and scripts, modes.nmd."""
+    written = []
+    if study.flexibility is not None and hasattr(study.universe.atoms, "names"):
+        written += _write_ensemble(study, folder)
+    if study.pca is not None and hasattr(study.fitted, "names"):
+        path = folder / "modes.nmd"
+        path.write_text(nmd(study), encoding="utf-8")
+        written.append(path)
+    return written
+
+
+def _write_ensemble(study: Study, folder: Path) -> list[Path]:
+    found, units = known(study.flexibility), known(study.units)
+    atoms = study.atoms
+    own = units_of_atoms(study, atoms)
+    values = np.where(own >= 0, b_factors(found.rmsf)[own], 0.0)
+    frames = _shown_frames(study)
+    fitted = np.flatnonzero(np.isin(atoms.ix, study.fitted.ix))
+    start = known(study.reference).positions[atoms.ix][None]
+    moved = superpose_all(
+        np.concatenate([start, [study.positions(k)[atoms.ix] for k in frames]]),
+        fitted if len(fitted) >= 3 else None,
+    )
+    remark = f"B = 8 pi^2 / 3 RMSF^2 of its {units.what}"
+    bfactors, ensemble = folder / "bfactors.pdb", folder / "ensemble.pdb"
+    write_models(bfactors, atoms, moved[:1], values, [remark, known(study.reference).name])
+    numbers = ", ".join(str(study.frames[k]) for k in frames)
+    write_models(ensemble, atoms, moved[1:], values, [remark, *_wrapped(f"frames {numbers}")])
+    scripts = {"show.pml": pymol_script(study), "show.cxc": chimerax_script(study)}
+    for name, text in scripts.items():
+        (folder / name).write_text(text, encoding="utf-8")
+    return [bfactors, ensemble, *(folder / name for name in scripts)]
+
+
+def _shown_frames(study: Study) -> np.ndarray:
+    """At most MODELS frames spread over all; independent ones in the order of the first motion."""
+    count = min(MODELS, len(study.frames))
+    frames = np.unique(np.linspace(0, len(study.frames) - 1, count).round().astype(int))
+    if study.kind == ENSEMBLE and study.pca is not None and study.pca_stride == 1:
+        along = study.pca.results.projections[frames, 0]
+        return np.asarray(frames[np.argsort(along, kind="stable")])
+    return frames
+
+
+def _wrapped(text: str, width: int = 68) -> list[str]:
+    words, lines = text.split(" "), [""]
+    for word in words:
+        if lines[-1] and len(lines[-1]) + len(word) >= width:
+            lines.append("")
+        lines[-1] += (" " if lines[-1] else "") + word
+    return lines
+
+
+def nmd(study: Study) -> str:
+    """The principal components as ProDy and VMD's NMWiz read them (.nmd)."""
+    found, atoms = known(study.pca).results, study.fitted
+    residues = atoms.residues if len(atoms.residues) == len(atoms) else None
+    rows: dict[str, list[str]] = {"atomnames": [str(n).strip() or "X" for n in atoms.names]}
+    if hasattr(atoms, "resnames"):
+        rows["resnames"] = [str(n).strip() or "UNK" for n in atoms.resnames]
+    if hasattr(atoms, "resids"):
+        rows["resids"] = [str(n) for n in atoms.resids]
+    chains = [str(s)[:1].strip() for s in getattr(atoms, "segids", [])]
+    if chains and all(chains) and "SYSTEM" not in set(atoms.segids):
+        rows["chainids"] = chains
+    if residues is not None and study.flexibility is not None:
+        own = units_of_atoms(study, atoms)
+        rows["bfactors"] = [f"{b:.2f}" for b in b_factors(study.flexibility.rmsf)[own]]
+    rows["coordinates"] = [f"{x:.3f}" for x in found.average.ravel()]
+    lines = [f"nmwiz_load modes.nmd\nname {Path(study.options.path).stem.replace(' ', '_')}"]
+    lines += [f"{name} {' '.join(values)}" for name, values in rows.items()]
+    for k, vector in enumerate(found.components[:MODES]):
+        numbers = " ".join(f"{x:.5f}" for x in vector)
+        lines.append(f"mode {k + 1} {np.sqrt(found.eigenvalues[k]):.4f} {numbers}")
+    return "\n".join(lines) + "\n"
+
+
+def _domain_selections(study: Study) -> list[list[tuple[int, int]]]:
+    """For each domain the stretches of residue numbers (first, last); none without domains."""
+    if study.domains is None or study.domains.count < 2 or study.site_stride > 1:
+        return []
+    numbers = known(study.units).numbers
+    made = []
+    for k in range(study.domains.count):
+        sites = np.flatnonzero(study.domains.domain == k)
+        parts = np.split(sites, np.flatnonzero(np.diff(sites) > 1) + 1)
+        made.append([(int(numbers[p[0]]), int(numbers[p[-1]])) for p in parts])
+    return made
+
+
+def _one_chain(study: Study) -> bool:
+    return len(set(known(study.units).chains.tolist())) == 1
+
+
+def pymol_script(study: Study) -> str:
+    """Loads the ensemble in PyMOL, colours it by flexibility, or by domain, and plays it."""
+    lines = [
+        "# pymol show.pml: still is blue, flexible is red; scene F2: domains",
+        "load ensemble.pdb, ensemble",
+        "hide everything",
+        "show cartoon" if known(study.units).what == "residue" else "show sticks",
+        "spectrum b, blue_white_red, ensemble",
+        "bg_color white",
+        "orient",
+        "scene F1, store",
+    ]
+    if _one_chain(study):
+        for k, stretches in enumerate(_domain_selections(study)):
+            residues = "+".join(f"{a}-{b}" for a, b in stretches)
+            lines.append(f"select domain{k + 1}, ensemble and resi {residues}")
+            lines.append(f"color 0x{DOMAIN_COLOURS[k][1:]}, domain{k + 1}")
+        lines += ["deselect", "scene F2, store", "scene F1, recall"]
+    return "\n".join([*lines, "set movie_fps, 8", "mplay", ""])
+
+
+def chimerax_script(study: Study) -> str:
+    """The same for ChimeraX."""
+    lines = [
+        "# ChimeraX: open show.cxc",
+        "open ensemble.pdb coordsets true",
+        "hide atoms",
+        "show cartoons" if known(study.units).what == "residue" else "show atoms",
+        "color byattribute bfactor palette blue:white:red",
+    ]
+    if _one_chain(study):
+        for k, stretches in enumerate(_domain_selections(study)):
+            residues = ",".join(f"{a}-{b}" for a, b in stretches)
+            lines.append(f"name domain{k + 1} :{residues}")
+            lines.append(f"# color domain{k + 1} {DOMAIN_COLOURS[k]}")
+    return "\n".join([*lines, "set bgColor white", "view", "coordset #1 loop 0 pauseFrames 4", ""])

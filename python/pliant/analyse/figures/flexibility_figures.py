@@ -1,0 +1,168 @@
+# SPDX-License-Identifier: MIT
+"""Figures of what is flexible and what moves together."""
+
+from __future__ import annotations
+
+import itertools
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant.analyse.figures.style import (
+    BLUE,
+    DOMAIN_COLOURS,
+    FAINT,
+    GREY,
+    INK,
+    ORANGE,
+    SKY,
+    WIDE,
+    chain_axis,
+    named_bars,
+    new_figure,
+)
+from pliant.analyse.study import known
+from pliant.analysis.collective import participation
+from pliant.analysis.domains import LOOSE
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+    from matplotlib.figure import Figure
+
+    from pliant.analyse.study import Study
+    from pliant.analyse.units import Units
+
+#: up to this many units are drawn one by one, each with its name
+NAMED_BARS = 40
+
+
+def flexibility(study: Study) -> Figure:
+    """RMSF of each unit with twice its error; the halves where they do not agree."""
+    found, units = known(study.flexibility), known(study.units)
+    figure, axes = new_figure()
+    if len(units.labels) <= NAMED_BARS:
+        named_bars(axes, units.labels, found.rmsf, BLUE)
+        place = np.arange(len(found.rmsf))
+        axes.errorbar(place, found.rmsf, 2 * found.error, fmt="none", ecolor=INK, lw=1, capsize=2)
+        axes.set_xlabel(units.what)
+    else:
+        _line_with_band(axes, study)
+    agree = "halves agree" if found.converged else "not converged: halves differ"
+    error = f"two errors {2 * found.error.mean():.1g} Å on average"
+    axes.set(ylabel="RMSF (Å)", title=f"Flexibility: {agree}, {error}")
+    axes.set_ylim(0, 1.04 * float((found.rmsf + 2 * found.error).max()) or 1.0)
+    return figure
+
+
+def _line_with_band(axes: Axes, study: Study) -> None:
+    found, units = known(study.flexibility), known(study.units)
+    place = np.arange(len(found.rmsf))
+    for part in chain_parts(units):
+        band = found.rmsf[part] - 2 * found.error[part], found.rmsf[part] + 2 * found.error[part]
+        axes.fill_between(place[part], np.maximum(band[0], 0), band[1], color=SKY, alpha=0.45, lw=0)
+        axes.plot(place[part], found.rmsf[part], color=BLUE, lw=1.3)
+        if not found.converged:
+            for half, colour in zip(found.halves, (ORANGE, GREY), strict=True):
+                axes.plot(place[part], half[part], color=colour, lw=0.8)
+    _domain_strip(axes, study)
+    chain_axis(axes, units.numbers, units.chains)
+
+
+def chain_parts(units: Units) -> list[slice]:
+    """The stretches of units that are of one chain."""
+    edges = np.flatnonzero(units.chains[1:] != units.chains[:-1]) + 1
+    starts = [0, *edges.tolist(), len(units.chains)]
+    return [slice(a, b) for a, b in itertools.pairwise(starts)]
+
+
+def _domain_strip(axes: Axes, study: Study) -> None:
+    """A line of the domains' colours along the axis, where there are several."""
+    if study.domains is None or study.domains.count < 2:
+        return
+    domain = np.repeat(study.domains.domain, study.site_stride)[: len(known(study.units).labels)]
+    edges = [0, *(np.flatnonzero(np.diff(domain)) + 1).tolist(), len(domain)]
+    for first, last in itertools.pairwise(edges):
+        if domain[first] != LOOSE:
+            axes.plot(
+                [first - 0.5, last - 0.5], [0.012, 0.012], lw=6, solid_capstyle="butt",
+                color=DOMAIN_COLOURS[domain[first]], transform=axes.get_xaxis_transform(),
+            )  # fmt: skip
+
+
+def together(study: Study) -> Figure:
+    """The correlation matrix, with the domains along its edge."""
+    matrix, units = known(study.correlations), known(study.units)
+    figure, axes = new_figure((4.9, 4.1))
+    edges = np.arange(len(matrix) + 1) * study.site_stride - 0.5
+    image = axes.pcolormesh(edges, edges, matrix, cmap="PuOr_r", vmin=-1, vmax=1, rasterized=True)
+    if len(units.labels) <= NAMED_BARS:
+        place = np.arange(len(units.labels))
+        axes.set_xticks(place, units.labels, rotation=90, fontsize=7)
+        axes.set_yticks(place, units.labels, fontsize=7)
+    else:
+        chain_axis(axes, units.numbers, units.chains)
+        axes.set_yticks(axes.get_xticks(), [t.get_text() for t in axes.get_xticklabels()])
+        axes.set_ylabel("residue number")
+    _domain_strip(axes, study)
+    axes.set(title="What moves together", aspect="equal")
+    axes.grid(False)
+    bar = figure.colorbar(image, ax=axes, label="correlation of displacements", pad=0.02, aspect=30)
+    bar.outline.set_visible(False)
+    return figure
+
+
+def motions(study: Study) -> Figure:
+    """How far each of the first three components moves each unit."""
+    found, units = known(study.pca).results, known(study.units)
+    count = min(3, len(found.eigenvalues))
+    figure, axes = new_figure((WIDE[0], 0.6 + 1.15 * count), count, 1, sharex=True, squeeze=False)
+    for k, row in enumerate(axes[:, 0]):
+        share = participation(found.components[k : k + 1])[0]
+        height = np.sqrt(share * found.eigenvalues[k])
+        for part in chain_parts(units):
+            place = np.arange(len(height))[part]
+            row.fill_between(place, height[part], color=FAINT, lw=0)
+            row.plot(place, height[part], color=BLUE, lw=1.2)
+        row.set_ylabel(f"PC{k + 1} (Å)")
+        row.set_ylim(bottom=0)
+        row.text(
+            0.995, 0.93, f"{100 * found.explained[k]:.0f} % of the motion", ha="right", va="top",
+            transform=row.transAxes, fontsize=8.5, color=INK,
+        )  # fmt: skip
+    chain_axis(axes[-1, 0], units.numbers, units.chains)
+    axes[0, 0].set_title("Collective motions: what each moves")
+    return figure
+
+
+def contacts(study: Study) -> Figure:
+    """The contact map: share of frames above the diagonal, the start structure below."""
+    found, units = known(study.contacts), known(study.units)
+    figure, axes = new_figure((4.9, 4.1))
+    first, second = found.pairs.T
+    start = found.at_start
+    size = float(np.clip(900 / len(units.labels), 1.0, 14))
+    axes.scatter(second[start], first[start], s=size, c=GREY, marker="s", lw=0)
+    seen = found.share > 0
+    dots = axes.scatter(
+        first[seen], second[seen], c=100 * found.share[seen], s=size, marker="s", lw=0,
+        cmap="cividis_r", vmin=0, vmax=100,
+    )  # fmt: skip
+    ends = -0.5, len(units.labels) - 0.5
+    axes.plot(ends, ends, color=FAINT, lw=1)
+    chain_axis(axes, units.numbers, units.chains)
+    axes.set_yticks(axes.get_xticks(), [t.get_text() for t in axes.get_xticklabels()])
+    axes.set(xlim=ends, ylim=ends, aspect="equal", ylabel="residue number", title="Contacts")
+    bar = figure.colorbar(dots, ax=axes, label="kept (% of frames)", pad=0.02, aspect=30)
+    bar.outline.set_visible(False)
+    return figure
+
+
+def distances(study: Study) -> Figure:
+    """How often each distance that was asked for was taken."""
+    asked = study.options.distances
+    figure, axes = new_figure((WIDE[0], 1.9 * len(asked) + 0.4), len(asked), 1, squeeze=False)
+    for row, (first, second), values in zip(axes[:, 0], asked, study.distances, strict=True):
+        row.hist(values, bins="sqrt", color=BLUE, rwidth=0.92)
+        row.axvline(values.mean(), color=INK, lw=1.1, ls=(0, (5, 3)))
+        row.set(xlabel="distance (Å)", ylabel="frames", title=f"{first} to {second}")
+    return figure

@@ -1,0 +1,56 @@
+# SPDX-License-Identifier: MIT
+"""What the frames of a file are: independent draws, a path of pushes, or something of others."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant.analysis.flexibility import numbered_blocks, path_blocks
+
+if TYPE_CHECKING:
+    from pliant.analyse.study import Study
+
+ENSEMBLE = "ensemble"  #: `pliant sample`: frames are independent
+PATH = "path"  #: `pliant run`, or sampler `walk`: each frame is the one before, pushed
+TRAJECTORY = "trajectory"  #: another program's: frames may be anything
+
+#: numbers of frames of `pliant sample` are white within blocks of so many
+WHITE = 100
+
+SENTENCES = {
+    ENSEMBLE: (
+        "An ensemble: frames are independent and show what can move. How often a shape occurs is "
+        "not claimed, and how far frames go on the whole was put in."
+    ),
+    PATH: (
+        "Not an ensemble: each frame is the one before, pushed at random and resolved. How far "
+        "atoms got depends on the pushes and on how many there were; these fluctuations are not "
+        "the molecule's. For those see pliant sample."
+    ),
+    TRAJECTORY: (
+        "A trajectory of another program: fluctuations are what it gives; errors come from blocks "
+        "of frames that are longer than what the slowest motion remembers."
+    ),
+}
+
+
+def kind_of(study: Study) -> str:
+    """ENSEMBLE, PATH or TRAJECTORY, by what the file tells of itself."""
+    told = study.record.parameters if study.record else {}
+    sampler = told.get("sample/sampler")
+    if sampler is not None:
+        return PATH if sampler == "walk" else ENSEMBLE
+    return PATH if any(name.startswith("run/") for name in told) else TRAJECTORY
+
+
+def frame_blocks(study: Study) -> list[np.ndarray]:
+    """Blocks of frames that count as independent: the white ones of an ensemble, else stretches
+    longer than the memory of the first three principal components."""
+    if study.kind == ENSEMBLE:
+        numbers = study.frames if study.steps is None else study.steps
+        return numbered_blocks(np.asarray(numbers), WHITE)
+    if study.pca is None or study.pca_stride > 1:
+        return path_blocks(np.arange(len(study.frames), dtype=float))
+    return path_blocks(study.pca.results.projections[:, :3])

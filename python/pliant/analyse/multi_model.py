@@ -1,0 +1,71 @@
+# SPDX-License-Identifier: MIT
+"""Writes frames as the models of a PDB file."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant._core import InputError
+from pliant.analyse.names import chains_of, numbers_of
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+
+MOST_ATOMS = 99_999
+AMINO_ACIDS = frozenset(
+    "ALA ARG ASN ASP CYS GLN GLU GLY HIS ILE LEU LYS MET PHE PRO SER THR TRP TYR VAL HSD HSE HSP "
+    "HID HIE HIP CYX ASH GLH LYN A C G U DA DC DG DT".split()
+)
+
+
+def write_models(
+    path: Path,
+    atoms: AtomGroup,
+    positions: np.ndarray,
+    b_factors: np.ndarray,
+    remarks: Sequence[str] = (),
+) -> None:
+    """Writes positions (F, n, 3), Angstrom, of n atoms as F models; one frame has no MODEL line.
+
+    b_factors: (n,) Angstrom^2; what a PDB file cannot hold is written as 999.99. Raises InputError
+    where coordinates or the number of atoms do not fit into the columns of the format.
+    """
+    if len(atoms) > MOST_ATOMS:
+        raise InputError(f"{path}: a PDB file holds up to {MOST_ATOMS} atoms, not {len(atoms)}")
+    if not np.all(np.abs(positions) < 9999):
+        raise InputError(f"{path}: a PDB file holds coordinates up to 9999 Angstrom")
+    heads, tails = _fixed_parts(atoms, b_factors)
+    with open(path, "w", encoding="utf-8") as file:
+        for text in remarks:
+            file.write(f"REMARK  99 {text[:68]}\n")
+        for k, frame in enumerate(positions):
+            if len(positions) > 1:
+                file.write(f"MODEL     {k + 1:4d}\n")
+            rows = zip(heads, frame.tolist(), tails, strict=True)
+            file.writelines(f"{a}{x:8.3f}{y:8.3f}{z:8.3f}{b}" for a, (x, y, z), b in rows)
+            if len(positions) > 1:
+                file.write("ENDMDL\n")
+        file.write("END\n")
+
+
+def _fixed_parts(atoms: AtomGroup, b_factors: np.ndarray) -> tuple[list[str], list[str]]:
+    """What stands before and after the coordinates of each atom."""
+    count = len(atoms)
+    names = [str(n) for n in getattr(atoms, "names", ["X"] * count)]
+    elements = [str(e) for e in getattr(atoms, "elements", [""] * count)]
+    residues = [str(r)[:4] for r in getattr(atoms, "resnames", ["UNK"] * count)]
+    chains = [str(c)[:1] for c in chains_of(atoms)]
+    heads, tails = [], []
+    rows = zip(names, elements, residues, chains, numbers_of(atoms).tolist(), strict=True)
+    for k, (name, element, residue, chain, number) in enumerate(rows):
+        kind = "ATOM  " if residue in AMINO_ACIDS else "HETATM"
+        padded = f"{name:<4s}"[:4] if len(element) == 2 or len(name) > 3 else f" {name:<3s}"
+        heads.append(
+            f"{kind}{k + 1:5d} {padded} {residue:<4s}{chain or ' '}{number % 10000:4d}    "
+        )
+        tails.append(f"  1.00{min(float(b_factors[k]), 999.99):6.2f}          {element.upper():>2s}\n")
+    return heads, tails

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""The units whose flexibility is told: residues of a chain, or atoms of a small molecule."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant.analyse.names import atom_labels, chains_of, numbers_of, residue_labels
+from pliant.analysis.rotatable import is_hydrogen
+
+if TYPE_CHECKING:
+    from MDAnalysis import AtomGroup
+
+    from pliant.analyse.study import Study
+
+
+@dataclass(frozen=True)
+class Units:
+    """n units, and the m atoms that stand for them."""
+
+    what: str  #: "residue" or "atom"
+    labels: list[str]  #: (n,) "A:LYS12", "C4"
+    numbers: np.ndarray  #: (n,) of the residue, or of the atom from 1
+    chains: np.ndarray  #: (n,) chain, "" where there is none
+    owners: np.ndarray  #: (n,) resindex, or index of the atom
+    atoms: np.ndarray  #: (m,) indices in the universe
+    unit: np.ndarray  #: (m,) the unit of each
+
+    def sites(self, positions: np.ndarray) -> np.ndarray:
+        """(F, n, 3) centre of each unit's atoms, of positions (F, m, 3)."""
+        if len(self.atoms) == len(self.labels):
+            return positions
+        table = np.zeros((len(self.labels), len(self.atoms)))
+        table[self.unit, np.arange(len(self.unit))] = 1.0
+        return np.asarray((table / table.sum(axis=1, keepdims=True)) @ positions)
+
+
+def units_of(study: Study) -> Units:
+    """Residues where there are several: each by its atom of the trace (CA, P), if it has one, else
+    by its atoms but hydrogens. In a single residue each atom but hydrogens is a unit."""
+    atoms = study.atoms
+    heavy = atoms[~is_hydrogen(atoms)]
+    if len(heavy) == 0:
+        heavy = atoms
+    if len(set(atoms.resindices)) < 2:
+        return _single_atoms(heavy)
+    trace = study.fitted if " atoms" in study.fitted_name and _one_each(study.fitted) else heavy[:0]
+    of_trace = np.isin(heavy.ix, trace.ix)
+    others = ~np.isin(heavy.resindices, trace.resindices)
+    chosen = heavy[of_trace | others]
+    owners, unit = np.unique(chosen.resindices, return_inverse=True)
+    residues = atoms.universe.residues
+    labels = residue_labels(residues)
+    return Units(
+        "residue",
+        [labels[k] for k in owners],
+        numbers_of(residues)[owners],
+        chains_of(residues)[owners],
+        owners,
+        chosen.ix,
+        unit,
+    )
+
+
+def _one_each(atoms: AtomGroup) -> bool:
+    return len(set(atoms.resindices)) == len(atoms)
+
+
+def _single_atoms(atoms: AtomGroup) -> Units:
+    count = len(atoms)
+    labels = atom_labels(atoms)
+    place = np.arange(count)
+    return Units("atom", labels, atoms.ix + 1, np.full(count, ""), atoms.ix, atoms.ix, place)

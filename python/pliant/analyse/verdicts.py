@@ -1,0 +1,186 @@
+# SPDX-License-Identifier: MIT
+"""What to believe of a study: one verdict for each question, and one for the whole."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant.analyse.bar_verdict import Verdict, verdict
+from pliant.analyse.kind import ENSEMBLE, PATH, SENTENCES
+from pliant.analyse.study import known
+from pliant.analysis.stereochemistry import TWISTED
+
+if TYPE_CHECKING:
+    from pliant.analyse.study import Study
+
+#: a bond angle may change by so much, degrees; molecular dynamics at 300 K changes some by 16
+MOST_ANGLE = 20.0
+#: a planar centre may leave its plane by so much, Angstrom
+MOST_OUT_OF_PLANE = 0.3
+#: heavy atoms may overlap anew by so much, Angstrom
+MOST_OVERLAP = 0.4
+#: share of residues outside the allowed regions that frames may have beyond the start structure
+MORE_OUTLIERS = 0.01
+
+
+@dataclass(frozen=True)
+class ShapeRow:
+    """One question about stereochemistry."""
+
+    name: str
+    found: str  #: of the frames looked at
+    start: str  #: of the structure compared with
+    limit: str
+    passed: bool
+
+
+def shape_rows(study: Study) -> list[ShapeRow]:
+    """The questions about stereochemistry that the molecule allows."""
+    if study.shape is None or study.shape_results is None:
+        return []
+    shape, found, start = study.shape, study.shape_results, study.shape_results.reference
+    rows = [
+        ShapeRow(
+            "bond angles", f"{found.angle.max():.1f}° at most", "0°",
+            f"change of {MOST_ANGLE:g}°", bool(found.angle.max() <= MOST_ANGLE),
+        ),
+        ShapeRow(
+            "overlaps of heavy atoms", f"{found.overlaps.mean():.2g} new a frame, "
+            f"{found.overlap.max():.2f} Å deep at most",
+            f"{start['overlaps']:.0f}, {start['overlap']:.2f} Å",
+            f"new ones of {MOST_OVERLAP:g} Å", bool(found.overlap.max() <= MOST_OVERLAP),
+        ),
+    ]  # fmt: skip
+    if len(shape.corners.handed):
+        flips = int(np.count_nonzero(found.flips))
+        rows.append(ShapeRow(
+            "chirality", f"{flips} frames with a centre turned over", "0", "none", flips == 0
+        ))  # fmt: skip
+    if len(shape.corners.planar):
+        worst = float(found.plane.max())
+        limit = max(MOST_OUT_OF_PLANE, start["plane"] + 0.01)
+        rows.append(ShapeRow(
+            "planar groups", f"{worst:.2f} Å off at most", f"{start['plane']:.2f} Å",
+            f"{limit:.2g} Å", worst <= limit,
+        ))  # fmt: skip
+    return rows + _backbone_rows(study)
+
+
+def _backbone_rows(study: Study) -> list[ShapeRow]:
+    shape, found = known(study.shape), known(study.shape_results)
+    start, rows = found.reference, []
+    if len(shape.omega):
+        more = int(found.twisted.max())
+        rows.append(ShapeRow(
+            f"peptide bonds (ω beyond {TWISTED:g}°)", f"{more} in a frame at most",
+            f"{start['twisted']:.0f}", "no more than the start", more <= start["twisted"],
+        ))  # fmt: skip
+    if len(shape.phi):
+        outliers = float(found.outliers.mean())
+        rows.append(ShapeRow(
+            "Ramachandran outliers", f"{100 * outliers:.1f} %", f"{100 * start['outliers']:.1f} %",
+            "1 % more than the start", outliers <= start["outliers"] + MORE_OUTLIERS,
+        ))  # fmt: skip
+        rows.append(ShapeRow(
+            "Ramachandran favoured", f"{100 * found.favoured.mean():.0f} %",
+            f"{100 * start['favoured']:.0f} %", "–", True,
+        ))  # fmt: skip
+    return rows
+
+
+def verdicts(study: Study) -> dict[str, Verdict]:
+    """Name -> verdict of each question, in the order of the page."""
+    made = {
+        "what it is": _what_it_is(study),
+        "convergence": _convergence(study),
+        "stereochemistry": _stereochemistry(study),
+        "bars": verdict(study),
+    }
+    amplitude = _amplitude(study)
+    return made | ({"amplitude": amplitude} if amplitude else {})
+
+
+def whole(study: Study) -> Verdict:
+    """The verdict on all: good only if no question was answered badly."""
+    made = verdicts(study)
+    failed = [name for name, one in made.items() if one.kind == "bad"]
+    if failed:
+        sentence = f"Do not use these frames as they are: see {' and '.join(failed)}."
+        return Verdict("bad", sentence, made[failed[0]].sentence)
+    if study.kind == PATH:
+        return _what_it_is(study)
+    doubtful = [one for one in made.values() if one.kind == "mixed"]
+    if doubtful:
+        return Verdict("mixed", doubtful[0].sentence, doubtful[0].details)
+    held = [name for name, one in made.items() if one.kind == "good"]
+    if not held:
+        return Verdict("open", "There is nothing here to judge.", "")
+    return Verdict("good", f"What could be judged holds: {', '.join(held)}.", "")
+
+
+def _what_it_is(study: Study) -> Verdict:
+    sentence, details = SENTENCES[study.kind].split(": ", 1)
+    kind = "mixed" if study.kind == PATH else "open"
+    return Verdict(kind, f"{sentence}.", details[:1].upper() + details[1:])
+
+
+def _convergence(study: Study) -> Verdict:
+    found = study.flexibility
+    if found is None:
+        return Verdict(
+            "open", "Convergence cannot be judged.", study.skipped.get("flexibility", "")
+        )
+    details = (
+        f"Profiles of the two halves of the frames correlate by {found.correlation:.3f} and differ "
+        f"by {100 * found.difference:.0f} % on average (converged: 0.95 and more, 10 % and less). "
+        f"Errors come from {found.blocks} blocks."
+    )
+    if study.kind == ENSEMBLE and len(study.frames) < 200:
+        details += " Fewer than 200 frames are no two whole blocks: errors are rather too large."
+    if found.converged:
+        what = "The flexibility is converged" if study.kind != PATH else "The halves agree"
+        return Verdict("good", f"{what}.", details)
+    return Verdict("mixed", "The flexibility is not converged: the halves differ.", details)
+
+
+def _stereochemistry(study: Study) -> Verdict:
+    rows = shape_rows(study)
+    if not rows:
+        return Verdict(
+            "open", "Stereochemistry cannot be judged.", study.skipped.get("stereochemistry", "")
+        )
+    found, reference = known(study.shape_results), known(study.reference)
+    details = (
+        f"{len(found.angle)} of {len(study.frames)} frames looked at, compared with "
+        f"{reference.name}: {len(rows)} questions, in the table below."
+    )
+    failed = [f"{row.name} ({row.found})" for row in rows if not row.passed]
+    if failed:
+        return Verdict("bad", f"Stereochemistry is broken: {', '.join(failed)}.", details)
+    return Verdict("good", "Stereochemistry holds.", details)
+
+
+def _amplitude(study: Study) -> Verdict | None:
+    told = study.record.parameters if study.record else {}
+    asked = told.get("sample/amplitude")
+    if asked is None or study.flexibility is None or study.kind != ENSEMBLE:
+        return None
+    reached = float(study.flexibility.rmsf.mean())
+    sentence = f"Amplitude: asked {float(asked):.2f} Å, reached {reached:.2f} Å."
+    details = (
+        "Mean RMSF after superposition. It is an input: which parts move more than others is a "
+        "result, how far they move on the whole is not."
+    )
+    missing = _missing_frames(study)
+    if missing:
+        details += f" {missing} frames could not be resolved and are left out."
+    return Verdict("open", sentence, details)
+
+
+def _missing_frames(study: Study) -> int:
+    if study.steps is None or study.options.step not in (None, 1):
+        return 0
+    return int(study.steps[-1] - study.steps[0] + 1 - len(study.steps))
