@@ -24,6 +24,10 @@ FrameOutput::FrameOutput(const std::string& output, const Framework& framework,
 
 void FrameOutput::record(const Frame& frame) { h5md_ ? h5md_->record(frame) : pdb_->record(frame); }
 
+void FrameOutput::end_run(const State& state) {
+  if (h5md_) h5md_->end_run(state);
+}
+
 void FrameOutput::close() { h5md_ ? h5md_->close() : pdb_->close(); }
 
 }  // namespace pliant::app

@@ -23,6 +23,8 @@ class FrameOutput {
               const H5mdOptions& options);
 
   void record(const Frame& frame);
+  /// The run of the frames ends in this state. A PDB file cannot keep it.
+  void end_run(const State& state);
   void close();
 
  private:

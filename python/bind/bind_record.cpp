@@ -65,7 +65,11 @@ void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
                    double flush_seconds) {
   H5mdHeader header = header_of(structure);
   header.parameters = parameters_from(parameters);
-  const H5mdOptions options{single, compress, overwrite, flush_seconds, unraisable_python_log()};
+  const H5mdOptions options{.single = single,
+                            .compress = compress,
+                            .overwrite = overwrite,
+                            .flush_seconds = flush_seconds,
+                            .log = unraisable_python_log()};
   const nb::gil_scoped_release no_gil;
   new (self) LockedRecorder(path, framework, header, options);
 }
