@@ -65,8 +65,11 @@ fs::path stem_of(const fs::path& input) {
 /// Beside the output and of its name; "mol-topology.pdb" where mol.pdb is the input.
 std::string default_topology(const SampleSettings& settings) {
   const fs::path beside = fs::path(settings.output).replace_extension(".pdb");
+  const fs::path input = settings.molecule.file;
   std::error_code error;
-  if (!fs::equivalent(beside, settings.molecule.file, error)) return beside.string();
+  const bool is_input =
+      beside.lexically_normal() == input.lexically_normal() || fs::equivalent(beside, input, error);
+  if (!is_input) return beside.string();
   return (beside.parent_path() / (beside.stem().string() + "-topology.pdb")).string();
 }
 
