@@ -89,7 +89,9 @@ std::string default_trajectory(const std::string& input) {
 std::string default_topology(const std::string& output, const std::string& input) {
   const fs::path beside = fs::path(output).replace_extension(".pdb");
   std::error_code error;
-  if (!fs::equivalent(beside, input, error)) return beside.string();
+  const bool is_input = beside.lexically_normal() == fs::path(input).lexically_normal() ||
+                        fs::equivalent(beside, input, error);
+  if (!is_input) return beside.string();
   return (beside.parent_path() / (beside.stem().string() + "-topology.pdb")).string();
 }
 

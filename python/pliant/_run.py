@@ -136,20 +136,12 @@ def run(
         The file exists (and `overwrite` is false) or cannot be written.
     """
     built: dict[str, Value] = {}
-    framework, state = _opened(framework, state)
+    framework, state = _opened(framework, state, select)
     if isinstance(framework, _core.Structure):
         if structure is not None:
             raise TypeError("run: structure is given twice")
         structure = framework.select(select) if select else framework
-        framework = structure.framework(bars, lengths, pin)
-        built = {
-            "input/select": select,
-            "input/bars": Path(bars).name,
-            "input/lengths": lengths,
-            "input/pin": pin,
-        }
-    elif select:
-        raise TypeError("run: select is for a structure or a file of one")
+        framework, built = _built(structure, select, bars, lengths, pin)
     options = _options(
         replay,
         ordering,
@@ -197,14 +189,35 @@ def run(
 def _opened(
     source: _core.Framework | _core.Structure | str | os.PathLike[str],
     state: _core.State | npt.ArrayLike | None,
+    select: str,
 ) -> tuple[_core.Framework | _core.Structure, _core.State | npt.ArrayLike | None]:
     """What is in a file, if it is one: a structure, or a framework and where it starts."""
+    is_graph = isinstance(source, (str, os.PathLike)) and Path(source).suffix == ".xml"
+    if select and (is_graph or isinstance(source, _core.Framework)):
+        raise TypeError("run: select is for a structure, or a file of one")
     if not isinstance(source, (str, os.PathLike)):
         return source, state
     if Path(source).suffix == ".xml":
         graph = _core.read_graph_xml(source)
         return graph.framework, graph.positions if state is None else state
     return _core.read(source), state
+
+
+def _built(
+    structure: _core.Structure,
+    select: str,
+    bars: str | os.PathLike[str],
+    lengths: str,
+    pin: str,
+) -> tuple[_core.Framework, dict[str, Value]]:
+    """The framework of a structure, and how it is recorded that it was built so."""
+    values: dict[str, Value] = {
+        "input/select": select,
+        "input/bars": Path(bars).name,
+        "input/lengths": lengths,
+        "input/pin": pin,
+    }
+    return structure.framework(bars, lengths, pin), values
 
 
 def _write_topology(

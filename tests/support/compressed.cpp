@@ -57,7 +57,8 @@ std::string xzed_for_much_memory(const std::string& text) {
   std::string out = xzed(text);
   if (out.empty()) return out;
   const std::size_t size = static_cast<unsigned char>(out[header]) * std::size_t{4};
-  out[header + 4] = 40;  // the dictionary's size, behind the filter's name
+  const std::size_t filter = out.find("\x21\x01", header);  // LZMA2, one byte of properties
+  out[filter + 2] = 36;
   const auto* block = reinterpret_cast<const Bytef*>(out.data() + header);
   unsigned long check = ::crc32(0, block, static_cast<uInt>(size));
   for (std::size_t byte = 0; byte < 4; ++byte, check >>= 8)

@@ -9,7 +9,7 @@ namespace pliant {
 namespace {
 
 /// Names come from files, labels go to terminals.
-std::string printable(std::string_view text) {
+std::string ascii(std::string_view text) {
   std::string in_quotes = quoted(text);
   return in_quotes.substr(1, in_quotes.size() - 2);
 }
@@ -24,13 +24,12 @@ void check_column(std::string_view name, std::size_t size, std::size_t atoms) {
 
 std::string AtomTable::label(std::size_t atom) const {
   const Residue& residue = residues[residue_of[atom]];
-  if (residues.size() == 1 && residue.name.empty()) return printable(names[atom]);
-  if (residues.size() == 1)
-    return printable(names[atom]) + "(" + std::to_string(serials[atom]) + ")";
-  std::string text = residue.chain.empty() ? "" : printable(residue.chain) + ":";
-  text += printable(residue.name) + std::to_string(residue.number);
-  if (residue.insertion_code != ' ') text += printable({&residue.insertion_code, 1});
-  return text + ":" + printable(names[atom]);
+  if (residues.size() == 1 && residue.name.empty()) return ascii(names[atom]);
+  if (residues.size() == 1) return ascii(names[atom]) + "(" + std::to_string(serials[atom]) + ")";
+  std::string text = residue.chain.empty() ? "" : ascii(residue.chain) + ":";
+  text += ascii(residue.name) + std::to_string(residue.number);
+  if (residue.insertion_code != ' ') text += ascii({&residue.insertion_code, 1});
+  return text + ":" + ascii(names[atom]);
 }
 
 void check(const AtomTable& atoms) {

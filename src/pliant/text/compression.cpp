@@ -5,7 +5,7 @@
 #include <array>
 
 #include "pliant/base/error.hpp"
-#include "pliant/text/bzip2.hpp"
+#include "pliant/text/bzip.hpp"
 #include "pliant/text/file_text.hpp"
 #include "pliant/text/gzip.hpp"
 #include "pliant/text/xz.hpp"
@@ -20,7 +20,7 @@ constexpr std::string_view xz_magic =
     "\xfd"
     "7zXZ\0"sv;
 
-const std::array<Compression, 6> table{{
+const std::array<Compression, 6> known_compressions{{
     {"gzip", ".gz", "\x1f\x8b"sv, "zlib", make_gzip_decoder},
     {"bzip2", ".bz2", "BZh"sv, "libbz2", make_bzip2_decoder},
     {"xz", ".xz", xz_magic, "liblzma", make_xz_decoder},
@@ -76,10 +76,10 @@ class Expander {
 }  // namespace
 
 const Compression* compression_of(std::string_view bytes) {
-  const auto row = std::find_if(table.begin(), table.end(), [&](const Compression& compression) {
-    return bytes.starts_with(compression.magic);
-  });
-  return row == table.end() ? nullptr : &*row;
+  const auto row = std::find_if(
+      known_compressions.begin(), known_compressions.end(),
+      [&](const Compression& compression) { return bytes.starts_with(compression.magic); });
+  return row == known_compressions.end() ? nullptr : &*row;
 }
 
 std::string expand(const Compression& compression, std::string_view bytes, std::string_view name,
@@ -109,9 +109,9 @@ std::filesystem::path without_compression_suffix(const std::filesystem::path& pa
   std::string suffix = path.extension().string();
   std::transform(suffix.begin(), suffix.end(), suffix.begin(),
                  [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  const bool is_read = std::any_of(table.begin(), table.end(), [&](const Compression& row) {
-    return row.decoder != nullptr && row.suffix == suffix;
-  });
+  const bool is_read = std::any_of(
+      known_compressions.begin(), known_compressions.end(),
+      [&](const Compression& row) { return row.decoder != nullptr && row.suffix == suffix; });
   return is_read ? path.parent_path() / path.stem() : path;
 }
 

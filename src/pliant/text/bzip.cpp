@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/text/bzip2.hpp"
+#include "pliant/text/bzip.hpp"
 
 #ifdef PLIANT_HAS_BZIP2
 
