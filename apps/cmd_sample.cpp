@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // pliant sample: an ensemble of what a molecule can do. A molecule in, an H5MD trajectory out.
 #include <filesystem>
+#include <utility>
 
 #include "command.hpp"
 #include "frame_output.hpp"
@@ -61,6 +62,7 @@ Frame recorded(const SampledFrame& sampled) {
 
 SampleSummary sample_to_file(const SampleSettings& settings, const MolecularModel& model,
                              const Log& log) {
+  NetworkNodes nodes = nodes_of(model);
   FrameOutput recorder(settings.output, model.framework, header_of(settings, model),
                        settings.record);
   write_topology(settings, model, log);
@@ -68,7 +70,7 @@ SampleSummary sample_to_file(const SampleSettings& settings, const MolecularMode
   SampleOptions options = settings.sample;
   options.should_stop = interrupted;
   std::int64_t done = 0;
-  SampleSummary summary = sample(model.framework, model.positions, nodes_of(model), options,
+  SampleSummary summary = sample(model.framework, model.positions, std::move(nodes), options,
                                  [&](const SampledFrame& frame) {
                                    recorder.record(recorded(frame));
                                    progress.show(++done);

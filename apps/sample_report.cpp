@@ -16,6 +16,14 @@ std::string worst_bar_of(const MolecularModel& model, const SampleSummary& summa
   return framework.bar_count() == 0 ? "" : framework.label(framework.bars()[summary.worst_bar]);
 }
 
+void print_worst(const MolecularModel& model, const SampleSummary& summary) {
+  if (model.framework.bar_count() > 0)
+    fmt::print("worst bar       {} off by {:.1e} of its length\n", worst_bar_of(model, summary),
+               summary.max_residual);
+  fmt::print("worst contact   off by {:.3f} A; worst overlap {:.3f} A\n", summary.max_limit,
+             summary.max_overlap);
+}
+
 double ms_a_frame(const SampleSummary& summary) {
   return 1e3 * summary.cpu_seconds / double(std::max<std::int64_t>(summary.frames, 1));
 }
@@ -45,10 +53,7 @@ void print_sample_table(const SampleSettings& settings, const MolecularModel& mo
              mean_of(summary.rmsf), mean_of(summary.rmsf_error));
   fmt::print("drawn again     {} frames; {} more took a second way\n", summary.redrawn,
              std::max<std::int64_t>(0, summary.rescued - summary.redrawn));
-  fmt::print("worst bar       {} off by {:.1e} of its length\n", worst_bar_of(model, summary),
-             summary.max_residual);
-  fmt::print("worst contact   off by {:.3f} A; worst overlap {:.3f} A\n", summary.max_limit,
-             summary.max_overlap);
+  print_worst(model, summary);
   fmt::print("time            {:.2f} s; {:.2f} ms of a core a frame\n", summary.seconds,
              ms_a_frame(summary));
   if (summary.failed > 0)

@@ -8,6 +8,7 @@
 #include "frame_output.hpp"
 #include "output_files.hpp"
 #include "pliant/base/choices.hpp"
+#include "pliant/base/error.hpp"
 #include "pliant/model/residue_nodes.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/samplers.hpp"
@@ -87,6 +88,9 @@ MolecularModel load_model(SampleSettings& settings, const Log& log) {
 
 NetworkNodes nodes_of(const MolecularModel& model) {
   ResidueNodes found = residue_nodes(model.structure);
+  if (found.positions.size() < 2)
+    throw InputError(at({model.structure.source},
+                        "holds one residue or atom: an ensemble needs two that can move apart"));
   return {std::move(found.positions), std::move(found.chain), std::move(found.of_atom)};
 }
 

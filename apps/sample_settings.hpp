@@ -34,7 +34,7 @@ void complete(SampleSettings& settings);
 /// as the library does.
 MolecularModel load_model(SampleSettings& settings, const Log& log);
 
-/// The nodes of the elastic network of a model.
+/// The nodes of the elastic network of a model. Throws InputError where there are fewer than two.
 NetworkNodes nodes_of(const MolecularModel& model);
 
 /// Every option as it is stored below /parameters.

