@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "command.hpp"
+#include "frame_output.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "output_files.hpp"
@@ -33,6 +34,7 @@ void check_outputs(const RunSettings& settings) {
   inputs.insert(inputs.end(), {settings.forces, settings.ordering});
   refuse_same_files(inputs, {settings.output});
   check_trajectory_name(settings.output);
+  check_record_options(settings.output, settings.record);
   refuse_same_files(inputs, outputs_of(settings));
 }
 
@@ -73,6 +75,7 @@ int command_run(const Arguments& arguments) {
       "Examples:\n"
       "  pliant run caffeine.sdf\n"
       "  pliant run protein.pdb -o out.h5md --steps 10000 --every 10 --technique blocks\n"
+      "  pliant run protein.pdb -o movie.pdb --every 10\n"
       "  pliant run protein.pdb --perturb displacement --pin \"chainID A\" --walkers 8\n"
       "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge,\n"
       "130 ended early by Ctrl-C, with all frames complete.");

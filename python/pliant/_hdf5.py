@@ -119,10 +119,18 @@ def _step(group: h5py.Group, name: str, left: list[int]) -> Item | None:
         if left[0] < 0:
             raise refused(group, name, "is a link that leads in a circle")
         return _follow(group, link.path, left)
-    found = _guarded(group, name, lambda: group[name])
+    found = _guarded(group, name, lambda: _opened(group, name))
     if isinstance(found, h5py.Dataset) and (found.external or found.is_virtual):
         raise refused(group, name, "has its values in other files, which are not read")
     return found if isinstance(found, (h5py.Group, h5py.Dataset)) else None
+
+
+def _opened(group: h5py.Group, name: str) -> Any:
+    """What a link leads to. h5py's KeyError says that it is damaged: the link is there."""
+    try:
+        return group[name]
+    except KeyError as error:
+        raise OSError(error.args[0]) from error
 
 
 def refused(parent: Item, name: str, why: str) -> InputError:

@@ -81,7 +81,7 @@ def run(
         Where to start. A State is changed in place; positions are copied. Default: those of the
         structure.
     output : str or path, optional
-        H5MD file to write.
+        H5MD file to write, or a PDB file of a model a frame where the name ends in .pdb.
     topology : str or path, optional
         PDB file to write as well, with the names and bonds of the structure.
     steps, every : int
@@ -161,12 +161,18 @@ def run(
         walker=walker,
     )
     start = _start(state, structure)
+    _check_name(output)
     _refuse_to_overwrite(structure, output, topology, record_forces)
     forces = _force_recorder(record_forces, framework, options, overwrite)
     if topology is not None:
         _write_topology(topology, structure, start, overwrite)
     if output is None:
         return _core.run_steps(framework, start, options, list(observers), forces)
+    if Path(output).suffix.lower() in (".pdb", ".ent"):
+        if structure is None:
+            raise TypeError("run: models of a PDB file need a structure")
+        with _core.PdbRecorder(output, structure, overwrite=overwrite) as models:
+            return _core.run_steps(framework, start, options, [models, *observers], forces)
     recorder = _core.H5mdRecorder(
         output,
         framework,
@@ -194,6 +200,15 @@ def _opened(
         graph = _core.read_graph_xml(source)
         return graph.framework, graph.positions if state is None else state
     return _core.read(source), state
+
+
+def _check_name(output: str | os.PathLike[str] | None) -> None:
+    ending = "" if output is None else Path(output).suffix.lower()
+    if ending in (".dcd", ".trr", ".xtc", ".xyz"):
+        raise _core.OptionError(
+            f"output {os.fspath(output or '')}: trajectories are written as H5MD or PDB; "
+            f"pliant convert makes {ending[1:].upper()} of them"
+        )
 
 
 def _write_topology(

@@ -8,6 +8,7 @@ import os
 import pathlib
 import sys
 import tempfile
+import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -203,7 +204,8 @@ def _write_with_mdanalysis(
     universe = to_mdanalysis(structure)
     options = {"precision": 5} if output.lower().endswith(".xyz") else {}
     count = 0
-    with _beside(output, overwrite) as path:
+    with _beside(output, overwrite) as path, warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of boxes and names that are not there
         with MDAnalysis.Writer(path, n_atoms=len(structure), **options) as writer:
             for moment in frames:
                 step = universe.trajectory.ts

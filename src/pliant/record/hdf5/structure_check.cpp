@@ -171,7 +171,7 @@ void read_old_superblock(StructureWalk& walk, StructureFields& fields, std::uint
   fields.require(kind <= 1, "has a root of an unknown kind");
   walk.block(0, fields.position(), "superblock");
   walk.visit_later(root);
-  if (kind == 1) check_symbol_table(walk, tree, heap);
+  if (kind == 1) walk.visit_later({tree, heap});
 }
 
 void read_new_superblock(StructureWalk& walk, StructureFields& fields) {
@@ -205,7 +205,14 @@ bool check_hdf5_structure(const std::filesystem::path& path) {
   const StructureFile file(path);
   StructureWalk walk(file);
   read_superblock(walk);
-  while (const auto object = walk.next_object()) ObjectHeader(walk, *object).check();
+  bool is_done = false;
+  while (!is_done) {
+    const auto object = walk.next_object();
+    if (object) ObjectHeader(walk, *object).check();
+    const auto table = walk.next_table();
+    if (table) check_symbol_table(walk, *table);
+    is_done = !object && !table;
+  }
   walk.check_overlaps();
   return walk.is_complete();
 }

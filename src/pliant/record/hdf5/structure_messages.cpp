@@ -242,7 +242,7 @@ void add_known_message(StructureWalk& walk, const HeaderMessage& message, Object
     case symbol_table: {
       facts.has_links = true;
       const std::uint64_t tree = fields.number(8);
-      return check_symbol_table(walk, tree, fields.number(8));
+      return walk.visit_later({tree, fields.number(8)});
     }
     case nothing:
     case group_info:
