@@ -31,11 +31,11 @@ FORMATS = {
 }
 
 EPILOG = """\
-The name of OUT says the format: .pdb (a model a frame), .dcd, .xtc, .trr or .xyz. PDB is written by
-Pliant itself, the others by MDAnalysis (pip install "pliant[analysis]"). H5MD has every digit: PDB
-and XYZ keep 0.001 and 0.00001 Angstrom, XTC 0.01, DCD and TRR 32-bit floats. Observables and bars stay
-behind; PDB has names and bonds, DCD, XTC and TRR have positions only: open them with OUT's .pdb of
-pliant run --topology.
+The name of OUT says the format: .pdb (a model a frame), .dcd, .xtc, .trr or .xyz. PDB is written
+by Pliant itself, the others by MDAnalysis (pip install "pliant[analysis]"). H5MD has every digit:
+PDB keeps 0.001 Angstrom, XYZ 0.00001, XTC 0.01, DCD and TRR 32-bit floats. Observables and bars are
+left out. DCD, XTC and TRR have positions only: open them with the PDB file that pliant run writes
+beside its trajectory.
 
 exit codes: 0 done, 1 bad input or file, 2 bad option or missing package
 

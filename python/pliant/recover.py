@@ -51,9 +51,9 @@ OBSERVABLES = (
 ).split()
 
 EPILOG = """\
-Every frame whose position, step and time can be read is kept, and so are the observables, names,
-bonds, bars and options that can be. Values have no checksums: a wrong digit of a coordinate cannot be
-told from a right one. BROKEN is not changed.
+Every frame that can be read is kept, wherever it is, with its step and time, and so are the
+observables, names, bonds, bars and options that can be read. Coordinates have no checksums: a wrong
+digit cannot be told from a right one. BROKEN is not changed.
 
 exit codes: 0 frames were saved, 1 none, 2 bad option
 

@@ -186,12 +186,22 @@ void read_new_superblock(StructureWalk& walk, StructureFields& fields) {
   if (extension != no_address) walk.leave_unchecked();
 }
 
+bool has_signature(std::span<const std::byte> bytes) {
+  return bytes.size() >= sizeof file_signature &&
+         std::memcmp(bytes.data(), file_signature, sizeof file_signature) == 0;
+}
+
+/// Something else may come first, which no program that we know does to trajectories.
+void pass_user_block(StructureWalk& walk) {
+  for (std::uint64_t at = 512; at + 100 < walk.file_size(); at *= 2)
+    if (has_signature(walk.read(at, sizeof file_signature))) return walk.leave_unchecked();
+  throw InputError("is not an HDF5 file");
+}
+
 void read_superblock(StructureWalk& walk) {
   constexpr std::uint64_t longest = 100;
   const auto bytes = walk.read(0, std::min(longest, walk.file_size()));
-  if (bytes.size() < sizeof file_signature ||
-      std::memcmp(bytes.data(), file_signature, sizeof file_signature) != 0)
-    throw InputError("is not an HDF5 file");
+  if (!has_signature(bytes)) return pass_user_block(walk);
   StructureFields fields(bytes, "superblock");
   fields.skip(sizeof file_signature);
   const std::uint64_t version = fields.number(1);
