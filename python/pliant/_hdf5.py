@@ -2,8 +2,8 @@
 """HDF5 files that may be damaged or made to do harm: what is read from them, and what is refused.
 
 The structure of a file is looked at before HDF5 does, which a wrong byte can crash. Objects are
-opened one link at a time, so that links in circles and links to other files are seen before they are
-followed. Memory is taken for what a file holds, never for what it says to hold.
+opened one link at a time, so that links in circles and links to other files are seen before they
+are followed. Memory is taken for what a file holds, never for what it says to hold.
 """
 
 from __future__ import annotations

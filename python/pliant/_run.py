@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
 from pliant import _core
+from pliant._output_names import check_trajectory_name, is_pdb_name
 
 #: What an observer is: it looks at a frame, and anything true that it returns ends the run.
 Observer = Callable[[_core.Frame], object]
@@ -161,18 +163,13 @@ def run(
         walker=walker,
     )
     start = _start(state, structure)
-    _check_name(output)
     _refuse_to_overwrite(structure, output, topology, record_forces)
     forces = _force_recorder(record_forces, framework, options, overwrite)
     if topology is not None:
         _write_topology(topology, structure, start, overwrite)
-    if output is None:
-        return _core.run_steps(framework, start, options, list(observers), forces)
-    if Path(output).suffix.lower() in (".pdb", ".ent"):
-        if structure is None:
-            raise TypeError("run: models of a PDB file need a structure")
-        with _core.PdbRecorder(output, structure, overwrite=overwrite) as models:
-            return _core.run_steps(framework, start, options, [models, *observers], forces)
+    if output is None or is_pdb_name(output):
+        steps_to = partial(_core.run_steps, framework, start, options)
+        return _without_h5md(steps_to, output, structure, overwrite, observers, forces)
     recorder = _core.H5mdRecorder(
         output,
         framework,
@@ -202,13 +199,21 @@ def _opened(
     return _core.read(source), state
 
 
-def _check_name(output: str | os.PathLike[str] | None) -> None:
-    ending = "" if output is None else Path(output).suffix.lower()
-    if ending in (".dcd", ".trr", ".xtc", ".xyz"):
-        raise _core.OptionError(
-            f"output {os.fspath(output or '')}: trajectories are written as H5MD or PDB; "
-            f"pliant convert makes {ending[1:].upper()} of them"
-        )
+def _without_h5md(
+    steps_to: Callable[..., _core.RunSummary],
+    output: str | os.PathLike[str] | None,
+    structure: _core.Structure | None,
+    overwrite: bool,
+    observers: Sequence[Observer],
+    forces: _core.ForceRecorder | None,
+) -> _core.RunSummary:
+    """A run that writes no frames, or models of a PDB file."""
+    if output is None:
+        return steps_to(list(observers), forces)
+    if structure is None:
+        raise TypeError("run: models of a PDB file need a structure")
+    with _core.PdbRecorder(output, structure, overwrite=overwrite) as models:
+        return steps_to([models, *observers], forces)
 
 
 def _write_topology(
@@ -223,11 +228,15 @@ def _write_topology(
 
 
 def _refuse_to_overwrite(
-    structure: _core.Structure | None, *outputs: str | os.PathLike[str] | None
+    structure: _core.Structure | None,
+    trajectory: str | os.PathLike[str] | None,
+    *others: str | os.PathLike[str] | None,
 ) -> None:
+    if trajectory is not None:
+        check_trajectory_name(trajectory)
     if structure is None or not os.path.exists(structure.source):
         return
-    for output in outputs:
+    for output in (trajectory, *others):
         if output and os.path.exists(output) and os.path.samefile(output, structure.source):
             raise _core.OptionError(f"{os.fspath(output)}: is both input and output")
 

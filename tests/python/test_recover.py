@@ -107,7 +107,8 @@ def test_nothing_to_save_makes_no_file(tmp_path, content, capsys):
     path, out = tmp_path / "no.h5md", tmp_path / "out.h5md"
     path.write_bytes(content)
     assert main([str(path), "-o", str(out)]) == 1
-    assert capsys.readouterr().err.startswith(f"pliant recover: error: {path}: no frame can be read")
+    wanted = f"pliant recover: error: {path}: no frame can be read"
+    assert capsys.readouterr().err.startswith(wanted)
     assert not out.exists()
 
 
