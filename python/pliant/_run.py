@@ -174,9 +174,7 @@ def run(
         output,
         framework,
         structure=structure,
-        parameters=_parameters(framework, structure, options, single, compress)
-        | built
-        | dict(parameters or {}),
+        parameters=_parameters(framework, structure, options, single, compress, built, parameters),
         overwrite=overwrite,
         single=single,
         compress=compress,
@@ -204,7 +202,7 @@ def _without_h5md(
     output: str | os.PathLike[str] | None,
     structure: _core.Structure | None,
     overwrite: bool,
-    observers: Sequence[Observer],
+    observers: Iterable[Observer],
     forces: _core.ForceRecorder | None,
 ) -> _core.RunSummary:
     """A run that writes no frames, or models of a PDB file."""
@@ -290,8 +288,10 @@ def _parameters(
     options: _core.RunOptions,
     single: bool,
     compress: bool,
+    built: Mapping[str, Value],
+    more: Mapping[str, Value] | None,
 ) -> dict[str, Value]:
     values: dict[str, Value] = {"record/single": single, "record/compress": compress}
     if structure is not None and structure.source:
         values |= {"input/file": Path(structure.source).name, "input/model": structure.model}
-    return values | options.parameters(framework)
+    return values | options.parameters(framework) | dict(built) | dict(more or {})

@@ -81,8 +81,8 @@ def recover(
 ) -> Recovery:
     """Copies what can be read of a damaged H5MD file.
 
-    Raises InputError where no frame can be read, FileError where `good` exists or cannot be written;
-    OptionError if both are one file. `good` exists only if frames were saved.
+    Raises InputError where no frame can be read, FileError where `good` exists or cannot be
+    written, OptionError if both are one file. `good` exists only if frames were saved.
     """
     broken, good = os.fspath(broken), os.fspath(good)
     _refuse(broken, good, overwrite)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A file that is being written is read, by every reader and at any moment, and is never "damaged"."""
+"""A file that is being written is read by every reader at any moment, and is never "damaged"."""
 
 import os
 import subprocess

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""pliant convert: what MDAnalysis and gemmi read back is what was recorded, to a format's digits."""
+"""pliant convert: MDAnalysis and gemmi read back what was recorded, to a format's digits."""
 
 import subprocess
 import sys
