@@ -6,6 +6,7 @@
 
 #include "command.hpp"
 #include "continue_run.hpp"
+#include "frame_output.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "output_files.hpp"
@@ -35,6 +36,7 @@ void check_outputs(const RunSettings& settings) {
   inputs.insert(inputs.end(), {settings.forces, settings.ordering});
   refuse_same_files(inputs, {settings.output});
   check_trajectory_name(settings.output);
+  check_record_options(settings.output, settings.record);
   refuse_same_files(inputs, outputs_of(settings));
 }
 
@@ -70,6 +72,7 @@ int command_run(const Arguments& arguments) {
       "Examples:\n"
       "  pliant run caffeine.sdf\n"
       "  pliant run protein.pdb -o out.h5md --steps 10000 --every 10 --technique blocks\n"
+      "  pliant run protein.pdb -o movie.pdb --every 10\n"
       "  pliant run protein.pdb --perturb displacement --pin \"chainID A\" --walkers 8\n"
       "  pliant run --continue out.h5md                after its end, Ctrl-C or a crash\n"
       "  pliant run --continue out.h5md --steps 20000\n"

@@ -28,6 +28,7 @@ H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model
 void check_outputs(const SampleSettings& settings) {
   refuse_same_files(inputs_of(settings.molecule), {settings.output});
   check_trajectory_name(settings.output);
+  check_record_options(settings.output, settings.record);
   std::vector<std::string> outputs{settings.output};
   if (settings.topology != "none") outputs.push_back(settings.topology);
   refuse_same_files(inputs_of(settings.molecule), outputs);

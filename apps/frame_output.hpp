@@ -15,6 +15,9 @@ namespace pliant::app {
 /// Whether the name is one of PDB (.pdb, .ent).
 bool is_pdb_name(const std::string& output);
 
+/// Throws OptionError if options of H5MD are given for a PDB file.
+void check_record_options(const std::string& output, const H5mdOptions& options);
+
 /// Records frames in the format that the name asks for.
 class FrameOutput {
  public:

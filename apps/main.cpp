@@ -26,6 +26,8 @@ constexpr Command commands[] = {
     {"check", "check a trajectory against OpenMM", nullptr},
     {"analyse", "make figures, tables and an HTML report of a trajectory", nullptr},
     {"compare", "compare a trajectory with one of OpenMM or another program", nullptr},
+    {"convert", "write a trajectory as DCD, XTC, TRR, XYZ or PDB", nullptr},
+    {"recover", "copy what can be read of a damaged trajectory", nullptr},
     {"experiment", "compare techniques on random graphs, judge the claims of the thesis", nullptr},
     {"bench", "measure time and error of every technique, beside OpenMM", nullptr},
 };

@@ -2,8 +2,8 @@
 """HDF5 files that may be damaged or made to do harm: what is read from them, and what is refused.
 
 The structure of a file is looked at before HDF5 does, which a wrong byte can crash. Objects are
-opened one link at a time, so that links in circles and links to other files are seen before they are
-followed. Memory is taken for what a file holds, never for what it says to hold.
+opened one link at a time, so that links in circles and links to other files are seen before they
+are followed. Memory is taken for what a file holds, never for what it says to hold.
 """
 
 from __future__ import annotations
@@ -119,10 +119,18 @@ def _step(group: h5py.Group, name: str, left: list[int]) -> Item | None:
         if left[0] < 0:
             raise refused(group, name, "is a link that leads in a circle")
         return _follow(group, link.path, left)
-    found = _guarded(group, name, lambda: group[name])
+    found = _guarded(group, name, lambda: _opened(group, name))
     if isinstance(found, h5py.Dataset) and (found.external or found.is_virtual):
         raise refused(group, name, "has its values in other files, which are not read")
     return found if isinstance(found, (h5py.Group, h5py.Dataset)) else None
+
+
+def _opened(group: h5py.Group, name: str) -> Any:
+    """What a link leads to. h5py's KeyError says that it is damaged: the link is there."""
+    try:
+        return group[name]
+    except KeyError as error:
+        raise OSError(error.args[0]) from error
 
 
 def refused(parent: Item, name: str, why: str) -> InputError:

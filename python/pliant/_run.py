@@ -5,12 +5,14 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
 from pathlib import Path
 
 import numpy as np
 import numpy.typing as npt
 
 from pliant import _core
+from pliant._output_names import check_trajectory_name, is_pdb_name
 
 #: What an observer is: it looks at a frame, and anything true that it returns ends the run.
 Observer = Callable[[_core.Frame], object]
@@ -82,7 +84,7 @@ def run(
         Where to start. A State is changed in place; positions are copied. Default: those of the
         structure.
     output : str or path, optional
-        H5MD file to write.
+        H5MD file to write, or a PDB file of a model a frame where the name ends in .pdb.
     topology : str or path, optional
         PDB file to write as well, with the names and bonds of the structure.
     steps, every : int
@@ -168,15 +170,14 @@ def run(
     forces = _force_recorder(record_forces, framework, options, overwrite)
     if topology is not None:
         _write_topology(topology, structure, start, overwrite)
-    if output is None:
-        return _core.run_steps(framework, start, options, list(observers), forces)
+    if output is None or is_pdb_name(output):
+        steps_to = partial(_core.run_steps, framework, start, options)
+        return _without_h5md(steps_to, output, structure, overwrite, observers, forces)
     recorder = _core.H5mdRecorder(
         output,
         framework,
         structure=structure,
-        parameters=_parameters(framework, structure, options, single, compress)
-        | built
-        | dict(parameters or {}),
+        parameters=_parameters(framework, structure, options, single, compress, built, parameters),
         overwrite=overwrite,
         single=single,
         compress=compress,
@@ -220,6 +221,23 @@ def _built(
     return structure.framework(bars, lengths, pin), values
 
 
+def _without_h5md(
+    steps_to: Callable[..., _core.RunSummary],
+    output: str | os.PathLike[str] | None,
+    structure: _core.Structure | None,
+    overwrite: bool,
+    observers: Iterable[Observer],
+    forces: _core.ForceRecorder | None,
+) -> _core.RunSummary:
+    """A run that writes no frames, or models of a PDB file."""
+    if output is None:
+        return steps_to(list(observers), forces)
+    if structure is None:
+        raise TypeError("run: models of a PDB file need a structure")
+    with _core.PdbRecorder(output, structure, overwrite=overwrite) as models:
+        return steps_to([models, *observers], forces)
+
+
 def _write_topology(
     path: str | os.PathLike[str],
     structure: _core.Structure | None,
@@ -232,11 +250,15 @@ def _write_topology(
 
 
 def _refuse_to_overwrite(
-    structure: _core.Structure | None, *outputs: str | os.PathLike[str] | None
+    structure: _core.Structure | None,
+    trajectory: str | os.PathLike[str] | None,
+    *others: str | os.PathLike[str] | None,
 ) -> None:
+    if trajectory is not None:
+        check_trajectory_name(trajectory)
     if structure is None or not os.path.exists(structure.source):
         return
-    for output in outputs:
+    for output in (trajectory, *others):
         if output and os.path.exists(output) and os.path.samefile(output, structure.source):
             raise _core.OptionError(f"{os.fspath(output)}: is both input and output")
 
@@ -290,8 +312,10 @@ def _parameters(
     options: _core.RunOptions,
     single: bool,
     compress: bool,
+    built: Mapping[str, Value],
+    more: Mapping[str, Value] | None,
 ) -> dict[str, Value]:
     values: dict[str, Value] = {"record/single": single, "record/compress": compress}
     if structure is not None and structure.source:
         values |= {"input/file": Path(structure.source).name, "input/model": structure.model}
-    return values | options.parameters(framework)
+    return values | options.parameters(framework) | dict(built) | dict(more or {})

@@ -22,7 +22,7 @@ import numpy as np
 
 from pliant import _hdf5
 
-#: Seconds for one piece.
+#: Seconds of the processor for one piece.
 MOST_SECONDS = 20
 #: Bytes of memory of a process that reads.
 MOST_BYTES = 4 << 30
@@ -91,12 +91,12 @@ def _send(path: str, pieces: Sequence[tuple[str, Piece]], pipe: int) -> NoReturn
     try:
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         resource.setrlimit(resource.RLIMIT_AS, (MOST_BYTES, MOST_BYTES))
-        for number in (signal.SIGSEGV, signal.SIGABRT, signal.SIGALRM, signal.SIGBUS):
+        for number in (signal.SIGSEGV, signal.SIGABRT, signal.SIGPROF, signal.SIGBUS):
             signal.signal(number, signal.SIG_DFL)
         os.dup2(os.open(os.devnull, os.O_WRONLY), 2)  # what a crash prints
         with os.fdopen(pipe, "wb") as out:
             for name, piece in pieces:
-                signal.alarm(MOST_SECONDS)
+                signal.setitimer(signal.ITIMER_PROF, MOST_SECONDS)
                 pickle.dump(_message(path, name, piece), out)
                 out.flush()
     finally:

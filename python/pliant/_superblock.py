@@ -16,19 +16,17 @@ def mend_superblock(path: str) -> str:
     """Mends the superblock (version 0) of a file in place. Returns what was wrong, or ""."""
     with open(path, "r+b") as file:
         start = file.read(96)
-        if len(start) < 96 or start[8:9] not in (b"\0", b"\1") and start[:8] == SIGNATURE:
+        if len(start) < 96 or (start[:8] == SIGNATURE and start[8] != 0):
             return ""
         size = os.fstat(file.fileno()).st_size
         stated = int.from_bytes(start[END : END + 8], "little")
-        mended = SIGNATURE + OLD_HEAD + bytes(8) + NOWHERE + start[END : END + 8] + NOWHERE
+        head = start[:END]
         faults = []
-        if start[: END] + start[END + 8 : 56] != mended[: END] + mended[END + 8 : 56]:
+        if start[:16] != SIGNATURE + OLD_HEAD[:8]:
+            head = SIGNATURE + OLD_HEAD + bytes(8) + NOWHERE
             faults.append("had wrong bytes")
-        if stated != size:
+        if stated > size:
             faults.append(f"states {stated} bytes, the file has {size}")
-            mended = mended[:END] + size.to_bytes(8, "little") + mended[END + 8 :]
-        if not faults:
-            return ""
         file.seek(0)
-        file.write(mended)
+        file.write(head + size.to_bytes(8, "little"))
         return ", ".join(faults)

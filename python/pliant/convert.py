@@ -8,6 +8,7 @@ import os
 import pathlib
 import sys
 import tempfile
+import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
@@ -30,11 +31,11 @@ FORMATS = {
 }
 
 EPILOG = """\
-The name of OUT says the format: .pdb (a model a frame), .dcd, .xtc, .trr or .xyz. PDB is written by
-Pliant itself, the others by MDAnalysis (pip install "pliant[analysis]"). H5MD has every digit: PDB
-and XYZ keep 0.001 and 0.00001 Angstrom, XTC 0.01, DCD and TRR 32-bit floats. Observables and bars stay
-behind; PDB has names and bonds, DCD, XTC and TRR have positions only: open them with OUT's .pdb of
-pliant run --topology.
+The name of OUT says the format: .pdb (a model a frame), .dcd, .xtc, .trr or .xyz. PDB is written
+by Pliant itself, the others by MDAnalysis (pip install "pliant[analysis]"). H5MD has every digit:
+PDB keeps 0.001 Angstrom, XYZ 0.00001, XTC 0.01, DCD and TRR 32-bit floats. Observables and bars are
+left out. DCD, XTC and TRR have positions only: open them with the PDB file that pliant run writes
+beside its trajectory.
 
 exit codes: 0 done, 1 bad input or file, 2 bad option or missing package
 
@@ -203,7 +204,8 @@ def _write_with_mdanalysis(
     universe = to_mdanalysis(structure)
     options = {"precision": 5} if output.lower().endswith(".xyz") else {}
     count = 0
-    with _beside(output, overwrite) as path:
+    with _beside(output, overwrite) as path, warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of boxes and names that are not there
         with MDAnalysis.Writer(path, n_atoms=len(structure), **options) as writer:
             for moment in frames:
                 step = universe.trajectory.ts

@@ -17,43 +17,44 @@ import numpy as np
 
 from pliant import _hdf5, console
 from pliant._core import FileError, InputError, OptionError, check_hdf5_structure
+from pliant._recovered_file import (
+    POSITION,
+    TRAJECTORY,
+    SavedFrames,
+    put,
+    write_frames,
+    write_header,
+    write_observable,
+    write_static,
+)
 from pliant._salvage import Salvage, StoredValues, dataset, rows, salvage
 from pliant._superblock import mend_superblock
 
-TRAJECTORY = "particles/trajectory"
-POSITION = f"{TRAJECTORY}/position"
 FRAMES_AT_ONCE = 64
 
-#: Datasets that are the same in all frames: name -> how many axes.
+#: Datasets that are the same in all frames, by group.
 STATIC = {
-    f"{TRAJECTORY}/mass": 1,
-    f"{TRAJECTORY}/species": 1,
-    "connectivity/bars": 2,
-    "connectivity/bonds": 2,
-    "connectivity/limits": 2,
-    **{
-        f"parameters/{name}": None
-        for name in (
-            "framework/rest_length framework/pinned framework/planar limit/least limit/most "
-            "limit/kind limit/energy limit/group sterics/kind sterics/least sterics/own "
-            "sterics/own_least sterics/unit sterics/bonds sterics/bonds_apart "
-            "topology/atom_name topology/element topology/atomic_number topology/atom_serial "
-            "topology/residue_of topology/residue_name topology/residue_number "
-            "topology/insertion_code topology/chain topology/bond_origin topology/bond_order"
-        ).split()
-    },
+    TRAJECTORY: ("mass", "species"),
+    "connectivity": ("bars", "bonds", "limits"),
+    "parameters/framework": ("rest_length", "pinned", "planar"),
+    "parameters/limit": ("least", "most", "kind", "energy", "group"),
+    "parameters/sterics": ("kind", "least", "own", "own_least", "unit", "bonds", "bonds_apart"),
+    "parameters/topology": (
+        *("atom_name", "element", "atomic_number", "atom_serial", "residue_of", "residue_name"),
+        *("residue_number", "insertion_code", "chain", "bond_origin", "bond_order"),
+    ),
 }
 
 #: Observables that are looked for by name where the group cannot be listed.
 OBSERVABLES = (
-    "sweeps projections max_residual rms_residual converged stop root_joint force_x force_y force_z "
-    "max_limit max_overlap"
-).split()
+    *("sweeps", "projections", "max_residual", "rms_residual", "converged", "stop", "root_joint"),
+    *("force_x", "force_y", "force_z", "max_limit", "max_overlap"),
+)
 
 EPILOG = """\
-Every frame whose position, step and time can be read is kept, and so are the observables, names,
-bonds, bars and options that can be. Values have no checksums: a wrong digit of a coordinate cannot be
-told from a right one. BROKEN is not changed.
+Every frame that can be read is kept, wherever it is, with its step and time, and so are the
+observables, names, bonds, bars and options that can be read. Coordinates have no checksums: a wrong
+digit cannot be told from a right one. BROKEN is not changed.
 
 exit codes: 0 frames were saved, 1 none, 2 bad option
 
@@ -80,8 +81,8 @@ def recover(
 ) -> Recovery:
     """Copies what can be read of a damaged H5MD file.
 
-    Raises InputError where no frame can be read, FileError where `good` exists or cannot be written;
-    OptionError if both are one file. `good` exists only if frames were saved.
+    Raises InputError where no frame can be read, FileError where `good` exists or cannot be
+    written, OptionError if both are one file. `good` exists only if frames were saved.
     """
     broken, good = os.fspath(broken), os.fspath(good)
     _refuse(broken, good, overwrite)
@@ -118,33 +119,23 @@ def _rebuild(broken: str, good: str, recovery: Recovery) -> None:
     frames = _read_frames(broken, recovery)
     if frames is None:
         return
-    static = salvage(broken, [(name, dataset(name)) for name in STATIC])
+    tables = [f"{group}/{name}" for group, names in STATIC.items() for name in names]
+    static = salvage(broken, [(name, dataset(name)) for name in tables])
     observables = _read_observables(broken, len(frames.steps), recovery)
     parameters = salvage(broken, [("parameters", _parameters)])
     creator = salvage(broken, [("h5md/creator", _creator)])
-    for part in (static, parameters, creator):
-        recovery.lost.update(part.lost)
     with h5py.File(good, "w", libver=("earliest", "v108")) as file:
-        _write_header(file, creator.found.get("h5md/creator", {}))
-        _write_frames(file, frames)
-        _write_static(file, static, recovery, frames.positions.shape[1])
+        write_header(file, creator.found.get("h5md/creator", {}))
+        write_frames(file, frames)
+        recovery.saved = write_static(file, static, frames.positions.shape[1])
         for name, values in observables.items():
-            _write_observable(file, name, values, frames)
+            write_observable(file, name, values, frames)
         for name, value in parameters.found.get("parameters", {}).items():
             if f"parameters/{name}" not in file:
-                _put(file, f"parameters/{name}", value)
+                put(file, f"parameters/{name}", value)
                 recovery.parameters += 1
-
-
-@dataclass
-class _Frames:
-    """Frames that were read: numbers in the broken file, and what they hold."""
-
-    numbers: np.ndarray
-    positions: np.ndarray  #: (F, N, 3) as stored
-    steps: np.ndarray
-    times: np.ndarray | None
-    units: dict[str, str]
+    for part in (static, parameters, creator):
+        recovery.lost.update(part.lost)
 
 
 def _shape(file: h5py.File) -> tuple[tuple[int, ...], dict[str, str]]:
@@ -158,7 +149,7 @@ def _shape(file: h5py.File) -> tuple[tuple[int, ...], dict[str, str]]:
     }
 
 
-def _read_frames(path: str, recovery: Recovery) -> _Frames | None:
+def _read_frames(path: str, recovery: Recovery) -> SavedFrames | None:
     about = salvage(path, [("shape", _shape)])
     if "shape" not in about.found:
         recovery.lost["positions"] = about.lost.get("shape", "not there")
@@ -173,7 +164,7 @@ def _read_frames(path: str, recovery: Recovery) -> _Frames | None:
     if len(numbers) == 0:
         return None
     recovery.frames = len(numbers)
-    return _Frames(
+    return SavedFrames(
         numbers,
         np.array([blocks[number] for number in numbers]),
         numbers if steps is None else steps[numbers],
@@ -195,7 +186,9 @@ def _column(series: Salvage, name: str, recovery: Recovery) -> np.ndarray | None
 def _read_blocks(path: str, count: int, recovery: Recovery) -> dict[int, np.ndarray]:
     """Frames by number; those of a block that cannot be read are tried one by one."""
     name = f"{POSITION}/value"
-    spans = [(first, min(first + FRAMES_AT_ONCE, count)) for first in range(0, count, FRAMES_AT_ONCE)]
+    spans = [
+        (first, min(first + FRAMES_AT_ONCE, count)) for first in range(0, count, FRAMES_AT_ONCE)
+    ]
     blocks = salvage(path, [(f"{a}", rows(name, a, b)) for a, b in spans])
     frames = {int(a) + k: row for a, block in blocks.found.items() for k, row in enumerate(block)}
     missing = [number for a, b in spans if f"{a}" in blocks.lost for number in range(a, b)]
@@ -234,76 +227,6 @@ def _creator(file: h5py.File) -> dict[str, Any]:
     schema = None if creator is None else _hdf5.plain(_hdf5.attribute(creator, "schema"))
     names = {name: _hdf5.text(creator, name) for name in ("name", "version")}
     return names | ({"schema": schema} if isinstance(schema, int) else {})
-
-
-def _write_header(file: h5py.File, creator: dict[str, Any]) -> None:
-    file.create_group("h5md").attrs["version"] = np.array([1, 1], dtype=np.int32)
-    file.create_group("h5md/author").attrs["name"] = "unknown"
-    group = file.create_group("h5md/creator")
-    for name, value in {"name": "pliant", "version": "", **creator}.items():
-        group.attrs[name] = value
-    box = file.create_group(f"{TRAJECTORY}/box")
-    box.attrs["dimension"] = 3
-    box.attrs["boundary"] = ["none", "none", "none"]
-
-
-def _write_frames(file: h5py.File, frames: _Frames) -> None:
-    chunk = (1, *frames.positions.shape[1:])
-    value = file.create_dataset(
-        f"{POSITION}/value", data=frames.positions, chunks=chunk, maxshape=(None, *chunk[1:])
-    )
-    value.attrs["unit"] = frames.units["value"]
-    file[f"{POSITION}/step"] = frames.steps
-    if frames.times is not None:
-        file[f"{POSITION}/time"] = frames.times
-        file[f"{POSITION}/time"].attrs["unit"] = frames.units["time"]
-
-
-def _write_static(file: h5py.File, static: Salvage, recovery: Recovery, count: int) -> None:
-    for name, stored in static.found.items():
-        if why := _misfit(name, stored, count):
-            recovery.lost[name] = why
-            continue
-        _put(file, name, stored.values)
-        for key, value in stored.attributes.items():
-            file[name].attrs[key] = value
-        recovery.saved.append(name)
-
-
-def _misfit(name: str, stored: StoredValues, count: int) -> str:
-    """Why a dataset cannot be what its name says; "" if it can."""
-    values = np.asarray(stored.values)
-    if name.startswith("connectivity/"):
-        fits = values.ndim == 2 and values.shape[1] == 2 and values.dtype.kind in "iu"
-        if not fits or (values.size and (values.min() < 0 or values.max() >= count)):
-            return "names joints that are not there"
-    per_joint = (f"{TRAJECTORY}/mass", "parameters/topology/atom_name",
-                 "parameters/framework/pinned", "parameters/topology/residue_of")  # fmt: skip
-    if name in per_joint and values.shape != (count,):
-        return f"has not one value for each of {count} joints"
-    if values.dtype.kind == "f" and not np.isfinite(values).all() and "most" not in name:
-        return "has values that are not finite"
-    return ""
-
-
-def _write_observable(
-    file: h5py.File, name: str, stored: StoredValues, frames: _Frames
-) -> None:
-    path = f"observables/{name}"
-    _put(file, f"{path}/value", np.asarray(stored.values)[frames.numbers])
-    for key, value in stored.attributes.items():
-        file[f"{path}/value"].attrs[key] = value
-    for part in ("step", "time"):
-        if f"{POSITION}/{part}" in file:
-            file[f"{path}/{part}"] = file[f"{POSITION}/{part}"]
-
-
-def _put(file: h5py.File, path: str, value: Any) -> None:
-    """A dataset of the type that h5py read: enumerations and fixed texts stay what they are."""
-    dtype = getattr(value, "dtype", None)
-    if dtype is not None and dtype.kind == "U":
-        dtype = h5py.string_dtype()
-    file.create_dataset(path, data=value, dtype=dtype)
 
 
 def make_parser() -> console.Parser:

@@ -22,6 +22,8 @@ PAGES = {
     "pliant-check": ["check", "--help"],
     "pliant-analyse": ["analyse", "--help"],
     "pliant-compare": ["compare", "--help"],
+    "pliant-convert": ["convert", "--help"],
+    "pliant-recover": ["recover", "--help"],
     "pliant-experiment": ["experiment", "--help"],
     "pliant-experiment-report": ["experiment", "report", "--help"],
     "pliant-experiment-sweep": ["experiment", "sweep", "--help"],

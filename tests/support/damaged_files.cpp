@@ -5,7 +5,6 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <new>
 
 #include "pliant/base/error.hpp"
@@ -46,8 +45,8 @@ constexpr bool has_shadow = false;
   const rlimit none{0, 0}, memory{most_bytes, most_bytes};
   ::setrlimit(RLIMIT_CORE, &none);
   if (!has_shadow) ::setrlimit(RLIMIT_AS, &memory);
-  ::signal(SIGALRM, SIG_DFL);
-  ::alarm(seconds);
+  const rlimit time{seconds, seconds};
+  ::setrlimit(RLIMIT_CPU, &time);
   try {
     read();
   } catch (const Error&) {

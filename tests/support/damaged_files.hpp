@@ -16,7 +16,7 @@ std::string with_a_flip(const std::string& bytes, std::uint64_t number);
 std::string with_a_damage(const std::string& bytes, std::uint64_t number);
 
 /// How reading a file in a forked process ended: "" well, or by an exception of ours; else what
-/// killed it: a signal, more than `seconds`, or more than 1 GiB of memory.
-std::string death_of(const std::function<void()>& read, unsigned seconds = 20);
+/// killed it: a signal, more than `seconds` of the processor, or more than 1 GiB of memory.
+std::string death_of(const std::function<void()>& read, unsigned seconds = 10);
 
 }  // namespace pliant::test

@@ -53,8 +53,8 @@ def read_record(path: str | bytes | os.PathLike[str]) -> RunRecord | None:
     """Reads the RunRecord of an H5MD file; None if the file is not HDF5 with /particles.
 
     What is there but has not the shape it should have is left out. Raises FileError when the file
-    cannot be read or is being written without a rest, and InputError where links lead to other files or in a circle, the file does
-    not hold what it says, or a tolerance is no number above 0.
+    cannot be read, and InputError where it is damaged, links lead to other files or in a circle,
+    the file does not hold what it says, or a tolerance is no number above 0.
     """
     name = os.fsdecode(path)
     if not h5py.is_hdf5(name):

@@ -92,7 +92,7 @@ class StoredPositions:
 
     def _open(self) -> h5py.File:
         if self._file is None:
-            self._file = _hdf5.open_file(self._path)
+            self._file = _hdf5.open_file(self._path or "")
         return self._file
 
     def close(self) -> None:

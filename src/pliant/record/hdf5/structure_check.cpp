@@ -171,7 +171,7 @@ void read_old_superblock(StructureWalk& walk, StructureFields& fields, std::uint
   fields.require(kind <= 1, "has a root of an unknown kind");
   walk.block(0, fields.position(), "superblock");
   walk.visit_later(root);
-  if (kind == 1) check_symbol_table(walk, tree, heap);
+  if (kind == 1) walk.visit_later({tree, heap});
 }
 
 void read_new_superblock(StructureWalk& walk, StructureFields& fields) {
@@ -186,12 +186,22 @@ void read_new_superblock(StructureWalk& walk, StructureFields& fields) {
   if (extension != no_address) walk.leave_unchecked();
 }
 
+bool has_signature(std::span<const std::byte> bytes) {
+  return bytes.size() >= sizeof file_signature &&
+         std::memcmp(bytes.data(), file_signature, sizeof file_signature) == 0;
+}
+
+/// Something else may come first, which no program that we know does to trajectories.
+void pass_user_block(StructureWalk& walk) {
+  for (std::uint64_t at = 512; at + 100 < walk.file_size(); at *= 2)
+    if (has_signature(walk.read(at, sizeof file_signature))) return walk.leave_unchecked();
+  throw InputError("is not an HDF5 file");
+}
+
 void read_superblock(StructureWalk& walk) {
   constexpr std::uint64_t longest = 100;
   const auto bytes = walk.read(0, std::min(longest, walk.file_size()));
-  if (bytes.size() < sizeof file_signature ||
-      std::memcmp(bytes.data(), file_signature, sizeof file_signature) != 0)
-    throw InputError("is not an HDF5 file");
+  if (!has_signature(bytes)) return pass_user_block(walk);
   StructureFields fields(bytes, "superblock");
   fields.skip(sizeof file_signature);
   const std::uint64_t version = fields.number(1);
@@ -205,7 +215,14 @@ bool check_hdf5_structure(const std::filesystem::path& path) {
   const StructureFile file(path);
   StructureWalk walk(file);
   read_superblock(walk);
-  while (const auto object = walk.next_object()) ObjectHeader(walk, *object).check();
+  bool is_done = false;
+  while (!is_done) {
+    const auto object = walk.next_object();
+    if (object) ObjectHeader(walk, *object).check();
+    const auto table = walk.next_table();
+    if (table) check_symbol_table(walk, *table);
+    is_done = !object && !table;
+  }
   walk.check_overlaps();
   return walk.is_complete();
 }

@@ -190,32 +190,38 @@ void check_chunks(StructureWalk& walk, const ObjectFacts& facts, const Structure
   if (layout.address != no_address) check_chunk_tree(walk, layout.address, chunk);
 }
 
+/// Kinds of messages, as numbered in the file.
+enum MessageKind : std::uint64_t {
+  nothing,
+  dataspace,
+  link_info,
+  datatype,
+  old_fill,
+  fill,
+  link,
+  layout = 8,
+  group_info = 10,
+  filters,
+  attribute,
+  comment,
+  old_time,
+  continuation = 16,
+  symbol_table,
+  time,
+  attribute_info = 21,
+  references
+};
+
+void add_group_message(StructureWalk& walk, const HeaderMessage& message, ObjectFacts& facts) {
+  StructureFields fields = message.fields;
+  if (message.type == link_info) return add_link_info(walk, fields, facts);
+  if (message.type == link) return add_link(walk, fields, facts);
+  facts.has_links = true;
+  const std::uint64_t tree = fields.number(8);
+  walk.visit_later({tree, fields.number(8)});
+}
+
 void add_known_message(StructureWalk& walk, const HeaderMessage& message, ObjectFacts& facts) {
-  enum {
-    nothing,
-    dataspace,
-    link_info,
-    datatype,
-    old_fill,
-    fill,
-    link,
-    external,
-    layout,
-    bogus,
-    group_info,
-    filters,
-    attribute,
-    comment,
-    old_time,
-    shared_table,
-    continuation,
-    symbol_table,
-    time,
-    tree_sizes,
-    driver,
-    attribute_info,
-    references
-  };
   StructureFields fields = message.fields;
   switch (message.type) {
     case dataspace:
@@ -223,12 +229,11 @@ void add_known_message(StructureWalk& walk, const HeaderMessage& message, Object
     case datatype:
       return set_once(facts.type, check_datatype(fields), fields);
     case link_info:
-      return add_link_info(walk, fields, facts);
     case link:
-      return add_link(walk, fields, facts);
+    case symbol_table:
+      return add_group_message(walk, message, facts);
     case old_fill:
-      sized_fill(fields);
-      return;
+      return static_cast<void>(sized_fill(fields));
     case fill:
       return add_fill(fields, facts);
     case layout:
@@ -239,11 +244,6 @@ void add_known_message(StructureWalk& walk, const HeaderMessage& message, Object
       return check_attribute(walk, fields);
     case attribute_info:
       return check_attribute_info(walk, fields);
-    case symbol_table: {
-      facts.has_links = true;
-      const std::uint64_t tree = fields.number(8);
-      return check_symbol_table(walk, tree, fields.number(8));
-    }
     case nothing:
     case group_info:
     case comment:
@@ -253,7 +253,7 @@ void add_known_message(StructureWalk& walk, const HeaderMessage& message, Object
     case references:
       return;
     default:
-      fields.require(message.type < 0x18, "is of an unknown kind");
+      fields.require(message.type <= 0x17, "is of an unknown kind");
       walk.leave_unchecked();
   }
 }

@@ -130,7 +130,7 @@ class GroupTree {
       return name;
     }
     walk_.visit_later(object);
-    if (kind == 1) check_symbol_table(walk_, tree, heap);
+    if (kind == 1) walk_.visit_later({tree, heap});
     return name;
   }
 
@@ -214,7 +214,8 @@ std::map<std::uint64_t, std::uint64_t> read_collection(StructureWalk& walk, std:
 
 }  // namespace
 
-void check_symbol_table(StructureWalk& walk, std::uint64_t tree, std::uint64_t heap) {
+void check_symbol_table(StructureWalk& walk, StructureWalk::Table table) {
+  const auto [tree, heap] = table;
   // The two belong together: they are known as a pair, by the heap.
   if (!walk.enter(heap, "the heap of tree " + std::to_string(tree))) return;
   GroupTree(walk, heap).check(tree, level_of(walk, tree));

@@ -13,7 +13,7 @@ namespace pliant {
 
 /// A group of the old format: its tree of symbol nodes, and the heap of their names. Objects that
 /// it leads to are left for later.
-void check_symbol_table(StructureWalk& walk, std::uint64_t tree, std::uint64_t heap);
+void check_symbol_table(StructureWalk& walk, StructureWalk::Table table);
 
 /// Where the chunks of a dataset are, and what they must be like.
 struct ChunkFacts {

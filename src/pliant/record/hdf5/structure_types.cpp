@@ -127,11 +127,10 @@ TypeFacts check_array(StructureFields& fields, const TypeHead& head, int level) 
   return {head.bytes, false, 0, base.is_variable || base.has_variable_parts};
 }
 
-/// Product, or nothing that fits.
-std::uint64_t times(const StructureFields& fields, std::uint64_t a, std::uint64_t b) {
-  constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max() / 2;
-  fields.require(a == 0 || b <= most / a, "dataspace of more values than can be");
-  return a * b;
+/// Product that stops at the largest number.
+std::uint64_t times(std::uint64_t a, std::uint64_t b) {
+  constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
+  return b != 0 && a > most / b ? most : a * b;
 }
 
 }  // namespace
@@ -183,7 +182,7 @@ SpaceFacts check_dataspace(StructureFields& fields) {
   SpaceFacts facts;
   for (std::uint64_t k = 0; k < rank; ++k) {
     facts.extents.push_back(fields.number(8));
-    facts.count = times(fields, facts.count, facts.extents.back());
+    facts.count = times(facts.count, facts.extents.back());
   }
   for (std::uint64_t k = 0; k < rank && flags == 1; ++k)
     fields.require(fields.number(8) >= facts.extents[k], "dataspace beyond its limit");

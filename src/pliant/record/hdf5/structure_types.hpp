@@ -30,7 +30,8 @@ struct SpaceFacts {
   std::uint64_t count = 1;  ///< of values
 };
 
-/// Reads a dataspace. Throws InputError, also where the values are too many to count.
+/// Reads a dataspace. Throws InputError when it is none. Too many values to count are the largest
+/// number.
 SpaceFacts check_dataspace(StructureFields& fields);
 
 }  // namespace pliant

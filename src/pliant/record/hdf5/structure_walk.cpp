@@ -63,6 +63,13 @@ std::optional<std::uint64_t> StructureWalk::next_object() {
   return std::nullopt;
 }
 
+std::optional<StructureWalk::Table> StructureWalk::next_table() {
+  if (tables_.empty()) return std::nullopt;
+  const Table table = tables_.back();
+  tables_.pop_back();
+  return table;
+}
+
 bool StructureWalk::enter(std::uint64_t address, const std::string& what) {
   const auto [place, is_new] = entered_.emplace(address, what);
   if (place->second != what) fail(what, address, "is " + place->second);

@@ -46,6 +46,14 @@ class StructureWalk {
   /// One that was not looked at yet.
   std::optional<std::uint64_t> next_object();
 
+  /// A group of the old format: where its tree and its heap are.
+  struct Table {
+    std::uint64_t tree, heap;
+  };
+  /// Groups may be nested deeper than calls can be.
+  void visit_later(Table table) { tables_.push_back(table); }
+  std::optional<Table> next_table();
+
   /// False if it was entered before. Throws InputError where it was something else.
   bool enter(std::uint64_t address, const std::string& what);
 
@@ -71,6 +79,7 @@ class StructureWalk {
   std::uint64_t end_;
   std::vector<Taken> taken_;
   std::vector<std::uint64_t> objects_;
+  std::vector<Table> tables_;
   std::set<std::uint64_t> seen_;
   std::map<std::uint64_t, std::string> entered_;
   std::uint64_t read_bytes_ = 0;

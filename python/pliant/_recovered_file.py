@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""Writes what was saved of a damaged H5MD file."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import h5py
+import numpy as np
+
+from pliant._salvage import Salvage, StoredValues
+
+TRAJECTORY = "particles/trajectory"
+POSITION = f"{TRAJECTORY}/position"
+
+
+@dataclass
+class SavedFrames:
+    """Frames that were read: numbers in the broken file, and what they hold."""
+
+    numbers: np.ndarray
+    positions: np.ndarray  #: (F, N, 3) as stored
+    steps: np.ndarray
+    times: np.ndarray | None
+    units: dict[str, str]
+
+
+def write_header(file: h5py.File, creator: dict[str, Any]) -> None:
+    """Writes /h5md and the box, with the program that wrote the broken file."""
+    file.create_group("h5md").attrs["version"] = np.array([1, 1], dtype=np.int32)
+    file.create_group("h5md/author").attrs["name"] = "unknown"
+    group = file.create_group("h5md/creator")
+    for name, value in {"name": "pliant", "version": "", **creator}.items():
+        group.attrs[name] = value
+    box = file.create_group(f"{TRAJECTORY}/box")
+    box.attrs["dimension"] = 3
+    box.attrs["boundary"] = ["none", "none", "none"]
+
+
+def write_frames(file: h5py.File, frames: SavedFrames) -> None:
+    """Writes positions, steps and times."""
+    chunk = (1, *frames.positions.shape[1:])
+    value = file.create_dataset(
+        f"{POSITION}/value", data=frames.positions, chunks=chunk, maxshape=(None, *chunk[1:])
+    )
+    value.attrs["unit"] = frames.units["value"]
+    file[f"{POSITION}/step"] = frames.steps
+    if frames.times is not None:
+        file[f"{POSITION}/time"] = frames.times
+        file[f"{POSITION}/time"].attrs["unit"] = frames.units["time"]
+
+
+def write_static(file: h5py.File, static: Salvage, count: int) -> list[str]:
+    """Writes the datasets that fit `count` joints; the others become lost. Returns their names."""
+    saved = []
+    for name, stored in static.found.items():
+        if why := _misfit(name, stored, count):
+            static.lost[name] = why
+            continue
+        put(file, name, stored.values)
+        for key, value in stored.attributes.items():
+            file[name].attrs[key] = value
+        saved.append(name)
+    return saved
+
+
+def _misfit(name: str, stored: StoredValues, count: int) -> str:
+    """Why a dataset cannot be what its name says; "" if it can."""
+    values = np.asarray(stored.values)
+    if name.startswith("connectivity/"):
+        fits = values.ndim == 2 and values.shape[1] == 2 and values.dtype.kind in "iu"
+        if not fits or (values.size and (values.min() < 0 or values.max() >= count)):
+            return "names joints that are not there"
+    per_joint = (f"{TRAJECTORY}/mass", "parameters/topology/atom_name",
+                 "parameters/framework/pinned", "parameters/topology/residue_of")  # fmt: skip
+    if name in per_joint and values.shape != (count,):
+        return f"has not one value for each of {count} joints"
+    if values.dtype.kind == "f" and not np.isfinite(values).all() and "most" not in name:
+        return "has values that are not finite"
+    return ""
+
+
+def write_observable(file: h5py.File, name: str, stored: StoredValues, frames: SavedFrames) -> None:
+    """Writes the values of the saved frames."""
+    path = f"observables/{name}"
+    put(file, f"{path}/value", np.asarray(stored.values)[frames.numbers])
+    for key, value in stored.attributes.items():
+        file[f"{path}/value"].attrs[key] = value
+    for part in ("step", "time"):
+        if f"{POSITION}/{part}" in file:
+            file[f"{path}/{part}"] = file[f"{POSITION}/{part}"]
+
+
+def put(file: h5py.File, path: str, value: Any) -> None:
+    """A dataset of the type that h5py read: enumerations and fixed texts stay what they are."""
+    dtype = getattr(value, "dtype", None)
+    if dtype is not None and dtype.kind == "U":
+        dtype = h5py.string_dtype()
+    file.create_dataset(path, data=value, dtype=dtype)
