@@ -25,7 +25,11 @@ class DenseCholesky {
 
  private:
   void finish_rows(std::size_t first, std::size_t last, double least);
-  void update_rows(std::size_t first);
+  void finish_block(std::size_t first, std::size_t last, double least);
+  void update_row(std::size_t i, std::size_t first, std::size_t from, std::size_t to);
+  void update_below(std::size_t first, std::size_t last);
+  void solve_forward(EightVectors& b) const;
+  void solve_backward(EightVectors& b) const;
 
   DenseMatrix u_;
 };

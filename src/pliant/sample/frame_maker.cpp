@@ -11,8 +11,20 @@ namespace pliant {
 namespace {
 
 constexpr int most_redraws = 20;
-/// Angstrom: no frame is shown in which closing loops moved a joint further.
-constexpr double largest_closing = 0.3;
+
+FrodaOptions careful() {
+  FrodaOptions options;
+  options.is_careful = true;
+  return options;
+}
+
+FrodaOptions patient() {
+  FrodaOptions options = careful();
+  options.conjugate_gradients = 6;
+  options.leg = 0.7;
+  options.last_steps = 200;
+  return options;
+}
 
 double thread_seconds() {
   timespec now{};
@@ -52,25 +64,23 @@ void FrameMaker::make(std::int64_t number, std::span<const Vec3> now, std::span<
   out.cpu_seconds = thread_seconds() - begun;
 }
 
-/// The draw itself, by careful steps, else by blind ones; then drawn again.
+/// The draw itself, by careful steps, else by blind ones, else by many small ones; then drawn again.
 bool FrameMaker::make_step(std::int64_t number, int step, std::span<const Vec3> now,
                            std::span<const Vec3> before, MadeFrame& out) {
   for (int attempt = 0; attempt <= most_redraws; ++attempt) {
     if (attempt == 1) ++out.redraws;
     sampler_.ask(number, step, attempt, now, before, request_);
-    if (resolve(now, true, out)) return true;
+    if (resolve(now, careful(), out)) return true;
     out.is_rescued = true;
-    if (resolve(now, false, out)) return true;
+    if (resolve(now, {}, out) || resolve(now, patient(), out)) return true;
   }
   return false;
 }
 
-bool FrameMaker::resolve(std::span<const Vec3> now, bool is_careful, MadeFrame& out) {
-  FrodaOptions options;
-  options.is_careful = is_careful;
+bool FrameMaker::resolve(std::span<const Vec3> now, const FrodaOptions& options, MadeFrame& out) {
   out.outcome = solver_.resolve(now, request_.targets, out.positions, options, request_.limits_off);
   out.steps += out.outcome.steps;
-  return out.outcome.is_whole && out.outcome.max_closing <= largest_closing;
+  return out.outcome.is_whole;
 }
 
 void FrameMaker::measure_bars(MadeFrame& out) const {

@@ -39,7 +39,7 @@ class FrameMaker {
  private:
   bool make_step(std::int64_t number, int step, std::span<const Vec3> now,
                  std::span<const Vec3> before, MadeFrame& out);
-  bool resolve(std::span<const Vec3> now, bool is_careful, MadeFrame& out);
+  bool resolve(std::span<const Vec3> now, const FrodaOptions& options, MadeFrame& out);
   void measure_bars(MadeFrame& out) const;
 
   const Framework& framework_;

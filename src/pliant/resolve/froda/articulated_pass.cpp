@@ -76,14 +76,15 @@ void ArticulatedPass::pass_on(const PlanBody& body, std::size_t index) {
   for (std::size_t t = own.size(); t-- > 0;) {
     Turn& turn = own[t];
     turn.u = froda::product(m, turn.s);
-    turn.inverse = 1.0 / (dot6(turn.s, turn.u) + damping_);
-    turn.force = dot6(turn.s, p);
+    turn.inverse = 1.0 / (froda::dot(turn.s, turn.u) + damping_);
+    turn.force = froda::dot(turn.s, p);
     add_scaled(-turn.force * turn.inverse, turn.u, p);
     add_direction(-turn.inverse, turn.u, m);
   }
   const auto parent = static_cast<std::size_t>(body.parent);
-  for (std::size_t i = 0; i < 21; ++i) inertia_[parent][i] += m[i];
-  for (std::size_t i = 0; i < 6; ++i) force_[parent][i] += p[i];
+  double* const above = inertia_[parent].data();
+  for (std::size_t i = 0; i < m.size(); ++i) above[i] += m[i];
+  add_scaled(1.0, p, force_[parent]);
 }
 
 void ArticulatedPass::push_inward(std::vector<Twist>& forces) {
@@ -107,7 +108,7 @@ void ArticulatedPass::go_outward(const std::vector<Twist>& forces, BodyMotions& 
     Twist v = out.twists[std::size_t(body.parent)];
     for (std::uint32_t t = body.first_turn; t < body.first_turn + body.turns(); ++t) {
       const Turn& turn = turns_[t];
-      out.angles[t] = (turn.force - dot6(turn.u, v)) * turn.inverse;
+      out.angles[t] = (turn.force - froda::dot(turn.u, v)) * turn.inverse;
       add_scaled(out.angles[t], turn.s, v);
     }
     out.twists[k] = v;

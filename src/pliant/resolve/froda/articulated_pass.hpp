@@ -61,7 +61,7 @@ class ArticulatedPass {
     const PlanBody& of = plan_.bodies()[body];
     for (std::uint32_t t = of.first_turn + of.turns(); t-- > of.first_turn;) {
       const Turn& turn = turns_[t];
-      const double along = dot6(turn.s, force);
+      const double along = froda::dot(turn.s, force);
       froda::add_scaled(-along * turn.inverse, turn.u, force);
       note(t, along);
     }

@@ -30,7 +30,7 @@ void add_to_scaled(const BodyMotions& x, double factor, BodyMotions& y) {
 
 double product(const std::vector<Twist>& forces, const BodyMotions& motions) {
   double sum = 0.0;
-  for (std::size_t k = 0; k < forces.size(); ++k) sum += dot6(forces[k], motions.twists[k]);
+  for (std::size_t k = 0; k < forces.size(); ++k) sum += froda::dot(forces[k], motions.twists[k]);
   return sum;
 }
 
@@ -66,9 +66,9 @@ void ArticulatedStep::refine(std::span<const Vec3> x, const StepRequest& request
   for (int turn = 0;; ++turn) {
     const double step = before / (apply_matrix(x, request.rows) + tiny);
     add_motions(step, direction_, sum_);
+    if (turn + 1 >= request.conjugate_gradients) break;
     for (std::size_t k = 0; k < left_.size(); ++k)
       froda::add_scaled(-step, image_[k], left_[k]);
-    if (turn + 1 >= request.conjugate_gradients) break;
     room_ = left_;
     pass_.push_inward(room_);
     pass_.go_outward(room_, motions_);
@@ -86,7 +86,7 @@ double ArticulatedStep::apply_matrix(std::span<const Vec3> x, std::span<const Co
   double sum = 0.0;
   for (std::size_t k = 0; k < plain_.size(); ++k) {
     image_[k] = froda::product(plain_[k], direction_.twists[k]);
-    sum += dot6(image_[k], direction_.twists[k]);
+    sum += froda::dot(image_[k], direction_.twists[k]);
   }
   for (double angle : direction_.angles) sum += pass_.damping() * angle * angle;
   for (const ContactRow& row : rows) {

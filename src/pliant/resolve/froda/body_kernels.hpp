@@ -11,8 +11,18 @@
 
 namespace pliant::froda {
 
+// Loops go over plain pointers: without optimization they take a third of the time.
+
 inline void add_scaled(double factor, const Twist& x, Twist& y) {
-  for (std::size_t k = 0; k < 6; ++k) y[k] += factor * x[k];
+  const double* const from = x.data();
+  double* const to = y.data();
+  for (std::size_t k = 0; k < 6; ++k) to[k] += factor * from[k];
+}
+
+/// Its sum in pairs, as that of product().
+inline double dot(const Twist& one, const Twist& other) {
+  const double *const a = one.data(), *const b = other.data();
+  return ((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])) + (a[4] * b[4] + a[5] * b[5]);
 }
 
 /// How fast a twist moves the point x.
@@ -21,7 +31,8 @@ inline Vec3 velocity(const Twist& twist, Vec3 x) {
 }
 
 /// m s, its sums in pairs: half the time of sums one by one.
-inline Twist product(const Inertia& m, const Twist& s) {
+inline Twist product(const Inertia& inertia, const Twist& twist) {
+  const double *const m = inertia.data(), *const s = twist.data();
   return {
       ((m[0] * s[0] + m[1] * s[1]) + (m[3] * s[2] + m[6] * s[3])) + (m[10] * s[4] + m[15] * s[5]),
       ((m[1] * s[0] + m[2] * s[1]) + (m[4] * s[2] + m[7] * s[3])) + (m[11] * s[4] + m[16] * s[5]),
@@ -34,11 +45,12 @@ inline Twist product(const Inertia& m, const Twist& s) {
 }
 
 /// m += weight g g^T.
-inline void add_direction(double weight, const Twist& g, Inertia& m) {
-  std::size_t k = 0;
+inline void add_direction(double weight, const Twist& direction, Inertia& inertia) {
+  const double* const g = direction.data();
+  double* m = inertia.data();
   for (std::size_t i = 0; i < 6; ++i) {
     const double scaled = weight * g[i];
-    for (std::size_t j = 0; j <= i; ++j) m[k++] += scaled * g[j];
+    for (std::size_t j = 0; j <= i; ++j) *m++ += scaled * g[j];
   }
 }
 

@@ -104,7 +104,7 @@ std::array<CutClosing::Three, 3> CutClosing::product(
   }
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j)
-      sums[i][j] += dot6(roots_[one].forces[i], roots_[other].answers[j]);
+      sums[i][j] += froda::dot(roots_[one].forces[i], roots_[other].answers[j]);
   return sums;
 }
 

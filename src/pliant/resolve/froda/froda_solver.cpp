@@ -8,17 +8,16 @@ namespace pliant {
 namespace {
 
 // Angstrom
-constexpr double longest_pull = 2.0;  // of one target on the way
 constexpr double pull_bound = 1.5;
 constexpr double last_bound = 0.5;
 constexpr double margin = 0.01;  // steps aim inside limits, so that they end there
 constexpr double widest_closed = 1e-12;
+constexpr double largest_closing = 0.3;  // of a joint: more is no rounding off, but another place
 
 constexpr double pull_weight = 10.0;
 constexpr double last_weight = 100.0;
 constexpr int last_pulls = 3;  // blind, then as many with contacts
 constexpr int careful_pulls = 5;
-constexpr int careful_gradients = 2;
 constexpr int most_closings = 12;
 /// A step gains if it takes more than a twentieth off. Without gain for so many steps it is over;
 /// where something is still too near, later.
@@ -73,16 +72,16 @@ void FrodaSolver::begin(std::span<const Vec3> start, std::span<const Vec3> targe
   target_.resize(x_.size());
 }
 
-/// Towards targets on the way, at most two Angstrom apart.
+/// Towards targets on the way, at most a leg apart.
 void FrodaSolver::pull(const FrodaOptions& options) {
   double furthest = 0.0;
   for (Vec3 push : push_) furthest = std::max(furthest, norm_squared(push));
   const int legs =
-      std::max(1, static_cast<int>(std::ceil(std::sqrt(furthest) / (longest_pull * unit_))));
+      std::max(1, static_cast<int>(std::ceil(std::sqrt(furthest) / (options.leg * unit_))));
   for (int leg = 1; leg < legs; ++leg) pull_to(double(leg) / legs, 1, options.is_careful, options);
   if (options.is_careful) return pull_to(1.0, careful_pulls, true, options);
   pull_to(1.0, last_pulls, false, options);
-  pull_to(1.0, last_pulls, true, options);
+  if (!framework_.has_bars_only()) pull_to(1.0, last_pulls, true, options);
 }
 
 void FrodaSolver::pull_to(double share, int steps, bool sees_contacts,
@@ -91,7 +90,7 @@ void FrodaSolver::pull_to(double share, int steps, bool sees_contacts,
   for (int k = 0; k < steps; ++k) {
     rows_.clear();
     if (sees_contacts) find_rows(pull_weight);
-    step(target_, pull_bound, options.is_careful ? careful_gradients : 0);
+    step(target_, pull_bound, options.is_careful ? options.conjugate_gradients : 0);
   }
 }
 
@@ -107,7 +106,7 @@ bool FrodaSolver::push_apart(const FrodaOptions& options, FrodaOutcome& outcome)
     least = std::min(least, here);
     if (since >= (least <= std::min(options.limit, options.overlap) ? patience : long_patience))
       break;
-    step({}, last_bound, options.is_careful ? careful_gradients : 0);
+    step({}, last_bound, options.is_careful ? options.conjugate_gradients : 0);
   }
   return finish(options, outcome);
 }
@@ -118,7 +117,8 @@ bool FrodaSolver::finish(const FrodaOptions& options, FrodaOutcome& outcome) {
   outcome.max_limit = worst.limit;
   outcome.max_overlap = worst.overlap;
   return worst.limit <= options.limit && worst.overlap <= options.overlap &&
-         widest_gap() <= 10.0 * widest_closed * unit_;
+         widest_gap() <= 10.0 * widest_closed * unit_ &&
+         outcome.max_closing <= largest_closing * unit_;
 }
 
 /// Closes the loops that were cut; how far a joint went (Angstrom).

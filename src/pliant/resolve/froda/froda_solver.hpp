@@ -19,14 +19,18 @@ struct FrodaOptions {
   double overlap = 0.08;  ///< Angstrom: how much nearer than allowed two joints may be
   /// Angstrom: steps end where both are below this, or gain no more.
   double goal = 0.02;
-  /// Sees contacts at every step, and takes two conjugate gradients in each: for pushes of more
-  /// than some Angstrom, through which chains must not pass each other.
+  /// Sees contacts at every step, and takes conjugate gradients in each: for pushes of more than
+  /// some Angstrom, through which chains must not pass each other.
   bool is_careful = false;
-  int last_steps = 60;  ///< that contacts alone get
+  int conjugate_gradients = 2;  ///< of careful steps
+  double leg = 2.0;             ///< Angstrom: targets on the way are no further apart
+  int last_steps = 60;          ///< that contacts alone get
 };
 
 struct FrodaOutcome {
-  bool is_whole = false;     ///< limits and least distances hold, loops are closed
+  /// Limits and least distances hold, loops are closed, and to close them no joint went further
+  /// than 0.3 Angstrom at the end.
+  bool is_whole = false;
   double max_limit = 0.0;    ///< largest distance of a limit outside its interval (Angstrom)
   double max_overlap = 0.0;  ///< largest overlap (Angstrom)
   double max_closing = 0.0;  ///< largest move of a joint by the steps that closed loops (Angstrom)

@@ -7,10 +7,11 @@
 namespace pliant {
 namespace {
 
-constexpr Slot bits = 64;
-/// Angstrom: a list reaches a little further than it must, for it looks at rounded positions.
-constexpr double slack = 0.01;
 constexpr std::size_t cells_a_place = 8;
+/// A place that has gone further than this share of the skin is listed anew as soon as any must be.
+constexpr double renewed_share = 0.4;
+/// Where more than this share of all places must be listed anew, all are.
+constexpr double most_renewed = 0.7;
 
 std::uint32_t cells_along(double extent, double side) {
   return static_cast<std::uint32_t>(extent / side) + 1;
@@ -19,102 +20,94 @@ std::uint32_t cells_along(double extent, double side) {
 }  // namespace
 
 NearPairs::NearPairs(const Framework& framework, const BodyPlan& plan, double skin)
-    : plan_(plan),
-      rules_(framework),
-      sterics_(*framework.sterics()),
-      near_excluded_(plan.place_count(), 0),
-      kind_(plan.place_count(), 0),
-      kinds_(sterics_.kind_count),
-      skin_(skin) {
-  for (Slot place = 0; place < plan.place_count(); ++place)
-    if (plan.place_of(plan.joint_at()[place]) == place) listed_.push_back(place);
-  for (Slot place : listed_) kind_[place] = sterics_.kinds[plan.joint_at()[place]];
-  exclude();
-  set_reaches();
-}
-
-/// Pairs that are few bonds apart: a bit each where their places are near, else as pairs with
-/// distances of their own.
-void NearPairs::exclude() {
-  std::vector<std::pair<Slot, Special>> found;
-  const auto pair_of = [&](Joint a, Joint b) {
-    const Slot one = plan_.place_of(a), other = plan_.place_of(b);
-    return std::pair(std::min(one, other), std::max(one, other));
-  };
-  for (Slot place : listed_) {
-    const Joint joint = plan_.joint_at()[place];
-    for (Joint other : rules_.excluded_above(joint)) {
-      const auto [low, high] = pair_of(joint, other);
-      if (high - low <= bits) {
-        near_excluded_[low] |= std::uint64_t{1} << (high - low - 1);
-      } else {
-        found.push_back({low, {high, 0.0}});
-      }
-    }
-  }
-  for (const OwnDistance& own : sterics_.own) {
-    const auto [low, high] = pair_of(own.a, own.b);
-    if (high - low <= bits) near_excluded_[low] &= ~(std::uint64_t{1} << (high - low - 1));
-    found.insert(found.begin(), {low, {high, own.least}});
-  }
-  special_ = Grouped<Special>(plan_.place_count(), [&](const auto& put) {
-    for (const auto& [low, special] : found) put(low, special);
-  });
-}
-
-/// How far the list reaches for each two kinds; as far as for any where a pair's own distance is
-/// above that of its kinds.
-void NearPairs::set_reaches() {
-  const bool is_beyond = std::any_of(sterics_.own.begin(), sterics_.own.end(), [&](auto& own) {
-    return own.least > sterics_.of_kinds(own.a, own.b);
-  });
-  for (double least : sterics_.least) {
-    const double reach = (is_beyond ? rules_.largest() : least) + skin_ + slack;
-    square_reaches_.push_back(least > 0.0 || is_beyond ? static_cast<float>(reach * reach) : 0.0F);
-    widest_ = std::max(widest_, square_reaches_.back());
-  }
-}
+    : rules_(framework, plan, skin), skin_(skin), places_(plan.place_count()) {}
 
 void NearPairs::update(std::span<const Vec3> x) {
-  if (!(rules_.largest() > 0.0) || !is_out_of_date(x)) return;
+  if (!(rules_.largest() > 0.0)) return;
+  if (!listed_at_.empty() && furthest_from_listed(x) <= 0.5 * skin_) return;
+  const bool is_whole_list = choose_renewed(x);
   ++lists_made_;
-  listed_at_.assign(x.begin(), x.end());
   unsorted_.clear();
-  sort_into_cells(x);
-  for (std::uint32_t a = 0; a < cells_[0]; ++a)
-    for (std::uint32_t b = 0; b < cells_[1]; ++b)
-      for (std::uint32_t c = 0; c < cells_[2]; ++c) visit_cell(a, b, c);
-  sort_pairs();
+  sort_into_cells(listed_at_);
+  if (is_whole_list) return make_list();
+  renew_list();
 }
 
-bool NearPairs::is_out_of_date(std::span<const Vec3> x) const {
-  if (listed_at_.empty()) return true;
-  const double most = 0.25 * skin_ * skin_;
+double NearPairs::furthest_from_listed(std::span<const Vec3> x) const {
   double furthest = 0.0;
-  for (std::size_t k = 0; k < x.size(); ++k)
-    furthest = std::max(furthest, norm_squared(x[k] - listed_at_[k]));
-  return furthest > most;
+  for (Slot place : rules_.listed())
+    furthest = std::max(furthest, norm_squared(x[place] - listed_at_[place]));
+  return std::sqrt(furthest);
+}
+
+/// Those that have gone a good part of what they may. True if they are so many that all are.
+bool NearPairs::choose_renewed(std::span<const Vec3> x) {
+  const double least = renewed_share * skin_ * renewed_share * skin_;
+  const auto listed = rules_.listed();
+  is_renewed_.assign(x.size(), 0);
+  std::size_t count = listed.size();
+  if (!listed_at_.empty()) {
+    count = 0;
+    for (Slot place : listed) {
+      if (!(norm_squared(x[place] - listed_at_[place]) > least)) continue;
+      is_renewed_[place] = 1;
+      ++count;
+    }
+  }
+  const bool is_all = double(count) > most_renewed * double(listed.size());
+  listed_at_.resize(x.size());
+  for (Slot place : listed)
+    if (is_all || is_renewed_[place] != 0) listed_at_[place] = x[place];
+  return is_all;
+}
+
+template <class Visit>
+void NearPairs::visit_cells(const Visit& visit) {
+  for (std::uint32_t a = 0; a < cells_[0]; ++a)
+    for (std::uint32_t b = 0; b < cells_[1]; ++b)
+      for (std::uint32_t c = 0; c < cells_[2]; ++c) visit(a, b, c);
+}
+
+void NearPairs::make_list() {
+  visit_cells([&](auto a, auto b, auto c) { visit_cell(a, b, c); });
+  sort_pairs();
+  pairs_.swap(unsorted_);
+}
+
+/// Lists the pairs of renewed places, and keeps those of the others.
+void NearPairs::renew_list() {
+  visit_cells([&](auto a, auto b, auto c) { visit_renewed(a, b, c); });
+  sort_pairs();
+  kept_.clear();
+  for (const NearPair& pair : pairs_)
+    if ((is_renewed_[pair.i] | is_renewed_[pair.j]) == 0) kept_.push_back(pair);
+  pairs_.resize(kept_.size() + unsorted_.size());
+  std::merge(kept_.begin(), kept_.end(), unsorted_.begin(), unsorted_.end(), pairs_.begin(),
+             [](const NearPair& one, const NearPair& other) {
+               return one.i != other.i ? one.i < other.i : one.j < other.j;
+             });
 }
 
 void NearPairs::sort_into_cells(std::span<const Vec3> x) {
-  Vec3 low = x[listed_[0]], high = low;
-  for (Slot place : listed_) {
+  const auto listed = rules_.listed();
+  Vec3 low = x[listed[0]], high = low;
+  for (Slot place : rules_.listed()) {
     const Vec3 at = x[place];
     low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
     high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
   }
-  double side = rules_.largest() + skin_ + slack;
+  double side = rules_.largest() + skin_ + list_slack;
   const Vec3 extent = high - low;
   const auto set_cells = [&] {
     cells_ = {cells_along(extent.x, side), cells_along(extent.y, side),
               cells_along(extent.z, side)};
     return double(cells_[0]) * cells_[1] * cells_[2];
   };
-  while (set_cells() > double(cells_a_place * listed_.size() + 64)) side *= 1.25;
-  cell_of_.resize(listed_.size());
+  while (set_cells() > double(cells_a_place * listed.size() + 64)) side *= 1.25;
+  cell_of_.resize(listed.size());
   first_in_cell_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
-  for (std::size_t k = 0; k < listed_.size(); ++k) {
-    const Vec3 at = (1.0 / side) * (x[listed_[k]] - low);
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    const Vec3 at = (1.0 / side) * (x[listed[k]] - low);
     cell_of_[k] =
         (static_cast<std::uint32_t>(at.x) * cells_[1] + static_cast<std::uint32_t>(at.y)) *
             cells_[2] +
@@ -124,14 +117,16 @@ void NearPairs::sort_into_cells(std::span<const Vec3> x) {
   for (std::size_t c = 1; c < first_in_cell_.size(); ++c)
     first_in_cell_[c] += first_in_cell_[c - 1];
   next_.assign(first_in_cell_.begin(), first_in_cell_.end() - 1);
-  for (auto* values : {&x_, &y_, &z_}) values->resize(listed_.size());
-  slot_.resize(listed_.size());
-  kind_at_.resize(listed_.size());
-  for (std::size_t k = 0; k < listed_.size(); ++k) {
+  for (auto* values : {&x_, &y_, &z_}) values->resize(listed.size());
+  slot_.resize(listed.size());
+  kind_at_.resize(listed.size());
+  renewed_at_.resize(listed.size());
+  for (std::size_t k = 0; k < listed.size(); ++k) {
     const std::uint32_t slot = next_[cell_of_[k]]++;
-    const Vec3 at = x[listed_[k]];
-    slot_[slot] = listed_[k];
-    kind_at_[slot] = kind_[listed_[k]];
+    const Vec3 at = x[listed[k]];
+    slot_[slot] = listed[k];
+    kind_at_[slot] = rules_.kind(listed[k]);
+    renewed_at_[slot] = is_renewed_[listed[k]];
     x_[slot] = static_cast<float>(at.x);
     y_[slot] = static_cast<float>(at.y);
     z_[slot] = static_cast<float>(at.z);
@@ -143,11 +138,7 @@ void NearPairs::visit_cell(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   const std::uint32_t row = (a * cells_[1] + b) * cells_[2];
   const std::size_t own = first_in_cell_[row + c + 1] - first_in_cell_[row + c];
   if (own == 0) return;
-  near_.clear();
-  near_kind_.clear();
-  near_x_.clear();
-  near_y_.clear();
-  near_z_.clear();
+  clear_near();
   const std::uint32_t low = c > 0 ? c - 1 : 0, high = std::min(c + 1, cells_[2] - 1);
   gather_run(row, c, high);
   const bool has_next = a + 1 < cells_[0];
@@ -158,12 +149,42 @@ void NearPairs::visit_cell(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   compare(own);
 }
 
+/// Pairs of renewed places of a cell with all in it and around it.
+void NearPairs::visit_renewed(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+  const std::uint32_t cell = (a * cells_[1] + b) * cells_[2] + c;
+  const auto own = renewed_at_.begin();
+  if (std::find(own + first_in_cell_[cell], own + first_in_cell_[cell + 1], 1) ==
+      own + first_in_cell_[cell + 1])
+    return;
+  clear_near();
+  const std::uint32_t low = c > 0 ? c - 1 : 0, high = std::min(c + 1, cells_[2] - 1);
+  std::size_t first = 0;
+  for (std::uint32_t x = a > 0 ? a - 1 : 0; x <= std::min(a + 1, cells_[0] - 1); ++x)
+    for (std::uint32_t y = b > 0 ? b - 1 : 0; y <= std::min(b + 1, cells_[1] - 1); ++y) {
+      const std::uint32_t row = (x * cells_[1] + y) * cells_[2];
+      if (x == a && y == b)
+        first = near_.size() + first_in_cell_[cell] - first_in_cell_[row + low];
+      gather_run(row, low, high);
+    }
+  compare_renewed(first, first + first_in_cell_[cell + 1] - first_in_cell_[cell]);
+}
+
+void NearPairs::clear_near() {
+  near_.clear();
+  near_kind_.clear();
+  near_renewed_.clear();
+  near_x_.clear();
+  near_y_.clear();
+  near_z_.clear();
+}
+
 /// Appends the places in cells low..high of a row.
 void NearPairs::gather_run(std::uint32_t row, std::uint32_t low, std::uint32_t high) {
   const auto from = std::ptrdiff_t(first_in_cell_[row + low]);
   const auto to = std::ptrdiff_t(first_in_cell_[row + high + 1]);
   near_.insert(near_.end(), slot_.begin() + from, slot_.begin() + to);
   near_kind_.insert(near_kind_.end(), kind_at_.begin() + from, kind_at_.begin() + to);
+  near_renewed_.insert(near_renewed_.end(), renewed_at_.begin() + from, renewed_at_.begin() + to);
   near_x_.insert(near_x_.end(), x_.begin() + from, x_.begin() + to);
   near_y_.insert(near_y_.end(), y_.begin() + from, y_.begin() + to);
   near_z_.insert(near_z_.end(), z_.begin() + from, z_.begin() + to);
@@ -171,59 +192,67 @@ void NearPairs::gather_run(std::uint32_t row, std::uint32_t low, std::uint32_t h
 
 /// Each of the first `own` candidates with all after it.
 void NearPairs::compare(std::size_t own) {
+  for (std::size_t k = 0; k < own; ++k) {
+    const float* reaches = rules_.square_reaches(near_kind_[k]);
+    const std::size_t hits = find_hits(k, k + 1);
+    for (std::size_t h = 0; h < hits; ++h)
+      if (squares_[hits_[h]] < reaches[near_kind_[hits_[h]]]) take(near_[k], near_[hits_[h]]);
+  }
+}
+
+/// The renewed ones of candidates [first, last) with all; of two renewed ones the lower takes both.
+void NearPairs::compare_renewed(std::size_t first, std::size_t last) {
+  for (std::size_t k = first; k < last; ++k) {
+    if (near_renewed_[k] == 0) continue;
+    const float* reaches = rules_.square_reaches(near_kind_[k]);
+    const std::size_t hits = find_hits(k, 0);
+    for (std::size_t h = 0; h < hits; ++h) {
+      const std::uint32_t m = hits_[h];
+      if (!(squares_[m] < reaches[near_kind_[m]])) continue;
+      if (near_renewed_[m] == 0 || near_[k] < near_[m]) take(near_[k], near_[m]);
+    }
+  }
+}
+
+/// Candidates from `first` on that are near candidate k; how many.
+std::size_t NearPairs::find_hits(std::size_t k, std::size_t first) {
   const std::size_t count = near_.size();
   squares_.resize(count);
   hits_.resize(count);
   const float *px = near_x_.data(), *py = near_y_.data(), *pz = near_z_.data();
   float* square = squares_.data();
-  for (std::size_t k = 0; k < own; ++k) {
-    const float ax = px[k], ay = py[k], az = pz[k];
-    for (std::size_t m = k + 1; m < count; ++m) {
-      const float dx = px[m] - ax, dy = py[m] - ay, dz = pz[m] - az;
-      square[m] = dx * dx + dy * dy + dz * dz;
-    }
-    const float* reaches = square_reaches_.data() + near_kind_[k] * kinds_;
-    std::size_t hits = 0;
-    for (std::size_t m = k + 1; m < count; ++m) {  // no branch: which are near is anyone's guess
-      hits_[hits] = static_cast<std::uint32_t>(m);
-      hits += square[m] < widest_ ? 1 : 0;
-    }
-    for (std::size_t h = 0; h < hits; ++h)
-      if (square[hits_[h]] < reaches[near_kind_[hits_[h]]]) take(near_[k], near_[hits_[h]]);
+  const float ax = px[k], ay = py[k], az = pz[k];
+  for (std::size_t m = first; m < count; ++m) {
+    const float dx = px[m] - ax, dy = py[m] - ay, dz = pz[m] - az;
+    square[m] = dx * dx + dy * dy + dz * dz;
   }
+  const float widest = rules_.widest();
+  std::uint32_t* hit = hits_.data();
+  std::size_t hits = 0;
+  for (std::size_t m = first; m < count; ++m) {  // no branch: which are near is anyone's guess
+    hit[hits] = static_cast<std::uint32_t>(m);
+    hits += square[m] < widest ? 1 : 0;
+  }
+  return hits;
 }
 
 void NearPairs::take(Slot one, Slot other) {
   const Slot i = std::min(one, other), j = std::max(one, other);
-  const auto body_at = plan_.body_at();
-  if (body_at[i] == body_at[j]) return;
-  if (j - i <= bits && (near_excluded_[i] >> (j - i - 1) & 1) != 0) return;
-  const double least = least_of(i, j);
+  const double least = i == j ? 0.0 : rules_.least(i, j);
   if (least > 0.0) unsorted_.push_back({i, j, least});
 }
 
-double NearPairs::least_of(Slot i, Slot j) const {
-  for (const Special& special : special_.at(i))
-    if (special.other == j) return special.least;
-  const auto& units = sterics_.units;
-  const Joint a = plan_.joint_at()[i], b = plan_.joint_at()[j];
-  if (!units.empty() && units[a] == units[b] && units[a] != no_unit) return 0.0;
-  return sterics_.least[kind_[i] * kinds_ + kind_[j]];
-}
-
-/// By i, then j: two passes of counting.
+/// What was found, by i, then j: two passes of counting.
 void NearPairs::sort_pairs() {
-  const std::size_t places = plan_.place_count();
-  pairs_.resize(unsorted_.size());
+  sorted_.resize(unsorted_.size());
   const auto pass = [&](auto key, std::span<const NearPair> from, std::span<NearPair> to) {
-    first_of_.assign(places + 1, 0);
+    first_of_.assign(places_ + 1, 0);
     for (const NearPair& pair : from) ++first_of_[key(pair) + 1];
-    for (std::size_t k = 0; k < places; ++k) first_of_[k + 1] += first_of_[k];
+    for (std::size_t k = 0; k < places_; ++k) first_of_[k + 1] += first_of_[k];
     for (const NearPair& pair : from) to[first_of_[key(pair)]++] = pair;
   };
-  pass([](const NearPair& pair) { return pair.j; }, unsorted_, pairs_);
-  unsorted_.swap(pairs_);
-  pass([](const NearPair& pair) { return pair.i; }, unsorted_, pairs_);
+  pass([](const NearPair& pair) { return pair.j; }, unsorted_, sorted_);
+  pass([](const NearPair& pair) { return pair.i; }, sorted_, unsorted_);
 }
 
 }  // namespace pliant
