@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/resolve/direct/shape_keeper.hpp"
+#include "pliant/resolve/units/shape_keeper.hpp"
 
 #include <gtest/gtest.h>
 
