@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 from nearness import MOLECULES, Case
-from planarity import DIRECT, KINDS, STEPS, change, changes, protein_cases, torsions
+from planarity import DIRECT, KINDS, change, changes, protein_cases, torsions
 
 import pliant
 
@@ -29,13 +29,13 @@ def limits() -> dict[str, dict[str, float]]:
     }
 
 
-def check(name: str, most_joints: float = np.inf, steps: int = STEPS) -> None:
+def check(name: str, most_joints: float = np.inf) -> None:
     """The changes on all proteins that are installed and not larger."""
     cases = [both for both in protein_cases() if len(both[0].positions) <= most_joints]
     if not cases:
         pytest.skip("MDAnalysisTests and Biopython's tests are not installed")
     for case, quadruples in cases:
-        found = changes(case, quadruples, name, steps)
+        found = changes(case, quadruples, name)
         for kind in KINDS:
             assert found[kind] <= limits()[name][kind], (case.name, kind, found[kind])
 
@@ -61,7 +61,7 @@ def test_units_hold_planar_groups_with_and_without_hydrogens(name: str) -> None:
 
 @pytest.mark.parametrize("name", ["newton", "shake", "bfs_cycle"])
 def test_what_knows_bars_alone_holds_planar_groups(name: str) -> None:
-    check(name, 1000, 30)
+    check(name, 1000)
 
 
 @pytest.mark.long

@@ -100,9 +100,7 @@ def failures(
     if run.unconverged:
         others = who_arrives(framework, structure.positions, push, seconds, steps)
         if others:
-            found.append(f"{len(run.unconverged)} of {len(run.looked)} steps, not {others}")
-        else:
-            found.append(f"({len(run.unconverged)} of {len(run.looked)} steps, as all others)")
+            found.append(f"{len(run.unconverged)} of {len(run.looked)} steps, but not {others}")
     if run.over_median > MOST_OVER_MEDIAN:
         found.append(f"a step looks at {run.over_median:.0f} times the bars of the median")
     return found, run

@@ -7,6 +7,7 @@ methods has: the largest change of a signed angle, in degrees, after 100 steps o
 
 from __future__ import annotations
 
+import math
 import sys
 import warnings
 from collections.abc import Iterator
@@ -137,16 +138,23 @@ def protein_cases() -> Iterator[tuple[Case, dict[str, np.ndarray]]]:
             yield case, groups.renumbered(heavy if is_heavy else all_atoms)
 
 
+def page_row(name: str) -> str:
+    """The largest change of each kind on all proteins, rounded up to hundredths."""
+    found = [changes(case, quadruples, name) for case, quadruples in protein_cases()]
+    cells = (f"{up(max(one[kind] for one in found)):.2f}" for kind in KINDS)
+    return f"| `{name}` | {' | '.join(cells)} |"
+
+
+def up(degrees: float) -> float:
+    """Rounded up to hundredths."""
+    return math.ceil(degrees * 100) / 100
+
+
 def main() -> None:
     """Prints the rows of the page."""
     warnings.simplefilter("ignore", pliant.PliantWarning)
-    cases = list(protein_cases())
-    names = sys.argv[1:] or [row.name for row in pliant.techniques() if not row.forests_only]
-    for name in names:
-        found = [changes(case, quadruples, name) for case, quadruples in cases]
-        for (case, _), one in zip(cases, found, strict=True):
-            cells = " | ".join(f"{one[kind]:.4f}" for kind in KINDS)
-            print(f"| `{name}` | {case.name} | {cells} |", flush=True)
+    for name in sys.argv[1:] or [row.name for row in pliant.techniques() if not row.forests_only]:
+        print(page_row(name), flush=True)
 
 
 if __name__ == "__main__":

@@ -10,8 +10,6 @@
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/blocks/blocks.hpp"
 #include "pliant/resolve/blocks/ring_sweeps.hpp"
-#include "pliant/resolve/direct/newton.hpp"
-#include "pliant/resolve/direct/shake.hpp"
 #include "pliant/resolve/froda/froda.hpp"
 #include "pliant/resolve/lanes/lane_blocks.hpp"
 #include "pliant/resolve/lanes/lane_direct.hpp"
@@ -20,6 +18,7 @@
 #include "pliant/resolve/sweeps/custom_sweeps.hpp"
 #include "pliant/resolve/sweeps/local_sweeps.hpp"
 #include "pliant/resolve/sweeps/sweeps.hpp"
+#include "pliant/resolve/units/shape_keeper.hpp"
 #include "pliant/resolve/units/units.hpp"
 
 namespace pliant {
@@ -45,10 +44,10 @@ std::vector<TechniqueEntry> all_techniques() {
   rows.push_back({"rings_anderson", "rings_first with Anderson acceleration in each ring system",
                   false, false, true, make_rings_anderson, nullptr, true});
   rows.push_back({"newton", "the nearest whole positions, weighted by mass", false, false, false,
-                  make_newton, make_lane_newton});
+                  make_newton_in_shape, make_lane_newton});
   rows.push_back({"shake",
                   "along the directions of the bars before the push, by inverse mass (SHAKE, CCMA)",
-                  false, false, false, make_shake, make_lane_shake});
+                  false, false, false, make_shake_in_shape, make_lane_shake});
   rows.push_back(
       {"units", "rigid units (angles, small rings) placed exactly in one outward pass over hinges",
        false, false, false, make_units, nullptr, true});

@@ -79,6 +79,13 @@ TEST(Automatic, PinsThatBindAComponentAreToldFromThoseThatDoNot) {
   EXPECT_EQ(choose_technique(Framework(parts)).technique.name, "blocks") << "nothing moves";
 }
 
+/// Ions and dummy sites beside a molecule.
+TEST(Automatic, DoesNotCountJointsWithoutBars) {
+  Sketch sketch = with_angles(shaken(chain(9), 0.2));
+  for (int k = 0; k < 100; ++k) sketch.positions.push_back({10.0 + k, 0, 0});
+  EXPECT_EQ(choose_technique(framework_of(sketch)).technique.name, "units");
+}
+
 /// A star has a hub but no cycle; no bar at all is no cycle either.
 TEST(Automatic, TakesTheOutwardPassWhereItIsExact) {
   EXPECT_EQ(choose_technique(framework_of(star(500))).technique.name, "blocks");

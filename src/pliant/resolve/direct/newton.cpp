@@ -1,11 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/direct/newton.hpp"
 
-#include <utility>
-
 #include "pliant/resolve/direct/direct_method.hpp"
 #include "pliant/resolve/direct/nearest_point.hpp"
-#include "pliant/resolve/direct/shape_keeper.hpp"
 
 namespace pliant {
 namespace {
@@ -27,10 +24,9 @@ class NewtonSolver final : public PartSolver {
 
 std::unique_ptr<Method> make_newton(const Framework& framework, const Technique&,
                                     const ResolveOptions& options) {
-  auto method = make_direct_method(framework, options, [](BarEquations& equations) {
+  return make_direct_method(framework, options, [](BarEquations& equations) {
     return std::unique_ptr<PartSolver>(std::make_unique<NewtonSolver>(equations));
   });
-  return keep_shapes(framework, options, std::move(method));
 }
 
 }  // namespace pliant

@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 #include "pliant/resolve/direct/bar_loops.hpp"
 #include "pliant/resolve/direct/direct_method.hpp"
-#include "pliant/resolve/direct/shape_keeper.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
 
 namespace pliant {
@@ -91,10 +89,9 @@ class ShakeSolver final : public PartSolver {
 
 std::unique_ptr<Method> make_shake(const Framework& framework, const Technique&,
                                    const ResolveOptions& options) {
-  auto method = make_direct_method(framework, options, [](BarEquations& equations) {
+  return make_direct_method(framework, options, [](BarEquations& equations) {
     return std::unique_ptr<PartSolver>(std::make_unique<ShakeSolver>(equations));
   });
-  return keep_shapes(framework, options, std::move(method));
 }
 
 }  // namespace pliant

@@ -5,7 +5,7 @@
 
 #include "pliant/resolve/direct/direct_method.hpp"
 #include "pliant/resolve/direct/nearest_point.hpp"
-#include "pliant/resolve/direct/shape_keeper.hpp"
+#include "pliant/resolve/units/shape_keeper.hpp"
 
 namespace pliant {
 namespace {

@@ -112,5 +112,27 @@ TEST(Blocks, SaysThatAnImpossibleTriangleDoesNotConverge) {
   for (Vec3 p : y) EXPECT_TRUE(is_finite(p));
 }
 
+/// Joints in one place: a block that Newton's method does not part. The other block follows all the
+/// same, and no sweep is needed where the shape before the push is known.
+TEST(Blocks, ABlockThatCannotFollowItsPushFollowsAPartOfIt) {
+  std::vector<Vec3> positions = ring_of(9);
+  for (Vec3 p : ring_of(9)) positions.push_back(p + Vec3{8, 0, 0});
+  std::vector<Bar> bars = cycle_bars(9);
+  for (Bar bar : cycle_bars(9)) bars.push_back({bar.a + 9, bar.b + 9});
+  bars.push_back({0, 9});
+  const Framework framework = framework_at(positions, bars);
+  std::vector<Vec3> x = shaken(positions, 0.05);
+  x[3] = x[2];
+  std::vector<Vec3> alone = x;
+  const ResolveSummary without = Resolver(framework, {"blocks"}).resolve(alone, 12);
+  EXPECT_GT(without.finishing_sweeps, 0);
+  const std::vector<Vec3> pushed = x;
+  const ResolveSummary summary = Resolver(framework, {"blocks"}).resolve(x, 12, 0, positions);
+  EXPECT_TRUE(summary.converged());
+  EXPECT_EQ(summary.finishing_sweeps, 0);
+  EXPECT_EQ(summary.sweeps, 1);
+  for (std::size_t k = 9; k < 18; ++k) EXPECT_LT(distance(x[k], pushed[k]), 0.2) << k;
+}
+
 }  // namespace blocks_test
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/resolve/direct/kept_shapes.hpp"
+#include "pliant/resolve/units/kept_shapes.hpp"
 
 #include <algorithm>
 #include <array>
@@ -17,7 +17,9 @@ constexpr double most_off = 0.002;
 constexpr double thinnest = 0.1;
 /// By so many units away from a bent one, and so often, shapes are fitted until they agree.
 constexpr std::size_t shells = 3;
-constexpr int rounds = 60;
+constexpr int most_rounds = 100;
+/// Of what a joint may be off the shape of its unit.
+constexpr double well_enough = 0.01;
 
 Vec3 centroid(std::span<const Joint> joints, std::span<const Vec3> positions) {
   Vec3 sum;
@@ -60,6 +62,7 @@ KeptShapes::KeptShapes(const Framework& framework, const Tolerance& tolerance)
   for (std::size_t k = 0; k < rigid.size(); ++k)
     if (is_large(rigid.at(k)) && !flat[merged.of_unit[k]]) add(rigid.at(k));
   at_joint_ = UnitsOfJoints(units_, framework.joint_count());
+  weights_.assign(framework.joint_count(), 1.0);
 }
 
 void KeptShapes::add(std::span<const Joint> joints) {
@@ -76,10 +79,18 @@ void KeptShapes::add(std::span<const Joint> joints) {
 KeptShapes::Fit KeptShapes::fit(std::size_t unit, std::span<const Vec3> positions) const {
   const auto joints = units_.at(unit);
   const auto drawn = framework_.drawn();
-  Fit found{centroid(joints, drawn), centroid(joints, positions), {}};
+  Fit found;
+  double sum = 0.0;
+  for (Joint joint : joints) {
+    found.from += weights_[joint] * drawn[joint];
+    found.to += weights_[joint] * positions[joint];
+    sum += weights_[joint];
+  }
+  found.from = (1.0 / sum) * found.from;
+  found.to = (1.0 / sum) * found.to;
   RotationFit rotation;
   for (Joint joint : joints)
-    rotation.add(drawn[joint] - found.from, positions[joint] - found.to, 1.0);
+    rotation.add(drawn[joint] - found.from, positions[joint] - found.to, weights_[joint]);
   if (rotation.solve(false, found.rotation) != RotationFit::Fit::fitted) found.rotation = {};
   return found;
 }
@@ -101,25 +112,50 @@ bool KeptShapes::find_bent(std::span<const Vec3> positions, std::span<const Vec3
 
 void KeptShapes::straighten(std::span<Vec3> positions) {
   find_around();
+  weigh();
   sums_.resize(framework_.joint_count());
-  counts_.resize(framework_.joint_count());
-  for (int round = 0; round < rounds; ++round) {
-    for (std::uint32_t unit : around_)
-      for (Joint joint : units_.at(unit)) {
-        sums_[joint] = {};
-        counts_[joint] = 0;
-      }
-    for (std::uint32_t unit : around_) {
-      const Fit at = fit(unit, positions);
-      for (Joint joint : units_.at(unit)) {
-        sums_[joint] += at(framework_.drawn()[joint]);
-        ++counts_[joint];
-      }
-    }
+  for (int round = 0; round < most_rounds; ++round) {
+    clear_sums();
+    const bool agree = add_places(positions);
     for (std::uint32_t unit : around_)
       for (Joint joint : units_.at(unit))
         if (!framework_.is_pinned(joint)) positions[joint] = (1.0 / counts_[joint]) * sums_[joint];
+    if (agree) break;
   }
+  weights_.assign(framework_.joint_count(), 1.0);
+}
+
+void KeptShapes::clear_sums() {
+  for (std::uint32_t unit : around_)
+    for (Joint joint : units_.at(unit)) sums_[joint] = {};
+}
+
+/// Shared among the units of a joint, so that the centre of mass stays where it is.
+void KeptShapes::weigh() {
+  counts_.assign(framework_.joint_count(), 0.0);
+  for (std::uint32_t unit : around_)
+    for (Joint joint : units_.at(unit)) ++counts_[joint];
+  for (std::uint32_t unit : around_)
+    for (Joint joint : units_.at(unit)) weights_[joint] = mass(joint) / counts_[joint];
+}
+
+double KeptShapes::mass(Joint joint) const {
+  const double inverse = framework_.inverse_masses()[joint];
+  return inverse > 0.0 ? 1.0 / inverse : 1.0;
+}
+
+/// Where each unit fits best; whether all do so well that nothing is left to gain.
+bool KeptShapes::add_places(std::span<const Vec3> positions) {
+  bool agree = true;
+  for (std::uint32_t unit : around_) {
+    const Fit at = fit(unit, positions);
+    for (Joint joint : units_.at(unit)) {
+      const Vec3 place = at(framework_.drawn()[joint]);
+      agree = agree && distance(place, positions[joint]) <= well_enough * allowed_[unit];
+      sums_[joint] += place;
+    }
+  }
+  return agree;
 }
 
 void KeptShapes::find_around() {

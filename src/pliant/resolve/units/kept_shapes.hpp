@@ -28,7 +28,8 @@ class KeptShapes {
 
   /// Brings the units noted, and those around them, near their drawn shapes: each is put where it
   /// fits best, each joint into the middle of where its units have it, again and again (as FRODA
-  /// does: Wells et al., Phys. Biol. 2 (2005) S127). Leaves pinned joints.
+  /// does: Wells et al., Phys. Biol. 2 (2005) S127). Keeps the centre of mass; leaves pinned
+  /// joints.
   void straighten(std::span<Vec3> positions);
 
  private:
@@ -43,6 +44,10 @@ class KeptShapes {
   Fit fit(std::size_t unit, std::span<const Vec3> positions) const;
   bool is_bent(std::size_t unit, std::span<const Vec3> positions) const;
   void find_around();
+  void weigh();
+  double mass(Joint joint) const;
+  void clear_sums();
+  bool add_places(std::span<const Vec3> positions);
 
   const Framework& framework_;
   Tolerance tolerance_;
@@ -52,7 +57,8 @@ class KeptShapes {
   std::vector<std::uint32_t> bent_, around_;  ///< around_: what is fitted with what is bent
   std::vector<std::uint8_t> is_around_;       ///< of units
   std::vector<Vec3> sums_;                    ///< (N)
-  std::vector<double> counts_;                ///< (N)
+  std::vector<double> counts_;                ///< (N) of units around that hold the joint
+  std::vector<double> weights_;               ///< (N) in fits
 };
 
 }  // namespace pliant
