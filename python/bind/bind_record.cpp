@@ -10,13 +10,16 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/version.hpp"
+#include "pliant/laboratory/recorded_inputs.hpp"
 #include "pliant/molecule/structure/structure.hpp"
+#include "pliant/run/run.hpp"
 #include "recorded_bonds.hpp"
 
 namespace pliant::python {
 
 void bind_h5md_reader(nb::module_& module);
 void bind_topology(nb::module_& module);
+void bind_checkpoint(nb::module_& module);
 
 namespace {
 
@@ -62,20 +65,25 @@ std::vector<NamedParameter> parameters_from(const nb::dict& values) {
 void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
                    const Framework& framework, const Structure* structure,
                    const nb::dict& parameters, bool single, bool compress, bool overwrite,
-                   double flush_seconds) {
+                   double flush_seconds, bool durable, const RunOptions* run) {
   H5mdHeader header = header_of(structure);
   header.parameters = parameters_from(parameters);
+  if (run != nullptr) header.inputs = recorded_inputs(run->replay, run->technique.ordering.get());
   const H5mdOptions options{.single = single,
                             .compress = compress,
                             .overwrite = overwrite,
                             .flush_seconds = flush_seconds,
+                            .durable = durable,
                             .log = unraisable_python_log()};
   const nb::gil_scoped_release no_gil;
   new (self) LockedRecorder(path, framework, header, options);
 }
 
 void record(LockedRecorder& self, const OwnedFrame& frame) {
-  self.call([&](H5mdRecorder& recorder) { recorder.record(frame.frame); });
+  Frame shown = frame.frame;
+  shown.previous = {};  // which nothing keeps alive
+  shown.limits_off = {};
+  self.call([&](H5mdRecorder& recorder) { recorder.record(shown); });
 }
 
 /// The void or const member function `call` as a function of the locked object.
@@ -96,7 +104,7 @@ manager that closes itself.
 Parameters
 ----------
 path : str or path
-    Appears when all but the frames is written.
+    Appears with the first frame.
 framework : Framework
     Its bars, rest lengths and atom names are recorded.
 structure : Structure, optional
@@ -111,6 +119,11 @@ overwrite : bool
     Replace an existing file.
 flush_seconds : float
     Seconds between commits of frames; 0: commit each frame.
+durable : bool
+    Wait for the disk with each commit, so that frames survive a power cut.
+run : RunOptions, optional
+    Of the run that the recorder observes: with them and their ``parameters`` the run can go on from
+    the file (``continue_run``).
 
 Raises
 ------
@@ -125,10 +138,12 @@ OptionError
 void bind_record(nb::module_& module) {
   bind_h5md_reader(module);
   bind_topology(module);
+  bind_checkpoint(module);
   nb::class_<LockedRecorder>(module, "H5mdRecorder", recorder_doc)
       .def("__init__", &make_recorder, "path"_a, "framework"_a, nb::kw_only(),
            "structure"_a = nb::none(), "parameters"_a = nb::dict(), "single"_a = false,
-           "compress"_a = false, "overwrite"_a = false, "flush_seconds"_a = 1.0)
+           "compress"_a = false, "overwrite"_a = false, "flush_seconds"_a = 1.0,
+           "durable"_a = false, "run"_a = nb::none())
       .def("record", &record, "frame"_a,
            "Adds a frame, which must come after the last one and have finite positions and time.\n"
            "Raises FileError once the recorder is closed.")

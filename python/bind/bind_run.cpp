@@ -40,6 +40,12 @@ class StateInUse {
   const State* state_;
 };
 
+/// What a later run goes on from. Needs no GIL.
+void end_runs(const std::vector<LockedRecorder*>& recorders, const State& state) {
+  for (LockedRecorder* shared : recorders)
+    shared->use([&](H5mdRecorder& recorder) { recorder.end_run(state); });
+}
+
 OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state, RunOptions options,
                           const std::vector<nb::object>& observers, ForceRecorder* forces) {
   check_pushes(framework, options.replay);
@@ -50,7 +56,12 @@ OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state,
   options.log = python_log();
   options.resolve.should_stop = [&watch] { return watch(); };
   std::vector<Observer> all;
-  for (const nb::object& observer : observers) all.push_back(observer_of(observer, state));
+  std::vector<LockedRecorder*> recorders;
+  for (const nb::object& observer : observers) {
+    all.push_back(observer_of(observer, state));
+    if (nb::isinstance<LockedRecorder>(observer))
+      recorders.push_back(&nb::cast<LockedRecorder&>(observer));
+  }
   all.push_back([&watch](const Frame&) { return watch(); });
   RunSummary summary;
   {
@@ -58,6 +69,7 @@ OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state,
     const nb::gil_scoped_release no_gil;
     summary = run(framework, moved, options, all);
     if (forces) forces->publish();
+    end_runs(recorders, moved);
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
   return {summary, nb::borrow(state)};

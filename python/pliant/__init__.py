@@ -90,7 +90,7 @@ from pliant._core import (
 from pliant._ensemble import run_ensemble
 from pliant._late import import_after
 from pliant._moved import keep_old_names
-from pliant._run import run
+from pliant._run import continue_run, run
 from pliant.adapters import (
     constraints_from_openmm,
     from_mdanalysis,

@@ -66,6 +66,7 @@ def run(
     single: bool = False,
     compress: bool = False,
     flush_seconds: float = 1.0,
+    durable: bool = False,
 ) -> _core.RunSummary:
     """Push a framework again and again, resolve the bars that break, and record each step.
 
@@ -119,7 +120,7 @@ def run(
         Further values for /parameters of the file, by path.
     overwrite : bool
         Replace existing outputs, but never the file that the structure was read from.
-    single, compress, flush_seconds
+    single, compress, flush_seconds, durable
         As for `H5mdRecorder`.
 
     Returns
@@ -182,9 +183,60 @@ def run(
         single=single,
         compress=compress,
         flush_seconds=flush_seconds,
+        durable=durable,
+        run=options,
     )
     with recorder:
         return _core.run_steps(framework, start, options, [recorder, *observers], forces)
+
+
+def continue_run(
+    path: str | os.PathLike[str],
+    steps: int | None = None,
+    *,
+    observers: Iterable[Observer] = (),
+    flush_seconds: float = 1.0,
+    durable: bool = False,
+) -> _core.RunSummary:
+    """Go on with the run of an H5MD file, as if it had never stopped.
+
+    The file holds the framework, every option and where the run was, after its end, Ctrl-C or a
+    crash. Frames are added to it. Together they have the bits of one run without an end between. A
+    last frame that is none of every N-th was only the end of the run, and makes way.
+
+    Parameters
+    ----------
+    path : str or path
+        A file that `run` or the command has written.
+    steps : int, optional
+        How many steps the run is to have in all, those in the file included. Default: as many as
+        it was asked for.
+    observers : callables
+        As for `run`. They see each frame from the last checkpoint on, about a second before the
+        end of a run that was killed.
+    flush_seconds, durable
+        As for `H5mdRecorder`.
+
+    Returns
+    -------
+    RunSummary
+        Of the steps that were done now.
+
+    Raises
+    ------
+    InputError
+        The file has no checkpoint, or the technique is a function.
+    OptionError
+        The file has more steps than `steps`.
+    FileError
+        The file cannot be written, or is being written.
+    """
+    checkpoint = _core.read_checkpoint(path, steps)
+    options = checkpoint.options
+    with checkpoint.recorder(flush_seconds, durable) as recorder:
+        return _core.run_steps(
+            checkpoint.framework, checkpoint.state, options, [recorder, *observers], None
+        )
 
 
 def _opened(

@@ -245,6 +245,54 @@ TEST(H5mdRecorder, KeepsTheOldFileWhenTheNewOneFails) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory.path()), {}), 1);
 }
 
+TEST(H5mdRecorder, TakesItsNameWithItsFirstFrame) {
+  const TempDirectory directory;
+  const auto path = directory / "run.h5md";
+  std::ofstream(path) << "precious";
+  {
+    H5mdRecorder recorder(path, chain(4), {}, {.overwrite = true, .flush_seconds = 1e9});
+    EXPECT_EQ(content_of(path), "precious");
+    EXPECT_THROW(recorder.record(sample_frame(0, 3).frame), InputError);
+    EXPECT_EQ(content_of(path), "precious");
+  }
+  EXPECT_EQ(content_of(path), "precious") << "a recorder without frames leaves nothing behind";
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory.path()), {}), 1);
+  H5mdRecorder recorder(path, chain(4), {}, {.overwrite = true, .flush_seconds = 1e9});
+  recorder.record(sample_frame(0, 4).frame);
+  EXPECT_EQ(H5mdReader(path).frames(), 1);
+}
+
+/// A killed writer leaves its temporary file behind.
+TEST(H5mdRecorder, TakesOverWhatAKilledWriterLeft) {
+  const TempDirectory directory;
+  std::ofstream(directory / ".run.h5md.partial") << std::string(100'000, 'x');
+  record_file(directory / "run.h5md", 4, 2);
+  EXPECT_EQ(H5mdReader(directory / "run.h5md").frames(), 2);
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(directory.path()), {}), 1);
+}
+
+/// A reader asks for the file's length before it reads in the superblock how long it is.
+TEST(H5mdRecorder, IsLongerThanTheNextCommitSays) {
+  const TempDirectory directory;
+  const auto path = directory / "run.h5md";
+  H5mdRecorder recorder(path, chain(500), {}, {.flush_seconds = 0.0});
+  std::uintmax_t before = 0;
+  for (std::int64_t f = 0; f < 200; ++f) {
+    recorder.record(sample_frame(f, 500).frame);
+    std::ifstream file(path, std::ios::binary);
+    std::uint64_t end = 0;  // HDF5 File Format Specification, II.A, version 0: byte 40
+    file.seekg(40).read(reinterpret_cast<char*>(&end), sizeof end);
+    if (f > 0) {
+      EXPECT_GE(before, end) << "frame " << f;
+    }
+    before = std::filesystem::file_size(path);
+  }
+  recorder.close();
+  std::uint64_t end = 0;
+  std::ifstream(path, std::ios::binary).seekg(40).read(reinterpret_cast<char*>(&end), sizeof end);
+  EXPECT_EQ(std::filesystem::file_size(path), end);
+}
+
 TEST(H5mdRecorder, FollowsASymbolicLink) {
   const TempDirectory directory;
   record_file(directory / "real.h5md", 4, 1);
@@ -361,10 +409,12 @@ TEST(H5mdRecorder, CommitsInTimeAndOnDemand) {
   EXPECT_EQ(recorder.committed_frames(), 2);
   H5mdRecorder patient(directory / "patient.h5md", chain(4), {}, {.flush_seconds = 1e9});
   patient.record(sample_frame(0, 4).frame);
-  EXPECT_EQ(patient.committed_frames(), 0);
-  patient.flush();
+  EXPECT_EQ(patient.committed_frames(), 1) << "the first at once";
+  patient.record(sample_frame(1, 4).frame);
   EXPECT_EQ(patient.committed_frames(), 1);
-  EXPECT_EQ(H5mdReader(directory / "patient.h5md").frames(), 1);
+  patient.flush();
+  EXPECT_EQ(patient.committed_frames(), 2);
+  EXPECT_EQ(H5mdReader(directory / "patient.h5md").frames(), 2);
 }
 
 TEST(H5mdRecorder, MovesAndClosesTwice) {

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// Checkpoints: runs in H5MD files, to go on.
+#include <nanobind/stl/filesystem.h>
+
+#include "locked.hpp"
+#include "messages.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/laboratory/recorded_inputs.hpp"
+#include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
+#include "pliant/run/run_fields.hpp"
+
+namespace pliant::python {
+namespace {
+
+RunOptions options_of(const H5mdCheckpoint& from) {
+  try {
+    RunOptions options = run_options_from(from.parameters);
+    options.replay = replay_of(from.inputs);
+    if (Ordering ordering = ordering_of(from.inputs); !ordering.empty())
+      options.technique.ordering = std::make_shared<Ordering>(std::move(ordering));
+    options.steps = from.steps;
+    options.began = from.began;
+    check(options);
+    return options;
+  } catch (const Error& error) {
+    throw InputError(from.path.string() + ": its run cannot go on: " + error.what());
+  }
+}
+
+H5mdCheckpoint opened(const std::filesystem::path& path, std::optional<std::int64_t> steps) {
+  const Log log = python_log();
+  const nb::gil_scoped_release no_gil;
+  H5mdCheckpoint from = read_checkpoint(path, steps, log);
+  if (from.done > from.steps)
+    throw OptionError("steps = " + std::to_string(from.steps) + ": " + path.string() + " has " +
+                      std::to_string(from.done) + " steps already");
+  return from;
+}
+
+}  // namespace
+
+void bind_checkpoint(nb::module_& module) {
+  nb::class_<H5mdCheckpoint>(module, "Checkpoint",
+                             "A run in an H5MD file, as it can go on; see ``continue_run``.")
+      .def_ro("framework", &H5mdCheckpoint::framework, "What the run moves.")
+      .def_prop_ro(
+          "state", [](const H5mdCheckpoint& self) { return self.state; },
+          "A copy of the state to step on from.")
+      .def_prop_ro("options", &options_of, "How the run goes on.")
+      .def_ro("frames", &H5mdCheckpoint::frames, "Frames of the file that stay.")
+      .def_ro("done", &H5mdCheckpoint::done, "Steps done.")
+      .def(
+          "recorder",
+          [](const H5mdCheckpoint& self, double flush_seconds, bool durable) {
+            H5mdOptions options;
+            options.flush_seconds = flush_seconds;
+            options.durable = durable;
+            options.log = unraisable_python_log();
+            const nb::gil_scoped_release no_gil;
+            return std::make_unique<LockedRecorder>(self, options);
+          },
+          "flush_seconds"_a = 1.0, "durable"_a = false,
+          nb::sig("def recorder(self, flush_seconds: float = 1.0, durable: bool = False) -> "
+                  "H5mdRecorder"),
+          "Opens the file to add frames. Raises FileError if it is being written.");
+  module.def("read_checkpoint", &opened, "path"_a, "steps"_a = nb::none(),
+             "What the run of a file goes on from; ``steps``: how many it is to do in all.\n"
+             "Raises InputError where the file does not say it.");
+}
+
+}  // namespace pliant::python

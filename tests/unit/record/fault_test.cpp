@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: MIT
+// The table of faults: a run whose writes fail, or that dies, at every write there is. No frame
+// that was committed is lost, and the run goes on from what is left as if nothing had happened.
+//
+// PLIANT_ALL: more frames, and large ones.
+#include <gtest/gtest.h>
+
+#include <cerrno>
+#include <cstdlib>
+
+#include "pliant/base/error.hpp"
+#include "unit/record/recorded_runs.hpp"
+#include "unit/record/samples.hpp"
+#include "unit/record/write_replay.hpp"
+
+namespace pliant {
+namespace fault_test {
+
+using namespace test;
+namespace fs = std::filesystem;
+
+struct FaultCase {
+  const char* name;
+  std::size_t joints;
+  bool compress;
+  std::int64_t steps;
+  bool is_long;  ///< only with PLIANT_ALL
+};
+
+class FaultTable : public ::testing::TestWithParam<FaultCase> {
+ protected:
+  void SetUp() override {
+    if (GetParam().is_long && std::getenv("PLIANT_ALL") == nullptr)
+      GTEST_SKIP() << "only with PLIANT_ALL";
+    options_.steps = GetParam().steps;
+    options_.every = 2;
+    options_.resolve.seed = 5;
+    record_run(directory_ / "whole", framework_, start_, options_, recording_);
+  }
+
+  static Framework straight_chain(std::size_t joints) {
+    FrameworkParts parts;
+    parts.joint_count = joints;
+    for (Joint i = 0; i + 1 < joints; ++i) parts.bars.push_back({i, i + 1});
+    parts.rest_lengths.assign(parts.bars.size(), 1.5);
+    return Framework(std::move(parts));
+  }
+  static State straight(std::size_t joints) {
+    std::vector<Vec3> positions;
+    for (std::size_t i = 0; i < joints; ++i) positions.push_back({1.5 * double(i), 0, 0});
+    return State(positions);
+  }
+
+  /// A run into run.h5md of which some write fails; frames that it says to have committed.
+  std::int64_t record_until_failure(std::string& message) {
+    std::int64_t committed = 0;
+    message = message_of<FileError>([&] {
+      H5mdHeader header;
+      header.parameters = parameters_of(options_, framework_);
+      header.inputs = RunInputs();
+      H5mdRecorder recorder(run_, framework_, header, recording_);
+      State state = start_;
+      run(framework_, state, options_, {[&](const Frame& frame) {
+            recorder.record(frame);
+            committed = recorder.committed_frames();
+            return false;
+          }});
+      recorder.end_run(state);
+      recorder.close();
+    });
+    return committed;
+  }
+
+  /// What is left has the committed frames, and goes on to the whole.
+  void expect_whole_again(const fs::path& left, std::int64_t committed) const {
+    {
+      const H5mdReader reader(left), whole(directory_ / "whole");
+      ASSERT_GE(reader.frames(), std::max<std::int64_t>(committed, 1));
+      for (std::int64_t f = 0; f < reader.frames(); ++f)
+        ASSERT_TRUE(same_bits(reader.positions(f), whole.positions(f))) << "frame " << f;
+    }
+    go_on(left, options_.steps, recording_);
+    expect_same_file(directory_ / "whole", left);
+  }
+
+  const TempDirectory directory_;
+  const fs::path run_ = directory_ / "run.h5md";
+  const Framework framework_ = straight_chain(GetParam().joints);
+  const State start_ = straight(GetParam().joints);
+  const H5mdOptions recording_{.compress = GetParam().compress, .flush_seconds = 0.0};
+  RunOptions options_;
+};
+
+/// The disk is full, or broken, from the k-th write on, which may write half.
+TEST_P(FaultTable, FailedWrites) {
+  for (const int error : {ENOSPC, EIO})
+    for (const bool half : {false, true}) {
+      long k = 0;
+      for (;; ++k) {
+        SCOPED_TRACE(std::string(std::strerror(error)) + ", write " + std::to_string(k));
+        std::string message;
+        std::int64_t committed = 0;
+        {
+          WriteWatch watch;
+          watch.fail_at = k;
+          watch.error = error;
+          watch.half = half;
+          committed = record_until_failure(message);
+        }
+        EXPECT_FALSE(fs::exists(directory_ / ".run.h5md.partial"));
+        if (message.empty()) break;
+        EXPECT_EQ(message.find(run_.string() + ": cannot write: " + std::strerror(error)), 0u);
+        EXPECT_EQ(fs::exists(run_), committed > 0);
+        if (committed > 0) expect_whole_again(run_, committed);
+        fs::remove(run_);
+        ASSERT_FALSE(HasFailure());
+      }
+      EXPECT_GT(k, 20);
+      fs::remove(run_);
+    }
+}
+
+/// Dies before every write, and within every write at each page.
+TEST_P(FaultTable, Deaths) {
+  const fs::path left = directory_ / "left", copy = directory_ / "copy";
+  WriteReplay replay(left);
+  std::int64_t committed = 0;
+  long deaths = 0;
+  const auto look = [&] {
+    if (committed == 0) return;  // the file has no name yet
+    ++deaths;
+    fs::copy_file(left, copy, fs::copy_options::overwrite_existing);
+    expect_whole_again(copy, committed);
+  };
+  std::vector<WriteCall> calls;
+  std::vector<std::pair<std::size_t, std::int64_t>> acknowledged;  // calls before, frames
+  {
+    WriteWatch watch;
+    watch.keep = true;
+    H5mdHeader header;
+    header.parameters = parameters_of(options_, framework_);
+    header.inputs = RunInputs();
+    H5mdRecorder recorder(run_, framework_, header, recording_);
+    State state = start_;
+    run(framework_, state, options_, {[&](const Frame& frame) {
+          recorder.record(frame);
+          acknowledged.emplace_back(watch.calls.size(), recorder.committed_frames());
+          return false;
+        }});
+    recorder.end_run(state);
+    recorder.close();
+    calls = std::move(watch.calls);
+  }
+  std::size_t next = 0;
+  for (std::size_t k = 0; k < calls.size(); ++k) {
+    SCOPED_TRACE("write " + std::to_string(k));
+    for (; next < acknowledged.size() && acknowledged[next].first <= k; ++next)
+      committed = acknowledged[next].second;
+    replay.apply(calls[k], look);
+    look();
+    ASSERT_FALSE(HasFailure());
+  }
+  EXPECT_GT(deaths, 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Frames, FaultTable,
+                         ::testing::Values(FaultCase{"small", 5, false, 9, false},
+                                           FaultCase{"small_compressed", 5, true, 9, false},
+                                           FaultCase{"middling", 200, false, 9, true},
+                                           FaultCase{"middling_compressed", 200, true, 9, true},
+                                           FaultCase{"chunk_a_frame", 1400, false, 9, true},
+                                           FaultCase{"chunk_a_frame_compressed", 1400, true, 9,
+                                                     true},
+                                           FaultCase{"many_frames", 3, false, 140, true},
+                                           FaultCase{"many_frames_compressed", 3, true, 140, true},
+                                           FaultCase{"large", 20'000, false, 5, true},
+                                           FaultCase{"large_compressed", 20'000, true, 5, true}),
+                         [](const auto& fault) { return fault.param.name; });
+
+}  // namespace fault_test
+}  // namespace pliant
