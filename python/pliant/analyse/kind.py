@@ -25,9 +25,9 @@ SENTENCES = {
         "not claimed, and how far frames go on the whole was put in."
     ),
     PATH: (
-        "Not an ensemble: each frame is the one before, pushed at random and resolved. How far "
-        "atoms got depends on the pushes and on how many there were; these fluctuations are not "
-        "the molecule's. For those see pliant sample."
+        "Not an ensemble: each frame is the one before, pushed and resolved. How far atoms got "
+        "depends on the pushes and on how many there were, so that these fluctuations are no "
+        "property of the molecule. For those of a molecule see pliant sample."
     ),
     TRAJECTORY: (
         "A trajectory of another program: fluctuations are what it gives; errors come from blocks "

@@ -30,6 +30,9 @@ if TYPE_CHECKING:
 
 MARKS = {"good": "✓", "mixed": "!", "bad": "✕", "open": "–"}
 
+#: cells of a table with more letters than this are text, which is wrapped
+SHORT = 14
+
 MISSING_VIEWER = (
     "The 3-D view is not in this page, because 3Dmol.js is not in the installed package "
     "(pliant/static/3Dmol-min.js). It is fetched from npm when pliant is built. "
@@ -176,7 +179,9 @@ def _table(table: PageTable) -> str:
 
 def _row(tag: str, texts: Iterable[str]) -> str:
     first, *others = (escape(text) for text in texts)
-    numbers = "".join(f'<{tag} class="n">{text}</{tag}>' for text in others)
+    numbers = "".join(
+        f'<{tag} class="{"n" if len(text) <= SHORT else "t"}">{text}</{tag}>' for text in others
+    )
     return f"<tr><{tag}>{first}</{tag}>{numbers}</tr>"
 
 

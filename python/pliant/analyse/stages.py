@@ -49,12 +49,7 @@ def study_trajectory(
     or frames is wrong or empty.
     """
     on_stage("reading")
-    universe = open_universe(options.path, options.topology)
-    stored = StoredPositions(universe.trajectory)
-    study = Study(options, universe, _record(options.path), stored)
-    study.atoms = _select(universe, options.select, "--select")
-    study.fitted, study.fitted_name = _fitted(study)
-    choose_frames(study)
+    study = opened_study(options)
     biology.basics(study)
     runner = Runner(study)
     for name, stage in STAGES.items():
@@ -63,6 +58,17 @@ def study_trajectory(
             stage(study, runner)
         except (ValueError, NoDataError) as error:
             study.skipped[name] = " ".join(str(error).split())
+    return study
+
+
+def opened_study(options: StudyOptions) -> Study:
+    """The study with its atoms and frames chosen, before any analysis; raises as the above."""
+    universe = open_universe(options.path, options.topology)
+    stored = StoredPositions(universe.trajectory)
+    study = Study(options, universe, _record(options.path), stored)
+    study.atoms = _select(universe, options.select, "--select")
+    study.fitted, study.fitted_name = _fitted(study)
+    choose_frames(study)
     return study
 
 
@@ -194,7 +200,7 @@ def _torsions(study: Study, runner: Runner) -> None:
     study.torsions = torsions
     if torsions.results.angles.size > MAX_ANGLES:
         study.notes.append(
-            f"torsion_angles.csv is left out: it would hold {torsions.results.angles.size:,} numbers"
+            f"the table torsion_angles.csv is left out: {torsions.results.angles.size:,} numbers"
         )
 
 

@@ -72,5 +72,7 @@ def _one_each(atoms: AtomGroup) -> bool:
 def _single_atoms(atoms: AtomGroup) -> Units:
     count = len(atoms)
     labels = atom_labels(atoms)
+    if len(set(labels)) < count:
+        labels = [f"{label}({k + 1})" for label, k in zip(labels, atoms.ix, strict=True)]
     place = np.arange(count)
     return Units("atom", labels, atoms.ix + 1, np.full(count, ""), atoms.ix, atoms.ix, place)

@@ -109,9 +109,11 @@ def whole(study: Study) -> Verdict:
     failed = [name for name, one in made.items() if one.kind == "bad"]
     if failed:
         sentence = f"Do not use these frames as they are: see {' and '.join(failed)}."
-        return Verdict("bad", sentence, made[failed[0]].sentence)
+        return Verdict("bad", sentence, "Other questions may well have good answers.")
     if study.kind == PATH:
-        return _what_it_is(study)
+        held = [name for name, one in made.items() if one.kind == "good"]
+        details = f"What could be judged and holds: {', '.join(held)}." if held else ""
+        return Verdict("mixed", "A path of pushes, and not an ensemble.", details)
     doubtful = [one for one in made.values() if one.kind == "mixed"]
     if doubtful:
         return Verdict("mixed", doubtful[0].sentence, doubtful[0].details)
@@ -119,6 +121,10 @@ def whole(study: Study) -> Verdict:
     if not held:
         return Verdict("open", "There is nothing here to judge.", "")
     return Verdict("good", f"What could be judged holds: {', '.join(held)}.", "")
+
+
+def _sentence(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:]}." if text else ""
 
 
 def _what_it_is(study: Study) -> Verdict:
@@ -131,7 +137,7 @@ def _convergence(study: Study) -> Verdict:
     found = study.flexibility
     if found is None:
         return Verdict(
-            "open", "Convergence cannot be judged.", study.skipped.get("flexibility", "")
+            "open", "Convergence cannot be judged.", _sentence(study.skipped.get("flexibility", ""))
         )
     details = (
         f"Profiles of the two halves of the frames correlate by {found.correlation:.3f} and differ "
@@ -150,7 +156,9 @@ def _stereochemistry(study: Study) -> Verdict:
     rows = shape_rows(study)
     if not rows:
         return Verdict(
-            "open", "Stereochemistry cannot be judged.", study.skipped.get("stereochemistry", "")
+            "open",
+            "Stereochemistry cannot be judged.",
+            _sentence(study.skipped.get("stereochemistry", "")),
         )
     found, reference = known(study.shape_results), known(study.reference)
     details = (

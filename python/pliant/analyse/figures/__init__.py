@@ -46,10 +46,11 @@ FIGURES = (
     FigureKind(
         "flexibility", FLEXIBLE, flexibility_figures.flexibility, _has("flexibility"),
         "Root mean square fluctuation about the average place, after superposition. The band (or "
-        "bar) is twice the error, from independent blocks of frames: 19 of 20 values of a much "
-        "longer run lie within it. The strip along the axis has the colours of the domains.",
+        "error bar) is twice the error, from blocks of frames. A strip along the axis has the "
+        "colours of the domains.",
         "Of this path only: with other pushes, or more of them, the profile would be another.",
-        "The error is that of having few frames; that a model made them is not in it.",
+        "About 19 of 20 values of a much longer run lie within the band. It is the error of having "
+        "few frames; that a model made them is not in it.",
     ),
     FigureKind(
         "correlations", TOGETHER, flexibility_figures.together, _has("correlations"),
