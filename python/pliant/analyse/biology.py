@@ -25,7 +25,9 @@ if TYPE_CHECKING:
     from pliant.analyse.study import Study
 
 #: frames whose chemistry and contacts are looked at, spread over all
-LOOKED_AT = 200
+LOOKED_AT = 100
+#: frames that are superposed at a time
+AT_ONCE = 32
 #: chains shorter than this have no domains
 LEAST_CHAIN = 20
 
@@ -53,10 +55,11 @@ def rmsd_to_reference(study: Study) -> None:
     fitted = np.isin(study.atoms.ix, study.fitted.ix)
     target = study.reference.positions[study.atoms.ix]
     values = np.empty((2, len(study.frames)))
-    for k in range(len(study.frames)):
-        one = study.positions(k)[study.atoms.ix][None]
-        squares = np.sum((superpose_onto(one, fitted, target[fitted])[0] - target) ** 2, axis=1)
-        values[:, k] = np.sqrt([squares[fitted].mean(), squares.mean()])
+    for first in range(0, len(study.frames), AT_ONCE):
+        part = range(first, min(first + AT_ONCE, len(study.frames)))
+        frames = np.array([study.positions(k)[study.atoms.ix] for k in part])
+        squares = np.sum((superpose_onto(frames, fitted, target[fitted]) - target) ** 2, axis=2)
+        values[:, part] = np.sqrt([squares[:, fitted].mean(axis=1), squares.mean(axis=1)])
     study.rmsd = values[0]
     study.rmsd_all = None if fitted.all() else values[1]
 

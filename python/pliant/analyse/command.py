@@ -101,8 +101,8 @@ def _add_choice_of_frames(add: Callable[..., object]) -> None:
 
 def _add_output(add: Callable[..., object]) -> None:
     add(
-        "--dpi", type=whole_number(50, most=1200), default=200, metavar="N",
-        help="resolution of the figures, dots per inch (default: 200)",
+        "--dpi", type=whole_number(50, most=1200), default=150, metavar="N",
+        help="resolution of the figures, dots per inch (default: 150)",
     )  # fmt: skip
     add("--json", action="store_true", help="print the results as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")

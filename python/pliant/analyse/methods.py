@@ -14,7 +14,7 @@ METHODS = (
      "explain 30 %. Hinges are neighbours of two domains."),
     ("Collectivity", "exp of the entropy of the residues' shares, over their number (Brueschweiler "
      "1995): 1 where all move alike."),
-    ("Stereochemistry", "Up to 200 frames, spread over all. Bond angles against the start "
+    ("Stereochemistry", "Up to 100 frames, spread over all. Bond angles against the start "
      "structure; carbons that turned over; centres with three neighbours off their plane; "
      "phi and psi of residues but glycine and proline in regions that hold 90 % (favoured) and "
      "99.5 % (allowed) of those of 500 crystal structures (Lovell 2003); heavy atoms more than "

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 #: halves agree where their profiles correlate at least so well ...
 LEAST_CORRELATION = 0.95
@@ -59,7 +59,7 @@ def flexibility(
     parts = np.array([_rmsf(positions[block], units) for block in blocks])
     sizes = np.array([len(block) for block in blocks], dtype=float)
     together = np.sqrt((sizes / sizes.sum()) @ parts**2)
-    widened = student.ppf(0.975, PRIOR_FREEDOM + len(parts) - 1) / 2.0
+    widened = stdtrit(PRIOR_FREEDOM + len(parts) - 1, 0.975) / 2.0
     variance = widened**2 * _moderated(parts, every) / len(parts)
     halves = np.array([_together(parts, sizes, half) for half in _halves(len(blocks))])
     return Flexibility(

@@ -91,7 +91,9 @@ FIGURES = (
         "allowed, for residues other than glycine and proline, which the plot has too.",
     ),
     FigureKind(
-        "torsions", SHAPES, torsion_figures.torsions, _has("torsions"),
+        "torsions", SHAPES, torsion_figures.torsions,
+        lambda study: study.torsions is not None
+        and len(study.torsions.torsions) <= torsion_figures.MOST_TORSIONS,
         "How often each angle was taken: areas are shares of the frames, the red line is the "
         "first frame.",
         "", "How often is a matter of the model, not of energies.",
@@ -117,7 +119,7 @@ FIGURES = (
 )  # fmt: skip
 
 
-def save_figures(study: Study, folder: Path, dpi: int = 200) -> list[tuple[FigureKind, Path]]:
+def save_figures(study: Study, folder: Path, dpi: int = 150) -> list[tuple[FigureKind, Path]]:
     """Writes the PNG of each figure that the study gives; returns [(FigureKind, path)]."""
     written = []
     with styled():
