@@ -1,6 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The stages of a study that answer a biologist: what is flexible, what moves together, and is it
-still the molecule."""
+"""The stages that answer a biologist: what is flexible, what moves together, is it a molecule."""
 
 from __future__ import annotations
 

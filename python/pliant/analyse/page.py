@@ -39,6 +39,7 @@ MISSING_VIEWER = (
     "The rest of the page is whole."
 )
 
+
 def write_page(
     study: Study,
     figures: Sequence[tuple[FigureKind, Path]],
@@ -211,7 +212,8 @@ def _details(study: Study, files: Sequence[Path]) -> str:
             (name, f"{value:g}" if isinstance(value, float) else str(value))
             for name, value in sorted(study.record.parameters.items())
         ]
-        parts.append(_disclosure("Options of the run", _table(PageTable("", "", ("option", "value"), rows))))
+        options = PageTable("", "", ("option", "value"), rows)
+        parts.append(_disclosure("Options of the run", _table(options)))
     links = "".join(f'<li><a href="{escape(f.name)}">{escape(f.name)}</a></li>' for f in files)
     parts.append(_disclosure("Files beside this page", f"<ul>{links}</ul>"))
     licence = resources.files("pliant") / "static" / "3Dmol-LICENSE.txt"

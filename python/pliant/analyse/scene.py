@@ -235,7 +235,7 @@ def _secondary_structure(atoms: AtomGroup, study: Study) -> str:
 
 def _series(study: Study, frames: np.ndarray) -> dict[str, Any]:
     """What the timeline can show: name -> label, unit, values, whether logarithmic."""
-    series = {}
+    series: dict[str, dict[str, Any]] = {}
     columns = {
         "rmsd": ("RMSD", "Å", study.rmsd),
         "radius": ("radius of gyration", "Å", study.radius),

@@ -220,7 +220,7 @@ def _principal_components(study: Study, runner: Runner) -> None:
 
 
 #: in the order of running: what is left out goes by these names
-STAGES = {
+STAGES: dict[str, Callable[[Study, Runner], None]] = {
     "bar residuals": _bar_residuals,
     "sweeps": _sweeps,
     "RMSD": _rmsd,

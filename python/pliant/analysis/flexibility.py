@@ -51,9 +51,9 @@ def flexibility(
         error^2 = (t / 2)^2 s^2 / B + (f - <f_b^2>^(1/2))^2
 
     with s the standard deviation of f_b and t Student's for 95 %; the second term is what averages
-    of blocks are apart, which a drift shows in. A few blocks know s badly, so relative variances (s / f)^2 are drawn
-    towards their mean over all units, which counts for PRIOR_FREEDOM degrees of freedom beside
-    B - 1, also in t (G. K. Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3).
+    of blocks are apart, which a drift shows in. A few blocks know s badly, so relative variances
+    (s / f)^2 are drawn towards their mean over all units, which counts for PRIOR_FREEDOM degrees of
+    freedom beside B - 1, also in t (G. K. Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3).
     """
     every = _rmsf(positions, units)
     parts = np.array([_rmsf(positions[block], units) for block in blocks])

@@ -89,8 +89,7 @@ class StoredPositions:
         follows, self._last = frame == self._last + 1, frame
         first = self._ahead_from
         if self._ahead is not None and first <= frame < first + len(self._ahead):
-            ahead: np.ndarray = self._ahead[frame - first].copy()
-            return ahead
+            return np.array(self._ahead[frame - first])
         if not follows or frame < 0:
             found = _hdf5.read(self._open()[self._dataset], frame)
             positions: np.ndarray = found.astype(np.float64) * self._to_angstrom
@@ -99,7 +98,7 @@ class StoredPositions:
         count = max(1, AHEAD_BYTES // max(24 * shape[1], 1))
         self._ahead = self.read(slice(frame, min(frame + count, shape[0])))
         self._ahead_from = frame
-        return self._ahead[0].copy()
+        return np.array(self._ahead[0])
 
     def times_and_steps(self) -> tuple[np.ndarray, np.ndarray | None]:
         """Times (F,), ps, and steps (F,) of all frames of an H5MD file; None if it has no steps."""

@@ -261,6 +261,7 @@ def test_input_that_cannot_be_read_is_exit_code_1(tmp_path, peptide, write_run, 
         ([empty], f"{empty}: holds no frames"),
         ([other], f"{other}: is HDF5 but not H5MD: there is no group in /particles"),
         ([good, "--topology", missing], f"{missing}: no such file"),
+        ([good, "--reference", missing], f"{missing}: no such file"),
         ([good, "-o", text], f"{text}: is a file, expected a folder for the results"),
     ):
         assert refused(arguments, capsys) == (1, message)
@@ -275,6 +276,7 @@ def test_a_choice_that_is_wrong_or_empty_is_exit_code_2(tmp_path, peptide, write
     good = write_run(tmp_path / "good.h5md", peptide, [peptide.positions])
     for arguments, message in (
         (["--select", "name XX"], "--select 'name XX': selects no atoms"),
+        (["--distance", "name CA", "name XX"], "--distance 'name XX': selects no atoms"),
         (["--start", "5"], "--start, --stop, --step: choose none of the 1 frames"),
     ):
         assert refused([good, *arguments], capsys) == (2, message)

@@ -135,7 +135,7 @@ def two_bodies(frames=200, seed=1):
     """Two rigid pieces of 40 sites, the second on a hinge at its first site."""
     random = np.random.default_rng(seed)
     first = np.stack([np.arange(40) * 1.5, 3 * np.sin(np.arange(40)), 3 * np.cos(np.arange(40))], 1)
-    second = first + [60.0, 0.0, 0.0]
+    second = first + np.array([60.0, 0.0, 0.0])
     hinge = second[0]
     made = []
     for angle in random.normal(0, 0.2, frames):

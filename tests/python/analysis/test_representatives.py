@@ -70,9 +70,7 @@ def test_the_models_are_the_frames_and_always_the_same(run, tmp_path, capsys):
     for k, number in enumerate(found["frames"]):
         written.trajectory[k]
         source.trajectory[number]
-        assert (
-            rms.rmsd(written.atoms.positions, source.atoms.positions, superposition=True) < 2e-3
-        )
+        assert rms.rmsd(written.atoms.positions, source.atoms.positions, superposition=True) < 2e-3
     assert b"populations are not claimed" in before
 
 
