@@ -24,6 +24,7 @@ constexpr Command commands[] = {
     {"techniques", "list techniques, weightings and perturbations", command_techniques},
     {"check", "check a trajectory against OpenMM", nullptr},
     {"analyse", "make figures, tables and an HTML report of a trajectory", nullptr},
+    {"representatives", "choose a few frames that stand for all, as a PDB file", nullptr},
     {"compare", "compare a trajectory with one of OpenMM or another program", nullptr},
     {"experiment", "compare techniques on random graphs, judge the claims of the thesis", nullptr},
     {"bench", "measure time and error of every technique, beside OpenMM", nullptr},
@@ -38,7 +39,7 @@ void print_usage(std::FILE* to) {
       "commands:\n",
       to);
   for (const Command& command : commands)
-    std::fprintf(to, "  %-12.*s%.*s\n", int(command.name.size()), command.name.data(),
+    std::fprintf(to, "  %-17.*s%.*s\n", int(command.name.size()), command.name.data(),
                  int(command.summary.size()), command.summary.data());
   std::fputs(
       "\n"

@@ -54,7 +54,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> Parser:
     parser = Parser("analyse", DESCRIPTION, EPILOG)
     add = parser.add_argument
-    add("file", metavar="FILE", help="trajectory of pliant run (H5MD), or another")
+    add("file", metavar="FILE", help="trajectory of pliant sample or run (H5MD), or another")
     add(
         "-o", "--output", metavar="DIR",
         help="folder for the results (default: FILE's name with -report)",

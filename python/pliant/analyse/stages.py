@@ -56,6 +56,8 @@ def study_trajectory(
         on_stage(name)
         try:
             stage(study, runner)
+        except OptionError:  # which is a ValueError, but the user's
+            raise
         except (ValueError, NoDataError) as error:
             study.skipped[name] = " ".join(str(error).split())
     return study
