@@ -3,12 +3,12 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pliant._core import OptionError
+from pliant.analyse.found import Contacts
 from pliant.analyse.kind import frame_blocks, kind_of
 from pliant.analyse.names import phi_psi_pairs
 from pliant.analyse.reference import reference_of
@@ -29,16 +29,6 @@ LOOKED_AT = 100
 AT_ONCE = 32
 #: chains shorter than this have no domains
 LEAST_CHAIN = 20
-
-
-@dataclass(frozen=True)
-class Contacts:
-    """Pairs of residues in contact (heavy atoms within 4.5 Angstrom) and how often."""
-
-    pairs: np.ndarray  #: (k, 2) numbers of units
-    share: np.ndarray  #: (k,) of the frames looked at
-    at_start: np.ndarray  #: (k,) bool: in the reference
-    frames: int  #: that were looked at
 
 
 def basics(study: Study) -> None:

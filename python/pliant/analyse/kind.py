@@ -7,14 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant.analyse.found import ENSEMBLE, PATH, TRAJECTORY
 from pliant.analysis.flexibility import numbered_blocks, path_blocks
 
 if TYPE_CHECKING:
     from pliant.analyse.study import Study
-
-ENSEMBLE = "ensemble"  #: `pliant sample`: frames are independent
-PATH = "path"  #: `pliant run`, or sampler `walk`: each frame is the one before, pushed
-TRAJECTORY = "trajectory"  #: another program's: frames may be anything
 
 #: numbers of frames of `pliant sample` are white within blocks of so many
 WHITE = 100

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from pliant._core import techniques
 from pliant.analyse.figures.style import WIDE
+from pliant.analyse.found import ENSEMBLE
 from pliant.analyse.methods import METHODS
 from pliant.analyse.page_tables import PageTable, facts, tables, title
 from pliant.analyse.scene import scene
@@ -107,7 +108,7 @@ def _subtitle(study: Study) -> str:
     if study.residuals is not None:
         parts.append(f"{len(study.residuals.bars):,} bars")
     parts.append(f"{len(study.frames):,} frames")
-    if study.steps is not None:
+    if study.steps is not None and study.kind != ENSEMBLE:
         parts.append(f"steps {study.steps[0]:,} to {study.steps[-1]:,}")
     run = study.record.parameters if study.record else {}
     if "run/technique" in run:

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant._core import InputError, OptionError
-from pliant.analyse.kind import ENSEMBLE, kind_of
+from pliant.analyse.found import ENSEMBLE
+from pliant.analyse.kind import kind_of
 from pliant.analyse.multi_model import write_models
 from pliant.analyse.stages import opened_study
 from pliant.analyse.study import StudyOptions

@@ -11,8 +11,8 @@ from MDAnalysis.exceptions import NoDataError, SelectionError
 
 from pliant._core import OptionError
 from pliant.analyse import biology
+from pliant.analyse.found import ENSEMBLE
 from pliant.analyse.frames_held import choose_frames
-from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.load import open_universe
 from pliant.analyse.study import MAX_ANGLES, Study
 from pliant.analysis import (

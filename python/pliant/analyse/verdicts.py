@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant.analyse.bar_verdict import Verdict, verdict
-from pliant.analyse.kind import ENSEMBLE, PATH, SENTENCES
+from pliant.analyse.found import ENSEMBLE, PATH
+from pliant.analyse.kind import SENTENCES
 from pliant.analyse.study import known
 from pliant.analysis.stereochemistry import TWISTED
 
@@ -24,6 +25,9 @@ MOST_OUT_OF_PLANE = 0.3
 MOST_OVERLAP = 0.4
 #: share of residues outside the allowed regions that frames may have beyond the start structure
 MORE_OUTLIERS = 0.01
+
+#: where frames reached less than this share of the amplitude asked for, the verdict is a warning
+LEAST_REACHED = 0.5
 
 
 @dataclass(frozen=True)
@@ -185,7 +189,8 @@ def _amplitude(study: Study) -> Verdict | None:
     missing = _missing_frames(study)
     if missing:
         details += f" {missing} frames could not be resolved and are left out."
-    return Verdict("open", sentence, details)
+    kind = "mixed" if reached < LEAST_REACHED * float(asked) else "open"
+    return Verdict(kind, sentence, details)
 
 
 def _missing_frames(study: Study) -> int:

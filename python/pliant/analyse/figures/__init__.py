@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from pliant.analyse.figures import flexibility_figures, mobility, series, torsion_figures
 from pliant.analyse.figures.style import styled
-from pliant.analyse.kind import ENSEMBLE, PATH
+from pliant.analyse.found import ENSEMBLE, PATH
 from pliant.analyse.names import has_backbone
 from pliant.analyse.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
 
