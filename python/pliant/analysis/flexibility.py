@@ -88,8 +88,9 @@ def _rmsf(positions: np.ndarray, units: np.ndarray) -> np.ndarray:
 
 def _moderated(parts: np.ndarray, every: np.ndarray) -> np.ndarray:
     """(n,) variance of a block's RMSF, each unit's drawn towards the relative one of all."""
-    squares = np.maximum(every, 1e-300) ** 2
-    own = parts.var(axis=0, ddof=1) / squares
+    squares = every**2
+    variance = parts.var(axis=0, ddof=1)
+    own = np.divide(variance, squares, out=np.zeros_like(squares), where=squares > 0)
     freedom = len(parts) - 1
     mixed = (PRIOR_FREEDOM * own.mean() + freedom * own) / (PRIOR_FREEDOM + freedom)
     return np.asarray(mixed * squares)

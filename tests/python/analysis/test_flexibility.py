@@ -67,6 +67,12 @@ def test_halves_that_agree_are_converged_and_others_not():
     np.testing.assert_allclose(changed.halves[0], whole)
 
 
+def test_what_does_not_move_has_no_error():
+    found = flexibility(np.ones((10, 5, 3)), np.arange(5), equal_blocks(10, 2))
+    assert found.rmsf.tolist() == found.error.tolist() == [0.0] * 5
+    assert (found.correlation, found.difference) == (1.0, 0.0)
+
+
 def test_blocks_follow_the_numbers_of_frames():
     sizes = [len(b) for b in numbered_blocks(np.arange(50, 430), 100)]
     assert sizes == [150, 100, 130]  # 50 to 99 join 100 to 199; 400 to 429 join 300 to 399
