@@ -220,7 +220,8 @@ def test_prody_reads_the_modes(folder, report):
     found = report.study.pca.results
     assert atoms.numAtoms() == 20
     assert modes.numModes() == 10
-    np.testing.assert_allclose(modes.getEigvals(), found.eigenvalues[:10], rtol=1e-3)
+    # the square of a mode's scale is taken for the inverse of its eigenvalue, as of normal modes
+    np.testing.assert_allclose(1 / modes.getEigvals(), found.eigenvalues[:10], rtol=1e-3)
     np.testing.assert_allclose(modes.getEigvecs().T, found.components[:10], atol=2e-5)
     np.testing.assert_allclose(atoms.getCoords(), found.average, atol=6e-4)
 
@@ -252,3 +253,18 @@ def test_a_run_is_no_ensemble_and_no_tick_is_green_where_a_question_fails(tmp_pa
     assert 'class="one bad"' in body
     assert "one good" not in body
     assert "card good" not in body
+
+
+@pytest.mark.long
+def test_two_errors_hold_what_a_long_run_finds(tmp_path):
+    """20 short ensembles beside one 20 times as long, from other random numbers."""
+    for name, seed in (("long", 1), ("short", 2)):
+        words = ["--frames", 4000, "--seed", seed, "--quiet", "--single"]
+        command("sample", PEPTIDE, "-o", tmp_path / f"{name}.h5md", *words)
+    expected = pliant.analyse(tmp_path / "long.h5md").study.flexibility.rmsf
+    inside = []
+    for first in range(0, 4000, 200):
+        part = pliant.analyse(tmp_path / "short.h5md", start=first, stop=first + 200)
+        found = part.study.flexibility
+        inside.append(np.abs(found.rmsf - expected) <= 2 * found.error)
+    assert 0.90 <= np.mean(inside) <= 0.98

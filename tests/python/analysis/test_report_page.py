@@ -200,7 +200,10 @@ def scene_of(path):
 def test_the_page_refers_to_nothing_outside_itself(report):
     text = report.read_text(encoding="utf-8")
     own = re.sub(r"<script>.*?</script>", "", text, flags=re.DOTALL)
-    assert re.findall(r'(?:src|href)="(?!data:|[a-z_]+\.(?:csv|png|pdb|nmd|pml|cxc)")[^"]*"', own) == []
+    assert (
+        re.findall(r'(?:src|href)="(?!data:|[a-z_]+\.(?:csv|png|pdb|nmd|pml|cxc)")[^"]*"', own)
+        == []
+    )
     assert "default-src 'none'" in text
     assert not re.search(r"<script[^>]*\ssrc=", text)
 
