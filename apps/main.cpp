@@ -25,6 +25,7 @@ constexpr Command commands[] = {
     {"techniques", "list techniques, weightings and perturbations", command_techniques},
     {"check", "check a trajectory against OpenMM", nullptr},
     {"analyse", "make figures, tables and an HTML report of a trajectory", nullptr},
+    {"representatives", "choose a few frames that stand for all, as a PDB file", nullptr},
     {"compare", "compare a trajectory with one of OpenMM or another program", nullptr},
     {"convert", "write a trajectory as DCD, XTC, TRR, XYZ or PDB", nullptr},
     {"recover", "copy what can be read of a damaged trajectory", nullptr},
@@ -41,7 +42,7 @@ void print_usage(std::FILE* to) {
       "commands:\n",
       to);
   for (const Command& command : commands)
-    std::fprintf(to, "  %-12.*s%.*s\n", int(command.name.size()), command.name.data(),
+    std::fprintf(to, "  %-17.*s%.*s\n", int(command.name.size()), command.name.data(),
                  int(command.summary.size()), command.summary.data());
   std::fputs(
       "\n"

@@ -21,6 +21,7 @@ PAGES = {
     "pliant-techniques": ["techniques", "--help"],
     "pliant-check": ["check", "--help"],
     "pliant-analyse": ["analyse", "--help"],
+    "pliant-representatives": ["representatives", "--help"],
     "pliant-compare": ["compare", "--help"],
     "pliant-convert": ["convert", "--help"],
     "pliant-recover": ["recover", "--help"],

@@ -9,19 +9,30 @@ from typing import TYPE_CHECKING
 from pliant._callable_package import make_callable
 
 if TYPE_CHECKING:
+    from pliant.analyse.representatives import Representatives, representatives
     from pliant.analyse.stages import study_trajectory
     from pliant.analyse.study import Study, StudyOptions
     from pliant.analyse.suite import AnalysisReport, analyse
 
-__all__ = ["AnalysisReport", "Study", "StudyOptions", "analyse", "study_trajectory"]
+__all__ = [
+    "AnalysisReport",
+    "Representatives",
+    "Study",
+    "StudyOptions",
+    "analyse",
+    "representatives",
+    "study_trajectory",
+]
 
 make_callable(
     __name__,
     {
         "AnalysisReport": "suite",
+        "Representatives": "representatives",
         "Study": "study",
         "StudyOptions": "study",
         "analyse": "suite",
+        "representatives": "representatives",
         "study_trajectory": "stages",
     },
 )

@@ -1,15 +1,14 @@
 # SPDX-License-Identifier: MIT
-"""The stages of a study that answer a biologist: what is flexible, what moves together, and is it
-still the molecule."""
+"""The stages that answer a biologist: what is flexible, what moves together, is it a molecule."""
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pliant._core import OptionError
+from pliant.analyse.found import Contacts
 from pliant.analyse.kind import frame_blocks, kind_of
 from pliant.analyse.names import phi_psi_pairs
 from pliant.analyse.reference import reference_of
@@ -25,19 +24,11 @@ if TYPE_CHECKING:
     from pliant.analyse.study import Study
 
 #: frames whose chemistry and contacts are looked at, spread over all
-LOOKED_AT = 200
+LOOKED_AT = 100
+#: frames that are superposed at a time
+AT_ONCE = 32
 #: chains shorter than this have no domains
 LEAST_CHAIN = 20
-
-
-@dataclass(frozen=True)
-class Contacts:
-    """Pairs of residues in contact (heavy atoms within 4.5 Angstrom) and how often."""
-
-    pairs: np.ndarray  #: (k, 2) numbers of units
-    share: np.ndarray  #: (k,) of the frames looked at
-    at_start: np.ndarray  #: (k,) bool: in the reference
-    frames: int  #: that were looked at
 
 
 def basics(study: Study) -> None:
@@ -53,10 +44,11 @@ def rmsd_to_reference(study: Study) -> None:
     fitted = np.isin(study.atoms.ix, study.fitted.ix)
     target = study.reference.positions[study.atoms.ix]
     values = np.empty((2, len(study.frames)))
-    for k in range(len(study.frames)):
-        one = study.positions(k)[study.atoms.ix][None]
-        squares = np.sum((superpose_onto(one, fitted, target[fitted])[0] - target) ** 2, axis=1)
-        values[:, k] = np.sqrt([squares[fitted].mean(), squares.mean()])
+    for first in range(0, len(study.frames), AT_ONCE):
+        part = range(first, min(first + AT_ONCE, len(study.frames)))
+        frames = np.array([study.positions(k)[study.atoms.ix] for k in part])
+        squares = np.sum((superpose_onto(frames, fitted, target[fitted]) - target) ** 2, axis=2)
+        values[:, part] = np.sqrt([squares[:, fitted].mean(axis=1), squares.mean(axis=1)])
     study.rmsd = values[0]
     study.rmsd_all = None if fitted.all() else values[1]
 

@@ -55,7 +55,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> Parser:
     parser = Parser("analyse", DESCRIPTION, EPILOG)
     add = parser.add_argument
-    add("file", metavar="FILE", help="trajectory of pliant run (H5MD), or another")
+    add("file", metavar="FILE", help="trajectory of pliant sample or run (H5MD), or another")
     add(
         "-o", "--output", metavar="DIR",
         help="folder for the results (default: FILE's name with -report)",
@@ -102,8 +102,8 @@ def _add_choice_of_frames(add: Callable[..., object]) -> None:
 
 def _add_output(add: Callable[..., object]) -> None:
     add(
-        "--dpi", type=whole_number(50, most=1200), default=200, metavar="N",
-        help="resolution of the figures, dots per inch (default: 200)",
+        "--dpi", type=whole_number(50, most=1200), default=150, metavar="N",
+        help="resolution of the figures, dots per inch (default: 150)",
     )  # fmt: skip
     add("--json", action="store_true", help="print the results as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")

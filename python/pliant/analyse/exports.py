@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant.analyse.figures.style import DOMAIN_COLOURS
-from pliant.analyse.kind import ENSEMBLE
+from pliant.analyse.found import ENSEMBLE
 from pliant.analyse.multi_model import write_models
 from pliant.analyse.scene import units_of_atoms
 from pliant.analyse.study import known

@@ -7,14 +7,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant.analyse.found import ENSEMBLE, PATH, TRAJECTORY
 from pliant.analysis.flexibility import numbered_blocks, path_blocks
 
 if TYPE_CHECKING:
     from pliant.analyse.study import Study
-
-ENSEMBLE = "ensemble"  #: `pliant sample`: frames are independent
-PATH = "path"  #: `pliant run`, or sampler `walk`: each frame is the one before, pushed
-TRAJECTORY = "trajectory"  #: another program's: frames may be anything
 
 #: numbers of frames of `pliant sample` are white within blocks of so many
 WHITE = 100
@@ -25,9 +22,9 @@ SENTENCES = {
         "not claimed, and how far frames go on the whole was put in."
     ),
     PATH: (
-        "Not an ensemble: each frame is the one before, pushed at random and resolved. How far "
-        "atoms got depends on the pushes and on how many there were; these fluctuations are not "
-        "the molecule's. For those see pliant sample."
+        "Not an ensemble: each frame is the one before, pushed and resolved. How far atoms got "
+        "depends on the pushes and on how many there were, so that these fluctuations are no "
+        "property of the molecule. For those of a molecule see pliant sample."
     ),
     TRAJECTORY: (
         "A trajectory of another program: fluctuations are what it gives; errors come from blocks "

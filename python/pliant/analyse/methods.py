@@ -10,11 +10,11 @@ METHODS = (
     ("Converged", "The profiles of the two halves of the frames correlate by 0.95 or more and "
      "differ by 10 % or less."),
     ("Domains", "Residues whose distances fluctuate least are put together (average linkage); a "
-     "domain is added while it explains 8 % more of the fluctuation by moving rigidly, and all must "
+     "domain is added while it explains 8 % more of the fluctuation by moving rigidly; all must "
      "explain 30 %. Hinges are neighbours of two domains."),
     ("Collectivity", "exp of the entropy of the residues' shares, over their number (Brueschweiler "
      "1995): 1 where all move alike."),
-    ("Stereochemistry", "Up to 200 frames, spread over all. Bond angles against the start "
+    ("Stereochemistry", "Up to 100 frames, spread over all. Bond angles against the start "
      "structure; carbons that turned over; centres with three neighbours off their plane; "
      "phi and psi of residues but glycine and proline in regions that hold 90 % (favoured) and "
      "99.5 % (allowed) of those of 500 crystal structures (Lovell 2003); heavy atoms more than "

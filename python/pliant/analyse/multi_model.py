@@ -15,11 +15,7 @@ from pliant.analyse.names import chains_of, numbers_of
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
 
-MOST_ATOMS = 99_999
-AMINO_ACIDS = frozenset(
-    "ALA ARG ASN ASP CYS GLN GLU GLY HIS ILE LEU LYS MET PHE PRO SER THR TRP TYR VAL HSD HSE HSP "
-    "HID HIE HIP CYX ASH GLH LYN A C G U DA DC DG DT".split()
-)
+MOST_ATOMS = 99_999  #: whose numbers fit into their column
 
 
 def write_models(
@@ -59,13 +55,16 @@ def _fixed_parts(atoms: AtomGroup, b_factors: np.ndarray) -> tuple[list[str], li
     elements = [str(e) for e in getattr(atoms, "elements", [""] * count)]
     residues = [str(r)[:4] for r in getattr(atoms, "resnames", ["UNK"] * count)]
     chains = [str(c)[:1] for c in chains_of(atoms)]
+    named = hasattr(atoms, "resnames")
+    polymer = np.isin(atoms.ix, atoms.select_atoms("protein or nucleic").ix if named else [])
     heads, tails = [], []
     rows = zip(names, elements, residues, chains, numbers_of(atoms).tolist(), strict=True)
     for k, (name, element, residue, chain, number) in enumerate(rows):
-        kind = "ATOM  " if residue in AMINO_ACIDS else "HETATM"
+        kind = "ATOM  " if polymer[k] else "HETATM"
         padded = f"{name:<4s}"[:4] if len(element) == 2 or len(name) > 3 else f" {name:<3s}"
         heads.append(
             f"{kind}{k + 1:5d} {padded} {residue:<4s}{chain or ' '}{number % 10000:4d}    "
         )
-        tails.append(f"  1.00{min(float(b_factors[k]), 999.99):6.2f}          {element.upper():>2s}\n")
+        factor = min(float(b_factors[k]), 999.99)
+        tails.append(f"  1.00{factor:6.2f}          {element.upper():>2s}\n")
     return heads, tails

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING, Any
 
 from pliant._core import techniques
 from pliant.analyse.figures.style import WIDE
+from pliant.analyse.found import ENSEMBLE
 from pliant.analyse.methods import METHODS
 from pliant.analyse.page_tables import PageTable, facts, tables, title
 from pliant.analyse.scene import scene
@@ -30,11 +31,15 @@ if TYPE_CHECKING:
 
 MARKS = {"good": "✓", "mixed": "!", "bad": "✕", "open": "–"}
 
+#: cells of a table with more letters than this are text, which is wrapped
+SHORT = 14
+
 MISSING_VIEWER = (
     "The 3-D view is not in this page, because 3Dmol.js is not in the installed package "
     "(pliant/static/3Dmol-min.js). It is fetched from npm when pliant is built. "
     "The rest of the page is whole."
 )
+
 
 def write_page(
     study: Study,
@@ -103,7 +108,7 @@ def _subtitle(study: Study) -> str:
     if study.residuals is not None:
         parts.append(f"{len(study.residuals.bars):,} bars")
     parts.append(f"{len(study.frames):,} frames")
-    if study.steps is not None:
+    if study.steps is not None and study.kind != ENSEMBLE:
         parts.append(f"steps {study.steps[0]:,} to {study.steps[-1]:,}")
     run = study.record.parameters if study.record else {}
     if "run/technique" in run:
@@ -176,7 +181,9 @@ def _table(table: PageTable) -> str:
 
 def _row(tag: str, texts: Iterable[str]) -> str:
     first, *others = (escape(text) for text in texts)
-    numbers = "".join(f'<{tag} class="n">{text}</{tag}>' for text in others)
+    numbers = "".join(
+        f'<{tag} class="{"n" if len(text) <= SHORT else "t"}">{text}</{tag}>' for text in others
+    )
     return f"<tr><{tag}>{first}</{tag}>{numbers}</tr>"
 
 
@@ -206,7 +213,8 @@ def _details(study: Study, files: Sequence[Path]) -> str:
             (name, f"{value:g}" if isinstance(value, float) else str(value))
             for name, value in sorted(study.record.parameters.items())
         ]
-        parts.append(_disclosure("Options of the run", _table(PageTable("", "", ("option", "value"), rows))))
+        options = PageTable("", "", ("option", "value"), rows)
+        parts.append(_disclosure("Options of the run", _table(options)))
     links = "".join(f'<li><a href="{escape(f.name)}">{escape(f.name)}</a></li>' for f in files)
     parts.append(_disclosure("Files beside this page", f"<ul>{links}</ul>"))
     licence = resources.files("pliant") / "static" / "3Dmol-LICENSE.txt"

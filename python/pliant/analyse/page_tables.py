@@ -12,7 +12,7 @@ import numpy as np
 
 from pliant.analyse.bar_verdict import scientific, tolerance_text
 from pliant.analyse.figures.torsion_figures import most_mobile
-from pliant.analyse.kind import ENSEMBLE
+from pliant.analyse.found import ENSEMBLE
 from pliant.analyse.names import bar_labels, greek
 from pliant.analyse.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
 from pliant.analyse.study import known

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import warnings
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -12,19 +11,12 @@ import MDAnalysis
 import numpy as np
 
 from pliant._core import InputError
+from pliant.analyse.found import Reference
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe
 
     from pliant.analyse.study import Study
-
-
-@dataclass(frozen=True)
-class Reference:
-    """A structure with the atoms of the trajectory."""
-
-    positions: np.ndarray  #: (N, 3) Angstrom
-    name: str  #: what it is, for readers
 
 
 def reference_of(study: Study) -> Reference:

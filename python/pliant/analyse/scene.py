@@ -235,15 +235,7 @@ def _secondary_structure(atoms: AtomGroup, study: Study) -> str:
 
 def _series(study: Study, frames: np.ndarray) -> dict[str, Any]:
     """What the timeline can show: name -> label, unit, values, whether logarithmic."""
-    series = {}
-    if study.residuals is not None:
-        values = np.maximum(study.residuals.results.max_relative[frames], 1e-17)
-        limit = study.residuals.tolerance if study.residuals.tolerance_length == 0 else None
-        series["residual"] = {
-            "label": "largest residual", "unit": "", "log": True, "limit": limit,
-            "values": _rounded(values),
-            "marked": np.flatnonzero(~study.residuals.results.within[frames]).tolist(),
-        }  # fmt: skip
+    series: dict[str, dict[str, Any]] = {}
     columns = {
         "rmsd": ("RMSD", "Å", study.rmsd),
         "radius": ("radius of gyration", "Å", study.radius),
@@ -252,6 +244,14 @@ def _series(study: Study, frames: np.ndarray) -> dict[str, Any]:
     for name, (label, unit, values) in columns.items():
         if values is not None:
             series[name] = {"label": label, "unit": unit, "values": _rounded(values[frames])}
+    if study.residuals is not None:
+        values = np.maximum(study.residuals.results.max_relative[frames], 1e-17)
+        limit = study.residuals.tolerance if study.residuals.tolerance_length == 0 else None
+        series["residual"] = {
+            "label": "largest residual", "unit": "", "log": True, "limit": limit,
+            "values": _rounded(values),
+            "marked": np.flatnonzero(~study.residuals.results.within[frames]).tolist(),
+        }  # fmt: skip
     return series
 
 

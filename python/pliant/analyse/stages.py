@@ -11,8 +11,8 @@ from MDAnalysis.exceptions import NoDataError, SelectionError
 
 from pliant._core import OptionError
 from pliant.analyse import biology
+from pliant.analyse.found import ENSEMBLE
 from pliant.analyse.frames_held import choose_frames
-from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.load import open_universe
 from pliant.analyse.study import MAX_ANGLES, Study
 from pliant.analysis import (
@@ -49,20 +49,28 @@ def study_trajectory(
     or frames is wrong or empty.
     """
     on_stage("reading")
-    universe = open_universe(options.path, options.topology)
-    stored = StoredPositions(universe.trajectory)
-    study = Study(options, universe, _record(options.path), stored)
-    study.atoms = _select(universe, options.select, "--select")
-    study.fitted, study.fitted_name = _fitted(study)
-    choose_frames(study)
+    study = opened_study(options)
     biology.basics(study)
     runner = Runner(study)
     for name, stage in STAGES.items():
         on_stage(name)
         try:
             stage(study, runner)
+        except OptionError:  # which is a ValueError, but the user's
+            raise
         except (ValueError, NoDataError) as error:
             study.skipped[name] = " ".join(str(error).split())
+    return study
+
+
+def opened_study(options: StudyOptions) -> Study:
+    """The study with its atoms and frames chosen, before any analysis; raises as the above."""
+    universe = open_universe(options.path, options.topology)
+    stored = StoredPositions(universe.trajectory)
+    study = Study(options, universe, _record(options.path), stored)
+    study.atoms = _select(universe, options.select, "--select")
+    study.fitted, study.fitted_name = _fitted(study)
+    choose_frames(study)
     return study
 
 
@@ -194,7 +202,7 @@ def _torsions(study: Study, runner: Runner) -> None:
     study.torsions = torsions
     if torsions.results.angles.size > MAX_ANGLES:
         study.notes.append(
-            f"torsion_angles.csv is left out: it would hold {torsions.results.angles.size:,} numbers"
+            f"the table torsion_angles.csv is left out: {torsions.results.angles.size:,} numbers"
         )
 
 
@@ -214,7 +222,7 @@ def _principal_components(study: Study, runner: Runner) -> None:
 
 
 #: in the order of running: what is left out goes by these names
-STAGES = {
+STAGES: dict[str, Callable[[Study, Runner], None]] = {
     "bar residuals": _bar_residuals,
     "sweeps": _sweeps,
     "RMSD": _rmsd,

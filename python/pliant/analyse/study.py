@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
+from pliant.analyse.found import ENSEMBLE, Contacts, Reference, Units
 from pliant.analysis import (
     BarResiduals,
     PrincipalComponents,
@@ -19,11 +20,6 @@ from pliant.analysis.domains import Domains
 from pliant.analysis.flexibility import Flexibility
 from pliant.analysis.stereochemistry import Stereochemistry, StereochemistryResults
 from pliant.analysis.stored import StoredPositions
-
-if TYPE_CHECKING:
-    from pliant.analyse.biology import Contacts
-    from pliant.analyse.reference import Reference
-    from pliant.analyse.units import Units
 
 Part = TypeVar("Part")
 
@@ -85,7 +81,7 @@ class Study:
     torsions: TorsionDistributions | None = None
     pca: PrincipalComponents | None = None
     pca_stride: int = 1  #: every so many frames analysed are in the PCA
-    kind: str = ""  #: a word of `pliant.analyse.kind`
+    kind: str = ""  #: ENSEMBLE, PATH or TRAJECTORY
     reference: Reference | None = None  #: what frames are compared with
     units: Units | None = None  #: residues or atoms whose flexibility is told
     flexibility: Flexibility | None = None
@@ -138,6 +134,8 @@ class Study:
     @property
     def axis(self) -> tuple[np.ndarray, str]:
         """(F,) values and label of the axis along which things happen: steps, or time."""
+        if self.kind == ENSEMBLE:
+            return self.frames, "frame"
         if self.steps is not None:
             return self.steps, "step"
         if np.all(np.diff(self.times) > 0):

@@ -15,7 +15,7 @@ from pliant.analyse.study import Study, StudyOptions
 from pliant.analyse.summary import summary
 from pliant.analyse.write import make_folder, write_report
 
-DPI = 200
+DPI = 150
 
 
 @dataclass

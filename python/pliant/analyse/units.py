@@ -3,11 +3,11 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant.analyse.found import Units
 from pliant.analyse.names import atom_labels, chains_of, numbers_of, residue_labels
 from pliant.analysis.rotatable import is_hydrogen
 
@@ -15,27 +15,6 @@ if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
 
     from pliant.analyse.study import Study
-
-
-@dataclass(frozen=True)
-class Units:
-    """n units, and the m atoms that stand for them."""
-
-    what: str  #: "residue" or "atom"
-    labels: list[str]  #: (n,) "A:LYS12", "C4"
-    numbers: np.ndarray  #: (n,) of the residue, or of the atom from 1
-    chains: np.ndarray  #: (n,) chain, "" where there is none
-    owners: np.ndarray  #: (n,) resindex, or index of the atom
-    atoms: np.ndarray  #: (m,) indices in the universe
-    unit: np.ndarray  #: (m,) the unit of each
-
-    def sites(self, positions: np.ndarray) -> np.ndarray:
-        """(F, n, 3) centre of each unit's atoms, of positions (F, m, 3)."""
-        if len(self.atoms) == len(self.labels):
-            return positions
-        table = np.zeros((len(self.labels), len(self.atoms)))
-        table[self.unit, np.arange(len(self.unit))] = 1.0
-        return np.asarray((table / table.sum(axis=1, keepdims=True)) @ positions)
 
 
 def units_of(study: Study) -> Units:
@@ -72,5 +51,7 @@ def _one_each(atoms: AtomGroup) -> bool:
 def _single_atoms(atoms: AtomGroup) -> Units:
     count = len(atoms)
     labels = atom_labels(atoms)
+    if len(set(labels)) < count:
+        labels = [f"{label}({k + 1})" for label, k in zip(labels, atoms.ix, strict=True)]
     place = np.arange(count)
     return Units("atom", labels, atoms.ix + 1, np.full(count, ""), atoms.ix, atoms.ix, place)

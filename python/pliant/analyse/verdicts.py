@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant.analyse.bar_verdict import Verdict, verdict
-from pliant.analyse.kind import ENSEMBLE, PATH, SENTENCES
+from pliant.analyse.found import ENSEMBLE, PATH
+from pliant.analyse.kind import SENTENCES
 from pliant.analyse.study import known
 from pliant.analysis.stereochemistry import TWISTED
 
@@ -24,6 +25,9 @@ MOST_OUT_OF_PLANE = 0.3
 MOST_OVERLAP = 0.4
 #: share of residues outside the allowed regions that frames may have beyond the start structure
 MORE_OUTLIERS = 0.01
+
+#: where frames reached less than this share of the amplitude asked for, the verdict is a warning
+LEAST_REACHED = 0.5
 
 
 @dataclass(frozen=True)
@@ -109,9 +113,11 @@ def whole(study: Study) -> Verdict:
     failed = [name for name, one in made.items() if one.kind == "bad"]
     if failed:
         sentence = f"Do not use these frames as they are: see {' and '.join(failed)}."
-        return Verdict("bad", sentence, made[failed[0]].sentence)
+        return Verdict("bad", sentence, "Other questions may well have good answers.")
     if study.kind == PATH:
-        return _what_it_is(study)
+        held = [name for name, one in made.items() if one.kind == "good"]
+        details = f"What could be judged and holds: {', '.join(held)}." if held else ""
+        return Verdict("mixed", "A path of pushes, and not an ensemble.", details)
     doubtful = [one for one in made.values() if one.kind == "mixed"]
     if doubtful:
         return Verdict("mixed", doubtful[0].sentence, doubtful[0].details)
@@ -119,6 +125,10 @@ def whole(study: Study) -> Verdict:
     if not held:
         return Verdict("open", "There is nothing here to judge.", "")
     return Verdict("good", f"What could be judged holds: {', '.join(held)}.", "")
+
+
+def _sentence(text: str) -> str:
+    return f"{text[:1].upper()}{text[1:]}." if text else ""
 
 
 def _what_it_is(study: Study) -> Verdict:
@@ -131,7 +141,7 @@ def _convergence(study: Study) -> Verdict:
     found = study.flexibility
     if found is None:
         return Verdict(
-            "open", "Convergence cannot be judged.", study.skipped.get("flexibility", "")
+            "open", "Convergence cannot be judged.", _sentence(study.skipped.get("flexibility", ""))
         )
     details = (
         f"Profiles of the two halves of the frames correlate by {found.correlation:.3f} and differ "
@@ -150,7 +160,9 @@ def _stereochemistry(study: Study) -> Verdict:
     rows = shape_rows(study)
     if not rows:
         return Verdict(
-            "open", "Stereochemistry cannot be judged.", study.skipped.get("stereochemistry", "")
+            "open",
+            "Stereochemistry cannot be judged.",
+            _sentence(study.skipped.get("stereochemistry", "")),
         )
     found, reference = known(study.shape_results), known(study.reference)
     details = (
@@ -177,7 +189,8 @@ def _amplitude(study: Study) -> Verdict | None:
     missing = _missing_frames(study)
     if missing:
         details += f" {missing} frames could not be resolved and are left out."
-    return Verdict("open", sentence, details)
+    kind = "mixed" if reached < LEAST_REACHED * float(asked) else "open"
+    return Verdict(kind, sentence, details)
 
 
 def _missing_frames(study: Study) -> int:

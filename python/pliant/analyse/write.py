@@ -23,7 +23,7 @@ def make_folder(folder: Path) -> None:
     folder.mkdir(parents=True, exist_ok=True)
 
 
-def write_report(study: Study, folder: Path, dpi: int = 200) -> dict[str, Any]:
+def write_report(study: Study, folder: Path, dpi: int = 150) -> dict[str, Any]:
     """Writes figures, tables, files for other programs and report.html; returns the paths of all.
 
     Files of an earlier report are replaced.

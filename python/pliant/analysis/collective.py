@@ -15,7 +15,7 @@ def participation(components: np.ndarray) -> np.ndarray:
     """(K, n) share of each site in each component (K, 3n) of unit length; rows sum to 1."""
     squares = components.reshape(len(components), -1, 3) ** 2
     found: np.ndarray = squares.sum(axis=2)
-    return found / found.sum(axis=1, keepdims=True)
+    return np.asarray(found / found.sum(axis=1, keepdims=True))
 
 
 def collectivity(components: np.ndarray) -> np.ndarray:

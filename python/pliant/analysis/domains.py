@@ -55,7 +55,7 @@ def correlations(positions: np.ndarray) -> np.ndarray:
     matrix: np.ndarray = np.divide(
         covariance, scale, out=np.zeros_like(covariance), where=scale > 0
     )
-    return np.clip(matrix, -1.0, 1.0)
+    return np.asarray(np.clip(matrix, -1.0, 1.0))
 
 
 def distance_fluctuations(positions: np.ndarray) -> np.ndarray:

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
-from scipy.stats import t as student
+from scipy.special import stdtrit
 
 #: halves agree where their profiles correlate at least so well ...
 LEAST_CORRELATION = 0.95
@@ -51,15 +51,15 @@ def flexibility(
         error^2 = (t / 2)^2 s^2 / B + (f - <f_b^2>^(1/2))^2
 
     with s the standard deviation of f_b and t Student's for 95 %; the second term is what averages
-    of blocks are apart, which a drift shows in. A few blocks know s badly, so relative variances (s / f)^2 are drawn
-    towards their mean over all units, which counts for PRIOR_FREEDOM degrees of freedom beside
-    B - 1, also in t (G. K. Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3).
+    of blocks are apart, which a drift shows in. A few blocks know s badly, so relative variances
+    (s / f)^2 are drawn towards their mean over all units, which counts for PRIOR_FREEDOM degrees of
+    freedom beside B - 1, also in t (G. K. Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3).
     """
     every = _rmsf(positions, units)
     parts = np.array([_rmsf(positions[block], units) for block in blocks])
     sizes = np.array([len(block) for block in blocks], dtype=float)
     together = np.sqrt((sizes / sizes.sum()) @ parts**2)
-    widened = student.ppf(0.975, PRIOR_FREEDOM + len(parts) - 1) / 2.0
+    widened = stdtrit(PRIOR_FREEDOM + len(parts) - 1, 0.975) / 2.0
     variance = widened**2 * _moderated(parts, every) / len(parts)
     halves = np.array([_together(parts, sizes, half) for half in _halves(len(blocks))])
     return Flexibility(
@@ -88,8 +88,9 @@ def _rmsf(positions: np.ndarray, units: np.ndarray) -> np.ndarray:
 
 def _moderated(parts: np.ndarray, every: np.ndarray) -> np.ndarray:
     """(n,) variance of a block's RMSF, each unit's drawn towards the relative one of all."""
-    squares = np.maximum(every, 1e-300) ** 2
-    own = parts.var(axis=0, ddof=1) / squares
+    squares = every**2
+    variance = parts.var(axis=0, ddof=1)
+    own = np.divide(variance, squares, out=np.zeros_like(squares), where=squares > 0)
     freedom = len(parts) - 1
     mixed = (PRIOR_FREEDOM * own.mean() + freedom * own) / (PRIOR_FREEDOM + freedom)
     return np.asarray(mixed * squares)

@@ -20,10 +20,6 @@ if TYPE_CHECKING:
     from pliant.analysis.frames import Weights
 
 
-
-
-
-
 class Rmsf(FrameAnalysis):
     """RMSF of each atom: sqrt(<|x_i - <x_i>|^2>) over frames superposed on their average.
 

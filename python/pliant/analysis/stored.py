@@ -20,6 +20,10 @@ if TYPE_CHECKING:
     from MDAnalysis.coordinates.timestep import Timestep
 
 
+#: of positions that are read ahead
+AHEAD_BYTES = 1 << 22
+
+
 class StoredPositions:
     """Reads positions of a trajectory with all the digits that its file has.
 
@@ -35,6 +39,8 @@ class StoredPositions:
         self._file: h5py.File | None = None
         self._path: str | None = None
         self._numbers: np.ndarray | None = None
+        self._ahead: np.ndarray | None = None
+        self._ahead_from = self._last = -1
         self.precision = "float32"  #: of the numbers read: "float64" or "float32"
         if isinstance(trajectory, H5MDReader) and isinstance(
             trajectory.filename, (str, os.PathLike)
@@ -54,7 +60,7 @@ class StoredPositions:
             self.precision = "float64" if value.dtype.itemsize >= 8 else "float32"
 
     def __getstate__(self) -> dict[str, Any]:
-        return {**self.__dict__, "_file": None}
+        return {**self.__dict__, "_file": None, "_ahead": None}
 
     @property
     def in_file(self) -> bool:
@@ -69,10 +75,30 @@ class StoredPositions:
         return self.read(timestep.frame if self._numbers is None else self._numbers[timestep.frame])
 
     def read(self, frames: int | slice) -> np.ndarray:
-        """Positions (N, 3) of a frame of an H5MD file, (f, N, 3) of a slice; Angstrom, float64."""
+        """Positions (N, 3) of a frame of an H5MD file, (f, N, 3) of a slice; Angstrom, float64.
+
+        Frames that are asked for one after the other are read ahead, a block at a time.
+        """
+        if not isinstance(frames, slice):
+            return self._one(int(frames))
         found = _hdf5.read(self._open()[self._dataset], frames)
         positions: np.ndarray = found.astype(np.float64) * self._to_angstrom
         return positions
+
+    def _one(self, frame: int) -> np.ndarray:
+        follows, self._last = frame == self._last + 1, frame
+        first = self._ahead_from
+        if self._ahead is not None and first <= frame < first + len(self._ahead):
+            return np.array(self._ahead[frame - first])
+        if not follows or frame < 0:
+            found = _hdf5.read(self._open()[self._dataset], frame)
+            positions: np.ndarray = found.astype(np.float64) * self._to_angstrom
+            return positions
+        shape = self._open()[self._dataset].shape
+        count = max(1, AHEAD_BYTES // max(24 * shape[1], 1))
+        self._ahead = self.read(slice(frame, min(frame + count, shape[0])))
+        self._ahead_from = frame
+        return np.array(self._ahead[0])
 
     def times_and_steps(self) -> tuple[np.ndarray, np.ndarray | None]:
         """Times (F,), ps, and steps (F,) of all frames of an H5MD file; None if it has no steps."""
@@ -87,7 +113,7 @@ class StoredPositions:
     def renumbered(self, frames: npt.ArrayLike) -> StoredPositions:
         """The same file for a universe that holds only some frames: its k-th is `frames[k]`."""
         other = copy.copy(self)
-        other._file, other._numbers = None, np.asarray(frames)
+        other._file, other._ahead, other._numbers = None, None, np.asarray(frames)
         return other
 
     def _open(self) -> h5py.File:

@@ -40,13 +40,14 @@ def read_csv(path):
 
 
 FIGURES = {
-    "residuals", "sweeps", "rmsd", "radius_of_gyration", "rmsf_atoms", "rmsf_residues", "torsions",
-    "ramachandran", "pca",
+    "residuals", "sweeps", "rmsd", "radius_of_gyration", "flexibility", "correlations", "motions",
+    "torsions", "ramachandran", "pca",
 }  # fmt: skip
 TABLES = {
     "frames", "atoms", "residues", "bars", "torsions", "torsion_histograms", "torsion_angles",
-    "pca",
+    "pca", "flexibility", "correlations", "stereochemistry",
 }  # fmt: skip
+EXPORTS = {"bfactors.pdb", "ensemble.pdb", "modes.nmd", "show.pml", "show.cxc"}
 
 
 def test_it_writes_figures_tables_and_the_page(tmp_path, analysed):
@@ -59,7 +60,8 @@ def test_it_writes_figures_tables_and_the_page(tmp_path, analysed):
     )
     assert out.endswith(f"report          {tmp_path / 'out' / 'report.html'}\n")
     written = {path.name for path in (tmp_path / "out").iterdir()}
-    assert written == {f"{n}.png" for n in FIGURES} | {f"{n}.csv" for n in TABLES} | {"report.html"}
+    made = {f"{n}.png" for n in FIGURES} | {f"{n}.csv" for n in TABLES} | EXPORTS
+    assert written == made | {"report.html"}
     for name in FIGURES:
         assert (tmp_path / "out" / f"{name}.png").read_bytes().startswith(b"\x89PNG")
 
@@ -230,6 +232,7 @@ def test_one_frame_is_enough(tmp_path, peptide, write_run, capsys):
     assert found["skipped"] == {
         "RMSF": "a single frame does not fluctuate",
         "PCA": "it needs at least 3 frames",
+        "flexibility": "it needs at least 4 frames",
     }
 
 
@@ -258,6 +261,7 @@ def test_input_that_cannot_be_read_is_exit_code_1(tmp_path, peptide, write_run, 
         ([empty], f"{empty}: holds no frames"),
         ([other], f"{other}: is HDF5 but not H5MD: there is no group in /particles"),
         ([good, "--topology", missing], f"{missing}: no such file"),
+        ([good, "--reference", missing], f"{missing}: no such file"),
         ([good, "-o", text], f"{text}: is a file, expected a folder for the results"),
     ):
         assert refused(arguments, capsys) == (1, message)
@@ -272,6 +276,7 @@ def test_a_choice_that_is_wrong_or_empty_is_exit_code_2(tmp_path, peptide, write
     good = write_run(tmp_path / "good.h5md", peptide, [peptide.positions])
     for arguments, message in (
         (["--select", "name XX"], "--select 'name XX': selects no atoms"),
+        (["--distance", "name CA", "name XX"], "--distance 'name XX': selects no atoms"),
         (["--start", "5"], "--start, --stop, --step: choose none of the 1 frames"),
     ):
         assert refused([good, *arguments], capsys) == (2, message)

@@ -96,7 +96,7 @@ class TestViewer:
     def test_every_figure_is_shown(self, report, opened):
         browser = opened(report)
         broken = "[...document.images].filter((i) => !i.complete || i.naturalWidth === 0).length"
-        assert browser.evaluate("document.images.length") == 9
+        assert browser.evaluate("document.images.length") == 10
         assert browser.evaluate(broken) == 0
         assert browser.evaluate("[...document.images].every((image) => image.alt.length > 20)")
 
@@ -200,7 +200,10 @@ def scene_of(path):
 def test_the_page_refers_to_nothing_outside_itself(report):
     text = report.read_text(encoding="utf-8")
     own = re.sub(r"<script>.*?</script>", "", text, flags=re.DOTALL)
-    assert re.findall(r'(?:src|href)="(?!data:|[a-z_]+\.(?:csv|png)")[^"]*"', own) == []
+    assert (
+        re.findall(r'(?:src|href)="(?!data:|[a-z_]+\.(?:csv|png|pdb|nmd|pml|cxc)")[^"]*"', own)
+        == []
+    )
     assert "default-src 'none'" in text
     assert not re.search(r"<script[^>]*\ssrc=", text)
 
@@ -260,4 +263,4 @@ def test_without_3dmol_the_rest_of_the_page_is_whole(report, folder, monkeypatch
     text = (out / "report.html").read_text(encoding="utf-8")
     assert "The 3-D view is not in this page, because 3Dmol.js is not in the installed" in text
     assert "<script" not in text
-    assert text.count("<img") == 9
+    assert text.count("<img") == 10

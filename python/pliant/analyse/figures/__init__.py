@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from pliant.analyse.figures import flexibility_figures, mobility, series, torsion_figures
 from pliant.analyse.figures.style import styled
-from pliant.analyse.kind import ENSEMBLE, PATH
+from pliant.analyse.found import ENSEMBLE, PATH
 from pliant.analyse.names import has_backbone
 from pliant.analyse.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
 
@@ -46,10 +46,11 @@ FIGURES = (
     FigureKind(
         "flexibility", FLEXIBLE, flexibility_figures.flexibility, _has("flexibility"),
         "Root mean square fluctuation about the average place, after superposition. The band (or "
-        "bar) is twice the error, from independent blocks of frames: 19 of 20 values of a much "
-        "longer run lie within it. The strip along the axis has the colours of the domains.",
+        "error bar) is twice the error, from blocks of frames. A strip along the axis has the "
+        "colours of the domains.",
         "Of this path only: with other pushes, or more of them, the profile would be another.",
-        "The error is that of having few frames; that a model made them is not in it.",
+        "About 19 of 20 values of a much longer run lie within the band. It is the error of having "
+        "few frames; that a model made them is not in it.",
     ),
     FigureKind(
         "correlations", TOGETHER, flexibility_figures.together, _has("correlations"),
@@ -90,7 +91,9 @@ FIGURES = (
         "allowed, for residues other than glycine and proline, which the plot has too.",
     ),
     FigureKind(
-        "torsions", SHAPES, torsion_figures.torsions, _has("torsions"),
+        "torsions", SHAPES, torsion_figures.torsions,
+        lambda study: study.torsions is not None
+        and len(study.torsions.torsions) <= torsion_figures.MOST_TORSIONS,
         "How often each angle was taken: areas are shares of the frames, the red line is the "
         "first frame.",
         "", "How often is a matter of the model, not of energies.",
@@ -116,7 +119,7 @@ FIGURES = (
 )  # fmt: skip
 
 
-def save_figures(study: Study, folder: Path, dpi: int = 200) -> list[tuple[FigureKind, Path]]:
+def save_figures(study: Study, folder: Path, dpi: int = 150) -> list[tuple[FigureKind, Path]]:
     """Writes the PNG of each figure that the study gives; returns [(FigureKind, path)]."""
     written = []
     with styled():

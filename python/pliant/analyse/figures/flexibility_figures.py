@@ -29,8 +29,8 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
+    from pliant.analyse.found import Units
     from pliant.analyse.study import Study
-    from pliant.analyse.units import Units
 
 #: up to this many units are drawn one by one, each with its name
 NAMED_BARS = 40

@@ -18,7 +18,7 @@ from pliant.analyse.figures.style import (
     new_figure,
     pad,
 )
-from pliant.analyse.kind import ENSEMBLE
+from pliant.analyse.found import ENSEMBLE
 from pliant.analyse.study import known
 
 if TYPE_CHECKING:

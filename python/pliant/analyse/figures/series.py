@@ -22,7 +22,7 @@ from pliant.analyse.figures.style import (
     mark_size,
     new_figure,
 )
-from pliant.analyse.kind import ENSEMBLE
+from pliant.analyse.found import ENSEMBLE
 from pliant.analyse.study import known
 
 if TYPE_CHECKING:

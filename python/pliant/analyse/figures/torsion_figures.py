@@ -32,6 +32,8 @@ if TYPE_CHECKING:
 
 #: roses drawn at most; tables have all torsions
 ROSES = 12
+#: of a molecule with more torsions none are drawn: the most mobile are side chains at its surface
+MOST_TORSIONS = 100
 
 
 def most_mobile(torsions: TorsionDistributions, count: int = ROSES) -> np.ndarray:

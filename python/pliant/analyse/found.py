@@ -1,0 +1,51 @@
+# SPDX-License-Identifier: MIT
+"""What stages of a study find, where it is more than an array."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+
+ENSEMBLE = "ensemble"  #: `pliant sample`: frames are independent
+PATH = "path"  #: `pliant run`, or sampler `walk`: each frame is the one before, pushed
+TRAJECTORY = "trajectory"  #: another program's: frames may be anything
+
+
+@dataclass(frozen=True)
+class Reference:
+    """A structure with the atoms of the trajectory."""
+
+    positions: np.ndarray  #: (N, 3) Angstrom
+    name: str  #: what it is, for readers
+
+
+@dataclass(frozen=True)
+class Units:
+    """n units, and the m atoms that stand for them."""
+
+    what: str  #: "residue" or "atom"
+    labels: list[str]  #: (n,) "A:LYS12", "C4"
+    numbers: np.ndarray  #: (n,) of the residue, or of the atom from 1
+    chains: np.ndarray  #: (n,) chain, "" where there is none
+    owners: np.ndarray  #: (n,) resindex, or index of the atom
+    atoms: np.ndarray  #: (m,) indices in the universe
+    unit: np.ndarray  #: (m,) the unit of each
+
+    def sites(self, positions: np.ndarray) -> np.ndarray:
+        """(F, n, 3) centre of each unit's atoms, of positions (F, m, 3)."""
+        if len(self.atoms) == len(self.labels):
+            return positions
+        table = np.zeros((len(self.labels), len(self.atoms)))
+        table[self.unit, np.arange(len(self.unit))] = 1.0
+        return np.asarray((table / table.sum(axis=1, keepdims=True)) @ positions)
+
+
+@dataclass(frozen=True)
+class Contacts:
+    """Pairs of residues in contact (heavy atoms within 4.5 Angstrom) and how often."""
+
+    pairs: np.ndarray  #: (k, 2) numbers of units
+    share: np.ndarray  #: (k,) of the frames looked at
+    at_start: np.ndarray  #: (k,) bool: in the reference
+    frames: int  #: that were looked at

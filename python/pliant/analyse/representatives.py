@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: MIT
+"""A few frames that stand for all, as the models of a PDB file: for docking, or to look at."""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from pliant._core import InputError, OptionError
+from pliant.analyse.found import ENSEMBLE
+from pliant.analyse.kind import kind_of
+from pliant.analyse.multi_model import write_models
+from pliant.analyse.stages import opened_study
+from pliant.analyse.study import StudyOptions
+from pliant.analysis.medoids import k_medoids, pairwise_rmsd
+from pliant.analysis.superposition import superpose_all
+
+if TYPE_CHECKING:
+    from pliant.analyse.study import Study
+
+#: of more frames than these so many are taken, evenly
+MOST_FRAMES = 3000
+
+
+@dataclass(frozen=True)
+class Representatives:
+    """k frames, and how well they stand for all."""
+
+    frames: np.ndarray  #: (k,) numbers in the file, those nearest to most frames first
+    nearest: np.ndarray  #: (k,) how many of the frames compared are nearest to each
+    mean_distance: float  #: of a frame from the one that stands for it, Angstrom
+    largest_distance: float  #: Angstrom
+    compared: int  #: frames that were compared
+    superposed_on: str  #: atoms
+    notes: tuple[str, ...]
+    output: str = ""  #: the file written
+
+    def as_json(self) -> dict[str, Any]:
+        """The same as one JSON object."""
+        return dict(vars(self))
+
+
+def representatives(
+    path: str | os.PathLike[str],
+    count: int,
+    output: str | os.PathLike[str] | None = None,
+    *,
+    topology: str | os.PathLike[str] | None = None,
+    select: str = "all",
+    superpose: str | None = None,
+    overwrite: bool = False,
+) -> Representatives:
+    """Chooses `count` frames by k-medoids on the RMSD of frames superposed pair by pair.
+
+    Nothing is random: the same file gives the same frames. How many frames are nearest to each is
+    no population: how often a shape occurs is not claimed.
+
+    Parameters
+    ----------
+    path : str or path
+        H5MD file, or any trajectory that MDAnalysis reads.
+    count : int
+        Frames to choose.
+    output : str or path, optional
+        PDB file with one model for each, superposed.
+    topology : str or path, optional
+        File with atoms, where `path` holds none.
+    select : str
+        MDAnalysis selection: which atoms are written.
+    superpose : str, optional
+        Atoms that are superposed and compared. Default: CA and P atoms if they form chains, else
+        all but hydrogens.
+    overwrite : bool
+        Replace an existing output.
+
+    Raises
+    ------
+    InputError
+        The file cannot be used, or the output exists.
+    OptionError
+        There are fewer frames than asked for, or a selection is wrong.
+    """
+    if output is not None and Path(output).exists() and not overwrite:
+        raise InputError(f"{os.fspath(output)}: exists; --overwrite replaces it")
+    named = None if topology is None else os.fspath(topology)
+    study = opened_study(StudyOptions(os.fspath(path), named, select, superpose))
+    study.kind = kind_of(study)
+    stride = -(-len(study.frames) // MOST_FRAMES)
+    if stride > 1:
+        study.notes.append(f"every {stride}th frame was compared")
+    if count > len(study.frames[::stride]):
+        raise OptionError(f"-k: expected up to {len(study.frames[::stride])} frames, found {count}")
+    if study.kind != ENSEMBLE:
+        study.notes.append("these frames are no independent draws: see pliant sample")
+    compared = study.some_positions(study.fitted.ix)[::stride].astype(np.float64)
+    found = k_medoids(pairwise_rmsd(compared), count)
+    chosen = found.frames * stride
+    if output is not None:
+        _write(study, chosen, Path(output))
+    return Representatives(
+        study.frames[chosen],
+        np.bincount(found.owner, minlength=count),
+        float(found.distance.mean()),
+        float(found.distance.max()),
+        len(compared),
+        study.fitted_name,
+        tuple(study.notes),
+        "" if output is None else os.fspath(output),
+    )
+
+
+def _write(study: Study, chosen: np.ndarray, output: Path) -> None:
+    atoms = study.atoms
+    both = np.union1d(atoms.ix, study.fitted.ix)
+    positions = np.array([study.positions(k)[both] for k in chosen])
+    moved = superpose_all(positions, np.searchsorted(both, study.fitted.ix))
+    remarks = ["chosen by k-medoids; populations are not claimed"]
+    remarks += [f"model {k + 1}: frame {study.frames[one]}" for k, one in enumerate(chosen)]
+    kept = moved[:, np.searchsorted(both, atoms.ix)]
+    write_models(output, atoms, kept, np.zeros(len(atoms)), remarks)

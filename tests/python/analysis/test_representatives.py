@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""pliant representatives: the frames it chooses, and what it says when it cannot."""
+
+import json
+
+import MDAnalysis
+import numpy as np
+import pytest
+from MDAnalysis.analysis import rms
+from pliant.analyse import representatives
+from pliant.analyse.representatives_command import main
+from pliant.analysis.medoids import k_medoids, pairwise_rmsd
+
+
+@pytest.fixture
+def run(tmp_path, peptide, wander, write_run):
+    trajectory = wander(peptide, peptide.rotatable, 40, degrees=25.0)
+    return write_run(tmp_path / "run.h5md", peptide, trajectory)
+
+
+def test_distances_are_those_of_mdanalysis():
+    positions = np.random.default_rng(1).standard_normal((12, 9, 3))
+    found = pairwise_rmsd(positions)
+    for i in range(12):
+        for j in range(12):
+            theirs = rms.rmsd(positions[i], positions[j], superposition=True)
+            assert found[i, j] == pytest.approx(theirs, abs=1e-6)
+    mirrored = np.array([positions[0], positions[0] * [1, 1, -1]])
+    assert pairwise_rmsd(mirrored)[0, 1] > 0.1  # no reflection counts as a rotation
+
+
+def test_groups_that_are_far_apart_have_one_each():
+    random = np.random.default_rng(2)
+    places = np.concatenate([random.normal(c, 0.1, 10 + c) for c in (0, 10, 20, 30)])
+    found = k_medoids(np.abs(places[:, None] - places), 4)
+    assert sorted(np.round(places[found.frames], -1).tolist()) == [0, 10, 20, 30]
+    sizes = np.bincount(found.owner)
+    assert sizes.tolist() == [40, 30, 20, 10]
+    np.testing.assert_allclose(found.distance, np.abs(places - places[found.frames[found.owner]]))
+
+
+def test_no_single_change_of_a_frame_within_its_group_is_better():
+    random = np.random.default_rng(3)
+    points = random.standard_normal((80, 2))
+    distances = np.linalg.norm(points[:, None] - points, axis=2)
+    found = k_medoids(distances, 6)
+    for k, medoid in enumerate(found.frames):
+        group = np.flatnonzero(found.owner == k)
+        best = distances[np.ix_(group, group)].sum(axis=0).min()
+        assert distances[medoid, group].sum() == pytest.approx(best)
+    assert found.distance.mean() < k_medoids(distances, 3).distance.mean()
+    every = k_medoids(distances, 80)
+    assert sorted(every.frames.tolist()) == list(range(80))
+    assert every.distance.max() == 0
+
+
+def test_the_models_are_the_frames_and_always_the_same(run, tmp_path, capsys):
+    out = tmp_path / "out.pdb"
+    assert main([str(run), "-k", "5", "-o", str(out), "--json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    assert len(found["frames"]) == 5
+    assert sum(found["nearest"]) == found["compared"] == 40
+    assert "these frames are no independent draws: see pliant sample" in found["notes"]
+    before = out.read_bytes()
+    assert main([str(run), "-k", "5", "-o", str(out), "--overwrite", "--quiet"]) == 0
+    assert out.read_bytes() == before
+    written = MDAnalysis.Universe(out)
+    source = MDAnalysis.Universe(run, topology_format="H5MD")
+    assert len(written.trajectory) == 5
+    for k, number in enumerate(found["frames"]):
+        written.trajectory[k]
+        source.trajectory[number]
+        assert rms.rmsd(written.atoms.positions, source.atoms.positions, superposition=True) < 2e-3
+    assert b"populations are not claimed" in before
+
+
+def test_from_python_without_a_file(run):
+    found = representatives(run, 3, superpose="name CA")
+    assert found.output == ""
+    assert found.superposed_on == "atoms 'name CA'"
+    assert found.largest_distance >= found.mean_distance > 0
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "message"),
+    [
+        (["-k", "41", "-o", "{new}"], 2, "-k: expected up to 40 frames, found 41"),
+        (["-k", "2", "-o", "{old}"], 1, "{old}: exists; --overwrite replaces it"),
+        (["-k", "2", "-o", "{new}", "--select", "name XX"], 2,
+         "--select 'name XX': selects no atoms"),
+    ],
+)  # fmt: skip
+def test_what_cannot_be_done(run, tmp_path, capsys, words, code, message):
+    names = {"new": str(tmp_path / "new.pdb"), "old": str(tmp_path / "old.pdb")}
+    (tmp_path / "old.pdb").write_text("kept")
+    assert main([str(run), *(word.format(**names) for word in words)]) == code
+    error = capsys.readouterr().err
+    assert error == f"pliant representatives: error: {message.format(**names)}\n"
+    assert (tmp_path / "old.pdb").read_text() == "kept"
+    assert not (tmp_path / "new.pdb").exists()
