@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "pliant/examples/examples.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "support/frameworks.hpp"
@@ -12,9 +14,10 @@ namespace shape_keeper_test {
 
 /// A centre a little above the plane of its three neighbours, all held to each other: its mirror
 /// image has the same lengths.
-Framework flat_group() {
+Framework flat_group(std::vector<Joint> pinned = {}) {
   FrameworkParts parts;
   parts.joint_count = 4;
+  parts.pinned = std::move(pinned);
   parts.drawn = {{0, 0, 0.05}, {1.4, 0, 0}, {-0.7, 1.2, 0}, {-0.7, -1.2, 0}};
   parts.bars = complete(4).bars;
   for (Bar bar : parts.bars)
@@ -56,7 +59,7 @@ TEST_P(ShapeKeeper, LeavesWhatWasMirroredBeforeThePush) {
 }
 
 TEST_P(ShapeKeeper, LeavesPinnedJoints) {
-  const Framework framework = test::with_pinned(flat_group(), {1, 2, 3});
+  const Framework framework = flat_group({1, 2, 3});
   std::vector<Vec3> x(framework.drawn().begin(), framework.drawn().end());
   x[0].z = -0.1;
   Resolver(framework, {GetParam()}).resolve(x, 0, 0, framework.drawn());
