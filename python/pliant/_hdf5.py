@@ -48,7 +48,7 @@ def open_file(path: str | os.PathLike[str]) -> h5py.File:
     name = os.fspath(path)
     status = os.stat(name)
     state = (status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns)
-    if _good.get(name) != state:
+    if _good.get(name) != state and not _is_open_here(name):
         if not check_hdf5_structure(name):
             probe(name)
         _good[name] = state
@@ -56,6 +56,16 @@ def open_file(path: str | os.PathLike[str]) -> h5py.File:
         return h5py.File(name, "r")
     except OSError as error:
         raise FileError(f"{name}: cannot be opened: {_one_line(error)}") from error
+
+
+def _is_open_here(name: str) -> bool:
+    """Whether this process writes the file with h5py: HDF5 then reads what it holds in memory."""
+    return any(
+        file.get_intent() != h5py.h5f.ACC_RDONLY
+        and os.path.exists(file.name)
+        and os.path.samefile(file.name, name)
+        for file in h5py.h5f.get_obj_ids(h5py.h5f.OBJ_ALL, h5py.h5f.OBJ_FILE)
+    )
 
 
 def while_written(path: str | os.PathLike[str], read: Callable[[], Result]) -> Result:

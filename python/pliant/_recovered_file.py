@@ -14,6 +14,22 @@ from pliant._salvage import Salvage, StoredValues
 TRAJECTORY = "particles/trajectory"
 POSITION = f"{TRAJECTORY}/position"
 
+_ATOMS = (
+    *("atom_name", "element", "atomic_number", "atom_serial", "residue_of"),
+    *("residue_name", "residue_number", "insertion_code", "chain"),
+)
+_LIMITS = ("least", "most", "kind", "energy", "group")
+_STERICS = ("kind", "least", "own", "own_least", "bonds_apart")
+
+#: Datasets that readers take together.
+TOGETHER = (
+    tuple(f"parameters/topology/{name}" for name in _ATOMS),
+    ("connectivity/bars", "parameters/framework/rest_length"),
+    ("connectivity/bonds", "parameters/topology/bond_origin", "parameters/topology/bond_order"),
+    ("connectivity/limits", *(f"parameters/limit/{name}" for name in _LIMITS)),
+    tuple(f"parameters/sterics/{name}" for name in _STERICS),
+)
+
 
 @dataclass
 class SavedFrames:
@@ -24,6 +40,15 @@ class SavedFrames:
     steps: np.ndarray
     times: np.ndarray | None
     units: dict[str, str]
+
+
+def _drop_incomplete(static: Salvage) -> None:
+    """Columns of a table are of use together only."""
+    for names in TOGETHER:
+        missing = [name for name in names if name not in static.found]
+        for name in names if missing else ():
+            if static.found.pop(name, None) is not None:
+                static.lost[name] = f"of no use without {missing[0]}"
 
 
 def write_header(file: h5py.File, creator: dict[str, Any]) -> None:
@@ -54,10 +79,12 @@ def write_frames(file: h5py.File, frames: SavedFrames) -> None:
 def write_static(file: h5py.File, static: Salvage, count: int) -> list[str]:
     """Writes the datasets that fit `count` joints; the others become lost. Returns their names."""
     saved = []
-    for name, stored in static.found.items():
+    for name, stored in list(static.found.items()):
         if why := _misfit(name, stored, count):
             static.lost[name] = why
-            continue
+            del static.found[name]
+    _drop_incomplete(static)
+    for name, stored in static.found.items():
         put(file, name, stored.values)
         for key, value in stored.attributes.items():
             file[name].attrs[key] = value
