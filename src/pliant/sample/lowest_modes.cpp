@@ -12,7 +12,7 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t largest_direct = 300;
-constexpr std::size_t block = 8;
+constexpr std::size_t block_width = 8;
 constexpr double least_share = 1e-9;  // of the largest diagonal entry: below, in the null space
 constexpr double shift_share = 1e-10;
 constexpr double least_residual = 1e-9;
@@ -63,9 +63,9 @@ EigenPairs keep_lowest(const EigenPairs& all, double least, double below, std::s
 class InverseKrylov {
  public:
   InverseKrylov(DenseMatrix a, std::size_t most)
-      : n_(a.rows()), inverse_(std::move(a)), basis_(most + block, n_), images_(most, n_) {
+      : n_(a.rows()), inverse_(std::move(a)), basis_(most + block_width, n_), images_(most, n_) {
     RandomSequence draws(RandomKey{0, Domain::amplitude, ~std::uint64_t{0}, 0, 0});
-    for (std::size_t k = 0; k < block; ++k) {
+    for (std::size_t k = 0; k < block_width; ++k) {
       fill_normal(draws, basis_.row(size_));
       add_direction(size_);
     }
@@ -139,14 +139,15 @@ EigenPairs by_inverse(DenseMatrix a, double height, std::size_t count) {
   const std::size_t n = a.rows();
   const double shift = shift_share * height;
   for (std::size_t k = 0; k < n; ++k) a(k, k) += shift;
-  const std::size_t most = std::min(n, 10 * count + 10 * block);
+  const std::size_t most = std::min(n, 10 * count + 10 * block_width);
   InverseKrylov space(std::move(a), most);
   EigenPairs found;
-  for (std::size_t target = std::min(most, 3 * count + 4 * block);; target += 10 * block) {
+  for (std::size_t target = std::min(most, 3 * count + 4 * block_width);;
+       target += 10 * block_width) {
     while (space.size() < target && space.grow()) {
     }
     const EigenPairs inner = space.within();
-    const std::size_t wanted = std::min(inner.values.size(), count + block);
+    const std::size_t wanted = std::min(inner.values.size(), count + block_width);
     found = {std::vector<double>(wanted), DenseMatrix(wanted, n)};
     double worst = 0.0;
     for (std::size_t k = 0; k < wanted; ++k) {

@@ -11,7 +11,7 @@
 namespace pliant {
 namespace {
 
-constexpr std::uint64_t page_size = 4096;
+constexpr std::uint64_t disk_page = 4096;
 
 // Ranks of blocks within a commit. Tree nodes lie between, by falling level.
 constexpr int new_rank = 0;
@@ -161,7 +161,7 @@ void CommittedFile::sync() {
 
 void CommittedFile::write_backwards(std::uint64_t address, std::span<const std::byte> bytes) {
   while (!bytes.empty()) {
-    const std::uint64_t last_page = (address + bytes.size() - 1) / page_size * page_size;
+    const std::uint64_t last_page = (address + bytes.size() - 1) / disk_page * disk_page;
     const std::uint64_t start = std::max(address, last_page);
     write_through(start, bytes.subspan(start - address));
     bytes = bytes.first(start - address);

@@ -14,12 +14,8 @@ namespace pliant {
 namespace {
 
 constexpr char file_signature[] = {'\x89', 'H', 'D', 'F', '\r', '\n', '\x1a', '\n'};
-constexpr std::uint64_t continuation = 0x10;
+constexpr std::uint64_t header_continuation = 0x10;
 constexpr std::size_t checksum_bytes = 4;
-
-std::string at(const char* what, std::uint64_t address) {
-  return std::string(what) + " at byte " + std::to_string(address);
-}
 
 /// Throws unless the last four bytes are the checksum of the others.
 void check_sum(std::span<const std::byte> bytes, const StructureFields& fields) {
@@ -42,7 +38,7 @@ class ObjectHeader {
       blocks_.pop_front();
       is_new_ ? read_new_block(address, bytes) : read_old_block(address, bytes);
     }
-    const StructureFields fields({}, at("object header", address_));
+    const StructureFields fields({}, place_in_file("object header", address_));
     fields.require(is_new_ || messages_ == stated_messages_, "has not the messages that it states");
     check_object_facts(walk_, facts_, fields);
   }
@@ -52,13 +48,14 @@ class ObjectHeader {
   std::vector<std::byte> first_bytes() const {
     constexpr std::uint64_t prefix = 32;
     if (address_ > walk_.end() || walk_.end() - address_ < 16)
-      throw InputError("is damaged: " + at("object header", address_) + " is beyond the end");
+      throw InputError("is damaged: " + place_in_file("object header", address_) +
+                       " is beyond the end");
     return walk_.read(address_, std::min(prefix, walk_.end() - address_));
   }
 
   void read_old() {
     const auto bytes = walk_.block(address_, 16, "object header");
-    StructureFields fields(bytes, at("object header", address_));
+    StructureFields fields(bytes, place_in_file("object header", address_));
     fields.require(fields.number(1) == 1, "is of an unknown version");
     fields.skip(1);
     stated_messages_ = fields.number(2);
@@ -69,7 +66,7 @@ class ObjectHeader {
 
   void read_old_block(std::uint64_t address, std::uint64_t size) {
     const auto bytes = walk_.block(address, size, "object header");
-    StructureFields fields(bytes, at("object header", address_));
+    StructureFields fields(bytes, place_in_file("object header", address_));
     while (fields.left() >= 8) {
       const std::uint64_t type = fields.number(2), length = fields.number(2);
       const std::uint64_t flags = fields.number(1);
@@ -82,7 +79,7 @@ class ObjectHeader {
 
   void read_new(std::span<const std::byte> start) {
     is_new_ = true;
-    StructureFields fields(start, at("object header", address_));
+    StructureFields fields(start, place_in_file("object header", address_));
     fields.signature("OHDR");
     fields.require(fields.number(1) == 2, "is of an unknown version");
     flags_ = fields.number(1);
@@ -93,7 +90,7 @@ class ObjectHeader {
     fields.require(size < walk_.end(), "is too large");
     const auto bytes =
         walk_.block(address_, fields.position() + size + checksum_bytes, "object header");
-    StructureFields all(bytes, at("object header", address_));
+    StructureFields all(bytes, place_in_file("object header", address_));
     check_sum(bytes, all);
     all.skip(fields.position());
     read_new_messages(all.part(size, "messages"));
@@ -101,7 +98,7 @@ class ObjectHeader {
 
   void read_new_block(std::uint64_t address, std::uint64_t size) {
     const auto bytes = walk_.block(address, size, "object header");
-    StructureFields fields(bytes, at("object header", address_));
+    StructureFields fields(bytes, place_in_file("object header", address_));
     fields.signature("OCHK");
     check_sum(bytes, fields);
     fields.require(fields.left() >= checksum_bytes, "ends too early");
@@ -121,7 +118,7 @@ class ObjectHeader {
   void add(std::uint64_t type, std::uint64_t flags, StructureFields fields) {
     ++messages_;
     add_message(walk_, {type, flags, fields, is_new_}, facts_);
-    if (type != continuation) return;
+    if (type != header_continuation) return;
     const std::uint64_t address = fields.number(8);
     blocks_.emplace_back(address, fields.number(8));
   }

@@ -15,6 +15,10 @@
 
 namespace pliant {
 
+std::string place_in_file(std::string_view what, std::uint64_t address) {
+  return std::string(what) + " at byte " + std::to_string(address);
+}
+
 std::uint64_t StructureFields::number(std::size_t width) {
   require(left() >= width, "ends too early");
   std::uint64_t value = 0;

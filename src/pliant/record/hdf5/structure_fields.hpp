@@ -15,6 +15,9 @@ namespace pliant {
 /// HDF5's address of what is not there, at eight bytes.
 inline constexpr std::uint64_t no_address = ~std::uint64_t{0};
 
+/// "tree node at byte 96".
+std::string place_in_file(std::string_view what, std::uint64_t address);
+
 /// Little-endian fields of a block, one after the other. Everything throws InputError
 /// ("is damaged: WHAT: WHY") where the block ends before the field does.
 class StructureFields {

@@ -9,10 +9,6 @@ namespace {
 
 constexpr std::uint64_t node_head_bytes = 24, address_bytes = 8, symbol_bytes = 40;
 
-std::string at(const char* what, std::uint64_t address) {
-  return std::string(what) + " at byte " + std::to_string(address);
-}
-
 /// A node of a tree of version 1: its entries are still to be read.
 struct TreeNode {
   std::uint64_t entries;
@@ -21,7 +17,7 @@ struct TreeNode {
 
 TreeNode read_node_head(const std::vector<std::byte>& bytes, std::uint64_t address,
                         std::uint64_t type, std::uint64_t level, std::uint64_t most) {
-  StructureFields fields(bytes, at("tree node", address));
+  StructureFields fields(bytes, place_in_file("tree node", address));
   fields.signature("TREE");
   fields.require(fields.number(1) == type, "is of another kind of tree");
   fields.require(fields.number(1) == level, "has another level than its parent says");
@@ -52,7 +48,7 @@ class Heap {
  private:
   static std::vector<std::byte> read(StructureWalk& walk, std::uint64_t address) {
     const auto head = walk.block(address, 32, "heap");
-    StructureFields fields(head, at("heap", address));
+    StructureFields fields(head, place_in_file("heap", address));
     fields.signature("HEAP");
     fields.require(fields.number(4) == 0, "is of an unknown version");
     const std::uint64_t bytes = fields.number(8), free = fields.number(8);
@@ -104,7 +100,7 @@ class GroupTree {
     if (!walk_.enter(address, "a symbol node")) return;
     const std::uint64_t most = 2 * walk_.sizes.group_leaf;
     const auto bytes = walk_.block(address, 8 + most * symbol_bytes, "symbol node");
-    StructureFields fields(bytes, at("symbol node", address));
+    StructureFields fields(bytes, place_in_file("symbol node", address));
     fields.signature("SNOD");
     fields.require(fields.number(2) == 1, "is of an unknown version");
     const std::uint64_t count = fields.number(2);
@@ -188,13 +184,13 @@ constexpr std::uint64_t least_collection = 64;
 std::map<std::uint64_t, std::uint64_t> read_collection(StructureWalk& walk, std::uint64_t address) {
   if (address > walk.end() || walk.end() - address < 16) walk.block(address, 16, "global heap");
   const auto head = walk.read(address, 16);
-  StructureFields start(head, at("global heap", address));
+  StructureFields start(head, place_in_file("global heap", address));
   start.signature("GCOL");
   start.require(start.number(4) == 1, "is of an unknown version");
   const std::uint64_t bytes = start.number(8);
   start.require(bytes >= least_collection, "is too small");
   const auto block = walk.block(address, bytes, "global heap");
-  StructureFields fields(block, at("global heap", address));
+  StructureFields fields(block, place_in_file("global heap", address));
   fields.skip(16);
   std::map<std::uint64_t, std::uint64_t> objects;
   while (fields.left() >= 16) {

@@ -14,7 +14,7 @@ namespace pliant {
 namespace {
 
 /// Units that share joints may bend each other once more.
-constexpr int most_rounds = 3;
+constexpr int most_fits = 3;
 /// Of `units_nearest`, in all it does.
 constexpr std::int64_t most_sweeps = 20;
 
@@ -32,7 +32,7 @@ class ShapeKeeper final : public Method {
     const Stop stop = method_->resolve(call, summary);
     if (stop != Stop::converged) return stop;
     bool is_bent = find_bent(call);
-    for (int round = 0; round < most_rounds && is_bent; ++round) {
+    for (int round = 0; round < most_fits && is_bent; ++round) {
       if (summary.sweeps >= options_.max_sweeps || !straighten(call, summary)) return stop;
       is_bent = find_bent(call);
     }
