@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstdlib>
+#include <cstring>
 
 #include "pliant/base/error.hpp"
 #include "unit/record/recorded_runs.hpp"
