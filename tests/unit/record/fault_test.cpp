@@ -31,8 +31,7 @@ struct FaultCase {
 class FaultTable : public ::testing::TestWithParam<FaultCase> {
  protected:
   void SetUp() override {
-    if (GetParam().is_long && !looks_at_all())
-      GTEST_SKIP() << "only with PLIANT_ALL";
+    if (GetParam().is_long && !looks_at_all()) GTEST_SKIP() << "only with PLIANT_ALL";
     options_.steps = GetParam().steps;
     options_.every = 2;
     options_.resolve.seed = 5;
