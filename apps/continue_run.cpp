@@ -220,6 +220,9 @@ int continue_run(const CommandLine& line, RunSettings& settings) {
   H5mdCheckpoint pattern = read_checkpoint(first, steps, log);
   check_options_again(line, settings, pattern);
   check_steps(pattern, log);
+  // The file of one walker of several goes on as that walker.
+  if (!is_ensemble(settings))
+    settings.first_walker = static_cast<std::int64_t>(options_of(pattern).resolve.walker);
   watch_for_interrupt();
   ProgressBar progress(settings.walkers * pattern.steps / options_of(pattern).every, "frames",
                        settings.quiet);

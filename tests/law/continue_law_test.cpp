@@ -2,6 +2,8 @@
 // A run that goes on from its H5MD file records what one run without an end between records:
 // positions and observables bit by bit, whatever the technique and the perturbation, also where
 // steps do not converge.
+#include <cstdlib>
+
 #include "law/technique_cases.hpp"
 #include "unit/record/recorded_runs.hpp"
 #include "unit/record/samples.hpp"
@@ -35,25 +37,29 @@ class ContinueLaw : public test::TechniqueLaw {
 };
 
 /// In three parts: the end of the first is a frame that the whole run does not record, the end of
-/// the second is one that it does.
+/// the second is one that it does. Some examples take a perturbation each; the law of
+/// restarts takes all.
 TEST_P(ContinueLaw, ThreePartsAreTheWhole) {
-  each_example([](const Example& example) {
+  const std::vector<std::string> perturbations{"force", "force_all", "displacement", "replay"};
+  const TempDirectory directory;
+  std::size_t count = 0;
+  each_example([&](const Example& example) {
     if (example.framework.joint_count() == 0) return;
-    const TempDirectory directory;
-    for (const std::string perturb : {"force", "force_all", "displacement", "replay"}) {
-      SCOPED_TRACE(perturb);
-      RunOptions options = options_of(example.framework, perturb);
-      const H5mdOptions recording{.single = perturb == "force_all"};
-      const auto whole = directory / (perturb + "-whole"), parts = directory / (perturb + "-parts");
-      const State start(example.positions);
-      options.steps = 8;
-      record_run(whole, example.framework, start, options, recording);
-      options.steps = 3;
-      record_run(parts, example.framework, start, options, recording);
-      go_on(parts, 6);
-      go_on(parts, 8);
-      test::expect_same_file(whole, parts);
-    }
+    if (count++ % 11 != 0 && std::getenv("PLIANT_ALL") == nullptr) return;
+    const std::string& perturb = perturbations[count % perturbations.size()];
+    SCOPED_TRACE(perturb);
+    RunOptions options = options_of(example.framework, perturb);
+    const H5mdOptions recording{.single = perturb == "force_all"};
+    const auto whole = directory / ("whole-" + std::to_string(count));
+    const auto parts = directory / ("parts-" + std::to_string(count));
+    const State start(example.positions);
+    options.steps = 8;
+    record_run(whole, example.framework, start, options, recording);
+    options.steps = 3;
+    record_run(parts, example.framework, start, options, recording);
+    go_on(parts, 6);
+    go_on(parts, 8);
+    test::expect_same_file(whole, parts);
   });
 }
 

@@ -135,10 +135,9 @@ bool is_same_file(int descriptor, const fs::path& path) {
 OutputFile::OutputFile(const fs::path& target, bool overwrite)
     : target_(resolved(target)), overwrite_(overwrite) {
   check_target(target_, overwrite_);
-  create();
   try {
-    // Whoever held the lock until now may have taken the name.
-    check_target(target_, overwrite_);
+    create();
+    check_target(target_, overwrite_);  // whoever held the lock until now may have taken the name
   } catch (...) {
     close();
     throw;
@@ -180,7 +179,9 @@ void OutputFile::create() {
     if (is_same_file(descriptor_, temporary_)) break;
     ::close(std::exchange(descriptor_, -1));
   }
-  if (::ftruncate(descriptor_, 0) != 0) fail_with(target_, "cannot write", errno);
+  std::error_code error;
+  if (fs::file_size(temporary_, error) > 0 && ::ftruncate(descriptor_, 0) != 0)
+    fail_with(target_, "cannot write", errno);
 }
 
 /// Without locks each writer needs a name of its own.

@@ -86,6 +86,7 @@ std::uint64_t CommittedFile::size() const {
 
 int CommittedFile::rank(const Blocks::value_type& entry) const {
   const auto& [address, block] = entry;
+  if (block.kind == BlockKind::data) return shrunk_data_rank;
   if (address >= known_end_ && !written_.contains(address)) return new_rank;
   if (shrinks_ && block.kind != BlockKind::other_metadata) return rank_when_shrinking(block);
   if (block.kind == BlockKind::superblock) return superblock_rank;
@@ -95,7 +96,6 @@ int CommittedFile::rank(const Blocks::value_type& entry) const {
 
 int CommittedFile::rank_when_shrinking(const Block& block) const {
   if (block.kind == BlockKind::superblock) return shrunk_superblock_rank;
-  if (block.kind == BlockKind::data) return shrunk_data_rank;
   return shrunk_tree_rank + 255 - tree_level(block.bytes);
 }
 

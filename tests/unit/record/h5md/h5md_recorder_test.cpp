@@ -128,10 +128,16 @@ TEST(H5mdRecorder, RecordsNamesBarsAndParameters) {
 TEST(H5mdRecorder, RecordsMassesOfPinnedJointsWhenTheyAreGiven) {
   const TempDirectory directory;
   H5mdHeader header;
-  { const H5mdRecorder recorder(directory / "a.h5md", chain(3), header); }
+  {
+    H5mdRecorder recorder(directory / "a.h5md", chain(3), header);
+    recorder.record(sample_frame(0, 3).frame);
+  }
   EXPECT_EQ(H5mdReader(directory / "a.h5md").masses(), (std::vector<double>{1.0, 13.0, 14.0}));
   header.masses = {12.0, 13.0, 14.0};
-  { const H5mdRecorder recorder(directory / "b.h5md", chain(3), header); }
+  {
+    H5mdRecorder recorder(directory / "b.h5md", chain(3), header);
+    recorder.record(sample_frame(0, 3).frame);
+  }
   EXPECT_EQ(H5mdReader(directory / "b.h5md").masses(), header.masses);
   header.masses = {12.0};
   EXPECT_EQ(message_of<OptionError>([&] { H5mdRecorder(directory / "c.h5md", chain(3), header); }),
@@ -142,7 +148,10 @@ TEST(H5mdRecorder, RecordsMassesOfPinnedJointsWhenTheyAreGiven) {
 TEST(H5mdRecorder, RecordsAFrameworkWithoutNamesOrBars) {
   const TempDirectory directory;
   const Framework framework = bare(2);
-  { H5mdRecorder recorder(directory / "run.h5md", framework); }
+  {
+    H5mdRecorder recorder(directory / "run.h5md", framework);
+    recorder.record(sample_frame(0, 2).frame);
+  }
   const H5mdReader reader(directory / "run.h5md");
   EXPECT_EQ(reader.atoms(), nullptr);
   EXPECT_TRUE(reader.bars().empty());
@@ -153,7 +162,10 @@ TEST(H5mdRecorder, EscapesTextThatIsNotUtf8) {
   const TempDirectory directory;
   H5mdHeader header;
   header.parameters = {{"input/file", std::string("latin\xe9")}};
-  { H5mdRecorder recorder(directory / "run.h5md", chain(2), header); }
+  {
+    H5mdRecorder recorder(directory / "run.h5md", chain(2), header);
+    recorder.record(sample_frame(0, 2).frame);
+  }
   EXPECT_EQ(H5mdReader(directory / "run.h5md").parameters()[0].second,
             Parameter(std::string("latin\\xe9")));
 }
@@ -213,7 +225,8 @@ TEST(H5mdRecorder, RefusesBadOptionsBeforeItTouchesTheFile) {
   EXPECT_EQ(message(with("", 1.0), {}),
             "parameter \"\": must be a path below /parameters, such as run/seed");
   EXPECT_EQ(message(with("topology/x", 1.0), {}),
-            "parameter \"topology/x\": the groups framework, limit, sterics and topology are the "
+            "parameter \"topology/x\": the groups framework, limit, sterics, topology and "
+            "checkpoint are the "
             "file's own");
   EXPECT_EQ(message(with("x", std::numeric_limits<double>::quiet_NaN()), {}),
             "parameter \"x\": is not a number");

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: MIT
+"""pliant run --continue: the bits of one run, after its end, Ctrl-C and any kill."""
+
+import os
+import random
+import signal
+import subprocess
+import time
+
+import h5py
+import numpy as np
+import pytest
+
+
+def contents(path):
+    """Every dataset of a file by name, without the checkpoint."""
+    found = {}
+    with h5py.File(path) as file:
+        file.visititems(
+            lambda name, item: (
+                found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None
+            )
+        )
+    return {name: value for name, value in found.items() if "checkpoint" not in name}
+
+
+def assert_same(one, other):
+    first, second = contents(one), contents(other)
+    assert first.keys() == second.keys()
+    for name, value in first.items():
+        assert np.array_equal(value, second[name]), name
+
+
+@pytest.mark.parametrize("options", [[], ["--every", 7], ["--single"], ["--compress"]])
+def test_two_parts_are_the_whole(pliant, ethanol, tmp_path, options):
+    pliant("run", ethanol, "-o", "whole.h5md", "--steps", 50, *options)
+    pliant("run", ethanol, "-o", "part.h5md", "--steps", 25, *options)
+    ended = pliant("run", "--continue", "part.h5md", "--steps", 50)
+    assert (ended.code, ended.err) == (0, "")
+    assert_same(tmp_path / "whole.h5md", tmp_path / "part.h5md")
+
+
+def test_walkers_go_on_and_begin(pliant, ethanol, tmp_path):
+    pliant("run", ethanol, "-o", "whole.h5md", "--steps", 30, "--walkers", 3)
+    pliant("run", ethanol, "-o", "part.h5md", "--steps", 10, "--walkers", 3)
+    (tmp_path / "part-1.h5md").unlink()  # as if the run had been killed before it began
+    pliant("run", "--continue", "part-2.h5md", "--steps", 20)
+    ended = pliant("run", "--continue", "part.h5md", "--walkers", 3, "--steps", 30)
+    assert (ended.code, ended.err) == (0, "")
+    for walker in range(3):
+        assert_same(tmp_path / f"whole-{walker}.h5md", tmp_path / f"part-{walker}.h5md")
+
+
+def test_a_replay_and_an_ordering_need_no_other_file(pliant, ethanol, tmp_path):
+    pliant("run", ethanol, "-o", "a.h5md", "--steps", 12, "--record-forces", "forces.txt")
+    pliant("order", ethanol, "-o", "order.txt")
+    words = ["run", ethanol, "--forces", "forces.txt", "--ordering", "order.txt"]
+    assert pliant(*words, "-o", "whole.h5md").code == 0
+    pliant(*words, "-o", "part.h5md", "--steps", 5)
+    for name in ("forces.txt", "order.txt"):
+        (tmp_path / name).unlink()
+    assert pliant("run", "--continue", "part.h5md", "--steps", 12).code == 0
+    assert_same(tmp_path / "whole.h5md", tmp_path / "part.h5md")
+
+
+@pytest.mark.parametrize(
+    ("words", "message"),
+    [
+        (["--seed", 5], "--seed: is 0 in the run of o.h5md, not 5; a run goes on as it began"),
+        (["--technique", "shake"], "--technique: is auto in the run of o.h5md, not shake; "
+                                   "a run goes on as it began"),
+        (["--single"], "--single: is no in the run of o.h5md, not yes; a run goes on as it began"),
+        (["--overwrite"], "--overwrite: does not go with --continue, which adds to o.h5md"),
+        (["--steps", 3], "--steps 3: o.h5md has 5 steps already; "
+                         "steps are counted from the start of the run"),
+        (["other.xyz"], "FILE: is ethanol.xyz in the run of o.h5md, not other.xyz; "
+                        "a run goes on as it began"),
+        (["-o", "p.h5md"], "--output p.h5md: --continue adds to o.h5md itself"),
+    ],
+)  # fmt: skip
+def test_what_contradicts_the_file_is_refused(pliant, ethanol, tmp_path, words, message):
+    pliant("run", ethanol, "-o", "o.h5md", "--steps", 5)
+    before = (tmp_path / "o.h5md").read_bytes()
+    ended = pliant("run", "--continue", "o.h5md", *words)
+    assert (ended.code, ended.err) == (2, f"pliant: error: {message}\n")
+    assert (tmp_path / "o.h5md").read_bytes() == before
+
+
+def test_a_file_without_a_checkpoint_is_told(pliant, ethanol, tmp_path):
+    pliant("run", ethanol, "-o", "o.h5md", "--steps", 5)
+    with h5py.File(tmp_path / "o.h5md", "r+") as file:
+        del file["parameters/checkpoint"]
+    ended = pliant("run", "--continue", "o.h5md", "--steps", 9)
+    assert ended.code == 1
+    assert ended.err == (
+        "pliant: error: o.h5md: has no checkpoint, so that its run cannot go on: it was written "
+        "by another program, by Pliant before 0.3.0, or not by a run\n"
+    )
+
+
+def test_a_run_that_is_done_has_nothing_to_do(pliant, ethanol, tmp_path):
+    pliant("run", ethanol, "-o", "o.h5md", "--steps", 5)
+    before = (tmp_path / "o.h5md").read_bytes()
+    ended = pliant("run", "--continue", "o.h5md")
+    assert ended.code == 0
+    assert "o.h5md has all of its 5 steps" in ended.err
+    assert (tmp_path / "o.h5md").read_bytes() == before
+
+
+def interrupt_again_and_again(command, folder, start, times, seconds, seed):
+    """Stops a run by kills and Ctrl-C, goes on with it each time, and lets it end at last."""
+    output = folder / "left.h5md"
+    draw = random.Random(seed)
+    for _ in range(times):
+        words = ["run", "--continue", output, "--quiet"] if output.exists() else start
+        child = subprocess.Popen([command, *words], cwd=folder)
+        time.sleep(draw.uniform(0.0, seconds))
+        child.send_signal(draw.choice([signal.SIGKILL, signal.SIGINT, signal.SIGHUP]))
+        assert child.wait() in (0, 130, -signal.SIGKILL, -signal.SIGINT, -signal.SIGHUP)
+        if output.exists():
+            with h5py.File(output) as file:
+                steps = file["particles/trajectory/position/step"][:]
+            assert len(steps) > 0 and np.array_equal(steps[:-1], 3 * np.arange(len(steps) - 1))
+    words = ["run", "--continue", output, "--quiet"] if output.exists() else start
+    subprocess.run([command, *words], cwd=folder, check=True)
+
+
+def check_interruptions(command, ethanol, tmp_path, times, seed):
+    start = ["run", str(ethanol), "--steps", "40000", "--every", "3", "--topology", "none",
+             "--quiet", "-o"]  # fmt: skip
+    before = time.monotonic()
+    subprocess.run([command, *start, "whole.h5md"], cwd=tmp_path, check=True)
+    seconds = 1.5 * (time.monotonic() - before) / times
+    interrupt_again_and_again(command, tmp_path, [*start, "left.h5md"], times, seconds, seed)
+    assert_same(tmp_path / "whole.h5md", tmp_path / "left.h5md")
+    assert sorted(os.listdir(tmp_path)) == ["ethanol.xyz", "left.h5md", "whole.h5md"]
+
+
+def test_interruptions_leave_no_trace(command, ethanol, tmp_path):
+    check_interruptions(command, ethanol, tmp_path, 10, 1)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("seed", range(20))
+def test_many_interruptions_leave_no_trace(command, ethanol, tmp_path, seed):
+    check_interruptions(command, ethanol, tmp_path, 25, seed)
