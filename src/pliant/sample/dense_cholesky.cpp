@@ -60,8 +60,7 @@ void DenseCholesky::update_below(std::size_t first, std::size_t last) {
   for (std::size_t left = last; left < n; left += tile) {
     const std::size_t right = std::min(left + tile, n);
     for (std::size_t i = last; i < right; ++i)
-      for (std::size_t k = first; k < last; k += panel)
-        update_row(i, k, std::max(i, left), right);
+      for (std::size_t k = first; k < last; k += panel) update_row(i, k, std::max(i, left), right);
   }
 }
 

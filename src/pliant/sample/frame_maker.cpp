@@ -64,7 +64,8 @@ void FrameMaker::make(std::int64_t number, std::span<const Vec3> now, std::span<
   out.cpu_seconds = thread_seconds() - begun;
 }
 
-/// The draw itself, by careful steps, else by blind ones, else by many small ones; then drawn again.
+/// The draw itself, by careful steps, else by blind ones, else by many small ones; then drawn
+/// again.
 bool FrameMaker::make_step(std::int64_t number, int step, std::span<const Vec3> now,
                            std::span<const Vec3> before, MadeFrame& out) {
   for (int attempt = 0; attempt <= most_redraws; ++attempt) {

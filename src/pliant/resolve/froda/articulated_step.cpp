@@ -67,8 +67,7 @@ void ArticulatedStep::refine(std::span<const Vec3> x, const StepRequest& request
     const double step = before / (apply_matrix(x, request.rows) + tiny);
     add_motions(step, direction_, sum_);
     if (turn + 1 >= request.conjugate_gradients) break;
-    for (std::size_t k = 0; k < left_.size(); ++k)
-      froda::add_scaled(-step, image_[k], left_[k]);
+    for (std::size_t k = 0; k < left_.size(); ++k) froda::add_scaled(-step, image_[k], left_[k]);
     room_ = left_;
     pass_.push_inward(room_);
     pass_.go_outward(room_, motions_);

@@ -88,7 +88,8 @@ std::array<CutClosing::Three, 3> CutClosing::product(
   std::array<Three, 3> sums{};
   if (roots_[one].body != roots_[other].body) return sums;
   const Share *a = shares_.data() + first_[one], *b = shares_.data() + first_[other];
-  const Share *a_end = shares_.data() + first_[one + 1], *b_end = shares_.data() + first_[other + 1];
+  const Share *a_end = shares_.data() + first_[one + 1],
+              *b_end = shares_.data() + first_[other + 1];
   while (a != a_end && b != b_end) {
     if (a->turn != b->turn) {
       ++(a->turn > b->turn ? a : b);

@@ -162,8 +162,7 @@ void NearPairs::visit_renewed(std::uint32_t a, std::uint32_t b, std::uint32_t c)
   for (std::uint32_t x = a > 0 ? a - 1 : 0; x <= std::min(a + 1, cells_[0] - 1); ++x)
     for (std::uint32_t y = b > 0 ? b - 1 : 0; y <= std::min(b + 1, cells_[1] - 1); ++y) {
       const std::uint32_t row = (x * cells_[1] + y) * cells_[2];
-      if (x == a && y == b)
-        first = near_.size() + first_in_cell_[cell] - first_in_cell_[row + low];
+      if (x == a && y == b) first = near_.size() + first_in_cell_[cell] - first_in_cell_[row + low];
       gather_run(row, low, high);
     }
   compare_renewed(first, first + first_in_cell_[cell + 1] - first_in_cell_[cell]);
