@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """pliant sample, on a peptide."""
 
+import gzip
 import json
 import signal
 import subprocess
@@ -83,6 +84,28 @@ def test_bad_options_end_with_2(pliant, option, value, text):
     ended = pliant("sample", PEPTIDE, option, value)
     assert ended.code == 2
     assert text in ended.err
+
+
+def test_disulphides_close_without_a_last_move(pliant, tmp_path):
+    """Three bridges tie BPTI into loops; their bonds, by numpy, are those of the file."""
+    data = pytest.importorskip("MDAnalysisTests.datafiles")
+    folder = Path(data.__file__).parent / "data" / "mmcif"
+    (tmp_path / "bpti.cif").write_bytes(gzip.decompress((folder / "5PTI.cif.gz").read_bytes()))
+    ended = pliant("sample", "bpti.cif", "-o", "out.h5md", "--frames", 8, "--json")
+    assert ended.code == 0, ended.err
+    told = json.loads(ended.out)
+    assert told["frames"] == 8
+    assert told["worst_residual"] < 1e-10
+    assert 0.0 < told["worst_closing"] <= 0.3
+    lines = (tmp_path / "out.pdb").read_text().splitlines()
+    atoms = [line for line in lines if line.startswith(("ATOM", "HETATM"))]
+    sulphurs = [k for k, line in enumerate(atoms) if line[12:16].strip() == "SG"]
+    with h5py.File(tmp_path / "out.h5md") as file:
+        places = file["particles/trajectory/position/value"][:][:, sulphurs]
+    lengths = np.linalg.norm(places[:, :, None] - places[:, None], axis=3)
+    bridges = np.triu((lengths < 2.3).all(axis=0), 1)
+    assert bridges.sum() == 3
+    assert np.ptp(lengths[:, bridges], axis=0).max() < 1e-10
 
 
 def test_ctrl_c_leaves_a_readable_file(command, tmp_path):

@@ -81,7 +81,8 @@ void FrodaSolver::pull(const FrodaOptions& options) {
   for (int leg = 1; leg < legs; ++leg) pull_to(double(leg) / legs, 1, options.is_careful, options);
   if (options.is_careful) return pull_to(1.0, careful_pulls, true, options);
   pull_to(1.0, last_pulls, false, options);
-  if (!framework_.has_bars_only()) pull_to(1.0, last_pulls, true, options);
+  find_rows(pull_weight);
+  if (!rows_.empty()) pull_to(1.0, last_pulls, true, options);
 }
 
 void FrodaSolver::pull_to(double share, int steps, bool sees_contacts,
