@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from pliant._callable_package import make_callable
 
 if TYPE_CHECKING:
-    from pliant.analyse.representatives import Representatives, representatives
+    from pliant.analyse.choose_representatives import Representatives, representatives
     from pliant.analyse.stages import study_trajectory
     from pliant.analyse.study import Study, StudyOptions
     from pliant.analyse.suite import AnalysisReport, analyse
@@ -28,11 +28,11 @@ make_callable(
     __name__,
     {
         "AnalysisReport": "suite",
-        "Representatives": "representatives",
+        "Representatives": "choose_representatives",
         "Study": "study",
         "StudyOptions": "study",
         "analyse": "suite",
-        "representatives": "representatives",
+        "representatives": "choose_representatives",
         "study_trajectory": "stages",
     },
 )

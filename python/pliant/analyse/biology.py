@@ -68,8 +68,9 @@ def flexibility_stage(study: Study) -> None:
         return
     sites = units.sites(moved)[:, :: study.site_stride]
     study.correlations = correlations(sites)
-    if units.what == "residue" and sites.shape[1] >= LEAST_CHAIN:
-        study.domains = find_domains(sites, units.chains[:: study.site_stride])
+    chain = np.flatnonzero(units.of_chain)[:: study.site_stride]
+    if len(chain) >= LEAST_CHAIN:
+        study.domains = find_domains(units.sites(moved)[:, chain], units.chains[chain])
 
 
 def stereochemistry_stage(study: Study) -> None:

@@ -34,13 +34,15 @@ def flexibility_columns(study: Study) -> dict[str, Any]:
         "converged": [int(found.converged)] * len(units.labels),
     }
     if study.domains is not None:
-        domain = np.repeat(study.domains.domain, study.site_stride)[: len(units.labels)]
-        columns["domain"] = domain + 1  # 0: none
-    if study.pca is not None and len(study.fitted) == len(units.labels):
+        columns["domain"] = study.unit_domains + 1  # 0: none
+    moved = study.component_units
+    if study.pca is not None and moved is not None:
         results = study.pca.results
         share = participation(results.components[:MOTIONS])
         for k, row in enumerate(share):
-            columns[f"pc{k + 1}_angstrom"] = np.sqrt(row * results.eigenvalues[k])
+            values = np.full(len(units.labels), np.nan)
+            values[moved] = np.sqrt(row * results.eigenvalues[k])
+            columns[f"pc{k + 1}_angstrom"] = ["" if v != v else v for v in values.tolist()]
     return columns
 
 

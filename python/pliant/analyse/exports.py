@@ -109,12 +109,12 @@ def nmd(study: Study) -> str:
 
 def _domain_selections(study: Study) -> list[list[tuple[int, int]]]:
     """For each domain the stretches of residue numbers (first, last); none without domains."""
-    if study.domains is None or study.domains.count < 2 or study.site_stride > 1:
+    if study.domains is None or study.domains.count < 2:
         return []
     numbers = known(study.units).numbers
     made = []
     for k in range(study.domains.count):
-        sites = np.flatnonzero(study.domains.domain == k)
+        sites = np.flatnonzero(study.unit_domains == k)
         parts = np.split(sites, np.flatnonzero(np.diff(sites) > 1) + 1)
         made.append([(int(numbers[p[0]]), int(numbers[p[-1]])) for p in parts])
     return made

@@ -31,6 +31,14 @@ class Units:
     owners: np.ndarray  #: (n,) resindex, or index of the atom
     atoms: np.ndarray  #: (m,) indices in the universe
     unit: np.ndarray  #: (m,) the unit of each
+    of_chain: np.ndarray  #: (n,) bool: a residue of a chain, by its CA or P
+
+    def of_atoms(self, atoms: np.ndarray) -> np.ndarray | None:
+        """(k,) the units that atoms (k,), indices in the universe, alone stand for; or None."""
+        place = np.minimum(np.searchsorted(self.atoms, atoms), len(self.atoms) - 1)
+        own = self.unit[place]
+        alone = np.bincount(self.unit)[own] == 1
+        return own if np.all(self.atoms[place] == atoms) and alone.all() else None
 
     def sites(self, positions: np.ndarray) -> np.ndarray:
         """(F, n, 3) centre of each unit's atoms, of positions (F, m, 3)."""

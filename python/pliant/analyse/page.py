@@ -182,7 +182,8 @@ def _table(table: PageTable) -> str:
 def _row(tag: str, texts: Iterable[str]) -> str:
     first, *others = (escape(text) for text in texts)
     numbers = "".join(
-        f'<{tag} class="{"n" if len(text) <= SHORT else "t"}">{text}</{tag}>' for text in others
+        f'<{tag} class="{"n" if tag == "td" and len(text) <= SHORT else "t"}">{text}</{tag}>'
+        for text in others
     )
     return f"<tr><{tag}>{first}</{tag}>{numbers}</tr>"
 

@@ -126,12 +126,14 @@ def _flexible_table(study: Study) -> PageTable:
 
 def _domain_table(study: Study) -> PageTable:
     found, units = known(study.domains), known(study.units)
-    labels = units.labels[:: study.site_stride]
+    chain = np.flatnonzero(units.of_chain)[:: study.site_stride]
+    labels = [units.labels[k] for k in chain]
     rows = []
     for k in range(found.count):
-        sites = np.flatnonzero(found.domain == k)
-        parts = np.split(sites, np.flatnonzero(np.diff(sites) > 1) + 1)
-        text = ", ".join(f"{labels[p[0]]} to {labels[p[-1]]}" for p in parts)
+        sites = np.flatnonzero(study.unit_domains == k)
+        ends = (np.diff(sites) > 1) | (units.chains[sites[1:]] != units.chains[sites[:-1]])
+        parts = np.split(sites, np.flatnonzero(ends) + 1)
+        text = ", ".join(f"{units.labels[p[0]]} to {units.labels[p[-1]]}" for p in parts)
         rows.append((f"{k + 1}", text))
     hinges = ", ".join(f"{labels[a]}|{labels[b]}" for a, b in found.hinges)
     rows.append(("hinges", hinges or "none within a chain"))
@@ -153,14 +155,15 @@ def _component_table(study: Study) -> PageTable:
 
 def _moves(study: Study, share: np.ndarray) -> str:
     """Which stretches a component moves most, in words."""
-    units = known(study.units)
-    if len(share) != len(units.labels):
+    units, moved = known(study.units), study.component_units
+    if moved is None:
         return "–"
+    labels = [units.labels[k] for k in moved]
     if units.what == "atom":
-        return ", ".join(units.labels[k] for k in np.argsort(-share, kind="stable")[:3])
+        return ", ".join(labels[k] for k in np.argsort(-share, kind="stable")[:3])
     return ", ".join(
-        units.labels[a] if a == b else f"{units.labels[a]} to {units.labels[b]}"
-        for a, b, _ in moving_stretches(share, units.chains)
+        labels[a] if a == b else f"{labels[a]} to {labels[b]}"
+        for a, b, _ in moving_stretches(share, units.chains[moved])
     )
 
 

@@ -54,7 +54,7 @@ def _parser() -> Parser:
 
 def _representatives(options: argparse.Namespace) -> int:
     # Imported here, so that --help and errors of usage are immediate.
-    from pliant.analyse.representatives import representatives
+    from pliant.analyse.choose_representatives import representatives
 
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")

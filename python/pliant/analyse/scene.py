@@ -195,11 +195,13 @@ def _unit_columns(study: Study) -> dict[str, Any]:
     if study.flexibility is not None:
         columns["mobility"] = np.round(study.flexibility.rmsf, 4).tolist()
     if study.domains is not None and study.domains.count > 1:
-        columns["domain"] = np.repeat(study.domains.domain, study.site_stride)[:count].tolist()
-    if study.pca is not None and len(study.fitted) == count:
+        columns["domain"] = study.unit_domains.tolist()
+    moved = study.component_units
+    if study.pca is not None and moved is not None:
         found = study.pca.results
-        share = participation(found.components[:1])[0]
-        columns["motion"] = np.round(np.sqrt(share * found.eigenvalues[0]), 4).tolist()
+        values = np.zeros(count)  # what is not in the PCA counts as still
+        values[moved] = np.sqrt(participation(found.components[:1])[0] * found.eigenvalues[0])
+        columns["motion"] = np.round(values, 4).tolist()
     return columns
 
 

@@ -16,7 +16,7 @@ from pliant.analysis import (
     RunRecord,
     TorsionDistributions,
 )
-from pliant.analysis.domains import Domains
+from pliant.analysis.domains import LOOSE, Domains
 from pliant.analysis.flexibility import Flexibility
 from pliant.analysis.stereochemistry import Stereochemistry, StereochemistryResults
 from pliant.analysis.stored import StoredPositions
@@ -86,7 +86,7 @@ class Study:
     units: Units | None = None  #: residues or atoms whose flexibility is told
     flexibility: Flexibility | None = None
     correlations: np.ndarray | None = None  #: (s, s) of every `site_stride`-th unit
-    domains: Domains | None = None  #: of the same
+    domains: Domains | None = None  #: of every `site_stride`-th unit of a chain
     shape: Stereochemistry | None = None
     shape_results: StereochemistryResults | None = None
     contacts: Contacts | None = None
@@ -111,6 +111,21 @@ class Study:
     def site_stride(self) -> int:
         """Correlations and domains are of every so many units."""
         return 1 if self.units is None else -(-len(self.units.labels) // MOST_SITES)
+
+    @property
+    def component_units(self) -> np.ndarray | None:
+        """Units that the atoms of the PCA stand for, one each; None if they do not."""
+        return None if self.units is None else self.units.of_atoms(self.fitted.ix)
+
+    @property
+    def unit_domains(self) -> np.ndarray:
+        """(n,) domain of each unit; LOOSE where it has none."""
+        assert self.units is not None
+        full = np.full(len(self.units.labels), LOOSE)
+        if self.domains is not None:
+            chain = np.flatnonzero(self.units.of_chain)
+            full[chain] = np.repeat(self.domains.domain, self.site_stride)[: len(chain)]
+        return full
 
     def observable(self, name: str) -> np.ndarray | None:
         """(F,) an observable of the run at the frames analysed; None if there is none."""

@@ -9,6 +9,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
+import MDAnalysis  # noqa: F401  (before pliant.analysis, which says that it lacks MDAnalysis itself)
+
 from pliant.analyse.bar_verdict import Verdict, verdict
 from pliant.analyse.stages import study_trajectory
 from pliant.analyse.study import Study, StudyOptions

@@ -113,7 +113,7 @@ def _flexibility_values(study: Study) -> dict[str, Any]:
 
 
 def _shape_values(study: Study) -> dict[str, Any]:
-    rows = {row.name: {"found": row.found, "passed": row.passed} for row in shape_rows(study)}
+    rows = {row.name: {"found": row.found, "passed": bool(row.passed)} for row in shape_rows(study)}
     values: dict[str, Any] = {"stereochemistry": rows} if rows else {}
     asked = zip(study.options.distances, study.distances, strict=False)
     distances = [

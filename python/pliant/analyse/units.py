@@ -26,7 +26,7 @@ def units_of(study: Study) -> Units:
         heavy = atoms
     if len(set(atoms.resindices)) < 2:
         return _single_atoms(heavy)
-    trace = study.fitted if " atoms" in study.fitted_name and _one_each(study.fitted) else heavy[:0]
+    trace = _trace(heavy)
     of_trace = np.isin(heavy.ix, trace.ix)
     others = ~np.isin(heavy.resindices, trace.resindices)
     chosen = heavy[of_trace | others]
@@ -41,11 +41,16 @@ def units_of(study: Study) -> Units:
         owners,
         chosen.ix,
         unit,
+        np.isin(owners, trace.resindices),
     )
 
 
-def _one_each(atoms: AtomGroup) -> bool:
-    return len(set(atoms.resindices)) == len(atoms)
+def _trace(atoms: AtomGroup) -> AtomGroup:
+    """CA of amino acids and P of nucleotides, where each residue has one at most; else nothing."""
+    if not hasattr(atoms, "names") or not hasattr(atoms, "resnames"):
+        return atoms[:0]
+    trace = atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
+    return trace if len(set(trace.resindices)) == len(trace) else atoms[:0]
 
 
 def _single_atoms(atoms: AtomGroup) -> Units:
@@ -54,4 +59,6 @@ def _single_atoms(atoms: AtomGroup) -> Units:
     if len(set(labels)) < count:
         labels = [f"{label}({k + 1})" for label, k in zip(labels, atoms.ix, strict=True)]
     place = np.arange(count)
-    return Units("atom", labels, atoms.ix + 1, np.full(count, ""), atoms.ix, atoms.ix, place)
+    return Units(
+        "atom", labels, atoms.ix + 1, np.full(count, ""), atoms.ix, atoms.ix, place, place < 0
+    )

@@ -61,8 +61,7 @@ FIGURES = (
     FigureKind(
         "motions", COLLECTIVE, flexibility_figures.motions,
         lambda study: study.pca is not None and study.units is not None
-        and study.units.what == "residue" and len(study.units.labels) >= 4
-        and len(study.fitted) == len(study.units.labels),
+        and study.units.what == "residue" and study.component_units is not None,
         "How far (one standard deviation) each of the three largest motions moves each residue.",
         "Components of a random path look like slow waves: see the cosine content.",
     ),

@@ -29,7 +29,6 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from pliant.analyse.found import Units
     from pliant.analyse.study import Study
 
 #: up to this many units are drawn one by one, each with its name
@@ -57,7 +56,7 @@ def flexibility(study: Study) -> Figure:
 def _line_with_band(axes: Axes, study: Study) -> None:
     found, units = known(study.flexibility), known(study.units)
     place = np.arange(len(found.rmsf))
-    for part in chain_parts(units):
+    for part in chain_parts(units.chains):
         band = found.rmsf[part] - 2 * found.error[part], found.rmsf[part] + 2 * found.error[part]
         axes.fill_between(place[part], np.maximum(band[0], 0), band[1], color=SKY, alpha=0.45, lw=0)
         axes.plot(place[part], found.rmsf[part], color=BLUE, lw=1.3)
@@ -68,10 +67,10 @@ def _line_with_band(axes: Axes, study: Study) -> None:
     chain_axis(axes, units.numbers, units.chains)
 
 
-def chain_parts(units: Units) -> list[slice]:
-    """The stretches of units that are of one chain."""
-    edges = np.flatnonzero(units.chains[1:] != units.chains[:-1]) + 1
-    starts = [0, *edges.tolist(), len(units.chains)]
+def chain_parts(chains: np.ndarray) -> list[slice]:
+    """The stretches of units that are of one chain; chains: (n,) of each."""
+    edges = np.flatnonzero(chains[1:] != chains[:-1]) + 1
+    starts = [0, *edges.tolist(), len(chains)]
     return [slice(a, b) for a, b in itertools.pairwise(starts)]
 
 
@@ -79,7 +78,7 @@ def _domain_strip(axes: Axes, study: Study) -> None:
     """A line of the domains' colours along the axis, where there are several."""
     if study.domains is None or study.domains.count < 2:
         return
-    domain = np.repeat(study.domains.domain, study.site_stride)[: len(known(study.units).labels)]
+    domain = study.unit_domains
     edges = [0, *(np.flatnonzero(np.diff(domain)) + 1).tolist(), len(domain)]
     for first, last in itertools.pairwise(edges):
         if domain[first] != LOOSE:
@@ -114,12 +113,13 @@ def together(study: Study) -> Figure:
 def motions(study: Study) -> Figure:
     """How far each of the first three components moves each unit."""
     found, units = known(study.pca).results, known(study.units)
-    count = min(3, len(found.eigenvalues))
+    count, moved = min(3, len(found.eigenvalues)), known(study.component_units)
+    chains = units.chains[moved]
     figure, axes = new_figure((WIDE[0], 0.6 + 1.15 * count), count, 1, sharex=True, squeeze=False)
     for k, row in enumerate(axes[:, 0]):
         share = participation(found.components[k : k + 1])[0]
         height = np.sqrt(share * found.eigenvalues[k])
-        for part in chain_parts(units):
+        for part in chain_parts(chains):
             place = np.arange(len(height))[part]
             row.fill_between(place, height[part], color=FAINT, lw=0)
             row.plot(place, height[part], color=BLUE, lw=1.2)
@@ -129,7 +129,7 @@ def motions(study: Study) -> Figure:
             0.995, 0.93, f"{100 * found.explained[k]:.0f} % of the motion", ha="right", va="top",
             transform=row.transAxes, fontsize=8.5, color=INK,
         )  # fmt: skip
-    chain_axis(axes[-1, 0], units.numbers, units.chains)
+    chain_axis(axes[-1, 0], units.numbers[moved], chains)
     axes[0, 0].set_title("Collective motions: what each moves")
     return figure
 
