@@ -160,6 +160,7 @@ __all__ = [
     "compare",
     "constraints_from_openmm",
     "contacts",
+    "continue_run",
     "examples",
     "formats",
     "from_mdanalysis",

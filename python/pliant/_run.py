@@ -138,13 +138,8 @@ def run(
     FileError
         The file exists (and `overwrite` is false) or cannot be written.
     """
-    built: dict[str, Value] = {}
-    framework, state = _opened(framework, state, select)
-    if isinstance(framework, _core.Structure):
-        if structure is not None:
-            raise TypeError("run: structure is given twice")
-        structure = framework.select(select) if select else framework
-        framework, built = _built(structure, select, bars, lengths, pin)
+    source, state = _opened(framework, state, select)
+    framework, structure, built = _built(source, structure, select, bars, lengths, pin)
     options = _options(
         replay,
         ordering,
@@ -257,20 +252,26 @@ def _opened(
 
 
 def _built(
-    structure: _core.Structure,
+    source: _core.Framework | _core.Structure,
+    structure: _core.Structure | None,
     select: str,
     bars: str | os.PathLike[str],
     lengths: str,
     pin: str,
-) -> tuple[_core.Framework, dict[str, Value]]:
-    """The framework of a structure, and how it is recorded that it was built so."""
+) -> tuple[_core.Framework, _core.Structure | None, dict[str, Value]]:
+    """The framework, the structure it is of, and how it is recorded that it was built so."""
+    if not isinstance(source, _core.Structure):
+        return source, structure, {}
+    if structure is not None:
+        raise TypeError("run: structure is given twice")
+    chosen = source.select(select) if select else source
     values: dict[str, Value] = {
         "input/select": select,
         "input/bars": Path(bars).name,
         "input/lengths": lengths,
         "input/pin": pin,
     }
-    return structure.framework(bars, lengths, pin), values
+    return chosen.framework(bars, lengths, pin), chosen, values
 
 
 def _without_h5md(

@@ -34,6 +34,7 @@
 #include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/laboratory/make_test_set.hpp"
 #include "pliant/laboratory/read_test_set.hpp"
+#include "pliant/laboratory/recorded_inputs.hpp"
 #include "pliant/laboratory/test_results.hpp"
 #include "pliant/laboratory/test_set.hpp"
 #include "pliant/model/atom_graph.hpp"
@@ -63,6 +64,7 @@
 #include "pliant/perturb/push.hpp"
 #include "pliant/perturb/pusher.hpp"
 #include "pliant/perturb/steering.hpp"
+#include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/record/pdb_recorder.hpp"
@@ -198,6 +200,7 @@ const Use uses[] = {
     of("pliant/run/run.hpp", &run),
     of("pliant/run/run_fields.hpp", &run_fields),
     of_type<RunSummary>("pliant/run/run_summary.hpp"),
+    of("pliant/record/h5md/h5md_checkpoint_reader.hpp", &read_checkpoint),
     of("pliant/record/h5md/h5md_reader.hpp", &H5mdReader::frames),
     of("pliant/record/h5md/h5md_recorder.hpp", &H5mdRecorder::flush),
     of("pliant/record/pdb_recorder.hpp", &PdbRecorder::close),
@@ -207,6 +210,7 @@ const Use uses[] = {
     of("pliant/laboratory/force_recorder.hpp", &ForceRecorder::publish),
     of("pliant/laboratory/make_test_set.hpp", &make_test_set),
     of("pliant/laboratory/read_test_set.hpp", &read_test_set),
+    of("pliant/laboratory/recorded_inputs.hpp", &recorded_inputs),
     of("pliant/laboratory/test_results.hpp", &summary_of),
     of("pliant/laboratory/test_set.hpp", &TestSet::save),
 };

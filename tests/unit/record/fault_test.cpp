@@ -26,6 +26,8 @@ struct FaultCase {
   bool compress;
   std::int64_t steps;
   bool is_long;  ///< only with PLIANT_ALL
+
+  friend void PrintTo(const FaultCase& that, std::ostream* out) { *out << that.name; }
 };
 
 class FaultTable : public ::testing::TestWithParam<FaultCase> {
