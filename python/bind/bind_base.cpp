@@ -24,8 +24,10 @@ bool is_ours(nb::handle frame) {
   return name == "pliant" || name.starts_with("pliant.");
 }
 
-/// How many Python frames up the caller is: functions of the package stand between.
+/// How many Python frames up the caller is: functions of the package stand between. A thread of the
+/// library has none.
 int level_of_caller() {
+  if (PyEval_GetFrame() == nullptr) return 1;
   nb::object frame = nb::module_::import_("sys").attr("_getframe")(0);
   int level = 1;
   while (!frame.is_none() && is_ours(frame)) {

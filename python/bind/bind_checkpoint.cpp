@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Checkpoints: runs in H5MD files, to go on.
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/unique_ptr.h>
 
 #include "locked.hpp"
 #include "messages.hpp"

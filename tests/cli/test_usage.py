@@ -26,7 +26,7 @@ def test_unknown_command_suggests_the_nearest(pliant):
     assert ended.err == (
         'pliant: no command named "inffo" (did you mean "info"?); '
         "known: info, contacts, run, sample, structgen, forcegen, order, techniques, check, "
-        "analyse, compare, experiment, bench\n"
+        "analyse, representatives, compare, convert, recover, experiment, bench\n"
     )
 
 

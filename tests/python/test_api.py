@@ -87,7 +87,7 @@ def test_everything_public_is_there():
     compiled = {node.name for node in stub_nodes()}
     assert compiled - set(pliant.__all__) == {
         *("ForceRecorder", "run_shard", "run_steps", "version"),
-        *("check_hdf5_structure", "select_atoms", "writer_of"),
+        *("Checkpoint", "check_hdf5_structure", "read_checkpoint", "select_atoms", "writer_of"),
     }
     assert (Path(pliant.__file__).with_name("py.typed")).exists()
 

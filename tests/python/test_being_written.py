@@ -4,6 +4,7 @@
 import os
 import subprocess
 import sys
+import time
 
 import pytest
 from pliant.analysis import read_record
@@ -11,9 +12,9 @@ from pliant.check.recording import read_recording
 
 import pliant
 
-# Commits each frame, and so meets readers as often as it can.
+# Commits each frame, and so meets readers often.
 WRITER = """
-import sys, pliant
+import sys, time, pliant
 structure = pliant.read_text("3\\nwater\\nO 0 0 0\\nH 0.96 0 0\\nH -0.24 0.93 0\\n", "water.xyz")
 recorder = pliant.H5mdRecorder(
     sys.argv[1], structure.framework(), structure=structure, flush_seconds=0.0,
@@ -25,6 +26,7 @@ with recorder:
         recorder.record(
             pliant.Frame(step=step, time=0.1 * step, positions=structure.positions + 1e-4 * step))
         step += 1
+        time.sleep(0.02)
 """
 
 
@@ -34,6 +36,8 @@ def written(request, tmp_path):
     words = [sys.executable, "-c", WRITER, str(path)] + ["c"] * (request.param == "compressed")
     writer = subprocess.Popen(words, stdout=subprocess.PIPE)
     assert writer.stdout.readline() == b"ready\n"
+    while not path.exists():  # it takes its name with its first frame
+        time.sleep(0.01)
     yield path, writer
     writer.kill()
     writer.wait()
@@ -72,6 +76,7 @@ def test_what_stays_unreadable_is_being_written(tmp_path):
     path = tmp_path / "half.h5md"
     structure = pliant.read_text("3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n", "water.xyz")
     recorder = pliant.H5mdRecorder(path, structure.framework(), structure=structure)
+    recorder.record(pliant.Frame(0, 0.0, structure.positions))
     recorder.flush()
     os.truncate(path, 3000)
     mine = f"{path}: is being written by "

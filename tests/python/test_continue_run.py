@@ -70,6 +70,6 @@ def test_what_cannot_go_on_is_told(tmp_path):
     with pytest.raises(pliant.OptionError, match="has 5 steps already"):
         pliant.continue_run(tmp_path / "a.h5md", 3)
     with pliant.H5mdRecorder(tmp_path / "b.h5md", WATER.framework()) as recorder:
-        recorder.record(pliant.Frame(WATER.positions))
+        recorder.record(pliant.Frame(0, 0.0, WATER.positions))
     with pytest.raises(pliant.InputError, match="checkpoint"):
         pliant.continue_run(tmp_path / "b.h5md", 3)

@@ -173,7 +173,8 @@ def test_tolerances_have_a_range(name):
 
 def test_sterics_are_recorded_and_read_back(stated, tmp_path):
     structure, framework = stated
-    pliant.H5mdRecorder(tmp_path / "s.h5md", framework, structure=structure).close()
+    with pliant.H5mdRecorder(tmp_path / "s.h5md", framework, structure=structure) as recorder:
+        recorder.record(pliant.Frame(0, 0.0, structure.positions))
     again = pliant.H5mdReader(tmp_path / "s.h5md").framework()
     assert again.has_sterics
     positions = np.array(structure.positions) * 0.5

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/sample/sample.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>

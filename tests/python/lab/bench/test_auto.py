@@ -36,6 +36,7 @@ def test_all_techniques_that_take_the_bars_take_part_with_every_weighting():
 
 def test_rows_name_the_quickest_whole_technique():
     found = choosing.auto([BENZENE], copies=2, rounds=2)
+    fixed = len(choosing.entries_for(read_target(BENZENE), 1e-6)) - 1
     assert [(r.bars_of, r.tolerance) for r in found.rows] == [
         ("bonds", 1e-6), ("bonds", 1e-10), ("angles", 1e-6), ("angles", 1e-10)]  # fmt: skip
     assert found.faults == []
@@ -44,7 +45,7 @@ def test_rows_name_the_quickest_whole_technique():
         assert row.ratio == pytest.approx(row.auto_microseconds / row.best_microseconds)
         assert row.runners[0].startswith(row.best + " ")
         assert row.bars == (12 if row.bars_of == "bonds" else 30)
-        assert 0 < row.whole <= row.fixed == 40
+        assert 0 < row.whole <= row.fixed == fixed
     # Planar centres are rigid to second order only: sweeps crawl there.
     assert found.rows[3].whole < found.rows[1].whole
 
