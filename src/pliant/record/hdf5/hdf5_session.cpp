@@ -8,6 +8,7 @@
 #include <chrono>
 #include <cstddef>
 #include <memory>
+#include <thread>
 #include <type_traits>
 
 #include "pliant/base/error.hpp"
@@ -20,7 +21,7 @@ static_assert(std::is_same_v<hid_t, std::int64_t>, "Hid holds what HDF5 calls hi
 /// The lock of HDF5. A process that is forked while another thread uses HDF5 gets it as that
 /// thread has it, for ever: it waits for the thread a moment before, and does without HDF5 after.
 struct Hdf5Lock {
-  std::recursive_timed_mutex mutex;
+  std::recursive_mutex mutex;
   bool is_held_for_fork = false;
   bool is_lost = false;  // HDF5 was in use when this process was forked
 };
@@ -28,8 +29,15 @@ struct Hdf5Lock {
 Hdf5Lock& hdf5_lock();
 
 void before_fork() {
-  constexpr std::chrono::milliseconds patience{500};
-  hdf5_lock().is_held_for_fork = hdf5_lock().mutex.try_lock_for(patience);
+  using std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds patience{500}, pause{1};
+  const auto end = steady_clock::now() + patience;
+  bool is_held = hdf5_lock().mutex.try_lock();
+  while (!is_held && steady_clock::now() < end) {
+    std::this_thread::sleep_for(pause);
+    is_held = hdf5_lock().mutex.try_lock();
+  }
+  hdf5_lock().is_held_for_fork = is_held;
 }
 
 void after_fork_in_parent() {

@@ -48,7 +48,7 @@ class Hdf5Session {
   Hdf5Session& operator=(const Hdf5Session&) = delete;
 
  private:
-  std::unique_lock<std::recursive_timed_mutex> lock_;
+  std::unique_lock<std::recursive_mutex> lock_;
   int (*printer_)(std::int64_t, void*) = nullptr;
   void* printer_argument_ = nullptr;
 };
