@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <csignal>
 #include <string>
+#include <vector>
 
 #include "pliant/base/error.hpp"
 #include "pliant/record/hdf5/hdf5_session.hpp"
@@ -17,6 +18,7 @@ namespace pliant {
 namespace {
 
 constexpr rlim_t most_seconds = 5;
+constexpr int most_levels = 50;
 
 herr_t read_attribute(hid_t object, const char* name, const H5A_info_t*, void*) {
   const Hid attribute(H5Aopen(object, name, H5P_DEFAULT), H5Aclose);
@@ -28,16 +30,45 @@ herr_t read_attribute(hid_t object, const char* name, const H5A_info_t*, void*) 
   return 0;
 }
 
-herr_t look_at(hid_t file, const char* name, const H5O_info_t* info, void*) {
-  const Hid object(H5Oopen(file, name, H5P_DEFAULT), H5Oclose);
-  if (!object) return 0;
-  H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, read_attribute, nullptr);
-  if (info->type != H5O_TYPE_DATASET) return 0;
-  const Hid type(H5Dget_type(object), H5Tclose);
-  const Hid space(H5Dget_space(object), H5Sclose);
-  const Hid properties(H5Dget_create_plist(object), H5Pclose);
-  H5Dget_storage_size(object);
+void look_at_dataset(hid_t dataset) {
+  const Hid type(H5Dget_type(dataset), H5Tclose);
+  const Hid space(H5Dget_space(dataset), H5Sclose);
+  const Hid properties(H5Dget_create_plist(dataset), H5Pclose);
+  H5Dget_storage_size(dataset);
+}
+
+/// Of links within the file.
+herr_t keep_name(hid_t, const char* name, const H5L_info_t* link, void* names) {
+  if (link->type != H5L_TYPE_EXTERNAL)
+    static_cast<std::vector<std::string>*>(names)->emplace_back(name);
   return 0;
+}
+
+void look_at_group(hid_t group, int depth);
+
+void look_at(hid_t object, int depth) {
+  H5Aiterate2(object, H5_INDEX_NAME, H5_ITER_INC, nullptr, read_attribute, nullptr);
+  const H5I_type_t kind = H5Iget_type(object);
+  if (kind == H5I_DATASET) look_at_dataset(object);
+  if (kind == H5I_GROUP && depth < most_levels) look_at_group(object, depth + 1);
+}
+
+/// Goes on behind what cannot be opened, as readers do, and looks up by name, as they do.
+void look_at_group(hid_t group, int depth) {
+  std::vector<std::string> names;
+  H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, keep_name, &names);
+  for (const std::string& name : names) {
+    H5Lexists(group, name.c_str(), H5P_DEFAULT);
+    const Hid object(H5Oopen(group, name.c_str(), H5P_DEFAULT), H5Oclose);
+    if (object) look_at(object, depth);
+  }
+}
+
+void visit(const std::filesystem::path& path) {
+  const Hid file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (!file) return;
+  const Hid root(H5Oopen(file, "/", H5P_DEFAULT), H5Oclose);
+  if (root) look_at(root, 0);
 }
 
 /// In the process that may crash: never returns.
@@ -47,12 +78,7 @@ herr_t look_at(hid_t file, const char* name, const H5O_info_t* info, void*) {
   ::setrlimit(RLIMIT_CPU, &time);
   for (const int crash : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU})
     ::signal(crash, SIG_DFL);
-  const Hid file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-#if H5_VERSION_GE(1, 12, 0)
-  if (file) H5Ovisit1(file, H5_INDEX_NAME, H5_ITER_INC, look_at, nullptr);
-#else
-  if (file) H5Ovisit(file, H5_INDEX_NAME, H5_ITER_INC, look_at, nullptr);
-#endif
+  visit(path);
   ::_exit(0);
 }
 
