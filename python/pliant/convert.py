@@ -101,7 +101,7 @@ def convert(
         raise InputError(f"{os.fspath(source)}: holds no frame")
     structure = _structure_of(reader)
     atoms = _chosen(structure, select)
-    part = structure if len(atoms) == len(structure) else _part_of(structure, atoms)
+    part = structure if len(atoms) == len(structure) else _part_of(structure, select)
     frames = _frames(reader, atoms, every, superpose)
     write = _write_with_mdanalysis if is_of_mdanalysis else _write_pdb
     count = write(os.fspath(output), part, frames, overwrite)
@@ -136,26 +136,6 @@ def _chosen(structure: _core.Structure, select: str) -> np.ndarray:
     return atoms
 
 
-def _part_of(structure: _core.Structure, atoms: np.ndarray) -> _core.Structure:
-    place = np.full(len(structure), -1)
-    place[atoms] = np.arange(len(atoms))
-    bonds = place[np.asarray(structure.bonds, dtype=np.int64).reshape(-1, 2)]
-    inside = (bonds >= 0).all(axis=1)
-    return _core.Structure(
-        structure.positions[atoms],
-        elements=structure.elements[atoms],
-        names=[str(name) for name in structure.names[atoms]],
-        residue_names=[str(name) for name in structure.residue_names[atoms]],
-        residue_ids=structure.residue_ids[atoms],
-        insertion_codes=[str(code) for code in structure.insertion_codes[atoms]],
-        chains=[str(chain) for chain in structure.chains[atoms]],
-        serials=structure.serials[atoms],
-        bonds=bonds[inside],
-        bond_orders=np.asarray(structure.bond_orders)[inside],
-        title=structure.title,
-    )
-
-
 @dataclass
 class _Moment:
     """A frame on its way: positions (n, 3) Angstrom, step, time in ps."""
@@ -163,6 +143,12 @@ class _Moment:
     positions: np.ndarray
     step: int
     time: float
+
+
+def _part_of(structure: _core.Structure, select: str) -> _core.Structure:
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", _core.PliantWarning)  # bonds that a selection cuts are gone
+        return structure.select(select)
 
 
 def _frames(

@@ -10,25 +10,7 @@ import time
 import h5py
 import numpy as np
 import pytest
-
-
-def contents(path):
-    """Every dataset of a file by name, without the checkpoint."""
-    found = {}
-    with h5py.File(path) as file:
-        file.visititems(
-            lambda name, item: (
-                found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None
-            )
-        )
-    return {name: value for name, value in found.items() if "checkpoint" not in name}
-
-
-def assert_same(one, other):
-    first, second = contents(one), contents(other)
-    assert first.keys() == second.keys()
-    for name, value in first.items():
-        assert np.array_equal(value, second[name]), name
+from h5md_contents import assert_same_runs
 
 
 @pytest.mark.parametrize("options", [[], ["--every", 7], ["--single"], ["--compress"]])
@@ -37,7 +19,7 @@ def test_two_parts_are_the_whole(pliant, ethanol, tmp_path, options):
     pliant("run", ethanol, "-o", "part.h5md", "--steps", 25, *options)
     ended = pliant("run", "--continue", "part.h5md", "--steps", 50)
     assert (ended.code, ended.err) == (0, "")
-    assert_same(tmp_path / "whole.h5md", tmp_path / "part.h5md")
+    assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
 
 
 def test_walkers_go_on_and_begin(pliant, ethanol, tmp_path):
@@ -48,7 +30,7 @@ def test_walkers_go_on_and_begin(pliant, ethanol, tmp_path):
     ended = pliant("run", "--continue", "part.h5md", "--walkers", 3, "--steps", 30)
     assert (ended.code, ended.err) == (0, "")
     for walker in range(3):
-        assert_same(tmp_path / f"whole-{walker}.h5md", tmp_path / f"part-{walker}.h5md")
+        assert_same_runs(tmp_path / f"whole-{walker}.h5md", tmp_path / f"part-{walker}.h5md")
 
 
 def test_a_replay_and_an_ordering_need_no_other_file(pliant, ethanol, tmp_path):
@@ -60,7 +42,7 @@ def test_a_replay_and_an_ordering_need_no_other_file(pliant, ethanol, tmp_path):
     for name in ("forces.txt", "order.txt"):
         (tmp_path / name).unlink()
     assert pliant("run", "--continue", "part.h5md", "--steps", 12).code == 0
-    assert_same(tmp_path / "whole.h5md", tmp_path / "part.h5md")
+    assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
 
 
 @pytest.mark.parametrize(
@@ -132,7 +114,7 @@ def check_interruptions(command, ethanol, tmp_path, times, seed):
     subprocess.run([command, *start, "whole.h5md"], cwd=tmp_path, check=True)
     seconds = 1.5 * (time.monotonic() - before) / times
     interrupt_again_and_again(command, tmp_path, [*start, "left.h5md"], times, seconds, seed)
-    assert_same(tmp_path / "whole.h5md", tmp_path / "left.h5md")
+    assert_same_runs(tmp_path / "whole.h5md", tmp_path / "left.h5md")
     assert sorted(os.listdir(tmp_path)) == ["ethanol.xyz", "left.h5md", "whole.h5md"]
 
 

@@ -7,18 +7,7 @@ import time
 import h5py
 import numpy as np
 import pytest
-
-
-def contents(path):
-    """Every dataset of a file by name."""
-    found = {}
-    with h5py.File(path) as file:
-        file.visititems(
-            lambda name, item: (
-                found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None
-            )
-        )
-    return found
+from h5md_contents import contents
 
 
 def test_the_start_is_no_step(tmp_path, pliant):

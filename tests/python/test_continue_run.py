@@ -4,30 +4,11 @@
 import h5py
 import numpy as np
 import pytest
+from h5md_contents import assert_same_runs
 
 import pliant
 
 WATER = pliant.read_text("3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n", "water.xyz")
-
-
-def contents(path):
-    """Every dataset of a file by name, without the checkpoint."""
-    found = {}
-
-    def take(name, item):
-        if isinstance(item, h5py.Dataset) and "checkpoint" not in name:
-            found[name] = item[()]
-
-    with h5py.File(path) as file:
-        file.visititems(take)
-    return found
-
-
-def assert_same(one, other):
-    first, second = contents(one), contents(other)
-    assert first.keys() == second.keys()
-    for name, value in first.items():
-        assert np.array_equal(value, second[name]), name
 
 
 @pytest.mark.parametrize("technique", ["auto", "bfs_adapt", "random", "anderson", "shake"])
@@ -39,7 +20,7 @@ def test_three_parts_are_the_whole(tmp_path, technique, perturb):
     pliant.continue_run(tmp_path / "part.h5md", 25)
     summary = pliant.continue_run(tmp_path / "part.h5md", 40, durable=True)
     assert summary.converged
-    assert_same(tmp_path / "whole.h5md", tmp_path / "part.h5md")
+    assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
 
 
 def test_observers_see_what_is_added(tmp_path):
@@ -54,7 +35,7 @@ def test_a_replay_needs_no_other_file(tmp_path):
     pliant.run(WATER, output=tmp_path / "whole.h5md", replay=replay, steps=12)
     pliant.run(WATER, output=tmp_path / "part.h5md", replay=replay, steps=5)
     pliant.continue_run(tmp_path / "part.h5md", 12)
-    assert_same(tmp_path / "whole.h5md", tmp_path / "part.h5md")
+    assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
 
 
 def test_times_are_products_and_no_sums(tmp_path):

@@ -8,6 +8,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <functional>
 
 #include "pliant/base/error.hpp"
 #include "unit/record/recorded_runs.hpp"
@@ -55,22 +56,27 @@ class FaultTable : public ::testing::TestWithParam<FaultCase> {
     return State(positions);
   }
 
+  /// A run into run.h5md; `look` is shown the recorder after each frame.
+  void record_all(const std::function<void(const H5mdRecorder&)>& look) {
+    H5mdHeader header;
+    header.parameters = parameters_of(options_, framework_);
+    header.inputs = RunInputs();
+    H5mdRecorder recorder(run_, framework_, header, recording_);
+    State state = start_;
+    run(framework_, state, options_, {[&](const Frame& frame) {
+          recorder.record(frame);
+          look(recorder);
+          return false;
+        }});
+    recorder.end_run(state);
+    recorder.close();
+  }
+
   /// A run into run.h5md of which some write fails; frames that it says to have committed.
   std::int64_t record_until_failure(std::string& message) {
     std::int64_t committed = 0;
     message = message_of<FileError>([&] {
-      H5mdHeader header;
-      header.parameters = parameters_of(options_, framework_);
-      header.inputs = RunInputs();
-      H5mdRecorder recorder(run_, framework_, header, recording_);
-      State state = start_;
-      run(framework_, state, options_, {[&](const Frame& frame) {
-            recorder.record(frame);
-            committed = recorder.committed_frames();
-            return false;
-          }});
-      recorder.end_run(state);
-      recorder.close();
+      record_all([&](const H5mdRecorder& recorder) { committed = recorder.committed_frames(); });
     });
     return committed;
   }
@@ -147,18 +153,9 @@ TEST_P(FaultTable, Deaths) {
   {
     WriteWatch watch;
     watch.keep = true;
-    H5mdHeader header;
-    header.parameters = parameters_of(options_, framework_);
-    header.inputs = RunInputs();
-    H5mdRecorder recorder(run_, framework_, header, recording_);
-    State state = start_;
-    run(framework_, state, options_, {[&](const Frame& frame) {
-          recorder.record(frame);
-          acknowledged.emplace_back(watch.calls.size(), recorder.committed_frames());
-          return false;
-        }});
-    recorder.end_run(state);
-    recorder.close();
+    record_all([&](const H5mdRecorder& recorder) {
+      acknowledged.emplace_back(watch.calls.size(), recorder.committed_frames());
+    });
     calls = std::move(watch.calls);
   }
   std::size_t next = 0;
