@@ -215,7 +215,12 @@ def _principal_components(study: Study, runner: Runner) -> None:
         raise ValueError("too many atoms: choose fewer with --superpose")
     if study.pca_stride > 1:
         study.notes.append(f"PCA uses every {study.pca_stride}th frame, to fit into memory")
-    pca = PrincipalComponents(study.fitted, mass_weighted=study.options.mass_weighted)
+    found = study.rmsf if not study.options.mass_weighted and study.pca_stride == 1 else None
+    pca = PrincipalComponents(
+        study.fitted,
+        mass_weighted=study.options.mass_weighted,
+        average=found.results.fitted_average if found else None,
+    )
     if len(runner.run(pca, study.pca_stride).eigenvalues) == 0:
         raise ValueError("the atoms do not move")
     study.pca = pca
