@@ -24,6 +24,7 @@ from pliant.analysis import (
     TorsionDistributions,
     read_record,
 )
+from pliant.analysis.flexibility import STILL
 from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.stored import StoredPositions
 
@@ -209,6 +210,10 @@ def _torsions(study: Study, runner: Runner) -> None:
 def _principal_components(study: Study, runner: Runner) -> None:
     if len(study.frames) < 3:
         raise ValueError("it needs at least 3 frames")
+    if study.rmsf is not None:
+        fitted = np.isin(study.atoms.ix, study.fitted.ix)
+        if np.all(study.rmsf.results.rmsf[fitted] < STILL):
+            raise ValueError("nothing moves")
     size = 24 * len(study.fitted) * len(study.frames)
     study.pca_stride = -(-size // PCA_BYTES)
     if len(study.frames) < 3 * study.pca_stride:

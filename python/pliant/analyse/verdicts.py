@@ -143,6 +143,11 @@ def _convergence(study: Study) -> Verdict:
         return Verdict(
             "open", "Convergence cannot be judged.", _sentence(study.skipped.get("flexibility", ""))
         )
+    if found.still:
+        return Verdict(
+            "mixed", "Nothing moves.",
+            f"Nothing fluctuates by more than {found.rmsf.max():.1g} Å: all frames are alike.",
+        )  # fmt: skip
     details = (
         f"Profiles of the two halves of the frames correlate by {found.correlation:.3f} and differ "
         f"by {100 * found.difference:.0f} % on average (converged: 0.95 and more, 10 % and less). "

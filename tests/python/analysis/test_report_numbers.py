@@ -255,6 +255,16 @@ def test_a_run_is_no_ensemble_and_no_tick_is_green_where_a_question_fails(tmp_pa
     assert "card good" not in body
 
 
+def test_frames_that_are_all_alike_are_said_to_be(tmp_path):
+    """Modes of a network bend caffeine, and its angles do not let them."""
+    command("sample", PEPTIDE.with_name("caffeine.sdf"), "-o", tmp_path / "x.h5md", "--quiet")
+    found = pliant.analyse(tmp_path / "x.h5md", tmp_path / "out", dpi=50).as_json()
+    assert found["verdicts"]["convergence"] == {"kind": "mixed", "text": "Nothing moves."}
+    assert found["judgement"] == "mixed"
+    assert found["skipped"]["PCA"] == "nothing moves"
+    assert not (tmp_path / "out" / "correlations.csv").exists()
+
+
 @pytest.mark.long
 def test_two_errors_hold_what_a_long_run_finds(tmp_path):
     """20 short ensembles beside one 20 times as long, from other random numbers."""
