@@ -46,6 +46,7 @@ class Recording:
     observables: dict[str, np.ndarray]  #: name -> (F,)
     options: dict[str, Any]  #: "technique" -> its value, from /parameters/run
     angle_bars: bool  #: bars were made of angles too
+    is_ensemble: bool  #: frames of `pliant sample`: each is drawn, none is made of the one before
     single: bool  #: positions are stored as 32-bit floats
     to_angstrom: float
     names: list[str]  #: (N) of the atoms; empty if the file has none
@@ -178,11 +179,17 @@ def _read(parts: _Parts) -> Recording:
         steps=_hdf5.read(parts.step(), slice(frames)),
         observables=_read_observables(parts, frames),
         options=options,
-        angle_bars=_scalars(parts, "parameters/input").get("bars") == "angles",
+        angle_bars=_has_angle_bars(parts),
+        is_ensemble=bool(_scalars(parts, "parameters/sample")),
         single=value.dtype.itemsize < 8,
         to_angstrom=_unit_of(parts, value),
         names=_read_names(parts, joints),
     )
+
+
+def _has_angle_bars(parts: _Parts) -> bool:
+    model = _scalars(parts, "parameters/model").get("kind", "bonds")
+    return _scalars(parts, "parameters/input").get("bars") == "angles" or model != "bonds"
 
 
 def _read_names(parts: _Parts, joints: int) -> list[str]:

@@ -63,27 +63,27 @@ def why_not(structure: Structure) -> str:
 def molecule_of(structure: Structure) -> Molecule:
     """Leaves residues out that amber14 has no template for, and finds the missing hydrogens."""
     residue_of = np.asarray(structure.residue_of).astype(int)
-    residue_names = [str(name) for name in structure.residue_names]
-    is_known = np.array([name in RESIDUES for name in residue_names])
-    kept = np.flatnonzero(is_known[residue_of])
+    residue_names = [str(name) for name in structure.residue_names]  # of atoms
+    is_known = np.array([name in RESIDUES for name in residue_names], bool)
+    kept = np.flatnonzero(is_known)
     elements = np.asarray(structure.elements).astype(int)
     bonds = np.asarray(structure.bonds).astype(int).reshape(-1, 2)
     bonds = bonds[np.isin(bonds, kept).all(axis=1)]
     names = np.array([str(name) for name in structure.names])
-    wanted = _wanted(kept, names, residue_of, residue_names)
+    wanted = _wanted(kept, names, residue_names)
     missing = find_missing(wanted, elements, _neighbours(bonds, len(elements)))
     molecule = _ordered(structure, kept, missing, bonds, residue_of)
-    molecule.notes += _notes_on_left_out(residue_names, is_known)
+    molecule.notes += _notes_on_left_out(structure, is_known)
+    molecule.notes += _notes_on_ends(molecule)
     return molecule
 
 
-def _wanted(
-    kept: np.ndarray, names: np.ndarray, residue_of: np.ndarray, residue_names: list[str]
-) -> np.ndarray:
+def _wanted(kept: np.ndarray, names: np.ndarray, residue_names: list[str]) -> np.ndarray:
+    """(N,) hydrogens that each carbon must have, -1 of other atoms."""
     wanted = np.full(len(names), -1)
     counts = {name: hydrogen_counts(name) for name in set(residue_names) if name in RESIDUES}
     for atom in kept:
-        wanted[atom] = counts[residue_names[residue_of[atom]]].get(names[atom], -1)
+        wanted[atom] = counts[residue_names[atom]].get(names[atom], -1)
     return wanted
 
 
@@ -110,7 +110,8 @@ def _ordered(
     place = np.argsort(order)  # of the unordered atom among the ordered
     new = np.full(len(residue_of), -1)
     new[kept] = place[: len(kept)]
-    residues, residue_index = np.unique(owner[order], return_inverse=True)
+    residue_index = np.unique(owner[order], return_inverse=True)[1]
+    firsts = kept[np.unique(residue_of[kept], return_index=True)[1]]
     return Molecule(
         kept=kept,
         missing=missing,
@@ -118,27 +119,47 @@ def _ordered(
         elements=np.concatenate([structure.elements[kept], np.ones(len(carrier), int)])[order],
         names=np.concatenate([structure.names[kept], np.full(len(carrier), "H")])[order],
         residue_of=residue_index,
-        labels=[_label(structure, int(k)) for k in residues],
+        labels=[_label(structure, int(atom)) for atom in firsts],
         bonds=np.concatenate(
             [new[bonds], np.column_stack([new[carrier], place[len(kept) :]])]
         ).reshape(-1, 2),
     )
 
 
-def _label(structure: Structure, residue: int) -> str:
-    chain = str(structure.chains[residue]).strip()
-    number = f"{structure.residue_ids[residue]}{structure.insertion_codes[residue]}".strip()
-    return f"{chain}:" * bool(chain) + f"{structure.residue_names[residue]}{number}"
+def _label(structure: Structure, atom: int) -> str:
+    """ "A:LYS45", of the residue of an atom."""
+    chain = str(structure.chains[atom]).strip()
+    number = f"{structure.residue_ids[atom]}{structure.insertion_codes[atom]}".strip()
+    return f"{chain}:" * bool(chain) + f"{structure.residue_names[atom]}{number}"
 
 
-def _notes_on_left_out(residue_names: list[str], is_known: np.ndarray) -> list[str]:
-    others = Counter(
-        name for name, known in zip(residue_names, is_known, strict=True) if not known
-    )
+def _notes_on_left_out(structure: Structure, is_known: np.ndarray) -> list[str]:
+    unknown = np.flatnonzero(~is_known)
+    firsts = unknown[np.unique(np.asarray(structure.residue_of)[unknown], return_index=True)[1]]
+    others = Counter(str(structure.residue_names[atom]) for atom in firsts)
     if not others:
         return []
     listed = ", ".join(f"{count} {name}" for name, count in sorted(others.items()))
     return [
         f"warning: left out of the force field, which has no template for them: {listed}; what "
         "frames do near them is not checked"
+    ]
+
+
+def _notes_on_ends(molecule: Molecule) -> list[str]:
+    """Of residues at the end of a chain or at a gap that have not the atoms of an end."""
+    neighbours = _neighbours(molecule.bonds, len(molecule.elements))
+    open_ends = []
+    for name, wanted in (("N", 1), ("C", 8)):
+        for atom in np.flatnonzero(molecule.names == name):
+            around = neighbours[atom]
+            inside = all(molecule.residue_of[k] == molecule.residue_of[atom] for k in around)
+            if inside and sum(molecule.elements[k] == wanted for k in around) < 2:
+                open_ends.append(molecule.labels[molecule.residue_of[atom]])
+    if not open_ends:
+        return []
+    named = ", ".join(open_ends[:3]) + (", ..." if len(open_ends) > 3 else "")
+    return [
+        f"{len(open_ends)} ends of chains lack the atoms of an end ({named}): the force field "
+        "takes them as if the chain went on"
     ]

@@ -133,7 +133,8 @@ def system_of(job: Values, *, moves: bool = False) -> openmm.System:
 def make_context(system: openmm.System, integrator: openmm.Integrator) -> openmm.Context:
     """A Context of its own for each job: none sees what another left."""
     platform = openmm.Platform.getPlatform("CPU")
-    return openmm.Context(system, integrator, platform, {"Threads": "1", "DeterministicForces": "true"})
+    properties = {"Threads": "1", "DeterministicForces": "true"}
+    return openmm.Context(system, integrator, platform, properties)
 
 
 def energy_of(context: openmm.Context) -> float:
@@ -162,16 +163,20 @@ def minimise(job: Values) -> Arrays:
     """Minimises a structure (M, 3) by L-BFGS, in stages of so many steps each.
 
     Gives energies before and after each stage (S + 1), positions after each (S, M, 3), and the
-    worst force on an atom before.
+    worst force on an atom before; not-a-number where OpenMM finds none.
     """
     require_time(job)
     context = make_context(system_of(job), openmm.VerletIntegrator(0.001))
     context.setPositions(job["structure"])
     force, energies, positions = worst_force(context), [energy_of(context)], []
     for steps in job["stages"].tolist():
-        openmm.LocalEnergyMinimizer.minimize(context, TOLERANCE, steps)
-        energies.append(energy_of(context))
-        positions.append(worker.positions_of(context))
+        try:
+            openmm.LocalEnergyMinimizer.minimize(context, TOLERANCE, steps)
+            energies.append(energy_of(context))
+            positions.append(worker.positions_of(context))
+        except openmm.OpenMMException:  # of what is no number: a result like any other
+            energies.append(np.nan)
+            positions.append(np.full_like(job["structure"], np.nan))
     return {
         "energies": np.array(energies),
         "positions": np.array(positions),
