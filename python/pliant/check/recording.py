@@ -40,6 +40,7 @@ class Recording:
     path: str
     bars: np.ndarray  #: (B, 2) joints, from 0
     rest_lengths: np.ndarray  #: (B,)
+    bonds: np.ndarray  #: (C, 2) joints that are bonded atoms; empty if the file does not say
     masses: np.ndarray  #: (N,)
     pinned: np.ndarray  #: (N,) bool
     steps: np.ndarray  #: (F,)
@@ -174,6 +175,7 @@ def _read(parts: _Parts) -> Recording:
         path=parts.path,
         bars=bars,
         rest_lengths=rest_lengths,
+        bonds=_read_bonds(parts),
         masses=_read_masses(parts, joints),
         pinned=_read_pinned(parts, joints),
         steps=_hdf5.read(parts.step(), slice(frames)),
@@ -231,6 +233,14 @@ def _read_bars(parts: _Parts, joints: int) -> tuple[np.ndarray, np.ndarray]:
         k = int(np.argmax(bad))
         raise parts.refuse(name, "lengths above 0", f"{lengths[k]} for bar {k}")
     return bars, lengths
+
+
+def _read_bonds(parts: _Parts) -> np.ndarray:
+    bonds = _hdf5.item(parts.file, "connectivity/bonds")
+    if not _hdf5.is_array(bonds, "iu", (None, 2)):
+        return np.empty((0, 2), np.int64)
+    found: np.ndarray = _hdf5.read(bonds).astype(np.int64)
+    return found
 
 
 def _read_masses(parts: _Parts, joints: int) -> np.ndarray:

@@ -16,6 +16,7 @@ from pliant.check.check_frames import broken_copies, check_frames, frame_job
 from pliant.check.check_record import Remeasured, check_record, remeasure
 from pliant.check.check_report import CheckReport
 from pliant.check.contest import DISPLACEMENTS, Contest
+from pliant.check.fewer_bars import for_constraints, note_on
 from pliant.check.force_field.study import Wanted, applies, minimise_file
 from pliant.check.force_field.verdicts import findings_of, skipped
 from pliant.check.recording import Recording, read_recording
@@ -144,19 +145,21 @@ def _ask_openmm(
             *check_energy(sample, none, none, None),
         ]
         return report
-    broken = broken_copies(sample)
+    shown = for_constraints(sample)
+    report.notes += note_on(sample, shown)
+    broken = broken_copies(shown)
     shaken = measure.displaced(sample.positions[:MOST_ENERGIES], ENERGY_DISPLACEMENT, seed)
     arena = side_by_side.prepare_contest(sample, displacements, seed + 1)
     resolved = ours.resolved_copies(recording, shaken, arena.tolerance)
     ways = () if recording.is_ensemble else theirs.ways_for(arena)
     jobs = [
-        frame_job(sample, broken),
+        frame_job(shown, broken),
         energy_job(recording, np.concatenate([sample.positions, shaken, resolved])),
         *(theirs.contest_jobs(arena, ways) if ways else ()),
     ]
     with progress("OpenMM jobs", quiet) as show:
         outcomes, report.openmm_version = run_jobs(jobs, time_limit, show)
-    report.findings += check_frames(sample, broken, outcomes[0])
+    report.findings += check_frames(shown, broken, outcomes[0])
     report.findings += check_energy(sample, shaken, resolved, outcomes[1])
     if ways:
         _hold_contest(report, arena, ways, outcomes[2:])

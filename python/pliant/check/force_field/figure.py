@@ -37,7 +37,9 @@ def draw_energies(axes: Axes, report: ForceFieldReport) -> None:
         title="Energy once minimised, start minimised alike",
         xlim=(-0.6, 3.4),
     )
-    axes.set_xticks(list(places.values()), [f"{_groups(report)[k][2]}\n{s} steps" for s, k in places])
+    axes.set_xticks(
+        list(places.values()), [f"{_groups(report)[k][2]}\n{s} steps" for s, k in places]
+    )
 
 
 def draw_moves(axes: Axes, report: ForceFieldReport) -> None:

@@ -75,15 +75,14 @@ class Missing:
         carbon = positions[self.carbons]
         along = _unit(positions[self.around] - carbon[:, None])
         if self.hydrogens == 3:
-            return carbon[:, None] + SP3 * self._methyl(positions, along[:, 0])
+            return _beside(carbon, SP3, self._methyl(positions, along[:, 0]))
         away = _unit(-along.sum(axis=1))
         if self.hydrogens == 2:
             across = np.sin(_HALF) * _unit(np.cross(along[:, 0], along[:, 1]))
             ahead = np.cos(_HALF) * away
-            return carbon[:, None] + SP3 * np.stack([ahead + across, ahead - across], axis=1)
+            return _beside(carbon, SP3, np.stack([ahead + across, ahead - across], axis=1))
         length = SP3 if self.around.shape[1] == 3 else SP2
-        placed: np.ndarray = (carbon + length * away)[:, None]
-        return placed
+        return _beside(carbon, length, away[:, None])
 
     def _methyl(self, positions: np.ndarray, along: np.ndarray) -> np.ndarray:
         """Directions (C, 3, 3) of staggered hydrogens; `along` (C, 3) to the neighbour."""
@@ -91,13 +90,20 @@ class Missing:
         level = _unit(beyond - (beyond * along).sum(axis=1, keepdims=True) * along)
         side = np.cross(along, level)
         turns = np.pi + np.deg2rad([0.0, 120.0, 240.0])
-        return np.stack(
+        directions: np.ndarray = np.stack(
             [
                 -np.cos(_TILT) * along + np.sin(_TILT) * (np.cos(t) * level + np.sin(t) * side)
                 for t in turns
             ],
             axis=1,
         )
+        return directions
+
+
+def _beside(carbon: np.ndarray, length: float, directions: np.ndarray) -> np.ndarray:
+    """(C, h, 3) from carbons (C, 3) and directions (C, h, 3)."""
+    placed: np.ndarray = carbon[:, None] + length * directions
+    return placed
 
 
 def _unit(vectors: np.ndarray) -> np.ndarray:

@@ -138,27 +138,42 @@ class _Study:
         complete = self.molecule.complete
         self.given = [complete(start), *(complete(frame) for frame in frames)]
         self.hands = handedness(self.given[0], self.corners)
+        self.targets = [self.report.start, *self.report.frames]
         chosen = choose_frames(len(frames), self.wanted.long_starts)
-        long = [0, *(1 + chosen)] if self.wanted.long_starts else []
+        long = [0, *(1 + chosen).tolist()] if self.wanted.long_starts else []
         moving = self._moving()
-        moved_frames = MD_FRAMES if moving else 0
-        self.bench.planned = len(moving) + len(self.given) + len(long) + moved_frames
-        targets = [self.report.start, *self.report.frames]
-        outcomes = self.bench.run(
-            [*moving, *(self.bench.minimising(x, [SHORT]) for x in self.given)]
-        )
+        md_frames = MD_FRAMES if moving else 0
+        self.bench.planned = len(moving) + len(self.given) + len(long) + md_frames
+        shorts, moved = self._minimise_shortly(moving)
+        self._minimise_longer(shorts, long, moved)
+
+    def _minimise_shortly(self, moving: list[Job]) -> tuple[list[Outcome], list[np.ndarray]]:
+        """Outcomes of the start and the frames, and frames of the MD beside them."""
+        jobs = [*moving, *(self.bench.minimising(x, [SHORT]) for x in self.given)]
+        outcomes = self.bench.run(jobs)
         shorts = outcomes[len(moving) :]
-        for target, given, outcome in zip(targets, self.given, shorts, strict=True):
+        for target, given, outcome in zip(self.targets, self.given, shorts, strict=True):
             self._note(target, given, outcome)
-        moved = self._dynamics(outcomes[: len(moving)])
-        long = [k for k in long if shorts[k].done and targets[k].is_finite]
-        again = [self._longer(shorts[k]) for k in long]
+        return shorts, self._dynamics(outcomes[: len(moving)])
+
+    def _minimise_longer(
+        self, shorts: list[Outcome], long: list[int], moved: list[np.ndarray]
+    ) -> None:
+        """Start and chosen frames go on from where they are; frames of MD begin."""
         stages = [SHORT, LONG - SHORT] if long else [SHORT]
-        again += [self.bench.minimising(x, stages) for x in moved]
-        outcomes = self.bench.run(again) if again else []
+        long = [k for k in long if self.targets[k].is_finite]
+        jobs = [self._longer(shorts[k]) for k in long]
+        jobs += [self.bench.minimising(x, stages) for x in moved]
+        outcomes = self.bench.run(jobs) if jobs else []
+        late = [k for k, outcome in zip(long, outcomes, strict=False) if not outcome.done]
         for k, outcome in zip(long, outcomes, strict=False):
             if outcome.done:
-                targets[k].after_long = float(outcome.arrays["energies"][-1])
+                self.targets[k].after_long = float(outcome.arrays["energies"][-1])
+        if late:
+            self.report.notes.append(
+                f"partial: {len(long) - len(late)} of {len(long)} structures, the start among "
+                f"them, were minimised for {LONG} steps"
+            )
         md = zip(self.report.dynamics, moved, outcomes[len(long) :], strict=True)
         for target, given, outcome in md:
             self._note(target, given, outcome)

@@ -90,8 +90,8 @@ def _energy(report: ForceFieldReport, frames: Sequence[Minimised], steps: int) -
     if report.residues < LEAST_RESIDUES:
         finding.status = SKIPPED
         finding.notes.append(
-            f"energy after {steps} steps is shown and not judged: of {report.residues} residues one "
-            "contact lost weighs more than the limit, which is for proteins"
+            f"energy after {steps} steps is shown and not judged: of {report.residues} residues "
+            "one contact lost weighs more than the limit, which is for proteins"
         )
     elif high:
         finding.notes.append(
@@ -126,7 +126,9 @@ def _within(name: str, values: np.ndarray, most: float, unit: str, sign: str) ->
 
 def _shape(frames: Sequence[Minimised]) -> Finding:
     together = [frame.name for frame in frames if not frame.worst_force <= MOST_FORCE]
-    turned = [f"{frame.name} ({', '.join(frame.inverted[:2])})" for frame in frames if frame.inverted]
+    turned = [
+        f"{frame.name} ({', '.join(frame.inverted[:2])})" for frame in frames if frame.inverted
+    ]
     finding = Finding(
         "starts_shape",
         TITLES["starts_shape"],
