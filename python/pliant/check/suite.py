@@ -17,7 +17,7 @@ from pliant.check.check_record import Remeasured, check_record, remeasure
 from pliant.check.check_report import CheckReport
 from pliant.check.contest import DISPLACEMENTS, Contest
 from pliant.check.fewer_bars import for_constraints, note_on
-from pliant.check.force_field.study import Wanted, applies, minimise_file
+from pliant.check.force_field.study import Wanted, minimise_file, why_not_file
 from pliant.check.force_field.verdicts import findings_of, skipped
 from pliant.check.recording import Recording, read_recording
 from pliant.check.sample import Sample, take_sample
@@ -71,7 +71,8 @@ def check(
     time_limit : float
         A job of OpenMM is given up after so many seconds.
     force_field : bool, optional
-        Whether OpenMM minimises frames; by default where the file is an ensemble of a protein.
+        Whether OpenMM minimises frames; by default where the file is an ensemble of a protein, or
+        `start` is given.
     starts : int or "all"
         Frames that are minimised for 100 steps, spread evenly.
     long_starts : int
@@ -107,10 +108,11 @@ def check(
     sample = take_sample(recording, frames, remeasured.worst_frame(recording.converged))
     report = _ask_openmm(recording, sample, remeasured, displacements, seed, time_limit, quiet)
     report.findings.insert(0, check_record(recording, remeasured))
-    if force_field is None:
-        force_field = recording.is_ensemble and applies(recording.path)
-    if force_field:
-        wanted = Wanted(starts, long_starts, md_steps, start, time_limit, total_limit)
+    wanted = Wanted(starts, long_starts, md_steps, start, time_limit, total_limit)
+    if force_field is None and start is None:
+        if recording.is_ensemble:
+            _minimise_where_it_applies(report, wanted, quiet)
+    elif force_field is not False:
         _minimise(report, wanted, quiet)
     if picture is not None:
         from pliant.check.picture import draw
@@ -118,6 +120,15 @@ def check(
         report.picture = os.fspath(picture)
         draw(report, report.picture)
     return report
+
+
+def _minimise_where_it_applies(report: CheckReport, wanted: Wanted, quiet: bool) -> None:
+    """Leaves the force field out, and says why, of what it is not for."""
+    why = why_not_file(report.recording.path)
+    if why:
+        report.findings += skipped(why)
+    else:
+        _minimise(report, wanted, quiet)
 
 
 def _minimise(report: CheckReport, wanted: Wanted, quiet: bool) -> None:

@@ -52,7 +52,11 @@ class Bench:
 
     def match(self) -> Outcome:
         """Whether every residue has a template."""
-        return run_jobs([Job("match", {}, self._arrays)], self.time_limit, worker=WORKER)[0][0]
+        return run_jobs([self.match_job()], self.time_limit, worker=WORKER)[0][0]
+
+    def match_job(self) -> Job:
+        """Finds templates, and has all that a System is made of."""
+        return Job("match", {}, self._arrays)
 
     def minimising(self, positions: np.ndarray, stages: Sequence[int]) -> Job:
         """Of a completed structure (M, 3), Angstrom."""

@@ -42,12 +42,16 @@ class Wanted:
     total_limit: float = 1200.0  #: seconds after which no structure is begun
 
 
-def applies(path: str) -> bool:
-    """Whether the file is an ensemble of a protein: then the force field is asked by default."""
-    reader = H5mdReader(path)
-    if "sample/sampler" not in reader.parameters():
-        return False
-    return not why_not(reader.structure())
+def why_not_file(path: str) -> str:
+    """Why the force field cannot be asked of an ensemble; "" where it can."""
+    try:
+        structure = H5mdReader(path).structure()
+        reason = why_not(structure)
+        if not reason:
+            start_of(path, structure, None)
+        return reason
+    except InputError as error:
+        return str(error)
 
 
 def start_of(path: str, structure: Structure, named: str | os.PathLike[str] | None) -> np.ndarray:

@@ -30,7 +30,7 @@ TITLES = {
 def findings_of(report: ForceFieldReport) -> list[Finding]:
     """The five rows of the verdict."""
     frames = report.usable
-    if not frames or report.start.outcome:
+    if report.why_not or not frames or report.start.outcome:
         return [Finding(name, title, CANNOT) for name, title in TITLES.items()]
     return [
         _finite(report, frames),

@@ -10,6 +10,7 @@ the CustomGBForce of OpenMM's implicit/obc2.xml has the same energy and takes te
 
 from __future__ import annotations
 
+import contextlib
 import pathlib
 import sys
 import time
@@ -163,25 +164,22 @@ def minimise(job: Values) -> Arrays:
     """Minimises a structure (M, 3) by L-BFGS, in stages of so many steps each.
 
     Gives energies before and after each stage (S + 1), positions after each (S, M, 3), and the
-    worst force on an atom before; not-a-number where OpenMM finds none.
+    worst force on an atom before; not-a-number from where OpenMM refuses to go on.
     """
     require_time(job)
+    stages = job["stages"].tolist()
+    energies = np.full(len(stages) + 1, np.nan)
+    positions = np.full((len(stages), *job["structure"].shape), np.nan)
+    force = np.array(np.nan)
     context = make_context(system_of(job), openmm.VerletIntegrator(0.001))
-    context.setPositions(job["structure"])
-    force, energies, positions = worst_force(context), [energy_of(context)], []
-    for steps in job["stages"].tolist():
-        try:
+    with contextlib.suppress(openmm.OpenMMException):  # such as "Particle coordinate is NaN"
+        context.setPositions(job["structure"])
+        force[...], energies[0] = worst_force(context), energy_of(context)
+        for k, steps in enumerate(stages):
             openmm.LocalEnergyMinimizer.minimize(context, TOLERANCE, steps)
-            energies.append(energy_of(context))
-            positions.append(worker.positions_of(context))
-        except openmm.OpenMMException:  # of what is no number: a result like any other
-            energies.append(np.nan)
-            positions.append(np.full_like(job["structure"], np.nan))
-    return {
-        "energies": np.array(energies),
-        "positions": np.array(positions),
-        "worst_force": np.array(force),
-    }
+            energies[k + 1] = energy_of(context)
+            positions[k] = worker.positions_of(context)
+    return {"energies": energies, "positions": positions, "worst_force": force}
 
 
 def dynamics(job: Values) -> Arrays:
