@@ -109,6 +109,7 @@ SCHEMA = {
             ],
         }
     ],
+    "force_field": type(None),  # of no protein
     "notes": [str],
     "picture": (str, type(None)),
 }
@@ -162,6 +163,8 @@ def test_help_names_every_option(capsys):
         main(["--help"])
     assert stopped.value.code == 0
     out = capsys.readouterr().out
-    options = ("--frames", "--break", "--seed", "--time-limit", "-o", "--no-picture", "--json")
+    options = ("--frames", "--break", "--seed", "--time-limit", "-o", "--no-picture", "--json",
+               "--force-field, --no-force-field", "--starts", "--long-starts", "--md-steps", "--start",
+               "--total-limit")  # fmt: skip
     for option in options:
         assert option in out
