@@ -164,7 +164,7 @@ def test_help_names_every_option(capsys):
     assert stopped.value.code == 0
     out = capsys.readouterr().out
     options = ("--frames", "--break", "--seed", "--time-limit", "-o", "--no-picture", "--json",
-               "--force-field, --no-force-field", "--starts", "--long-starts", "--md-steps", "--start",
-               "--total-limit")  # fmt: skip
+               "--force-field, --no-force-field", "--starts", "--long-starts", "--md-steps",
+               "--start", "--total-limit")  # fmt: skip
     for option in options:
         assert option in out

@@ -231,7 +231,7 @@ class Templates final : public Method {
   }
 
   void fit_rod(BarIndex bar, std::span<const Vec3> positions, const RandomKey& key) {
-    const auto [a, b] = framework_.bars()[bar];
+    const auto [a, b] = std::minmax(framework_.bars()[bar].a, framework_.bars()[bar].b);
     Vec3 at_a = positions[a], at_b = positions[b];
     const double share = weights_[b] / (weights_[a] + weights_[b]);
     project_bar(at_a, at_b, framework_.rest_lengths()[bar], share, 1.0 - share,
