@@ -34,8 +34,8 @@ def make_parser() -> console.Parser:
         "harmonic bonds must have the energy that Pliant computes. Frames of a run are broken,\n"
         "and Pliant and OpenMM's CCMA repair the same ones. Of an ensemble of a protein OpenMM\n"
         "minimises frames, the start structure and frames of a short MD alike (amber14, implicit\n"
-        "water OBC2): may MD start from the frames? That takes some minutes for 200 residues on\n"
-        "two cores. OpenMM runs in processes of its own.",
+        "water OBC2): may MD start from the frames? That takes five to ten minutes for 200\n"
+        "residues on two free cores. OpenMM runs in processes of its own.",
         EPILOG,
     )
     add = parser.add_argument
@@ -65,8 +65,8 @@ def _add_force_field(parser: console.Parser) -> None:
         help="minimise frames (default: where the file is an ensemble of a protein)")  # fmt: skip
     add("--starts", metavar="N", type=console.whole_number(1, "all"), default=20,
         help="frames minimised for 100 steps, spread evenly, or all (default 20)")  # fmt: skip
-    add("--long-starts", metavar="N", type=console.whole_number(0), default=4,
-        help="how many of these are minimised for 500 steps (default 4)")  # fmt: skip
+    add("--long-starts", metavar="N", type=console.whole_number(0), default=3,
+        help="how many of these are minimised for 500 steps (default 3)")  # fmt: skip
     add("--md-steps", metavar="N", type=console.whole_number(0), default=250,
         help="steps of 4 fs of MD at 300 K from the start, whose frames are minimised too; "
         "0 for none (default 250)")  # fmt: skip

@@ -26,7 +26,7 @@ from pliant.check.force_field.molecule import Molecule, molecule_of, why_not
 from pliant.check.sample import NM, choose_frames
 from pliant.lab.peers.child import Job, Outcome
 
-MD_FRAMES = 4
+MD_FRAMES = 3
 MD_STEP = 0.004  #: ps
 
 
@@ -35,7 +35,7 @@ class Wanted:
     """How much is minimised."""
 
     starts: int | str = 20  #: frames minimised for 100 steps, spread evenly, or "all"
-    long_starts: int = 4  #: of these, minimised for 500
+    long_starts: int = 3  #: of these, minimised for 500
     md_steps: int = 250  #: of 4 fs; 0 for no MD
     start: str | os.PathLike[str] | None = None  #: structure file; default: the PDB beside
     time_limit: float = 300.0  #: seconds of one job
