@@ -12,12 +12,16 @@ AVERAGE_TOLERANCE = 1e-5
 
 
 def superpose_all(
-    positions: np.ndarray, fitted: np.ndarray | None = None, iterations: int = 20
+    positions: np.ndarray,
+    fitted: np.ndarray | None = None,
+    iterations: int = 20,
+    tolerance: float = AVERAGE_TOLERANCE,
 ) -> np.ndarray:
     """All frames superposed on their average, which is found by iteration, as Rmsf finds it.
 
     positions: (F, n, 3), Angstrom; fitted: which of the n atoms are fitted (mask or indices),
-    all by default. Returns the moved positions (F, n, 3), float64.
+    all by default; tolerance: the average is final when it moves by less, Angstrom. Returns the
+    moved positions (F, n, 3), float64.
     """
     chosen = slice(None) if fitted is None else fitted
     moved = np.asarray(positions, dtype=np.float64)
@@ -25,7 +29,7 @@ def superpose_all(
     for _ in range(iterations):
         moved = superpose_onto(moved, chosen, average)
         before, average = average, moved[:, chosen].mean(axis=0)
-        if np.sqrt(np.mean(np.sum((average - before) ** 2, axis=1))) < AVERAGE_TOLERANCE:
+        if np.sqrt(np.mean(np.sum((average - before) ** 2, axis=1))) < tolerance:
             break
     return moved
 

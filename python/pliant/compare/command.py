@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant compare``: our trajectory beside one of another program, on the command line."""
+"""``pliant compare``: our ensemble beside others, on the command line."""
 
 from __future__ import annotations
 
@@ -13,7 +13,12 @@ from pliant import console
 EPILOG = """\
 Exit code: 0 if they were compared, 1 if they cannot be, 2 for a bad option.
 
+What halves of THEIRS give against each other is the ceiling: no better agreement can be told.
+How far ours goes (--amplitude of pliant sample) was put in, so only parts and directions count.
+
 examples:
+  pliant compare out.h5md nmr_models.pdb
+  pliant compare out.h5md 4ake.cif 1ake.pdb.gz 2eck.cif
   pliant compare out.h5md dynamics.dcd
   pliant compare out.h5md dynamics.xtc --topology start.pdb --select 'not name H*'
 """
@@ -23,14 +28,18 @@ def make_parser() -> console.Parser:
     """The options of pliant compare."""
     parser = console.Parser(
         "compare",
-        "Compares a trajectory of Pliant with any that MDAnalysis reads, such as one of OpenMM:\n"
-        "fluctuations of atoms, principal modes, torsions, lengths of bars. To tell differences\n"
-        "from noise, it also compares the first half of THEIRS with its second half.",
+        "Compares an ensemble of Pliant with experiment or another program: models of an NMR\n"
+        "file, crystal structures, a trajectory of molecular dynamics. Which residues move (r of\n"
+        "RMSF), in what directions (RMSIP, overlaps of modes), what one has and the other lacks,\n"
+        "and what cannot be concluded. Residues are matched by sequence. Where the atoms are the\n"
+        "same, torsions and lengths of bars are compared too.",
         EPILOG,
     )
     add = parser.add_argument
-    add("ours", metavar="OURS", help="H5MD trajectory of pliant run")
-    add("theirs", metavar="THEIRS", help="trajectory: DCD, XTC, PDB, ...")
+    add("ours", metavar="OURS", help="H5MD file of pliant sample or pliant run")
+    add("theirs", metavar="THEIRS", nargs="+",
+        help="PDB or mmCIF with models, several of one structure each (.gz too), or a trajectory: "
+             "DCD, XTC, ...")  # fmt: skip
     add("--topology", metavar="FILE",
         help="file with the atom names of THEIRS (default: THEIRS itself, else OURS)")  # fmt: skip
     add("--select", metavar="TEXT", default="all",

@@ -7,8 +7,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pliant.compare import numbers
+from pliant.analysis import agreement
 from pliant.compare.ensembles import Ensembles
+from pliant.compare.residue_report import ResidueComparison
 
 
 @dataclass
@@ -23,7 +24,7 @@ class Fluctuations:
     @property
     def pearson(self) -> float:
         """Correlation of the two profiles."""
-        return numbers.pearson(self.ours, self.theirs)
+        return agreement.correlation(self.ours, self.theirs)
 
 
 @dataclass
@@ -63,16 +64,30 @@ class BarLengths:
 
 
 @dataclass
-class ComparisonReport:
-    """What `compare` found."""
+class AtomComparison:
+    """Both ensembles atom by atom, where they are of the same atoms."""
 
     ensembles: Ensembles
-    theirs_path: str
     atom_fluctuations: Fluctuations
     residue_fluctuations: Fluctuations | None  #: of alpha carbons; None if it is no protein
     modes: ModeComparison
     torsions: list[TorsionComparison]
     bars: BarLengths
     radii: tuple[np.ndarray, np.ndarray]  #: radii of gyration (F,), (G,), Angstrom
+
+
+@dataclass
+class ComparisonReport:
+    """What `compare` found. One of `residues` and `atoms` at least is there."""
+
+    path: str  #: of ours
+    theirs: list[str]  #: paths
+    residues: ResidueComparison | None  #: None where ours has no residues to match
+    atoms: AtomComparison | None  #: None where theirs are other atoms, or several files
     notes: list[str] = field(default_factory=list)
     pictures: list[str] = field(default_factory=list)
+
+    @property
+    def conclusions(self) -> list[str]:
+        """What follows, in plain words."""
+        return self.residues.conclusions if self.residues else []

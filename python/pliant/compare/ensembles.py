@@ -86,6 +86,27 @@ def _read_ours(recording: Recording, atoms: AtomGroup, frames: int | str) -> np.
     return np.concatenate([recording.positions(piece)[:, atoms.ix] for piece in pieces])
 
 
+def read_trace(
+    recording: Recording, atoms: np.ndarray, frames: int | str
+) -> tuple[np.ndarray, np.ndarray | None]:
+    """Frames (F, k, 3) of some of our atoms, and their numbers (F,) where they are independent.
+
+    Frames of `pliant sample` are, but for those of a walk. Raises InputError where there are fewer
+    than two frames.
+    """
+    from pliant.analysis.record import read_record
+
+    chosen = _chosen(recording.frame_count, frames, len(atoms), recording.path)
+    if len(chosen) < 2:
+        raise InputError(f"{recording.path}: expected at least 2 frames, found {len(chosen)}")
+    pieces = np.array_split(chosen, max(1, len(chosen) // 100))
+    positions = np.concatenate([recording.positions(piece)[:, atoms] for piece in pieces])
+    record = read_record(recording.path)
+    sampler = record.parameters.get("sample/sampler", "") if record else ""
+    independent = sampler not in ("", "walk")
+    return positions, recording.steps[chosen] if independent else None
+
+
 def _read_theirs(atoms: AtomGroup, frames: int | str, path: str | os.PathLike[str]) -> np.ndarray:
     from pliant.analysis.stored import StoredPositions
 

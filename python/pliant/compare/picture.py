@@ -9,12 +9,18 @@ from typing import TYPE_CHECKING
 import numpy as np
 from matplotlib.ticker import MaxNLocator
 
+from pliant.compare.residue_picture import draw_matrix, draw_residues
 from pliant.plotting import BLUE, VERMILION, figure, save
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from pliant.compare.comparison_report import ComparisonReport, Fluctuations, TorsionComparison
+    from pliant.compare.comparison_report import (
+        AtomComparison,
+        ComparisonReport,
+        Fluctuations,
+        TorsionComparison,
+    )
 
 MOST_TORSIONS = 24  #: panels; those that differ most are drawn
 MOST_NAMES = 30  #: labels on an axis
@@ -22,29 +28,32 @@ MOST_NAMES = 30  #: labels on an axis
 
 def draw(report: ComparisonReport, folder: pathlib.Path) -> list[str]:
     """Draws the PNG files into a folder; their paths."""
-    stem = pathlib.Path(report.ensembles.recording.path).stem
-    paths = [folder / f"{stem}.compare.png"]
-    _draw_summary(report, paths[0])
-    if report.torsions:
-        paths.append(folder / f"{stem}.compare-torsions.png")
-        _draw_torsions(report, paths[1])
+    stem = pathlib.Path(report.path).stem
+    paths = []
+    if report.residues is not None:
+        paths.append(folder / f"{stem}.compare-residues.png")
+        draw_residues(report, paths[-1])
+    if report.atoms is not None:
+        paths.append(folder / f"{stem}.compare.png")
+        _draw_summary(report.atoms, _title(report, report.atoms), paths[-1])
+        if report.atoms.torsions:
+            paths.append(folder / f"{stem}.compare-torsions.png")
+            _draw_torsions(report.atoms, _title(report, report.atoms), paths[-1])
     return [str(path) for path in paths]
 
 
-def _title(report: ComparisonReport) -> str:
-    ensembles = report.ensembles
-    ours, theirs = (
-        pathlib.Path(path).name for path in (ensembles.recording.path, report.theirs_path)
-    )
+def _title(report: ComparisonReport, found: AtomComparison) -> str:
+    ensembles = found.ensembles
+    ours, theirs = (pathlib.Path(path).name for path in (report.path, report.theirs[0]))
     return (
         f"{ours} ({len(ensembles.ours)} frames) and {theirs} ({len(ensembles.theirs)} frames), "
         f"{len(ensembles.atoms)} atoms"
     )
 
 
-def _draw_summary(report: ComparisonReport, path: pathlib.Path) -> None:
+def _draw_summary(report: AtomComparison, title: str, path: pathlib.Path) -> None:
     shown = report.residue_fluctuations or report.atom_fluctuations
-    with figure(2, 2, title=_title(report)) as (plot, axes):
+    with figure(2, 2, title=title) as (plot, axes):
         _draw_profile(axes[0][0], shown)
         _draw_scatter(axes[0][1], report.atom_fluctuations)
         _draw_overlaps(axes[1][0], report)
@@ -80,26 +89,16 @@ def _draw_scatter(axes: Axes, found: Fluctuations) -> None:
     )
 
 
-def _draw_overlaps(axes: Axes, report: ComparisonReport) -> None:
+def _draw_overlaps(axes: Axes, report: AtomComparison) -> None:
     modes = report.modes
-    rows, columns = modes.overlaps.shape
-    image = axes.imshow(
-        modes.overlaps.T, origin="lower", vmin=0, vmax=1, cmap="cividis", aspect="auto",
-        extent=(0.5, rows + 0.5, 0.5, columns + 0.5),
-    )  # fmt: skip
-    axes.figure.colorbar(image, ax=axes, label="overlap |u · v|")
-    axes.grid(False)
-    axes.set_xticks(np.arange(1, rows + 1))
-    axes.set_yticks(np.arange(1, columns + 1))
+    draw_matrix(axes, modes.overlaps)
     axes.set(
-        xlabel="mode of ours",
-        ylabel="mode of theirs",
         title=f"Modes: RMSIP {modes.rmsip:.2f} (by chance {modes.chance:.2f}, "
         f"halves of theirs {modes.halves_theirs:.2f})",
     )
 
 
-def _draw_bars(axes: Axes, report: ComparisonReport) -> None:
+def _draw_bars(axes: Axes, report: AtomComparison) -> None:
     bars = report.bars
     if len(bars.labels) == 0:
         axes.text(0.5, 0.5, "no bar among the atoms", ha="center", transform=axes.transAxes)
@@ -119,14 +118,14 @@ def _draw_bars(axes: Axes, report: ComparisonReport) -> None:
     axes.legend(frameon=False)
 
 
-def _draw_torsions(report: ComparisonReport, path: pathlib.Path) -> None:
+def _draw_torsions(report: AtomComparison, title: str, path: pathlib.Path) -> None:
     torsions = report.torsions
     if len(torsions) > MOST_TORSIONS:
         largest = sorted(torsions, key=lambda torsion: -torsion.distance)[:MOST_TORSIONS]
         torsions = [torsion for torsion in torsions if torsion in largest]
     columns = min(4, len(torsions))
     rows = -(-len(torsions) // columns)
-    with figure(rows, columns, title=_title(report), panel=(3.0, 2.2)) as (plot, axes):
+    with figure(rows, columns, title=title, panel=(3.0, 2.2)) as (plot, axes):
         for place, panel in zip(np.ndindex(rows, columns), axes.flat, strict=True):
             k = place[0] * columns + place[1]
             if k < len(torsions):

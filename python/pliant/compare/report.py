@@ -9,27 +9,48 @@ from typing import Any
 import numpy as np
 
 from pliant import _core
-from pliant.compare.comparison_report import ComparisonReport, Fluctuations
+from pliant.compare.comparison_report import AtomComparison, ComparisonReport, Fluctuations
+from pliant.compare.residue_tables import print_residues, residues_json
 from pliant.console import Table, printable_name
 
 MOST_TORSIONS = 40  #: rows that the table shows
 
 
 def print_report(report: ComparisonReport) -> None:
-    """Prints the report on stdout."""
-    ensembles = report.ensembles
-    print(f"ours    {printable_name(ensembles.recording.path)}: {_frames(len(ensembles.ours))}")
-    print(f"theirs  {printable_name(report.theirs_path)}: {_frames(len(ensembles.theirs))}")
-    print(f"{len(ensembles.atoms)} atoms, {report.modes.atoms} of them fitted\n")
-    _summary_table(report).print()
-    if report.torsions:
-        print()
-        _torsion_table(report).print()
+    """Prints the report on stdout: what follows first, the figures behind it after."""
+    print(f"ours    {printable_name(report.path)}: {_frames(_count(report, 'ours'))}")
+    for k, path in enumerate(report.theirs):
+        frames = f": {_frames(_count(report, 'theirs'))}" if len(report.theirs) == 1 else ""
+        print(f"{'theirs' if k == 0 else '      '}  {printable_name(path)}{frames}")
+    print()
+    if report.residues:
+        print_residues(report.residues)
+    if report.atoms:
+        _print_atoms(report.atoms, bool(report.residues))
     if report.notes:
         print("\nnotes")
         print("\n".join(f"  {note}" for note in report.notes))
     for path in report.pictures:
         print(("\n" if path == report.pictures[0] else "") + f"picture  {printable_name(path)}")
+
+
+def _count(report: ComparisonReport, whose: str) -> int:
+    if report.residues is None:
+        assert report.atoms is not None
+        return len(getattr(report.atoms.ensembles, whose))
+    profile = getattr(report.residues, whose)
+    return profile.frames if profile else 1
+
+
+def _print_atoms(found: AtomComparison, is_second: bool) -> None:
+    ensembles = found.ensembles
+    if is_second:
+        print()
+    print(f"{len(ensembles.atoms)} atoms, {found.modes.atoms} of them fitted\n")
+    _summary_table(found).print()
+    if found.torsions:
+        print()
+        _torsion_table(found).print()
 
 
 def _frames(count: int) -> str:
@@ -40,7 +61,7 @@ def _number(value: float, form: str = ".2f") -> str:
     return f"{value:{form}}" if math.isfinite(value) else "-"
 
 
-def _summary_table(report: ComparisonReport) -> Table:
+def _summary_table(report: AtomComparison) -> Table:
     table = Table("how far they agree", ["what", "ours", "theirs", "agreement"])
     add = table.rows.append
     add(_fluctuation_row("RMSF of atoms, mean (A)", report.atom_fluctuations))
@@ -73,7 +94,7 @@ def _fluctuation_row(what: str, found: Fluctuations) -> tuple[str, str, str, str
     return (what, *means, f"Pearson r {_number(found.pearson)}")
 
 
-def _torsion_table(report: ComparisonReport) -> Table:
+def _torsion_table(report: AtomComparison) -> Table:
     table = Table(
         "torsions: Jensen-Shannon distance, 0 the same, 1 nothing in common",
         ["torsion", "ours to theirs", "halves of theirs"],
@@ -88,28 +109,41 @@ def _torsion_table(report: ComparisonReport) -> Table:
 
 
 def as_json(report: ComparisonReport) -> dict[str, Any]:
-    """The report as one JSON object."""
-    ensembles, modes, bars = report.ensembles, report.modes, report.bars
-    residues = report.residue_fluctuations
+    """The report as one JSON object; what was not compared is null."""
+    names: str | list[str] = report.theirs if len(report.theirs) > 1 else report.theirs[0]
     return {
         "pliant": _core.version(),
-        "ours": {"file": ensembles.recording.path, "frames": len(ensembles.ours)},
-        "theirs": {"file": report.theirs_path, "frames": len(ensembles.theirs)},
+        "ours": {"file": report.path, "frames": _count(report, "ours")},
+        "theirs": {"file": names, "frames": _count(report, "theirs")},
+        "conclusions": report.conclusions,
+        "cautions": report.residues.cautions if report.residues else [],
+        "residues": residues_json(report.residues) if report.residues else None,
+        **_atoms_json(report.atoms),
+        "notes": report.notes,
+        "pictures": report.pictures,
+    }
+
+
+def _atoms_json(found: AtomComparison | None) -> dict[str, Any]:
+    if found is None:
+        keys = ("atoms", "matched", "rmsf", "modes", "torsions", "bars", "radius_of_gyration")
+        return dict.fromkeys(keys)
+    ensembles, modes, bars = found.ensembles, found.modes, found.bars
+    residues = found.residue_fluctuations
+    return {
         "atoms": len(ensembles.atoms),
         "matched": ensembles.pairing.how,
         "rmsf": {
-            "atoms": _fluctuations_json(report.atom_fluctuations),
+            "atoms": _fluctuations_json(found.atom_fluctuations),
             "residues": _fluctuations_json(residues) if residues else None,
         },
         "modes": {**vars(modes), "overlaps": modes.overlaps},
-        "torsions": [dict(vars(torsion)) for torsion in report.torsions],
+        "torsions": [dict(vars(torsion)) for torsion in found.torsions],
         "bars": dict(vars(bars)),
         "radius_of_gyration": {
             name: {"mean": np.mean(radii), "standard_deviation": np.std(radii)}
-            for name, radii in zip(("ours", "theirs"), report.radii, strict=True)
+            for name, radii in zip(("ours", "theirs"), found.radii, strict=True)
         },
-        "notes": report.notes,
-        "pictures": report.pictures,
     }
 
 

@@ -1,55 +1,81 @@
 # SPDX-License-Identifier: MIT
-"""The comparison of two trajectories: what is measured, and the report that holds it."""
+"""The comparison of two ensembles: what is measured, and the report that holds it."""
 
 from __future__ import annotations
 
 import os
 import pathlib
+from collections.abc import Sequence
+from typing import TYPE_CHECKING
 
 import numpy as np
 
 from pliant._core import InputError
 from pliant._extras import need
-from pliant.check.recording import read_recording
+from pliant.analysis import agreement
+from pliant.analysis.agreement import turned_as_one
+from pliant.check.recording import Recording, read_recording
 from pliant.compare import numbers
 from pliant.compare.comparison_report import (
+    AtomComparison,
     BarLengths,
     ComparisonReport,
     Fluctuations,
     ModeComparison,
     TorsionComparison,
 )
-from pliant.compare.ensembles import Ensembles, alpha_carbons, fit_atoms, read_ensembles
+from pliant.compare.conclusions import conclude
+from pliant.compare.ensembles import (
+    Ensembles,
+    alpha_carbons,
+    fit_atoms,
+    read_ensembles,
+    read_trace,
+)
 from pliant.compare.pairing import choose, open_theirs, open_universe, pair
+from pliant.compare.reference import read_reference
+from pliant.compare.residue_report import ResidueComparison
+from pliant.compare.residues import compare_residues
+from pliant.compare.traces import trace_of_atoms
 from pliant.lab.peers.measure import lengths
+
+if TYPE_CHECKING:
+    from MDAnalysis import Universe
 
 FRAMES = 2000
 MODES = 10
+LEAST_RESIDUES = 5  #: fewer are compared by atoms alone
 BINS = 36  #: of torsion angles: 10 degrees each
 
 
 def compare(
     ours: str | os.PathLike[str],
-    theirs: str | os.PathLike[str],
+    theirs: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],
     *,
     topology: str | os.PathLike[str] | None = None,
     select: str = "all",
     frames: int | str = FRAMES,
     pictures: str | os.PathLike[str] | None = None,
 ) -> ComparisonReport:
-    """Compares a trajectory of Pliant with one of molecular dynamics, or any other.
+    """Compares an ensemble of Pliant with others: NMR models, crystals, molecular dynamics.
 
-    Frames of each are superposed on their average. Then fluctuations (RMSF), principal modes (RMSIP
-    and overlaps), torsions (Jensen-Shannon distances), lengths of bars and radii of gyration are
-    compared. To tell differences from noise, the first half of `theirs` is compared with its
-    second half.
+    Residues are matched by sequence, chain by chain, and superposed by their alpha carbons (P of
+    nucleotides) but for free ends. Compared are which residues move (r of RMSF, with its error),
+    in what directions (RMSIP, overlaps of modes), and what one has and the other lacks. The
+    ceiling is how well random halves of `theirs` agree.
+
+    Where theirs are of the same atoms, those are compared too: fluctuations (RMSF), principal
+    modes (RMSIP and overlaps), torsions (Jensen-Shannon distances), lengths of bars and radii of
+    gyration. To tell differences from noise, the first half of `theirs` is compared with its second
+    half.
 
     Parameters
     ----------
     ours : str or path
-        H5MD file of ``pliant run``.
-    theirs : str or path
-        Any trajectory that MDAnalysis reads.
+        H5MD file of ``pliant sample`` or ``pliant run``.
+    theirs : str or path, or several
+        PDB or mmCIF file with models; several such files, a set of crystal structures, say; or any
+        trajectory that MDAnalysis reads.
     topology : str or path, optional
         File with the atom names of `theirs`. Without it, formats without names (DCD, XTC) are
         assumed to have the atoms of `ours` in the same order.
@@ -65,20 +91,21 @@ def compare(
     ImportError
         MDAnalysis, or matplotlib for pictures, is missing; the message says how to install it.
     InputError
-        A file cannot be read, or the chosen atoms of both are not the same.
+        A file cannot be read, or neither residues nor atoms of both can be matched.
     """
     need("pliant.compare", "MDAnalysis")
     if pictures is not None:
         need("a picture of pliant.compare", "matplotlib")
+    paths = [theirs] if isinstance(theirs, (str, os.PathLike)) else list(theirs)
+    if not paths:
+        raise InputError("theirs: expected at least one file")
     recording = read_recording(ours)
-    our_universe = open_universe(ours)
-    their_universe, named = open_theirs(theirs, topology, our_universe)
-    pairing = pair(
-        choose(our_universe, select, ours), choose(their_universe, select, theirs), named
+    universe = open_universe(ours)
+    residues = _residues(recording, universe, paths, topology, select, frames)
+    atoms, notes = _atoms(recording, universe, paths, topology, select, frames, residues is None)
+    report = ComparisonReport(
+        recording.path, [os.fspath(path) for path in paths], residues, atoms, notes
     )
-    if len(pairing.ours) < 3:
-        raise InputError(f"--select '{select}': expected at least 3 atoms")
-    report = _compare(read_ensembles(recording, pairing, frames, theirs), os.fspath(theirs))
     if pictures is not None:
         from pliant.compare.picture import draw
 
@@ -86,17 +113,65 @@ def compare(
     return report
 
 
-def _compare(ensembles: Ensembles, theirs_path: str) -> ComparisonReport:
+def _residues(
+    recording: Recording,
+    universe: Universe,
+    paths: Sequence[str | os.PathLike[str]],
+    topology: str | os.PathLike[str] | None,
+    select: str,
+    frames: int | str,
+) -> ResidueComparison | None:
+    """None where ours has too few residues to match."""
+    chosen = choose(universe, select, recording.path)
+    trace = trace_of_atoms(chosen)
+    if len(trace) < LEAST_RESIDUES:
+        return None
+    reference = read_reference(trace, paths, topology, select, frames, universe)
+    positions, independent = read_trace(recording, chosen.ix[trace.atoms], frames)
+    found = compare_residues(trace, positions, independent, reference)
+    conclude(found)
+    return found
+
+
+def _atoms(
+    recording: Recording,
+    universe: Universe,
+    paths: Sequence[str | os.PathLike[str]],
+    topology: str | os.PathLike[str] | None,
+    select: str,
+    frames: int | str,
+    is_all: bool,
+) -> tuple[AtomComparison | None, list[str]]:
+    """All atoms of both, and how they were matched; where residues were compared, nothing and why
+    not."""
+    try:
+        if len(paths) > 1:
+            raise InputError("several files are compared by residues, of which ours has too few")
+        theirs, named = open_theirs(paths[0], topology, universe)
+        pairing = pair(
+            choose(universe, select, recording.path), choose(theirs, select, paths[0]), named
+        )
+        if len(pairing.ours) < 3:
+            raise InputError(f"--select '{select}': expected at least 3 atoms")
+        ensembles = read_ensembles(recording, pairing, frames, paths[0])
+    except InputError as error:
+        if is_all:
+            raise
+        several = len(paths) > 1
+        return None, [] if several else [f"atoms are not compared, residues only: {error}"]
+    return _compare_atoms(ensembles), [f"atoms are matched {pairing.how}"]
+
+
+def _compare_atoms(ensembles: Ensembles) -> AtomComparison:
     fit = fit_atoms(ensembles.atoms)
-    ours = numbers.superposed_on_mean(ensembles.ours, fit)
-    theirs = numbers.superposed_on_mean(ensembles.theirs, fit)
+    ours = agreement.superposed_on_mean(ensembles.ours, fit)
+    theirs = agreement.superposed_on_mean(ensembles.theirs, fit)
     # Turned as one body onto our average, so that directions of motion can be compared.
-    theirs = _turned(theirs, ours.mean(axis=0), fit)
+    theirs = turned_as_one(theirs, ours.mean(axis=0), fit)
     atoms, residues = _fluctuations(ensembles, ours, theirs)
     masses = ensembles.recording.masses[ensembles.atoms.ix]
-    return ComparisonReport(
+    return AtomComparison(
         ensembles,
-        theirs_path,
         atoms,
         residues,
         _compare_modes(ours[:, fit], theirs[:, fit]),
@@ -106,19 +181,7 @@ def _compare(ensembles: Ensembles, theirs_path: str) -> ComparisonReport:
             numbers.gyration_radii(ensembles.ours, masses),
             numbers.gyration_radii(ensembles.theirs, masses),
         ),
-        [f"atoms are matched {ensembles.pairing.how}"],
     )
-
-
-def _turned(positions: np.ndarray, reference: np.ndarray, fit: np.ndarray) -> np.ndarray:
-    mean = positions.mean(axis=0)
-    corners = np.concatenate([np.zeros((1, 3)), np.eye(3)])
-    # Where the average goes, its axes go: they are carried along as four more points.
-    carried = np.concatenate([mean, mean[fit].mean(axis=0) + corners])[None]
-    moved = numbers.superposed(carried, reference, fit)[0, len(mean) :]
-    rotation = moved[1:] - moved[0]
-    turned: np.ndarray = (positions - mean[fit].mean(axis=0)) @ rotation
-    return turned
 
 
 def _labels(ensembles: Ensembles) -> list[str]:
@@ -134,7 +197,7 @@ def _fluctuations(
     ensembles: Ensembles, ours: np.ndarray, theirs: np.ndarray
 ) -> tuple[Fluctuations, Fluctuations | None]:
     labels = _labels(ensembles)
-    pair_of = numbers.fluctuations(ours), numbers.fluctuations(theirs)
+    pair_of = agreement.fluctuations(ours), agreement.fluctuations(theirs)
     atoms = Fluctuations("atom", labels, *pair_of)
     alpha = alpha_carbons(ensembles.atoms)
     if len(alpha) < 3:
@@ -144,13 +207,13 @@ def _fluctuations(
 
 
 def _compare_modes(ours: np.ndarray, theirs: np.ndarray) -> ModeComparison:
-    mine, other = (numbers.principal_modes(x, MODES) for x in (ours, theirs))
+    mine, other = (agreement.principal_modes(x, MODES) for x in (ours, theirs))
     count = min(len(mine.vectors), len(other.vectors))
     return ModeComparison(
         ours.shape[1],
-        numbers.overlaps(mine, other),
-        numbers.rmsip(mine, other),
-        numbers.chance_rmsip(count, ours.shape[1]),
+        agreement.overlaps(mine.vectors, other.vectors),
+        agreement.rmsip(mine.vectors, other.vectors),
+        agreement.chance_rmsip(count, ours.shape[1]),
         _halves(ours),
         _halves(theirs),
         mine.share,
@@ -160,8 +223,10 @@ def _compare_modes(ours: np.ndarray, theirs: np.ndarray) -> ModeComparison:
 
 def _halves(fitted: np.ndarray) -> float:
     middle = len(fitted) // 2
-    first, second = (numbers.principal_modes(x, MODES) for x in (fitted[:middle], fitted[middle:]))
-    return numbers.rmsip(first, second)
+    first, second = (
+        agreement.principal_modes(x, MODES) for x in (fitted[:middle], fitted[middle:])
+    )
+    return agreement.rmsip(first.vectors, second.vectors)
 
 
 def _compare_torsions(ensembles: Ensembles) -> list[TorsionComparison]:

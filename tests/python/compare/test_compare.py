@@ -49,16 +49,16 @@ def write_theirs(made, tmp_path, positions=None, order=None, names=None, name="t
 
 def test_a_trajectory_is_like_itself(ours):
     report = pliant.compare(ours, ours)
-    assert report.atom_fluctuations.pearson == pytest.approx(1.0, abs=1e-6)
-    assert report.modes.rmsip == pytest.approx(1.0, abs=1e-3)
-    assert np.diag(report.modes.overlaps) == pytest.approx(1.0, abs=0.01)
+    assert report.atoms.atom_fluctuations.pearson == pytest.approx(1.0, abs=1e-6)
+    assert report.atoms.modes.rmsip == pytest.approx(1.0, abs=1e-3)
+    assert np.diag(report.atoms.modes.overlaps) == pytest.approx(1.0, abs=0.01)
     # A 32-bit coordinate may put an angle at the edge of a bin into its neighbour.
-    assert max(torsion.distance for torsion in report.torsions) < 0.15
+    assert max(torsion.distance for torsion in report.atoms.torsions) < 0.15
 
 
 def test_both_are_measured_as_they_are_stored(ours):
     """32-bit floats miss bars by some 1e-7; an H5MD file of theirs has doubles, as ours has."""
-    bars = pliant.compare(ours, ours).bars
+    bars = pliant.compare(ours, ours).atoms.bars
     assert bars.residual_theirs == bars.residual_ours < 1e-9
     assert np.array_equal(bars.spread_ours, bars.spread_theirs)
 
@@ -69,8 +69,10 @@ def test_rigid_motions_change_nothing(made, ours, tmp_path):
     turns = Rotation.random(len(made.positions), rng=5).as_matrix()
     theirs, topology = write_theirs(made, tmp_path, made.positions @ turns + 12.5)
     report = pliant.compare(ours, theirs, topology=topology)
-    assert report.atom_fluctuations.ours == pytest.approx(report.atom_fluctuations.theirs, abs=1e-3)
-    assert report.modes.rmsip == pytest.approx(1.0, abs=1e-3)
+    assert report.atoms.atom_fluctuations.ours == pytest.approx(
+        report.atoms.atom_fluctuations.theirs, abs=1e-3
+    )
+    assert report.atoms.modes.rmsip == pytest.approx(1.0, abs=1e-3)
 
 
 def test_fluctuations_are_those_of_mdanalysis(made, ours, tmp_path):
@@ -85,7 +87,7 @@ def test_fluctuations_are_those_of_mdanalysis(made, ours, tmp_path):
         reference = average.results.universe
         AlignTraj(universe, reference, select="not element H", in_memory=True).run()
     found = RMSF(universe.atoms).run().results.rmsf
-    assert report.atom_fluctuations.theirs == pytest.approx(found, abs=2e-3)
+    assert report.atoms.atom_fluctuations.theirs == pytest.approx(found, abs=2e-3)
 
 
 def test_atoms_in_another_order_are_matched_by_name(made, ours, tmp_path):
@@ -93,7 +95,7 @@ def test_atoms_in_another_order_are_matched_by_name(made, ours, tmp_path):
     theirs, topology = write_theirs(made, tmp_path, order=order)
     report = pliant.compare(ours, theirs, topology=topology)
     assert report.notes == ["atoms are matched by residue and name; the order differs"]
-    assert report.atom_fluctuations.pearson == pytest.approx(1.0, abs=1e-6)
+    assert report.atoms.atom_fluctuations.pearson == pytest.approx(1.0, abs=1e-6)
 
 
 def test_other_names_are_matched_by_order_if_elements_agree(made, ours, tmp_path):
@@ -127,14 +129,14 @@ def test_different_counts_are_named_with_an_atom_that_is_missing(made, ours, tmp
         "(only ours has DIP1:H20 and 2 more)"
     )
     report = pliant.compare(ours, theirs, topology=topology, select="not name H*")
-    assert len(report.ensembles.atoms) == 10
+    assert len(report.atoms.ensembles.atoms) == 10
 
 
 def test_a_trajectory_without_names_is_taken_by_order(made, ours, tmp_path):
     theirs, _ = write_theirs(made, tmp_path)
     report = pliant.compare(ours, theirs)
     assert report.notes == ["atoms are matched by order: their file has no names"]
-    assert report.modes.rmsip == pytest.approx(1.0, abs=1e-3)
+    assert report.atoms.modes.rmsip == pytest.approx(1.0, abs=1e-3)
 
 
 def test_a_trajectory_without_names_and_another_count_is_refused(made, ours, tmp_path):
@@ -206,7 +208,7 @@ def test_bars_do_not_vary_in_ours_and_do_in_theirs(made, ours, tmp_path):
     rng = np.random.default_rng(2)
     shaken = made.positions + rng.normal(scale=0.02, size=made.positions.shape)
     theirs, topology = write_theirs(made, tmp_path, shaken)
-    bars = pliant.compare(ours, theirs, topology=topology).bars
+    bars = pliant.compare(ours, theirs, topology=topology).atoms.bars
     assert (
         bars.residual_ours <= 1e-6 and bars.spread_ours.max() < 2e-6
     )  # 1e-6 of at most 2 Angstrom
@@ -216,7 +218,7 @@ def test_bars_do_not_vary_in_ours_and_do_in_theirs(made, ours, tmp_path):
 
 def test_frames_are_spread_over_both(ours):
     report = pliant.compare(ours, ours, frames=7)
-    assert len(report.ensembles.ours) == len(report.ensembles.theirs) == 7
+    assert len(report.atoms.ensembles.ours) == len(report.atoms.ensembles.theirs) == 7
 
 
 def holds(value, schema, where="$"):
@@ -237,6 +239,9 @@ SCHEMA = {
     "pliant": str,
     "ours": {"file": str, "frames": int},
     "theirs": {"file": str, "frames": int},
+    "conclusions": [str],
+    "cautions": [str],
+    "residues": type(None),
     "atoms": int,
     "matched": str,
     "rmsf": {"atoms": RMSF, "residues": (dict, type(None))},

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 
 from pliant._core import InputError, OptionError
-from pliant.lab.validity import agreement as alike
+from pliant.analysis import agreement as alike
 from pliant.lab.validity import measure
 from pliant.lab.validity.cases import (
     CHANGES,

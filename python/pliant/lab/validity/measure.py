@@ -8,15 +8,15 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pliant.lab.validity import agreement as alike
-from pliant.lab.validity.agreement import TEN, Figure
+from pliant.analysis import agreement as alike
+from pliant.analysis.agreement import TEN, Figure
+from pliant.analysis.sequence import aligned
 from pliant.lab.validity.cases import Fluctuation
 from pliant.lab.validity.goals import goal_of
 from pliant.lab.validity.peers import Network
 from pliant.lab.validity.references import Reference
 from pliant.lab.validity.rows import Row
 from pliant.lab.validity.subject import AMPLITUDE, FAR, Subject
-from pliant.lab.validity.trace import aligned
 
 DRAWS = 100  #: of bootstraps that need principal components
 

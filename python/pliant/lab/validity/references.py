@@ -13,7 +13,9 @@ from pathlib import Path
 import numpy as np
 
 import pliant
-from pliant.lab.validity.trace import LETTERS, Trace, amino_part, trace_of
+from pliant.analysis.sequence import LETTERS
+from pliant.analysis.traces import joined_along
+from pliant.lab.validity.trace import Trace, amino_part, trace_of
 
 
 @dataclass(frozen=True)
@@ -47,21 +49,9 @@ def trajectory_of(topology: str | os.PathLike[str], path: str | os.PathLike[str]
         warnings.simplefilter("ignore")  # of missing masses and the like
         universe = MDAnalysis.Universe(os.fspath(topology), os.fspath(path))
         alpha = universe.select_atoms("name CA and protein")
-        frames = [_joined(alpha.positions, step.dimensions) for step in universe.trajectory]
+        frames = [joined_along(alpha.positions, step.dimensions) for step in universe.trajectory]
     letters = (LETTERS.get(str(name), "X") for name in alpha.resnames)
     return Reference("".join(letters), np.array(frames))
-
-
-def _joined(positions: np.ndarray, cell: np.ndarray | None) -> np.ndarray:
-    """Each alpha carbon at the image next to the one before it, where there is a cell."""
-    from MDAnalysis.lib.distances import minimize_vectors
-
-    wide = np.array(positions, dtype=np.float64)
-    if cell is None or not np.all(cell[:3] > 0):
-        return wide
-    steps = minimize_vectors(np.diff(wide, axis=0), box=cell)
-    joined: np.ndarray = np.vstack([wide[:1], wide[0] + np.cumsum(steps, axis=0)])
-    return joined
 
 
 @dataclass(frozen=True)
