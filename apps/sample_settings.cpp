@@ -2,6 +2,7 @@
 #include "sample_settings.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <thread>
 #include <utility>
 
@@ -9,6 +10,7 @@
 #include "output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/residue_nodes.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/samplers.hpp"
@@ -31,6 +33,10 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
   line.start_group("Sampling");
   SampleOptions& sample = settings.sample;
   line.add_integer("--frames", sample.frames, 1, most_frames, "frames to write");
+  line.add_text("--continue", settings.go_on, "FILE",
+                "go on with the frames of a trajectory, up to --frames in all, as if it had never "
+                "stopped");
+  line.not_required_with("input", "--continue");
   line.add_integer("--first-frame", sample.first_frame, 0, most_frames,
                    "number of the first frame: a run may be made in pieces");
   line.add_real("--amplitude", sample.amplitude, Range::positive,
@@ -67,9 +73,13 @@ void add_sample_options(CommandLine& line, SampleSettings& settings) {
   add_output_group(line, settings);
 }
 
+int threads_of(const SampleSettings& settings) {
+  const auto all = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return settings.threads == 0 ? all : static_cast<int>(settings.threads);
+}
+
 void complete(SampleSettings& settings) {
-  if (settings.threads == 0) settings.threads = std::max(1U, std::thread::hardware_concurrency());
-  settings.sample.threads = static_cast<int>(settings.threads);
+  settings.sample.threads = threads_of(settings);
   if (settings.output.empty()) settings.output = default_trajectory(settings.molecule.file);
   if (settings.topology.empty())
     settings.topology = is_pdb_name(settings.output)
@@ -95,14 +105,16 @@ NetworkNodes nodes_of(const MolecularModel& model) {
 }
 
 std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
-  const SampleOptions& sample = settings.sample;
-  std::vector<NamedParameter> all{
-      {"input/file", settings.molecule.file},       {"input/model", settings.molecule.model},
-      {"input/select", settings.molecule.select},   {"sample/frames", sample.frames},
-      {"sample/first_frame", sample.first_frame},   {"sample/amplitude", sample.amplitude},
-      {"sample/seed", std::to_string(sample.seed)}, {"sample/network", sample.network},
-      {"sample/sampler", sample.sampler},           {"sample/temperature", sample.temperature}};
-  for (NamedParameter& one : parameters_of(settings.molecule.kind)) all.push_back(std::move(one));
+  const MoleculeOptions& molecule = settings.molecule;
+  std::vector<NamedParameter> all = pliant::parameters_of(settings.sample);
+  all.insert(all.end(), {{"input/file", std::filesystem::path(molecule.file).filename().string()},
+                         {"input/model", molecule.model},
+                         {"input/select", molecule.select},
+                         {"input/assembly", molecule.assembly},
+                         {"input/distance_bonds", molecule.guess_distances},
+                         {"record/single", settings.record.single},
+                         {"record/compress", settings.record.compress}});
+  for (NamedParameter& one : parameters_of(molecule.kind)) all.push_back(std::move(one));
   return all;
 }
 
