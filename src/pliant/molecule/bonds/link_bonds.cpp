@@ -113,15 +113,15 @@ class LinkStep {
 
   /// Nearest pairs first, one bond a sulphur atom.
   void add_disulphides() {
-    struct Candidate {
+    struct Bridge {
       double squared;
       std::uint32_t a, b;
-      auto operator<=>(const Candidate&) const = default;
+      auto operator<=>(const Bridge&) const = default;
     };
     const std::vector<std::uint32_t> sulphurs = free_sulphurs();
     std::vector<Vec3> positions;
     for (std::uint32_t atom : sulphurs) positions.push_back(p_.structure.positions[atom]);
-    std::vector<Candidate> candidates;
+    std::vector<Bridge> candidates;
     CellList(positions, longest_disulphide)
         .for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
           if (squared > p_.options.shortest * p_.options.shortest)
@@ -129,7 +129,7 @@ class LinkStep {
         });
     std::sort(candidates.begin(), candidates.end());
     std::vector<bool> taken(p_.structure.size(), false);
-    for (const Candidate& pair : candidates) {
+    for (const Bridge& pair : candidates) {
       if (taken[pair.a] || taken[pair.b]) continue;
       taken[pair.a] = taken[pair.b] = true;
       p_.add(pair.a, pair.b, BondOrigin::link, 1);
