@@ -4,6 +4,8 @@
 import os
 import signal
 
+import pytest
+
 
 def pytest_configure():
     """Shells start background jobs with Ctrl-C ignored; the tests that send it want it heard."""
@@ -11,11 +13,16 @@ def pytest_configure():
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+#: seconds after which a test marked `long` hangs, on a machine that does other things too
+LONG_TIMEOUT = 3600
+
+
 def pytest_collection_modifyitems(config, items):
     """Tests marked `long` run if PLIANT_ALL is set: ./dev test --all sets it."""
+    long = [item for item in items if item.get_closest_marker("long")]
     if os.environ.get("PLIANT_ALL"):
-        return
-    left_out = [item for item in items if item.get_closest_marker("long")]
-    if left_out:
-        config.hook.pytest_deselected(items=left_out)
+        for item in long:
+            item.add_marker(pytest.mark.timeout(LONG_TIMEOUT))
+    elif long:
+        config.hook.pytest_deselected(items=long)
         items[:] = [item for item in items if not item.get_closest_marker("long")]
