@@ -2,6 +2,7 @@
 #include "sample_settings.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <thread>
 #include <utility>
 
@@ -9,7 +10,10 @@
 #include "output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
+#include "pliant/model/ensemble_amplitude.hpp"
 #include "pliant/model/residue_nodes.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/samplers.hpp"
 
@@ -33,8 +37,12 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
   line.add_integer("--frames", sample.frames, 1, most_frames, "frames to write");
   line.add_integer("--first-frame", sample.first_frame, 0, most_frames,
                    "number of the first frame: a run may be made in pieces");
-  line.add_real("--amplitude", sample.amplitude, Range::positive,
-                "mean r.m.s. fluctuation of residues (Angstrom): an input, not a result");
+  line.add_text("--amplitude", settings.amplitude, "X, NAME or FILE",
+                "how far frames go: mean r.m.s. fluctuation of residues. An input, not a result:\n"
+                "X: as given, in Angstrom (default 1.4, that of ubiquitin by NMR, 2K39)\n"
+                "bfactors: as far as the file's B factors say, sqrt(3 B / 8 pi^2)\n"
+                "FILE: as far as an ensemble of yours goes: models (PDB, mmCIF) or frames (H5MD)\n"
+                "of the same residues, numbered alike");
   line.add_seed("--seed", sample.seed, "of all random numbers");
   line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the frames",
                    "all cores");
@@ -59,6 +67,19 @@ void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
 }
 
+bool is_h5md(const std::string& path) {
+  const std::filesystem::path extension = std::filesystem::path(path).extension();
+  return extension == ".h5md" || extension == ".h5";
+}
+
+/// A number is refused before any file is read.
+void check_amplitude(const SampleSettings& settings) {
+  const auto number = parse_real(settings.amplitude);
+  if (number && !(*number > 0.0))
+    throw OptionError("--amplitude: expected a number above 0, found " +
+                      pliant::quoted(settings.amplitude));
+}
+
 }  // namespace
 
 void add_sample_options(CommandLine& line, SampleSettings& settings) {
@@ -75,6 +96,7 @@ void complete(SampleSettings& settings) {
     settings.topology = is_pdb_name(settings.output)
                             ? "none"
                             : default_topology(settings.output, settings.molecule.file);
+  check_amplitude(settings);
   check(settings.sample);
 }
 
@@ -84,6 +106,26 @@ MolecularModel load_model(SampleSettings& settings, const Log& log) {
       settings.model == "auto" ? entry(usual_model(structure)).name : settings.model;
   check(settings.molecule.kind);
   return build_model(structure, model_options_of(settings.molecule.kind, log));
+}
+
+void choose_amplitude(SampleSettings& settings, const MolecularModel& model, const Log& log) {
+  if (settings.amplitude.empty()) {
+    settings.chosen_amplitude = {usual_amplitude, "usual",
+                                 "the default; see --amplitude for others"};
+  } else if (is_h5md(settings.amplitude)) {
+    settings.chosen_amplitude = trajectory_amplitude(H5mdReader(settings.amplitude, {"", log}),
+                                                     settings.amplitude, model.structure, log);
+  } else {
+    settings.chosen_amplitude = pliant::choose_amplitude(settings.amplitude, model.structure, log);
+  }
+  settings.sample.amplitude = settings.chosen_amplitude.value;
+}
+
+std::vector<std::string> inputs_of(const SampleSettings& settings) {
+  std::vector<std::string> all = inputs_of(settings.molecule);
+  const bool is_file = !parse_real(settings.amplitude) && settings.amplitude != "bfactors";
+  if (is_file) all.push_back(settings.amplitude);
+  return all;
 }
 
 NetworkNodes nodes_of(const MolecularModel& model) {
@@ -96,12 +138,18 @@ NetworkNodes nodes_of(const MolecularModel& model) {
 
 std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
   const SampleOptions& sample = settings.sample;
-  std::vector<NamedParameter> all{
-      {"input/file", settings.molecule.file},       {"input/model", settings.molecule.model},
-      {"input/select", settings.molecule.select},   {"sample/frames", sample.frames},
-      {"sample/first_frame", sample.first_frame},   {"sample/amplitude", sample.amplitude},
-      {"sample/seed", std::to_string(sample.seed)}, {"sample/network", sample.network},
-      {"sample/sampler", sample.sampler},           {"sample/temperature", sample.temperature}};
+  std::vector<NamedParameter> all{{"input/file", settings.molecule.file},
+                                  {"input/model", settings.molecule.model},
+                                  {"input/select", settings.molecule.select},
+                                  {"sample/frames", sample.frames},
+                                  {"sample/first_frame", sample.first_frame},
+                                  {"sample/amplitude", sample.amplitude},
+                                  {"sample/seed", std::to_string(sample.seed)},
+                                  {"sample/network", sample.network},
+                                  {"sample/sampler", sample.sampler},
+                                  {"sample/temperature", sample.temperature},
+                                  {"sample/amplitude_from", settings.chosen_amplitude.source},
+                                  {"sample/amplitude_reason", settings.chosen_amplitude.reason}};
   for (NamedParameter& one : parameters_of(settings.molecule.kind)) all.push_back(std::move(one));
   return all;
 }

@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: MIT
 // Sampling: elastic networks, ways to move, and ensembles of frames.
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/variant.h>
+
+#include <variant>
+
 #include "arrays.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/base/choices.hpp"
+#include "pliant/model/amplitude.hpp"
+#include "pliant/model/ensemble_amplitude.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/model/residue_nodes.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/network_modes.hpp"
 #include "pliant/sample/sample.hpp"
@@ -19,6 +27,7 @@ namespace {
 /// Frames, and what they were made of.
 struct SampledEnsemble {
   MolecularModel model;
+  AmplitudeChoice amplitude;
   std::vector<Vec3> positions;  ///< (F * N)
   SampleSummary summary;
 };
@@ -43,16 +52,30 @@ MolecularModel model_from(const nb::handle& argument, const std::string& model) 
   return build_model(structure, options);
 }
 
-SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames, double amplitude,
-                            std::uint64_t seed, int threads, const std::string& network,
-                            const std::string& sampler, std::int64_t first_frame,
-                            double temperature, const std::string& model) {
-  SampledEnsemble out{model_from(structure, model), {}, {}};
+/// Angstrom, `bfactors`, or a file.
+using AskedAmplitude = std::variant<double, std::filesystem::path>;
+
+AmplitudeChoice amplitude_of(const AskedAmplitude& asked, const Structure& structure) {
+  if (const double* value = std::get_if<double>(&asked)) return {*value, "given", "as given"};
+  const std::filesystem::path& path = std::get<std::filesystem::path>(asked);
+  if (path.extension() == ".h5md" || path.extension() == ".h5")
+    return trajectory_amplitude(H5mdReader(path, {"", python_log()}), path.string(), structure,
+                                python_log());
+  return choose_amplitude(path.string(), structure, python_log());
+}
+
+SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
+                            const AskedAmplitude& amplitude, std::uint64_t seed, int threads,
+                            const std::string& network, const std::string& sampler,
+                            std::int64_t first_frame, double temperature,
+                            const std::string& model) {
+  SampledEnsemble out{model_from(structure, model), {}, {}, {}};
+  out.amplitude = amplitude_of(amplitude, out.model.structure);
   InterruptWatch watch;
   SampleOptions options;
   options.frames = frames;
   options.first_frame = first_frame;
-  options.amplitude = amplitude;
+  options.amplitude = out.amplitude.value;
   options.seed = seed;
   options.threads = threads;
   options.network = network;
@@ -105,8 +128,10 @@ structure : Structure or MolecularModel
     A structure with its bonds, as ``read`` gives it, or the model of one.
 frames : int
     How many, from 1.
-amplitude : float
-    Mean r.m.s. fluctuation of residues (Angstrom).
+amplitude : float, str or path
+    How far frames go, an input: mean r.m.s. fluctuation of residues (Angstrom); ``"bfactors"``: as
+    far as the structure's B factors say, sqrt(3 B / 8 pi^2); or a file: as far as its models (PDB,
+    mmCIF) or frames (H5MD) go, of the same residues, numbered alike.
 seed : int
     Of all random numbers. Frames are a function of the model, the seed and their number.
 threads : int
@@ -129,9 +154,11 @@ SampledEnsemble
 Raises
 ------
 OptionError
-    An option out of range or of no known name, or a model with pinned atoms.
+    An option out of range or of no known name, B factors that tell nothing, or a model with pinned
+    atoms.
 InputError
-    As ``build_model``, or where the start of a model is not whole.
+    Where a file of models has others than these residues, or one model only;
+    as ``build_model``, or where the start of a model is not whole.
 )";
 
 constexpr const char* modes_doc =
@@ -173,7 +200,13 @@ void bind_ensemble_class(nb::module_& module) {
           "Frames that no draw gave; they are left out.")
       .def_prop_ro(
           "amplitude_reached", [](const E& self) { return self.summary.amplitude_reached; },
-          "Mean r.m.s. fluctuation of residues in the frames (Angstrom).")
+          "Mean r.m.s. fluctuation of residues in the frames, superposed (Angstrom).")
+      .def_prop_ro(
+          "amplitude_asked", [](const E& self) { return self.amplitude.value; },
+          "Mean r.m.s. fluctuation of residues that was asked for (Angstrom).")
+      .def_prop_ro(
+          "amplitude_reason", [](const E& self) { return self.amplitude.reason; },
+          "Where the amplitude that was asked for is from, in words.")
       .def_prop_ro(
           "max_residual", [](const E& self) { return self.summary.max_residual; },
           "Worst bar of all frames: abs(length - rest) / rest.")
@@ -186,7 +219,8 @@ void bind_ensemble_class(nb::module_& module) {
       .def_prop_ro(
           "rmsf", [](const E& self) { return array_of(self.summary.rmsf); },
           nb::rv_policy::reference,
-          "(N,) float64: r.m.s. fluctuation of each atom about its mean (Angstrom).")
+          "(N,) float64: r.m.s. fluctuation of each atom about its mean, frames superposed "
+          "(Angstrom).")
       .def_prop_ro(
           "rmsf_error", [](const E& self) { return array_of(self.summary.rmsf_error); },
           nb::rv_policy::reference,
@@ -213,12 +247,12 @@ void bind_sample(nb::module_& module) {
              modes_doc);
   const SampleOptions usual;
   module.def("sample", &sample_from, "structure"_a, "frames"_a = usual.frames, nb::kw_only(),
-             "amplitude"_a = usual.amplitude, "seed"_a = usual.seed, "threads"_a = usual.threads,
-             "network"_a = usual.network, "sampler"_a = usual.sampler,
+             "amplitude"_a = AskedAmplitude(usual.amplitude), "seed"_a = usual.seed,
+             "threads"_a = usual.threads, "network"_a = usual.network, "sampler"_a = usual.sampler,
              "first_frame"_a = usual.first_frame, "temperature"_a = usual.temperature,
              "model"_a = "",
              nb::sig("def sample(structure: Structure | MolecularModel, frames: int = 200, *, "
-                     "amplitude: float = 1.4, seed: int = 0, threads: int = 1, "
+                     "amplitude: float | str | os.PathLike = 1.4, seed: int = 0, threads: int = 1, "
                      "network: str = \"shared\", sampler: str = \"modes\", first_frame: int = 0, "
                      "temperature: float = 12.552, model: str = \"\") -> SampledEnsemble"),
              sample_doc);
