@@ -23,7 +23,8 @@ void add_options(CommandLine& line, ContactsSettings& settings) {
   add_model_options(line, settings.molecule.kind);
   line.start_group("Output");
   line.add_flag("--csv", settings.as_csv, "print a table that --contacts reads back");
-  line.add_flag("--json", settings.as_json, "print one JSON object");
+  line.add_flag("--json", settings.as_json,
+                "print one JSON object, which --contacts reads back, too");
 }
 
 /// A row of the table; the middle one is the hydrogen.

@@ -122,6 +122,7 @@ Json json_of_atoms(const Facts& facts) {
   return {{"atoms", facts.structure.size()},
           {"residues", facts.structure.atoms.residues.size()},
           {"chains", facts.chains},
+          {"assemblies", facts.structure.assemblies},
           {"elements", as_object(facts.elements)},
           {"bonds", facts.structure.bonds.size()},
           {"bonds_by_origin", as_object(facts.bonds_by_origin)},
@@ -177,6 +178,12 @@ std::string listed(const Counts& counts) {
   return text.empty() ? "none" : text;
 }
 
+std::string joined(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + printable(name);
+  return text;
+}
+
 std::string numbered(std::size_t count, const char* one, const char* many) {
   return fmt::format("{} {}", count, count == 1 ? one : many);
 }
@@ -204,6 +211,10 @@ void print_molecule_rows(const Facts& facts) {
   fmt::print("{} ({}, model {} of {})\n", printable_name(facts.options.file), structure.format,
              structure.model, structure.model_count);
   print_row("atoms", structure.size(), listed(facts.elements));
+  if (!structure.assemblies.empty())
+    print_row(
+        "assemblies", structure.assemblies.size(),
+        fmt::format("{}: biological ones, which --assembly makes", joined(structure.assemblies)));
   print_row("residues", structure.atoms.residues.size(), numbered(facts.chains, "chain", "chains"));
   print_row("bonds", structure.bonds.size(), "from " + listed(facts.bonds_by_origin));
   const std::string pinned = pinned_joints(facts);

@@ -4,12 +4,14 @@
 #include <utility>
 
 #include "command.hpp"
+#include "continue_sample.hpp"
 #include "frame_output.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "output_files.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/record/topology_pdb.hpp"
 #include "recorded_header.hpp"
 #include "sample_report.hpp"
@@ -18,9 +20,11 @@
 namespace pliant::app {
 namespace {
 
-H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model) {
+H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model,
+                     const NetworkNodes& nodes) {
   H5mdHeader header = molecule_header(model.structure);
   header.parameters = parameters_of(settings);
+  header.inputs = recorded_inputs(model.positions, nodes);
   return header;
 }
 
@@ -48,23 +52,10 @@ void write_topology(const SampleSettings& settings, const MolecularModel& model,
                      recorded_bonds(model.structure), options);
 }
 
-/// A frame as recorders take it; frames of an ensemble have a number in place of a time.
-Frame recorded(const SampledFrame& sampled) {
-  Frame frame;
-  frame.step = sampled.frame;
-  frame.positions = sampled.positions;
-  frame.sweeps = sampled.steps;
-  frame.max_residual = sampled.max_residual;
-  frame.rms_residual = sampled.rms_residual;
-  frame.max_limit = sampled.max_limit;
-  frame.max_overlap = sampled.max_overlap;
-  return frame;
-}
-
 SampleSummary sample_to_file(const SampleSettings& settings, const MolecularModel& model,
                              const Log& log) {
   NetworkNodes nodes = nodes_of(model);
-  FrameOutput recorder(settings.output, model.framework, header_of(settings, model),
+  FrameOutput recorder(settings.output, model.framework, header_of(settings, model, nodes),
                        settings.record);
   write_topology(settings, model, log);
   ProgressBar progress(settings.sample.frames, "frames", settings.quiet);
@@ -73,7 +64,7 @@ SampleSummary sample_to_file(const SampleSettings& settings, const MolecularMode
   std::int64_t done = 0;
   SampleSummary summary = sample(model.framework, model.positions, std::move(nodes), options,
                                  [&](const SampledFrame& frame) {
-                                   recorder.record(recorded(frame));
+                                   recorder.record(recorded_frame(frame));
                                    progress.show(++done);
                                    return interrupted();
                                  });
@@ -81,9 +72,9 @@ SampleSummary sample_to_file(const SampleSettings& settings, const MolecularMode
   return summary;
 }
 
-int exit_code_of(const SampleSummary& summary) {
-  if (summary.stopped_by_caller) return exit_interrupted;
-  return summary.failed > 0 ? exit_unconverged : exit_ok;
+SampledSystem system_of(const MolecularModel& model) {
+  return {entry(model.kind).name, model.framework, model.contacts.size(), model.told,
+          model.missing};
 }
 
 }  // namespace
@@ -100,11 +91,14 @@ int command_sample(const Arguments& arguments) {
       "  pliant sample protein.cif --frames 1000 --amplitude 2 --seed 7\n"
       "  pliant sample protein.pdb --amplitude nmr_models.pdb\n"
       "  pliant sample protein.pdb --sampler dilute --hbond-cutoff -2\n"
+      "  pliant sample --continue ensemble.h5md              after Ctrl-C or a crash\n"
+      "  pliant sample --continue ensemble.h5md --frames 2000\n"
       "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a frame could not be resolved\n"
       "and is left out, 130 ended early by Ctrl-C with whole frames.");
   SampleSettings settings;
   add_sample_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;
+  if (!settings.go_on.empty()) return continue_sample(line, settings);
   Messages messages(settings.json || settings.quiet);
   complete(settings);
   check_outputs(settings);
@@ -113,11 +107,7 @@ int command_sample(const Arguments& arguments) {
   choose_amplitude(settings, model, messages.log());
   watch_for_interrupt();
   const SampleSummary summary = sample_to_file(settings, model, messages.log());
-  if (settings.json) {
-    print_sample_json(settings, model, summary, messages.warnings());
-  } else if (!settings.quiet) {
-    print_sample_table(settings, model, summary);
-  }
+  print_sample(settings, system_of(model), summary, messages.warnings());
   return exit_code_of(summary);
 }
 

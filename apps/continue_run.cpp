@@ -12,6 +12,7 @@
 #include "command.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
+#include "option_comparison.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/run/ensemble.hpp"
@@ -196,18 +197,16 @@ void check_steps(const H5mdCheckpoint& from, const Log& log) {
                          from.path.string(), from.steps));
 }
 
-void check_output(const CommandLine& line, const RunSettings& settings) {
-  std::error_code error;
-  if (line.was_given("--output") && !fs::equivalent(settings.output, settings.go_on, error) &&
-      settings.output != settings.go_on)
-    throw OptionError("--output " + settings.output + ": --continue adds to " + settings.go_on +
-                      " itself");
+void refuse_samples(const H5mdCheckpoint& from) {
+  if (from.is_sample())
+    throw InputError(from.path.string() +
+                     ": holds frames of pliant sample: pliant sample --continue goes on with them");
 }
 
 }  // namespace
 
 int continue_run(const CommandLine& line, RunSettings& settings) {
-  check_output(line, settings);
+  refuse_another_output(line, settings.output, settings.go_on);
   number_walkers(line, settings);
   settings.output = settings.go_on;
   settings.topology = "none";
@@ -218,6 +217,7 @@ int continue_run(const CommandLine& line, RunSettings& settings) {
   if (line.was_given("--steps")) steps = settings.run.steps;
   const std::string first = output_of(settings, first_begun(settings));
   H5mdCheckpoint pattern = read_checkpoint(first, steps, log);
+  refuse_samples(pattern);
   check_options_again(line, settings, pattern);
   check_steps(pattern, log);
   // The file of one walker of several goes on as that walker.

@@ -12,7 +12,7 @@ void add_model_options(CommandLine& line, ModelSettings& settings) {
   line.add_real("--hbond-cutoff", settings.hbond_cutoff, Range::any,
                 "kcal/mol: hydrogen bonds of no lower energy are left out");
   line.add_text("--contacts", settings.contacts, "FILE",
-                "contacts as pliant contacts --csv writes them, in place of those found");
+                "contacts as pliant contacts --csv or --json writes them, in place of those found");
   line.add_flag("--keep-waters", settings.keep_waters, "do not take waters out");
   line.add_names("--protonate", settings.protonate, "",
                  "forms of residues, as HIS57:HID,A:ASP25:ASH (default: as hydrogens, names and pH "

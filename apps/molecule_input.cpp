@@ -30,10 +30,11 @@ std::string bytes_of(const MoleculeOptions& options) {
 /// A graph XML file: its joints and bars as they stand, each bar shown as a bond of the file.
 Molecule load_graph(const MoleculeOptions& options, const Log& log) {
   const bool has_bars_file = is_bars_file(bars_of(options));
-  if (!options.pin.empty() || !options.select.empty() || options.lengths != "geometry" ||
-      (bars_of(options) != "bonds" && !has_bars_file))
+  if (!options.pin.empty() || !options.select.empty() || !options.assembly.empty() ||
+      options.lengths != "geometry" || (bars_of(options) != "bonds" && !has_bars_file))
     throw OptionError(
-        "--select, --pin, --lengths and kinds of --bars are for molecules: a graph XML file says "
+        "--select, --assembly, --pin, --lengths and kinds of --bars are for molecules: a graph XML "
+        "file says "
         "itself "
         "what is pinned, its bars and their lengths; --bars takes a bars file");
   const std::string bytes = bytes_of(options);
@@ -88,6 +89,8 @@ void add_file_options(CommandLine& line, MoleculeOptions& options) {
                   "pdb, mmcif, xyz or sdf (default: by extension or content)");
   line.add_integer("--frame", options.model, 1, most_models,
                    "number of the model, frame or record");
+  line.add_text("--assembly", options.assembly, "N",
+                "make the biological assembly N that the file states");
   line.add_text("--select", options.select, "SELECTION",
                 "take these atoms only, such as \"protein\" or \"not resname HOH\"");
   line.add_integer("--max-input", options.max_input, 1, largest_text / 1'000'000,
@@ -115,6 +118,7 @@ Structure read(const MoleculeOptions& options, const Log& log) {
   ReadOptions reading;
   reading.model = static_cast<std::size_t>(options.model);
   reading.format = options.format;
+  reading.assembly = options.assembly;
   reading.log = log;
   const std::string bytes = bytes_of(options);
   Structure structure = read_structure(SourceText{options.file, bytes}, reading);

@@ -19,6 +19,7 @@ struct MoleculeOptions {
   std::string format;
   std::int64_t model = 1;                           ///< which model, frame or record
   std::int64_t max_input = usual_text / 1'000'000;  ///< MB of the file, and of what it expands to
+  std::string assembly;                             ///< a biological one; "": as the file is
   std::string select;                               ///< atoms to take; "": all
   std::string bars;  ///< "": as the kind of model says, bonds if that is left open
   std::string lengths = "geometry";

@@ -225,6 +225,7 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
                 {{"input/file", fs::path(settings.molecule.file).filename().string()},
                  {"input/model", settings.molecule.model},
                  {"input/select", settings.molecule.select},
+                 {"input/assembly", settings.molecule.assembly},
                  {"input/bars", fs::path(bars_of(settings.molecule)).filename().string()},
                  {"input/lengths", settings.molecule.lengths},
                  {"input/pin", settings.molecule.pin},

@@ -5,20 +5,21 @@
 
 #include <algorithm>
 
+#include "command.hpp"
 #include "json.hpp"
 #include "pliant/base/printable.hpp"
 
 namespace pliant::app {
 namespace {
 
-std::string worst_bar_of(const MolecularModel& model, const SampleSummary& summary) {
-  const Framework& framework = model.framework;
+std::string worst_bar_of(const SampledSystem& system, const SampleSummary& summary) {
+  const Framework& framework = system.framework;
   return framework.bar_count() == 0 ? "" : framework.label(framework.bars()[summary.worst_bar]);
 }
 
-void print_worst(const MolecularModel& model, const SampleSummary& summary) {
-  if (model.framework.bar_count() > 0)
-    fmt::print("worst bar       {} off by {:.1e} of its length\n", worst_bar_of(model, summary),
+void print_worst(const SampledSystem& system, const SampleSummary& summary) {
+  if (system.framework.bar_count() > 0)
+    fmt::print("worst bar       {} off by {:.1e} of its length\n", worst_bar_of(system, summary),
                summary.max_residual);
   fmt::print("worst contact   off by {:.3f} A; worst overlap {:.3f} A\n", summary.max_limit,
              summary.max_overlap);
@@ -38,14 +39,13 @@ std::vector<Json> numbers(const std::vector<double>& values) {
   return {values.begin(), values.end()};
 }
 
-}  // namespace
-
-void print_sample_table(const SampleSettings& settings, const MolecularModel& model,
-                        const SampleSummary& summary) {
-  fmt::print("model           {}: {} atoms, {} bars, {} contacts\n", entry(model.kind).name,
-             model.framework.joint_count(), model.framework.bar_count(), model.contacts.size());
-  fmt::print("frames          {}, sampler {}, network {}, seed {}\n", summary.frames,
-             settings.sample.sampler, settings.sample.network, settings.sample.seed);
+void print_table(const SampleSettings& settings, const SampledSystem& system,
+                 const SampleSummary& summary) {
+  fmt::print("model           {}: {} atoms, {} bars, {} contacts\n", system.kind,
+             system.framework.joint_count(), system.framework.bar_count(), system.contacts);
+  fmt::print("frames          {}{}, sampler {}, network {}, seed {}\n", summary.frames,
+             settings.go_on.empty() ? "" : " added", settings.sample.sampler,
+             settings.sample.network, settings.sample.seed);
   fmt::print("amplitude       asked {:.2f} A, reached {:.2f} A: an input, not a prediction\n",
              summary.amplitude_asked, summary.amplitude_reached);
   fmt::print("                asked: {}\n", printable_name(settings.chosen_amplitude.reason));
@@ -54,7 +54,7 @@ void print_sample_table(const SampleSettings& settings, const MolecularModel& mo
              mean_of(summary.rmsf), mean_of(summary.rmsf_error));
   fmt::print("drawn again     {} frames; {} more took a second way\n", summary.redrawn,
              std::max<std::int64_t>(0, summary.rescued - summary.redrawn));
-  print_worst(model, summary);
+  print_worst(system, summary);
   fmt::print("time            {:.2f} s; {:.2f} ms of a core a frame\n", summary.seconds,
              ms_a_frame(summary));
   if (summary.failed > 0)
@@ -65,15 +65,15 @@ void print_sample_table(const SampleSettings& settings, const MolecularModel& mo
   fmt::print("trajectory      {}\n", printable_name(settings.output));
 }
 
-void print_sample_json(const SampleSettings& settings, const MolecularModel& model,
-                       const SampleSummary& summary, const std::vector<std::string>& warnings) {
+void print_json_of(const SampleSettings& settings, const SampledSystem& system,
+                   const SampleSummary& summary, const std::vector<std::string>& warnings) {
   const Json json{{"input", settings.molecule.file},
                   {"output", settings.output},
                   {"topology", settings.topology},
-                  {"model", entry(model.kind).name},
-                  {"atoms", model.framework.joint_count()},
-                  {"bars", model.framework.bar_count()},
-                  {"contacts", model.contacts.size()},
+                  {"model", system.kind},
+                  {"atoms", system.framework.joint_count()},
+                  {"bars", system.framework.bar_count()},
+                  {"contacts", system.contacts},
                   {"sampler", settings.sample.sampler},
                   {"network", settings.sample.network},
                   {"frames", summary.frames},
@@ -86,7 +86,7 @@ void print_sample_json(const SampleSettings& settings, const MolecularModel& mod
                   {"rescued", summary.rescued},
                   {"failed", summary.failed},
                   {"worst_residual", summary.max_residual},
-                  {"worst_bar", worst_bar_of(model, summary)},
+                  {"worst_bar", worst_bar_of(system, summary)},
                   {"worst_limit", summary.max_limit},
                   {"worst_overlap", summary.max_overlap},
                   {"worst_closing", summary.max_closing},
@@ -97,10 +97,26 @@ void print_sample_json(const SampleSettings& settings, const MolecularModel& mod
                   {"stopped_early", summary.stopped_by_caller},
                   {"seconds", summary.seconds},
                   {"cpu_ms_per_frame", ms_a_frame(summary)},
-                  {"told", model.told},
-                  {"missing", model.missing},
+                  {"told", system.told},
+                  {"missing", system.missing},
                   {"warnings", warnings}};
   print_json(json);
+}
+
+}  // namespace
+
+void print_sample(const SampleSettings& settings, const SampledSystem& system,
+                  const SampleSummary& summary, const std::vector<std::string>& warnings) {
+  if (settings.json) {
+    print_json_of(settings, system, summary, warnings);
+  } else if (!settings.quiet) {
+    print_table(settings, system, summary);
+  }
+}
+
+int exit_code_of(const SampleSummary& summary) {
+  if (summary.stopped_by_caller) return exit_interrupted;
+  return summary.failed > 0 ? exit_unconverged : exit_ok;
 }
 
 }  // namespace pliant::app

@@ -3,15 +3,26 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "sample_settings.hpp"
 
 namespace pliant::app {
 
-void print_sample_table(const SampleSettings& settings, const MolecularModel& model,
-                        const SampleSummary& summary);
-void print_sample_json(const SampleSettings& settings, const MolecularModel& model,
-                       const SampleSummary& summary, const std::vector<std::string>& warnings);
+/// What was sampled; must not outlive the framework.
+struct SampledSystem {
+  std::string_view kind;  ///< of the model
+  const Framework& framework;
+  std::size_t contacts = 0;
+  std::vector<std::string> told = {}, missing = {};  ///< by preparation
+};
+
+/// As a table, as JSON or not at all.
+void print_sample(const SampleSettings& settings, const SampledSystem& system,
+                  const SampleSummary& summary, const std::vector<std::string>& warnings);
+
+/// What the command ends with.
+int exit_code_of(const SampleSummary& summary);
 
 }  // namespace pliant::app

@@ -11,6 +11,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/ensemble_amplitude.hpp"
 #include "pliant/model/residue_nodes.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
@@ -35,6 +36,10 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
   line.start_group("Sampling");
   SampleOptions& sample = settings.sample;
   line.add_integer("--frames", sample.frames, 1, most_frames, "frames to write");
+  line.add_text("--continue", settings.go_on, "FILE",
+                "go on with the frames of a trajectory, up to --frames in all, as if it had never "
+                "stopped");
+  line.not_required_with("input", "--continue");
   line.add_integer("--first-frame", sample.first_frame, 0, most_frames,
                    "number of the first frame: a run may be made in pieces");
   line.add_text("--amplitude", settings.amplitude, "X, NAME or FILE",
@@ -72,6 +77,13 @@ bool is_h5md(const std::string& path) {
   return extension == ".h5md" || extension == ".h5";
 }
 
+/// What was asked for, in one way of writing: for files, and to compare with what they hold.
+std::string amplitude_source(const SampleSettings& settings) {
+  if (settings.amplitude.empty()) return number_text(usual_amplitude);
+  const auto number = parse_real(settings.amplitude);
+  return number ? number_text(*number) : settings.amplitude;
+}
+
 /// A number is refused before any file is read.
 void check_amplitude(const SampleSettings& settings) {
   const auto number = parse_real(settings.amplitude);
@@ -88,9 +100,13 @@ void add_sample_options(CommandLine& line, SampleSettings& settings) {
   add_output_group(line, settings);
 }
 
+int threads_of(const SampleSettings& settings) {
+  const auto all = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return settings.threads == 0 ? all : static_cast<int>(settings.threads);
+}
+
 void complete(SampleSettings& settings) {
-  if (settings.threads == 0) settings.threads = std::max(1U, std::thread::hardware_concurrency());
-  settings.sample.threads = static_cast<int>(settings.threads);
+  settings.sample.threads = threads_of(settings);
   if (settings.output.empty()) settings.output = default_trajectory(settings.molecule.file);
   if (settings.topology.empty())
     settings.topology = is_pdb_name(settings.output)
@@ -110,7 +126,7 @@ MolecularModel load_model(SampleSettings& settings, const Log& log) {
 
 void choose_amplitude(SampleSettings& settings, const MolecularModel& model, const Log& log) {
   if (settings.amplitude.empty()) {
-    settings.chosen_amplitude = {usual_amplitude, "usual",
+    settings.chosen_amplitude = {usual_amplitude, number_text(usual_amplitude),
                                  "the default; see --amplitude for others"};
   } else if (is_h5md(settings.amplitude)) {
     settings.chosen_amplitude = trajectory_amplitude(H5mdReader(settings.amplitude, {"", log}),
@@ -137,20 +153,18 @@ NetworkNodes nodes_of(const MolecularModel& model) {
 }
 
 std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
-  const SampleOptions& sample = settings.sample;
-  std::vector<NamedParameter> all{{"input/file", settings.molecule.file},
-                                  {"input/model", settings.molecule.model},
-                                  {"input/select", settings.molecule.select},
-                                  {"sample/frames", sample.frames},
-                                  {"sample/first_frame", sample.first_frame},
-                                  {"sample/amplitude", sample.amplitude},
-                                  {"sample/seed", std::to_string(sample.seed)},
-                                  {"sample/network", sample.network},
-                                  {"sample/sampler", sample.sampler},
-                                  {"sample/temperature", sample.temperature},
-                                  {"sample/amplitude_from", settings.chosen_amplitude.source},
-                                  {"sample/amplitude_reason", settings.chosen_amplitude.reason}};
-  for (NamedParameter& one : parameters_of(settings.molecule.kind)) all.push_back(std::move(one));
+  const MoleculeOptions& molecule = settings.molecule;
+  std::vector<NamedParameter> all = pliant::parameters_of(settings.sample);
+  all.insert(all.end(), {{"input/file", std::filesystem::path(molecule.file).filename().string()},
+                         {"input/model", molecule.model},
+                         {"input/select", molecule.select},
+                         {"input/assembly", molecule.assembly},
+                         {"input/distance_bonds", molecule.guess_distances},
+                         {"sample/amplitude_from", amplitude_source(settings)},
+                         {"sample/amplitude_reason", settings.chosen_amplitude.reason},
+                         {"record/single", settings.record.single},
+                         {"record/compress", settings.record.compress}});
+  for (NamedParameter& one : parameters_of(molecule.kind)) all.push_back(std::move(one));
   return all;
 }
 

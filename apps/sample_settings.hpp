@@ -22,6 +22,7 @@ struct SampleSettings {
   AmplitudeChoice chosen_amplitude;  ///< see choose_amplitude()
   std::int64_t threads = 0;          ///< 0: as many as there are cores
   H5mdOptions record;
+  std::string go_on;     ///< trajectory whose sample goes on; "": a new one
   std::string output;    ///< "": the input's name with .h5md, in the current folder
   std::string topology;  ///< sidecar PDB; "": the output's name with .pdb; "none": none
   bool json = false;
@@ -32,6 +33,9 @@ void add_sample_options(CommandLine& line, SampleSettings& settings);
 
 /// Fills in what the command line left open: names of outputs, threads.
 void complete(SampleSettings& settings);
+
+/// Threads to share the frames.
+int threads_of(const SampleSettings& settings);
 
 /// Reads the file, perceives its bonds, builds its model, whose kind is then in `settings`. Throws
 /// as the library does.

@@ -32,6 +32,8 @@ H5mdCheckpoint opened(const std::filesystem::path& path, std::optional<std::int6
   const Log log = python_log();
   const nb::gil_scoped_release no_gil;
   H5mdCheckpoint from = read_checkpoint(path, steps, log);
+  if (from.is_sample())
+    throw InputError(path.string() + ": holds frames of sample: continue_sample goes on with them");
   if (from.done > from.steps)
     throw OptionError("steps = " + std::to_string(from.steps) + ": " + path.string() + " has " +
                       std::to_string(from.done) + " steps already");

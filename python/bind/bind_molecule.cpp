@@ -30,19 +30,30 @@ Structure select(const Structure& structure, std::string_view selection) {
   return select_part(structure, selection, log);
 }
 
-ReadOptions read_options(std::int64_t model, const std::optional<std::string>& format) {
+/// Most names are numbers.
+std::string assembly_from(const nb::handle& assembly) {
+  if (assembly.is_none()) return {};
+  if (nb::isinstance<nb::bool_>(assembly) ||
+      (!nb::isinstance<nb::int_>(assembly) && !nb::isinstance<nb::str>(assembly)))
+    throw nb::type_error("assembly: expected an int or a str");
+  return nb::cast<std::string>(nb::str(assembly));
+}
+
+ReadOptions read_options(std::int64_t model, const std::optional<std::string>& format,
+                         const nb::handle& assembly) {
   if (model < 0) throw OptionError("model is " + std::to_string(model) + ": must be from 1");
   ReadOptions options;
   options.model = static_cast<std::size_t>(model);
   options.format = format.value_or("");
+  options.assembly = assembly_from(assembly);
   options.log = python_log();
   return options;
 }
 
 Structure read(const std::filesystem::path& path, std::int64_t model,
                const std::optional<std::string>& format, bool perceive_bonds,
-               std::uint64_t max_input) {
-  ReadOptions options = read_options(model, format);
+               std::uint64_t max_input, const nb::object& assembly) {
+  ReadOptions options = read_options(model, format, assembly);
   options.max_input = max_input;
   const nb::gil_scoped_release no_gil;
   Structure structure = read_structure(path, options);
@@ -53,8 +64,9 @@ Structure read(const std::filesystem::path& path, std::int64_t model,
 }
 
 Structure read_text(std::string_view text, std::string_view name, std::int64_t model,
-                    const std::optional<std::string>& format, bool perceive_bonds) {
-  const ReadOptions options = read_options(model, format);
+                    const std::optional<std::string>& format, bool perceive_bonds,
+                    const nb::object& assembly) {
+  const ReadOptions options = read_options(model, format, assembly);
   const nb::gil_scoped_release no_gil;
   Structure structure = read_structure(SourceText{name, text}, options);
   BondOptions bonding;
@@ -133,6 +145,9 @@ perceive_bonds : bool
     Add bonds that the file does not state: residue templates, links, distances.
 max_input : int
     Bytes that the file may have, and expand to, at most 2^32. What is larger is refused.
+assembly : int or str, optional
+    Name of a biological assembly that the file states (``Structure.assemblies``), to be made: PDB
+    (REMARK 350) and mmCIF. Chains that are there several times get names of their own.
 
 Raises
 ------
@@ -141,7 +156,7 @@ InputError
 FileError
     The file cannot be read.
 OptionError
-    No such format or model.
+    No such format, model or assembly.
 
 Warns
 -----
@@ -177,9 +192,18 @@ void bind_molecule(nb::module_& module) {
       .def("framework", &framework_of, "bars"_a = "bonds", "lengths"_a = "geometry", "pin"_a = "",
            nb::kw_only(), "use_masses"_a = true, framework_doc);
   module.def("read", &read, "path"_a, "model"_a = 1, "format"_a = nb::none(), nb::kw_only(),
-             "perceive_bonds"_a = true, "max_input"_a = std::uint64_t{usual_text}, read_doc);
+             "perceive_bonds"_a = true, "max_input"_a = std::uint64_t{usual_text},
+             "assembly"_a = nb::none(),
+             nb::sig("def read(path: str | os.PathLike, model: int = 1, format: str | None = None, "
+                     "*, perceive_bonds: bool = True, max_input: int = 2000000000, "
+                     "assembly: int | str | None = None) -> Structure"),
+             read_doc);
   module.def("read_text", &read_text, "text"_a, "name"_a = "text", "model"_a = 1,
              "format"_a = nb::none(), nb::kw_only(), "perceive_bonds"_a = true,
+             "assembly"_a = nb::none(),
+             nb::sig("def read_text(text: str, name: str = \"text\", model: int = 1, "
+                     "format: str | None = None, *, perceive_bonds: bool = True, "
+                     "assembly: int | str | None = None) -> Structure"),
              "The same for text in memory; ``name`` stands in messages and gives the extension.");
 }
 

@@ -7,9 +7,7 @@
 #include "frame.hpp"
 #include "locked.hpp"
 #include "messages.hpp"
-#include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/base/version.hpp"
 #include "pliant/laboratory/recorded_inputs.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/run/run.hpp"
@@ -22,17 +20,6 @@ void bind_topology(nb::module_& module);
 void bind_checkpoint(nb::module_& module);
 
 namespace {
-
-H5mdHeader header_of(const Structure* structure) {
-  H5mdHeader header;
-  header.creator_version = version();
-  if (structure == nullptr) return header;
-  header.bonds = recorded_bonds(*structure);
-  header.bond_origin_names.assign(bond_origin_names.begin(), bond_origin_names.end());
-  for (std::uint8_t element : structure->atoms.elements)
-    header.masses.push_back(element_mass(element));
-  return header;
-}
 
 /// True and False are integers to Python, so they come first.
 Parameter parameter_from(const std::string& path, nb::handle value) {

@@ -3,12 +3,16 @@
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/variant.h>
 
+#include <optional>
 #include <variant>
 
 #include "arrays.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/base/choices.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
+#include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/ensemble_amplitude.hpp"
 #include "pliant/model/model.hpp"
@@ -18,6 +22,7 @@
 #include "pliant/sample/network_modes.hpp"
 #include "pliant/sample/sample.hpp"
 #include "pliant/sample/samplers.hpp"
+#include "recorded_bonds.hpp"
 #include "structure.hpp"
 #include "tables.hpp"
 
@@ -56,7 +61,8 @@ MolecularModel model_from(const nb::handle& argument, const std::string& model) 
 using AskedAmplitude = std::variant<double, std::filesystem::path>;
 
 AmplitudeChoice amplitude_of(const AskedAmplitude& asked, const Structure& structure) {
-  if (const double* value = std::get_if<double>(&asked)) return {*value, "given", "as given"};
+  if (const double* value = std::get_if<double>(&asked))
+    return choose_amplitude(shortest_text(*value), structure, python_log());
   const std::filesystem::path& path = std::get<std::filesystem::path>(asked);
   if (path.extension() == ".h5md" || path.extension() == ".h5")
     return trajectory_amplitude(H5mdReader(path, {"", python_log()}), path.string(), structure,
@@ -64,11 +70,67 @@ AmplitudeChoice amplitude_of(const AskedAmplitude& asked, const Structure& struc
   return choose_amplitude(path.string(), structure, python_log());
 }
 
+/// Where frames are written besides.
+struct Output {
+  std::optional<std::filesystem::path> path;
+  H5mdOptions options;
+};
+
+Output output_from(const std::optional<std::filesystem::path>& path, bool overwrite, bool single,
+                   bool compress) {
+  if (path && path->extension() != ".h5md" && path->extension() != ".h5")
+    throw OptionError("output: " + path->string() +
+                      ": expected a name that ends in .h5md; pliant.convert writes other formats");
+  return {path,
+          {.single = single,
+           .compress = compress,
+           .overwrite = overwrite,
+           .log = unraisable_python_log()}};
+}
+
+H5mdHeader header_of_sample(const MolecularModel& model, const AmplitudeChoice& amplitude,
+                            const NetworkNodes& nodes, const SampleOptions& options,
+                            const H5mdOptions& recording) {
+  H5mdHeader header = header_of(&model.structure);
+  header.inputs = recorded_inputs(model.positions, nodes);
+  header.parameters = parameters_of(options);
+  const std::string file = std::filesystem::path(model.structure.source).filename().string();
+  header.parameters.insert(header.parameters.end(),
+                           {{"input/file", file},
+                            {"sample/amplitude_from", amplitude.source},
+                            {"sample/amplitude_reason", amplitude.reason},
+                            {"model/kind", std::string(entry(model.kind).name)},
+                            {"record/single", recording.single},
+                            {"record/compress", recording.compress}});
+  return header;
+}
+
+/// Needs the GIL not to be held.
+void fill(SampledEnsemble& out, const SampleOptions& options, const Output& output,
+          InterruptWatch& watch) {
+  const MolecularModel& model = out.model;
+  const NetworkNodes nodes = nodes_of(model.structure);
+  std::optional<H5mdRecorder> recorder;
+  if (output.path)
+    recorder.emplace(*output.path, model.framework,
+                     header_of_sample(model, out.amplitude, nodes, options, output.options),
+                     output.options);
+  out.summary =
+      sample(model.framework, model.positions, nodes, options, [&](const SampledFrame& frame) {
+        if (recorder) recorder->record(recorded_frame(frame));
+        out.positions.insert(out.positions.end(), frame.positions.begin(), frame.positions.end());
+        return watch();
+      });
+  if (recorder) recorder->close();
+}
+
 SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
                             const AskedAmplitude& amplitude, std::uint64_t seed, int threads,
                             const std::string& network, const std::string& sampler,
-                            std::int64_t first_frame, double temperature,
-                            const std::string& model) {
+                            std::int64_t first_frame, double temperature, const std::string& model,
+                            const std::optional<std::filesystem::path>& path, bool overwrite,
+                            bool single, bool compress) {
+  const Output output = output_from(path, overwrite, single, compress);
   SampledEnsemble out{model_from(structure, model), {}, {}, {}};
   out.amplitude = amplitude_of(amplitude, out.model.structure);
   InterruptWatch watch;
@@ -81,17 +143,38 @@ SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
   options.network = network;
   options.sampler = sampler;
   options.temperature = temperature;
+  check(options);
   {
     const nb::gil_scoped_release no_gil;
-    out.summary = sample(out.model.framework, out.model.positions, nodes_of(out.model.structure),
-                         options, [&](const SampledFrame& frame) {
-                           out.positions.insert(out.positions.end(), frame.positions.begin(),
-                                                frame.positions.end());
-                           return watch();
-                         });
+    fill(out, options, output, watch);
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
   return out;
+}
+
+SampleSummary continue_from(const std::filesystem::path& path, std::optional<std::int64_t> frames,
+                            int threads, double flush_seconds, bool durable) {
+  const Log log = python_log();
+  H5mdOptions recording{.flush_seconds = flush_seconds, .durable = durable};
+  recording.log = unraisable_python_log();
+  InterruptWatch watch;
+  SampleSummary summary;
+  {
+    const nb::gil_scoped_release no_gil;
+    const H5mdCheckpoint from = read_checkpoint(path, frames, log);
+    if (!from.is_sample())
+      throw InputError(path.string() + ": holds steps of a run: continue_run goes on with them");
+    if (from.done > from.steps)
+      throw OptionError("frames = " + std::to_string(from.steps) + ": " + path.string() + " has " +
+                        std::to_string(from.done) + " frames already");
+    SampleOptions options = sample_options_from(from);
+    options.threads = threads;
+    check(options);
+    if (from.done < from.steps)
+      summary = add_frames(from, options, recording, [&](const SampledFrame&) { return watch(); });
+  }
+  if (watch.raised()) std::rethrow_exception(watch.raised());
+  return summary;
 }
 
 using Frames = nb::ndarray<nb::numpy, double, nb::shape<-1, -1, 3>, nb::c_contig>;
@@ -146,6 +229,10 @@ temperature : float
     T of sampler ``dilute`` (kJ/mol).
 model : str
     A name in ``models()``; empty: ``protein`` where there are residues, else ``molecule``.
+output : str or path, optional
+    H5MD file to write besides; ``continue_sample`` goes on with it.
+overwrite, single, compress : bool
+    As for ``H5mdRecorder``.
 
 Returns
 -------
@@ -159,6 +246,44 @@ OptionError
 InputError
     Where a file of models has others than these residues, or one model only;
     as ``build_model``, or where the start of a model is not whole.
+FileError
+    The file exists (and ``overwrite`` is false) or cannot be written.
+)";
+
+constexpr const char* continue_doc =
+    R"(Goes on with the frames of an H5MD file, as if it had never stopped.
+
+The file holds the framework, where frames start and every option, after the end of ``sample`` or
+``pliant sample``, Ctrl-C or a crash. Frames are added to it. Together they have the bits of one
+sample without an end between. The last frame that is there is made once more, to see that it comes
+out the same.
+
+Parameters
+----------
+path : str or path
+    A file that ``sample`` or the command has written.
+frames : int, optional
+    How many frames there are to be in all, those in the file included. Default: as many as it was
+    asked for.
+threads : int
+    From 1; changes no result.
+flush_seconds, durable
+    As for ``H5mdRecorder``.
+
+Returns
+-------
+SampleSummary
+    Of the frames that were added. Figures on atoms look at the last frame from before, too.
+
+Raises
+------
+InputError
+    The file does not say how its sample goes on, or holds a run.
+OptionError
+    The file has more frames than ``frames``.
+FileError
+    The file cannot be written, is being written, or was written by a version of Pliant whose
+    frames have other bits.
 )";
 
 constexpr const char* modes_doc =
@@ -187,44 +312,56 @@ OptionError
     No such network, or fewer than two nodes.
 )";
 
-void bind_ensemble_class(nb::module_& module) {
-  using E = SampledEnsemble;
-  nb::class_<E>(module, "SampledEnsemble", "Frames of a molecule, and how exact they are.")
-      .def_ro("model", &E::model, "What was sampled.")
-      .def_prop_ro("positions", &frames_of, "(F, N, 3) float64 view, Angstrom.")
+const SampleSummary& summary_of(const SampledEnsemble& self) { return self.summary; }
+const SampleSummary& summary_of(const SampleSummary& self) { return self; }
+
+/// What an ensemble and its summary both tell.
+template <class T>
+void bind_summary(nb::class_<T>& to) {
+  to.def_prop_ro(
+        "redrawn", [](const T& self) { return summary_of(self).redrawn; },
+        "Frames whose first draw could not be resolved.")
       .def_prop_ro(
-          "redrawn", [](const E& self) { return self.summary.redrawn; },
-          "Frames whose first draw could not be resolved.")
-      .def_prop_ro(
-          "failed", [](const E& self) { return self.summary.failed; },
+          "failed", [](const T& self) { return summary_of(self).failed; },
           "Frames that no draw gave; they are left out.")
       .def_prop_ro(
-          "amplitude_reached", [](const E& self) { return self.summary.amplitude_reached; },
+          "amplitude_reached", [](const T& self) { return summary_of(self).amplitude_reached; },
           "Mean r.m.s. fluctuation of residues in the frames, superposed (Angstrom).")
       .def_prop_ro(
-          "amplitude_asked", [](const E& self) { return self.amplitude.value; },
-          "Mean r.m.s. fluctuation of residues that was asked for (Angstrom).")
-      .def_prop_ro(
-          "amplitude_reason", [](const E& self) { return self.amplitude.reason; },
-          "Where the amplitude that was asked for is from, in words.")
-      .def_prop_ro(
-          "max_residual", [](const E& self) { return self.summary.max_residual; },
+          "max_residual", [](const T& self) { return summary_of(self).max_residual; },
           "Worst bar of all frames: abs(length - rest) / rest.")
       .def_prop_ro(
-          "max_limit", [](const E& self) { return self.summary.max_limit; },
+          "max_limit", [](const T& self) { return summary_of(self).max_limit; },
           "Largest distance of a contact outside its interval (Angstrom).")
       .def_prop_ro(
-          "max_overlap", [](const E& self) { return self.summary.max_overlap; },
+          "max_overlap", [](const T& self) { return summary_of(self).max_overlap; },
           "Largest overlap of two atoms (Angstrom).")
       .def_prop_ro(
-          "rmsf", [](const E& self) { return array_of(self.summary.rmsf); },
+          "rmsf", [](const T& self) { return array_of(summary_of(self).rmsf); },
           nb::rv_policy::reference,
           "(N,) float64: r.m.s. fluctuation of each atom about its mean, frames superposed "
           "(Angstrom).")
       .def_prop_ro(
-          "rmsf_error", [](const E& self) { return array_of(self.summary.rmsf_error); },
+          "rmsf_error", [](const T& self) { return array_of(summary_of(self).rmsf_error); },
           nb::rv_policy::reference,
           "(N,) float64: half the difference between halves of the frames (Angstrom).");
+}
+
+void bind_ensemble_class(nb::module_& module) {
+  nb::class_<SampleSummary> summary(module, "SampleSummary", "What sampling did.");
+  summary.def_ro("frames", &SampleSummary::frames, "Frames made.");
+  bind_summary(summary);
+  nb::class_<SampledEnsemble> ensemble(module, "SampledEnsemble",
+                                       "Frames of a molecule, and how exact they are.");
+  ensemble.def_ro("model", &SampledEnsemble::model, "What was sampled.")
+      .def_prop_ro(
+          "amplitude_asked", [](const SampledEnsemble& self) { return self.amplitude.value; },
+          "Mean r.m.s. fluctuation of residues that was asked for (Angstrom).")
+      .def_prop_ro(
+          "amplitude_reason", [](const SampledEnsemble& self) { return self.amplitude.reason; },
+          "Where the amplitude that was asked for is from, in words.")
+      .def_prop_ro("positions", &frames_of, "(F, N, 3) float64 view, Angstrom.");
+  bind_summary(ensemble);
 }
 
 }  // namespace
@@ -250,12 +387,18 @@ void bind_sample(nb::module_& module) {
              "amplitude"_a = AskedAmplitude(usual.amplitude), "seed"_a = usual.seed,
              "threads"_a = usual.threads, "network"_a = usual.network, "sampler"_a = usual.sampler,
              "first_frame"_a = usual.first_frame, "temperature"_a = usual.temperature,
-             "model"_a = "",
+             "model"_a = "", "output"_a = nb::none(), "overwrite"_a = false, "single"_a = false,
+             "compress"_a = false,
              nb::sig("def sample(structure: Structure | MolecularModel, frames: int = 200, *, "
                      "amplitude: float | str | os.PathLike = 1.4, seed: int = 0, threads: int = 1, "
                      "network: str = \"shared\", sampler: str = \"modes\", first_frame: int = 0, "
-                     "temperature: float = 12.552, model: str = \"\") -> SampledEnsemble"),
+                     "temperature: float = 12.552, model: str = \"\", "
+                     "output: str | os.PathLike[str] | None = None, overwrite: bool = False, "
+                     "single: bool = False, compress: bool = False) -> SampledEnsemble"),
              sample_doc);
+  module.def("continue_sample", &continue_from, "path"_a, "frames"_a = nb::none(), nb::kw_only(),
+             "threads"_a = usual.threads, "flush_seconds"_a = 1.0, "durable"_a = false,
+             continue_doc);
 }
 
 }  // namespace pliant::python

@@ -196,6 +196,9 @@ void bind_facts(nb::class_<Structure>& structure) {
       .def_prop_ro(
           "source", [](const Structure& self) { return text_object(self.source); },
           nb::sig("def source(self) -> str"), "Name of the file it was read from.")
+      .def_prop_ro(
+          "assemblies", [](const Structure& self) { return self.assemblies; },
+          "Names of the biological assemblies that the file states; see ``read``.")
       .def_ro("format", &Structure::format, "Name of the file's format.")
       .def_ro("model", &Structure::model, "Which model or frame this is, from 1.")
       .def_ro("model_count", &Structure::model_count, "Models or frames in the file.")

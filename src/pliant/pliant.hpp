@@ -53,6 +53,7 @@
 #include "pliant/framework/framework.hpp"        // Framework, State
 #include "pliant/framework/graph.hpp"            // components, cycles, bridges, blocks
 #include "pliant/framework/joint_names.hpp"      // how text files speak of joints
+#include "pliant/framework/limit_counts.hpp"     // how many of them hold
 #include "pliant/framework/limits.hpp"           // distances held to intervals
 #include "pliant/framework/residual.hpp"         // length errors, violations and tolerances
 #include "pliant/framework/sterics.hpp"          // how near joints may come
@@ -113,5 +114,6 @@
 #include "pliant/laboratory/make_test_set.hpp"    // of random graphs
 #include "pliant/laboratory/read_test_set.hpp"    // from folders
 #include "pliant/laboratory/recorded_inputs.hpp"  // what a run was given, as files keep it
+#include "pliant/laboratory/recorded_sample.hpp"  // a sample, as files keep it
 #include "pliant/laboratory/test_results.hpp"     // what a heuristic did with the forces of a graph
 #include "pliant/laboratory/test_set.hpp"         // the test sets of the thesis

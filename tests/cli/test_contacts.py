@@ -6,7 +6,9 @@ import io
 import json
 from pathlib import Path
 
+import numpy as np
 import pytest
+from h5md_contents import contents
 
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
@@ -14,6 +16,7 @@ import MDAnalysisTests
 DATA = Path(MDAnalysisTests.__file__).parent / "data"
 OPEN = DATA / "adk_open.pdb"
 XRAY = DATA / "1a28.pdb.gz"
+TRYPSIN_INHIBITOR = DATA / "mmcif" / "5PTI.cif.gz"
 
 HISTIDINE = """\
 ATOM      1  CB  HIS A   7      -1.500   0.000   0.000  1.00  0.00           C
@@ -132,3 +135,35 @@ def test_info_says_what_is_missing(pliant):
     assert facts["found"] == ["waters: 180", "ligands: A:STR1, B:STR2"]
     assert facts["missing"][0].startswith("hydrogens: of ")
     assert "missing     hydrogens: of " in pliant("info", XRAY).out
+
+
+@pytest.mark.parametrize("form", ["--csv", "--json"])
+def test_contacts_given_back_give_the_same_bits(pliant, tmp_path, form):
+    """The list goes out and comes in again: the same limits, the same frames."""
+    common = ("--frames", 2, "--quiet", "--topology", "none")
+    (tmp_path / "contacts.txt").write_text(pliant("contacts", TRYPSIN_INHIBITOR, form).out)
+    pliant("sample", TRYPSIN_INHIBITOR, "-o", "found.h5md", *common)
+    ended = pliant(
+        "sample", TRYPSIN_INHIBITOR, "-o", "given.h5md", "--contacts", "contacts.txt", *common
+    )
+    assert ended.code == 0, ended.err
+    found, given = contents(tmp_path / "found.h5md"), contents(tmp_path / "given.h5md")
+    assert len(found["parameters/limit/most"]) > 100
+    for name, value in found.items():
+        if name != "parameters/model/contacts":
+            assert np.array_equal(value, given[name]), name
+
+
+def test_contacts_left_out_of_the_json_are_not_held(pliant, tmp_path):
+    listed = json.loads(pliant("contacts", OPEN, "--json").out)
+    listed["contacts"] = [c for c in listed["contacts"] if c["kind"] != "hydrophobic"]
+    (tmp_path / "edited.json").write_text(json.dumps(listed, indent=1))
+    ended = pliant("contacts", OPEN, "--contacts", "edited.json", "--json")
+    assert json.loads(ended.out) == listed
+
+
+def test_a_wrong_object_is_named(pliant, tmp_path):
+    (tmp_path / "wrong.json").write_text('{"contacts": [\n {"kind": "hydrophobic", "a": 0}\n]}')
+    ended = pliant("contacts", OPEN, "--contacts", "wrong.json")
+    assert ended.code == 1
+    assert ended.err.splitlines()[-1] == 'pliant: error: wrong.json:2: there is no "b"'

@@ -194,3 +194,17 @@ def test_functions_are_short(record_property):
             if f.length > LONGEST_FUNCTION
         ]
     )
+
+
+def test_tests_that_run_side_by_side_share_no_file():
+    """A name in the folder of all temporary files is taken by two tests at once."""
+    shared = re.compile(r"\bTempDir\(\)|\btemp_directory_path\(\)")
+    refuse(
+        [
+            f"{place(path, number)}: files of a test: support/temp_directory.hpp: {line.strip()}"
+            for path in files(*CPP, folders=("tests",))
+            if path.name != "temp_directory.hpp"
+            for number, line in numbered_lines(path)
+            if shared.search(line)
+        ]
+    )

@@ -2,7 +2,6 @@
 // What is const may be used by several threads at once, and what is each thread's own has nothing
 // to do with that of others. The thread sanitizer sees whether this is so.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <filesystem>
 #include <thread>
@@ -16,6 +15,7 @@
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
+#include "support/temp_directory.hpp"
 
 namespace pliant {
 namespace shared_things_test {
@@ -70,9 +70,7 @@ TEST(SharedThings, OneFrameworkServesAllTechniques) {
 }
 
 TEST(SharedThings, EachThreadRecordsAndReadsAFile) {
-  const auto folder = std::filesystem::temp_directory_path() /
-                      ("pliant_shared_things_" + std::to_string(::getpid()));
-  std::filesystem::create_directory(folder);
+  const test::TempDirectory folder;
   const Sketch sketch = ring(6);
   const Framework framework = framework_of(sketch);
   std::vector<std::int64_t> frames(thread_count);
@@ -91,7 +89,6 @@ TEST(SharedThings, EachThreadRecordsAndReadsAFile) {
     for (std::int64_t frame = 0; frame < reader.frames(); ++frame)
       frames[static_cast<std::size_t>(number)] += reader.positions(frame).size() == 6 ? 1 : 0;
   });
-  std::filesystem::remove_all(folder);
   EXPECT_EQ(frames, std::vector<std::int64_t>(thread_count, 51));
 }
 

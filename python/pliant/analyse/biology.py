@@ -64,7 +64,7 @@ def flexibility_stage(study: Study) -> None:
     moved = superpose_all(study.some_positions(chosen), fitted)
     moved = moved[:, np.searchsorted(chosen, units.atoms)]
     study.flexibility = flexibility(moved, units.unit, frame_blocks(study))
-    if len(units.labels) < 4 or not study.flexibility.rmsf.any():
+    if len(units.labels) < 4 or study.flexibility.still:
         return
     sites = units.sites(moved)[:, :: study.site_stride]
     study.correlations = correlations(sites)

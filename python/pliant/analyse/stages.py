@@ -24,6 +24,7 @@ from pliant.analysis import (
     TorsionDistributions,
     read_record,
 )
+from pliant.analysis.flexibility import STILL
 from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.stored import StoredPositions
 
@@ -209,13 +210,22 @@ def _torsions(study: Study, runner: Runner) -> None:
 def _principal_components(study: Study, runner: Runner) -> None:
     if len(study.frames) < 3:
         raise ValueError("it needs at least 3 frames")
+    if study.rmsf is not None:
+        fitted = np.isin(study.atoms.ix, study.fitted.ix)
+        if np.all(study.rmsf.results.rmsf[fitted] < STILL):
+            raise ValueError("nothing moves")
     size = 24 * len(study.fitted) * len(study.frames)
     study.pca_stride = -(-size // PCA_BYTES)
     if len(study.frames) < 3 * study.pca_stride:
         raise ValueError("too many atoms: choose fewer with --superpose")
     if study.pca_stride > 1:
         study.notes.append(f"PCA uses every {study.pca_stride}th frame, to fit into memory")
-    pca = PrincipalComponents(study.fitted, mass_weighted=study.options.mass_weighted)
+    found = study.rmsf if not study.options.mass_weighted and study.pca_stride == 1 else None
+    pca = PrincipalComponents(
+        study.fitted,
+        mass_weighted=study.options.mass_weighted,
+        average=found.results.fitted_average if found else None,
+    )
     if len(runner.run(pca, study.pca_stride).eigenvalues) == 0:
         raise ValueError("the atoms do not move")
     study.pca = pca

@@ -80,6 +80,13 @@ def _cells(column: Any) -> list[Any]:
     return [harmless(cell) for cell in (column.tolist() if hasattr(column, "tolist") else column)]
 
 
+#: observables of a recording that go into the table of frames as they are
+RECORDED = (
+    "sweeps", "projections", "root_joint", "redraws", "contacts_held", "contacts_broken",
+    "contacts_off",
+)  # fmt: skip
+
+
 def frame_columns(study: Study) -> Columns:
     """One row per frame analysed."""
     columns: Columns = {"frame": study.frames}
@@ -88,7 +95,7 @@ def frame_columns(study: Study) -> Columns:
     columns["time_ps"] = study.times
     if study.residuals is not None:
         columns |= _residual_columns(study)
-    for name in ("sweeps", "projections", "root_joint"):
+    for name in RECORDED:
         if study.observable(name) is not None:
             columns[name] = study.observable(name)
     if study.rmsd is not None:

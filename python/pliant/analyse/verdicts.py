@@ -26,6 +26,11 @@ MOST_OVERLAP = 0.4
 #: share of residues outside the allowed regions that frames may have beyond the start structure
 MORE_OUTLIERS = 0.01
 
+#: share of frames that may have been drawn again
+MOST_DRAWN_AGAIN = 0.05
+#: so many of them are named
+NAMED = 10
+
 #: where frames reached less than this share of the amplitude asked for, the verdict is a warning
 LEAST_REACHED = 0.5
 
@@ -103,8 +108,8 @@ def verdicts(study: Study) -> dict[str, Verdict]:
         "stereochemistry": _stereochemistry(study),
         "bars": verdict(study),
     }
-    amplitude = _amplitude(study)
-    return made | ({"amplitude": amplitude} if amplitude else {})
+    more = {"amplitude": _amplitude(study), "draws": _draws(study)}
+    return made | {name: one for name, one in more.items() if one is not None}
 
 
 def whole(study: Study) -> Verdict:
@@ -143,6 +148,11 @@ def _convergence(study: Study) -> Verdict:
         return Verdict(
             "open", "Convergence cannot be judged.", _sentence(study.skipped.get("flexibility", ""))
         )
+    if found.still:
+        return Verdict(
+            "mixed", "Nothing moves.",
+            f"Nothing fluctuates by more than {found.rmsf.max():.1g} Å: all frames are alike.",
+        )  # fmt: skip
     details = (
         f"Profiles of the two halves of the frames correlate by {found.correlation:.3f} and differ "
         f"by {100 * found.difference:.0f} % on average (converged: 0.95 and more, 10 % and less). "
@@ -186,11 +196,32 @@ def _amplitude(study: Study) -> Verdict | None:
         "Mean RMSF after superposition. It is an input: which parts move more than others is a "
         "result, how far they move on the whole is not."
     )
-    missing = _missing_frames(study)
-    if missing:
-        details += f" {missing} frames could not be resolved and are left out."
     kind = "mixed" if reached < LEAST_REACHED * float(asked) else "open"
     return Verdict(kind, sentence, details)
+
+
+def _draws(study: Study) -> Verdict | None:
+    """Which frames are none of the first draw, and so not quite what the network asked for."""
+    redraws = study.observable("redraws")
+    if redraws is None or study.kind != ENSEMBLE:
+        return None
+    again, count = study.frames[redraws > 0], len(redraws)
+    if len(again) == 0:
+        sentence, details = f"Each of {count} frames is as it was first drawn.", ""
+    else:
+        sentence = f"{len(again)} of {count} frames were drawn again."
+        named = ", ".join(str(frame) for frame in again[:NAMED])
+        more = f" and {len(again) - NAMED} more" if len(again) > NAMED else ""
+        details = (
+            f"What their first draw asked for could not be resolved: frames {named}{more}. They "
+            f"took {int(redraws.max()) + 1} draws at most, and the ensemble has less of what was "
+            "asked for there."
+        )
+    missing = _missing_frames(study)
+    if missing:
+        details += f" {missing} frames could not be resolved at all and are left out."
+    share = (len(again) + missing) / (count + missing)
+    return Verdict("good" if share <= MOST_DRAWN_AGAIN else "mixed", sentence, details.strip())
 
 
 def _missing_frames(study: Study) -> int:

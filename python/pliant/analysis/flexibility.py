@@ -18,6 +18,9 @@ MOST_DIFFERENCE = 0.10
 LENGTHS_A_BLOCK = 10
 MOST_BLOCKS = 10
 
+#: units that fluctuate by less do not move: Angstrom, the last digit of a PDB file
+STILL = 1e-3
+
 #: degrees of freedom that the error common to all units counts for, beside a unit's own
 PRIOR_FREEDOM = 6
 
@@ -32,6 +35,11 @@ class Flexibility:
     blocks: int  #: number of blocks of frames that the error comes from
     correlation: float  #: Pearson's r of the two halves; 1 where there is a single unit
     difference: float  #: mean |difference| of the halves over their mean
+
+    @property
+    def still(self) -> bool:
+        """Whether nothing moves."""
+        return bool(np.all(self.rmsf < STILL))
 
     @property
     def converged(self) -> bool:

@@ -25,7 +25,8 @@ class Rmsf(FrameAnalysis):
 
     The average is found by iteration: the frames are superposed on the first of them, averaged,
     superposed on that average, and so on until the average rests. Each iteration is a pass over
-    the trajectory; three or four are usual.
+    the trajectory; three or four are usual. If other atoms are fitted than measured, these passes
+    look at the fitted ones only, and one more pass measures.
 
     Parameters
     ----------
@@ -38,7 +39,7 @@ class Rmsf(FrameAnalysis):
     superpose : bool
         False: take the coordinates as they are, in one pass.
     max_iterations : int
-        Passes over the trajectory at most.
+        Passes over the fitted atoms at most.
 
     Attributes
     ----------
@@ -53,9 +54,9 @@ class Rmsf(FrameAnalysis):
     results.fitted_average : (m, 3)
         That of the fitted atoms; a reference to superpose on.
     results.iterations : int
-        Passes done.
+        Passes done over the fitted atoms.
     results.average_converged : bool
-        The last pass moved the average by less than 1e-5 Angstrom.
+        The last of them moved the average by less than 1e-5 Angstrom.
     """
 
     _merge: ClassVar[Mapping[str, Merge]] = {"count": summed, "shift": summed, "square": summed}
@@ -88,49 +89,59 @@ class Rmsf(FrameAnalysis):
     ) -> Self:
         """Runs the passes; arguments as for AnalysisBase.run."""
         first = _first_frame(self._trajectory, start, stop, step, frames)
-        self._reference = np.concatenate(
-            [reference_positions(self._atoms, first), reference_positions(self._fitted, first)]
-        )
+        selected: dict[str, Any] = {"start": start, "stop": stop, "step": step, "frames": frames}
+        reference = reference_positions(self._fitted, first)
         converged = False
         iterations = 0
         while not converged and iterations < self._max_iterations:
             iterations += 1
-            super().run(start=start, stop=stop, step=step, frames=frames, **kwargs)
-            moved = self._average[len(self._atoms) :] - self._reference[len(self._atoms) :]
+            self._pass(self._fitted, reference, reference, **selected, **kwargs)
+            moved = self.results.average - reference
             converged = not self._superpose or _rms(moved) < AVERAGE_TOLERANCE
-            self._reference = self._average
+            reference = self.results.average
+        if self._fitted != self._atoms:
+            nearby = reference_positions(self._atoms, first)
+            self._pass(self._atoms, nearby, reference, **selected, **kwargs)
+        self.results.fitted_average = reference
         self.results.iterations = iterations
         self.results.average_converged = converged
         return self
 
+    def _pass(
+        self, measured: AtomGroup, nearby: np.ndarray, reference: np.ndarray, **kwargs: Any
+    ) -> None:
+        """Measures atoms that are not far from `nearby`, fitted on `reference`."""
+        self._measured = measured
+        self._nearby = nearby
+        self._reference = reference
+        super().run(**kwargs)
+
     def _prepare(self) -> None:
-        n = len(self._reference)
+        n = len(self._nearby)
         self.results.count = np.zeros(())
         self.results.shift = np.zeros((n, 3))
         self.results.square = np.zeros((n, 3))
-        self._superposition = Superposition(self._reference[len(self._atoms) :], self._weights)
+        self._superposition = Superposition(self._reference, self._weights)
 
     def _single_frame(self) -> None:
-        fitted = self._fitted.positions.astype(np.float64)
-        positions = np.concatenate([self._atoms.positions.astype(np.float64), fitted])
+        positions = self._measured.positions.astype(np.float64)
         if self._superpose:
+            same = self._measured is self._fitted
+            fitted = positions if same else self._fitted.positions.astype(np.float64)
             positions = self._superposition.apply(positions, fitted)
         # Sums of deviations from a point near the mean keep all digits of the variance.
-        deviation = positions - self._reference
+        deviation = positions - self._nearby
         self.results.count += 1.0
         self.results.shift += deviation
         self.results.square += deviation**2
 
     def _conclude(self) -> None:
-        n = len(self._atoms)
         mean = self.results.shift / self.results.count
-        self._average = self._reference + mean
         variance = np.maximum(self.results.square / self.results.count - mean**2, 0.0)
-        self.results.average = self._average[:n]
-        self.results.fitted_average = self._average[n:]
-        self.results.rmsf = np.sqrt(variance[:n].sum(axis=1))
+        self.results.average = self._nearby + mean
+        self.results.rmsf = np.sqrt(variance.sum(axis=1))
         self.results.residues, self.results.residue_rmsf = per_residue(
-            self._atoms.resindices, self.results.rmsf
+            self._measured.resindices, self.results.rmsf
         )
 
 

@@ -11,6 +11,7 @@ from pliant.check import contest as side_by_side
 from pliant.check.check_record import Remeasured
 from pliant.check.contest import Method
 from pliant.check.findings import FAILED, Finding
+from pliant.check.force_field.minimised import ForceFieldReport
 from pliant.check.recording import Recording
 from pliant.check.sample import Sample
 
@@ -28,6 +29,7 @@ class CheckReport:
     tolerance: float  #: relative, at which bars were repaired side by side
     notes: list[str] = field(default_factory=list)
     picture: str | None = None
+    force_field: ForceFieldReport | None = None  #: what minimising found; None if not asked for
 
     @property
     def passed(self) -> bool:
@@ -53,6 +55,7 @@ class CheckReport:
             },
             "checks": [finding.as_json() for finding in self.findings],
             "side_by_side": side_by_side.as_json(self.methods),
+            "force_field": None if self.force_field is None else self.force_field.as_json(),
             "notes": self.notes,
             "picture": self.picture,
         }

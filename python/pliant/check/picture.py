@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.ticker import LogLocator, NullLocator
 
+from pliant.check.force_field.figure import draw_energies, draw_moves
 from pliant.plotting import BLUE, DASHED, GREY, PALETTE, VERMILION, figure, save
 
 if TYPE_CHECKING:
@@ -23,7 +24,8 @@ MARKERS = "osD^v"
 
 def draw(report: CheckReport, path: str) -> None:
     """Draws the report as a PNG."""
-    rows = 2 if report.methods else 1
+    minimised = report.force_field if report.force_field and report.force_field.usable else None
+    rows = 1 + bool(report.methods) + (minimised is not None)
     with figure(rows, 2, title=_title(report)) as (plot, axes):
         _draw_residuals(axes[0][0], report)
         _draw_moves(axes[0][1], report)
@@ -32,6 +34,9 @@ def draw(report: CheckReport, path: str) -> None:
             _draw_left(axes[1][1], report)
             handles, names = axes[1][0].get_legend_handles_labels()
             plot.legend(handles, names, loc="outside lower center", ncols=3, frameon=False)
+        if minimised is not None:
+            draw_energies(axes[-1][0], minimised)
+            draw_moves(axes[-1][1], minimised)
         save(plot, path)
 
 

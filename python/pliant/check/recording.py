@@ -40,12 +40,14 @@ class Recording:
     path: str
     bars: np.ndarray  #: (B, 2) joints, from 0
     rest_lengths: np.ndarray  #: (B,)
+    bonds: np.ndarray  #: (C, 2) joints that are bonded atoms; empty if the file does not say
     masses: np.ndarray  #: (N,)
     pinned: np.ndarray  #: (N,) bool
     steps: np.ndarray  #: (F,)
     observables: dict[str, np.ndarray]  #: name -> (F,)
     options: dict[str, Any]  #: "technique" -> its value, from /parameters/run
     angle_bars: bool  #: bars were made of angles too
+    is_ensemble: bool  #: frames of `pliant sample`: each is drawn, none is made of the one before
     single: bool  #: positions are stored as 32-bit floats
     to_angstrom: float
     names: list[str]  #: (N) of the atoms; empty if the file has none
@@ -173,16 +175,23 @@ def _read(parts: _Parts) -> Recording:
         path=parts.path,
         bars=bars,
         rest_lengths=rest_lengths,
+        bonds=_read_bonds(parts),
         masses=_read_masses(parts, joints),
         pinned=_read_pinned(parts, joints),
         steps=_hdf5.read(parts.step(), slice(frames)),
         observables=_read_observables(parts, frames),
         options=options,
-        angle_bars=_scalars(parts, "parameters/input").get("bars") == "angles",
+        angle_bars=_has_angle_bars(parts),
+        is_ensemble=bool(_scalars(parts, "parameters/sample")),
         single=value.dtype.itemsize < 8,
         to_angstrom=_unit_of(parts, value),
         names=_read_names(parts, joints),
     )
+
+
+def _has_angle_bars(parts: _Parts) -> bool:
+    model = _scalars(parts, "parameters/model").get("kind", "bonds")
+    return _scalars(parts, "parameters/input").get("bars") == "angles" or model != "bonds"
 
 
 def _read_names(parts: _Parts, joints: int) -> list[str]:
@@ -224,6 +233,14 @@ def _read_bars(parts: _Parts, joints: int) -> tuple[np.ndarray, np.ndarray]:
         k = int(np.argmax(bad))
         raise parts.refuse(name, "lengths above 0", f"{lengths[k]} for bar {k}")
     return bars, lengths
+
+
+def _read_bonds(parts: _Parts) -> np.ndarray:
+    bonds = _hdf5.item(parts.file, "connectivity/bonds")
+    if not _hdf5.is_array(bonds, "iu", (None, 2)):
+        return np.empty((0, 2), np.int64)
+    found: np.ndarray = _hdf5.read(bonds).astype(np.int64)
+    return found
 
 
 def _read_masses(parts: _Parts, joints: int) -> np.ndarray:

@@ -8,6 +8,7 @@ import math
 from pliant.check.check_report import CheckReport
 from pliant.check.contest import Method, Result
 from pliant.check.findings import CANNOT, FAILED, Finding
+from pliant.check.force_field import text as force_field
 from pliant.console import Table, printable_name
 
 
@@ -31,8 +32,13 @@ def print_report(report: CheckReport) -> None:
         _times_table(report.methods).print()
         print()
         _residuals_table(report.methods).print()
+    if report.force_field is not None and not report.force_field.why_not:
+        print()
+        force_field.table_of(report.force_field).print()
     notes = [note for finding in report.findings for note in finding.notes] + report.notes
     notes += [f"{m.name}: {m.description}" for m in report.methods if m.whose == "openmm"]
+    if report.force_field is not None:
+        notes += force_field.lines_of(report.force_field)
     if notes:
         print("\nnotes")
         print("\n".join(f"  {note}" for note in notes))

@@ -16,6 +16,9 @@ from pliant.check.check_frames import broken_copies, check_frames, frame_job
 from pliant.check.check_record import Remeasured, check_record, remeasure
 from pliant.check.check_report import CheckReport
 from pliant.check.contest import DISPLACEMENTS, Contest
+from pliant.check.fewer_bars import for_constraints, note_on
+from pliant.check.force_field.study import Wanted, minimise_file, why_not_file
+from pliant.check.force_field.verdicts import findings_of, skipped
 from pliant.check.recording import Recording, read_recording
 from pliant.check.sample import Sample, take_sample
 from pliant.console import progress
@@ -34,15 +37,26 @@ def check(
     displacements: Sequence[float] = DISPLACEMENTS,
     seed: int = 0,
     time_limit: float = TIME_LIMIT,
+    force_field: bool | None = None,
+    starts: int | str = Wanted.starts,
+    long_starts: int = Wanted.long_starts,
+    md_steps: int = Wanted.md_steps,
+    start: str | os.PathLike[str] | None = None,
+    total_limit: float = Wanted.total_limit,
     picture: str | os.PathLike[str] | None = None,
     quiet: bool = True,
 ) -> CheckReport:
-    """Checks a trajectory that ``pliant run`` wrote against OpenMM.
+    """Checks a trajectory that ``pliant run`` or ``pliant sample`` wrote against OpenMM.
 
     Every bar of every frame is measured in double precision. Then OpenMM, in a process of its own,
     gets some of the frames: its constraints must leave whole frames unchanged and move copies with
-    one broken bar, and its harmonic bonds must have the energy that Pliant computes. Last, frames
-    are broken at random, and Pliant's techniques and OpenMM's CCMA repair the same ones.
+    one broken bar, and its harmonic bonds must have the energy that Pliant computes. Then frames
+    of a run are broken at random, and Pliant's techniques and OpenMM's CCMA repair the same ones.
+
+    Of an ensemble of a protein OpenMM minimises frames, the structure that the ensemble began with,
+    and frames of a short MD, all alike: amber14 and implicit water (OBC2), missing hydrogens
+    placed by rule. What comes out says whether MD may start from the frames. This takes minutes;
+    results do not depend on the number of cores.
 
     Parameters
     ----------
@@ -56,6 +70,20 @@ def check(
         Seed of the displacements.
     time_limit : float
         A job of OpenMM is given up after so many seconds.
+    force_field : bool, optional
+        Whether OpenMM minimises frames; by default where the file is an ensemble of a protein, or
+        `start` is given.
+    starts : int or "all"
+        Frames that are minimised for 100 steps, spread evenly.
+    long_starts : int
+        How many of these are minimised for 500 steps.
+    md_steps : int
+        Steps of 4 fs of the MD from the start structure; 0 for none.
+    start : str or path, optional
+        The structure that the ensemble began with; by default the PDB beside the trajectory.
+    total_limit : float
+        After so many seconds of minimising no structure is begun; what there is by then is given,
+        and called partial.
     picture : str or path, optional
         Where to draw a PNG.
     quiet : bool
@@ -66,7 +94,8 @@ def check(
     ImportError
         OpenMM, or matplotlib for a picture, is not installed; the message says how to install it.
     InputError
-        The file is not a trajectory of Pliant; the message says what is missing.
+        The file is not a trajectory of Pliant, or `force_field` is true and there is no start
+        structure or no protein; the message says what is missing.
     OSError
         The file cannot be read, or the picture cannot be written.
     """
@@ -79,12 +108,34 @@ def check(
     sample = take_sample(recording, frames, remeasured.worst_frame(recording.converged))
     report = _ask_openmm(recording, sample, remeasured, displacements, seed, time_limit, quiet)
     report.findings.insert(0, check_record(recording, remeasured))
+    wanted = Wanted(starts, long_starts, md_steps, start, time_limit, total_limit)
+    if force_field is None and start is None:
+        if recording.is_ensemble:
+            _minimise_where_it_applies(report, wanted, quiet)
+    elif force_field is not False:
+        _minimise(report, wanted, quiet)
     if picture is not None:
         from pliant.check.picture import draw
 
         report.picture = os.fspath(picture)
         draw(report, report.picture)
     return report
+
+
+def _minimise_where_it_applies(report: CheckReport, wanted: Wanted, quiet: bool) -> None:
+    """Leaves the force field out, and says why, of what it is not for."""
+    why = why_not_file(report.recording.path)
+    if why:
+        report.findings += skipped(why)
+    else:
+        _minimise(report, wanted, quiet)
+
+
+def _minimise(report: CheckReport, wanted: Wanted, quiet: bool) -> None:
+    with progress("structures minimised by OpenMM", quiet) as show:
+        found = minimise_file(report.recording.path, wanted, show)
+    report.force_field = found
+    report.findings += skipped(found.why_not) if found.why_not else findings_of(found)
 
 
 def _ask_openmm(
@@ -105,21 +156,24 @@ def _ask_openmm(
             *check_energy(sample, none, none, None),
         ]
         return report
-    broken = broken_copies(sample)
+    shown = for_constraints(sample)
+    report.notes += note_on(sample, shown)
+    broken = broken_copies(shown)
     shaken = measure.displaced(sample.positions[:MOST_ENERGIES], ENERGY_DISPLACEMENT, seed)
     arena = side_by_side.prepare_contest(sample, displacements, seed + 1)
     resolved = ours.resolved_copies(recording, shaken, arena.tolerance)
-    ways = theirs.ways_for(arena)
+    ways = () if recording.is_ensemble else theirs.ways_for(arena)
     jobs = [
-        frame_job(sample, broken),
+        frame_job(shown, broken),
         energy_job(recording, np.concatenate([sample.positions, shaken, resolved])),
-        *theirs.contest_jobs(arena, ways),
+        *(theirs.contest_jobs(arena, ways) if ways else ()),
     ]
     with progress("OpenMM jobs", quiet) as show:
         outcomes, report.openmm_version = run_jobs(jobs, time_limit, show)
-    report.findings += check_frames(sample, broken, outcomes[0])
+    report.findings += check_frames(shown, broken, outcomes[0])
     report.findings += check_energy(sample, shaken, resolved, outcomes[1])
-    _hold_contest(report, arena, ways, outcomes[2:])
+    if ways:
+        _hold_contest(report, arena, ways, outcomes[2:])
     return report
 
 
@@ -140,7 +194,12 @@ def _notes_on(recording: Recording) -> list[str]:
             f"{pinned} pinned joints are free wherever bars are repaired, by us and by OpenMM, "
             "which refuses a constraint between an atom of mass 0 and another"
         )
-    if recording.angle_bars:
+    if recording.is_ensemble:
+        notes.append(
+            "frames of an ensemble are drawn, none is a repair of the one before: no race of "
+            "repairs between Pliant and OpenMM, which is for trajectories of pliant run"
+        )
+    elif recording.angle_bars:
         notes.append(
             "bars made of angles depend on each other: CCMA inverts a matrix that is then "
             "singular, so what OpenMM does with broken frames is shown, not asked for"

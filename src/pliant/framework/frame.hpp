@@ -40,6 +40,7 @@ struct Frame {
   /// (N) Angstrom, one step earlier: with them the run can go on from here. Empty: not known.
   std::span<const Vec3> previous = {};
   std::span<const std::uint8_t> limits_off = {};  ///< (L) 1: this limit is off; empty: none is
+  std::int64_t redraws = 0;  ///< of a sample: draws given up before this one was resolved
 };
 
 }  // namespace pliant

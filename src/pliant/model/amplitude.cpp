@@ -69,7 +69,7 @@ double fluctuation_of(double b_factor) {
 
 AmplitudeChoice given(double value) {
   if (!(value > 0.0)) throw OptionError(std::string(expected) + "; found " + number_text(value));
-  return {value, "given", "as given"};
+  return {value, number_text(value), "as given"};
 }
 
 }  // namespace

@@ -14,7 +14,7 @@ namespace pliant {
 /// An amplitude and where it is from.
 struct AmplitudeChoice {
   double value = 0.0;  ///< Angstrom
-  std::string source;  ///< "given", "bfactors", or the name of a file
+  std::string source;  ///< the number, "bfactors", or the name of a file
   std::string reason;  ///< in words, one line: "76 models of x.pdb: mean RMSF of 70 residues"
 };
 

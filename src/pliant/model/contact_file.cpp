@@ -9,6 +9,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/model/atom_words.hpp"
+#include "pliant/model/json_rows.hpp"
 #include "pliant/text/text_lines.hpp"
 
 namespace pliant {
@@ -101,18 +102,27 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   return cells;
 }
 
-/// Reads a table of contacts line by line.
+/// Reads a table of contacts: CSV line by line, or JSON object by object.
 class Parser {
  public:
   Parser(std::string_view file, const Structure& structure)
       : place_{file, 0}, structure_(structure), names_(structure.atoms) {}
+
+  std::vector<MolecularContact> parse_json(std::string_view text) {
+    for (const JsonRow& row : parse_json_rows({place_.file, text}, "contacts")) {
+      place_.line = row.line;
+      take_row(row);
+    }
+    sort(found_);
+    return std::move(found_);
+  }
 
   std::vector<MolecularContact> parse(std::string_view text) {
     for (Lines lines(text); lines.next();) {
       place_.line = lines.number();
       const std::string_view line = trimmed(lines.line());
       if (line.empty() || line.front() == '#') continue;
-      columns_.empty() ? take_heading(line) : take_contact(line);
+      columns_.empty() ? take_heading(line) : take_line(line);
     }
     if (columns_.empty())
       fail({place_.file}, "expected a line of column names with kind, a and b, found no text");
@@ -121,6 +131,21 @@ class Parser {
   }
 
  private:
+  void take_row(const JsonRow& row) {
+    columns_.clear();
+    cells_.clear();
+    const std::vector<std::string_view> known = column_names();
+    for (const auto& [name, value] : row.cells) {
+      if (std::find(known.begin(), known.end(), name) == known.end())
+        fail(place_, unknown_choice("column", name, known));
+      columns_.emplace(name, cells_.size());
+      cells_.push_back(value);
+    }
+    for (std::string_view needed : {"kind", "a", "b"})
+      if (!columns_.contains(needed)) fail(place_, "there is no " + quoted(needed));
+    take_contact();
+  }
+
   void take_heading(std::string_view line) {
     const std::vector<std::string_view> cells = cells_of(line);
     const std::vector<std::string_view> known = column_names();
@@ -134,11 +159,15 @@ class Parser {
       if (!columns_.contains(needed)) fail(place_, "there is no column " + quoted(needed));
   }
 
-  void take_contact(std::string_view line) {
+  void take_line(std::string_view line) {
     cells_ = cells_of(line);
     if (cells_.size() != columns_.size())
       fail(place_, "expected " + std::to_string(columns_.size()) + " fields, found " +
                        std::to_string(cells_.size()));
+    take_contact();
+  }
+
+  void take_contact() {
     MolecularContact contact;
     contact.kind = kind();
     const bool is_bond = is_bond_kind(contact.kind);
@@ -206,10 +235,14 @@ class Parser {
 };
 
 std::string json_text(std::string_view text) {
+  constexpr std::string_view digits = "0123456789abcdef";
   std::string escaped = "\"";
   for (char c : text) {
     if (c == '"' || c == '\\') escaped += '\\';
-    escaped += c;
+    if (static_cast<unsigned char>(c) >= 0x20)
+      escaped += c;
+    else
+      ((escaped += "\\u00") += digits[(c >> 4) & 0xf]) += digits[c & 0xf];
   }
   return escaped + "\"";
 }
@@ -250,7 +283,8 @@ std::string contacts_as_json(const std::vector<MolecularContact>& contacts,
 }
 
 std::vector<MolecularContact> parse_contacts(const SourceText& source, const Structure& structure) {
-  return Parser(source.name, structure).parse(source.text);
+  Parser parser(source.name, structure);
+  return looks_like_json(source.text) ? parser.parse_json(source.text) : parser.parse(source.text);
 }
 
 std::vector<MolecularContact> read_contacts(const std::filesystem::path& path,

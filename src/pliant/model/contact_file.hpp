@@ -24,9 +24,10 @@ std::string contacts_as_csv(const std::vector<MolecularContact>& contacts,
 std::string contacts_as_json(const std::vector<MolecularContact>& contacts,
                              const Structure& structure);
 
-/// Reads what contacts_as_csv writes. Atoms are those of `structure`, by name or by index from 0.
-/// Columns may come in any order; what is missing or empty is as the structure has it (energy: -1).
-/// Throws InputError naming file, line, field, expected and found; FileError.
+/// Reads what contacts_as_csv or contacts_as_json writes; JSON begins with {. Atoms are those of
+/// `structure`, by name or by index from 0. Columns may come in any order; what is missing, empty
+/// or null is as the structure has it (energy: -1). Throws InputError naming file, line, field,
+/// expected and found; FileError.
 std::vector<MolecularContact> read_contacts(const std::filesystem::path& path,
                                             const Structure& structure);
 std::vector<MolecularContact> parse_contacts(const SourceText& source, const Structure& structure);

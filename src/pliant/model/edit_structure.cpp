@@ -17,6 +17,7 @@ Structure heading_of(const Structure& from) {
   to.format = from.format;
   to.model = from.model;
   to.model_count = from.model_count;
+  to.assemblies = from.assemblies;
   return to;
 }
 

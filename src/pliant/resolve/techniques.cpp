@@ -19,6 +19,7 @@
 #include "pliant/resolve/sweeps/local_sweeps.hpp"
 #include "pliant/resolve/sweeps/sweeps.hpp"
 #include "pliant/resolve/units/shape_keeper.hpp"
+#include "pliant/resolve/units/templates.hpp"
 #include "pliant/resolve/units/units.hpp"
 
 namespace pliant {
@@ -57,6 +58,9 @@ std::vector<TechniqueEntry> all_techniques() {
   rows.push_back({"froda",
                   "rigid units turned about their hinges, towards the push and out of contacts",
                   false, false, true, make_froda});
+  rows.push_back({"froda_templates",
+                  "rigid units and the joints that they share fitted to each other in turn (FRODA)",
+                  false, false, true, make_templates, nullptr, true});
   return rows;
 }
 

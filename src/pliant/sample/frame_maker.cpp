@@ -69,7 +69,7 @@ void FrameMaker::make(std::int64_t number, std::span<const Vec3> now, std::span<
 bool FrameMaker::make_step(std::int64_t number, int step, std::span<const Vec3> now,
                            std::span<const Vec3> before, MadeFrame& out) {
   for (int attempt = 0; attempt <= most_redraws; ++attempt) {
-    if (attempt == 1) ++out.redraws;
+    if (attempt > 0) ++out.redraws;
     sampler_.ask(number, step, attempt, now, before, request_);
     if (resolve(now, careful(), out)) return true;
     out.is_rescued = true;

@@ -20,7 +20,7 @@ struct MadeFrame {
   BarIndex worst_bar = 0;
   FrodaOutcome outcome;  ///< of the last step
   double off_target = 0.0;
-  int redraws = 0;
+  int redraws = 0;          ///< draws after the first, of all its steps
   bool is_rescued = false;  ///< by blind steps, or drawn again
   std::int64_t steps = 0;
   double cpu_seconds = 0.0;

@@ -89,7 +89,11 @@ class Sampling {
   /// A walk begins at its start whatever frames are asked for.
   std::int64_t walk_to(std::int64_t first) {
     made_.resize(1);
-    for (std::int64_t frame = 0; frame < first; ++frame) make_batch(frame);
+    for (std::int64_t frame = 0; frame < first; ++frame) {
+      make_batch(frame);
+      summary_.stopped_by_caller = options_.should_stop && options_.should_stop();
+      if (summary_.stopped_by_caller) break;
+    }
     return first;
   }
 
@@ -140,7 +144,7 @@ class Sampling {
   void note(std::int64_t number, const MadeFrame& made) {
     summary_.cpu_seconds += made.cpu_seconds;
     summary_.mean_steps += double(made.steps);
-    summary_.redrawn += made.redraws;
+    summary_.redrawn += made.redraws > 0 ? 1 : 0;
     if (!made.is_made) {
       ++summary_.failed;
       return;

@@ -40,7 +40,7 @@ struct SampledFrame {
   std::span<const std::uint8_t> limits_off;  ///< (L) 1: was off; empty: none was
   double max_residual = 0.0, rms_residual = 0.0;
   double max_limit = 0.0, max_overlap = 0.0;  ///< Angstrom
-  int redraws = 0;
+  int redraws = 0;  ///< draws that were given up before this one was resolved
   std::int64_t steps = 0;
 };
 

@@ -4,10 +4,12 @@
 import csv
 import html
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
+import h5py
 import MDAnalysis
 import numpy as np
 import pytest
@@ -253,6 +255,48 @@ def test_a_run_is_no_ensemble_and_no_tick_is_green_where_a_question_fails(tmp_pa
     assert 'class="one bad"' in body
     assert "one good" not in body
     assert "card good" not in body
+
+
+def test_frames_that_are_all_alike_are_said_to_be(tmp_path):
+    """Modes of a network bend caffeine, and its angles do not let them."""
+    command("sample", PEPTIDE.with_name("caffeine.sdf"), "-o", tmp_path / "x.h5md", "--quiet")
+    found = pliant.analyse(tmp_path / "x.h5md", tmp_path / "out", dpi=50).as_json()
+    assert found["verdicts"]["convergence"] == {"kind": "mixed", "text": "Nothing moves."}
+    assert found["judgement"] == "mixed"
+    assert found["skipped"]["PCA"] == "nothing moves"
+    assert not (tmp_path / "out" / "correlations.csv").exists()
+
+
+def test_contacts_and_redraws_of_frames_are_those_of_the_file(folder, report):
+    with h5py.File(folder / "peptide.h5md") as file:
+        for name in ("redraws", "contacts_held", "contacts_broken", "contacts_off"):
+            recorded = file[f"observables/{name}/value"][:]
+            assert np.array_equal(column(folder, "frames", name), recorded), name
+        again = np.count_nonzero(file["observables/redraws/value"][:])
+    text = report.as_json()["verdicts"]["draws"]["text"]
+    drawn = "Each of 200 frames is as it was first drawn."
+    assert text == (f"{again} of 200 frames were drawn again." if again else drawn)
+
+
+@pytest.mark.parametrize(("frames", "kind"), [([3, 11], "good"), (range(20, 40), "mixed")])
+def test_frames_drawn_again_are_named(folder, report, tmp_path, frames, kind):
+    """As the file says it, and not of files that say nothing."""
+    path = tmp_path / "again.h5md"
+    shutil.copy(folder / "peptide.h5md", path)
+    with h5py.File(path, "r+") as file:
+        redraws = np.zeros(200, dtype=np.int64)
+        redraws[list(frames)] = 2
+        file["observables/redraws/value"][:] = redraws
+    found = pliant.analyse(path, tmp_path / "out", dpi=50)
+    verdict = found.as_json()["verdicts"]["draws"]
+    assert verdict == {"kind": kind, "text": f"{len(frames)} of 200 frames were drawn again."}
+    page = html.unescape((tmp_path / "out" / "report.html").read_text(encoding="utf-8"))
+    named = ", ".join(map(str, list(frames)[:10]))
+    assert f"could not be resolved: frames {named}" in page
+    assert "They took 3 draws at most" in page
+    with h5py.File(path, "r+") as file:
+        del file["observables/redraws"]
+    assert "draws" not in pliant.analyse(path, tmp_path / "b", dpi=50).as_json()["verdicts"]
 
 
 @pytest.mark.long

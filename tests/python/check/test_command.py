@@ -109,6 +109,7 @@ SCHEMA = {
             ],
         }
     ],
+    "force_field": type(None),  # of no protein
     "notes": [str],
     "picture": (str, type(None)),
 }
@@ -162,6 +163,8 @@ def test_help_names_every_option(capsys):
         main(["--help"])
     assert stopped.value.code == 0
     out = capsys.readouterr().out
-    options = ("--frames", "--break", "--seed", "--time-limit", "-o", "--no-picture", "--json")
+    names = "frames break seed time-limit no-picture json starts long-starts md-steps start"
+    options = ["-o", *(f"--{name}" for name in [*names.split(), "total-limit"])]
+    options.append("--force-field, --no-force-field")
     for option in options:
         assert option in out

@@ -2,12 +2,12 @@
 #include "pliant/laboratory/force_recorder.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <fstream>
 
 #include "pliant/base/error.hpp"
 #include "support/error_text.hpp"
+#include "support/temp_directory.hpp"
 
 namespace pliant {
 namespace force_recorder_test {
@@ -16,9 +16,6 @@ namespace fs = std::filesystem;
 
 class ForceRecords : public testing::Test {
  protected:
-  ForceRecords() { fs::create_directories(folder_); }
-  ~ForceRecords() override { fs::remove_all(folder_); }
-
   static FrameworkParts pair() {
     FrameworkParts parts;
     parts.joint_count = 2;
@@ -27,7 +24,7 @@ class ForceRecords : public testing::Test {
     return parts;
   }
 
-  const fs::path folder_ = fs::path(testing::TempDir()) / ("forces" + std::to_string(::getpid()));
+  const test::TempDirectory folder_;
   const fs::path path_ = folder_ / "f.txt";
   const Framework framework_{pair()};
 };
@@ -51,7 +48,7 @@ TEST_F(ForceRecords, AreThereAsAWholeOncePublished) {
 
 TEST_F(ForceRecords, LeaveNothingBehindUnlessPublished) {
   { ForceRecorder recorder(path_, false, framework_, {}); }
-  EXPECT_TRUE(fs::is_empty(folder_));
+  EXPECT_TRUE(fs::is_empty(folder_.path()));
 }
 
 TEST_F(ForceRecords, ReplaceNoFileUnasked) {

@@ -4,7 +4,6 @@
 #include "pliant/laboratory/read_test_set.hpp"
 
 #include <gmock/gmock.h>
-#include <unistd.h>
 
 #include <fstream>
 #include <map>
@@ -12,6 +11,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/framework/graph.hpp"
 #include "support/error_text.hpp"
+#include "support/temp_directory.hpp"
 
 namespace pliant {
 namespace test_set_test {
@@ -21,9 +21,6 @@ using testing::HasSubstr;
 
 class TestSets : public testing::Test {
  protected:
-  TestSets() { fs::remove_all(folder_); }
-  ~TestSets() override { fs::remove_all(folder_); }
-
   static TestSetOptions small() {
     TestSetOptions options;
     options.classes = {"tree", "2-cycle-path"};
@@ -65,7 +62,8 @@ class TestSets : public testing::Test {
 
   std::string place(const fs::path& path) const { return (fs::canonical(folder_) / path).string(); }
 
-  fs::path folder_ = fs::path(testing::TempDir()) / ("pliant_test_set_" + std::to_string(getpid()));
+  const test::TempDirectory directory_;
+  const fs::path folder_ = directory_ / "set";
 };
 
 std::vector<TestRow> rows_for(const TestGraph& graph) {

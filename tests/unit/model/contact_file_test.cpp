@@ -111,5 +111,37 @@ TEST(ContactFile, AsJsonHasNullForWhatThereIsNot) {
             text.npos);
 }
 
+TEST(ContactFile, JsonIsReadBackToTheSameBits) {
+  const Structure s = two_residues();
+  std::vector<MolecularContact> contacts = two_contacts(s);
+  contacts[0].energy = -0.1 - 1e-16;
+  EXPECT_EQ(parse_contacts({"c.json", contacts_as_json(contacts, s)}, s), contacts);
+  EXPECT_TRUE(parse_contacts({"c.json", contacts_as_json({}, s)}, s).empty());
+}
+
+TEST(ContactFile, WhatIsLeftOutOfJsonIsMeasured) {
+  const auto contacts = parse_contacts({"c.json",
+                                        "{\"contacts\": [{\"b\": 3, \"a\": \"A:GLY1:N\", \"kind\": "
+                                        "\"hydrogen_bond\", \"hydrogen\": 1, \"base\": 4}]}"},
+                                       two_residues());
+  ASSERT_EQ(contacts.size(), 1U);
+  EXPECT_EQ(contacts[0].most, 3.1);
+  EXPECT_EQ(contacts[0].energy, -1.0);
+}
+
+TEST(ContactFile, SaysWhatIsWrongInJson) {
+  const auto fault = [](const std::string& rows) {
+    return fault_of("{\"contacts\": [\n" + rows + "\n]}");
+  };
+  const std::string tether = "{\"kind\": \"hydrophobic\", \"a\": 2, \"b\": 4}";
+  EXPECT_EQ(fault("{\"kind\": \"hydrophobic\", \"a\": 2}"), "c.csv:2: there is no \"b\"");
+  EXPECT_EQ(fault("{\"enrgy\": 1}").substr(0, 56),
+            "c.csv:2: no column named \"enrgy\" (did you mean \"energy\"?");
+  EXPECT_EQ(fault(tether + ",\n" + tether),
+            "c.csv:3: a, b: these two are in contact already, by line 2");
+  EXPECT_EQ(fault("{\"kind\": \"hydrophobic\", \"a\": 2, \"b\": 4, \"most\": \"far\"}"),
+            "c.csv:2: most: expected a number from 0 to 100000, found \"far\"");
+}
+
 }  // namespace
 }  // namespace pliant::contact_file_test

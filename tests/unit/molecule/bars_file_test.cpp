@@ -8,6 +8,7 @@
 
 #include "pliant/base/error.hpp"
 #include "support/error_text.hpp"
+#include "support/temp_directory.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::bars_file_test {
@@ -33,16 +34,17 @@ BarsFile parse(const std::string& lines, const Framework& joints = joints_of(cha
   return parse_bars_file({"b.txt", "pliant-bars 1\n" + lines}, joints);
 }
 
-std::filesystem::path written(const std::string& lines) {
-  const auto path = std::filesystem::path(::testing::TempDir()) / "some-bars.txt";
+Framework framework_of(const Structure& s, const std::string& lines,
+                       const std::filesystem::path& path) {
   std::ofstream(path) << "pliant-bars 1\n" << lines;
-  return path;
+  BuildOptions options;
+  take_bars(path.string(), s, options);
+  return build_framework(s, options);
 }
 
 Framework framework_of(const Structure& s, const std::string& lines) {
-  BuildOptions options;
-  take_bars(written(lines).string(), s, options);
-  return build_framework(s, options);
+  const test::TempDirectory directory;
+  return framework_of(s, lines, directory / "bars.txt");
 }
 
 TEST(BarsFile, HoldsBarsAndLimits) {
@@ -121,9 +123,11 @@ TEST(TakeBars, TakesNamesToo) {
 }
 
 TEST(TakeBars, NamesTheFileOfALimitThatABarForbids) {
-  EXPECT_EQ(
-      test::error_text<InputError>([&] { framework_of(chain(), "bars bonds\nlimit 0 1 1 2\n"); }),
-      written("").string() + ": limit C(1) - C(2) has a bar already, of 1.5 Angstrom");
+  const test::TempDirectory directory;
+  const auto path = directory / "bars.txt";
+  EXPECT_EQ(test::error_text<InputError>(
+                [&] { framework_of(chain(), "bars bonds\nlimit 0 1 1 2\n", path); }),
+            path.string() + ": limit C(1) - C(2) has a bar already, of 1.5 Angstrom");
 }
 
 }  // namespace bars_file_test

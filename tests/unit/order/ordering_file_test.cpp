@@ -8,6 +8,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/examples/examples.hpp"
 #include "support/error_text.hpp"
+#include "support/temp_directory.hpp"
 
 namespace pliant {
 namespace ordering_file_test {
@@ -117,8 +118,8 @@ TEST(OrderingFile, IsWrittenOnlyIfItCouldBeRead) {
 }
 
 TEST(ReadOrderingFile, ReadsFilesAndNamesThemInErrors) {
-  const std::filesystem::path path =
-      std::filesystem::path(testing::TempDir()) / "pliant_ordering_test.txt";
+  const test::TempDirectory directory;
+  const std::filesystem::path path = directory / "ordering.txt";
   std::ofstream(path) << "\xef\xbb\xbf" << plain;
   expect_plain(read_ordering_file(path, kite()));
   std::ofstream(path) << "nothing";

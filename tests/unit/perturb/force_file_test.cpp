@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "support/error_text.hpp"
+#include "support/temp_directory.hpp"
 
 namespace pliant {
 namespace force_file_test {
@@ -195,8 +196,8 @@ TEST(ForceFile, HoldsTheToleranceThatCounts) {
 }
 
 TEST(ReadForceFile, ReadsFilesAndNamesThemInErrors) {
-  const std::filesystem::path folder = testing::TempDir();
-  const std::filesystem::path path = folder / "pliant_forces_test.txt";
+  const test::TempDirectory directory;
+  const std::filesystem::path folder = directory.path(), path = directory / "forces.txt";
   std::ofstream(path) << plain;
   EXPECT_EQ(read_force_file(path, butane()).pushes.size(), 2u);
   std::ofstream(path) << "nothing";

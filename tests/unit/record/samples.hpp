@@ -2,8 +2,6 @@
 // A small named framework and frames with known contents, for tests of the record folder.
 #pragma once
 
-#include <unistd.h>
-
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -13,29 +11,9 @@
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
+#include "support/temp_directory.hpp"
 
 namespace pliant::test {
-
-/// A directory that goes away with the test.
-class TempDirectory {
- public:
-  TempDirectory() {
-    std::string name = (std::filesystem::temp_directory_path() / "pliant-XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~TempDirectory() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  TempDirectory(const TempDirectory&) = delete;
-  TempDirectory& operator=(const TempDirectory&) = delete;
-
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
 
 /// N joints in a chain, two residues, the first joint pinned.
 inline Framework chain(std::size_t count) {

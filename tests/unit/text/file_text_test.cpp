@@ -10,6 +10,7 @@
 
 #include "support/compressed.hpp"
 #include "support/error_text.hpp"
+#include "support/temp_directory.hpp"
 
 namespace pliant {
 namespace file_text_test {
@@ -20,9 +21,6 @@ using test::gzipped;
 /// A folder that goes with the test.
 class FileText : public testing::Test {
  protected:
-  FileText() { std::filesystem::create_directory(folder_); }
-  ~FileText() override { std::filesystem::remove_all(folder_); }
-
   std::string path(const std::string& name) const { return (folder_ / name).string(); }
   std::string write(const std::string& name, const std::string& bytes) const {
     std::ofstream(path(name), std::ios::binary) << bytes;
@@ -30,8 +28,7 @@ class FileText : public testing::Test {
   }
 
  private:
-  std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() / ("pliant_file_text_" + std::to_string(::getpid()));
+  const test::TempDirectory folder_;
 };
 
 TEST_F(FileText, ReadsAllBytes) {

@@ -214,6 +214,7 @@ void keep_atoms(AtomSites& sites, const std::vector<bool>& keep,
   keep_rows(sites.conformers, index);
   keep_rows(sites.occupancies, index);
   keep_rows(sites.lines, index);
+  keep_rows(sites.instance_of, index);
 }
 
 }  // namespace

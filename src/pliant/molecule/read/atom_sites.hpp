@@ -18,6 +18,9 @@ struct AtomSites {
   std::vector<char> conformers;      ///< (N) alternate location; ' ' for none
   std::vector<float> occupancies;    ///< (N)
   std::vector<std::uint32_t> lines;  ///< (N) line of the file
+  /// What assemblies are made of, where that is not the author's chains: label_asym_id.
+  std::vector<std::string> instances;
+  std::vector<std::uint32_t> instance_of;  ///< (N) index into instances; empty: none are given
 
   std::size_t size() const { return structure.size(); }
 };

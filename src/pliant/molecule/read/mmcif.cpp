@@ -8,6 +8,7 @@
 
 #include "pliant/molecule/read/cif_document.hpp"
 #include "pliant/molecule/read/cif_grammar.hpp"
+#include "pliant/molecule/read/mmcif_assembly.hpp"
 #include "pliant/molecule/read/mmcif_atoms.hpp"
 #include "pliant/molecule/read/mmcif_bonds.hpp"
 #include "pliant/molecule/read/reading.hpp"
@@ -81,6 +82,15 @@ void add_bonds(const CifDocument& document, const CifBlock& block, AtomSites& si
   sort_bonds(sites.structure.bonds);
 }
 
+void add_assembly(const CifDocument& document, const CifBlock& block, const ReadOptions& options,
+                  AtomSites& sites, Remarks& remarks) {
+  sites.structure.assemblies = cif_assembly_names(document, block);
+  if (options.assembly.empty()) return;
+  check_assembly(sites.structure.assemblies, options.assembly, remarks);
+  make_assembly(sites, options.assembly, cif_assembly(document, block, options.assembly, remarks),
+                remarks);
+}
+
 Structure read_block(const CifDocument& document, const CifBlock& block, const ReadOptions& options,
                      Remarks& remarks) {
   const CifTable& table = *block.table(atom_site);
@@ -92,6 +102,7 @@ Structure read_block(const CifDocument& document, const CifBlock& block, const R
   warn_of_placeholders(sites, remarks);
   sites.structure.title = title_of(document, block);
   add_bonds(document, block, sites, remarks);
+  add_assembly(document, block, options, sites, remarks);
   return std::move(sites.structure);
 }
 
@@ -113,7 +124,8 @@ Structure read_mmcif(const SourceText& source, const ReadOptions& options) {
   std::string copy;
   const SourceText text{source.name, with_line_feeds(source.text, copy)};
   const CifDocument document =
-      parse_cif(text, {atom_site, struct_conn, component_bonds, component_atoms, structure_title});
+      parse_cif(text, {atom_site, struct_conn, component_bonds, component_atoms, structure_title,
+                       cif_assembly_gen, cif_oper_list});
   const CifBlock& block = choose_block(document, remarks);
   return finish(read_block(document, block, options, remarks), source, "mmcif", remarks);
 }

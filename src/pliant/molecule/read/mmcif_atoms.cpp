@@ -104,6 +104,7 @@ class AtomSiteReader {
   char conformer(std::size_t row);
   float occupancy(std::size_t row);
   void take_charge(std::size_t row);
+  void take_instance();
 
   const CifDocument& document_;
   const CifTable& table_;
@@ -113,6 +114,7 @@ class AtomSiteReader {
   ResidueWords words_;
   std::string_view first_name_;
   std::unordered_map<std::string_view, std::size_t> models_;
+  std::unordered_map<std::string_view, std::uint32_t> instances_;
   std::string_view model_word_;
   std::size_t model_ = 0;
   std::vector<std::string_view> conformers_;
@@ -256,10 +258,20 @@ void AtomSiteReader::take_charge(std::size_t row) {
   sites_.structure.charges.back() = static_cast<std::int8_t>(*charge);
 }
 
+/// Of the residue.
+void AtomSiteReader::take_instance() {
+  if (!columns_.instance.index) return;
+  const auto next = static_cast<std::uint32_t>(instances_.size());
+  const auto [at, is_new] = instances_.emplace(words_.instance, next);
+  if (is_new) sites_.instances.emplace_back(words_.instance);
+  sites_.instance_of.push_back(at->second);
+}
+
 void AtomSiteReader::take(std::size_t row) {
   line_ = lines_(table_.at(row, 0));
   sites_.structure.positions.push_back(position(row));
   take_residue(row);
+  take_instance();
   sites_.structure.atoms.serials.push_back(serial(row));
   sites_.structure.atoms.elements.push_back(element(row));
   sites_.conformers.push_back(conformer(row));

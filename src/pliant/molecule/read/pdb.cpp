@@ -13,6 +13,7 @@
 #include "pliant/base/number.hpp"
 #include "pliant/molecule/read/atom_sites.hpp"
 #include "pliant/molecule/read/hybrid36.hpp"
+#include "pliant/molecule/read/pdb_assembly.hpp"
 #include "pliant/molecule/read/pdb_columns.hpp"
 #include "pliant/molecule/read/pdb_conect.hpp"
 #include "pliant/molecule/read/pdb_element.hpp"
@@ -55,6 +56,7 @@ class PdbReader {
   void take_title(std::string_view line);
   void take_other(const PdbLine& line, std::string_view record);
   void finish_bonds();
+  void add_assembly();
   [[noreturn]] void fail_without_atoms(std::size_t line_count) const;
 
   const SourceText& source_;
@@ -68,7 +70,7 @@ class PdbReader {
   std::string first_name_;            // of the residue
   std::vector<bool> serial_given_;
   std::vector<std::int64_t> ter_serials_;
-  std::vector<PdbLine> link_records_;
+  std::vector<PdbLine> link_records_, remark_350_;
 };
 
 void PdbReader::reserve(std::size_t count) {
@@ -151,6 +153,8 @@ void PdbReader::take_other(const PdbLine& line, std::string_view record) {
   if (record == "ENDMDL") models_.on_endmdl();
   if (record == "END") models_.on_end();
   if (record == "SSBOND" || record == "LINK") link_records_.push_back(line);
+  if (record == "REMARK" && trimmed(columns(line.text, 8, 10)) == "350")
+    remark_350_.push_back(line);
   if (record == "TITLE" && models_.count() == 0) take_title(line.text);
 }
 
@@ -195,6 +199,14 @@ void PdbReader::finish_bonds() {
   sort_bonds(sites_.structure.bonds);
 }
 
+void PdbReader::add_assembly() {
+  sites_.structure.assemblies = pdb_assembly_names(remark_350_);
+  if (options_.assembly.empty()) return;
+  check_assembly(sites_.structure.assemblies, options_.assembly, remarks_);
+  make_assembly(sites_, options_.assembly, pdb_assembly(remark_350_, options_.assembly, remarks_),
+                remarks_);
+}
+
 Structure PdbReader::read() {
   Lines lines(source_.text);
   while (lines.next()) take({lines.line(), lines.number()});
@@ -207,6 +219,7 @@ Structure PdbReader::read() {
     structure.chain_end.resize(structure.atoms.residues.size(), false);
   finish_bonds();
   warn_of_placeholders(sites_, remarks_);
+  add_assembly();
   return finish(std::move(structure), source_, "pdb", remarks_);
 }
 

@@ -7,6 +7,7 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/molecule/read/assembly.hpp"
 #include "pliant/molecule/read/foreign.hpp"
 #include "pliant/molecule/read/mmcif.hpp"
 #include "pliant/molecule/read/pdb.hpp"
@@ -81,6 +82,12 @@ void check(const ReadOptions& options) {
   if (!options.format.empty()) choose(table, "format", options.format);
 }
 
+/// XYZ and SDF know no assemblies.
+void check_assembly(const Format& format, const SourceText& source, const ReadOptions& options) {
+  if (options.assembly.empty() || format.name == "pdb" || format.name == "mmcif") return;
+  check_assembly({}, options.assembly, Remarks(source.name, options.log));
+}
+
 /// A file whose extension speaks of another format than its content fails in a way that says
 /// little: the content may say more.
 [[noreturn]] void fail_with_hint(const InputError& error, const SourceText& source,
@@ -109,6 +116,7 @@ Structure read_structure(const SourceText& source, const ReadOptions& options) {
     fail({plain.name}, "is " + std::string(what));
   check_text(plain);
   const Format& format = format_of(plain, options.format);
+  check_assembly(format, plain, options);
   try {
     return format.read(plain, options);
   } catch (const InputError& error) {

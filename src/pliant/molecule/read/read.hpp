@@ -15,6 +15,7 @@ namespace pliant {
 /// How to read; checked by read_structure.
 struct ReadOptions {
   std::size_t model = 1;               ///< which model, frame or record, from 1
+  std::string assembly = "";           ///< a biological one that the file states; "": as it is
   std::string format = "";             ///< a name in formats(); "": by extension, then by content
   std::size_t max_input = usual_text;  ///< bytes of the file and of what it expands to
   Log log = {};                        ///< where notes and warnings go
@@ -34,7 +35,8 @@ std::span<const Format> formats();
 /// Reads one model of a molecule file; gzip, bzip2 and xz are undone by content.
 /// Bonds are those the file states: perceive_bonds() adds the others.
 /// Throws InputError (file, line, field, expected, found), TooLargeError, FileError (with the
-/// system's reason), OptionError (unknown format, model 0, max_input of 0 or beyond largest_text).
+/// system's reason), OptionError (unknown format, no such model or assembly, model 0, max_input of
+/// 0 or beyond largest_text).
 Structure read_structure(const std::filesystem::path& path, const ReadOptions& options = {});
 
 /// The same for text in memory. `source.name` gives the extension.

@@ -46,6 +46,7 @@ struct Structure {
   std::vector<bool> chain_end;   ///< (R) the chain ends after this residue (TER); empty: not known
   std::size_t model = 1;         ///< which model or frame this is, from 1
   std::size_t model_count = 1;   ///< models or frames in the file
+  std::vector<std::string> assemblies;  ///< biological ones that the file states, by name
 
   std::size_t size() const { return positions.size(); }
 };

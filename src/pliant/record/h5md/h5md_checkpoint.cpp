@@ -69,7 +69,7 @@ void write_start(std::int64_t file, const Framework& framework, const RunInputs&
                        "Angstrom");
 }
 
-void write_inputs(std::int64_t file, const RunInputs& inputs) {
+void write_inputs_of_steps(std::int64_t file, const RunInputs& inputs) {
   if (!inputs.replay_joints.empty()) {
     write_numbers(file, checkpoint::group + "/replay_joint", inputs.replay_joints);
     write_text_attribute(
@@ -81,6 +81,14 @@ void write_inputs(std::int64_t file, const RunInputs& inputs) {
     write_numbers(file, checkpoint::group + "/ordering_near", inputs.ordering_near);
     write_numbers(file, checkpoint::group + "/ordering_is_tree", inputs.ordering_is_tree);
   }
+}
+
+void write_nodes(std::int64_t file, const RunInputs& inputs) {
+  if (!inputs.is_sample()) return;
+  write_text_attribute(write_vectors(file, checkpoint::nodes, inputs.node_positions), "unit",
+                       "Angstrom");
+  write_numbers(file, checkpoint::group + "/node_chain", inputs.node_chains);
+  write_numbers(file, checkpoint::group + "/node_of_joint", inputs.node_of_joint);
 }
 
 void write_framework_bits(std::int64_t file, const Framework& framework, const H5mdHeader& header) {
@@ -96,16 +104,19 @@ void write_framework_bits(std::int64_t file, const Framework& framework, const H
 
 }  // namespace
 
-CheckpointWriter::CheckpointWriter(std::int64_t file, const Framework& framework,
-                                   const H5mdHeader& header)
-    : joint_count_(framework.joint_count()) {
+void write_inputs(std::int64_t file, const Framework& framework, const H5mdHeader& header) {
   make_group(file, checkpoint::group);
+  write_framework_bits(file, framework, header);
+  write_start(file, framework, *header.inputs);
+  write_inputs_of_steps(file, *header.inputs);
+  write_nodes(file, *header.inputs);
+}
+
+CheckpointWriter::CheckpointWriter(std::int64_t file, const Framework& framework)
+    : joint_count_(framework.joint_count()) {
   row_.resize(checkpoint::columns_of(framework));
   dataset_ = write_table(file, checkpoint::state, checkpoint::state_count, row_.size(),
                          std::vector<double>(checkpoint::state_count * row_.size()));
-  write_framework_bits(file, framework, header);
-  write_start(file, framework, *header.inputs);
-  write_inputs(file, *header.inputs);
 }
 
 CheckpointWriter::CheckpointWriter(std::int64_t file, const Framework& framework,

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: MIT
-// Checkpoint: what a run needs to go on from an H5MD file, bit by bit.
+// Checkpoint: what a run or a sample needs to go on from an H5MD file, bit by bit.
 //
 // Below /parameters/checkpoint:
 //   state (2, 5 + 6 N + L)  two states in turn, so that one is whole while the other is written:
 //     number of the checkpoint (the larger is the later), step, time (ps), two halves of a digest,
-//     positions (3 N), previous positions (3 N), limits that are off (L, 1 for off)
+//     positions (3 N), previous positions (3 N), limits that are off (L, 1 for off); not of a
+//     sample
 //   mass (N) u, drawn (N, 3)   where /particles does not say them bit by bit, or at all
 //   start (N, 3)   of one of several walkers, where it is not the drawn positions
 //   replay_joint (R), replay_force (R, 3) kJ/(mol Angstrom)   of a replay
 //   ordering_bar, ordering_near, ordering_is_tree (V)         of an ordering that was given
+//   node_position (M, 3), node_chain (M), node_of_joint (N, -1: none)   of a sample's network
 #pragma once
 
 #include <array>
@@ -28,6 +30,7 @@ namespace pliant {
 namespace checkpoint {
 inline const std::string group = h5md::checkpoint;
 inline const std::string state = group + "/state";
+inline const std::string nodes = group + "/node_position";
 inline constexpr std::size_t number_column = 0;
 inline constexpr std::size_t step_column = 1;
 inline constexpr std::size_t time_column = 2;
@@ -42,12 +45,16 @@ std::size_t columns_of(const Framework& framework);
 std::array<double, 2> digest_of(std::span<const double> row);
 }  // namespace checkpoint
 
+/// Makes the group in the new HDF5 file `file` (hid_t) and writes what `header.inputs` has. Throws
+/// FileError. Callers hold an Hdf5Session.
+void write_inputs(std::int64_t file, const Framework& framework, const H5mdHeader& header);
+
 /// The states of a file that is being written. Callers hold an Hdf5Session.
 class CheckpointWriter {
  public:
-  /// Makes the group in the new HDF5 file `file` (hid_t). Throws FileError.
-  CheckpointWriter(std::int64_t file, const Framework& framework, const H5mdHeader& header);
-  /// Opens it, to go on after the checkpoint of this number. Throws FileError.
+  /// Makes room for them in the new HDF5 file `file` (hid_t) with inputs. Throws FileError.
+  CheckpointWriter(std::int64_t file, const Framework& framework);
+  /// Opens them, to go on after the checkpoint of this number. Throws FileError.
   CheckpointWriter(std::int64_t file, const Framework& framework, std::int64_t number);
 
   /// Writes what a run can go on from after this frame, over the older of the two states. The frame

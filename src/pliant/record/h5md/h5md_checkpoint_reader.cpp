@@ -27,15 +27,17 @@ class CheckpointReader {
     found_.path = path;
     found_.parameters = reader_.parameters();
     if (!has_object(file_, "/parameters") || !has_object(file_, checkpoint::group) ||
-        !has_object(file_, checkpoint::state))
+        (!has_object(file_, checkpoint::state) && !has_object(file_, checkpoint::nodes)))
       throw InputError(
           "has no checkpoint, so that its run cannot go on: it was written by another program, by "
           "Pliant before 0.3.0, or not by a run");
     if (reader_.frames() == 0) throw InputError("has no frame, so that its run cannot go on");
-    read_frames(steps);
     read_framework();
-    read_state();
     read_inputs();
+    if (found_.is_sample())
+      read_sample(steps);
+    else
+      read_run(steps);
   }
 
   H5mdCheckpoint take() { return std::move(found_); }
@@ -46,6 +48,11 @@ class CheckpointReader {
       if (name == path && std::holds_alternative<std::int64_t>(value))
         return std::get<std::int64_t>(value);
     throw InputError("does not say " + path + ", so that its run cannot go on");
+  }
+
+  void read_run(std::optional<std::int64_t> steps) {
+    read_frames(steps);
+    read_state();
   }
 
   /// A last frame that only the end of the run made is not one of the longer run.
@@ -59,6 +66,14 @@ class CheckpointReader {
     const bool is_due = found_.last_step % every_ == 0 || found_.frames == 1 ||
                         found_.last_step >= found_.began + found_.steps;
     if (!is_due) found_.last_step = reader_.step(--found_.frames - 1);
+  }
+
+  void read_sample(std::optional<std::int64_t> frames) {
+    found_.steps = frames.value_or(integer("sample/frames"));
+    found_.began = integer("sample/first_frame");
+    found_.frames = reader_.frames();
+    found_.last_step = reader_.step(found_.frames - 1);
+    found_.done = found_.last_step + 1 - found_.began;
   }
 
   void read_framework() {
@@ -146,6 +161,20 @@ class CheckpointReader {
     inputs.ordering_bars = integers<BarIndex>("/ordering_bar");
     inputs.ordering_near = integers<Joint>("/ordering_near");
     inputs.ordering_is_tree = integers<std::uint8_t>("/ordering_is_tree");
+    if (has_object(file_, checkpoint::nodes)) read_nodes();
+  }
+
+  void read_nodes() {
+    RunInputs& inputs = found_.inputs;
+    inputs.node_chains = integers<std::uint32_t>("/node_chain");
+    inputs.node_positions = vectors_of(reals("/node_position", 3 * inputs.node_chains.size()));
+    inputs.node_of_joint = integers<std::int64_t>("/node_of_joint");
+    const auto nodes = static_cast<std::int64_t>(inputs.node_chains.size());
+    const bool are_nodes = std::ranges::all_of(
+        inputs.node_of_joint, [&](std::int64_t node) { return node >= -1 && node < nodes; });
+    if (nodes == 0 || !are_nodes || inputs.node_of_joint.size() != found_.framework.joint_count())
+      throw InputError(checkpoint::group +
+                       " has nodes that are none of its joints, so that its sample cannot go on");
   }
 
   H5mdReader reader_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A run in an H5MD file, as it can go on: its framework, its state and what it was given.
+// A run or a sample in an H5MD file, as it can go on: its framework, its state and what it was
+// given.
 #pragma once
 
 #include <cstdint>
@@ -13,12 +14,13 @@
 
 namespace pliant {
 
-/// A run in a file, as it can go on.
+/// A run in a file, as it can go on; or a sample, whose steps are its frames and which has no
+/// state.
 struct H5mdCheckpoint {
   std::filesystem::path path;
   State state;                 ///< to step on from
-  std::int64_t number = 0;     ///< of the checkpoint
-  std::int64_t began = 0;      ///< the step of the first frame
+  std::int64_t number = 0;     ///< of the checkpoint; 0 of a sample
+  std::int64_t began = 0;      ///< the step of the first frame; of a sample, that was asked for
   std::int64_t frames = 0;     ///< that stay; a last one that is none of every N-th does not
   std::int64_t last_step = 0;  ///< of them; the state's is a later or an earlier one
   std::int64_t steps = 0;      ///< that the run is to do in all
@@ -26,9 +28,12 @@ struct H5mdCheckpoint {
   Framework framework{FrameworkParts{}};
   std::vector<NamedParameter> parameters;
   RunInputs inputs;
+
+  bool is_sample() const { return inputs.is_sample(); }
 };
 
-/// Reads what a run goes on from. `steps`: how many it is to do in all; default: as it was to.
+/// Reads what a run or a sample goes on from. `steps`: how many it is to do in all; default: as it
+/// was to.
 /// Throws FileError and InputError as H5mdReader does; InputError where the file has no checkpoint.
 H5mdCheckpoint read_checkpoint(const std::filesystem::path& path,
                                std::optional<std::int64_t> steps = {}, const Log& log = {});

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "pliant/record/h5md/h5md_static.hpp"
+#include "pliant/record/hdf5/hdf5_read.hpp"
 #include "pliant/record/hdf5/hdf5_write.hpp"
 
 namespace pliant {
@@ -16,38 +17,65 @@ namespace {
 /// Number types of a series of numbers.
 enum class NumberKind { integer, real, truth, stop };
 
+/// A frame, and how many contacts hold in it.
+struct CountedFrame : Frame {
+  LimitCounts contacts;
+};
+
+/// Which files have an observable.
+bool always(const Framework&, bool) { return true; }
+bool of_limits_or_sterics(const Framework& framework, bool) { return !framework.has_bars_only(); }
+bool of_limits(const Framework& framework, bool) { return !framework.limits().empty(); }
+bool of_samples(const Framework&, bool is_sample) { return is_sample; }
+
 /// One row an observable. MDAnalysis takes numbers with one value a frame only, no vectors.
 struct Observable {
   const char* name;
   const char* unit;  // "" for none
   NumberKind kind;
-  void (*add)(const Frame& frame, Series& series);
+  bool (*is_of)(const Framework& framework, bool is_sample);
+  void (*add)(const CountedFrame& frame, Series& series);
 };
 
 constexpr char force_unit[] = "kJ mol-1 Angstrom-1";
 using enum NumberKind;
+using F = CountedFrame;
 
 constexpr Observable observables[] = {
-    {"sweeps", "", integer, [](const Frame& f, Series& s) { s.add(f.sweeps); }},
-    {"projections", "", integer, [](const Frame& f, Series& s) { s.add(f.projections); }},
-    {"max_residual", "", real, [](const Frame& f, Series& s) { s.add(f.max_residual); }},
-    {"rms_residual", "", real, [](const Frame& f, Series& s) { s.add(f.rms_residual); }},
-    {"converged", "", truth,
-     [](const Frame& f, Series& s) { s.add(std::uint8_t{f.stop == Stop::converged}); }},
-    {"stop", "", stop, [](const Frame& f, Series& s) { s.add(static_cast<std::uint8_t>(f.stop)); }},
-    {"root_joint", "", integer, [](const Frame& f, Series& s) { s.add(f.root_joint); }},
-    {"force_x", force_unit, real, [](const Frame& f, Series& s) { s.add(f.force.x); }},
-    {"force_y", force_unit, real, [](const Frame& f, Series& s) { s.add(f.force.y); }},
-    {"force_z", force_unit, real, [](const Frame& f, Series& s) { s.add(f.force.z); }},
-    {"max_limit", "Angstrom", real, [](const Frame& f, Series& s) { s.add(f.max_limit); }},
-    {"max_overlap", "Angstrom", real, [](const Frame& f, Series& s) { s.add(f.max_overlap); }},
+    {"sweeps", "", integer, always, [](const F& f, Series& s) { s.add(f.sweeps); }},
+    {"projections", "", integer, always, [](const F& f, Series& s) { s.add(f.projections); }},
+    {"max_residual", "", real, always, [](const F& f, Series& s) { s.add(f.max_residual); }},
+    {"rms_residual", "", real, always, [](const F& f, Series& s) { s.add(f.rms_residual); }},
+    {"converged", "", truth, always,
+     [](const F& f, Series& s) { s.add(std::uint8_t{f.stop == Stop::converged}); }},
+    {"stop", "", stop, always,
+     [](const F& f, Series& s) { s.add(static_cast<std::uint8_t>(f.stop)); }},
+    {"root_joint", "", integer, always, [](const F& f, Series& s) { s.add(f.root_joint); }},
+    {"force_x", force_unit, real, always, [](const F& f, Series& s) { s.add(f.force.x); }},
+    {"force_y", force_unit, real, always, [](const F& f, Series& s) { s.add(f.force.y); }},
+    {"force_z", force_unit, real, always, [](const F& f, Series& s) { s.add(f.force.z); }},
+    {"max_limit", "Angstrom", real, of_limits_or_sterics,
+     [](const F& f, Series& s) { s.add(f.max_limit); }},
+    {"max_overlap", "Angstrom", real, of_limits_or_sterics,
+     [](const F& f, Series& s) { s.add(f.max_overlap); }},
+    {"contacts_held", "", integer, of_limits,
+     [](const F& f, Series& s) { s.add(f.contacts.held); }},
+    {"contacts_broken", "", integer, of_limits,
+     [](const F& f, Series& s) { s.add(f.contacts.broken); }},
+    {"contacts_off", "", integer, of_limits, [](const F& f, Series& s) { s.add(f.contacts.off); }},
+    {"redraws", "", integer, of_samples, [](const F& f, Series& s) { s.add(f.redraws); }},
 };
 
-constexpr std::size_t of_limits = 2;  // the last ones
+std::string group_of(const Observable& observable) {
+  return std::string(h5md::observables) + "/" + observable.name;
+}
 
-std::span<const Observable> table_for(const Framework& framework) {
-  const std::span<const Observable> all(observables);
-  return framework.has_bars_only() ? all.first(all.size() - of_limits) : all;
+template <class Has>
+std::vector<std::size_t> rows_that(Has has) {
+  std::vector<std::size_t> rows;
+  for (std::size_t k = 0; k < std::size(observables); ++k)
+    if (has(observables[k])) rows.push_back(k);
+  return rows;
 }
 
 std::vector<std::string> stop_names() {
@@ -96,31 +124,35 @@ constexpr const char* position_parts[] = {"/value", "/time", "/step"};
 
 }  // namespace
 
-FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options)
-    : single_(options.single), observable_count_(table_for(framework).size()) {
+FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options,
+                         bool is_sample)
+    : single_(options.single),
+      rows_(rows_that([&](const Observable& one) { return one.is_of(framework, is_sample); })),
+      contacts_(framework.limits()) {
   make_positions(file, framework.joint_count(), options);
   make_observables(file);
 }
 
+/// A file of an earlier version may have fewer observables.
 FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, std::uint64_t frames)
-    : observable_count_(table_for(framework).size()) {
+    : rows_(rows_that([&](const Observable& one) { return has_object(file, group_of(one)); })),
+      contacts_(framework.limits()) {
   const std::string group = h5md::position;
   single_ = number_bytes(file, group + "/value") == sizeof(float);
   positions_.emplace_back(file, group + "/value", single_ ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE,
                           frames);
   positions_.emplace_back(file, group + "/time", H5T_NATIVE_DOUBLE, frames);
   positions_.emplace_back(file, group + "/step", H5T_NATIVE_INT64, frames);
-  for (const Observable& observable : table_for(framework)) {
-    const Hid type = memory_type(observable.kind);
-    observables_.emplace_back(
-        file, std::string(h5md::observables) + "/" + observable.name + "/value", type, frames);
+  for (const std::size_t row : rows_) {
+    const Hid type = memory_type(observables[row].kind);
+    observables_.emplace_back(file, group_of(observables[row]) + "/value", type, frames);
   }
   count_bytes(framework.joint_count());
 }
 
 void FrameSeries::count_bytes(std::size_t joint_count) {
   frame_bytes_ = joint_count * 3 * (single_ ? sizeof(float) : sizeof(double)) +
-                 (2 + observable_count_) * sizeof(double);
+                 (2 + rows_.size()) * sizeof(double);
 }
 
 /// In the order value, time, step: HDF5 itself then also writes them in this order.
@@ -143,8 +175,9 @@ void FrameSeries::make_positions(std::int64_t file, std::size_t joint_count,
 }
 
 void FrameSeries::make_observables(std::int64_t file) {
-  for (const Observable& observable : std::span(observables).first(observable_count_)) {
-    const std::string group = std::string(h5md::observables) + "/" + observable.name;
+  for (const std::size_t row : rows_) {
+    const Observable& observable = observables[row];
+    const std::string group = group_of(observable);
     make_group(file, group);
     observables_.push_back(make_series(file, group + "/value", observable.kind));
     if (*observable.unit != '\0')
@@ -158,9 +191,8 @@ void FrameSeries::make_observables(std::int64_t file) {
 
 std::vector<std::uint64_t> FrameSeries::addresses(std::int64_t file) const {
   std::vector<std::uint64_t> addresses;
-  for (const Observable& observable : std::span(observables).first(observable_count_))
-    addresses.push_back(
-        object_address(file, std::string(h5md::observables) + "/" + observable.name + "/value"));
+  for (const std::size_t row : rows_)
+    addresses.push_back(object_address(file, group_of(observables[row]) + "/value"));
   for (const char* part : position_parts)
     addresses.push_back(object_address(file, std::string(h5md::position) + part));
   return addresses;
@@ -170,7 +202,10 @@ void FrameSeries::add(const Frame& frame) {
   add_positions(frame.positions);
   positions_[1].add(frame.time);
   positions_[2].add(frame.step);
-  for (std::size_t k = 0; k < observable_count_; ++k) observables[k].add(frame, observables_[k]);
+  const CountedFrame counted{frame,
+                             contacts_.count(frame.positions, frame.limits_off, held_within)};
+  for (std::size_t k = 0; k < rows_.size(); ++k)
+    observables[rows_[k]].add(counted, observables_[k]);
   ++waiting_frames_;
 }
 

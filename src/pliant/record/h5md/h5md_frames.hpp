@@ -5,16 +5,22 @@
 #include <cstdint>
 #include <vector>
 
+#include "pliant/framework/limit_counts.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/record/h5md/h5md_series.hpp"
 
 namespace pliant {
 
+/// Up to here outside its interval (Angstrom) a limit counts as held: what any way of resolving
+/// leaves is less, and what a bond of hydrogen shrugs off is more.
+inline constexpr double held_within = 0.1;
+
 /// All series of a file. Frames wait in memory between add() and write().
 class FrameSeries {
  public:
   /// Makes empty series in the HDF5 file `file` (hid_t). Throws FileError.
-  FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options);
+  FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options,
+              bool is_sample);
 
   /// Opens the series of a file, to go on after its first `frames` frames. Throws FileError.
   FrameSeries(std::int64_t file, const Framework& framework, std::uint64_t frames);
@@ -44,12 +50,13 @@ class FrameSeries {
   void add_positions(std::span<const Vec3> positions);
 
   bool single_;
-  std::size_t observable_count_;  ///< of the table: the last are of limits and sterics only
+  std::vector<std::size_t> rows_;  ///< of the table of observables, that this file has
+  LimitCounter contacts_;
   std::size_t frame_bytes_ = 0;
   std::uint64_t waiting_frames_ = 0;
   std::vector<float> singles_;       // scratch of add_positions
   std::vector<Series> positions_;    // value, time, step
-  std::vector<Series> observables_;  // in the order of the table
+  std::vector<Series> observables_;  // (rows)
 };
 
 }  // namespace pliant

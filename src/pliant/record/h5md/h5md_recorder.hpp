@@ -38,8 +38,8 @@ struct RecordedBond {
   friend bool operator==(const RecordedBond&, const RecordedBond&) = default;
 };
 
-/// What a run is given besides its framework and its parameters. It is recorded so that the run can
-/// go on from the file.
+/// What a run, or a sample, is given besides its framework and its parameters. It is recorded so
+/// that it can go on from the file.
 struct RunInputs {
   std::vector<Vec3> start = {};                     ///< (N) Angstrom; or empty: not kept
   std::vector<Joint> replay_joints = {};            ///< (R) of a replay
@@ -47,6 +47,12 @@ struct RunInputs {
   std::vector<BarIndex> ordering_bars = {};         ///< (V) of an ordering that was given
   std::vector<Joint> ordering_near = {};            ///< (V)
   std::vector<std::uint8_t> ordering_is_tree = {};  ///< (V)
+  std::vector<Vec3> node_positions = {};            ///< (M) Angstrom, of a sample's network
+  std::vector<std::uint32_t> node_chains = {};      ///< (M)
+  std::vector<std::int64_t> node_of_joint = {};     ///< (N) -1: none
+
+  /// Frames of a sample need no state: they go on after the last one.
+  bool is_sample() const { return !node_positions.empty(); }
 };
 
 struct H5mdCheckpoint;
@@ -61,7 +67,7 @@ struct H5mdHeader {
   std::string creator_version = "";
   std::string author = "unknown";
   std::vector<NamedParameter> parameters;  ///< every option of the run; no path twice
-  std::optional<RunInputs> inputs = {};    ///< of a run; with them it can go on from the file
+  std::optional<RunInputs> inputs = {};    ///< with them a run or sample can go on from the file
 };
 
 /// Writes frames to one file, which holds the group /particles/trajectory.
@@ -73,7 +79,8 @@ struct H5mdHeader {
 /// writer lives.
 ///
 /// Where the header has the inputs of a run, what the run can go on from (a checkpoint) is
-/// committed with the first frame, then about every `flush_seconds`, and by end_run().
+/// committed with the first frame, then about every `flush_seconds`, and by end_run(). A sample
+/// goes on after its last frame.
 ///
 /// A failed write (disk full, file size limit) ends the recording: the frames committed before it
 /// stay readable, later calls throw the same error, and the destructor does nothing.
@@ -87,9 +94,9 @@ class H5mdRecorder {
   H5mdRecorder(const std::filesystem::path& path, const Framework& framework,
                const H5mdHeader& header = {}, const H5mdOptions& options = {});
   /// Goes on in a file where read_checkpoint() says that it ends. Frames up to there, which the run
-  /// shows again, are not recorded a second time. Of the options, `single`, `compress` and
-  /// `overwrite` are not looked at. Throws FileError when the file cannot be written, or is being
-  /// written, or has been since it was read.
+  /// shows again, are not recorded a second time; the last must have the bits that the file has. Of
+  /// the options, `single`, `compress` and `overwrite` are not looked at. Throws FileError when the
+  /// file cannot be written, or is being written, or has been since it was read.
   explicit H5mdRecorder(const H5mdCheckpoint& from, const H5mdOptions& options = {});
   ~H5mdRecorder();
   H5mdRecorder(H5mdRecorder&&) noexcept;

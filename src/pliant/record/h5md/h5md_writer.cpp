@@ -119,8 +119,11 @@ void H5mdWriter::open(Make make) {
 void H5mdWriter::create(const Framework& framework, const H5mdHeader& header) {
   hdf5_ = create_hdf5(file_);
   write_static_part(hdf5_, framework, header);
-  if (header.inputs) checkpoint_ = std::make_unique<CheckpointWriter>(hdf5_, framework, header);
-  series_ = std::make_unique<FrameSeries>(hdf5_, framework, options_);
+  if (header.inputs) write_inputs(hdf5_, framework, header);
+  const bool is_sample = header.inputs && header.inputs->is_sample();
+  if (header.inputs && !is_sample)
+    checkpoint_ = std::make_unique<CheckpointWriter>(hdf5_, framework);
+  series_ = std::make_unique<FrameSeries>(hdf5_, framework, options_, is_sample);
   checked(H5Fflush(hdf5_, H5F_SCOPE_GLOBAL), "flush the file");
   file_.write_last(series_->addresses(hdf5_));
 }
@@ -136,7 +139,9 @@ void H5mdWriter::go_on(const H5mdCheckpoint& from) {
   file_.shrink();
   series_->cut();
   checked(H5Fflush(hdf5_, H5F_SCOPE_GLOBAL), "flush the file");
-  rewrite_integer(hdf5_, "/parameters/run/steps", from.steps);
+  rewrite_integer(hdf5_, from.is_sample() ? "/parameters/sample/frames" : "/parameters/run/steps",
+                  from.steps);
+  if (from.is_sample()) return;
   checkpoint_ = std::make_unique<CheckpointWriter>(hdf5_, from.framework, from.number);
 }
 

@@ -4,7 +4,6 @@
 #include "pliant/molecule/read/read.hpp"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 #include <zlib.h>
 
 #include <fstream>
@@ -13,6 +12,7 @@
 
 #include "corpus/corpus.hpp"
 #include "support/error_text.hpp"
+#include "support/temp_directory.hpp"
 
 namespace pliant {
 namespace read_test {
@@ -113,9 +113,8 @@ TEST(ReadStructure, ModelsAreCountedFromOne) {
 }
 
 TEST(ReadStructure, FromAFileAndFromAGzippedOne) {
-  const std::string path =
-      (std::filesystem::temp_directory_path() / ("pliant_read_" + std::to_string(::getpid())))
-          .string();
+  const test::TempDirectory directory;
+  const std::string path = (directory / "water").string();
   std::ofstream(path + ".xyz") << "\xef\xbb\xbf" << water;
   const gzFile packed = gzopen((path + ".xyz.gz").c_str(), "wb");
   gzputs(packed, water);
@@ -126,7 +125,6 @@ TEST(ReadStructure, FromAFileAndFromAGzippedOne) {
     EXPECT_EQ(structure.source, path + ending);
     EXPECT_EQ(structure.format, "xyz");
     EXPECT_EQ(structure.title, "water");
-    std::filesystem::remove(path + ending);
   }
 }
 

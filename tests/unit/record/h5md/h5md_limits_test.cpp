@@ -8,20 +8,23 @@
 #include "pliant/examples/examples.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
+#include "support/temp_directory.hpp"
 
 namespace pliant {
 namespace h5md_limits_test {
 
-std::filesystem::path recorded(const Framework& framework, std::span<const Vec3> positions) {
-  const auto path = std::filesystem::path(testing::TempDir()) / "limits.h5md";
-  H5mdRecorder recorder(path, framework, {}, {.overwrite = true});
+/// What is read of a recording of one frame, whose file is gone by then.
+H5mdReader recorded(const Framework& framework, std::span<const Vec3> positions) {
+  const test::TempDirectory directory;
+  const auto path = directory / "limits.h5md";
+  H5mdRecorder recorder(path, framework, {}, {});
   Frame frame;
   frame.positions = positions;
   frame.max_limit = 0.25;
   frame.max_overlap = 0.5;
   recorder.record(frame);
   recorder.close();
-  return path;
+  return H5mdReader(path);
 }
 
 TEST(H5mdLimits, AreReadBackAsTheyWere) {
@@ -33,7 +36,7 @@ TEST(H5mdLimits, AreReadBackAsTheyWere) {
   parts.limits[1].energy = -12.5;
   parts.limits[1].group = 3;
   const Framework framework(parts);
-  const H5mdReader reader(recorded(framework, example.positions));
+  const H5mdReader reader = recorded(framework, example.positions);
   EXPECT_EQ(reader.limits(), parts.limits);
   EXPECT_EQ(reader.schema(), 2);
   EXPECT_EQ(reader.observable("max_limit"), std::vector<double>{0.25});
@@ -48,7 +51,7 @@ TEST(H5mdLimits, LinkagesOfThePlaneAreReadBackAsSuch) {
     const Framework framework(
         {.joint_count = 2, .bars = {{0, 1}}, .rest_lengths = {1.0}, .planar = planar});
     const std::vector<Vec3> positions{{0, 0, 0}, {1, 0, 0}};
-    const H5mdReader reader(recorded(framework, positions));
+    const H5mdReader reader = recorded(framework, positions);
     EXPECT_EQ(reader.framework().is_planar(), planar);
     EXPECT_TRUE(reader.parameters().empty());
   }
@@ -67,7 +70,7 @@ TEST(H5mdLimits, StericsAreReadBackAsTheyWere) {
     if (!all) written->own.clear(), written->units.clear(), written->bonds.clear();
     const Framework framework({.joint_count = 5, .sterics = written});
     const std::vector<Vec3> positions(5);
-    const Framework again = H5mdReader(recorded(framework, positions)).framework();
+    const Framework again = recorded(framework, positions).framework();
     ASSERT_NE(again.sterics(), nullptr);
     const Sterics& read = *again.sterics();
     EXPECT_EQ(read.kind_count, written->kind_count);
@@ -83,7 +86,7 @@ TEST(H5mdLimits, StericsAreReadBackAsTheyWere) {
 TEST(H5mdLimits, AFrameworkOfBarsAloneHasNoneOfThem) {
   const Example& example = find_example("chain_5_with_strut");
   FrameworkParts parts{.joint_count = 5};
-  const H5mdReader reader(recorded(Framework(parts), example.positions));
+  const H5mdReader reader = recorded(Framework(parts), example.positions);
   EXPECT_TRUE(reader.limits().empty());
   const auto names = reader.observables();
   EXPECT_EQ(std::ranges::count(names, "max_limit"), 0);

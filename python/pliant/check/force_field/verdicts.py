@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: MIT
+"""Whether molecular dynamics may start from the frames: what is asked of them, and the answers."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from pliant.check.findings import CANNOT, SKIPPED, Finding, verdict
+from pliant.check.force_field.minimised import LONG, SHORT, ForceFieldReport, Minimised
+
+SHARE = 0.95  #: of the frames that must be within each of the three limits below
+MOST_ABOVE = {SHORT: 3.0, LONG: 1.0}  #: kJ/mol a residue above the start, by steps
+MOST_MOVED = 0.4  #: Angstrom, alpha carbons in 100 steps
+MOST_FORCE = 1e9  #: kJ/(mol nm) on an atom before: more is two atoms nearer than some 0.7 Angstrom
+LEAST_RESIDUES = 30  #: of fewer a single contact lost is more than the limits of energy
+MOST_NAMED = 3
+
+TITLES = {
+    "starts_finite": "MD starts: frames stay finite as they are minimised",
+    "starts_energy_100": "MD starts: energy a residue above the start's, 100 steps",
+    "starts_energy_500": "MD starts: energy a residue above the start's, 500 steps",
+    "starts_moved": "MD starts: alpha carbons moved by 100 steps",
+    "starts_shape": "MD starts: no two atoms in one place, each residue's hand kept",
+}
+
+
+def findings_of(report: ForceFieldReport) -> list[Finding]:
+    """The five rows of the verdict."""
+    frames = report.usable
+    if report.why_not or not frames or report.start.outcome:
+        return [Finding(name, title, CANNOT) for name, title in TITLES.items()]
+    return [
+        _finite(report, frames),
+        _energy(report, frames, SHORT),
+        _energy(report, frames, LONG),
+        _moved(report, frames),
+        _shape(frames),
+    ]
+
+
+def skipped(why: str) -> list[Finding]:
+    """One row that says why the force field was not asked."""
+    title = "MD starts: frames minimised by OpenMM"
+    return [Finding("starts_finite", title, SKIPPED, notes=[f"no force field: {why}"])]
+
+
+def is_usable(report: ForceFieldReport) -> bool:
+    """Whether molecular dynamics may start from the frames once they are minimised."""
+    return all(finding.status in ("passed", SKIPPED) for finding in findings_of(report))
+
+
+def reached(values: np.ndarray) -> float:
+    """What 95 % of the values do not exceed."""
+    return float(np.sort(values)[math.ceil(SHARE * len(values)) - 1])
+
+
+def _finite(report: ForceFieldReport, frames: Sequence[Minimised]) -> Finding:
+    bad = [frame.name for frame in frames if not frame.is_finite]
+    finding = Finding(
+        "starts_finite",
+        TITLES["starts_finite"],
+        verdict(not bad),
+        measured=f"{len(frames) - len(bad)} of {len(frames)}",
+        allowed="all",
+        figures={"frames": len(frames), "finite": len(frames) - len(bad)},
+    )
+    if bad:
+        finding.notes.append(f"no finite energy or position after 100 steps: {_named(bad)}")
+    late = [frame for frame in report.frames if frame.outcome]
+    if late:
+        finding.notes.append(
+            f"partial: {len(frames)} of {len(report.frames)} frames were minimised; "
+            f"{late[0].name}: {late[0].outcome}"
+        )
+    return finding
+
+
+def _energy(report: ForceFieldReport, frames: Sequence[Minimised], steps: int) -> Finding:
+    name, most = f"starts_energy_{steps}", MOST_ABOVE[steps]
+    above = report.above_start(frames, steps)
+    if len(above) == 0:
+        why = f"no frame was minimised for {steps} steps"
+        return Finding(name, TITLES[name], SKIPPED, notes=[why])
+    by_frame = {f.name: report.above_start([f], steps) for f in frames}
+    high = [name for name, found in by_frame.items() if len(found) and found[0] > most]
+    finding = _within(name, above, most, "kJ/mol", sign="+")
+    if report.residues < LEAST_RESIDUES:
+        finding.status = SKIPPED
+        finding.notes.append(
+            f"energy after {steps} steps is shown and not judged: of {report.residues} residues "
+            "one contact lost weighs more than the limit, which is for proteins"
+        )
+    elif high:
+        finding.notes.append(
+            f"more than {most:g} kJ/mol a residue above the start after {steps} steps: "
+            f"{_named(high)}"
+        )
+    return finding
+
+
+def _moved(report: ForceFieldReport, frames: Sequence[Minimised]) -> Finding:
+    finding = _within("starts_moved", report.moved(frames), MOST_MOVED, "A", sign="")
+    finding.figures["start"] = report.start.moved
+    return finding
+
+
+def _within(name: str, values: np.ndarray, most: float, unit: str, sign: str) -> Finding:
+    worst = reached(values)
+    return Finding(
+        name,
+        TITLES[name],
+        verdict(worst <= most),
+        measured=f"{worst:{sign}.2f} {unit} in 95 %",
+        allowed=f"{most:{sign}g} {unit} in 95 %",
+        figures={
+            "frames": len(values),
+            "in_95_percent": worst,
+            "mean": float(values.mean()),
+            "most": float(values.max()),
+        },
+    )
+
+
+def _shape(frames: Sequence[Minimised]) -> Finding:
+    together = [frame.name for frame in frames if not frame.worst_force <= MOST_FORCE]
+    turned = [
+        f"{frame.name} ({', '.join(frame.inverted[:2])})" for frame in frames if frame.inverted
+    ]
+    finding = Finding(
+        "starts_shape",
+        TITLES["starts_shape"],
+        verdict(not together and not turned),
+        measured=f"{len(together)} and {len(turned)} frames",
+        allowed="none",
+        figures={
+            "atoms_in_one_place": len(together),
+            "hand_changed": len(turned),
+            "worst_force": max(frame.worst_force for frame in frames),
+        },
+    )
+    if together:
+        finding.notes.append(
+            f"a force above {MOST_FORCE:.0e} kJ/(mol nm), as of atoms in one place: "
+            f"{_named(together)}"
+        )
+    if turned:
+        finding.notes.append(f"residues with the other hand: {_named(turned)}")
+    return finding
+
+
+def _named(names: Sequence[str]) -> str:
+    return ", ".join(names[:MOST_NAMED]) + (", ..." if len(names) > MOST_NAMED else "")

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+// A sample as H5MD files keep it: its options, its nodes and its frames, for it to go on.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pliant/framework/frame.hpp"
+#include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
+#include "pliant/sample/sample.hpp"
+
+namespace pliant {
+
+/// Every option by its path below /parameters: "sample/frames". A seed is text, since 64 bits
+/// without sign do not fit a Parameter.
+std::vector<NamedParameter> parameters_of(const SampleOptions& options);
+
+/// What a sample is given besides them. `start` (N, Angstrom).
+RunInputs recorded_inputs(std::span<const Vec3> start, const NetworkNodes& nodes);
+
+/// The nodes that were recorded.
+NetworkNodes nodes_of(const RunInputs& inputs);
+
+/// How a sample goes on: options of the frames that are missing, and of the last one that is there,
+/// which must come out with the same bits. Throws InputError naming the file and a path of it that
+/// is missing or has a value that is none.
+SampleOptions sample_options_from(const H5mdCheckpoint& recorded);
+
+/// Adds to the file of `from` the frames that `options` (sample_options_from) ask for, first among
+/// them the last one that is there. `observer` sees those that are new, and only they are counted.
+/// Throws as sample() and H5mdRecorder do; FileError where that frame comes out otherwise.
+SampleSummary add_frames(const H5mdCheckpoint& from, const SampleOptions& options,
+                         const H5mdOptions& recording, const SampleObserver& observer);
+
+/// A frame as recorders take it; frames of a sample have a number in place of a time.
+Frame recorded_frame(const SampledFrame& sampled);
+
+}  // namespace pliant

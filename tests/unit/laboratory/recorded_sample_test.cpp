@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/laboratory/recorded_sample.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/build_framework.hpp"
+#include "pliant/molecule/read/read.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+#include "unit/record/recorded_runs.hpp"
+#include "unit/record/samples.hpp"
+
+namespace pliant {
+namespace recorded_sample_test {
+
+/// A peptide that is a ring; every heavy atom is a node, and two far ones are held near.
+struct Peptide {
+  Framework framework{FrameworkParts{}};
+  std::vector<Vec3> start;
+  NetworkNodes nodes;
+};
+
+Peptide peptide() {
+  Structure structure =
+      read_structure(std::string(PLIANT_SOURCE_DIR "/data/molecules/cyclic_hexapeptide.pdb"));
+  perceive_bonds(structure);
+  Peptide made;
+  made.start = structure.positions;
+  made.nodes.of_joint.assign(structure.size(), no_node);
+  for (std::size_t k = 0; k < structure.size(); ++k) {
+    if (structure.atoms.elements[k] == 1) continue;
+    made.nodes.of_joint[k] = static_cast<std::uint32_t>(made.nodes.positions.size());
+    made.nodes.chain.push_back(made.nodes.of_joint[k]);
+    made.nodes.positions.push_back(structure.positions[k]);
+  }
+  FrameworkParts parts = build_framework(structure, {.bars = BarKind::angles}).parts();
+  const double apart = distance(made.start[0], made.start[30]);
+  parts.limits = {{.a = 0, .b = 30, .most = apart + 0.5, .energy = -4.0, .group = 0}};
+  made.framework = Framework(std::move(parts));
+  return made;
+}
+
+SampleOptions options_for(const std::string& sampler) {
+  SampleOptions options;
+  options.frames = 7;
+  options.first_frame = sampler == "walk" ? 1 : 96;
+  options.amplitude = 0.3;
+  options.seed = ~std::uint64_t{0};
+  options.sampler = sampler;
+  options.temperature = 5.0;
+  return options;
+}
+
+void record_sample(const std::filesystem::path& path, const Peptide& from,
+                   const SampleOptions& options, std::int64_t planned) {
+  H5mdHeader header;
+  SampleOptions whole = options;
+  whole.frames = planned;
+  header.parameters = parameters_of(whole);
+  header.inputs = recorded_inputs(from.start, from.nodes);
+  H5mdRecorder recorder(path, from.framework, header);
+  sample(from.framework, from.start, from.nodes, options, [&](const SampledFrame& frame) {
+    recorder.record(recorded_frame(frame));
+    return false;
+  });
+  recorder.close();
+}
+
+class RecordedSample : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Samplers, RecordedSample, testing::Values("modes", "dilute", "walk"));
+
+TEST_P(RecordedSample, GoesOnAsIfItHadNeverStopped) {
+  const test::TempDirectory folder;
+  const Peptide from = peptide();
+  SampleOptions options = options_for(GetParam());
+  record_sample(folder / "whole.h5md", from, options, 7);
+  options.frames = 3;
+  record_sample(folder / "part.h5md", from, options, 7);
+  const H5mdCheckpoint checkpoint = read_checkpoint(folder / "part.h5md");
+  EXPECT_TRUE(checkpoint.is_sample());
+  EXPECT_EQ(checkpoint.done, 3);
+  std::int64_t seen = options.first_frame + 3;
+  const SampleSummary summary =
+      add_frames(checkpoint, sample_options_from(checkpoint), {}, [&](const SampledFrame& frame) {
+        EXPECT_EQ(frame.frame, seen++);
+        return false;
+      });
+  EXPECT_EQ(summary.frames, 4);
+  test::expect_same_file(folder / "whole.h5md", folder / "part.h5md");
+}
+
+TEST(RecordedSample, WhatIsRecordedIsReadBack) {
+  const test::TempDirectory folder;
+  const Peptide from = peptide();
+  const SampleOptions options = options_for("dilute");
+  record_sample(folder / "a.h5md", from, options, 7);
+  const H5mdCheckpoint read = read_checkpoint(folder / "a.h5md", 20);
+  const NetworkNodes nodes = nodes_of(read.inputs);
+  EXPECT_EQ(nodes.of_joint, from.nodes.of_joint);
+  EXPECT_EQ(nodes.chain, from.nodes.chain);
+  EXPECT_TRUE(test::same_bits(nodes.positions, from.nodes.positions));
+  EXPECT_TRUE(test::same_bits(read.inputs.start, from.start));
+  const SampleOptions again = sample_options_from(read);
+  EXPECT_EQ(again.first_frame, 102);
+  EXPECT_EQ(again.frames, 96 + 20 - 102);
+  EXPECT_EQ(again.seed, options.seed);
+  EXPECT_EQ(again.temperature, options.temperature);
+}
+
+TEST(RecordedSample, FramesOfOtherBitsAreNotAddedTo) {
+  const test::TempDirectory folder;
+  const Peptide from = peptide();
+  record_sample(folder / "a.h5md", from, options_for("modes"), 7);
+  H5mdCheckpoint read = read_checkpoint(folder / "a.h5md", 9);
+  for (auto& [path, value] : read.parameters)
+    if (path == "sample/seed") value = std::string("5");
+  EXPECT_EQ(test::error_text<FileError>([&] {
+              add_frames(read, sample_options_from(read), {},
+                         [](const SampledFrame&) { return false; });
+            }),
+            (folder / "a.h5md").string() +
+                ": the frame of step 102 is not what the run gives now: it was written by another "
+                "version of Pliant");
+  EXPECT_EQ(H5mdReader(folder / "a.h5md").frames(), 7);
+}
+
+TEST(RecordedSample, ParametersThatAreNoneAreTold) {
+  H5mdCheckpoint from;
+  from.path = "a.h5md";
+  from.last_step = 3;
+  from.steps = 9;
+  from.parameters = parameters_of(options_for("modes"));
+  const auto fault = [&] {
+    return test::error_text<InputError>([&] { sample_options_from(from); });
+  };
+  EXPECT_EQ(sample_options_from(from).frames, 6);
+  for (auto& [path, value] : from.parameters)
+    if (path == "sample/seed") value = std::string("-5");
+  EXPECT_EQ(fault(),
+            "a.h5md: its sample cannot go on: /parameters/sample/seed has a value that is none");
+  for (auto& [path, value] : from.parameters)
+    if (path == "sample/amplitude") value = std::string("far");
+  EXPECT_EQ(
+      fault(),
+      "a.h5md: its sample cannot go on: /parameters/sample/amplitude has a value that is none");
+  from.parameters.clear();
+  EXPECT_EQ(fault(), "a.h5md: its sample cannot go on: does not say /parameters/sample/amplitude");
+}
+
+}  // namespace recorded_sample_test
+}  // namespace pliant
