@@ -212,9 +212,7 @@ structure : Structure or MolecularModel
 frames : int
     How many, from 1.
 amplitude : float, str or path
-    How far frames go, an input: mean r.m.s. fluctuation of residues (Angstrom); ``"bfactors"``: as
-    far as the structure's B factors say, sqrt(3 B / 8 pi^2); or a file: as far as its models (PDB,
-    mmCIF) or frames (H5MD) go, of the same residues, numbered alike.
+    Mean r.m.s. fluctuation of residues (Angstrom), ``"bfactors"``, or a file of models or frames.
 seed : int
     Of all random numbers. Frames are a function of the model, the seed and their number.
 threads : int
@@ -241,11 +239,9 @@ SampledEnsemble
 Raises
 ------
 OptionError
-    An option out of range or of no known name, B factors that tell nothing, or a model with pinned
-    atoms.
+    An option out of range or of no known name, a model with pinned atoms, useless B factors.
 InputError
-    Where a file of models has others than these residues, or one model only;
-    as ``build_model``, or where the start of a model is not whole.
+    As ``build_model``, where the start of a model is not whole, or a file of models has others.
 FileError
     The file exists (and ``overwrite`` is false) or cannot be written.
 )";
@@ -326,7 +322,7 @@ void bind_summary(nb::class_<T>& to) {
           "Frames that no draw gave; they are left out.")
       .def_prop_ro(
           "amplitude_reached", [](const T& self) { return summary_of(self).amplitude_reached; },
-          "Mean r.m.s. fluctuation of residues in the frames, superposed (Angstrom).")
+          "Mean r.m.s. fluctuation of residues in frames, superposed (Angstrom).")
       .def_prop_ro(
           "max_residual", [](const T& self) { return summary_of(self).max_residual; },
           "Worst bar of all frames: abs(length - rest) / rest.")

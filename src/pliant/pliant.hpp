@@ -28,11 +28,9 @@
 #include "pliant/molecule/structure/structure.hpp"  // atoms, positions, bonds
 
 // model: structures to models of molecules
-#include "pliant/model/amplitude.hpp"             // how far frames of an ensemble go
 #include "pliant/model/atom_graph.hpp"            // who is bonded to whom
 #include "pliant/model/contact_file.hpp"          // contacts as text
 #include "pliant/model/contact_list.hpp"          // contacts, and the limits that they are
-#include "pliant/model/ensemble_amplitude.hpp"    // as far as another ensemble
 #include "pliant/model/hydrogen_bond_energy.hpp"  // of one hydrogen bond
 #include "pliant/model/hydrogen_bonds.hpp"        // hydrogen bonds and salt bridges
 #include "pliant/model/model.hpp"                 // the model of a molecule

@@ -167,7 +167,7 @@ def test_the_amplitude_may_be_that_of_models_or_b_factors(kinase, tmp_path):
     assert found.amplitude_asked == pytest.approx(0.5 * np.sqrt(3 * 2 / 3), rel=0.05)
     assert found.amplitude_reason.startswith("3 models of ")
     with open(MDA.PDB_small) as file:
-        b = np.array([float(line[60:66]) for line in file if line[12:16] == " CA "])
+        b = np.array([float(line[60:66]) for line in file if line[12:16].strip() == "CA"])
     found = pliant.sample(kinase, 1, amplitude="bfactors")
     assert found.amplitude_asked == pytest.approx(np.sqrt(3 * b / (8 * np.pi**2)).mean(), rel=1e-6)
 

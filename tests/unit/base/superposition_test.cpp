@@ -20,8 +20,7 @@ std::vector<Vec3> moved(std::vector<Vec3> points, double angle, Vec3 shift) {
 TEST(Superposition, TakesBackARigidMotion) {
   const std::vector<Vec3> goal = tripod(), points = moved(goal, 1.1, {4, -5, 6});
   const RigidMotion motion = superposition(points, goal);
-  for (std::size_t k = 0; k < goal.size(); ++k)
-    EXPECT_LT(norm(motion(points[k]) - goal[k]), 1e-12);
+  for (std::size_t k = 0; k < goal.size(); ++k) EXPECT_LT(norm(motion(points[k]) - goal[k]), 1e-12);
 }
 
 TEST(Superposition, NeverReflects) {
