@@ -30,12 +30,12 @@ H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model
 
 /// Asked of both outputs before the first is made, so that none is left behind alone.
 void check_outputs(const SampleSettings& settings) {
-  refuse_same_files(inputs_of(settings.molecule), {settings.output});
+  refuse_same_files(inputs_of(settings), {settings.output});
   check_trajectory_name(settings.output);
   check_record_options(settings.output, settings.record);
   std::vector<std::string> outputs{settings.output};
   if (settings.topology != "none") outputs.push_back(settings.topology);
-  refuse_same_files(inputs_of(settings.molecule), outputs);
+  refuse_same_files(inputs_of(settings), outputs);
   for (const std::string& output : outputs) {
     std::error_code error;
     if (!settings.record.overwrite && std::filesystem::is_regular_file(output, error))
@@ -89,6 +89,7 @@ int command_sample(const Arguments& arguments) {
       "Examples:\n"
       "  pliant sample protein.pdb -o ensemble.h5md\n"
       "  pliant sample protein.cif --frames 1000 --amplitude 2 --seed 7\n"
+      "  pliant sample protein.pdb --amplitude nmr_models.pdb\n"
       "  pliant sample protein.pdb --sampler dilute --hbond-cutoff -2\n"
       "  pliant sample --continue ensemble.h5md              after Ctrl-C or a crash\n"
       "  pliant sample --continue ensemble.h5md --frames 2000\n"
@@ -103,6 +104,7 @@ int command_sample(const Arguments& arguments) {
   check_outputs(settings);
   settings.record.log = messages.log();
   const MolecularModel model = load_model(settings, messages.log());
+  choose_amplitude(settings, model, messages.log());
   watch_for_interrupt();
   const SampleSummary summary = sample_to_file(settings, model, messages.log());
   print_sample(settings, system_of(model), summary, messages.warnings());

@@ -31,7 +31,7 @@ constexpr RecordedOption recorded_options[] = {{"input", "input/file"},
                                                {"--protonate", "model/protonate"},
                                                {"--floppy", "model/floppy"},
                                                {"--first-frame", "sample/first_frame"},
-                                               {"--amplitude", "sample/amplitude"},
+                                               {"--amplitude", "sample/amplitude_from"},
                                                {"--seed", "sample/seed"},
                                                {"--network", "sample/network"},
                                                {"--sampler", "sample/sampler"},
@@ -99,6 +99,9 @@ int continue_sample(const CommandLine& line, SampleSettings& settings) {
   settings.molecule.file = recorded_text(from, "input/file");
   settings.sample = sample_options_from(from);
   settings.sample.threads = threads_of(settings);
+  settings.chosen_amplitude = {settings.sample.amplitude,
+                               recorded_text(from, "sample/amplitude_from"),
+                               recorded_text(from, "sample/amplitude_reason")};
   settings.record.log = messages.log();
   watch_for_interrupt();
   SampleSummary summary;

@@ -48,8 +48,9 @@ void print_table(const SampleSettings& settings, const SampledSystem& system,
              settings.sample.network, settings.sample.seed);
   fmt::print("amplitude       asked {:.2f} A, reached {:.2f} A: an input, not a prediction\n",
              summary.amplitude_asked, summary.amplitude_reached);
+  fmt::print("                asked: {}\n", printable_name(settings.chosen_amplitude.reason));
   fmt::print("                frames show what can move; how often they occur is not claimed\n");
-  fmt::print("RMSF            {:.2f} A over atoms, {:.2f} A between halves of the frames\n",
+  fmt::print("RMSF            {:.2f} A over atoms, superposed; {:.2f} A between halves of frames\n",
              mean_of(summary.rmsf), mean_of(summary.rmsf_error));
   fmt::print("drawn again     {} frames; {} more took a second way\n", summary.redrawn,
              std::max<std::int64_t>(0, summary.rescued - summary.redrawn));
@@ -79,6 +80,8 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"amplitude_asked", summary.amplitude_asked},
                   {"amplitude_reached", summary.amplitude_reached},
                   {"amplitude_is_input", true},
+                  {"amplitude_from", settings.chosen_amplitude.source},
+                  {"amplitude_reason", settings.chosen_amplitude.reason},
                   {"redrawn", summary.redrawn},
                   {"rescued", summary.rescued},
                   {"failed", summary.failed},

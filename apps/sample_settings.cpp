@@ -10,8 +10,11 @@
 #include "output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/laboratory/recorded_sample.hpp"
+#include "pliant/model/ensemble_amplitude.hpp"
 #include "pliant/model/residue_nodes.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/samplers.hpp"
 
@@ -39,8 +42,12 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
   line.not_required_with("input", "--continue");
   line.add_integer("--first-frame", sample.first_frame, 0, most_frames,
                    "number of the first frame: a run may be made in pieces");
-  line.add_real("--amplitude", sample.amplitude, Range::positive,
-                "mean r.m.s. fluctuation of residues (Angstrom): an input, not a result");
+  line.add_text("--amplitude", settings.amplitude, "X, NAME or FILE",
+                "how far frames go: mean r.m.s. fluctuation of residues. An input, not a result:\n"
+                "X: as given, in Angstrom (default 1.4, that of ubiquitin by NMR, 2K39)\n"
+                "bfactors: as far as the file's B factors say, sqrt(3 B / 8 pi^2)\n"
+                "FILE: as far as an ensemble of yours goes: models (PDB, mmCIF) or frames (H5MD)\n"
+                "of the same residues, numbered alike");
   line.add_seed("--seed", sample.seed, "of all random numbers");
   line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the frames",
                    "all cores");
@@ -65,6 +72,26 @@ void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
 }
 
+bool is_h5md(const std::string& path) {
+  const std::filesystem::path extension = std::filesystem::path(path).extension();
+  return extension == ".h5md" || extension == ".h5";
+}
+
+/// What was asked for, in one way of writing: for files, and to compare with what they hold.
+std::string amplitude_source(const SampleSettings& settings) {
+  if (settings.amplitude.empty()) return number_text(usual_amplitude);
+  const auto number = parse_real(settings.amplitude);
+  return number ? number_text(*number) : settings.amplitude;
+}
+
+/// A number is refused before any file is read.
+void check_amplitude(const SampleSettings& settings) {
+  const auto number = parse_real(settings.amplitude);
+  if (number && !(*number > 0.0))
+    throw OptionError("--amplitude: expected a number above 0, found " +
+                      pliant::quoted(settings.amplitude));
+}
+
 }  // namespace
 
 void add_sample_options(CommandLine& line, SampleSettings& settings) {
@@ -85,6 +112,7 @@ void complete(SampleSettings& settings) {
     settings.topology = is_pdb_name(settings.output)
                             ? "none"
                             : default_topology(settings.output, settings.molecule.file);
+  check_amplitude(settings);
   check(settings.sample);
 }
 
@@ -94,6 +122,26 @@ MolecularModel load_model(SampleSettings& settings, const Log& log) {
       settings.model == "auto" ? entry(usual_model(structure)).name : settings.model;
   check(settings.molecule.kind);
   return build_model(structure, model_options_of(settings.molecule.kind, log));
+}
+
+void choose_amplitude(SampleSettings& settings, const MolecularModel& model, const Log& log) {
+  if (settings.amplitude.empty()) {
+    settings.chosen_amplitude = {usual_amplitude, number_text(usual_amplitude),
+                                 "the default; see --amplitude for others"};
+  } else if (is_h5md(settings.amplitude)) {
+    settings.chosen_amplitude = trajectory_amplitude(H5mdReader(settings.amplitude, {"", log}),
+                                                     settings.amplitude, model.structure, log);
+  } else {
+    settings.chosen_amplitude = pliant::choose_amplitude(settings.amplitude, model.structure, log);
+  }
+  settings.sample.amplitude = settings.chosen_amplitude.value;
+}
+
+std::vector<std::string> inputs_of(const SampleSettings& settings) {
+  std::vector<std::string> all = inputs_of(settings.molecule);
+  const bool is_file = !parse_real(settings.amplitude) && settings.amplitude != "bfactors";
+  if (is_file) all.push_back(settings.amplitude);
+  return all;
 }
 
 NetworkNodes nodes_of(const MolecularModel& model) {
@@ -112,6 +160,8 @@ std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
                          {"input/select", molecule.select},
                          {"input/assembly", molecule.assembly},
                          {"input/distance_bonds", molecule.guess_distances},
+                         {"sample/amplitude_from", amplitude_source(settings)},
+                         {"sample/amplitude_reason", settings.chosen_amplitude.reason},
                          {"record/single", settings.record.single},
                          {"record/compress", settings.record.compress}});
   for (NamedParameter& one : parameters_of(molecule.kind)) all.push_back(std::move(one));

@@ -7,6 +7,7 @@
 
 #include "molecule_input.hpp"
 #include "pliant/base/parameter.hpp"
+#include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/sample/sample.hpp"
@@ -17,7 +18,9 @@ struct SampleSettings {
   MoleculeOptions molecule;
   std::string model = "auto";  ///< a name in models(), or what fits the file
   SampleOptions sample;
-  std::int64_t threads = 0;  ///< 0: as many as there are cores
+  std::string amplitude;             ///< as given: a number, a word or a file; "": the usual one
+  AmplitudeChoice chosen_amplitude;  ///< see choose_amplitude()
+  std::int64_t threads = 0;          ///< 0: as many as there are cores
   H5mdOptions record;
   std::string go_on;     ///< trajectory whose sample goes on; "": a new one
   std::string output;    ///< "": the input's name with .h5md, in the current folder
@@ -37,6 +40,14 @@ int threads_of(const SampleSettings& settings);
 /// Reads the file, perceives its bonds, builds its model, whose kind is then in `settings`. Throws
 /// as the library does.
 MolecularModel load_model(SampleSettings& settings, const Log& log);
+
+/// How far frames go, from the option and what is sampled; it is then in `settings`. Throws as the
+/// library does.
+void choose_amplitude(SampleSettings& settings, const MolecularModel& model, const Log& log);
+
+/// The files that are read: those of the molecule, and that of the amplitude; "" where there is
+/// none.
+std::vector<std::string> inputs_of(const SampleSettings& settings);
 
 /// The nodes of the elastic network of a model. Throws InputError where there are fewer than two.
 NetworkNodes nodes_of(const MolecularModel& model);

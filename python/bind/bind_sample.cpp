@@ -1,17 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Sampling: elastic networks, ways to move, and ensembles of frames.
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/variant.h>
 
 #include <optional>
+#include <variant>
 
 #include "arrays.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/laboratory/recorded_sample.hpp"
+#include "pliant/model/amplitude.hpp"
+#include "pliant/model/ensemble_amplitude.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/model/residue_nodes.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/network_modes.hpp"
 #include "pliant/sample/sample.hpp"
@@ -26,6 +32,7 @@ namespace {
 /// Frames, and what they were made of.
 struct SampledEnsemble {
   MolecularModel model;
+  AmplitudeChoice amplitude;
   std::vector<Vec3> positions;  ///< (F * N)
   SampleSummary summary;
 };
@@ -50,6 +57,19 @@ MolecularModel model_from(const nb::handle& argument, const std::string& model) 
   return build_model(structure, options);
 }
 
+/// Angstrom, `bfactors`, or a file.
+using AskedAmplitude = std::variant<double, std::filesystem::path>;
+
+AmplitudeChoice amplitude_of(const AskedAmplitude& asked, const Structure& structure) {
+  if (const double* value = std::get_if<double>(&asked))
+    return choose_amplitude(shortest_text(*value), structure, python_log());
+  const std::filesystem::path& path = std::get<std::filesystem::path>(asked);
+  if (path.extension() == ".h5md" || path.extension() == ".h5")
+    return trajectory_amplitude(H5mdReader(path, {"", python_log()}), path.string(), structure,
+                                python_log());
+  return choose_amplitude(path.string(), structure, python_log());
+}
+
 /// Where frames are written besides.
 struct Output {
   std::optional<std::filesystem::path> path;
@@ -68,14 +88,17 @@ Output output_from(const std::optional<std::filesystem::path>& path, bool overwr
            .log = unraisable_python_log()}};
 }
 
-H5mdHeader header_of_sample(const MolecularModel& model, const NetworkNodes& nodes,
-                     const SampleOptions& options, const H5mdOptions& recording) {
+H5mdHeader header_of_sample(const MolecularModel& model, const AmplitudeChoice& amplitude,
+                            const NetworkNodes& nodes, const SampleOptions& options,
+                            const H5mdOptions& recording) {
   H5mdHeader header = header_of(&model.structure);
   header.inputs = recorded_inputs(model.positions, nodes);
   header.parameters = parameters_of(options);
   const std::string file = std::filesystem::path(model.structure.source).filename().string();
   header.parameters.insert(header.parameters.end(),
                            {{"input/file", file},
+                            {"sample/amplitude_from", amplitude.source},
+                            {"sample/amplitude_reason", amplitude.reason},
                             {"model/kind", std::string(entry(model.kind).name)},
                             {"record/single", recording.single},
                             {"record/compress", recording.compress}});
@@ -90,7 +113,8 @@ void fill(SampledEnsemble& out, const SampleOptions& options, const Output& outp
   std::optional<H5mdRecorder> recorder;
   if (output.path)
     recorder.emplace(*output.path, model.framework,
-                     header_of_sample(model, nodes, options, output.options), output.options);
+                     header_of_sample(model, out.amplitude, nodes, options, output.options),
+                     output.options);
   out.summary =
       sample(model.framework, model.positions, nodes, options, [&](const SampledFrame& frame) {
         if (recorder) recorder->record(recorded_frame(frame));
@@ -100,19 +124,20 @@ void fill(SampledEnsemble& out, const SampleOptions& options, const Output& outp
   if (recorder) recorder->close();
 }
 
-SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames, double amplitude,
-                            std::uint64_t seed, int threads, const std::string& network,
-                            const std::string& sampler, std::int64_t first_frame,
-                            double temperature, const std::string& model,
+SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
+                            const AskedAmplitude& amplitude, std::uint64_t seed, int threads,
+                            const std::string& network, const std::string& sampler,
+                            std::int64_t first_frame, double temperature, const std::string& model,
                             const std::optional<std::filesystem::path>& path, bool overwrite,
                             bool single, bool compress) {
   const Output output = output_from(path, overwrite, single, compress);
-  SampledEnsemble out{model_from(structure, model), {}, {}};
+  SampledEnsemble out{model_from(structure, model), {}, {}, {}};
+  out.amplitude = amplitude_of(amplitude, out.model.structure);
   InterruptWatch watch;
   SampleOptions options;
   options.frames = frames;
   options.first_frame = first_frame;
-  options.amplitude = amplitude;
+  options.amplitude = out.amplitude.value;
   options.seed = seed;
   options.threads = threads;
   options.network = network;
@@ -186,8 +211,8 @@ structure : Structure or MolecularModel
     A structure with its bonds, as ``read`` gives it, or the model of one.
 frames : int
     How many, from 1.
-amplitude : float
-    Mean r.m.s. fluctuation of residues (Angstrom).
+amplitude : float, str or path
+    Mean r.m.s. fluctuation of residues (Angstrom), ``"bfactors"``, or a file of models or frames.
 seed : int
     Of all random numbers. Frames are a function of the model, the seed and their number.
 threads : int
@@ -214,9 +239,9 @@ SampledEnsemble
 Raises
 ------
 OptionError
-    An option out of range or of no known name, or a model with pinned atoms.
+    An option out of range or of no known name, a model with pinned atoms, useless B factors.
 InputError
-    As ``build_model``, or where the start of a model is not whole.
+    As ``build_model``, where the start of a model is not whole, or a file of models has others.
 FileError
     The file exists (and ``overwrite`` is false) or cannot be written.
 )";
@@ -297,7 +322,7 @@ void bind_summary(nb::class_<T>& to) {
           "Frames that no draw gave; they are left out.")
       .def_prop_ro(
           "amplitude_reached", [](const T& self) { return summary_of(self).amplitude_reached; },
-          "Mean r.m.s. fluctuation of residues in the frames (Angstrom).")
+          "Mean r.m.s. fluctuation of residues in frames, superposed (Angstrom).")
       .def_prop_ro(
           "max_residual", [](const T& self) { return summary_of(self).max_residual; },
           "Worst bar of all frames: abs(length - rest) / rest.")
@@ -310,7 +335,8 @@ void bind_summary(nb::class_<T>& to) {
       .def_prop_ro(
           "rmsf", [](const T& self) { return array_of(summary_of(self).rmsf); },
           nb::rv_policy::reference,
-          "(N,) float64: r.m.s. fluctuation of each atom about its mean (Angstrom).")
+          "(N,) float64: r.m.s. fluctuation of each atom about its mean, frames superposed "
+          "(Angstrom).")
       .def_prop_ro(
           "rmsf_error", [](const T& self) { return array_of(summary_of(self).rmsf_error); },
           nb::rv_policy::reference,
@@ -324,6 +350,12 @@ void bind_ensemble_class(nb::module_& module) {
   nb::class_<SampledEnsemble> ensemble(module, "SampledEnsemble",
                                        "Frames of a molecule, and how exact they are.");
   ensemble.def_ro("model", &SampledEnsemble::model, "What was sampled.")
+      .def_prop_ro(
+          "amplitude_asked", [](const SampledEnsemble& self) { return self.amplitude.value; },
+          "Mean r.m.s. fluctuation of residues that was asked for (Angstrom).")
+      .def_prop_ro(
+          "amplitude_reason", [](const SampledEnsemble& self) { return self.amplitude.reason; },
+          "Where the amplitude that was asked for is from, in words.")
       .def_prop_ro("positions", &frames_of, "(F, N, 3) float64 view, Angstrom.");
   bind_summary(ensemble);
 }
@@ -348,13 +380,13 @@ void bind_sample(nb::module_& module) {
              modes_doc);
   const SampleOptions usual;
   module.def("sample", &sample_from, "structure"_a, "frames"_a = usual.frames, nb::kw_only(),
-             "amplitude"_a = usual.amplitude, "seed"_a = usual.seed, "threads"_a = usual.threads,
-             "network"_a = usual.network, "sampler"_a = usual.sampler,
+             "amplitude"_a = AskedAmplitude(usual.amplitude), "seed"_a = usual.seed,
+             "threads"_a = usual.threads, "network"_a = usual.network, "sampler"_a = usual.sampler,
              "first_frame"_a = usual.first_frame, "temperature"_a = usual.temperature,
              "model"_a = "", "output"_a = nb::none(), "overwrite"_a = false, "single"_a = false,
              "compress"_a = false,
              nb::sig("def sample(structure: Structure | MolecularModel, frames: int = 200, *, "
-                     "amplitude: float = 1.4, seed: int = 0, threads: int = 1, "
+                     "amplitude: float | str | os.PathLike = 1.4, seed: int = 0, threads: int = 1, "
                      "network: str = \"shared\", sampler: str = \"modes\", first_frame: int = 0, "
                      "temperature: float = 12.552, model: str = \"\", "
                      "output: str | os.PathLike[str] | None = None, overwrite: bool = False, "

@@ -54,7 +54,7 @@ def _print_atoms(found: AtomComparison, is_second: bool) -> None:
 
 
 def _frames(count: int) -> str:
-    return f"{count} frames compared"
+    return f"{count} frame{'s' if count != 1 else ''} compared"
 
 
 def _number(value: float, form: str = ".2f") -> str:

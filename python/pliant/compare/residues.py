@@ -22,6 +22,7 @@ from pliant.compare.residue_report import (
 from pliant.compare.traces import Trace
 
 WHITE = 100  #: numbers of frames of `pliant sample` are white within blocks of so many
+LEAST_FRAMES = 4  #: for errors and for halves
 DRAWS = 200  #: of the bootstrap of RMSF
 MOST_DRAWS, FEWEST_DRAWS = 100, 20  #: of bootstraps that need principal components
 WORK = 4e9  #: multiplications that such a bootstrap may take, about
@@ -62,7 +63,10 @@ def compare_residues(
     numbers = None if reference.kind == TRAJECTORY else np.arange(len(theirs))
     found.theirs = _profile(theirs, numbers)
     _compare_profiles(found, theirs, trace, reference.residues)
-    found.subspaces = _subspaces(mine, theirs, found, trace, reference.residues)
+    ceiling = np.nan
+    if len(theirs) >= LEAST_FRAMES:
+        found.r_ceiling, ceiling = alike.halves(theirs[:, core])
+    found.subspaces = _subspaces(mine, theirs, found, ceiling, trace, reference.residues)
     return found
 
 
@@ -70,7 +74,7 @@ def _profile(frames: np.ndarray, independent: np.ndarray | None) -> Profile:
     """RMSF and its error: by blocks of frames, or by bootstrap where each frame is one's own."""
     count = frames.shape[1]
     rmsf = alike.fluctuations(frames)
-    if len(frames) < 4:
+    if len(frames) < LEAST_FRAMES:
         return Profile(rmsf, np.full(count, np.nan), len(frames))
     if independent is not None and len(frames) < 2 * WHITE:
         return Profile(rmsf, _bootstrapped(frames), len(frames))
@@ -105,9 +109,7 @@ def _compare_profiles(
     core, (ours, other) = found.core, (found.ours.rmsf, found.theirs.rmsf)
     found.r = alike.correlation_over_residues(ours[core], other[core])
     found.r_all = alike.correlation(ours, other)
-    if len(theirs) >= 4:
-        found.r_ceiling = alike.halves(theirs[:, core])[0]
-    if found.kind == TRAJECTORY and len(theirs) >= 4:
+    if found.kind == TRAJECTORY and len(theirs) >= LEAST_FRAMES:
         middle = len(theirs) // 2
         found.r_in_time = alike.compared_halves(theirs[:middle, core], theirs[middle:, core])[0]
     mean = float(ours[core].mean())
@@ -143,6 +145,7 @@ def _subspaces(
     ours: np.ndarray,
     theirs: np.ndarray,
     found: ResidueComparison,
+    ceiling: float,
     trace: Trace,
     residues: np.ndarray,
 ) -> Subspaces:
@@ -159,7 +162,7 @@ def _subspaces(
         other,
         alike.overlaps(*vectors),
         Figure(alike.rmsip(*vectors), _rmsip_error(mine, theirs[:, core])),
-        alike.halves(theirs[:, core])[1] if len(theirs) >= 4 else np.nan,
+        ceiling,
         alike.chance_rmsip(count, int(core.sum())),
         covered_ours,
         covered_theirs,
@@ -172,7 +175,7 @@ def _subspaces(
 def _rmsip_error(ours: Modes, theirs: np.ndarray) -> float:
     """Over draws of their frames, as many as take bearable time."""
     frames, columns = len(theirs), theirs[0].size
-    if frames < 4:
+    if frames < LEAST_FRAMES:
         return float("nan")
     work = float(frames) * columns * min(frames, columns)
     draws = int(np.clip(WORK / work, FEWEST_DRAWS, MOST_DRAWS))

@@ -157,8 +157,8 @@ def _atoms(
     except InputError as error:
         if is_all:
             raise
-        several = len(paths) > 1
-        return None, [] if several else [f"atoms are not compared, residues only: {error}"]
+        is_plain = len(paths) > 1 or str(error).endswith("at least 2 frames, found 1")
+        return None, [] if is_plain else [f"atoms are not compared, residues only: {error}"]
     return _compare_atoms(ensembles), [f"atoms are matched {pairing.how}"]
 
 

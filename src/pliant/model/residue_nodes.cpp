@@ -23,7 +23,7 @@ class NodeFinder {
       if (k > 0 && ends_chain(k - 1)) ++chain_;
       const std::uint32_t atom = atom_of_polymer(k);
       if (atom != no_atom) {
-        add(atom);
+        add(atom, true);
         for (std::uint32_t i = residues_.begin(k); i < residues_.end(k); ++i)
           nodes_.of_atom[i] = static_cast<std::uint32_t>(nodes_.positions.size() - 1);
       } else {
@@ -34,9 +34,11 @@ class NodeFinder {
   }
 
  private:
-  void add(std::uint32_t atom) {
+  void add(std::uint32_t atom, bool is_residue) {
     nodes_.positions.push_back(structure_.positions[atom]);
     nodes_.chain.push_back(chain_);
+    nodes_.atom.push_back(atom);
+    nodes_.is_residue.push_back(is_residue);
   }
 
   bool ends_chain(std::size_t residue) const {
@@ -65,7 +67,7 @@ class NodeFinder {
     for (std::uint32_t i = residues_.begin(residue); i < residues_.end(residue); ++i) {
       if (structure_.atoms.elements[i] == hydrogen) continue;
       ++chain_;
-      add(i);
+      add(i, false);
       nodes_.of_atom[i] = static_cast<std::uint32_t>(nodes_.positions.size() - 1);
     }
     ++chain_;

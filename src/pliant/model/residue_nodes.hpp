@@ -16,6 +16,8 @@ struct ResidueNodes {
   std::vector<Vec3> positions;         ///< (M) Angstrom, of the atom at which each node is
   std::vector<std::uint32_t> chain;    ///< (M) nodes of one chain follow each other
   std::vector<std::uint32_t> of_atom;  ///< (N) the node that each atom goes with
+  std::vector<std::uint32_t> atom;     ///< (M) at which each node is
+  std::vector<bool> is_residue;        ///< (M) whether it stands for a residue of a polymer
 };
 
 /// A node at the alpha carbon of an amino acid, at P (else C4') of a nucleotide, at each heavy atom

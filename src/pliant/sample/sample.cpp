@@ -44,10 +44,10 @@ class Sampling {
         start_(start),
         options_(options),
         sampler_(find_sampler(options.sampler).make({framework, start, nodes, options})),
-        sums_(start),
+        joint_of_node_(joints_nearest_to(nodes.positions)),
+        sums_(start, joint_of_node_),
         now_(start.begin(), start.end()),
         before_(now_) {
-    for (Vec3 node : nodes.positions) joint_of_node_.push_back(nearest_joint(node));
     const std::size_t threads = sampler_->is_walk() ? 1 : static_cast<std::size_t>(options.threads);
     for (std::size_t k = 0; k < threads; ++k)
       makers_.push_back(std::make_unique<FrameMaker>(framework, plan, *sampler_));
@@ -72,6 +72,12 @@ class Sampling {
   }
 
  private:
+  std::vector<std::size_t> joints_nearest_to(std::span<const Vec3> nodes) const {
+    std::vector<std::size_t> out;
+    for (Vec3 node : nodes) out.push_back(nearest_joint(node));
+    return out;
+  }
+
   std::size_t nearest_joint(Vec3 node) const {
     const auto nearer = [&](Vec3 a, Vec3 b) {
       return norm_squared(a - node) < norm_squared(b - node);

@@ -3,10 +3,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+
+#include "pliant/base/superposition.hpp"
 
 namespace pliant {
 
-FluctuationSums::FluctuationSums(std::span<const Vec3> start) : start_(start.begin(), start.end()) {
+FluctuationSums::FluctuationSums(std::span<const Vec3> start, std::vector<std::size_t> fitted)
+    : start_(start.begin(), start.end()), fitted_(std::move(fitted)), points_(fitted_.size()) {
+  for (std::size_t joint : fitted_) goal_.push_back(start_[joint]);
   for (Half& half : halves_) {
     half.sum.resize(start.size());
     half.squares.assign(start.size(), 0.0);
@@ -16,8 +21,10 @@ FluctuationSums::FluctuationSums(std::span<const Vec3> start) : start_(start.beg
 void FluctuationSums::add(std::span<const Vec3> positions, bool is_second) {
   Half& half = halves_[is_second ? 1 : 0];
   ++half.frames;
+  for (std::size_t k = 0; k < fitted_.size(); ++k) points_[k] = positions[fitted_[k]];
+  const RigidMotion motion = superposition(points_, goal_);
   for (std::size_t k = 0; k < start_.size(); ++k) {
-    const Vec3 move = positions[k] - start_[k];
+    const Vec3 move = motion(positions[k]) - start_[k];
     half.sum[k] += move;
     half.squares[k] += norm_squared(move);
   }

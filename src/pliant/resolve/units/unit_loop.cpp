@@ -39,12 +39,12 @@ constexpr double shake = 0.1;  // of the shortest bar
 constexpr double shares[] = {0.5, 0.25};
 
 /// Angles that Newton's method does not make whole are hardly made so by sweeps.
-constexpr std::int64_t most_sweeps = 200;
+constexpr std::int64_t most_loop_sweeps = 200;
 
 ResolveOptions half_the_tolerance(ResolveOptions options) {
   options.tolerance.relative *= 0.5;
   options.tolerance.length *= 0.5;
-  options.max_sweeps = std::min(options.max_sweeps, most_sweeps);
+  options.max_sweeps = std::min(options.max_sweeps, most_loop_sweeps);
   return options;
 }
 
