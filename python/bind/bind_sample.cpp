@@ -69,9 +69,9 @@ Output output_from(const std::optional<std::filesystem::path>& path, bool overwr
 }
 
 H5mdHeader header_of_sample(const MolecularModel& model, const NetworkNodes& nodes,
-                     const SampleOptions& options, const H5mdOptions& recording) {
+                            const SampleOptions& options, const H5mdOptions& recording) {
   H5mdHeader header = header_of(&model.structure);
-  header.inputs = recorded_inputs(model.positions, nodes);
+  header.inputs = sample_inputs(model.positions, nodes);
   header.parameters = parameters_of(options);
   const std::string file = std::filesystem::path(model.structure.source).filename().string();
   header.parameters.insert(header.parameters.end(),

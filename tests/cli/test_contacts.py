@@ -143,7 +143,9 @@ def test_contacts_given_back_give_the_same_bits(pliant, tmp_path, form):
     common = ("--frames", 2, "--quiet", "--topology", "none")
     (tmp_path / "contacts.txt").write_text(pliant("contacts", TRYPSIN_INHIBITOR, form).out)
     pliant("sample", TRYPSIN_INHIBITOR, "-o", "found.h5md", *common)
-    ended = pliant("sample", TRYPSIN_INHIBITOR, "-o", "given.h5md", "--contacts", "contacts.txt", *common)
+    ended = pliant(
+        "sample", TRYPSIN_INHIBITOR, "-o", "given.h5md", "--contacts", "contacts.txt", *common
+    )
     assert ended.code == 0, ended.err
     found, given = contents(tmp_path / "found.h5md"), contents(tmp_path / "given.h5md")
     assert len(found["parameters/limit/most"]) > 100
