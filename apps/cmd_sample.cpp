@@ -24,7 +24,7 @@ H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model
                      const NetworkNodes& nodes) {
   H5mdHeader header = molecule_header(model.structure);
   header.parameters = parameters_of(settings);
-  header.inputs = recorded_inputs(model.positions, nodes);
+  header.inputs = sample_inputs(model.positions, nodes);
   return header;
 }
 

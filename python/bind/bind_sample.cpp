@@ -92,7 +92,7 @@ H5mdHeader header_of_sample(const MolecularModel& model, const AmplitudeChoice& 
                             const NetworkNodes& nodes, const SampleOptions& options,
                             const H5mdOptions& recording) {
   H5mdHeader header = header_of(&model.structure);
-  header.inputs = recorded_inputs(model.positions, nodes);
+  header.inputs = sample_inputs(model.positions, nodes);
   header.parameters = parameters_of(options);
   const std::string file = std::filesystem::path(model.structure.source).filename().string();
   header.parameters.insert(header.parameters.end(),

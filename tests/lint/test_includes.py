@@ -28,7 +28,8 @@ MAY_INCLUDE = {
     "run": ("base", "framework", "order", "resolve", "perturb"),
     "record": ("base", "text", "framework"),
     "laboratory": (
-        *("base", "text", "framework", "generate", "order", "resolve", "perturb", "record"),
+        *("base", "text", "framework", "generate", "order", "resolve", "perturb", "sample"),
+        "record",
     ),
 }
 

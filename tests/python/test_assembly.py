@@ -77,12 +77,12 @@ def with_operations(path, expression, operations):
     block = document.sole_block()
     for row in block.find("_pdbx_struct_assembly_gen.", ["oper_expression"]):
         row[0] = f"'{expression}'"
-    tags = ["id", *(f"matrix[{i}][{j}]" for i in (1, 2, 3) for j in (1, 2, 3))]
+    tags = ["id", "type", *(f"matrix[{i}][{j}]" for i in (1, 2, 3) for j in (1, 2, 3))]
     tags += [f"vector[{i}]" for i in (1, 2, 3)]
     block.find_mmcif_category("_pdbx_struct_oper_list.").erase()
     loop = block.init_loop("_pdbx_struct_oper_list.", tags)
     for name, (turn, shift) in operations.items():
-        loop.add_row([name, *(repr(float(x)) for x in [*turn.ravel(), *shift])])
+        loop.add_row([name, "?", *(repr(float(x)) for x in [*turn.ravel(), *shift])])
     document.write_file(str(path))
     return path
 

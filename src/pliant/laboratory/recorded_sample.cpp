@@ -52,7 +52,7 @@ std::vector<NamedParameter> parameters_of(const SampleOptions& options) {
           {"sample/temperature", options.temperature}};
 }
 
-RunInputs recorded_inputs(std::span<const Vec3> start, const NetworkNodes& nodes) {
+RunInputs sample_inputs(std::span<const Vec3> start, const NetworkNodes& nodes) {
   RunInputs inputs;
   inputs.start.assign(start.begin(), start.end());
   inputs.node_positions = nodes.positions;

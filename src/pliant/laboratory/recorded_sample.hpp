@@ -16,7 +16,7 @@ namespace pliant {
 std::vector<NamedParameter> parameters_of(const SampleOptions& options);
 
 /// What a sample is given besides them. `start` (N, Angstrom).
-RunInputs recorded_inputs(std::span<const Vec3> start, const NetworkNodes& nodes);
+RunInputs sample_inputs(std::span<const Vec3> start, const NetworkNodes& nodes);
 
 /// The nodes that were recorded.
 NetworkNodes nodes_of(const RunInputs& inputs);

@@ -69,7 +69,12 @@ std::vector<Limit> limits_of(std::span<const MolecularContact> contacts) {
 }
 
 void sort(std::vector<MolecularContact>& contacts) {
-  std::sort(contacts.begin(), contacts.end(), [](const auto& one, const auto& other) {
+  using Kind = MolecularContactKind;
+  const auto rank = [](const MolecularContact& contact) {
+    return contact.kind == Kind::salt_bridge ? Kind::hydrogen_bond : contact.kind;
+  };
+  std::sort(contacts.begin(), contacts.end(), [&](const auto& one, const auto& other) {
+    if (rank(one) != rank(other)) return rank(one) < rank(other);
     return std::tie(one.a, one.b, one.hydrogen) < std::tie(other.a, other.b, other.hydrogen);
   });
 }

@@ -63,7 +63,8 @@ void set_limits(MolecularContact& contact, const Structure& structure, double us
 /// kJ/mol on each of its rows: of a hydrogen bond H..A, D..A and H..B, else a..b.
 std::vector<Limit> limits_of(std::span<const MolecularContact> contacts);
 
-/// By a, then b, then hydrogen.
+/// Hydrogen bonds with salt bridges, then tethers, then metals, as they are found; each by a, then
+/// b, then hydrogen.
 void sort(std::vector<MolecularContact>& contacts);
 
 }  // namespace pliant

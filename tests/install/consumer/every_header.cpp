@@ -26,6 +26,7 @@
 #include "pliant/framework/framework.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/joint_names.hpp"
+#include "pliant/framework/limit_counts.hpp"
 #include "pliant/framework/limits.hpp"
 #include "pliant/framework/residual.hpp"
 #include "pliant/framework/sterics.hpp"
@@ -35,6 +36,7 @@
 #include "pliant/laboratory/make_test_set.hpp"
 #include "pliant/laboratory/read_test_set.hpp"
 #include "pliant/laboratory/recorded_inputs.hpp"
+#include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/laboratory/test_results.hpp"
 #include "pliant/laboratory/test_set.hpp"
 #include "pliant/model/atom_graph.hpp"
@@ -171,6 +173,7 @@ const Use uses[] = {
     of_type<State>("pliant/framework/framework.hpp"),
     of("pliant/framework/graph.hpp", &graph_facts),
     of("pliant/framework/joint_names.hpp", &JointNames::word_for),
+    of_type<LimitCounts>("pliant/framework/limit_counts.hpp"),
     of("pliant/framework/limits.hpp", &limit_kinds),
     of("pliant/framework/residual.hpp", &measure),
     of("pliant/framework/sterics.hpp", overload<void(const Sterics&, std::size_t)>(&check)),
@@ -211,6 +214,7 @@ const Use uses[] = {
     of("pliant/laboratory/make_test_set.hpp", &make_test_set),
     of("pliant/laboratory/read_test_set.hpp", &read_test_set),
     of("pliant/laboratory/recorded_inputs.hpp", &recorded_inputs),
+    of("pliant/laboratory/recorded_sample.hpp", &add_frames),
     of("pliant/laboratory/test_results.hpp", &summary_of),
     of("pliant/laboratory/test_set.hpp", &TestSet::save),
 };

@@ -59,7 +59,7 @@ void record_sample(const std::filesystem::path& path, const Peptide& from,
   SampleOptions whole = options;
   whole.frames = planned;
   header.parameters = parameters_of(whole);
-  header.inputs = recorded_inputs(from.start, from.nodes);
+  header.inputs = sample_inputs(from.start, from.nodes);
   H5mdRecorder recorder(path, from.framework, header);
   sample(from.framework, from.start, from.nodes, options, [&](const SampledFrame& frame) {
     recorder.record(recorded_frame(frame));
