@@ -152,7 +152,7 @@ def chance_rmsip(modes: int, atoms: int) -> float:
 def covered(vectors: np.ndarray, modes: np.ndarray) -> np.ndarray:
     """(K,) cumulative overlap of each unit vector (K, 3 n) with modes: its length within them."""
     lengths: np.ndarray = np.sqrt(((vectors @ modes.T) ** 2).sum(axis=1))
-    return np.minimum(lengths, 1.0)
+    return np.asarray(np.minimum(lengths, 1.0))
 
 
 def cumulative_overlap(modes: np.ndarray, displacement: np.ndarray, count: int = TEN) -> float:
