@@ -294,9 +294,15 @@ def test_frames_drawn_again_are_named(folder, report, tmp_path, frames, kind):
     named = ", ".join(map(str, list(frames)[:10]))
     assert f"could not be resolved: frames {named}" in page
     assert "They took 3 draws at most" in page
+
+
+def test_nothing_is_said_of_draws_where_the_file_says_nothing(folder, report, tmp_path):
+    path = tmp_path / "silent.h5md"
+    shutil.copy(folder / "peptide.h5md", path)
     with h5py.File(path, "r+") as file:
         del file["observables/redraws"]
-    assert "draws" not in pliant.analyse(path, tmp_path / "b", dpi=50).as_json()["verdicts"]
+    found = pliant.analyse(path, tmp_path / "out", dpi=50)
+    assert "draws" not in found.as_json()["verdicts"]
 
 
 @pytest.mark.long
