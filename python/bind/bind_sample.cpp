@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Sampling: elastic networks, ways to move, and ensembles of frames.
-#include <nanobind/stl/filesystem.h>
-#include <nanobind/stl/variant.h>
-
 #include <optional>
-#include <variant>
 
 #include "arrays.hpp"
+#include "asked_amplitude.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/base/number.hpp"
 #include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/amplitude.hpp"
-#include "pliant/model/ensemble_amplitude.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/model/residue_nodes.hpp"
-#include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/network_modes.hpp"
 #include "pliant/sample/sample.hpp"
@@ -55,19 +49,6 @@ MolecularModel model_from(const nb::handle& argument, const std::string& model) 
   if (!model.empty()) options.kind = choose(models(), "model", model).kind;
   options.log = python_log();
   return build_model(structure, options);
-}
-
-/// Angstrom, `bfactors`, or a file.
-using AskedAmplitude = std::variant<double, std::filesystem::path>;
-
-AmplitudeChoice amplitude_of(const AskedAmplitude& asked, const Structure& structure) {
-  if (const double* value = std::get_if<double>(&asked))
-    return choose_amplitude(shortest_text(*value), structure, python_log());
-  const std::filesystem::path& path = std::get<std::filesystem::path>(asked);
-  if (path.extension() == ".h5md" || path.extension() == ".h5")
-    return trajectory_amplitude(H5mdReader(path, {"", python_log()}), path.string(), structure,
-                                python_log());
-  return choose_amplitude(path.string(), structure, python_log());
 }
 
 /// Where frames are written besides.
