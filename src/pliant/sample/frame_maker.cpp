@@ -5,12 +5,15 @@
 #include <cmath>
 #include <ctime>
 
+#include "pliant/base/superposition.hpp"
 #include "pliant/framework/residual.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr int most_redraws = 20;
+/// Bars are whole to rounding by how units move: more is an error, and no frame (share of length).
+constexpr double most_residual = 1e-9;
 
 FrodaOptions careful() {
   FrodaOptions options;
@@ -60,8 +63,19 @@ void FrameMaker::make(std::int64_t number, std::span<const Vec3> now, std::span<
     out.limits_off = request_.limits_off;
     out.off_target = rms_distance(out.positions, request_.targets);
     measure_bars(out);
+    out.is_made = out.max_residual <= most_residual;
   }
+  if (sampler_.is_walk()) keep_in_place(now, out);
   out.cpu_seconds = thread_seconds() - begun;
+}
+
+/// A walk's frame lies on the one before: as a whole it would drift away.
+void FrameMaker::keep_in_place(std::span<const Vec3> start, MadeFrame& out) const {
+  out.before = before_;
+  if (!out.is_made) return;
+  const RigidMotion back = superposition(out.positions, start);
+  for (Vec3& x : out.positions) x = back(x);
+  for (Vec3& x : out.before) x = back(x);
 }
 
 /// The draw itself, by careful steps, else by blind ones, else by many small ones; then drawn

@@ -15,6 +15,7 @@ namespace pliant {
 struct MadeFrame {
   bool is_made = false;
   std::vector<Vec3> positions;           ///< (N)
+  std::vector<Vec3> before;              ///< (N) of a walk, one step earlier; else empty
   std::vector<std::uint8_t> limits_off;  ///< (L) or empty
   double max_residual = 0.0, rms_residual = 0.0;
   BarIndex worst_bar = 0;
@@ -40,6 +41,7 @@ class FrameMaker {
   bool make_step(std::int64_t number, int step, std::span<const Vec3> now,
                  std::span<const Vec3> before, MadeFrame& out);
   bool resolve(std::span<const Vec3> now, const FrodaOptions& options, MadeFrame& out);
+  void keep_in_place(std::span<const Vec3> start, MadeFrame& out) const;
   void measure_bars(MadeFrame& out) const;
 
   const Framework& framework_;

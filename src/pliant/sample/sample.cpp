@@ -122,7 +122,7 @@ class Sampling {
   void make(FrameMaker& maker, std::int64_t first, std::size_t k) {
     maker.make(first + static_cast<std::int64_t>(k), now_, before_, made_[k]);
     if (!sampler_->is_walk() || !made_[k].is_made) return;
-    before_ = now_;
+    before_ = made_[k].before;
     now_ = made_[k].positions;
   }
 

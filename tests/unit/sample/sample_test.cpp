@@ -81,6 +81,32 @@ TEST(Sample, FramesAreTheSameInPiecesAndOnThreads) {
   EXPECT_FALSE(test::same_bits(frames_of(p, options)[0], piece[0]));
 }
 
+/// A walk goes on as it went, and neither flies away nor speeds up.
+TEST(Sample, AWalkStaysWhereItIs) {
+  const Peptide p = peptide("peptide_20.pdb");
+  SampleOptions options;
+  options.frames = 60;
+  options.sampler = "walk";
+  Vec3 middle;
+  for (Vec3 x : p.start) middle += (1.0 / double(p.start.size())) * x;
+  std::vector<Vec3> last = p.start;
+  const auto look = [&](const SampledFrame& frame) {
+    Vec3 now;
+    double squares = 0.0;
+    for (std::size_t k = 0; k < last.size(); ++k) {
+      now += (1.0 / double(last.size())) * frame.positions[k];
+      squares += norm_squared(frame.positions[k] - last[k]) / double(last.size());
+    }
+    EXPECT_LT(distance(now, middle), 1e-6) << frame.number;
+    EXPECT_LT(std::sqrt(squares), 4.0) << frame.number;
+    last.assign(frame.positions.begin(), frame.positions.end());
+    return false;
+  };
+  const SampleSummary summary = sample(p.framework, p.start, p.nodes, options, look);
+  EXPECT_EQ(summary.frames, 60);
+  EXPECT_LT(summary.max_residual, 1e-10);
+}
+
 TEST(Sample, StopsWhereTheObserverAsks) {
   const Peptide p = peptide();
   SampleOptions options;
