@@ -97,8 +97,8 @@ TEST(Sample, AWalkStaysWhereItIs) {
       now += (1.0 / double(last.size())) * frame.positions[k];
       squares += norm_squared(frame.positions[k] - last[k]) / double(last.size());
     }
-    EXPECT_LT(distance(now, middle), 1e-6) << frame.number;
-    EXPECT_LT(std::sqrt(squares), 4.0) << frame.number;
+    EXPECT_LT(distance(now, middle), 1e-6) << frame.frame;
+    EXPECT_LT(std::sqrt(squares), 4.0) << frame.frame;
     last.assign(frame.positions.begin(), frame.positions.end());
     return false;
   };
