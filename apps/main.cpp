@@ -16,6 +16,8 @@ constexpr Command commands[] = {
     {"info", "list what a molecule file holds: atoms, bonds, bars, cycles, blocks", command_info},
     {"contacts", "list hydrogen bonds, salt bridges and hydrophobic contacts of a molecule",
      command_contacts},
+    {"rigidity", "count degrees of freedom: which parts of a molecule are rigid, which flexible",
+     command_rigidity},
     {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
     {"sample", "an ensemble of what a molecule can do, written to an H5MD trajectory",
      command_sample},

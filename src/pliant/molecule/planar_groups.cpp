@@ -9,7 +9,7 @@ namespace pliant {
 namespace {
 
 constexpr std::uint8_t carbon = 6, nitrogen = 7, oxygen = 8, sulphur = 16;
-constexpr std::uint8_t single = 1, twofold = 2, aromatic = 4;
+constexpr std::uint8_t single = 1, twofold = 2, threefold = 3, aromatic = 4;
 constexpr std::uint8_t not_known = 0;
 /// Angles alone make a ring of so many atoms rigid.
 constexpr std::size_t largest_rigid_ring = 6;
@@ -41,6 +41,13 @@ class PlanarGroups {
         found.push_back(k);
     }
     return found;
+  }
+
+  std::vector<bool> locked() const {
+    std::vector<bool> is_locked;
+    for (const Bond& bond : structure_.bonds)
+      is_locked.push_back(bond.order == threefold || holds(bond));
+    return is_locked;
   }
 
   /// More than one bar would depend on others in the plane, and make Newton's method slow.
@@ -124,6 +131,10 @@ class PlanarGroups {
 
 std::vector<std::size_t> find_planar_bonds(const Structure& structure) {
   return PlanarGroups(structure).bonds();
+}
+
+std::vector<bool> find_locked_bonds(const Structure& structure) {
+  return PlanarGroups(structure).locked();
 }
 
 std::vector<Bar> find_planar_bars(const Structure& structure) {

@@ -87,17 +87,21 @@ void PdbText::add_model(std::int64_t number, std::span<const Vec3> positions) {
   text_ += "ENDMDL\n";
 }
 
-void PdbText::add_atoms(std::span<const Vec3> positions) {
+void PdbText::add_remark(const std::string& text) {
+  fmt::format_to(out(), "REMARK   1 {:.69}\n", printable(text, ' '));
+}
+
+void PdbText::add_atoms(std::span<const Vec3> positions, std::span<const double> b_factors) {
   text_.reserve(positions.size() * 81);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const bool chain_ends = i > 0 && atoms_.residues[atoms_.residue_of[i]].chain !=
                                          atoms_.residues[atoms_.residue_of[i - 1]].chain;
     if (chain_ends) text_ += "TER\n";
-    add_atom(i, positions[i]);
+    add_atom(i, positions[i], b_factors.empty() ? 0.0 : b_factors[i]);
   }
 }
 
-void PdbText::add_atom(std::size_t atom, Vec3 position) {
+void PdbText::add_atom(std::size_t atom, Vec3 position, double b_factor) {
   check_position(atom, position);
   const Residue& residue = atoms_.residues[atoms_.residue_of[atom]];
   const bool polymer =
@@ -112,7 +116,7 @@ void PdbText::add_atom(std::size_t atom, Vec3 position) {
       polymer ? "ATOM" : "HETATM", hybrid36(std::int64_t(atom) + 1, 5), name_columns(name, element),
       fmt::format("{:>3}", residue_name), printable(residue.chain.substr(0, 1)),
       number_columns(atom), residue.insertion_code > ' ' ? residue.insertion_code : ' ', position.x,
-      position.y, position.z, 1.0, 0.0,
+      position.y, position.z, 1.0, b_factor,
       residue.chain.size() > 1 ? printable(residue.chain.substr(0, 4)) : "",
       element_columns(element));
 }

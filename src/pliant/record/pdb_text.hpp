@@ -32,8 +32,11 @@ class PdbText {
       : atoms_(atoms), hybrid36_bonds_(hybrid36_bonds) {}
 
   void add_title(const std::string& title);
+  /// A line of text of up to 69 characters.
+  void add_remark(const std::string& text);
   /// Serials are 1 to N in the order of the joints, hybrid-36 past 99,999. TER between chains.
-  void add_atoms(std::span<const Vec3> positions);
+  /// `b_factors` (N), from -99.99 to 999.99, or none: 0.
+  void add_atoms(std::span<const Vec3> positions, std::span<const double> b_factors = {});
   /// The same as a model, numbered from 1.
   void add_model(std::int64_t number, std::span<const Vec3> positions);
   void add_bonds(std::span<const RecordedBond> bonds);
@@ -46,7 +49,7 @@ class PdbText {
 
  private:
   std::back_insert_iterator<std::string> out() { return std::back_inserter(text_); }
-  void add_atom(std::size_t atom, Vec3 position);
+  void add_atom(std::size_t atom, Vec3 position, double b_factor);
   std::string number_columns(std::size_t atom) const;
   void check_position(std::size_t atom, Vec3 position) const;
   std::vector<std::vector<std::uint32_t>> neighbours(std::span<const RecordedBond> bonds);

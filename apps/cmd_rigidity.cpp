@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+// pliant rigidity: which parts of a molecule are rigid, by counting freedoms.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "command.hpp"
+#include "messages.hpp"
+#include "molecule_input.hpp"
+#include "output_files.hpp"
+#include "pliant/base/error.hpp"
+#include "rigidity_files.hpp"
+#include "rigidity_report.hpp"
+
+namespace pliant::app {
+namespace {
+
+struct RigiditySettings {
+  MoleculeOptions molecule;
+  std::int64_t hydrogen_bond_bars = 5, tether_bars = 2;
+  bool ends_turn = true, dilution = false;
+  std::string output;
+  bool overwrite = false, as_csv = false, as_json = false;
+};
+
+constexpr const char* summary =
+    "Counts degrees of freedom (body-bar pebble game, as FIRST does): which atoms move as\n"
+    "one (rigid clusters), which bonds still turn, and what holds more than it needs to.\n"
+    "\n"
+    "Each atom is a body with 6 freedoms. A bond that may turn takes 5 of them (a hinge),\n"
+    "one that does not (peptide, double, aromatic) 6, a hydrogen bond 5, a hydrophobic\n"
+    "contact 2. What is left are internal degrees of freedom: a ring of six single bonds\n"
+    "has none, a ring of seven has one. Only the graph counts, not positions; contacts hold\n"
+    "as if they never broke. So the answer depends on --hbond-cutoff: look at --dilution.";
+
+constexpr const char* footer =
+    "How to read it:\n"
+    "  flexibility  of a bond: 1 turns freely, 1/7 in a ring of seven that turns as a whole,\n"
+    "               0 locked, below 0 locked by more bars than it takes (redundant)\n"
+    "               of a residue: the mean of its N-CA and CA-C bonds\n"
+    "  dilution     hydrogen bonds go one by one, the weakest first: the clusters that stay\n"
+    "               longest are the core, where they come apart are hinges\n"
+    "\n"
+    "Examples:\n"
+    "  pliant rigidity protein.pdb\n"
+    "  pliant rigidity protein.pdb --dilution --hbond-cutoff -0.1\n"
+    "  pliant rigidity protein.pdb -o rigid && pymol rigid/show.pml\n"
+    "  pliant rigidity protein.pdb --csv > residues.csv";
+
+void add_options(CommandLine& line, RigiditySettings& settings) {
+  add_file_options(line, settings.molecule);
+  add_model_options(line, settings.molecule.kind);
+  line.start_group("Counting");
+  line.add_integer("--hbond-bars", settings.hydrogen_bond_bars, 1, freedoms_of_body,
+                   "bars of a hydrogen bond or salt bridge");
+  line.add_integer("--tether-bars", settings.tether_bars, 0, freedoms_of_body,
+                   "bars of a hydrophobic contact; 0 leaves them out");
+  line.add_opposite("--still-ends", settings.ends_turn,
+                    "an atom with one bond stays put on it where a hydrogen bond holds it: D-H of "
+                    "D-H..A does not turn");
+  line.add_flag("--dilution", settings.dilution,
+                "take hydrogen bonds out one by one, the weakest first, from --hbond-cutoff on");
+  line.start_group("Output");
+  line.add_text("-o,--output", settings.output, "FOLDER",
+                "write tables, PDB files with clusters and flexibility as B factors, and scripts "
+                "for PyMOL and ChimeraX");
+  line.add_flag("--overwrite", settings.overwrite, "replace files of that folder");
+  line.add_flag("--csv", settings.as_csv,
+                "print a table of residues, with --dilution one of hydrogen bonds that go");
+  line.add_flag("--json", settings.as_json, "print one JSON object with all that was found");
+}
+
+void refuse_input_as_output(const RigiditySettings& settings) {
+  if (settings.output.empty()) return;
+  std::vector<std::string> outputs;
+  for (const std::string& name : rigidity_file_names(settings.dilution))
+    outputs.push_back((std::filesystem::path(settings.output) / name).string());
+  refuse_same_files(inputs_of(settings.molecule), outputs);
+}
+
+RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
+  RigidityReport report;
+  report.file = settings.molecule.file;
+  report.model = contact_model(read(settings.molecule, log),
+                               model_options_of(settings.molecule.kind, log));
+  RigidityOptions options;
+  options.hydrogen_bond_bars = static_cast<std::uint8_t>(settings.hydrogen_bond_bars);
+  options.tether_bars = static_cast<std::uint8_t>(settings.tether_bars);
+  options.ends_turn = settings.ends_turn;
+  report.rigidity = analyse_rigidity(report.model.structure, report.model.contacts, options);
+  if (settings.dilution) report.dilution = dilute_hydrogen_bonds(report.rigidity.network);
+  return report;
+}
+
+}  // namespace
+
+int command_rigidity(const Arguments& arguments) {
+  CommandLine line("pliant rigidity", summary);
+  line.set_footer(footer);
+  RigiditySettings settings;
+  add_options(line, settings);
+  if (const int code = line.parse(arguments); code >= 0) return code;
+  if (settings.as_csv && settings.as_json) throw OptionError("--csv, --json: expected one of them");
+  if (settings.overwrite && settings.output.empty())
+    throw OptionError("--overwrite: goes with --output");
+  refuse_input_as_output(settings);
+  Messages messages(settings.as_json);
+  const RigidityReport report = report_of(settings, messages.log());
+  if (!settings.output.empty())
+    write_rigidity_folder(settings.output, report, settings.overwrite, messages.log());
+  if (settings.as_csv)
+    fmt::print("{}", settings.dilution ? dilution_as_csv(report) : residues_as_csv(report));
+  else if (settings.as_json)
+    print_json(json_of_rigidity(report) +
+               Json{{"warnings", messages.warnings()}, {"notes", messages.notes()}});
+  else
+    print_rigidity(report);
+  return exit_ok;
+}
+
+}  // namespace pliant::app

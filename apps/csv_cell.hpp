@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+// Text as a cell of a CSV file (RFC 4180).
+#pragma once
+
+#include <string>
+
+namespace pliant::app {
+
+/// In quotes where it needs them. Text that a spreadsheet would take for a formula gets an
+/// apostrophe before it.
+std::string csv_cell(const std::string& text);
+
+}  // namespace pliant::app

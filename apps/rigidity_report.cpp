@@ -1,0 +1,296 @@
+// SPDX-License-Identifier: MIT
+#include "rigidity_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+
+#include "csv_cell.hpp"
+#include "pliant/base/printable.hpp"
+
+namespace pliant::app {
+namespace {
+
+constexpr std::size_t most_printed = 10, most_stretches = 6;
+
+bool is_listed_bond(const RigidityReport& report, std::size_t edge) {
+  const Rigidity& rigidity = report.rigidity;
+  return !rigidity.network.is_bond(edge) || rigidity.network.edges[edge].bars < freedoms_of_body ||
+         rigidity.found.redundant[edge] > 0;
+}
+
+void print_row(std::string_view label, std::size_t value, const std::string& comment) {
+  fmt::print("{:<28}{:>9}{}{}\n", label, value, comment.empty() ? "" : "   ", comment);
+}
+
+std::string percent(std::size_t part, std::size_t whole) {
+  return whole == 0 ? "-" : fmt::format("{:.0f} %", 100.0 * double(part) / double(whole));
+}
+
+std::string counted_contacts(const RigidityReport& report) {
+  std::map<std::string, std::size_t> counts;
+  const std::size_t edges = report.rigidity.network.edges.size();
+  for (std::size_t k = report.rigidity.network.bonds; k < edges; ++k) ++counts[report.kind_of(k)];
+  std::string text;
+  for (const auto& [kind, count] : counts)
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", kind, count);
+  return text;
+}
+
+void print_totals(const RigidityReport& report) {
+  const Rigidity& rigidity = report.rigidity;
+  const RigidClusters& found = rigidity.found;
+  fmt::print("{}\n", printable_name(report.file));
+  print_row("atoms", rigidity.network.atoms,
+            fmt::format("{} residues", report.model.structure.atoms.residues.size()));
+  print_row("contacts", rigidity.network.edges.size() - rigidity.network.bonds,
+            counted_contacts(report));
+  print_row("bonds that may turn", rigidity.hinges,
+            fmt::format("{} flexible, {} locked by rings and contacts", rigidity.flexible_bonds,
+                        rigidity.hinges - rigidity.flexible_bonds));
+  print_row("internal degrees of freedom", found.freedoms,
+            found.components == 1
+                ? std::string("all is linked")
+                : fmt::format("of {} parts that nothing links", found.components));
+  print_row("bars", found.bars, fmt::format("{} redundant", report.redundant_bars()));
+  print_row("rigid clusters", report.listed_clusters(),
+            fmt::format("of {} atoms or more; {} of the atoms", least_listed,
+                        percent(report.atoms_in_listed(), rigidity.network.atoms)));
+}
+
+void print_clusters(const RigidityReport& report) {
+  const std::size_t count = std::min(report.listed_clusters(), most_printed);
+  if (count == 0) return;
+  fmt::print("\n{:>7} {:>7} {:>6}  {}\n", "cluster", "atoms", "share", "residues");
+  for (std::size_t k = 0; k < count; ++k) {
+    const std::uint32_t size = report.rigidity.found.clusters.sizes[k];
+    fmt::print("{:>7} {:>7} {:>6}  {}\n", k + 1, size,
+               percent(size, report.rigidity.network.atoms),
+               residues_of(report, static_cast<std::uint32_t>(k), most_stretches));
+  }
+}
+
+bool breaks_something(const DilutionRow& before, const DilutionRow& row) {
+  return before.clusters != row.clusters || before.largest != row.largest;
+}
+
+void print_dilution(const RigidityReport& report) {
+  const auto& rows = report.dilution;
+  if (rows.empty()) return;
+  fmt::print("\nHydrogen bonds taken out, the weakest first; rows where clusters change\n");
+  fmt::print("{:>6} {:>9} {:>8} {:>9} {:>8}  {:<20}  {}\n", "left", "kcal/mol", "freedom",
+             "redundant", "clusters", "largest (atoms)", "taken out");
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    if (k > 0 && k + 1 < rows.size() && !breaks_something(rows[k - 1], rows[k])) continue;
+    std::string sizes;
+    for (std::size_t n = 0; n < 3; ++n) sizes += fmt::format("{:>6} ", rows[k].largest[n]);
+    const auto weakest = report.weakest_of(rows[k]);
+    std::string taken;
+    if (const auto edge = report.taken_for(k)) {
+      const BodyEdge& at = report.rigidity.network.edges[*edge];
+      taken = report.label(at.a) + " " + report.label(at.b);
+    }
+    fmt::print("{:>6} {:>9} {:>8} {:>9} {:>8}  {:<20}  {}\n", rows[k].hydrogen_bonds,
+               weakest ? fmt::format("{:.2f}", *weakest) : "-", rows[k].freedoms,
+               rows[k].redundant, rows[k].clusters, sizes, printable(taken));
+  }
+}
+
+Json json_of_clusters(const RigidityReport& report) {
+  std::vector<Json> clusters;
+  for (std::size_t k = 0; k < report.listed_clusters(); ++k)
+    clusters.push_back({{"cluster", k + 1},
+                        {"atoms", report.rigidity.found.clusters.sizes[k]},
+                        {"residues", residues_of(report, static_cast<std::uint32_t>(k), ~0U)}});
+  return Json::array(clusters);
+}
+
+Json json_of_bonds(const RigidityReport& report) {
+  std::vector<Json> bonds;
+  const Rigidity& rigidity = report.rigidity;
+  for (std::size_t k = 0; k < rigidity.network.edges.size(); ++k) {
+    if (!is_listed_bond(report, k)) continue;
+    const BodyEdge& edge = rigidity.network.edges[k];
+    bonds.push_back({{"kind", report.kind_of(k)},
+                     {"a", report.label(edge.a)},
+                     {"b", report.label(edge.b)},
+                     {"bars", edge.bars},
+                     {"redundant", rigidity.found.redundant[k]},
+                     {"flexible", rigidity.is_flexible(k)},
+                     {"flexibility", rigidity.flexibility[k]}});
+  }
+  return Json::array(bonds);
+}
+
+Json json_of_residues(const RigidityReport& report) {
+  std::vector<Json> rows;
+  const auto& residues = report.model.structure.atoms.residues;
+  for (std::size_t k = 0; k < residues.size(); ++k) {
+    const ResidueFlexibility& found = report.rigidity.residues[k];
+    rows.push_back({{"chain", residues[k].chain},
+                    {"number", residues[k].number},
+                    {"name", residues[k].name},
+                    {"cluster", found.cluster + 1},
+                    {"flexibility", found.index},
+                    {"bonds", found.bonds},
+                    {"flexible", found.flexible}});
+  }
+  return Json::array(rows);
+}
+
+Json json_of_dilution(const RigidityReport& report) {
+  std::vector<Json> rows;
+  for (std::size_t k = 0; k < report.dilution.size(); ++k) {
+    const DilutionRow& row = report.dilution[k];
+    std::vector<Json> largest;
+    for (const std::uint32_t size : row.largest) largest.push_back(size);
+    Json json{{"hydrogen_bonds", row.hydrogen_bonds},
+              {"degrees_of_freedom", row.freedoms},
+              {"redundant", row.redundant},
+              {"clusters", row.clusters},
+              {"largest", Json::array(largest)}};
+    if (const auto weakest = report.weakest_of(row)) json = json + Json{{"cutoff", *weakest}};
+    rows.push_back(std::move(json));
+  }
+  return Json::array(rows);
+}
+
+}  // namespace
+
+std::size_t RigidityReport::listed_clusters() const {
+  const auto& sizes = rigidity.found.clusters.sizes;
+  return static_cast<std::size_t>(
+      std::find_if(sizes.begin(), sizes.end(),
+                   [](std::uint32_t size) { return size < least_listed; }) -
+      sizes.begin());
+}
+
+std::size_t RigidityReport::atoms_in_listed() const {
+  std::size_t sum = 0;
+  for (std::size_t k = 0; k < listed_clusters(); ++k) sum += rigidity.found.clusters.sizes[k];
+  return sum;
+}
+
+std::size_t RigidityReport::redundant_bars() const {
+  return rigidity.found.bars - rigidity.found.rank;
+}
+
+std::string RigidityReport::kind_of(std::size_t edge) const {
+  if (rigidity.network.is_bond(edge)) return "bond";
+  return std::string(name(model.contacts[rigidity.network.contact_of(edge)].kind));
+}
+
+std::optional<double> RigidityReport::weakest_of(const DilutionRow& row) const {
+  if (row.hydrogen_bonds == 0) return std::nullopt;
+  const std::size_t last = rigidity.network.first_hydrogen_bond + row.hydrogen_bonds - 1;
+  return model.contacts[rigidity.network.contact_of(last)].energy;
+}
+
+std::optional<std::size_t> RigidityReport::taken_for(std::size_t row) const {
+  if (row == 0) return std::nullopt;
+  return rigidity.network.first_hydrogen_bond + dilution[row].hydrogen_bonds;
+}
+
+std::string residues_of(const RigidityReport& report, std::uint32_t cluster, std::size_t most) {
+  const AtomTable& atoms = report.model.structure.atoms;
+  const auto& of_atom = report.rigidity.found.clusters.of_body;
+  std::vector<std::uint32_t> counts(atoms.residues.size(), 0);
+  for (std::size_t atom = 0; atom < of_atom.size(); ++atom)
+    if (of_atom[atom] == cluster) ++counts[atoms.residue_of[atom]];
+  std::string text;
+  std::size_t stretches = 0;
+  for (std::size_t r = 0; r < counts.size(); ++r) {
+    if (counts[r] < least_listed) continue;
+    const std::size_t first = r;
+    while (r + 1 < counts.size() && counts[r + 1] >= least_listed &&
+           atoms.residues[r + 1].chain == atoms.residues[first].chain)
+      ++r;
+    if (stretches++ == most) return text + ", ...";
+    const Residue& residue = atoms.residues[first];
+    text += fmt::format("{}{}{}{}", text.empty() ? "" : ", ", printable(residue.chain),
+                        residue.chain.empty() ? "" : ":", residue.number);
+    if (r > first) text += fmt::format("-{}", atoms.residues[r].number);
+  }
+  return text;
+}
+
+void print_rigidity(const RigidityReport& report) {
+  print_totals(report);
+  print_clusters(report);
+  print_dilution(report);
+}
+
+Json json_of_rigidity(const RigidityReport& report) {
+  const RigidClusters& found = report.rigidity.found;
+  std::vector<Json> of_atom;
+  for (const std::uint32_t cluster : found.clusters.of_body) of_atom.push_back(cluster + 1);
+  const Json totals{{"file", report.file},
+                    {"atoms", report.rigidity.network.atoms},
+                    {"contacts", report.rigidity.network.edges.size() - report.rigidity.network.bonds},
+                    {"bonds_that_may_turn", report.rigidity.hinges},
+                    {"flexible_bonds", report.rigidity.flexible_bonds},
+                    {"degrees_of_freedom", found.freedoms},
+                    {"parts", found.components},
+                    {"bars", found.bars},
+                    {"redundant", report.redundant_bars()}};
+  const Json lists{{"clusters", json_of_clusters(report)},
+                   {"cluster_of_atom", Json::array(of_atom)},
+                   {"residues", json_of_residues(report)},
+                   {"bonds", json_of_bonds(report)}};
+  if (report.dilution.empty()) return totals + lists;
+  return totals + lists + Json{{"dilution", json_of_dilution(report)}};
+}
+
+std::string residues_as_csv(const RigidityReport& report) {
+  std::string text = "chain,number,insertion,name,cluster,flexibility,bonds,flexible\n";
+  const auto& residues = report.model.structure.atoms.residues;
+  for (std::size_t k = 0; k < residues.size(); ++k) {
+    const ResidueFlexibility& found = report.rigidity.residues[k];
+    text += fmt::format("{},{},{},{},{},{:.6g},{},{}\n", csv_cell(residues[k].chain),
+                        residues[k].number,
+                        residues[k].insertion_code > ' ' ? csv_cell({residues[k].insertion_code})
+                                                         : std::string(),
+                        csv_cell(residues[k].name), found.cluster + 1, found.index, found.bonds,
+                        found.flexible);
+  }
+  return text;
+}
+
+std::string bonds_as_csv(const RigidityReport& report) {
+  std::string text = "kind,a,b,bars,redundant,flexible,flexibility,energy\n";
+  const Rigidity& rigidity = report.rigidity;
+  for (std::size_t k = 0; k < rigidity.network.edges.size(); ++k) {
+    if (!is_listed_bond(report, k)) continue;
+    const BodyEdge& edge = rigidity.network.edges[k];
+    const std::string energy =
+        rigidity.network.is_bond(k)
+            ? ""
+            : fmt::format("{:.6g}", report.model.contacts[rigidity.network.contact_of(k)].energy);
+    text += fmt::format("{},{},{},{},{},{},{:.6g},{}\n", report.kind_of(k),
+                        csv_cell(report.label(edge.a)), csv_cell(report.label(edge.b)), edge.bars,
+                        rigidity.found.redundant[k], int(rigidity.is_flexible(k)),
+                        rigidity.flexibility[k], energy);
+  }
+  return text;
+}
+
+std::string dilution_as_csv(const RigidityReport& report) {
+  std::string text =
+      "hydrogen_bonds,cutoff,degrees_of_freedom,redundant,clusters,largest,second,third,a,b\n";
+  for (std::size_t k = 0; k < report.dilution.size(); ++k) {
+    const DilutionRow& row = report.dilution[k];
+    const auto weakest = report.weakest_of(row);
+    const auto taken = report.taken_for(k);
+    const auto end = [&](std::uint32_t BodyEdge::*place) {
+      return taken ? csv_cell(report.label(report.rigidity.network.edges[*taken].*place)) : "";
+    };
+    text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", row.hydrogen_bonds,
+                        weakest ? fmt::format("{:.6g}", *weakest) : "", row.freedoms, row.redundant,
+                        row.clusters, row.largest[0], row.largest[1], row.largest[2],
+                        end(&BodyEdge::a), end(&BodyEdge::b));
+  }
+  return text;
+}
+
+}  // namespace pliant::app

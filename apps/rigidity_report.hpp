@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// What pliant rigidity tells: a table to read, CSV and JSON.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "json.hpp"
+#include "pliant/model/rigidity.hpp"
+#include "pliant/model/rigidity_dilution.hpp"
+
+namespace pliant::app {
+
+/// Clusters of fewer atoms are not listed: a bond alone is no cluster.
+inline constexpr std::uint32_t least_listed = 3;
+
+/// All that was found of one molecule.
+struct RigidityReport {
+  std::string file;
+  ContactModel model;
+  Rigidity rigidity;
+  std::vector<DilutionRow> dilution;  ///< none was asked for: empty
+
+  std::size_t listed_clusters() const;  ///< of three atoms or more
+  std::size_t atoms_in_listed() const;
+  std::size_t redundant_bars() const;
+  /// The name of a kind of contact, or "bond".
+  std::string kind_of(std::size_t edge) const;
+  std::string label(std::uint32_t atom) const { return model.structure.atoms.label(atom); }
+  /// The energy of the weakest hydrogen bond that a row has left; nothing where none is left.
+  std::optional<double> weakest_of(const DilutionRow& row) const;
+  /// The hydrogen bond that the row before has more; nothing for the first row.
+  std::optional<std::size_t> taken_for(std::size_t row) const;
+};
+
+/// "A:1-20, A:25": residues with three atoms or more in a cluster; at most `most` stretches.
+std::string residues_of(const RigidityReport& report, std::uint32_t cluster, std::size_t most);
+
+void print_rigidity(const RigidityReport& report);
+Json json_of_rigidity(const RigidityReport& report);
+/// One line a residue.
+std::string residues_as_csv(const RigidityReport& report);
+/// One line a bond or contact that could turn, or that has redundant bars.
+std::string bonds_as_csv(const RigidityReport& report);
+/// One line a hydrogen bond that goes.
+std::string dilution_as_csv(const RigidityReport& report);
+
+}  // namespace pliant::app
