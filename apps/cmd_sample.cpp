@@ -107,6 +107,7 @@ int command_sample(const Arguments& arguments) {
   choose_amplitude(settings, model, messages.log());
   watch_for_interrupt();
   const SampleSummary summary = sample_to_file(settings, model, messages.log());
+  warn_of_amplitude(summary, messages.log());
   print_sample(settings, system_of(model), summary, messages.warnings());
   return exit_code_of(summary);
 }

@@ -130,6 +130,7 @@ SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
     fill(out, options, output, watch);
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
+  warn_of_amplitude(out.summary, python_log());
   return out;
 }
 

@@ -3,11 +3,31 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 #include <utility>
 
 #include "pliant/base/superposition.hpp"
 
 namespace pliant {
+namespace {
+
+constexpr double least_reached = 0.5;  // share of the amplitude asked for
+
+std::string two_digits(double value) {
+  const auto hundredths = static_cast<std::int64_t>(std::llround(100.0 * value));
+  const std::string rest = std::to_string(hundredths % 100);
+  return std::to_string(hundredths / 100) + (rest.size() < 2 ? ".0" : ".") + rest;
+}
+
+}  // namespace
+
+void warn_of_amplitude(const SampleSummary& summary, const Log& log) {
+  if (summary.frames < 2 || !(summary.amplitude_reached < least_reached * summary.amplitude_asked))
+    return;
+  log.warn("frames reach an amplitude of " + two_digits(summary.amplitude_reached) + " of the " +
+           two_digits(summary.amplitude_asked) +
+           " Angstrom asked for: what holds the molecule does not let it move so far");
+}
 
 FluctuationSums::FluctuationSums(std::span<const Vec3> start, std::vector<std::size_t> fitted)
     : start_(start.begin(), start.end()), fitted_(std::move(fitted)), points_(fitted_.size()) {

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "pliant/base/log.hpp"
 #include "pliant/framework/framework.hpp"
 
 namespace pliant {
@@ -34,6 +35,9 @@ struct SampleSummary {
   double seconds = 0.0;      ///< of wall time, all of it
   double cpu_seconds = 0.0;  ///< of resolving, summed over threads
 };
+
+/// Warns where frames reached less than half of the amplitude that was asked for.
+void warn_of_amplitude(const SampleSummary& summary, const Log& log);
 
 /// Sums of places and of their squares, of two halves of an ensemble. Frames are superposed on the
 /// start, not on their mean, which is not known before the last of them: frames that lie evenly
