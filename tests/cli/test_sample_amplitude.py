@@ -163,3 +163,17 @@ def test_the_file_of_the_amplitude_is_not_written_over(pliant, start, tmp_path):
     ended = pliant("sample", start, "-o", "nmr.pdb", "--amplitude", "nmr.pdb", "--overwrite")
     assert ended.code != 0
     assert (tmp_path / "nmr.pdb").read_bytes() == before
+
+
+def test_what_does_not_move_is_a_warning(pliant, tmp_path):
+    """Modes of a network bend benzene, and its angles do not let them."""
+    ring = tmp_path / "ring.xyz"
+    angles = np.radians(60.0) * np.arange(6)
+    lines = [f"C {1.39 * np.cos(a):.4f} {1.39 * np.sin(a):.4f} 0.0" for a in angles]
+    ring.write_text("\n".join(["6", "ring", *lines, ""]))
+    ended = pliant("sample", ring, "-o", "out.h5md", "--frames", "20", "--quiet", "--json")
+    assert ended.code == 0
+    assert json.loads(ended.out)["warnings"] == [
+        "frames reach an amplitude of 0.00 of the 1.40 Angstrom asked for: what holds the "
+        "molecule does not let it move so far"
+    ]
