@@ -125,8 +125,7 @@ nb::dict dilution_of(const MoleculeRigidity& self) {
   put("clusters", nb::cast(array_of(std::move(columns.clusters))));
   put("largest", nb::cast(array_of(std::move(columns.largest))));
   const nb::object flat = nb::cast(array_of(std::move(columns.of_residue)));
-  put("residue_cluster",
-      flat.attr("reshape")(rows, self.model.structure.atoms.residues.size()));
+  put("residue_cluster", flat.attr("reshape")(rows, self.model.structure.atoms.residues.size()));
   return found;
 }
 
@@ -180,23 +179,30 @@ using Self = const MoleculeRigidity&;
 
 void bind_totals(nb::class_<MoleculeRigidity>& bound) {
   bound
-      .def_prop_ro("structure", [](Self self) { return self.model.structure; },
-                   "The structure whose atoms were counted: that made ready.")
-      .def_prop_ro("contacts", [](Self self) { return contacts_to_python(self.model.contacts); },
-                   nb::sig("def contacts(self) -> numpy.typing.NDArray[numpy.void]"),
-                   "(K,) what holds it besides bonds, as ``contacts`` gives it.")
-      .def_prop_ro("degrees_of_freedom", [](Self self) { return self.found.found.freedoms; },
-                   "Internal ones: 6 atoms - independent bars - 6 parts.")
-      .def_prop_ro("parts", [](Self self) { return self.found.found.components; },
-                   "Parts of the molecule that nothing links; each moves as a whole besides.")
-      .def_prop_ro("bars", [](Self self) { return self.found.found.bars; }, "All of them.")
-      .def_prop_ro("redundant",
-                   [](Self self) { return self.found.found.bars - self.found.found.rank; },
-                   "Bars that depend on others.")
-      .def_prop_ro("hinges", [](Self self) { return self.found.hinges; },
-                   "Bonds that may turn: those with five bars.")
-      .def_prop_ro("flexible_bonds", [](Self self) { return self.found.flexible_bonds; },
-                   "Of these, those between different clusters.")
+      .def_prop_ro(
+          "structure", [](Self self) { return self.model.structure; },
+          "The structure whose atoms were counted: that made ready.")
+      .def_prop_ro(
+          "contacts", [](Self self) { return contacts_to_python(self.model.contacts); },
+          nb::sig("def contacts(self) -> numpy.typing.NDArray[numpy.void]"),
+          "(K,) what holds it besides bonds, as ``contacts`` gives it.")
+      .def_prop_ro(
+          "degrees_of_freedom", [](Self self) { return self.found.found.freedoms; },
+          "Internal ones: 6 atoms - independent bars - 6 parts.")
+      .def_prop_ro(
+          "parts", [](Self self) { return self.found.found.components; },
+          "Parts of the molecule that nothing links; each moves as a whole besides.")
+      .def_prop_ro(
+          "bars", [](Self self) { return self.found.found.bars; }, "All of them.")
+      .def_prop_ro(
+          "redundant", [](Self self) { return self.found.found.bars - self.found.found.rank; },
+          "Bars that depend on others.")
+      .def_prop_ro(
+          "hinges", [](Self self) { return self.found.hinges; },
+          "Bonds that may turn: those with five bars.")
+      .def_prop_ro(
+          "flexible_bonds", [](Self self) { return self.found.flexible_bonds; },
+          "Of these, those between different clusters.")
       .def("dilution", &dilution_of,
            nb::sig("def dilution(self) -> dict[str, numpy.typing.NDArray[typing.Any]]"),
            dilution_doc);
@@ -204,70 +210,71 @@ void bind_totals(nb::class_<MoleculeRigidity>& bound) {
 
 void bind_columns(nb::class_<MoleculeRigidity>& bound) {
   bound
-      .def_prop_ro("cluster",
-                   [](Self self) { return integers_of(self.found.found.clusters.of_body); },
-                   nb::rv_policy::reference,
-                   "(N,) int64: the rigid cluster of each atom, 0 the largest.")
-      .def_prop_ro("cluster_sizes",
-                   [](Self self) { return integers_of(self.found.found.clusters.sizes); },
-                   nb::rv_policy::reference, "(C,) int64: atoms of each cluster, descending.")
-      .def_prop_ro("residue_flexibility",
-                   [](Self self) {
-                     std::vector<double> values;
-                     for (const auto& residue : self.found.residues) values.push_back(residue.index);
-                     return array_of(std::move(values));
-                   },
-                   nb::rv_policy::reference,
-                   "(R,) float64: mean flexibility of N-CA and CA-C, else of all bonds in the "
-                   "residue that may turn; 0 where there is none.")
-      .def_prop_ro("residue_cluster",
-                   [](Self self) {
-                     std::vector<std::int64_t> values;
-                     for (const auto& residue : self.found.residues)
-                       values.push_back(residue.cluster);
-                     return array_of(std::move(values));
-                   },
-                   nb::rv_policy::reference,
-                   "(R,) int64: the largest cluster that has an atom of each residue.");
+      .def_prop_ro(
+          "cluster", [](Self self) { return integers_of(self.found.found.clusters.of_body); },
+          nb::rv_policy::reference, "(N,) int64: the rigid cluster of each atom, 0 the largest.")
+      .def_prop_ro(
+          "cluster_sizes", [](Self self) { return integers_of(self.found.found.clusters.sizes); },
+          nb::rv_policy::reference, "(C,) int64: atoms of each cluster, descending.")
+      .def_prop_ro(
+          "residue_flexibility",
+          [](Self self) {
+            std::vector<double> values;
+            for (const auto& residue : self.found.residues) values.push_back(residue.index);
+            return array_of(std::move(values));
+          },
+          nb::rv_policy::reference,
+          "(R,) float64: mean flexibility of N-CA and CA-C, else of all bonds in the "
+          "residue that may turn; 0 where there is none.")
+      .def_prop_ro(
+          "residue_cluster",
+          [](Self self) {
+            std::vector<std::int64_t> values;
+            for (const auto& residue : self.found.residues) values.push_back(residue.cluster);
+            return array_of(std::move(values));
+          },
+          nb::rv_policy::reference,
+          "(R,) int64: the largest cluster that has an atom of each residue.");
 }
 
 void bind_edges(nb::class_<MoleculeRigidity>& bound) {
   bound
-      .def_prop_ro("edges",
-                   [](Self self) {
-                     std::vector<std::int64_t> ends;
-                     for (const BodyEdge& edge : self.found.network.edges)
-                       ends.insert(ends.end(), {edge.a, edge.b});
-                     return pairs_array_of(std::move(ends));
-                   },
-                   nb::rv_policy::reference,
-                   "(E, 2) int64: atoms of bonds, then of metals and tethers, then of hydrogen "
-                   "bonds (H and acceptor) from the strongest on.")
-      .def_prop_ro("edge_bars",
-                   [](Self self) {
-                     return integers_of(of_edges(
-                         self, [&](std::size_t k) { return self.found.network.edges[k].bars; }));
-                   },
-                   nb::rv_policy::reference, "(E,) int64: bars of each edge.")
-      .def_prop_ro("edge_redundant",
-                   [](Self self) { return integers_of(self.found.found.redundant); },
-                   nb::rv_policy::reference,
-                   "(E,) int64: bars that depend on those of the edges before.")
-      .def_prop_ro("edge_flexibility",
-                   [](Self self) { return array_of(self.found.flexibility); },
-                   nb::rv_policy::reference,
-                   "(E,) float64: 1 turns freely, 1/7 in a ring of seven, 0 locked, below 0 locked "
-                   "with redundant bars.")
-      .def_prop_ro("edge_contact",
-                   [](Self self) {
-                     const RigidityNetwork& network = self.found.network;
-                     return array_of(of_edges(self, [&](std::size_t k) {
-                       return network.is_bond(k) ? std::int64_t{-1}
-                                                 : std::int64_t{network.contact_of(k)};
-                     }));
-                   },
-                   nb::rv_policy::reference,
-                   "(E,) int64: the row of ``contacts`` of each edge; -1: a bond.");
+      .def_prop_ro(
+          "edges",
+          [](Self self) {
+            std::vector<std::int64_t> ends;
+            for (const BodyEdge& edge : self.found.network.edges)
+              ends.insert(ends.end(), {edge.a, edge.b});
+            return pairs_array_of(std::move(ends));
+          },
+          nb::rv_policy::reference,
+          "(E, 2) int64: atoms of bonds, then of metals and tethers, then of hydrogen "
+          "bonds (H and acceptor) from the strongest on.")
+      .def_prop_ro(
+          "edge_bars",
+          [](Self self) {
+            return integers_of(
+                of_edges(self, [&](std::size_t k) { return self.found.network.edges[k].bars; }));
+          },
+          nb::rv_policy::reference, "(E,) int64: bars of each edge.")
+      .def_prop_ro(
+          "edge_redundant", [](Self self) { return integers_of(self.found.found.redundant); },
+          nb::rv_policy::reference, "(E,) int64: bars that depend on those of the edges before.")
+      .def_prop_ro(
+          "edge_flexibility", [](Self self) { return array_of(self.found.flexibility); },
+          nb::rv_policy::reference,
+          "(E,) float64: 1 turns freely, 1/7 in a ring of seven, 0 locked, below 0 locked "
+          "with redundant bars.")
+      .def_prop_ro(
+          "edge_contact",
+          [](Self self) {
+            const RigidityNetwork& network = self.found.network;
+            return array_of(of_edges(self, [&](std::size_t k) {
+              return network.is_bond(k) ? std::int64_t{-1} : std::int64_t{network.contact_of(k)};
+            }));
+          },
+          nb::rv_policy::reference,
+          "(E,) int64: the row of ``contacts`` of each edge; -1: a bond.");
 }
 
 }  // namespace
@@ -281,9 +288,8 @@ void bind_rigidity(nb::module_& module) {
   bound.def("__repr__", [](Self self) {
     return "<pliant.Rigidity: " + std::to_string(self.found.found.freedoms) +
            " degrees of freedom, largest cluster of " +
-           std::to_string(self.found.found.clusters.sizes.empty()
-                              ? 0
-                              : self.found.found.clusters.sizes[0]) +
+           std::to_string(
+               self.found.found.clusters.sizes.empty() ? 0 : self.found.found.clusters.sizes[0]) +
            " of " + std::to_string(self.found.network.atoms) + " atoms>";
   });
   module.def("rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,

@@ -86,9 +86,7 @@ MolecularContact hydrogen_bond(std::uint32_t d, std::uint32_t h, std::uint32_t a
 
 /// H-O-C-C-C-C=O: torsions O-C, C-C, C-C, C-C; with H..O closed: a ring of seven bonds that may
 /// turn of eight (D-H and H..O among them), C=O does not.
-Structure hydroxyaldehyde() {
-  return made("HOCCCCO", {"0-1", "1-2", "2-3", "3-4", "4-5", "5=6"});
-}
+Structure hydroxyaldehyde() { return made("HOCCCCO", {"0-1", "1-2", "2-3", "3-4", "4-5", "5=6"}); }
 
 TEST(Rigidity, AHydrogenBondIsAHinge) {
   const Structure s = hydroxyaldehyde();
@@ -120,9 +118,8 @@ TEST(Rigidity, ATetherTakesTwoFreedoms) {
 
 TEST(Rigidity, RefusesWhatIsNotThere) {
   const Structure s = hydroxyaldehyde();
-  EXPECT_EQ(error_text<InputError>([&] {
-              analyse_rigidity(s, std::vector{hydrogen_bond(1, 0, 9, 5, -2.0)});
-            }),
+  EXPECT_EQ(error_text<InputError>(
+                [&] { analyse_rigidity(s, std::vector{hydrogen_bond(1, 0, 9, 5, -2.0)}); }),
             "contact 0 joins atoms 0 and 9: expected two of 7 (counted from 0)");
   RigidityOptions options;
   options.tether_bars = 7;

@@ -65,9 +65,13 @@ TEST(RigidClusters, OfTheDoubleBananaAreTwo) {
 }
 
 TEST(RigidClusters, RefusesEdgesThatJoinNothing) {
-  EXPECT_EQ(test::error_text<InputError>([] { find_rigid_clusters(2, Edges{{0, 1, 5}, {1, 1, 5}}); }),
+  EXPECT_EQ(test::error_text<InputError>([] {
+              find_rigid_clusters(2, Edges{{0, 1, 5}, {1, 1, 5}});
+            }),
             "edge 1 joins bodies 1 and 1: expected two of 2 (counted from 0)");
-  EXPECT_EQ(test::error_text<InputError>([] { find_rigid_clusters(2, Edges{{0, 2, 5}}); }),
+  EXPECT_EQ(test::error_text<InputError>([] {
+              find_rigid_clusters(2, Edges{{0, 2, 5}});
+            }),
             "edge 0 joins bodies 0 and 2: expected two of 2 (counted from 0)");
 }
 
