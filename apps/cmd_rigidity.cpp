@@ -44,7 +44,7 @@ constexpr const char* footer =
     "Examples:\n"
     "  pliant rigidity protein.pdb\n"
     "  pliant rigidity protein.pdb --dilution --hbond-cutoff -0.1\n"
-    "  pliant rigidity protein.pdb -o rigid && pymol rigid/show.pml\n"
+    "  pliant rigidity protein.pdb -o rigid && cd rigid && pymol show.pml\n"
     "  pliant rigidity protein.pdb --csv > residues.csv";
 
 void add_options(CommandLine& line, RigiditySettings& settings) {
@@ -81,8 +81,8 @@ void refuse_input_as_output(const RigiditySettings& settings) {
 RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
   RigidityReport report;
   report.file = settings.molecule.file;
-  report.model = contact_model(read(settings.molecule, log),
-                               model_options_of(settings.molecule.kind, log));
+  report.model =
+      contact_model(read(settings.molecule, log), model_options_of(settings.molecule.kind, log));
   RigidityOptions options;
   options.hydrogen_bond_bars = static_cast<std::uint8_t>(settings.hydrogen_bond_bars);
   options.tether_bars = static_cast<std::uint8_t>(settings.tether_bars);

@@ -48,9 +48,7 @@ std::string pdb_of(const RigidityReport& report, const std::string& remark,
   return pdb.text();
 }
 
-bool is_polymer(const Structure& structure) {
-  return usual_model(structure) == ModelKind::protein;
-}
+bool is_polymer(const Structure& structure) { return usual_model(structure) == ModelKind::protein; }
 
 }  // namespace
 
@@ -69,8 +67,8 @@ void write_rigidity_folder(const std::string& folder, const RigidityReport& repo
   std::vector<std::string> texts{
       pdb_of(report, "B = number of the rigid cluster, 1 the largest; 0 in none",
              cluster_numbers(report), cuts),
-      pdb_of(report, "B = 100 x flexibility index of the residue",
-             flexibility_of_atoms(report), cuts),
+      pdb_of(report, "B = 100 x flexibility index of the residue", flexibility_of_atoms(report),
+             cuts),
       rigidity_pymol_script(report.listed_clusters(), polymer),
       rigidity_chimerax_script(report.listed_clusters(), polymer),
       residues_as_csv(report),

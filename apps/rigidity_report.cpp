@@ -65,8 +65,7 @@ void print_clusters(const RigidityReport& report) {
   fmt::print("\n{:>7} {:>7} {:>6}  {}\n", "cluster", "atoms", "share", "residues");
   for (std::size_t k = 0; k < count; ++k) {
     const std::uint32_t size = report.rigidity.found.clusters.sizes[k];
-    fmt::print("{:>7} {:>7} {:>6}  {}\n", k + 1, size,
-               percent(size, report.rigidity.network.atoms),
+    fmt::print("{:>7} {:>7} {:>6}  {}\n", k + 1, size, percent(size, report.rigidity.network.atoms),
                residues_of(report, static_cast<std::uint32_t>(k), most_stretches));
   }
 }
@@ -92,8 +91,8 @@ void print_dilution(const RigidityReport& report) {
       taken = report.label(at.a) + " " + report.label(at.b);
     }
     fmt::print("{:>6} {:>9} {:>8} {:>9} {:>8}  {:<20}  {}\n", rows[k].hydrogen_bonds,
-               weakest ? fmt::format("{:.2f}", *weakest) : "-", rows[k].freedoms,
-               rows[k].redundant, rows[k].clusters, sizes, printable(taken));
+               weakest ? fmt::format("{:.2f}", *weakest) : "-", rows[k].freedoms, rows[k].redundant,
+               rows[k].clusters, sizes, printable(taken));
   }
 }
 
@@ -225,15 +224,16 @@ Json json_of_rigidity(const RigidityReport& report) {
   const RigidClusters& found = report.rigidity.found;
   std::vector<Json> of_atom;
   for (const std::uint32_t cluster : found.clusters.of_body) of_atom.push_back(cluster + 1);
-  const Json totals{{"file", report.file},
-                    {"atoms", report.rigidity.network.atoms},
-                    {"contacts", report.rigidity.network.edges.size() - report.rigidity.network.bonds},
-                    {"bonds_that_may_turn", report.rigidity.hinges},
-                    {"flexible_bonds", report.rigidity.flexible_bonds},
-                    {"degrees_of_freedom", found.freedoms},
-                    {"parts", found.components},
-                    {"bars", found.bars},
-                    {"redundant", report.redundant_bars()}};
+  const Json totals{
+      {"file", report.file},
+      {"atoms", report.rigidity.network.atoms},
+      {"contacts", report.rigidity.network.edges.size() - report.rigidity.network.bonds},
+      {"bonds_that_may_turn", report.rigidity.hinges},
+      {"flexible_bonds", report.rigidity.flexible_bonds},
+      {"degrees_of_freedom", found.freedoms},
+      {"parts", found.components},
+      {"bars", found.bars},
+      {"redundant", report.redundant_bars()}};
   const Json lists{{"clusters", json_of_clusters(report)},
                    {"cluster_of_atom", Json::array(of_atom)},
                    {"residues", json_of_residues(report)},
@@ -247,12 +247,10 @@ std::string residues_as_csv(const RigidityReport& report) {
   const auto& residues = report.model.structure.atoms.residues;
   for (std::size_t k = 0; k < residues.size(); ++k) {
     const ResidueFlexibility& found = report.rigidity.residues[k];
-    text += fmt::format("{},{},{},{},{},{:.6g},{},{}\n", csv_cell(residues[k].chain),
-                        residues[k].number,
-                        residues[k].insertion_code > ' ' ? csv_cell({residues[k].insertion_code})
-                                                         : std::string(),
-                        csv_cell(residues[k].name), found.cluster + 1, found.index, found.bonds,
-                        found.flexible);
+    text += fmt::format(
+        "{},{},{},{},{},{:.6g},{},{}\n", csv_cell(residues[k].chain), residues[k].number,
+        residues[k].insertion_code > ' ' ? csv_cell({residues[k].insertion_code}) : std::string(),
+        csv_cell(residues[k].name), found.cluster + 1, found.index, found.bonds, found.flexible);
   }
   return text;
 }

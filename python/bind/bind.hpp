@@ -25,6 +25,7 @@ void bind_order(nb::module_& module);
 void bind_resolve(nb::module_& module);
 void bind_perturb(nb::module_& module);
 void bind_record(nb::module_& module);
+void bind_rigidity(nb::module_& module);
 void bind_run(nb::module_& module);
 void bind_sample(nb::module_& module);
 void bind_walkers(nb::module_& module);

@@ -13,6 +13,7 @@ PAGES = {
     "pliant": ["--help"],
     "pliant-info": ["info", "--help"],
     "pliant-contacts": ["contacts", "--help"],
+    "pliant-rigidity": ["rigidity", "--help"],
     "pliant-run": ["run", "--help"],
     "pliant-sample": ["sample", "--help"],
     "pliant-structgen": ["structgen", "--help"],

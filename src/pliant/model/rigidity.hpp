@@ -13,10 +13,10 @@ namespace pliant {
 
 /// How flexible a residue is.
 struct ResidueFlexibility {
-  double index = 0.0;            ///< the mean of its bonds that may turn; 0 where there are none
-  std::uint32_t bonds = 0;       ///< so many of them
-  std::uint32_t flexible = 0;    ///< of these, between different clusters
-  std::uint32_t cluster = 0;     ///< the largest that has an atom of it
+  double index = 0.0;          ///< the mean of its bonds that may turn; 0 where there are none
+  std::uint32_t bonds = 0;     ///< so many of them
+  std::uint32_t flexible = 0;  ///< of these, between different clusters
+  std::uint32_t cluster = 0;   ///< the largest that has an atom of it
 };
 
 struct Rigidity {

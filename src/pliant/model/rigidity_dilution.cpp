@@ -69,7 +69,8 @@ class Dilution {
       const BodyEdge& edge = network_.edges[k];
       if (!hangs(edge.a) && !hangs(edge.b)) continue;
       ++idle;
-      const auto [end, other] = hangs(edge.a) ? std::pair(edge.a, edge.b) : std::pair(edge.b, edge.a);
+      const auto [end, other] =
+          hangs(edge.a) ? std::pair(edge.a, edge.b) : std::pair(edge.b, edge.a);
       representative[end] = representative[other];
     }
     const ClusterList clusters = list_clusters(representative);

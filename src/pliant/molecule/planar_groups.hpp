@@ -16,8 +16,8 @@ namespace pliant {
 /// rings of up to six atoms, whose angles hold them.
 std::vector<std::size_t> find_planar_bonds(const Structure& structure);
 
-/// For each of Structure::bonds, whether nothing turns about it: the bonds above, those at whose ends
-/// nothing hangs and those in rings included, and triple bonds.
+/// For each of Structure::bonds, whether nothing turns about it: the bonds above, those at whose
+/// ends nothing hangs and those in rings included, and triple bonds.
 std::vector<bool> find_locked_bonds(const Structure& structure);
 
 /// For each planar bond a pair of atoms bonded to its two ends (1-4), of those that are neither

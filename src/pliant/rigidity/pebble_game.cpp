@@ -34,8 +34,7 @@ bool PebbleGame::are_locked(std::uint32_t a, std::uint32_t b) {
 }
 
 std::uint32_t PebbleGame::free_at(std::uint32_t body) const {
-  return static_cast<std::uint32_t>(
-      std::count(pebbles_[body].begin(), pebbles_[body].end(), free));
+  return static_cast<std::uint32_t>(std::count(pebbles_[body].begin(), pebbles_[body].end(), free));
 }
 
 /// A body without bars pays itself for up to six: no search is needed. Most bonds of a molecule

@@ -17,8 +17,8 @@ void check(std::size_t bodies, std::span<const BodyEdge> edges) {
     const auto [a, b, bars] = edges[k];
     if (a == b || a >= bodies || b >= bodies)
       throw InputError("edge " + std::to_string(k) + " joins bodies " + std::to_string(a) +
-                       " and " + std::to_string(b) + ": expected two of " +
-                       std::to_string(bodies) + " (counted from 0)");
+                       " and " + std::to_string(b) + ": expected two of " + std::to_string(bodies) +
+                       " (counted from 0)");
   }
 }
 

@@ -50,10 +50,10 @@ void find_all_clusters(PebbleGame& game, std::span<const BodyEdge> edges);
 /// (2001) 150), one number an edge.
 ///
 /// In a region that moves as a whole: its degrees of freedom / those that its edges would have each
-/// alone (6 - bars). 1 for a hinge that nothing else holds, 1/7 for a ring of seven. Regions are the
-/// blocks (biconnected components) of the graph of clusters; degrees of freedom of blocks add up to
-/// those of all.
-/// In a rigid cluster: - redundant bars / bars, which is 0 where none is redundant.
+/// alone (6 - bars). 1 for a hinge that nothing else holds, 1/7 for a ring of seven. Regions are
+/// the blocks (biconnected components) of the graph of clusters; degrees of freedom of blocks add
+/// up to those of all. In a rigid cluster: - redundant bars / bars, which is 0 where none is
+/// redundant.
 std::vector<double> flexibility_indices(std::span<const BodyEdge> edges,
                                         const RigidClusters& found);
 

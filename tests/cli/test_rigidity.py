@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+"""pliant rigidity: clusters, degrees of freedom and dilution, as text, tables, JSON and files."""
+
+import csv
+import io
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+pytest.importorskip("MDAnalysisTests")
+import MDAnalysis
+import MDAnalysisTests
+
+OPEN = Path(MDAnalysisTests.__file__).parent / "data" / "adk_open.pdb"
+
+
+def ring(atoms):
+    """Carbons on a circle, 1.5 Angstrom apart."""
+    angles = 2 * np.pi * np.arange(atoms) / atoms
+    radius = 0.75 / np.sin(np.pi / atoms)
+    lines = [f"C {radius * np.cos(t):.4f} {radius * np.sin(t):.4f} 0.0" for t in angles]
+    return "\n".join([str(atoms), "ring", *lines]) + "\n"
+
+
+@pytest.mark.parametrize(("atoms", "freedoms", "redundant"), [(5, 0, 1), (6, 0, 0), (7, 1, 0)])
+def test_rings(pliant, tmp_path, atoms, freedoms, redundant):
+    path = tmp_path / "ring.xyz"
+    path.write_text(ring(atoms))
+    found = json.loads(pliant("rigidity", path, "--json").out)
+    assert found["degrees_of_freedom"] == freedoms
+    assert found["redundant"] == redundant
+    assert found["bonds_that_may_turn"] == atoms
+    assert found["flexible_bonds"] == (atoms if freedoms else 0)
+    assert len(set(found["cluster_of_atom"])) == (atoms if freedoms else 1)
+
+
+def test_ethanol_has_two_torsions(pliant, ethanol):
+    found = json.loads(pliant("rigidity", ethanol, "--json").out)
+    assert found["degrees_of_freedom"] == 2
+    assert [bond["flexibility"] for bond in found["bonds"]] == [1.0, 1.0]
+
+
+# Adenylate kinase: LID residues 118-160, NMP 30-67, CORE the rest (Schulz, Mueller, Diederichs, J.
+# Mol. Biol. 213 (1990) 627).
+def test_the_domains_of_adenylate_kinase_are_clusters(pliant):
+    found = json.loads(pliant("rigidity", OPEN, "--json").out)
+    of_residue = np.array([residue["cluster"] for residue in found["residues"]])
+    core, lid, nmp = of_residue[68:110], of_residue[124:150], of_residue[44:54]
+    assert [len(set(part)) for part in (core, lid, nmp)] == [1, 1, 1]
+    assert len({core[0], lid[0], nmp[0]}) == 3
+    assert found["parts"] == 1
+
+
+def test_json_adds_up(pliant):
+    found = json.loads(pliant("rigidity", OPEN, "--json").out)
+    bars = found["bars"] - found["redundant"]
+    assert found["degrees_of_freedom"] == 6 * found["atoms"] - bars - 6 * found["parts"]
+    assert sum(bond["redundant"] for bond in found["bonds"]) == found["redundant"]
+    turning = [b for b in found["bonds"] if b["kind"] == "bond" and b["bars"] == 5]
+    assert len(turning) == found["bonds_that_may_turn"]
+    assert sum(b["flexible"] for b in turning) == found["flexible_bonds"]
+    assert any("hydrogens of the file kept" in note for note in found["notes"])
+
+
+def test_dilution_frees_and_never_locks(pliant):
+    ended = pliant("rigidity", OPEN, "--dilution", "--csv", "--hbond-cutoff", "0")
+    rows = list(csv.DictReader(io.StringIO(ended.out)))
+    bonds = pliant("contacts", OPEN, "--csv", "--hbond-cutoff", "0").out.splitlines()
+    assert len(rows) == sum("hydrogen_bond," in b or "salt_bridge," in b for b in bonds[1:]) + 1
+    freedoms, redundant = (
+        np.array([int(row[name]) for row in rows]) for name in ("degrees_of_freedom", "redundant")
+    )
+    assert (np.diff(freedoms) >= 0).all()
+    assert (np.diff(redundant) <= 0).all()
+    cutoffs = [float(row["cutoff"]) for row in rows[:-1]]
+    assert cutoffs == sorted(cutoffs, reverse=True)
+    assert rows[-1]["cutoff"] == "" and rows[0]["a"] == ""
+
+
+def test_dilution_goes_through_the_counts_of_other_cutoffs(pliant):
+    rows = json.loads(pliant("rigidity", OPEN, "--dilution", "--json").out)["dilution"]
+    for cutoff in ("-2", "-4"):
+        found = json.loads(pliant("rigidity", OPEN, "--hbond-cutoff", cutoff, "--json").out)
+        row = next(r for r in rows if r["cutoff"] < float(cutoff))
+        assert row["degrees_of_freedom"] == found["degrees_of_freedom"]
+        assert row["redundant"] == found["redundant"]
+        assert row["largest"][0] == found["clusters"][0]["atoms"]
+
+
+def test_files_for_viewers(pliant, tmp_path):
+    ended = pliant("rigidity", OPEN, "-o", "found", "--dilution")
+    assert ended.code == 0, ended.err
+    folder = tmp_path / "found"
+    assert {p.name for p in folder.iterdir()} == {
+        *("clusters.pdb", "flexibility.pdb", "show.pml", "show.cxc"),
+        *("residues.csv", "bonds.csv", "dilution.csv"),
+    }
+    found = json.loads(pliant("rigidity", OPEN, "--json").out)
+    clusters = MDAnalysis.Universe(folder / "clusters.pdb").atoms.tempfactors
+    listed = np.array(found["cluster_of_atom"])
+    listed[listed > len(found["clusters"])] = 0
+    assert (clusters == listed).all()
+    flexibility = MDAnalysis.Universe(folder / "flexibility.pdb").residues
+    expected = [100 * residue["flexibility"] for residue in found["residues"]]
+    shown = [residue.atoms.tempfactors[0] for residue in flexibility]
+    np.testing.assert_allclose(shown, expected, atol=0.006)
+    again = pliant("rigidity", OPEN, "-o", "found")
+    assert again.code == 1
+    assert "clusters.pdb" in again.err
+    assert pliant("rigidity", OPEN, "-o", "found", "--overwrite").code == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        (["--csv", "--json"], "--csv, --json: expected one of them"),
+        (["--overwrite"], "--overwrite: goes with --output"),
+        (["--hbond-bars", "7"], "--hbond-bars: expected"),
+    ],
+)
+def test_bad_options(pliant, arguments, message):
+    ended = pliant("rigidity", OPEN, *arguments)
+    assert ended.code == 2
+    assert message in ended.err
+
+
+@pytest.mark.long
+def test_a_million_atoms(pliant, tmp_path):
+    import write_big_pdb
+
+    path = tmp_path / "big.pdb"
+    write_big_pdb.write_big_pdb(path)
+    found = pliant("rigidity", path, "--keep-waters")
+    assert found.code == 0
+    assert "atoms                           1020200" in found.out
