@@ -80,7 +80,6 @@ struct DilutionColumns {
   std::vector<std::int64_t> hydrogen_bonds, freedoms, redundant, clusters, largest, of_residue;
 };
 
-/// Rows come from no hydrogen bond to all.
 DilutionColumns dilution_columns(const MoleculeRigidity& self) {
   DilutionColumns columns;
   const RigidityNetwork& network = self.found.network;
@@ -114,7 +113,7 @@ nb::dict dilution_of(const MoleculeRigidity& self) {
   }
   const std::size_t rows = columns.cutoff.size();
   nb::dict found;
-  // From all hydrogen bonds to none.
+  // Rows came from no hydrogen bond to all.
   const auto put = [&](const char* name, nb::object values) {
     found[name] = values[nb::slice(nb::none(), nb::none(), nb::int_(-1))].attr("copy")();
   };
@@ -287,10 +286,7 @@ void bind_rigidity(nb::module_& module) {
   bind_edges(bound);
   bound.def("__repr__", [](Self self) {
     return "<pliant.Rigidity: " + std::to_string(self.found.found.freedoms) +
-           " degrees of freedom, largest cluster of " +
-           std::to_string(
-               self.found.found.clusters.sizes.empty() ? 0 : self.found.found.clusters.sizes[0]) +
-           " of " + std::to_string(self.found.network.atoms) + " atoms>";
+           " degrees of freedom of " + std::to_string(self.found.network.atoms) + " atoms>";
   });
   module.def("rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
              "contacts"_a = nb::none(), "hbond_bars"_a = 5, "tether_bars"_a = 2,
