@@ -60,7 +60,7 @@ std::vector<TechniqueEntry> all_techniques() {
                   false, false, true, make_froda});
   rows.push_back({"froda_templates",
                   "rigid units and the joints that they share fitted to each other in turn (FRODA)",
-                  false, false, true, make_templates, nullptr, true});
+                  false, false, true, make_templates});
   return rows;
 }
 

@@ -28,8 +28,8 @@ struct TechniqueEntry {
                                   const ResolveOptions& options) = nullptr;
   /// Makes what resolves eight walkers at once, or none for such a framework. Null: no such way.
   std::unique_ptr<LaneMethod> (*make_lanes)(const LaneSetting& setting) = nullptr;
-  /// Goes outward and carries along what hangs on a joint, or lets rounding build up: if asked to
-  /// weight by mass, each component is shifted afterwards so that its centre of mass stays.
+  /// Goes outward and carries along what hangs on a joint: if asked to weight by mass, each
+  /// component is shifted afterwards so that its centre of mass stays.
   bool carries = false;
 };
 

@@ -86,6 +86,7 @@ class Templates final : public Method {
   Templates(const Framework& framework, const Technique& technique, const ResolveOptions& options)
       : framework_(framework),
         options_(options),
+        keeps_centre_(technique.mass_weighted && !framework.has_pinned_joints()),
         limits_(make_limit_sweep(framework, technique.mass_weighted, options.tolerance)),
         counts_(framework.joint_count(), 0.0),
         weights_(framework.joint_count(), 1.0),
@@ -97,6 +98,16 @@ class Templates final : public Method {
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
+    const Vec3 before = keeps_centre_ ? centre_of_mass(call.positions) : Vec3{};
+    const Stop stop = sweep_until_whole(call, summary);
+    if (!keeps_centre_ || stop == Stop::not_finite || summary.sweeps == 0) return stop;
+    const Vec3 by = before - centre_of_mass(call.positions);  // rounding, which mixing multiplies
+    for (Vec3& x : call.positions) x += by;
+    return stop;
+  }
+
+ private:
+  Stop sweep_until_whole(const ResolveCall& call, ResolveSummary& summary) {
     if (limits_) limits_->begin(call.limits_off);
     acceleration_.begin(call.positions);
     for (;;) {
@@ -115,7 +126,17 @@ class Templates final : public Method {
     }
   }
 
- private:
+  Vec3 centre_of_mass(std::span<const Vec3> positions) const {
+    Vec3 sum;
+    double masses = 0.0;
+    for (Joint joint = 0; joint < positions.size(); ++joint) {
+      const double mass = 1.0 / framework_.inverse_masses()[joint];
+      sum += mass * positions[joint];
+      masses += mass;
+    }
+    return (1.0 / masses) * sum;
+  }
+
   void find_templates() {
     UnitSet set = find_units(framework_);
     if (!framework_.drawn().empty()) set = merge_rigid_loops(framework_, std::move(set)).set;
@@ -242,6 +263,7 @@ class Templates final : public Method {
 
   const Framework& framework_;
   ResolveOptions options_;
+  bool keeps_centre_;
   std::unique_ptr<LimitSweep> limits_;  ///< null: bars only
   std::unique_ptr<Contacts> contacts_;  ///< null: no sterics
   UnitSet units_;                       ///< templates of three or more joints
