@@ -32,7 +32,7 @@ class CallablePackage(ModuleType):
         """One of the late names; kept, so that it is looked for once."""
         if name not in self._late:
             raise AttributeError(f"module '{self.__name__}' has no attribute '{name}'")
-        with needed_by(self.__name__):
+        with needed_by(self.__name__, inside=True):
             module = importlib.import_module(f"{self.__name__}.{self._late[name]}")
         value = getattr(module, name)
         setattr(self, name, value)

@@ -36,11 +36,16 @@ def need(what: str, *packages: str, extra: str = "") -> None:
 
 
 @contextlib.contextmanager
-def needed_by(what: str, extra: str = "") -> Iterator[None]:
-    """Imports of packages that are missing raise MissingPackageError within this context."""
+def needed_by(what: str, extra: str = "", inside: bool = False) -> Iterator[None]:
+    """Imports of packages that are missing raise MissingPackageError within this context.
+
+    `inside`: also where a part of ours that `what` uses has said so of itself.
+    """
     try:
         yield
-    except ModuleNotFoundError as error:
+    except (ModuleNotFoundError, MissingPackageError) as error:
+        if isinstance(error, MissingPackageError) and not inside:
+            raise
         package = (error.name or "").partition(".")[0]
         if package not in _EXTRAS:
             raise

@@ -3,17 +3,18 @@
 #pragma once
 
 // base: vectors, errors, messages, random numbers
-#include "pliant/base/choices.hpp"    // tables of named things
-#include "pliant/base/elements.hpp"   // symbols, masses, radii
-#include "pliant/base/error.hpp"      // Error, InputError, OptionError, FileError
-#include "pliant/base/graph.hpp"      // nodes and edges; components, blocks
-#include "pliant/base/grouped.hpp"    // things in slots: what graphs are kept in
-#include "pliant/base/log.hpp"        // notes and warnings, through a callback
-#include "pliant/base/parameter.hpp"  // values of options in files
-#include "pliant/base/random.hpp"     // draws as functions of (seed, domain, walker, step, joint)
-#include "pliant/base/range.hpp"      // what an option may be
-#include "pliant/base/vec3.hpp"       // Vec3
-#include "pliant/base/version.hpp"    // of this library
+#include "pliant/base/choices.hpp"        // tables of named things
+#include "pliant/base/disjoint_sets.hpp"  // which things are together
+#include "pliant/base/elements.hpp"       // symbols, masses, radii
+#include "pliant/base/error.hpp"          // Error, InputError, OptionError, FileError
+#include "pliant/base/graph.hpp"          // nodes and edges; components, blocks
+#include "pliant/base/grouped.hpp"        // things in slots: what graphs are kept in
+#include "pliant/base/log.hpp"            // notes and warnings, through a callback
+#include "pliant/base/parameter.hpp"      // values of options in files
+#include "pliant/base/random.hpp"   // draws as functions of (seed, domain, walker, step, joint)
+#include "pliant/base/range.hpp"    // what an option may be
+#include "pliant/base/vec3.hpp"     // Vec3
+#include "pliant/base/version.hpp"  // of this library
 
 // text: files
 #include "pliant/text/file_text.hpp"    // the text of a file, expanded
@@ -43,6 +44,10 @@
 #include "pliant/model/steric_table.hpp"          // least distances of atoms
 #include "pliant/model/survey.hpp"                // what there is and what is missing
 #include "pliant/model/tethers.hpp"               // hydrophobic tethers, metals
+
+// rigidity: what is rigid, by its graph alone
+#include "pliant/rigidity/pebble_game.hpp"     // bars that count, one by one
+#include "pliant/rigidity/rigid_clusters.hpp"  // what comes of them
 
 // framework: joints, bars and what is known of them
 #include "pliant/framework/atom_table.hpp"       // names of joints

@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/base/disjoint_sets.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/graph.hpp"
@@ -47,6 +48,9 @@
 #include "pliant/model/model.hpp"
 #include "pliant/model/prepare.hpp"
 #include "pliant/model/protonation.hpp"
+#include "pliant/model/rigidity.hpp"
+#include "pliant/model/rigidity_dilution.hpp"
+#include "pliant/model/rigidity_network.hpp"
 #include "pliant/model/select_part.hpp"
 #include "pliant/model/steric_table.hpp"
 #include "pliant/model/survey.hpp"
@@ -82,6 +86,8 @@
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/resolve/walkers.hpp"
+#include "pliant/rigidity/pebble_game.hpp"
+#include "pliant/rigidity/rigid_clusters.hpp"
 #include "pliant/run/ensemble.hpp"
 #include "pliant/run/motion.hpp"
 #include "pliant/run/run.hpp"
@@ -128,6 +134,7 @@ Signature* overload(Signature* function) {
 
 const Use uses[] = {
     of("pliant/base/choices.hpp", &edit_distance),
+    of("pliant/base/disjoint_sets.hpp", &DisjointSets::find),
     of("pliant/base/elements.hpp", &element_mass),
     of("pliant/base/error.hpp", &quoted),
     of("pliant/base/graph.hpp", overload<Components(const Graph&)>(&find_components)),
@@ -160,6 +167,11 @@ const Use uses[] = {
     of("pliant/model/model.hpp", &build_model),
     of("pliant/model/prepare.hpp", &prepare),
     of("pliant/model/protonation.hpp", &protonation_of),
+    of("pliant/model/rigidity.hpp", &analyse_rigidity),
+    of("pliant/model/rigidity_dilution.hpp", &dilute_hydrogen_bonds),
+    of("pliant/model/rigidity_network.hpp", &rigidity_network),
+    of("pliant/rigidity/pebble_game.hpp", &PebbleGame::rank),
+    of("pliant/rigidity/rigid_clusters.hpp", &find_rigid_clusters),
     of("pliant/model/select_part.hpp", &select_part),
     of("pliant/model/steric_table.hpp", &molecular_sterics),
     of("pliant/model/survey.hpp", &survey),
