@@ -34,7 +34,7 @@ def make_parser() -> console.Parser:
         "harmonic bonds must have the energy that Pliant computes. Frames of a run are broken,\n"
         "and Pliant and OpenMM's CCMA repair the same ones. Of an ensemble of a protein OpenMM\n"
         "minimises frames, the start structure and frames of a short MD alike (amber14, implicit\n"
-        "water OBC2): may MD start from the frames? That takes five to ten minutes for 200\n"
+        "water OBC2): may MD start from the frames? That takes about ten minutes for 200\n"
         "residues on two free cores. OpenMM runs in processes of its own.",
         EPILOG,
     )
