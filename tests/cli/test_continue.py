@@ -2,8 +2,6 @@
 """pliant run --continue: the bits of one run, after its end, Ctrl-C and any kill."""
 
 import os
-import random
-import signal
 import subprocess
 import time
 
@@ -11,6 +9,7 @@ import h5py
 import numpy as np
 import pytest
 from h5md_contents import assert_same_runs
+from interruptions import interrupt_again_and_again
 
 
 @pytest.mark.parametrize("options", [[], ["--every", 7], ["--single"], ["--compress"]])
@@ -89,31 +88,17 @@ def test_a_run_that_is_done_has_nothing_to_do(pliant, ethanol, tmp_path):
     assert (tmp_path / "o.h5md").read_bytes() == before
 
 
-def interrupt_again_and_again(command, folder, start, times, seconds, seed):
-    """Stops a run by kills and Ctrl-C, goes on with it each time, and lets it end at last."""
-    output = folder / "left.h5md"
-    draw = random.Random(seed)
-    for _ in range(times):
-        words = ["run", "--continue", output, "--quiet"] if output.exists() else start
-        child = subprocess.Popen([command, *words], cwd=folder)
-        time.sleep(draw.uniform(0.0, seconds))
-        child.send_signal(draw.choice([signal.SIGKILL, signal.SIGINT, signal.SIGHUP]))
-        assert child.wait() in (0, 130, -signal.SIGKILL, -signal.SIGINT, -signal.SIGHUP)
-        if output.exists():
-            with h5py.File(output) as file:
-                steps = file["particles/trajectory/position/step"][:]
-            assert len(steps) > 0 and np.array_equal(steps[:-1], 3 * np.arange(len(steps) - 1))
-    words = ["run", "--continue", output, "--quiet"] if output.exists() else start
-    subprocess.run([command, *words], cwd=folder, check=True)
-
-
 def check_interruptions(command, ethanol, tmp_path, times, seed):
     start = ["run", str(ethanol), "--steps", "40000", "--every", "3", "--topology", "none",
              "--quiet", "-o"]  # fmt: skip
     before = time.monotonic()
     subprocess.run([command, *start, "whole.h5md"], cwd=tmp_path, check=True)
     seconds = 1.5 * (time.monotonic() - before) / times
-    interrupt_again_and_again(command, tmp_path, [*start, "left.h5md"], times, seconds, seed)
+    words = [*start, "left.h5md"]
+    interrupt_again_and_again(
+        command, tmp_path, words, times, seconds, seed,
+        lambda steps: np.array_equal(steps[:-1], 3 * np.arange(len(steps) - 1)),
+    )  # fmt: skip
     assert_same_runs(tmp_path / "whole.h5md", tmp_path / "left.h5md")
     assert sorted(os.listdir(tmp_path)) == ["ethanol.xyz", "left.h5md", "whole.h5md"]
 

@@ -2,8 +2,6 @@
 """pliant sample --continue: the bits of one sample, after its end, Ctrl-C and any kill."""
 
 import os
-import random
-import signal
 import subprocess
 import time
 from pathlib import Path
@@ -12,6 +10,7 @@ import h5py
 import numpy as np
 import pytest
 from h5md_contents import assert_same_runs, contents
+from interruptions import interrupt_again_and_again
 
 PEPTIDE = Path(__file__).parents[2] / "data" / "molecules" / "cyclic_hexapeptide.pdb"
 COMMON = ["--amplitude", "0.4", "--topology", "none", "--quiet"]
@@ -131,30 +130,16 @@ def test_frames_that_come_out_otherwise_are_not_added_to(pliant, tmp_path):
     assert np.array_equal(before, after)
 
 
-def interrupt_again_and_again(command, folder, start, times, seconds, seed):
-    """Stops a sample by kills and Ctrl-C, goes on with it each time, and lets it end at last."""
-    output = folder / "left.h5md"
-    draw = random.Random(seed)
-    for _ in range(times):
-        words = ["sample", "--continue", output, "--quiet"] if output.exists() else start
-        child = subprocess.Popen([command, *words], cwd=folder)
-        time.sleep(draw.uniform(0.0, seconds))
-        child.send_signal(draw.choice([signal.SIGKILL, signal.SIGINT, signal.SIGHUP]))
-        assert child.wait() in (0, 130, -signal.SIGKILL, -signal.SIGINT, -signal.SIGHUP)
-        if output.exists():
-            with h5py.File(output) as file:
-                steps = file["particles/trajectory/position/step"][:]
-            assert len(steps) > 0 and np.array_equal(steps, np.arange(len(steps)))
-    words = ["sample", "--continue", output, "--quiet"] if output.exists() else start
-    subprocess.run([command, *words], cwd=folder, check=True)
-
-
 def check_interruptions(command, tmp_path, times, seed):
     start = ["sample", str(PEPTIDE), "--frames", "250", "--threads", "1", *COMMON, "-o"]
     before = time.monotonic()
     subprocess.run([command, *start, "whole.h5md"], cwd=tmp_path, check=True)
     seconds = 1.5 * (time.monotonic() - before) / times
-    interrupt_again_and_again(command, tmp_path, [*start, "left.h5md"], times, seconds, seed)
+    words = [*start, "left.h5md"]
+    interrupt_again_and_again(
+        command, tmp_path, words, times, seconds, seed,
+        lambda steps: np.array_equal(steps, np.arange(len(steps))),
+    )  # fmt: skip
     assert_same_runs(tmp_path / "whole.h5md", tmp_path / "left.h5md")
     assert sorted(os.listdir(tmp_path)) == ["left.h5md", "whole.h5md"]
 
