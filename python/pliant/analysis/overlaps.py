@@ -49,9 +49,15 @@ class Overlaps:
         depth = self._limits[self._kinds[pairs[:, 0]], self._kinds[pairs[:, 1]]] - apart
         pairs, depth = pairs[depth > 0], depth[depth > 0]
         keys = self._size * self._atoms[pairs[:, 0]] + self._atoms[pairs[:, 1]]
-        far = ~np.isin(keys, self._near)
+        far = ~_among(keys, self._near)
         order = np.argsort(keys[far], kind="stable")
         return keys[far][order], depth[far][order]
+
+
+def _among(keys: np.ndarray, rising: np.ndarray) -> np.ndarray:
+    """Which keys are among the rising ones: isin, which would sort the latter every time."""
+    place = np.minimum(np.searchsorted(rising, keys), len(rising) - 1)
+    return np.zeros(len(keys), bool) if len(rising) == 0 else rising[place] == keys
 
 
 def _near_pairs(size: int, bonds: np.ndarray) -> np.ndarray:

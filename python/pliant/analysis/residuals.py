@@ -111,8 +111,7 @@ class BarResiduals(FrameAnalysis):
 
     def _single_frame(self) -> None:
         positions = self._positions.at(self._ts)
-        ends = positions[self.bars]
-        error = np.abs(np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) - self.rest_lengths)
+        error = np.abs(_lengths(positions, self.bars) - self.rest_lengths)
         relative = error / self.rest_lengths
         k = self._frame_index
         worst = int(np.argmax(relative))
@@ -131,9 +130,13 @@ def bar_residuals(
     positions: npt.ArrayLike, bars: np.ndarray, rest_lengths: np.ndarray
 ) -> np.ndarray:
     """Signed relative residuals (B,) of the bars (B, 2) at positions (N, 3), Angstrom."""
-    ends = np.asarray(positions, dtype=np.float64)[bars]
-    relative: np.ndarray = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1) / rest_lengths - 1.0
-    return relative
+    return _lengths(np.asarray(positions, dtype=np.float64), bars) / rest_lengths - 1.0
+
+
+def _lengths(positions: np.ndarray, bars: np.ndarray) -> np.ndarray:
+    along = positions.take(bars[:, 1], axis=0)
+    along -= positions.take(bars[:, 0], axis=0)
+    return np.sqrt(np.einsum("ij,ij->i", along, along))
 
 
 def _record_of(universe: Universe) -> RunRecord | None:

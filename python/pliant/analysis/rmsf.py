@@ -131,9 +131,10 @@ class Rmsf(FrameAnalysis):
             positions = self._superposition.apply(positions, fitted)
         # Sums of deviations from a point near the mean keep all digits of the variance.
         deviation = positions - self._nearby
-        self.results.count += 1.0
-        self.results.shift += deviation
-        self.results.square += deviation**2
+        # In place: an assignment to results lists all their names anew.
+        for name, addend in (("count", 1.0), ("shift", deviation), ("square", deviation**2)):
+            total = self.results[name]
+            total += addend
 
     def _conclude(self) -> None:
         mean = self.results.shift / self.results.count
