@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
 
@@ -29,11 +30,22 @@ constexpr int shrunk_superblock_rank = 30'000;
 constexpr std::uint64_t room_factor = 4;
 constexpr std::uint64_t least_room = std::uint64_t{64} << 10;
 
-/// Level of a version 1 B-tree node (0: leaf). HDF5 File Format Specification, III.A.1.
-int tree_level(std::span<const std::byte> node) {
+// A version 1 B-tree node begins with TREE, its kind, level (0: leaf), and in two bytes, low one
+// first, how many entries it has. HDF5 File Format Specification, III.A.1.
+constexpr std::size_t node_head = 8;
+
+bool is_tree_node(std::span<const std::byte> node) {
   constexpr char signature[] = {'T', 'R', 'E', 'E'};
-  if (node.size() < 6 || std::memcmp(node.data(), signature, sizeof signature) != 0) return 0;
-  return std::to_integer<int>(node[5]);
+  return node.size() >= node_head && std::memcmp(node.data(), signature, sizeof signature) == 0;
+}
+
+int tree_level(std::span<const std::byte> node) {
+  return is_tree_node(node) ? std::to_integer<int>(node[5]) : 0;
+}
+
+int tree_entries(std::span<const std::byte> node) {
+  if (!is_tree_node(node)) return 0;
+  return std::to_integer<int>(node[6]) + 256 * std::to_integer<int>(node[7]);
 }
 
 /// Copies the part of a block that lies in the window [address, address + window.size()).
@@ -128,8 +140,7 @@ void CommittedFile::commit() {
         ::ftruncate(descriptor_, static_cast<off_t>(committed_end_));
     return;
   }
-  for (auto at = in_place; at != order.end(); ++at)
-    write_backwards(at->entry->first, at->entry->second.bytes);
+  for (auto at = in_place; at != order.end(); ++at) write_in_place(*at->entry);
   sync();
   if (failure_ != 0) return;
   for (const auto& [address, block] : pending_) written_.insert(address);
@@ -157,6 +168,27 @@ void CommittedFile::trim() {
 
 void CommittedFile::sync() {
   if (durable_ && may_write() && ::fdatasync(descriptor_) != 0) failure_ = errno;
+}
+
+void CommittedFile::write_in_place(const Blocks::value_type& entry) {
+  const auto& [address, block] = entry;
+  if (block.kind == BlockKind::tree_node && block.bytes.size() > node_head)
+    write_node(address, block.bytes);
+  else
+    write_backwards(address, block.bytes);
+}
+
+/// A leaf never counts entries that it does not hold yet. Nodes above change as a whole: between
+/// their entries stand bounds of both neighbours.
+void CommittedFile::write_node(std::uint64_t address, std::span<const std::byte> bytes) {
+  std::array<std::byte, node_head> before{};
+  [[maybe_unused]] const ssize_t count =
+      ::pread(descriptor_, before.data(), before.size(), static_cast<off_t>(address));
+  if (tree_level(bytes) > 0 || tree_level(before) > 0) return write_through(address, bytes);
+  const bool grows = tree_entries(bytes) >= tree_entries(before);
+  if (!grows) write_through(address, bytes.first(node_head));
+  write_through(address + node_head, bytes.subspan(node_head));
+  if (grows) write_through(address, bytes.first(node_head));
 }
 
 void CommittedFile::write_backwards(std::uint64_t address, std::span<const std::byte> bytes) {

@@ -17,8 +17,10 @@
 // the superblock says by what the next commit may add, until it is closed.
 //
 // A kill stops a write between two pages of the file, never within one. Tree nodes lie within one
-// page (the driver aligns them); what lies in two is written from its end, because an object header
-// has its extents before the address of its chunk tree.
+// page (the driver aligns them); what they count and what they hold are written apart all the same,
+// so that a disk that fails within a page leaves no entry counted that is not there. What lies in
+// two pages is written from its end, because an object header has its extents before the address of
+// its chunk tree.
 #pragma once
 
 #include <sys/types.h>
@@ -85,6 +87,8 @@ class CommittedFile {
   int rank_of_header(std::uint64_t address) const;
   bool may_write() const;
   void write_through(std::uint64_t address, std::span<const std::byte> bytes);
+  void write_in_place(const Blocks::value_type& entry);
+  void write_node(std::uint64_t address, std::span<const std::byte> bytes);
   void write_backwards(std::uint64_t address, std::span<const std::byte> bytes);
   void resize(std::uint64_t size);
   void make_room();

@@ -169,6 +169,39 @@ TEST_F(CommittedFileTest, LeavesTheLastCommitWhenTheDiskIsFull) {
   EXPECT_EQ(text, "first") << "nothing more reaches the disk";
 }
 
+/// A leaf of a chunk tree with `entries` of four letters each, in room for three.
+std::string leaf(int entries) {
+  std::string text = node(0) + char(entries) + '\0';
+  for (int k = 0; k < 3; ++k) text += std::string(4, k < entries ? char('a' + k) : '.');
+  return text;
+}
+
+/// The disk fails at each write, with half of it done: no entry is counted that is not there.
+TEST_F(CommittedFileTest, LeavesCountNoMoreThanTheyHold) {
+  for (const auto& [before, after] : {std::pair(1, 3), std::pair(3, 1)})
+    for (int fails_at = 0; fails_at < 2; ++fails_at) {
+      SCOPED_TRACE(testing::Message() << before << " to " << after << ", write " << fails_at);
+      CommittedFile file(descriptor_);
+      file.write(BlockKind::tree_node, 0, bytes_of(leaf(before)));
+      file.set_end(leaf(before).size());
+      file.commit();
+      ASSERT_EQ(file.failure(), 0);
+      file.write(BlockKind::tree_node, 0, bytes_of(leaf(after)));
+      {
+        WriteWatch watch;
+        watch.fail_at = fails_at;
+        watch.error = EIO;
+        watch.half = true;
+        file.commit();
+      }
+      EXPECT_EQ(file.failure(), EIO);
+      std::string left(leaf(before).size(), '?');
+      ASSERT_EQ(::pread(descriptor_, left.data(), left.size(), 0), ssize_t(left.size()));
+      const auto counted = static_cast<std::size_t>(left[6]);
+      EXPECT_EQ(left.substr(8, 4 * counted), leaf(3).substr(8, 4 * counted));
+    }
+}
+
 TEST_F(CommittedFileTest, ForkedChildWritesNothing) {
   write(BlockKind::other_metadata, 0, "parent");
   file_.set_end(6);
