@@ -14,6 +14,8 @@ void add_model_options(CommandLine& line, ModelSettings& settings) {
   line.add_text("--contacts", settings.contacts, "FILE",
                 "contacts as pliant contacts --csv or --json writes them, in place of those found");
   line.add_flag("--keep-waters", settings.keep_waters, "do not take waters out");
+  line.add_flag("--fill-side-chains", settings.fill_side_chains,
+                "build the missing atoms of side chains by rule (a guess: no data shows them)");
   line.add_names("--protonate", settings.protonate, "",
                  "forms of residues, as HIS57:HID,A:ASP25:ASH (default: as hydrogens, names and pH "
                  "7 say)");
@@ -31,6 +33,7 @@ void check(const ModelSettings& settings) {
   if (model == nullptr || !model->is_prepared) {
     const char* expected = "--model molecule or --model protein";
     refuse(settings.keep_waters, "--keep-waters", expected);
+    refuse(settings.fill_side_chains, "--fill-side-chains", expected);
     refuse(!settings.protonate.empty(), "--protonate", expected);
   }
   if (model == nullptr || !model->has_contacts) {
@@ -47,6 +50,7 @@ std::vector<NamedParameter> parameters_of(const ModelSettings& settings) {
   return {{"model/kind", settings.name},
           {"model/hbond_cutoff", settings.hbond_cutoff},
           {"model/keep_waters", settings.keep_waters},
+          {"model/fill_side_chains", settings.fill_side_chains},
           {"model/protonate", forms},
           {"model/floppy", settings.floppy},
           {"model/contacts", std::filesystem::path(settings.contacts).filename().string()}};
@@ -56,6 +60,7 @@ ModelOptions model_options_of(const ModelSettings& settings, const Log& log) {
   ModelOptions options;
   if (!settings.name.empty()) options.kind = choose(models(), "model", settings.name).kind;
   options.prepare.keep_waters = settings.keep_waters;
+  options.prepare.fill_side_chains = settings.fill_side_chains;
   options.prepare.protonate = settings.protonate;
   options.prepare.floppy_below = settings.floppy ? disordered_below : 0.0;
   options.hydrogen_bonds.cutoff = settings.hbond_cutoff;

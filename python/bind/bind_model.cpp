@@ -12,8 +12,9 @@ namespace pliant::python {
 namespace {
 
 PrepareOptions prepare_options(bool keep_waters, std::vector<std::string> protonate,
-                               double floppy_below) {
+                               double floppy_below, bool fill_side_chains) {
   PrepareOptions options;
+  options.fill_side_chains = fill_side_chains;
   options.keep_waters = keep_waters;
   options.protonate = std::move(protonate);
   options.floppy_below = floppy_below;
@@ -22,8 +23,10 @@ PrepareOptions prepare_options(bool keep_waters, std::vector<std::string> proton
 }
 
 Preparation prepare_structure(const Structure& structure, bool keep_waters, bool add_hydrogens,
-                              std::vector<std::string> protonate, double floppy_below) {
-  PrepareOptions options = prepare_options(keep_waters, std::move(protonate), floppy_below);
+                              std::vector<std::string> protonate, double floppy_below,
+                              bool fill_side_chains) {
+  PrepareOptions options =
+      prepare_options(keep_waters, std::move(protonate), floppy_below, fill_side_chains);
   options.add_hydrogens = add_hydrogens;
   const nb::gil_scoped_release no_gil;
   return prepare(structure, options);
@@ -37,10 +40,12 @@ nb::object contacts_of(const Structure& structure, double hbond_cutoff) {
 
 MolecularModel model_of(const Structure& structure, const std::string& model, bool keep_waters,
                         std::vector<std::string> protonate, double floppy_below,
-                        double hbond_cutoff, const nb::object& contacts, const std::string& pin) {
+                        double hbond_cutoff, const nb::object& contacts, const std::string& pin,
+                        bool fill_side_chains) {
   ModelOptions options;
   options.kind = choose(models(), "model", model).kind;
-  options.prepare = prepare_options(keep_waters, std::move(protonate), floppy_below);
+  options.prepare =
+      prepare_options(keep_waters, std::move(protonate), floppy_below, fill_side_chains);
   options.hydrogen_bonds.cutoff = hbond_cutoff;
   options.pin = pin;
   options.log = python_log();
@@ -71,6 +76,9 @@ protonate : sequence of str
     for pH 7 say.
 floppy_below : float
     Residues whose B factor (a confidence, pLDDT) is below are floppy; 0: none.
+fill_side_chains : bool
+    Build missing atoms of side chains by ideal geometry and the usual torsions that run least into
+    other atoms. A guess, which ``missing`` names.
 
 Raises
 ------
@@ -115,6 +123,8 @@ contacts : array, optional
     Rows as ``contacts`` gives them, atoms of the prepared structure, in place of those found.
 pin : str
     Selection of atoms that never move.
+fill_side_chains : bool
+    As in ``prepare``.
 
 Raises
 ------
@@ -136,7 +146,7 @@ void bind_preparation(nb::module_& module) {
       .def_ro("missing", &Preparation::missing, "What the structure lacks, line by line.");
   module.def("prepare", &prepare_structure, "structure"_a, nb::kw_only(), "keep_waters"_a = false,
              "add_hydrogens"_a = true, "protonate"_a = std::vector<std::string>{},
-             "floppy_below"_a = 0.0, prepare_doc);
+             "floppy_below"_a = 0.0, "fill_side_chains"_a = false, prepare_doc);
 }
 
 void bind_built_model(nb::module_& module) {
@@ -182,12 +192,12 @@ void bind_model(nb::module_& module) {
   module.def("build_model", &model_of, "structure"_a, "model"_a = "protein", nb::kw_only(),
              "keep_waters"_a = false, "protonate"_a = std::vector<std::string>{},
              "floppy_below"_a = 0.0, "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
-             "contacts"_a = nb::none(), "pin"_a = "",
+             "contacts"_a = nb::none(), "pin"_a = "", "fill_side_chains"_a = false,
              nb::sig("def build_model(structure: Structure, model: str = \"protein\", *, "
                      "keep_waters: bool = False, protonate: collections.abc.Sequence[str] = (), "
                      "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
-                     "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\") -> "
-                     "MolecularModel"),
+                     "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
+                     "fill_side_chains: bool = False) -> MolecularModel"),
              build_doc);
 }
 

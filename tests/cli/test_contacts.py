@@ -167,3 +167,12 @@ def test_a_wrong_object_is_named(pliant, tmp_path):
     ended = pliant("contacts", OPEN, "--contacts", "wrong.json")
     assert ended.code == 1
     assert ended.err.splitlines()[-1] == 'pliant: error: wrong.json:2: there is no "b"'
+
+
+def test_side_chains_are_built_where_asked(pliant):
+    lacking = pliant("contacts", XRAY)
+    assert "; --fill-side-chains builds them" in lacking.err
+    filled = pliant("contacts", XRAY, "--fill-side-chains")
+    assert filled.code == 0
+    assert "atoms of 5 residues built by rule, which is a guess: A:GLN682" in filled.err
+    assert "lack atoms" not in filled.err

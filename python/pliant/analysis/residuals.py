@@ -130,13 +130,14 @@ def bar_residuals(
     positions: npt.ArrayLike, bars: np.ndarray, rest_lengths: np.ndarray
 ) -> np.ndarray:
     """Signed relative residuals (B,) of the bars (B, 2) at positions (N, 3), Angstrom."""
-    return _lengths(np.asarray(positions, dtype=np.float64), bars) / rest_lengths - 1.0
+    lengths = _lengths(np.asarray(positions, dtype=np.float64), bars)
+    return np.asarray(lengths / rest_lengths - 1.0)
 
 
 def _lengths(positions: np.ndarray, bars: np.ndarray) -> np.ndarray:
     along = positions.take(bars[:, 1], axis=0)
     along -= positions.take(bars[:, 0], axis=0)
-    return np.sqrt(np.einsum("ij,ij->i", along, along))
+    return np.asarray(np.sqrt(np.einsum("ij,ij->i", along, along)))
 
 
 def _record_of(universe: Universe) -> RunRecord | None:

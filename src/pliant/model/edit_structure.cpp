@@ -48,7 +48,7 @@ class Copier {
     to_.structure.atoms.serials.push_back(0);
     if (!from_.charges.empty()) to_.structure.charges.push_back(0);
     if (!from_.b_factors.empty()) to_.structure.b_factors.push_back(from_.b_factors[atom.parent]);
-    to_.structure.bonds.push_back({parent, self, BondOrigin::residue, 1});
+    if (atom.is_bonded) to_.structure.bonds.push_back({parent, self, BondOrigin::residue, 1});
   }
 
   /// A residue whose atoms all went has none to end a chain: the one before it does.

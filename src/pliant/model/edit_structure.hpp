@@ -17,12 +17,13 @@ struct EditedStructure {
   std::vector<std::uint32_t> origin;  ///< (N)
 };
 
-/// An atom to put in, with a bond to `parent`, into whose residue it comes after all others.
+/// An atom to put in, into the residue of `parent`, after all others.
 struct NewAtom {
   std::uint32_t parent;
   std::string name;
   std::uint8_t element;
   Vec3 position;
+  bool is_bonded = true;  ///< to the parent
 };
 
 /// Without the atoms that are marked (N); residues that lose all atoms go, too.

@@ -12,6 +12,8 @@
 #include "pliant/model/hydrogen_places.hpp"
 #include "pliant/model/polar_hydrogens.hpp"
 #include "pliant/model/residue_chemistry.hpp"
+#include "pliant/model/side_chain_geometry.hpp"
+#include "pliant/model/side_chains.hpp"
 #include "pliant/model/survey.hpp"
 
 namespace pliant {
@@ -28,13 +30,10 @@ struct Substitute {
 constexpr Substitute substitutes[] = {{"MSE", "MET", "SE", "SD"}, {"SEC", "CYS", "SE", "SG"}};
 constexpr std::uint8_t sulphur = 16;
 
-bool is_dummy(const Residue& residue) { return residue.name == "DUM"; }
+/// Angstrom: a side chain that was built so deep into other atoms is told.
+constexpr double crowded_from = 0.7;
 
-/// Where CB lies by N, CA and C of an ideal residue (coefficients for tetrahedral CA, CA-CB 1.53).
-Vec3 ideal_cb(Vec3 n, Vec3 ca, Vec3 c) {
-  const Vec3 b = ca - n, d = c - ca;
-  return ca - 0.58273431 * cross(b, d) + 0.56802827 * b - 0.54067466 * d;
-}
+bool is_dummy(const Residue& residue) { return residue.name == "DUM"; }
 
 /// Makes a structure ready, one step after the other.
 class Preparer {
@@ -51,6 +50,7 @@ class Preparer {
     take_out_dummies();
     rename_selenium();
     refuse_ca_only();
+    if (options_.fill_side_chains) fill_side_chains();
     const bool is_backbone_only = survey(now_.structure).is_backbone_only;
     if (is_backbone_only) add_cb();
     add_hydrogens();
@@ -135,6 +135,30 @@ class Preparer {
       refuse("holds CA atoms alone: a model of a protein needs N, CA, C and O at least");
   }
 
+  void fill_side_chains() {
+    BuiltSideChains filled = build_side_chains(now_.structure);
+    if (!filled.left.empty())
+      now_.missing.push_back(
+          "side chains that cannot be built: " + listed_residues(atoms(), filled.left) +
+          " (N, CA or C is missing, or an atom amid others)");
+    if (filled.built.empty()) {
+      if (filled.left.empty()) tell("side chains: no atom of them was missing");
+      return;
+    }
+    std::vector<std::uint32_t> residues, crowded;
+    for (const BuiltSideChain& row : filled.built) {
+      residues.push_back(row.residue);
+      if (row.overlap > crowded_from) crowded.push_back(row.residue);
+    }
+    now_.missing.push_back(
+        "side chains: atoms of " + counted(residues.size(), "residue", "residues") +
+        " built by rule, which is a guess: " + listed_residues(atoms(), residues));
+    if (!crowded.empty())
+      now_.missing.push_back("side chains: no usual torsions keep these out of other atoms: " +
+                             listed_residues(atoms(), crowded));
+    take(std::move(filled.edited));
+  }
+
   void add_cb() {
     const ResidueAtoms residues(atoms());
     const auto& x = now_.structure.positions;
@@ -199,8 +223,11 @@ class Preparer {
     if (is_backbone_only) found.incomplete.clear();  // it was said already
     for (const std::string& line : found_parts(now_.structure, found)) tell("kept " + line);
     tell_of_ligands_without_hydrogens(found);
-    for (std::string& line : missing_parts(now_.structure, found))
+    for (std::string& line : missing_parts(now_.structure, found)) {
+      if (line.starts_with("side chains") && !options_.fill_side_chains)
+        line += "; --fill-side-chains builds them";
       now_.missing.push_back(std::move(line));
+    }
   }
 
   void tell_of_ligands_without_hydrogens(const Survey& found) {

@@ -15,6 +15,7 @@ namespace pliant {
 
 struct PrepareOptions {
   bool keep_waters = false;
+  bool fill_side_chains = false;            ///< their missing atoms by rule: see side_chains.hpp
   bool add_hydrogens = true;                ///< polar hydrogens by rule where there are none
   std::vector<std::string> protonate = {};  ///< "HIS57:HID", "A:ASP25:ASH"
   /// Models whose B factors are a confidence (pLDDT): contacts of residues below are left out; 0:
@@ -41,6 +42,7 @@ inline constexpr double disordered_below = 50.0;
 /// - waters are taken out, unless they are to be kept;
 /// - selenium of MSE (and SEC) becomes the sulphur of MET (CYS), where it is;
 /// - ligands and metals stay, with the bonds that the file or distances tell;
+/// - side chains are completed by rule, if they are to be;
 /// - amino acids get their CB by rule, in a structure that has no side chain at all;
 /// - polar hydrogens (on N, O, S) are placed by rule where a residue's part has no hydrogen, with
 ///   protonation as protonation.hpp says; hydrogens of the structure stay.
