@@ -31,7 +31,7 @@ H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model
 /// Asked of both outputs before the first is made, so that none is left behind alone.
 void check_outputs(const SampleSettings& settings) {
   refuse_same_files(inputs_of(settings), {settings.output});
-  check_trajectory_name(settings.output);
+  if (!is_sdf_name(settings.output)) check_trajectory_name(settings.output);
   check_record_options(settings.output, settings.record);
   std::vector<std::string> outputs{settings.output};
   if (settings.topology != "none") outputs.push_back(settings.topology);
@@ -56,11 +56,12 @@ SampleSummary sample_to_file(const SampleSettings& settings, const MolecularMode
                              const Log& log) {
   NetworkNodes nodes = nodes_of(model);
   FrameOutput recorder(settings.output, model.framework, header_of(settings, model, nodes),
-                       settings.record);
+                       settings.record, model.structure.charges);
   write_topology(settings, model, log);
   ProgressBar progress(settings.sample.frames, "frames", settings.quiet);
   SampleOptions options = settings.sample;
   options.should_stop = interrupted;
+  options.log = log;
   std::int64_t done = 0;
   SampleSummary summary = sample(model.framework, model.positions, std::move(nodes), options,
                                  [&](const SampledFrame& frame) {
@@ -73,8 +74,8 @@ SampleSummary sample_to_file(const SampleSettings& settings, const MolecularMode
 }
 
 SampledSystem system_of(const MolecularModel& model) {
-  return {entry(model.kind).name, model.framework, model.contacts.size(), model.told,
-          model.missing};
+  return {entry(model.kind).name, model.framework, model.positions,
+          model.contacts.size(),  model.told,      model.missing};
 }
 
 }  // namespace
@@ -84,13 +85,15 @@ int command_sample(const Arguments& arguments) {
       "pliant sample",
       "Samples what a molecule can do: independent frames about the structure of the file,\n"
       "each with exact bonds and angles, its contacts held and nothing overlapping. How far\n"
-      "frames go (--amplitude) is an input, not a prediction; populations are not claimed.");
+      "frames go (--amplitude) is an input, not a prediction; populations are not claimed.\n"
+      "Of a small molecule, frames are conformers: torsions are drawn, and rings inverted.");
   line.set_footer(
       "Examples:\n"
       "  pliant sample protein.pdb -o ensemble.h5md\n"
       "  pliant sample protein.cif --frames 1000 --amplitude 2 --seed 7\n"
       "  pliant sample protein.pdb --amplitude nmr_models.pdb\n"
       "  pliant sample protein.pdb --sampler dilute --hbond-cutoff -2\n"
+      "  pliant sample drug.sdf -o conformers.sdf            torsions, rings\n"
       "  pliant sample --continue ensemble.h5md              after Ctrl-C or a crash\n"
       "  pliant sample --continue ensemble.h5md --frames 2000\n"
       "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a frame could not be resolved\n"
@@ -104,6 +107,7 @@ int command_sample(const Arguments& arguments) {
   check_outputs(settings);
   settings.record.log = messages.log();
   const MolecularModel model = load_model(settings, messages.log());
+  choose_sampler(settings, model);
   choose_amplitude(settings, model, messages.log());
   watch_for_interrupt();
   const SampleSummary summary = sample_to_file(settings, model, messages.log());

@@ -112,7 +112,7 @@ int continue_sample(const CommandLine& line, SampleSettings& settings) {
     messages.log().note(
         fmt::format("{} has all of its {} frames; --frames N goes on up to N in all",
                     from.path.string(), from.steps));
-  const SampledSystem system{recorded_text(from, "model/kind"), from.framework,
+  const SampledSystem system{recorded_text(from, "model/kind"), from.framework, from.inputs.start,
                              LimitCounter(from.framework.limits()).size()};
   print_sample(settings, system, summary, messages.warnings());
   return exit_code_of(summary);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "frame_output.hpp"
 
+#include <filesystem>
 #include <utility>
 
 #include "output_files.hpp"
@@ -8,21 +9,35 @@
 
 namespace pliant::app {
 
+namespace fs = std::filesystem;
+
 bool is_pdb_name(const std::string& output) {
   const std::string extension = extension_of(output);
   return extension == ".pdb" || extension == ".ent";
 }
 
+bool is_sdf_name(const std::string& output) {
+  const std::string extension = extension_of(output);
+  return extension == ".sdf" || extension == ".sd";
+}
+
 void check_record_options(const std::string& output, const H5mdOptions& options) {
-  if (!is_pdb_name(output)) return;
+  if (!is_pdb_name(output) && !is_sdf_name(output)) return;
   for (const auto& [is_given, name] :
        {std::pair(options.single, "--single"), std::pair(options.compress, "--compress")})
     if (is_given)
-      throw OptionError(std::string(name) + ": goes with H5MD, not with the PDB file " + output);
+      throw OptionError(std::string(name) + ": goes with H5MD, not with the " +
+                        (is_pdb_name(output) ? "PDB" : "SDF") + " file " + output);
 }
 
 FrameOutput::FrameOutput(const std::string& output, const Framework& framework,
-                         const H5mdHeader& header, const H5mdOptions& options) {
+                         const H5mdHeader& header, const H5mdOptions& options,
+                         std::vector<std::int8_t> charges) {
+  if (is_sdf_name(output)) {
+    sdf_.emplace(output, framework.atoms(), header.bonds, std::move(charges),
+                 SdfRecorder::Options{fs::path(output).stem().string(), options.overwrite});
+    return;
+  }
   if (!is_pdb_name(output)) {
     h5md_.emplace(output, framework, header, options);
     return;
@@ -33,12 +48,20 @@ FrameOutput::FrameOutput(const std::string& output, const Framework& framework,
   pdb_.emplace(output, framework.atoms(), header.bonds, pdb);
 }
 
-void FrameOutput::record(const Frame& frame) { h5md_ ? h5md_->record(frame) : pdb_->record(frame); }
+void FrameOutput::record(const Frame& frame) {
+  if (h5md_) h5md_->record(frame);
+  if (pdb_) pdb_->record(frame);
+  if (sdf_) sdf_->record(frame);
+}
 
 void FrameOutput::end_run(const State& state) {
   if (h5md_) h5md_->end_run(state);
 }
 
-void FrameOutput::close() { h5md_ ? h5md_->close() : pdb_->close(); }
+void FrameOutput::close() {
+  if (h5md_) h5md_->close();
+  if (pdb_) pdb_->close();
+  if (sdf_) sdf_->close();
+}
 
 }  // namespace pliant::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where run and sample put their frames: an H5MD file, or a PDB file by its name.
+// Where run and sample put their frames: an H5MD file, or by its name a PDB file, or an SDF file.
 #pragma once
 
 #include <memory>
@@ -9,30 +9,36 @@
 
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/record/pdb_recorder.hpp"
+#include "pliant/record/sdf_recorder.hpp"
 
 namespace pliant::app {
 
 /// Whether the name is one of PDB (.pdb, .ent).
 bool is_pdb_name(const std::string& output);
 
-/// Throws OptionError if options of H5MD are given for a PDB file.
+/// Whether the name is one of SDF (.sdf, .sd).
+bool is_sdf_name(const std::string& output);
+
+/// Throws OptionError if options of H5MD are given for another file.
 void check_record_options(const std::string& output, const H5mdOptions& options);
 
 /// Records frames in the format that the name asks for.
 class FrameOutput {
  public:
-  /// A PDB file takes names and bonds only. Throws as the recorders do.
+  /// A PDB file takes names and bonds only; an SDF file elements, bonds and `charges` (N), formal,
+  /// empty where there are none. Throws as the recorders do.
   FrameOutput(const std::string& output, const Framework& framework, const H5mdHeader& header,
-              const H5mdOptions& options);
+              const H5mdOptions& options, std::vector<std::int8_t> charges = {});
 
   void record(const Frame& frame);
-  /// The run of the frames ends in this state. A PDB file cannot keep it.
+  /// The run of the frames ends in this state. Only H5MD can keep it.
   void end_run(const State& state);
   void close();
 
  private:
   std::optional<H5mdRecorder> h5md_;
   std::optional<PdbRecorder> pdb_;
+  std::optional<SdfRecorder> sdf_;
 };
 
 }  // namespace pliant::app

@@ -4,13 +4,64 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <optional>
 
 #include "command.hpp"
 #include "json.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/sample/samplers.hpp"
+#include "pliant/sample/torsion_moves.hpp"
 
 namespace pliant::app {
 namespace {
+
+/// What moves in conformers, by name.
+struct Conformations {
+  std::vector<std::string> rotors, rings;
+  std::size_t loop_bodies = 0;
+};
+
+/// None of a sampler that goes along modes.
+std::optional<Conformations> conformations_of(const SampleSettings& settings,
+                                              const SampledSystem& system) {
+  const Framework& framework = system.framework;
+  const auto plan = BodyPlan::make(framework);
+  if (find_sampler(settings.sample.sampler).has_amplitude || !plan) return std::nullopt;
+  const TorsionMoves moves(framework, *plan, system.start);
+  Conformations found{{}, {}, moves.loop_bodies().size()};
+  for (const Rotor& rotor : moves.rotors())
+    found.rotors.push_back(framework.label(Bar{rotor.a, rotor.b}));
+  for (const InvertibleRing& ring : moves.rings()) {
+    std::string names;
+    for (Joint atom : ring.atoms) names += (names.empty() ? "" : " ") + framework.label(atom);
+    found.rings.push_back(names);
+  }
+  return found;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+void print_conformations(const Conformations& found) {
+  fmt::print("rotors          {}{}{}\n", found.rotors.size(), found.rotors.empty() ? "" : ": ",
+             listed(found.rotors));
+  fmt::print("rings           {} {}{}{}\n", found.rings.size(),
+             found.rings.size() == 1 ? "inverts" : "invert", found.rings.empty() ? "" : ": ",
+             listed(found.rings));
+  if (found.loop_bodies > 0)
+    fmt::print("flexible loops  of {} rigid units, pushed at random\n", found.loop_bodies);
+  fmt::print("                conformers show what is possible; how often is not claimed\n");
+}
+
+void print_amplitude(const SampleSettings& settings, const SampleSummary& summary) {
+  fmt::print("amplitude       asked {:.2f} A, reached {:.2f} A: an input, not a prediction\n",
+             summary.amplitude_asked, summary.amplitude_reached);
+  fmt::print("                asked: {}\n", printable_name(settings.chosen_amplitude.reason));
+  fmt::print("                frames show what can move; how often they occur is not claimed\n");
+}
 
 std::string worst_bar_of(const SampledSystem& system, const SampleSummary& summary) {
   const Framework& framework = system.framework;
@@ -43,13 +94,12 @@ void print_table(const SampleSettings& settings, const SampledSystem& system,
                  const SampleSummary& summary) {
   fmt::print("model           {}: {} atoms, {} bars, {} contacts\n", system.kind,
              system.framework.joint_count(), system.framework.bar_count(), system.contacts);
-  fmt::print("frames          {}{}, sampler {}, network {}, seed {}\n", summary.frames,
-             settings.go_on.empty() ? "" : " added", settings.sample.sampler,
-             settings.sample.network, settings.sample.seed);
-  fmt::print("amplitude       asked {:.2f} A, reached {:.2f} A: an input, not a prediction\n",
-             summary.amplitude_asked, summary.amplitude_reached);
-  fmt::print("                asked: {}\n", printable_name(settings.chosen_amplitude.reason));
-  fmt::print("                frames show what can move; how often they occur is not claimed\n");
+  const auto conformations = conformations_of(settings, system);
+  const std::string network = conformations ? "" : ", network " + settings.sample.network;
+  fmt::print("frames          {}{}, sampler {}{}, seed {}\n", summary.frames,
+             settings.go_on.empty() ? "" : " added", settings.sample.sampler, network,
+             settings.sample.seed);
+  conformations ? print_conformations(*conformations) : print_amplitude(settings, summary);
   fmt::print("RMSF            {:.2f} A over atoms, superposed; {:.2f} A between halves of frames\n",
              mean_of(summary.rmsf), mean_of(summary.rmsf_error));
   fmt::print("drawn again     {} frames; {} more took a second way\n", summary.redrawn,
@@ -67,6 +117,7 @@ void print_table(const SampleSettings& settings, const SampledSystem& system,
 
 void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                    const SampleSummary& summary, const std::vector<std::string>& warnings) {
+  const Conformations moving = conformations_of(settings, system).value_or(Conformations{});
   const Json json{{"input", settings.molecule.file},
                   {"output", settings.output},
                   {"topology", settings.topology},
@@ -82,6 +133,9 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"amplitude_is_input", true},
                   {"amplitude_from", settings.chosen_amplitude.source},
                   {"amplitude_reason", settings.chosen_amplitude.reason},
+                  {"rotors", moving.rotors},
+                  {"rings", moving.rings},
+                  {"loop_units", moving.loop_bodies},
                   {"redrawn", summary.redrawn},
                   {"rescued", summary.rescued},
                   {"failed", summary.failed},

@@ -14,6 +14,7 @@ namespace pliant::app {
 struct SampledSystem {
   std::string_view kind;  ///< of the model
   const Framework& framework;
+  std::span<const Vec3> start;  ///< (N) Angstrom
   std::size_t contacts = 0;
   std::vector<std::string> told = {}, missing = {};  ///< by preparation
 };

@@ -53,7 +53,11 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
                    "all cores");
   line.add_choice("--network", sample.network, names_of(networks()),
                   "elastic network whose modes frames go along");
-  line.add_choice("--sampler", sample.sampler, names_of(samplers()), "way to move");
+  std::vector<std::string_view> ways{"auto"};
+  for (const SamplerEntry& row : samplers()) ways.push_back(row.name);
+  sample.sampler = "auto";
+  line.add_choice("--sampler", sample.sampler, ways,
+                  "way to move; auto: modes where there are residues, torsions of small molecules");
   line.add_real("--temperature", sample.temperature, Range::positive,
                 "T of sampler dilute (kJ/mol)");
 }
@@ -61,7 +65,7 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
 void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FILE",
-                "H5MD trajectory, or models of a PDB file where the name ends in .pdb\n"
+                "H5MD trajectory, or models of a PDB file (.pdb), or records of SDF (.sdf)\n"
                 "(default: INPUT's name.h5md)");
   line.add_text("--topology", settings.topology, "FILE",
                 "PDB with names and bonds, or none (default: OUTPUT's name.pdb)");
@@ -82,6 +86,11 @@ std::string amplitude_source(const SampleSettings& settings) {
   if (settings.amplitude.empty()) return number_text(usual_amplitude);
   const auto number = parse_real(settings.amplitude);
   return number ? number_text(*number) : settings.amplitude;
+}
+
+/// Whether it is a chain of amino acids or nucleotides, or several molecules of one.
+bool has_residues(const MolecularModel& model) {
+  return usual_model(model.structure) == ModelKind::protein;
 }
 
 /// A number is refused before any file is read.
@@ -109,11 +118,13 @@ void complete(SampleSettings& settings) {
   settings.sample.threads = threads_of(settings);
   if (settings.output.empty()) settings.output = default_trajectory(settings.molecule.file);
   if (settings.topology.empty())
-    settings.topology = is_pdb_name(settings.output)
+    settings.topology = is_pdb_name(settings.output) || is_sdf_name(settings.output)
                             ? "none"
                             : default_topology(settings.output, settings.molecule.file);
   check_amplitude(settings);
-  check(settings.sample);
+  SampleOptions known = settings.sample;
+  if (known.sampler == "auto") known.sampler = SampleOptions{}.sampler;
+  check(known);
 }
 
 MolecularModel load_model(SampleSettings& settings, const Log& log) {
@@ -122,6 +133,15 @@ MolecularModel load_model(SampleSettings& settings, const Log& log) {
       settings.model == "auto" ? entry(usual_model(structure)).name : settings.model;
   check(settings.molecule.kind);
   return build_model(structure, model_options_of(settings.molecule.kind, log));
+}
+
+void choose_sampler(SampleSettings& settings, const MolecularModel& model) {
+  std::string& sampler = settings.sample.sampler;
+  if (sampler == "auto")
+    sampler = usual_sampler(model.framework, model.positions, has_residues(model));
+  if (!settings.amplitude.empty() && !find_sampler(sampler).has_amplitude)
+    throw OptionError("--amplitude: sampler " + sampler +
+                      " has none: torsions are drawn from the whole circle");
 }
 
 void choose_amplitude(SampleSettings& settings, const MolecularModel& model, const Log& log) {

@@ -41,6 +41,10 @@ int threads_of(const SampleSettings& settings);
 /// as the library does.
 MolecularModel load_model(SampleSettings& settings, const Log& log);
 
+/// The way to move, where the option leaves it open; it is then in `settings`. Throws OptionError
+/// for options that do not go with it.
+void choose_sampler(SampleSettings& settings, const MolecularModel& model);
+
 /// How far frames go, from the option and what is sampled; it is then in `settings`. Throws as the
 /// library does.
 void choose_amplitude(SampleSettings& settings, const MolecularModel& model, const Log& log);

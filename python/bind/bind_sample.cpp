@@ -122,7 +122,11 @@ SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
   options.seed = seed;
   options.threads = threads;
   options.network = network;
+  options.log = python_log();
   options.sampler = sampler;
+  if (sampler == "auto")
+    options.sampler = usual_sampler(out.model.framework, out.model.positions,
+                                    usual_model(out.model.structure) == ModelKind::protein);
   options.temperature = temperature;
   check(options);
   {
@@ -202,7 +206,8 @@ threads : int
 network : str
     A name in ``networks()``.
 sampler : str
-    A name in ``samplers()``.
+    A name in ``samplers()``, or ``auto``: ``modes`` where there are residues, ``torsions`` of small
+    molecules, which have no amplitude.
 first_frame : int
     Number of the first frame: a run may be made in pieces.
 temperature : float
@@ -363,13 +368,13 @@ void bind_sample(nb::module_& module) {
   const SampleOptions usual;
   module.def("sample", &sample_from, "structure"_a, "frames"_a = usual.frames, nb::kw_only(),
              "amplitude"_a = AskedAmplitude(usual.amplitude), "seed"_a = usual.seed,
-             "threads"_a = usual.threads, "network"_a = usual.network, "sampler"_a = usual.sampler,
+             "threads"_a = usual.threads, "network"_a = usual.network, "sampler"_a = "auto",
              "first_frame"_a = usual.first_frame, "temperature"_a = usual.temperature,
              "model"_a = "", "output"_a = nb::none(), "overwrite"_a = false, "single"_a = false,
              "compress"_a = false,
              nb::sig("def sample(structure: Structure | MolecularModel, frames: int = 200, *, "
                      "amplitude: float | str | os.PathLike = 1.4, seed: int = 0, threads: int = 1, "
-                     "network: str = \"shared\", sampler: str = \"modes\", first_frame: int = 0, "
+                     "network: str = \"shared\", sampler: str = \"auto\", first_frame: int = 0, "
                      "temperature: float = 12.552, model: str = \"\", "
                      "output: str | os.PathLike[str] | None = None, overwrite: bool = False, "
                      "single: bool = False, compress: bool = False) -> SampledEnsemble"),

@@ -25,6 +25,7 @@ enum class Domain : std::uint64_t {
   amplitude = 8,     ///< how far a sampled frame goes along each mode
   dilution = 9,      ///< which limits are off in a sampled frame
   walk = 10,         ///< steps of a sampler that walks
+  torsion = 11,      ///< torsions, rings and flexible loops of a sampled conformer
 };
 
 /// Where a random number is used: all of its fields together make the draw.

@@ -85,9 +85,10 @@ bool FrameMaker::make_step(std::int64_t number, int step, std::span<const Vec3> 
   for (int attempt = 0; attempt <= most_redraws; ++attempt) {
     if (attempt > 0) ++out.redraws;
     sampler_.ask(number, step, attempt, now, before, request_);
-    if (resolve(now, careful(), out)) return true;
+    const std::span<const Vec3> from = request_.from.empty() ? now : request_.from;
+    if (resolve(from, careful(), out)) return true;
     out.is_rescued = true;
-    if (resolve(now, {}, out) || resolve(now, patient(), out)) return true;
+    if (resolve(from, {}, out) || resolve(from, patient(), out)) return true;
   }
   return false;
 }

@@ -43,7 +43,7 @@ class Sampling {
       : framework_(framework),
         start_(start),
         options_(options),
-        sampler_(find_sampler(options.sampler).make({framework, start, nodes, options})),
+        sampler_(find_sampler(options.sampler).make({framework, plan, start, nodes, options})),
         joint_of_node_(joints_nearest_to(nodes.positions)),
         sums_(start, joint_of_node_),
         now_(start.begin(), start.end()),
@@ -166,7 +166,8 @@ class Sampling {
     const auto frames = double(std::max<std::int64_t>(summary_.frames, 1));
     summary_.mean_off_target /= frames;
     summary_.mean_steps /= frames;
-    summary_.amplitude_asked = options_.amplitude;
+    summary_.amplitude_asked =
+        find_sampler(options_.sampler).has_amplitude ? options_.amplitude : 0.0;
     summary_.rmsf = sums_.rmsf();
     summary_.rmsf_error = sums_.error();
     for (std::size_t joint : joint_of_node_)

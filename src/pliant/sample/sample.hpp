@@ -28,6 +28,7 @@ struct SampleOptions {
   std::string sampler = "modes";           ///< a name in samplers()
   double temperature = 12.552;             ///< kJ/mol, T of `dilute`: 3 kcal/mol
   std::function<bool()> should_stop = {};  ///< asked between frames
+  Log log = {};                            ///< of what would surprise
 };
 
 /// Throws OptionError naming the option, its value and its range.

@@ -19,7 +19,8 @@ struct SampleSummary {
   std::int64_t redrawn = 0;        ///< frames whose first draw could not be resolved
   std::int64_t rescued = 0;        ///< frames that careful steps did not resolve
   std::int64_t failed = 0;         ///< frames that no draw gave; not among `frames`
-  double amplitude_asked = 0.0;    ///< mean r.m.s. fluctuation of nodes (Angstrom)
+  double amplitude_asked = 0.0;    ///< mean r.m.s. fluctuation of nodes (Angstrom); 0: the
+                                   ///< sampler has none
   double amplitude_reached = 0.0;  ///< mean of `rmsf` over the joints nearest to nodes
   double max_residual = 0.0;       ///< worst bar: |length - rest| / rest
   BarIndex worst_bar = 0;

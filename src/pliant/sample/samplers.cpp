@@ -2,14 +2,18 @@
 #include "pliant/sample/samplers.hpp"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/elementary.hpp"
 #include "pliant/base/random.hpp"
+#include "pliant/framework/contacts.hpp"
+#include "pliant/resolve/froda/body_plan.hpp"
 #include "pliant/sample/amplitudes.hpp"
 #include "pliant/sample/mode_displacement.hpp"
 #include "pliant/sample/sample.hpp"
+#include "pliant/sample/torsion_moves.hpp"
 
 namespace pliant {
 namespace {
@@ -129,6 +133,92 @@ class WalkSampler final : public Sampler {
   double length_;
 };
 
+/// Finds how deep joints overlap in small molecules, pair by pair.
+class SmallSterics {
+ public:
+  explicit SmallSterics(const Framework& framework) {
+    if (framework.sterics() == nullptr || framework.joint_count() > most_joints) return;
+    const ContactRules rules(framework);
+    for (Joint a = 0; a < framework.joint_count(); ++a)
+      for (Joint b = a + 1; b < framework.joint_count(); ++b)
+        if (const double least = rules.of(a, b); least > 0.0) pairs_.push_back({a, b, least});
+  }
+
+  /// Sum of squares, Angstrom^2.
+  double overlap(std::span<const Vec3> x) const {
+    double sum = 0.0;
+    for (const Contact& pair : pairs_) {
+      const double square = norm_squared(x[pair.a] - x[pair.b]);
+      if (square >= pair.least * pair.least) continue;
+      const double depth = pair.least - std::sqrt(square);
+      sum += depth * depth;
+    }
+    return sum;
+  }
+
+ private:
+  static constexpr std::size_t most_joints = 300;
+  std::vector<Contact> pairs_;
+};
+
+/// Of so many draws the one that overlaps least is resolved: torsions stay where they were drawn.
+constexpr int draws_a_conformer = 20;
+
+/// Flexible loops are bent so often.
+constexpr int loop_steps = 12;
+
+/// Conformers: torsions drawn, rings inverted or not, loops pushed. With `mixed` the torsions of
+/// even frames are those that are usual, of odd ones any: starts of one conformer each miss what
+/// the other finds.
+template <bool is_mixed, TorsionDraw other>
+class TorsionsSampler final : public Sampler {
+ public:
+  explicit TorsionsSampler(const SamplerSetting& setting)
+      : moves_(setting.framework, setting.plan, setting.start),
+        sterics_(setting.framework),
+        seed_(setting.options.seed) {
+    if (moves_.empty())
+      setting.options.log.warn(
+          "no bond of it turns, no ring of it inverts: all conformers are the start");
+  }
+
+  int steps_a_frame() const override { return moves_.loop_bodies().empty() ? 1 : loop_steps; }
+
+  void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
+           std::span<const Vec3>, FrameRequest& request) const override {
+    RandomSequence draws({seed_, Domain::torsion, static_cast<std::uint64_t>(attempt),
+                          static_cast<std::uint64_t>(frame), static_cast<std::uint64_t>(step)});
+    request.limits_off.clear();
+    request.from.assign(now.begin(), now.end());
+    if (step == 0) {
+      const bool is_usual = is_mixed && frame % 2 == 0;
+      draw(draws, is_usual ? TorsionDraw::preferred : other, request);
+    }
+    request.targets = request.from;
+    moves_.push_loops(draws, request.targets);
+  }
+
+ private:
+  /// Of several draws of the torsions, the rings as they are, the one that overlaps least.
+  void draw(RandomSequence& draws, TorsionDraw how, FrameRequest& request) const {
+    moves_.invert_rings(draws, request.from);
+    const std::vector<Vec3> start = request.from;
+    double least = HUGE_VAL;
+    for (int k = 0; k < draws_a_conformer && least > 0.0; ++k) {
+      request.targets = start;
+      moves_.turn_rotors(draws, how, request.targets);
+      const double here = sterics_.overlap(request.targets);
+      if (!(here < least)) continue;
+      least = here;
+      request.from.swap(request.targets);
+    }
+  }
+
+  TorsionMoves moves_;
+  SmallSterics sterics_;
+  std::uint64_t seed_;
+};
+
 template <class Made>
 std::unique_ptr<Sampler> make(const SamplerSetting& setting) {
   return std::make_unique<Made>(setting);
@@ -138,11 +228,29 @@ constexpr SamplerEntry table[] = {
     {"modes", "independent frames along the modes of an elastic network", make<ModesSampler>},
     {"dilute", "the same, with contacts off by chance: 1 - exp(-|E| / T) are on",
      make<DiluteSampler>},
-    {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>}};
+    {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>},
+    {"torsions", "conformers of small molecules: torsions drawn, rings inverted, loops pushed",
+     make<TorsionsSampler<true, TorsionDraw::uniform>>, false},
+    {"torsions_uniform", "the same, every torsion from the whole circle",
+     make<TorsionsSampler<false, TorsionDraw::uniform>>, false},
+    {"torsions_preferred", "the same, every torsion near one that is usual",
+     make<TorsionsSampler<false, TorsionDraw::preferred>>, false}};
+
+/// Of more all at once drawn, hardly any draw is free of overlaps.
+constexpr std::size_t most_rotors = 64;
 
 }  // namespace
 
 std::span<const SamplerEntry> samplers() { return table; }
+
+std::string_view usual_sampler(const Framework& framework, std::span<const Vec3> start,
+                               bool has_residues) {
+  if (has_residues) return "modes";
+  const std::optional<BodyPlan> plan = BodyPlan::make(framework);
+  if (!plan) return "modes";
+  const TorsionMoves moves(framework, *plan, start);
+  return moves.rotors().size() > most_rotors ? "modes" : "torsions";
+}
 
 const SamplerEntry& find_sampler(std::string_view name) {
   return choose(samplers(), "sampler", name);

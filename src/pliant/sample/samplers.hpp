@@ -14,11 +14,13 @@
 
 namespace pliant {
 
+class BodyPlan;
 struct SampleOptions;
 
 /// What one frame is asked for.
 struct FrameRequest {
   std::vector<Vec3> targets;             ///< (N) Angstrom
+  std::vector<Vec3> from;                ///< (N) with all bars whole; empty: where it begins
   std::vector<std::uint8_t> limits_off;  ///< (L) 1: off in this frame; empty: none is
 };
 
@@ -40,6 +42,7 @@ class Sampler {
 /// What samplers are made with; all outlive them.
 struct SamplerSetting {
   const Framework& framework;
+  const BodyPlan& plan;
   std::span<const Vec3> start;  ///< (N) Angstrom
   const NetworkNodes& nodes;    ///< coarsened
   const SampleOptions& options;
@@ -50,9 +53,15 @@ struct SamplerEntry {
   std::string_view name;
   std::string_view summary;
   std::unique_ptr<Sampler> (*make)(const SamplerSetting& setting);
+  bool has_amplitude = true;  ///< whether the amplitude tells how far frames go
 };
 
 std::span<const SamplerEntry> samplers();
+
+/// What suits a molecule: `torsions` for one of no residues of chains (`has_residues`) that has
+/// rotors, but no more than 64, invertible rings or flexible loops; else `modes`.
+std::string_view usual_sampler(const Framework& framework, std::span<const Vec3> start,
+                               bool has_residues);
 
 /// The row of that name. Throws OptionError listing the known names.
 const SamplerEntry& find_sampler(std::string_view name);

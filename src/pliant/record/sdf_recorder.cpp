@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/record/sdf_recorder.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "pliant/base/elements.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/text/output_file.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr std::size_t most_of_v2000 = 999;
+constexpr std::size_t charges_a_line = 8;
+constexpr double least_place = -9999.99995, most_place = 99999.99995;
+
+template <class... Values>
+void append(std::string& text, const char* format, Values... values) {
+  char line[128];
+  const int size = std::snprintf(line, sizeof line, format, values...);
+  text.append(line, static_cast<std::size_t>(size));
+}
+
+/// One line: control characters would end it.
+std::string one_line(std::string text) {
+  for (char& letter : text)
+    if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
+  return text.substr(0, 80);
+}
+
+std::string symbol_of(std::uint8_t element) {
+  return element == 0 ? "*" : std::string(element_symbol(element));
+}
+
+int order_of(const RecordedBond& bond) { return bond.order == 0 ? 1 : bond.order; }
+
+}  // namespace
+
+class SdfRecorder::Writer {
+ public:
+  Writer(const std::filesystem::path& path, std::shared_ptr<const AtomTable> atoms,
+         std::vector<RecordedBond> bonds, std::vector<std::int8_t> charges, const Options& options)
+      : atoms_(std::move(atoms)),
+        bonds_(std::move(bonds)),
+        charges_(std::move(charges)),
+        title_(one_line(options.title)),
+        file_(path, options.overwrite) {
+    charges_.resize(atoms_->size(), 0);
+  }
+
+  void record(const Frame& frame) {
+    const std::string name = file_.target().string() + ": ";
+    if (is_closed_) throw FileError(name + "is closed: no frame can be recorded");
+    if (frame.positions.size() != atoms_->size())
+      throw InputError(name + std::to_string(frame.positions.size()) + " positions for " +
+                       std::to_string(atoms_->size()) + " atoms");
+    for (Vec3 x : frame.positions)
+      for (double value : {x.x, x.y, x.z})
+        if (!(value > least_place && value < most_place))
+          throw InputError(name + "record " + std::to_string(records_ + 1) +
+                           ": a position does not fit the columns of SDF");
+    text_ = title_ + "\n  Pliant            3D\n\n";
+    const bool is_small = atoms_->size() <= most_of_v2000 && bonds_.size() <= most_of_v2000;
+    is_small ? add_v2000(frame.positions) : add_v3000(frame.positions);
+    append(text_, "M  END\n> <frame>\n%lld\n\n$$$$\n", static_cast<long long>(frame.step));
+    file_.write(text_);
+    ++records_;
+  }
+
+  void close() {
+    if (is_closed_) return;
+    is_closed_ = true;
+    if (records_ > 0) file_.publish();
+    file_.close();
+  }
+
+ private:
+  void add_v2000(std::span<const Vec3> x) {
+    append(text_, "%3zu%3zu  0  0  0  0  0  0  0  0999 V2000\n", atoms_->size(), bonds_.size());
+    for (std::size_t k = 0; k < x.size(); ++k)
+      append(text_, "%10.4f%10.4f%10.4f %-3s 0  0  0  0  0  0  0  0  0  0  0  0\n", x[k].x, x[k].y,
+             x[k].z, symbol_of(atoms_->elements[k]).c_str());
+    for (const RecordedBond& bond : bonds_)
+      append(text_, "%3u%3u%3d  0\n", bond.a + 1, bond.b + 1, order_of(bond));
+    add_charges();
+  }
+
+  void add_charges() {
+    std::vector<std::size_t> charged;
+    for (std::size_t k = 0; k < charges_.size(); ++k)
+      if (charges_[k] != 0) charged.push_back(k);
+    for (std::size_t first = 0; first < charged.size(); first += charges_a_line) {
+      const std::size_t count = std::min(charges_a_line, charged.size() - first);
+      append(text_, "M  CHG%3zu", count);
+      for (std::size_t k = first; k < first + count; ++k)
+        append(text_, " %3zu %3d", charged[k] + 1, int{charges_[charged[k]]});
+      text_ += '\n';
+    }
+  }
+
+  void add_v3000(std::span<const Vec3> x) {
+    text_ += "  0  0  0     0  0            999 V3000\nM  V30 BEGIN CTAB\n";
+    append(text_, "M  V30 COUNTS %zu %zu 0 0 0\nM  V30 BEGIN ATOM\n", atoms_->size(),
+           bonds_.size());
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      append(text_, "M  V30 %zu %s %.4f %.4f %.4f 0", k + 1, symbol_of(atoms_->elements[k]).c_str(),
+             x[k].x, x[k].y, x[k].z);
+      if (charges_[k] != 0) append(text_, " CHG=%d", int{charges_[k]});
+      text_ += '\n';
+    }
+    text_ += "M  V30 END ATOM\nM  V30 BEGIN BOND\n";
+    for (std::size_t k = 0; k < bonds_.size(); ++k)
+      append(text_, "M  V30 %zu %d %u %u\n", k + 1, order_of(bonds_[k]), bonds_[k].a + 1,
+             bonds_[k].b + 1);
+    text_ += "M  V30 END BOND\nM  V30 END CTAB\n";
+  }
+
+  std::shared_ptr<const AtomTable> atoms_;
+  std::vector<RecordedBond> bonds_;
+  std::vector<std::int8_t> charges_;
+  std::string title_, text_;
+  OutputFile file_;
+  std::int64_t records_ = 0;
+  bool is_closed_ = false;
+};
+
+namespace {
+
+std::shared_ptr<const AtomTable> checked(std::shared_ptr<const AtomTable> atoms) {
+  if (!atoms || atoms->size() == 0)
+    throw InputError("a framework without names of atoms cannot be written as SDF");
+  return atoms;
+}
+
+}  // namespace
+
+SdfRecorder::SdfRecorder(const std::filesystem::path& path, std::shared_ptr<const AtomTable> atoms,
+                         std::vector<RecordedBond> bonds, std::vector<std::int8_t> charges,
+                         const Options& options)
+    : writer_(std::make_unique<Writer>(path, checked(std::move(atoms)), std::move(bonds),
+                                       std::move(charges), options)) {}
+SdfRecorder::~SdfRecorder() = default;
+SdfRecorder::SdfRecorder(SdfRecorder&&) noexcept = default;
+SdfRecorder& SdfRecorder::operator=(SdfRecorder&&) noexcept = default;
+
+void SdfRecorder::record(const Frame& frame) { writer_->record(frame); }
+void SdfRecorder::close() { writer_->close(); }
+
+}  // namespace pliant

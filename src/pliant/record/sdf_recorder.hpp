@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+// SDF recorder: frames as the records of one SDF file, as conformers are given to docking and
+// cheminformatics programs. V2000 where 999 atoms and bonds suffice, else V3000 (Biovia, CTfile
+// formats, 2020).
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/framework/atom_table.hpp"
+#include "pliant/framework/frame.hpp"
+#include "pliant/record/topology_pdb.hpp"
+
+namespace pliant {
+
+/// Writes each frame as a record, with its number as the data item "frame", to a file beside its
+/// final name, which it takes when it is closed with at least one record. Positions in Angstrom to
+/// 0.0001. Bonds of no known order are written as single bonds.
+class SdfRecorder {
+ public:
+  struct Options {
+    std::string title = "";  ///< first line of each record
+    bool overwrite = false;
+  };
+
+  /// `charges` (N) formal; empty: none. Throws FileError as H5mdRecorder does, InputError without
+  /// atoms.
+  SdfRecorder(const std::filesystem::path& path, std::shared_ptr<const AtomTable> atoms,
+              std::vector<RecordedBond> bonds, std::vector<std::int8_t> charges,
+              const Options& options);
+  ~SdfRecorder();
+  SdfRecorder(SdfRecorder&&) noexcept;
+  SdfRecorder& operator=(SdfRecorder&&) noexcept;
+
+  /// Throws InputError where the number of positions is not that of the atoms, or one does not fit
+  /// the columns (-9999.9999 to 99999.9999 Angstrom); FileError where it cannot be written.
+  void record(const Frame& frame);
+
+  /// Gives the file its name; without a record there is none. What is not closed is deleted.
+  void close();
+
+ private:
+  class Writer;
+  std::unique_ptr<Writer> writer_;
+};
+
+}  // namespace pliant

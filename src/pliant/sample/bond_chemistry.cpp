@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/sample/bond_chemistry.hpp"
+
+#include <algorithm>
+
+#include "pliant/base/elements.hpp"
+
+namespace pliant {
+namespace {
+
+/// Bars of at most this many times the sum of covalent radii are bonds; those across an angle are
+/// longer by half.
+constexpr double longest_bond = 1.25;
+/// Length of the sum of three bonds of length 1: 1 for sp3, 0 in a plane.
+constexpr double least_pyramid = 0.35;
+
+constexpr std::size_t smallest_ring = 5;
+
+Vec3 direction(Vec3 from, Vec3 to) { return (1.0 / distance(from, to)) * (to - from); }
+
+}  // namespace
+
+BondChemistry::BondChemistry(const Framework& framework, std::span<const Vec3> start)
+    : framework_(framework), start_(start) {
+  if (framework.atoms() == nullptr) return;
+  const auto bars = framework.bars();
+  for (BarIndex k = 0; k < bars.size(); ++k) {
+    const double radii = covalent_radius(element(bars[k].a)) + covalent_radius(element(bars[k].b));
+    if (framework.rest_lengths()[k] <= longest_bond * radii) edges_.push_back(bars[k]);
+  }
+  bonds_ = Graph(framework.joint_count(), edges_);
+}
+
+std::uint8_t BondChemistry::element(Joint atom) const { return framework_.atoms()->elements[atom]; }
+
+bool BondChemistry::is_tetrahedral(Joint atom) const {
+  const auto bonds = bonds_at(atom);
+  if (bonds.size() > 3) return true;
+  if (bonds.size() == 2) return element(atom) == 8 || element(atom) == 16;
+  Vec3 sum{};
+  for (const Link& bond : bonds) sum += direction(start_[atom], start_[bond.node]);
+  return norm(sum) > least_pyramid;
+}
+
+bool BondChemistry::spins_alike(Joint from, Joint atom) const {
+  const auto bonds = bonds_at(atom);
+  return bonds.size() > 3 && std::all_of(bonds.begin(), bonds.end(), [&](const Link& bond) {
+           return bond.node == from || is_hydrogen(bond.node);
+         });
+}
+
+Joint BondChemistry::reference(Joint atom, Joint except) const {
+  Joint found = atom;
+  for (const Link& bond : bonds_at(atom)) {
+    if (bond.node == except) continue;
+    if (!is_hydrogen(bond.node)) return bond.node;
+    if (found == atom) found = bond.node;
+  }
+  return found;
+}
+
+/// A block that has as many bonds as atoms is a ring alone.
+std::vector<SimpleRing> BondChemistry::simple_rings() const {
+  const Blocks blocks = find_blocks(bonds_);
+  std::vector<std::vector<std::uint32_t>> of_block(blocks.count);
+  for (std::uint32_t edge = 0; edge < edges_.size(); ++edge)
+    if (!blocks.is_bridge[edge]) of_block[blocks.of_edge[edge]].push_back(edge);
+  std::vector<SimpleRing> rings;
+  for (const auto& edges : of_block)
+    if (edges.size() >= smallest_ring)
+      if (SimpleRing ring = in_order(edges); !ring.empty()) rings.push_back(std::move(ring));
+  std::sort(rings.begin(), rings.end());
+  return rings;
+}
+
+/// Round the ring from its lowest atom; empty if it is none.
+SimpleRing BondChemistry::in_order(const std::vector<std::uint32_t>& edges) const {
+  std::vector<std::pair<Joint, Joint>> steps;
+  for (std::uint32_t edge : edges) {
+    steps.emplace_back(edges_[edge].a, edges_[edge].b);
+    steps.emplace_back(edges_[edge].b, edges_[edge].a);
+  }
+  std::sort(steps.begin(), steps.end());
+  for (std::size_t k = 0; k < steps.size(); ++k)
+    if (steps[k].first != steps[k - k % 2].first) return {};
+  if (steps.size() % 2 != 0 || steps[0].first != steps[1].first) return {};
+  SimpleRing ring{steps[0].first};
+  Joint before = ring[0], now = steps[0].second;
+  while (now != ring[0] && ring.size() <= edges.size()) {
+    ring.push_back(now);
+    const auto at = std::lower_bound(steps.begin(), steps.end(), std::pair(now, Joint{0}));
+    const Joint next = at->second == before ? (at + 1)->second : at->second;
+    before = now;
+    now = next;
+  }
+  return ring.size() == edges.size() ? ring : SimpleRing{};
+}
+
+std::vector<Joint> BondChemistry::branch(Joint atom, const SimpleRing& ring) const {
+  std::vector<Joint> found{atom};
+  std::vector<bool> is_seen(framework_.joint_count(), false);
+  for (Joint member : ring) is_seen[member] = true;
+  for (std::size_t k = 0; k < found.size(); ++k)
+    for (const Link& bond : bonds_at(found[k])) {
+      if (is_seen[bond.node]) continue;
+      is_seen[bond.node] = true;
+      found.push_back(bond.node);
+    }
+  found.erase(found.begin());
+  return found;
+}
+
+}  // namespace pliant

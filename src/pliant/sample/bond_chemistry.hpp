@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// What the bars of a molecule say of its chemistry: which are bonds, by length and elements, and
+// with that where rings are and which atoms are tetrahedral.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "pliant/base/graph.hpp"
+#include "pliant/framework/framework.hpp"
+
+namespace pliant {
+
+/// A ring that shares no bond with another, in its order.
+using SimpleRing = std::vector<Joint>;
+
+/// Of a framework whose joints are atoms; of another, nothing is known.
+class BondChemistry {
+ public:
+  /// `start` (N, Angstrom). The framework must outlive it.
+  BondChemistry(const Framework& framework, std::span<const Vec3> start);
+
+  std::span<const Link> bonds_at(Joint atom) const { return bonds_.at(atom); }
+  bool is_hydrogen(Joint atom) const { return element(atom) == 1; }
+  /// Whether its bonds lie about it as about sp3 carbon; false where they lie in a plane.
+  bool is_tetrahedral(Joint atom) const;
+  /// CH3, NH3 and their like: nothing but hydrogens beyond the bond from `from`.
+  bool spins_alike(Joint from, Joint atom) const;
+  /// The atom bonded to `atom`, but `except`, that torsions are counted from: no hydrogen if that
+  /// can be; `atom` itself if there is none.
+  Joint reference(Joint atom, Joint except) const;
+  /// Rings of five atoms or more, by their lowest atom.
+  std::vector<SimpleRing> simple_rings() const;
+  /// What hangs on an atom of a ring, itself left out.
+  std::vector<Joint> branch(Joint atom, const SimpleRing& ring) const;
+
+ private:
+  std::uint8_t element(Joint atom) const;
+  SimpleRing in_order(const std::vector<std::uint32_t>& edges) const;
+
+  const Framework& framework_;
+  std::span<const Vec3> start_;
+  std::vector<Bar> edges_;
+  Graph bonds_;
+};
+
+}  // namespace pliant

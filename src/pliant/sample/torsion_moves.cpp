@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/sample/torsion_moves.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pliant {
+namespace {
+
+constexpr double flat_ring = 0.1;  // Angstrom: a ring so near a plane has no other form
+constexpr double whole = 1e-9;     // share of a bar's length
+constexpr double loop_push = 3.0;  // Angstrom: how far a typical joint of a loop is asked to go
+
+/// cos and sin of an angle.
+struct Turn {
+  double cosine = 1.0, sine = 0.0;
+};
+
+Turn operator*(Turn one, Turn other) {
+  return {one.cosine * other.cosine - one.sine * other.sine,
+          one.sine * other.cosine + one.cosine * other.sine};
+}
+
+Turn back(Turn turn) { return {turn.cosine, -turn.sine}; }
+
+/// By an angle whose half has the tangent t.
+Turn of_half_tangent(double t) { return {(1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)}; }
+
+// Tangents of half of 12 and of 6 degrees.
+constexpr double half_of_12 = 0.10510423526567646, half_of_6 = 0.052407779283041196;
+constexpr Turn by_30{0.8660254037844386, 0.5}, by_60{0.5, 0.8660254037844386};
+
+/// Within an angle about 0, evenly but for its third order.
+Turn jitter(RandomSequence& draws, double half_tangent) {
+  return of_half_tangent(half_tangent * (2.0 * draws.uniform() - 1.0));
+}
+
+Turn drawn_torsion(RandomSequence& draws, TorsionDraw how, bool is_tetrahedral) {
+  if (how == TorsionDraw::uniform) {
+    const Vec3 at = draws.direction_in_plane();
+    return {at.x, at.y};
+  }
+  Turn turn = is_tetrahedral ? by_60 : Turn{};
+  const Turn step = is_tetrahedral ? by_60 * by_60 : by_30;
+  for (std::uint64_t k = draws.below(is_tetrahedral ? 3 : 12); k > 0; --k) turn = turn * step;
+  return turn * jitter(draws, is_tetrahedral ? half_of_12 : half_of_6);
+}
+
+Vec3 unit(Vec3 v) { return (1.0 / norm(v)) * v; }
+
+/// The torsion i - a - b - j; none where three of them lie on a line.
+std::optional<Turn> torsion(Vec3 i, Vec3 a, Vec3 b, Vec3 j) {
+  const Vec3 axis = unit(b - a);
+  const Vec3 from = cross(cross(axis, i - a), axis), to = cross(cross(axis, j - b), axis);
+  const double lengths = norm(from) * norm(to);
+  if (!(lengths > 1e-6)) return std::nullopt;
+  return Turn{dot(from, to) / lengths, dot(cross(from, to), axis) / lengths};
+}
+
+/// Three vectors of length 1 at right angles.
+struct Axes {
+  Vec3 x, y, z;
+};
+
+/// By two bonds from one atom.
+Axes axes_of(Vec3 one, Vec3 other) {
+  const Vec3 x = unit(one + other), z = unit(cross(one, other));
+  return {x, cross(z, x), z};
+}
+
+Vec3 centre_of(const SimpleRing& ring, std::span<const Vec3> x) {
+  Vec3 sum{};
+  for (Joint atom : ring) sum += x[atom];
+  return (1.0 / double(ring.size())) * sum;
+}
+
+/// Normal of the ring's mean plane (Newell).
+Vec3 normal_of(const SimpleRing& ring, std::span<const Vec3> x) {
+  const Vec3 centre = centre_of(ring, x);
+  Vec3 sum{};
+  for (std::size_t k = 0; k < ring.size(); ++k)
+    sum += cross(x[ring[k]] - centre, x[ring[(k + 1) % ring.size()]] - centre);
+  return unit(sum);
+}
+
+double out_of_plane(const SimpleRing& ring, std::span<const Vec3> x) {
+  const Vec3 centre = centre_of(ring, x), normal = normal_of(ring, x);
+  double furthest = 0.0;
+  for (Joint atom : ring) furthest = std::max(furthest, std::abs(dot(x[atom] - centre, normal)));
+  return furthest;
+}
+
+}  // namespace
+
+void invert(const InvertibleRing& ring, std::span<Vec3> x) {
+  const std::size_t n = ring.atoms.size();
+  const Vec3 centre = centre_of(ring.atoms, x), normal = normal_of(ring.atoms, x);
+  std::vector<Vec3> old(n), mirrored(n);
+  for (std::size_t k = 0; k < n; ++k) {
+    old[k] = x[ring.atoms[k]];
+    mirrored[k] = old[k] - 2.0 * dot(old[k] - centre, normal) * normal;
+  }
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t before = (k + n - 1) % n, after = (k + 1) % n;
+    const Axes was = axes_of(old[before] - old[k], old[after] - old[k]);
+    const Axes is = axes_of(mirrored[before] - mirrored[k], mirrored[after] - mirrored[k]);
+    for (Joint joint : ring.branches[k]) {
+      const Vec3 r = x[joint] - old[k];
+      x[joint] = mirrored[k] + dot(r, was.x) * is.x + dot(r, was.y) * is.y + dot(r, was.z) * is.z;
+    }
+    x[ring.atoms[k]] = mirrored[k];
+  }
+}
+
+TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
+                           std::span<const Vec3> start)
+    : framework_(framework), plan_(plan), start_(start) {
+  const BondChemistry chemistry(framework, start);
+  find_loops();
+  find_rotors(chemistry);
+  find_rings(chemistry);
+}
+
+/// Bodies on the way from both ends of a cut to where the ways meet.
+void TorsionMoves::find_loops() {
+  const auto bodies = plan_.bodies();
+  is_in_loop_.assign(bodies.size(), false);
+  for (const LoopCut& cut : plan_.cuts()) {
+    std::int64_t one = plan_.body_at()[cut.copy], other = plan_.body_at()[cut.joint];
+    while (one != other) {
+      std::int64_t& later = one > other ? one : other;  // a parent comes before
+      is_in_loop_[std::size_t(later)] = true;
+      later = bodies[std::size_t(later)].parent;
+    }
+  }
+  for (std::uint32_t k = 0; k < bodies.size(); ++k)
+    if (is_in_loop_[k]) loop_bodies_.push_back(k);
+}
+
+/// A hinge outside of loops turns all bodies that hang on its own, first to last in the plan.
+void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
+  const auto bodies = plan_.bodies();
+  for (std::uint32_t k = 0; k < bodies.size(); ++k) {
+    if (bodies[k].turns() != 1 || is_in_loop_[k]) continue;
+    Rotor rotor{plan_.joint_at()[bodies[k].a], plan_.joint_at()[bodies[k].b], 0, 0, false, {}};
+    std::vector<bool> hangs(bodies.size(), false);
+    hangs[k] = true;
+    for (std::uint32_t m = k; m < bodies.size(); ++m) {
+      if (m > k) hangs[m] = bodies[m].parent >= 0 && hangs[std::size_t(bodies[m].parent)];
+      if (!hangs[m]) continue;
+      for (Slot place = bodies[m].first; place < bodies[m].last; ++place)
+        rotor.turning.push_back(plan_.joint_at()[place]);
+    }
+    if (framework_.atoms() != nullptr) {
+      if (chemistry.spins_alike(rotor.a, rotor.b) || chemistry.spins_alike(rotor.b, rotor.a))
+        continue;
+      rotor.beyond_a = chemistry.reference(rotor.a, rotor.b);
+      rotor.beyond_b = chemistry.reference(rotor.b, rotor.a);
+      rotor.is_tetrahedral = chemistry.is_tetrahedral(rotor.a) && chemistry.is_tetrahedral(rotor.b);
+    }
+    rotors_.push_back(std::move(rotor));
+  }
+}
+
+void TorsionMoves::find_rings(const BondChemistry& chemistry) {
+  if (framework_.atoms() == nullptr) return;
+  for (SimpleRing& atoms : chemistry.simple_rings()) {
+    if (out_of_plane(atoms, start_) < flat_ring) continue;
+    InvertibleRing ring{std::move(atoms), {}};
+    for (Joint atom : ring.atoms) ring.branches.push_back(chemistry.branch(atom, ring.atoms));
+    if (holds_bars(ring)) rings_.push_back(std::move(ring));
+  }
+}
+
+/// Bars that reach further than across an atom may not like it: those of planar groups.
+bool TorsionMoves::holds_bars(const InvertibleRing& ring) const {
+  std::vector<Vec3> x(start_.begin(), start_.end());
+  invert(ring, x);
+  const auto bars = framework_.bars();
+  for (BarIndex k = 0; k < bars.size(); ++k) {
+    const double rest = framework_.rest_lengths()[k];
+    if (!(std::abs(distance(x[bars[k].a], x[bars[k].b]) - rest) <= whole * rest)) return false;
+  }
+  return true;
+}
+
+void TorsionMoves::invert_rings(RandomSequence& draws, std::span<Vec3> x) const {
+  for (const InvertibleRing& ring : rings_)
+    if (draws.below(2) == 1) invert(ring, x);
+}
+
+void TorsionMoves::turn_rotors(RandomSequence& draws, TorsionDraw how, std::span<Vec3> x) const {
+  for (const Rotor& rotor : rotors_) turn(rotor, how, draws, x);
+}
+
+void TorsionMoves::turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws,
+                        std::span<Vec3> x) const {
+  const Vec3 origin = x[rotor.b], axis = unit(x[rotor.b] - x[rotor.a]);
+  Turn by = drawn_torsion(draws, how, rotor.is_tetrahedral);
+  if (how == TorsionDraw::preferred)
+    if (const auto now = torsion(x[rotor.beyond_a], x[rotor.a], x[rotor.b], x[rotor.beyond_b]))
+      by = by * back(*now);
+  for (Joint joint : rotor.turning) {
+    const Vec3 r = x[joint] - origin;
+    x[joint] = origin + by.cosine * r + by.sine * cross(axis, r) +
+               ((1.0 - by.cosine) * dot(axis, r)) * axis;
+  }
+}
+
+/// By a field of strain and one of bending, d = a (u.r) w + b (u'.r)(v'.r) w', r from the middle of
+/// the loops in units of their size: neighbours go nearly alike. What hangs on a loop goes with the
+/// middle of the unit that it hangs on.
+void TorsionMoves::push_loops(RandomSequence& draws, std::span<Vec3> targets) const {
+  if (loop_bodies_.empty()) return;
+  const auto bodies = plan_.bodies();
+  std::vector<Vec3> middle(bodies.size()), push(bodies.size());
+  for (std::size_t k = 0; k < bodies.size(); ++k) middle[k] = middle_of(bodies[k], targets);
+  Vec3 centre{};
+  for (std::uint32_t k : loop_bodies_) centre += (1.0 / double(loop_bodies_.size())) * middle[k];
+  double size = 0.0;
+  for (std::uint32_t k : loop_bodies_) size += norm_squared(middle[k] - centre);
+  size = std::sqrt(size / double(loop_bodies_.size())) + 1e-6;
+  const Vec3 u = draws.direction(), w = draws.direction(), u2 = draws.direction(),
+             v2 = draws.direction(), w2 = draws.direction();
+  const double strain = loop_push * (2.0 * draws.uniform() - 1.0),
+               bend = loop_push * (2.0 * draws.uniform() - 1.0);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    const Vec3 r = (1.0 / size) * (middle[k] - centre);
+    if (is_in_loop_[k])
+      push[k] = (strain * dot(u, r)) * w + (bend * dot(u2, r) * dot(v2, r)) * w2;
+    else if (bodies[k].parent >= 0)
+      push[k] = push[std::size_t(bodies[k].parent)];
+    for (Slot place = bodies[k].first; place < bodies[k].last; ++place)
+      targets[plan_.joint_at()[place]] += push[k];
+  }
+}
+
+Vec3 TorsionMoves::middle_of(const PlanBody& body, std::span<const Vec3> x) const {
+  Vec3 sum{};
+  for (Slot place = body.first; place < body.last; ++place) sum += x[plan_.joint_at()[place]];
+  return (1.0 / double(std::max<Slot>(body.last - body.first, 1))) * sum;
+}
+
+}  // namespace pliant

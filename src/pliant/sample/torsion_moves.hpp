@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Ways in which a small molecule takes another conformation, each exact in every bar:
+// - rotors: what hangs beyond a bond turns about it;
+// - rings that stand alone are inverted: the ring is mirrored, and what hangs on each of its atoms
+//   is moved rigidly with the two bonds of the ring there. Distances within the ring are those of
+//   the mirror image, and those across an atom stay, so that chair becomes chair, axial equatorial,
+//   and handedness (chirality) is kept;
+// - flexible loops (rings of seven and more) are bent at random, step by step.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pliant/base/random.hpp"
+#include "pliant/framework/framework.hpp"
+#include "pliant/resolve/froda/body_plan.hpp"
+#include "pliant/sample/bond_chemistry.hpp"
+
+namespace pliant {
+
+/// A bond that can be turned about.
+struct Rotor {
+  Joint a, b;                  ///< the bond; what is beyond b moves
+  Joint beyond_a, beyond_b;    ///< the torsion is beyond_a - a - b - beyond_b
+  bool is_tetrahedral;         ///< both ends are: torsions of 60, 180 and 300 degrees are usual
+  std::vector<Joint> turning;  ///< joints that move
+};
+
+/// A ring that can be inverted, with what hangs on each of its atoms.
+struct InvertibleRing {
+  SimpleRing atoms;
+  std::vector<std::vector<Joint>> branches;
+};
+
+/// How torsions are drawn.
+enum class TorsionDraw : std::uint8_t {
+  uniform,    ///< each from the whole circle
+  preferred,  ///< between sp3 atoms within 12 degrees of staggered; else within 6 degrees of a
+              ///< multiple of 30
+};
+
+class TorsionMoves {
+ public:
+  /// All outlive it. `start` (N, Angstrom).
+  TorsionMoves(const Framework& framework, const BodyPlan& plan, std::span<const Vec3> start);
+
+  std::span<const Rotor> rotors() const { return rotors_; }
+  std::span<const InvertibleRing> rings() const { return rings_; }
+  /// Rigid units (bodies of the plan) of flexible loops.
+  std::span<const std::uint32_t> loop_bodies() const { return loop_bodies_; }
+  bool empty() const { return rotors_.empty() && rings_.empty() && loop_bodies_.empty(); }
+
+  /// Inverts each ring of `x` (N, Angstrom) or not, by chance.
+  void invert_rings(RandomSequence& draws, std::span<Vec3> x) const;
+  /// Draws all torsions of `x`.
+  void turn_rotors(RandomSequence& draws, TorsionDraw how, std::span<Vec3> x) const;
+
+  /// Bends joints of flexible loops, and what hangs on them, some way at random: a target only.
+  void push_loops(RandomSequence& draws, std::span<Vec3> targets) const;
+
+ private:
+  void find_rotors(const BondChemistry& chemistry);
+  void find_loops();
+  void find_rings(const BondChemistry& chemistry);
+  bool holds_bars(const InvertibleRing& ring) const;
+  Vec3 middle_of(const PlanBody& body, std::span<const Vec3> x) const;
+  void turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws, std::span<Vec3> x) const;
+
+  const Framework& framework_;
+  const BodyPlan& plan_;
+  std::span<const Vec3> start_;
+  std::vector<bool> is_in_loop_;            ///< of each body
+  std::vector<std::uint32_t> loop_bodies_;  ///< bodies of flexible loops
+  std::vector<Rotor> rotors_;
+  std::vector<InvertibleRing> rings_;
+};
+
+/// Mirrors a ring in x (N), with its branches moved as the two bonds at their atom are.
+void invert(const InvertibleRing& ring, std::span<Vec3> x);
+
+}  // namespace pliant

@@ -1,0 +1,105 @@
+# SPDX-License-Identifier: MIT
+"""pliant sample of small molecules: what is told, and SDF files of conformers read by RDKit."""
+
+import json
+
+import numpy as np
+import pytest
+from h5md_contents import contents
+
+pytest.importorskip("rdkit")
+from rdkit import Chem
+from rdkit.Chem import AllChem
+
+
+@pytest.fixture
+def drug(tmp_path):
+    made = Chem.AddHs(Chem.MolFromSmiles("CCC(=O)N(c1ccccc1)C1CC[NH+](CCc2ccccc2)CC1"))
+    AllChem.EmbedMolecule(made, randomSeed=7)
+    Chem.MolToMolFile(made, str(tmp_path / "drug.sdf"))
+    return "drug.sdf"
+
+
+def records(path):
+    return list(Chem.SDMolSupplier(str(path), removeHs=False))
+
+
+def test_conformers_are_records_of_sdf(pliant, drug, tmp_path):
+    ended = pliant("sample", drug, "-o", "conformers.sdf", "--frames", 7)
+    assert ended.code == 0
+    assert "rotors          6: " in ended.out
+    assert "rings           1 inverts: " in ended.out
+    assert "how often is not claimed" in ended.out
+    assert not (tmp_path / "conformers.pdb").exists()
+    start = records(tmp_path / drug)[0]
+    made = records(tmp_path / "conformers.sdf")
+    assert [int(m.GetProp("frame")) for m in made] == list(range(7))
+    for conformer in made:
+        assert Chem.MolToSmiles(conformer) == Chem.MolToSmiles(start)
+
+
+def test_sdf_and_h5md_have_the_same_conformers(pliant, drug, tmp_path):
+    pliant("sample", drug, "-o", "one.sdf", "--frames", 3)
+    pliant("sample", drug, "-o", "one.h5md", "--frames", 3)
+    stored = contents(tmp_path / "one.h5md")["particles/trajectory/position/value"]
+    for frame, conformer in zip(stored, records(tmp_path / "one.sdf"), strict=True):
+        assert conformer.GetConformer().GetPositions() == pytest.approx(frame, abs=6e-5)
+
+
+def test_large_molecules_are_written_as_v3000(pliant, tmp_path):
+    made = Chem.AddHs(Chem.MolFromSmiles("C" * 340))
+    conformer = Chem.Conformer(made.GetNumAtoms())
+    positions = np.zeros((made.GetNumAtoms(), 3))
+    positions[:, 0] = 1.5 * np.arange(made.GetNumAtoms())
+    conformer.SetPositions(positions)
+    made.AddConformer(conformer)
+    Chem.MolToMolFile(made, str(tmp_path / "long.sdf"), forceV3000=True)
+    ended = pliant("sample", "long.sdf", "-o", "out.sdf", "--frames", 1, "--model", "bonds",
+                   "--sampler", "torsions")  # fmt: skip
+    assert ended.code in (0, 3), ended.err
+    if ended.code == 0:
+        (read,) = records(tmp_path / "out.sdf")
+        assert read.GetNumAtoms() == made.GetNumAtoms()
+        assert read.GetNumBonds() == made.GetNumBonds()
+
+
+def test_what_moves_is_named_in_json(pliant, drug):
+    ended = pliant("sample", drug, "-o", "out.sdf", "--frames", 2, "--json")
+    told = json.loads(ended.out)
+    assert told["sampler"] == "torsions"
+    assert len(told["rotors"]) == 6
+    assert len(told["rings"]) == 1
+    assert told["loop_units"] == 0
+
+
+def test_goes_on_with_the_same_bits(pliant, drug, tmp_path):
+    pliant("sample", drug, "-o", "whole.h5md", "--frames", 9)
+    pliant("sample", drug, "-o", "part.h5md", "--frames", 4)
+    assert pliant("sample", "--continue", "part.h5md", "--frames", 9).code == 0
+    whole, part = (contents(tmp_path / name) for name in ("whole.h5md", "part.h5md"))
+    name = "particles/trajectory/position/value"
+    assert np.array_equal(whole[name], part[name])
+
+
+def test_an_amplitude_is_refused(pliant, drug):
+    ended = pliant("sample", drug, "-o", "out.sdf", "--amplitude", 2)
+    assert ended.code == 2
+    assert ended.err.splitlines()[-1] == (
+        "pliant: error: --amplitude: sampler torsions has none: torsions are drawn from the whole "
+        "circle"
+    )
+
+
+def test_sdf_takes_no_options_of_h5md(pliant, drug):
+    ended = pliant("sample", drug, "-o", "out.sdf", "--single")
+    assert ended.code == 2
+    assert "--single: goes with H5MD, not with the SDF file out.sdf" in ended.err
+
+
+def test_what_cannot_turn_is_told(pliant, tmp_path):
+    made = Chem.AddHs(Chem.MolFromSmiles("Cn1cnc2c1c(=O)n(C)c(=O)n2C"))
+    AllChem.EmbedMolecule(made, randomSeed=7)
+    Chem.MolToMolFile(made, str(tmp_path / "caffeine.sdf"))
+    ended = pliant("sample", "caffeine.sdf", "-o", "out.sdf", "--frames", 2)
+    assert ended.code == 0
+    assert "warning: no bond of it turns, no ring of it inverts" in ended.err

@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+"""Conformers of small molecules (samplers torsions), against RDKit's view of the same molecules."""
+
+import numpy as np
+import pytest
+
+import pliant
+
+pytest.importorskip("rdkit")
+from rdkit import Chem
+from rdkit.Chem import AllChem, rdMolTransforms
+
+MOLECULES = {
+    "ibuprofen": "CC(C)Cc1ccc(cc1)[C@H](C)C(=O)O",
+    "threonine amide": "C[C@@H](O)[C@H](N)C(=O)NC",
+    "fentanyl": "CCC(=O)N(c1ccccc1)C1CCN(CCc2ccccc2)CC1",
+    "menthol": "CC(C)[C@@H]1CC[C@@H](C)C[C@H]1O",
+    "lactone": "O=C1CCCCCCCCCCO1",
+    "charged": "C[NH2+]CCC(=O)[O-]",
+}
+
+
+def molecule(smiles, tmp_path):
+    """RDKit's molecule with one conformer, and its file."""
+    made = Chem.AddHs(Chem.MolFromSmiles(smiles))
+    AllChem.EmbedMolecule(made, randomSeed=7)
+    AllChem.MMFFOptimizeMolecule(made)
+    path = tmp_path / "molecule.sdf"
+    Chem.MolToMolFile(made, str(path))
+    return made, path
+
+
+@pytest.fixture(params=MOLECULES)
+def sampled(request, tmp_path):
+    made, path = molecule(MOLECULES[request.param], tmp_path)
+    return made, pliant.sample(pliant.read(path), 60)
+
+
+def with_positions(made, positions):
+    copy = Chem.Mol(made)
+    copy.RemoveAllConformers()
+    conformer = Chem.Conformer(copy.GetNumAtoms())
+    conformer.SetPositions(np.asarray(positions, dtype=np.float64))
+    copy.AddConformer(conformer)
+    return copy
+
+
+def test_lengths_and_angles_are_those_of_the_start(sampled):
+    made, ensemble = sampled
+    near = Chem.GetDistanceMatrix(made)
+    one, other = np.nonzero(np.triu((near == 1) | (near == 2)))
+    start = made.GetConformer().GetPositions()
+    wanted = np.linalg.norm(start[one] - start[other], axis=1)
+    for frame in ensemble.positions:
+        found = np.linalg.norm(frame[one] - frame[other], axis=1)
+        assert found == pytest.approx(wanted, abs=2e-4)  # of the file's digits
+    assert ensemble.max_residual < 1e-10
+
+
+def test_handedness_is_kept(sampled):
+    made, ensemble = sampled
+    for frame in ensemble.positions[:20]:
+        copy = Chem.RemoveAllHs(with_positions(made, frame))
+        Chem.AssignStereochemistryFrom3D(copy)
+        start = Chem.RemoveAllHs(Chem.Mol(made))
+        Chem.AssignStereochemistryFrom3D(start)
+        assert Chem.MolToSmiles(copy) == Chem.MolToSmiles(start)
+
+
+def test_atoms_keep_their_distance(sampled):
+    made, ensemble = sampled
+    far = np.nonzero(np.triu(Chem.GetDistanceMatrix(made) > 3))
+    elements = np.array([atom.GetAtomicNum() for atom in made.GetAtoms()])
+    heavy = (elements[far[0]] > 1) & (elements[far[1]] > 1)
+    start = made.GetConformer().GetPositions()
+    at_start = np.linalg.norm(start[far[0]] - start[far[1]], axis=1)[heavy]
+    least = np.minimum(2.5, at_start) - 0.1
+    for frame in ensemble.positions:
+        assert np.all(np.linalg.norm(frame[far[0]] - frame[far[1]], axis=1)[heavy] > least)
+
+
+def test_rotors_are_those_of_rdkit(tmp_path):
+    """Each goes all round the circle: of 1 the mean of exp(i torsion) does not turn."""
+    from rdkit.Chem.rdMolDescriptors import CalcNumRotatableBonds
+
+    made, path = molecule(MOLECULES["ibuprofen"], tmp_path)
+    heavy = Chem.RemoveHs(made)
+    ensemble = pliant.sample(pliant.read(path), 400, sampler="torsions_uniform")
+    rotor = Chem.MolFromSmarts("*~[!$(*#*)&!D1]-&!@[!$(*#*)&!D1]~*")
+    means = {}
+    for i, a, b, j in heavy.GetSubstructMatches(rotor):
+        points = ensemble.positions[:, [i, a, b, j]]
+        along = points[:, 2] - points[:, 1]
+        one = np.cross(points[:, 1] - points[:, 0], along)
+        other = np.cross(along, points[:, 3] - points[:, 2])
+        cosine = np.sum(one * other, axis=1)
+        sine = np.sum(np.cross(one, other) * along, axis=1) / np.linalg.norm(along, axis=1)
+        means[frozenset((a, b))] = abs(np.mean(np.exp(1j * np.arctan2(sine, cosine))))
+    assert len(means) == CalcNumRotatableBonds(heavy)
+    assert max(means.values()) < 0.6
+
+
+def test_rings_become_their_mirror_image(tmp_path):
+    """Which puts what was axial on the equator."""
+    made, path = molecule("CC1CCCCC1", tmp_path)
+    ensemble = pliant.sample(pliant.read(path), 40)
+    ring = made.GetRingInfo().AtomRings()[0]
+    at_start = rdMolTransforms.GetDihedralDeg(made.GetConformer(), *ring[:4])
+    signs = set()
+    for frame in ensemble.positions:
+        copy = with_positions(made, frame).GetConformer()
+        angle = rdMolTransforms.GetDihedralDeg(copy, *ring[:4])
+        assert abs(angle) == pytest.approx(abs(at_start), abs=0.02)
+        signs.add(angle > 0)
+    assert signs == {True, False}
+
+
+def test_large_rings_change_their_shape(tmp_path):
+    made, path = molecule(MOLECULES["lactone"], tmp_path)
+    ensemble = pliant.sample(pliant.read(path), 60)
+    heavy = [atom.GetIdx() for atom in made.GetAtoms() if atom.GetAtomicNum() > 1]
+    copy = Chem.Mol(made)
+    copy.RemoveAllConformers()
+    for frame in ensemble.positions:
+        conformer = Chem.Conformer(copy.GetNumAtoms())
+        conformer.SetPositions(np.asarray(frame))
+        copy.AddConformer(conformer, assignId=True)
+    copy = Chem.RemoveHs(copy)
+    assert len(heavy) == copy.GetNumAtoms()
+    far = [AllChem.GetConformerRMS(copy, 0, k) for k in range(1, 60)]
+    assert np.mean(np.array(far) > 0.5) > 0.3
+
+
+@pytest.mark.parametrize("sampler", ["torsions", "torsions_uniform", "torsions_preferred"])
+def test_frames_are_the_same_in_any_pieces(sampler, tmp_path):
+    _, path = molecule(MOLECULES["fentanyl"], tmp_path)
+    structure = pliant.read(path)
+    whole = pliant.sample(structure, 12, sampler=sampler, seed=3).positions
+    threads = pliant.sample(structure, 12, sampler=sampler, seed=3, threads=3).positions
+    part = pliant.sample(structure, 5, sampler=sampler, seed=3, first_frame=7).positions
+    assert np.array_equal(whole, threads)
+    assert np.array_equal(whole[7:], part)
+
+
+def test_preferred_torsions_are_staggered(tmp_path):
+    made, path = molecule("CCCC", tmp_path)
+    ensemble = pliant.sample(pliant.read(path), 200, sampler="torsions_preferred")
+    angles = np.array(
+        [
+            rdMolTransforms.GetDihedralDeg(with_positions(made, x).GetConformer(), 0, 1, 2, 3)
+            for x in ensemble.positions
+        ]
+    )
+    off = np.abs((angles - 60 + 60) % 120 - 60)
+    assert off.max() < 15
+    assert {int(k) for k in np.round((angles % 360) / 60)} == {1, 3, 5}
+
+
+def test_proteins_go_along_modes(tmp_path):
+    """`auto` looks at what the file is."""
+    import MDAnalysisTests.datafiles as files
+
+    with pytest.warns(pliant.PliantWarning):
+        kinase = pliant.read(files.PDB_small)
+    by_default = pliant.sample(kinase, 1).positions
+    assert np.array_equal(by_default, pliant.sample(kinase, 1, sampler="modes").positions)
+
+
+def test_what_cannot_turn_is_told(tmp_path):
+    _, path = molecule("c1ccccc1", tmp_path)
+    with pytest.warns(pliant.PliantWarning, match="all conformers are the start"):
+        ensemble = pliant.sample(pliant.read(path), 3)
+    assert ensemble.positions[2] == pytest.approx(ensemble.positions[0])
