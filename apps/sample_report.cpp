@@ -17,7 +17,7 @@ namespace {
 
 /// What moves in conformers, by name.
 struct Conformations {
-  std::vector<std::string> rotors, rings;
+  std::vector<std::string> rotors, rings, amines;
   std::size_t loop_bodies = 0;
 };
 
@@ -28,14 +28,15 @@ std::optional<Conformations> conformations_of(const SampleSettings& settings,
   const auto plan = BodyPlan::make(framework);
   if (find_sampler(settings.sample.sampler).has_amplitude || !plan) return std::nullopt;
   const TorsionMoves moves(framework, *plan, system.start);
-  Conformations found{{}, {}, moves.loop_bodies().size()};
+  Conformations found{{}, {}, {}, moves.loop_bodies().size()};
   for (const Rotor& rotor : moves.rotors())
     found.rotors.push_back(framework.label(Bar{rotor.a, rotor.b}));
-  for (const InvertibleRing& ring : moves.rings()) {
+  for (const FlexibleRing& ring : moves.rings()) {
     std::string names;
     for (Joint atom : ring.atoms) names += (names.empty() ? "" : " ") + framework.label(atom);
-    found.rings.push_back(names);
+    found.rings.push_back(names + " (" + std::to_string(ring.forms.size()) + " forms)");
   }
+  for (const Amine& amine : moves.amines()) found.amines.push_back(framework.label(amine.nitrogen));
   return found;
 }
 
@@ -48,9 +49,10 @@ std::string listed(const std::vector<std::string>& names) {
 void print_conformations(const Conformations& found) {
   fmt::print("rotors          {}{}{}\n", found.rotors.size(), found.rotors.empty() ? "" : ": ",
              listed(found.rotors));
-  fmt::print("rings           {} {}{}{}\n", found.rings.size(),
-             found.rings.size() == 1 ? "inverts" : "invert", found.rings.empty() ? "" : ": ",
+  fmt::print("rings           {}{}{}\n", found.rings.size(), found.rings.empty() ? "" : ": ",
              listed(found.rings));
+  if (!found.amines.empty())
+    fmt::print("amines          {}: {} inverts\n", found.amines.size(), listed(found.amines));
   if (found.loop_bodies > 0)
     fmt::print("flexible loops  of {} rigid units, pushed at random\n", found.loop_bodies);
   fmt::print("                conformers show what is possible; how often is not claimed\n");
@@ -135,6 +137,7 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"amplitude_reason", settings.chosen_amplitude.reason},
                   {"rotors", moving.rotors},
                   {"rings", moving.rings},
+                  {"amines", moving.amines},
                   {"loop_units", moving.loop_bodies},
                   {"redrawn", summary.redrawn},
                   {"rescued", summary.rescued},

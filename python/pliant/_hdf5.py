@@ -60,12 +60,17 @@ def open_file(path: str | os.PathLike[str]) -> h5py.File:
 
 def _is_open_here(name: str) -> bool:
     """Whether this process writes the file with h5py: HDF5 then reads what it holds in memory."""
-    return any(
-        file.get_intent() != h5py.h5f.ACC_RDONLY
-        and os.path.exists(file.name)
-        and os.path.samefile(file.name, name)
-        for file in h5py.h5f.get_obj_ids(h5py.h5f.OBJ_ALL, h5py.h5f.OBJ_FILE)
-    )
+    files = h5py.h5f.get_obj_ids(h5py.h5f.OBJ_ALL, h5py.h5f.OBJ_FILE)
+    return any(_is_written(file, name) for file in files)
+
+
+def _is_written(file: h5py.h5f.FileID, name: str) -> bool:
+    try:
+        if file.get_intent() == h5py.h5f.ACC_RDONLY:
+            return False
+        return os.path.exists(file.name) and os.path.samefile(file.name, name)
+    except ValueError:  # closed since it was listed, by another thread or the garbage collector
+        return False
 
 
 def while_written(path: str | os.PathLike[str], read: Callable[[], Result]) -> Result:

@@ -84,3 +84,18 @@ def test_what_stays_unreadable_is_being_written(tmp_path):
         with pytest.raises(pliant.FileError) as caught:
             read(path)
         assert str(caught.value).startswith(mine)
+
+
+def test_a_file_that_is_closed_meanwhile_is_no_harm(tmp_path, monkeypatch):
+    """Between listing the open files and asking one of them the garbage collector may close it."""
+    import h5py
+
+    from pliant import _hdf5
+
+    with h5py.File(tmp_path / "other.h5", "w") as other:
+        closed = other.id
+    with h5py.File(tmp_path / "wanted.h5", "w") as wanted:
+        wanted["one"] = 1
+    monkeypatch.setattr(h5py.h5f, "get_obj_ids", lambda *_: [closed])
+    with _hdf5.open_file(tmp_path / "wanted.h5") as found:
+        assert found["one"][()] == 1

@@ -100,19 +100,24 @@ def test_rotors_are_those_of_rdkit(tmp_path):
     assert max(means.values()) < 0.6
 
 
-def test_rings_become_their_mirror_image(tmp_path):
-    """Which puts what was axial on the equator."""
+def test_rings_of_six_take_both_chairs(tmp_path):
+    """From a twist-boat, whose lengths and angles chairs can have as well."""
     made, path = molecule("CC1CCCCC1", tmp_path)
     ensemble = pliant.sample(pliant.read(path), 40)
     ring = made.GetRingInfo().AtomRings()[0]
-    at_start = rdMolTransforms.GetDihedralDeg(made.GetConformer(), *ring[:4])
-    signs = set()
-    for frame in ensemble.positions:
-        copy = with_positions(made, frame).GetConformer()
-        angle = rdMolTransforms.GetDihedralDeg(copy, *ring[:4])
-        assert abs(angle) == pytest.approx(abs(at_start), abs=0.02)
-        signs.add(angle > 0)
-    assert signs == {True, False}
+
+    def torsions(positions):
+        copy = with_positions(made, positions).GetConformer()
+        around = [[ring[(k + m) % 6] for m in range(4)] for k in range(6)]
+        return np.array([rdMolTransforms.GetDihedralDeg(copy, *four) for four in around])
+
+    start = torsions(made.GetConformer().GetPositions())
+    assert np.abs(start).min() < 40
+    found = np.array([torsions(frame) for frame in ensemble.positions])
+    chairs = found[np.abs(found).min(axis=1) > 45]
+    assert len(chairs) > 15
+    assert np.all(np.diff(np.sign(chairs), axis=1) != 0)
+    assert set(np.sign(chairs[:, 0])) == {1.0, -1.0}
 
 
 def test_large_rings_change_their_shape(tmp_path):

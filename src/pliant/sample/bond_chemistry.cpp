@@ -96,10 +96,15 @@ SimpleRing BondChemistry::in_order(const std::vector<std::uint32_t>& edges) cons
   return ring.size() == edges.size() ? ring : SimpleRing{};
 }
 
-std::vector<Joint> BondChemistry::branch(Joint atom, const SimpleRing& ring) const {
+bool BondChemistry::is_amine(Joint atom) const {
+  return element(atom) == 7 && bonds_at(atom).size() == 3 && is_tetrahedral(atom);
+}
+
+std::vector<Joint> BondChemistry::beyond(Joint atom, const std::vector<Joint>& walls) const {
   std::vector<Joint> found{atom};
   std::vector<bool> is_seen(framework_.joint_count(), false);
-  for (Joint member : ring) is_seen[member] = true;
+  is_seen[atom] = true;
+  for (Joint wall : walls) is_seen[wall] = true;
   for (std::size_t k = 0; k < found.size(); ++k)
     for (const Link& bond : bonds_at(found[k])) {
       if (is_seen[bond.node]) continue;

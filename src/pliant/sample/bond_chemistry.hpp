@@ -31,8 +31,10 @@ class BondChemistry {
   Joint reference(Joint atom, Joint except) const;
   /// Rings of five atoms or more, by their lowest atom.
   std::vector<SimpleRing> simple_rings() const;
-  /// What hangs on an atom of a ring, itself left out.
-  std::vector<Joint> branch(Joint atom, const SimpleRing& ring) const;
+  /// Atoms that are reached from `atom` without passing `walls`, itself left out.
+  std::vector<Joint> beyond(Joint atom, const std::vector<Joint>& walls) const;
+  /// Nitrogen with three bonds that do not lie in a plane: an amine, which inverts.
+  bool is_amine(Joint atom) const;
 
  private:
   std::uint8_t element(Joint atom) const;

@@ -179,7 +179,7 @@ class TorsionsSampler final : public Sampler {
         seed_(setting.options.seed) {
     if (moves_.empty())
       setting.options.log.warn(
-          "no bond of it turns, no ring of it inverts: all conformers are the start");
+          "no bond of it turns, no ring of it has another form: all conformers are the start");
   }
 
   int steps_a_frame() const override { return moves_.loop_bodies().empty() ? 1 : loop_steps; }
@@ -201,7 +201,8 @@ class TorsionsSampler final : public Sampler {
  private:
   /// Of several draws of the torsions, the rings as they are, the one that overlaps least.
   void draw(RandomSequence& draws, TorsionDraw how, FrameRequest& request) const {
-    moves_.invert_rings(draws, request.from);
+    moves_.draw_rings(draws, request.from);
+    moves_.draw_amines(draws, request.from);
     const std::vector<Vec3> start = request.from;
     double least = HUGE_VAL;
     for (int k = 0; k < draws_a_conformer && least > 0.0; ++k) {
@@ -229,7 +230,7 @@ constexpr SamplerEntry table[] = {
     {"dilute", "the same, with contacts off by chance: 1 - exp(-|E| / T) are on",
      make<DiluteSampler>},
     {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>},
-    {"torsions", "conformers of small molecules: torsions drawn, rings inverted, loops pushed",
+    {"torsions", "conformers of small molecules: torsions, forms of rings, large rings bent",
      make<TorsionsSampler<true, TorsionDraw::uniform>>, false},
     {"torsions_uniform", "the same, every torsion from the whole circle",
      make<TorsionsSampler<false, TorsionDraw::uniform>>, false},

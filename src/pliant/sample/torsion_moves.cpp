@@ -5,6 +5,8 @@
 #include <array>
 #include <cmath>
 
+#include "pliant/base/superposition.hpp"
+
 namespace pliant {
 namespace {
 
@@ -93,23 +95,38 @@ double out_of_plane(const SimpleRing& ring, std::span<const Vec3> x) {
 
 }  // namespace
 
-void invert(const InvertibleRing& ring, std::span<Vec3> x) {
-  const std::size_t n = ring.atoms.size();
-  const Vec3 centre = centre_of(ring.atoms, x), normal = normal_of(ring.atoms, x);
-  std::vector<Vec3> old(n), mirrored(n);
-  for (std::size_t k = 0; k < n; ++k) {
-    old[k] = x[ring.atoms[k]];
-    mirrored[k] = old[k] - 2.0 * dot(old[k] - centre, normal) * normal;
+/// The bond that moves becomes its mirror image in the plane of the other two, by the shortest
+/// turn.
+void invert(const Amine& amine, std::span<Vec3> x) {
+  const Vec3 centre = x[amine.nitrogen];
+  const Vec3 normal = unit(cross(x[amine.one] - centre, x[amine.other] - centre));
+  const Vec3 was = unit(x[amine.turning.front()] - centre);
+  const Vec3 is = was - 2.0 * dot(was, normal) * normal;
+  const Vec3 across = cross(was, is);
+  const double cosine = dot(was, is), sine = norm(across);
+  if (!(sine > 1e-6)) return;
+  const Vec3 axis = (1.0 / sine) * across;
+  for (Joint joint : amine.turning) {
+    const Vec3 r = x[joint] - centre;
+    x[joint] = centre + cosine * r + sine * cross(axis, r) + ((1.0 - cosine) * dot(axis, r)) * axis;
   }
+}
+
+void take_form(const FlexibleRing& ring, const RingForm& form, std::span<Vec3> x) {
+  const std::size_t n = ring.atoms.size();
+  std::vector<Vec3> old(n), now(n);
+  for (std::size_t k = 0; k < n; ++k) old[k] = x[ring.atoms[k]];
+  const RigidMotion onto = superposition(form.positions, old);
+  for (std::size_t k = 0; k < n; ++k) now[k] = onto(form.positions[k]);
   for (std::size_t k = 0; k < n; ++k) {
     const std::size_t before = (k + n - 1) % n, after = (k + 1) % n;
     const Axes was = axes_of(old[before] - old[k], old[after] - old[k]);
-    const Axes is = axes_of(mirrored[before] - mirrored[k], mirrored[after] - mirrored[k]);
+    const Axes is = axes_of(now[before] - now[k], now[after] - now[k]);
     for (Joint joint : ring.branches[k]) {
       const Vec3 r = x[joint] - old[k];
-      x[joint] = mirrored[k] + dot(r, was.x) * is.x + dot(r, was.y) * is.y + dot(r, was.z) * is.z;
+      x[joint] = now[k] + dot(r, was.x) * is.x + dot(r, was.y) * is.y + dot(r, was.z) * is.z;
     }
-    x[ring.atoms[k]] = mirrored[k];
+    x[ring.atoms[k]] = now[k];
   }
 }
 
@@ -120,6 +137,7 @@ TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
   find_loops();
   find_rotors(chemistry);
   find_rings(chemistry);
+  find_amines(chemistry);
 }
 
 /// Bodies on the way from both ends of a cut to where the ways meet.
@@ -167,16 +185,23 @@ void TorsionMoves::find_rings(const BondChemistry& chemistry) {
   if (framework_.atoms() == nullptr) return;
   for (SimpleRing& atoms : chemistry.simple_rings()) {
     if (out_of_plane(atoms, start_) < flat_ring) continue;
-    InvertibleRing ring{std::move(atoms), {}};
-    for (Joint atom : ring.atoms) ring.branches.push_back(chemistry.branch(atom, ring.atoms));
-    if (holds_bars(ring)) rings_.push_back(std::move(ring));
+    std::vector<Vec3> positions;
+    for (Joint atom : atoms) positions.push_back(start_[atom]);
+    FlexibleRing ring{std::move(atoms), {}, ring_forms(positions)};
+    for (Joint atom : ring.atoms) ring.branches.push_back(chemistry.beyond(atom, ring.atoms));
+    std::vector<RingForm> forms;
+    for (RingForm& form : ring.forms) {
+      std::vector<Vec3> x(start_.begin(), start_.end());
+      if (!forms.empty()) take_form(ring, form, x);
+      if (holds_bars(x)) forms.push_back(std::move(form));
+    }
+    ring.forms = std::move(forms);
+    if (ring.forms.size() > 1) rings_.push_back(std::move(ring));
   }
 }
 
 /// Bars that reach further than across an atom may not like it: those of planar groups.
-bool TorsionMoves::holds_bars(const InvertibleRing& ring) const {
-  std::vector<Vec3> x(start_.begin(), start_.end());
-  invert(ring, x);
+bool TorsionMoves::holds_bars(std::span<const Vec3> x) const {
   const auto bars = framework_.bars();
   for (BarIndex k = 0; k < bars.size(); ++k) {
     const double rest = framework_.rest_lengths()[k];
@@ -185,9 +210,45 @@ bool TorsionMoves::holds_bars(const InvertibleRing& ring) const {
   return true;
 }
 
-void TorsionMoves::invert_rings(RandomSequence& draws, std::span<Vec3> x) const {
-  for (const InvertibleRing& ring : rings_)
-    if (draws.below(2) == 1) invert(ring, x);
+/// Of the bonds that are in no ring, that with the fewest atoms beyond it turns over.
+void TorsionMoves::find_amines(const BondChemistry& chemistry) {
+  if (framework_.atoms() == nullptr) return;
+  for (Joint atom = 0; atom < framework_.joint_count(); ++atom) {
+    if (!chemistry.is_amine(atom)) continue;
+    Amine found{atom, 0, 0, {}};
+    for (const Link& bond : chemistry.bonds_at(atom)) {
+      std::vector<Joint> turning = chemistry.beyond(bond.node, {atom});
+      turning.insert(turning.begin(), bond.node);
+      std::vector<Joint> staying;
+      for (const Link& link : chemistry.bonds_at(atom))
+        if (std::find(turning.begin(), turning.end(), link.node) == turning.end())
+          staying.push_back(link.node);
+      if (staying.size() != 2 || (!found.turning.empty() && turning.size() >= found.turning.size()))
+        continue;
+      found = {atom, staying[0], staying[1], std::move(turning)};
+    }
+    std::vector<Vec3> x(start_.begin(), start_.end());
+    if (found.turning.empty()) continue;
+    invert(found, x);
+    if (holds_bars(x)) amines_.push_back(std::move(found));
+  }
+}
+
+void TorsionMoves::draw_amines(RandomSequence& draws, std::span<Vec3> x) const {
+  for (const Amine& amine : amines_)
+    if (draws.below(2) == 1) invert(amine, x);
+}
+
+void TorsionMoves::draw_rings(RandomSequence& draws, std::span<Vec3> x) const {
+  for (const FlexibleRing& ring : rings_) {
+    std::vector<std::size_t> chairs;
+    for (std::size_t k = 0; k < ring.forms.size(); ++k)
+      if (ring.forms[k].is_chair) chairs.push_back(k);
+    const bool sits = draws.below(3) > 0 && !chairs.empty();
+    const std::size_t form =
+        sits ? chairs[draws.below(chairs.size())] : draws.below(ring.forms.size());
+    if (form > 0) take_form(ring, ring.forms[form], x);
+  }
 }
 
 void TorsionMoves::turn_rotors(RandomSequence& draws, TorsionDraw how, std::span<Vec3> x) const {

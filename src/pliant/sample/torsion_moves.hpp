@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Ways in which a small molecule takes another conformation, each exact in every bar:
 // - rotors: what hangs beyond a bond turns about it;
-// - rings that stand alone are inverted: the ring is mirrored, and what hangs on each of its atoms
-//   is moved rigidly with the two bonds of the ring there. Distances within the ring are those of
-//   the mirror image, and those across an atom stay, so that chair becomes chair, axial equatorial,
-//   and handedness (chirality) is kept;
+// - rings that stand alone take another form (ring_forms.hpp): chair, twist-boat, mirror image.
+// What
+//   hangs on an atom is moved rigidly with the two bonds of the ring there, so that all distances
+//   across an atom stay, axial becomes equatorial, and handedness (chirality) is kept;
+// - nitrogen of amines inverts: the smallest of what it bears is turned to the other side of the
+//   other two bonds;
 // - flexible loops (rings of seven and more) are bent at random, step by step.
 #pragma once
 
@@ -17,6 +19,7 @@
 #include "pliant/framework/framework.hpp"
 #include "pliant/resolve/froda/body_plan.hpp"
 #include "pliant/sample/bond_chemistry.hpp"
+#include "pliant/sample/ring_forms.hpp"
 
 namespace pliant {
 
@@ -28,10 +31,17 @@ struct Rotor {
   std::vector<Joint> turning;  ///< joints that move
 };
 
-/// A ring that can be inverted, with what hangs on each of its atoms.
-struct InvertibleRing {
+/// A ring that has several forms, and what hangs on each of its atoms.
+struct FlexibleRing {
   SimpleRing atoms;
   std::vector<std::vector<Joint>> branches;
+  std::vector<RingForm> forms;  ///< the first is that of the start
+};
+
+/// Nitrogen that inverts, the two atoms that stay, and what moves, the atom bonded to it first.
+struct Amine {
+  Joint nitrogen, one, other;
+  std::vector<Joint> turning;
 };
 
 /// How torsions are drawn.
@@ -47,13 +57,19 @@ class TorsionMoves {
   TorsionMoves(const Framework& framework, const BodyPlan& plan, std::span<const Vec3> start);
 
   std::span<const Rotor> rotors() const { return rotors_; }
-  std::span<const InvertibleRing> rings() const { return rings_; }
+  std::span<const FlexibleRing> rings() const { return rings_; }
+  std::span<const Amine> amines() const { return amines_; }
   /// Rigid units (bodies of the plan) of flexible loops.
   std::span<const std::uint32_t> loop_bodies() const { return loop_bodies_; }
-  bool empty() const { return rotors_.empty() && rings_.empty() && loop_bodies_.empty(); }
+  bool empty() const {
+    return rotors_.empty() && rings_.empty() && amines_.empty() && loop_bodies_.empty();
+  }
 
-  /// Inverts each ring of `x` (N, Angstrom) or not, by chance.
-  void invert_rings(RandomSequence& draws, std::span<Vec3> x) const;
+  /// Gives each ring of `x` (N, Angstrom) one of its forms, by chance: of three draws two take a
+  /// chair, if there are any.
+  void draw_rings(RandomSequence& draws, std::span<Vec3> x) const;
+  /// Inverts each amine of `x` or not, by chance.
+  void draw_amines(RandomSequence& draws, std::span<Vec3> x) const;
   /// Draws all torsions of `x`.
   void turn_rotors(RandomSequence& draws, TorsionDraw how, std::span<Vec3> x) const;
 
@@ -64,7 +80,8 @@ class TorsionMoves {
   void find_rotors(const BondChemistry& chemistry);
   void find_loops();
   void find_rings(const BondChemistry& chemistry);
-  bool holds_bars(const InvertibleRing& ring) const;
+  void find_amines(const BondChemistry& chemistry);
+  bool holds_bars(std::span<const Vec3> x) const;
   Vec3 middle_of(const PlanBody& body, std::span<const Vec3> x) const;
   void turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws, std::span<Vec3> x) const;
 
@@ -74,10 +91,15 @@ class TorsionMoves {
   std::vector<bool> is_in_loop_;            ///< of each body
   std::vector<std::uint32_t> loop_bodies_;  ///< bodies of flexible loops
   std::vector<Rotor> rotors_;
-  std::vector<InvertibleRing> rings_;
+  std::vector<FlexibleRing> rings_;
+  std::vector<Amine> amines_;
 };
 
-/// Mirrors a ring in x (N), with its branches moved as the two bonds at their atom are.
-void invert(const InvertibleRing& ring, std::span<Vec3> x);
+/// Gives a ring of x (N) this form, superposed on the one it has, its branches moved as the two
+/// bonds at their atom are.
+void take_form(const FlexibleRing& ring, const RingForm& form, std::span<Vec3> x);
+
+/// Inverts nitrogen in x (N).
+void invert(const Amine& amine, std::span<Vec3> x);
 
 }  // namespace pliant

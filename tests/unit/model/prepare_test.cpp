@@ -152,7 +152,9 @@ TEST(Prepare, TakesSeleniumAsSulphur) {
   EXPECT_EQ(ready.structure.atoms.elements[1], 16);
   EXPECT_EQ(ready.structure.bonds.size(), 2U);
   EXPECT_EQ(ready.steps[0], "1 residue MSE taken as MET");
-  EXPECT_THAT(ready.missing, ElementsAre("side chains: 1 residue lacks atoms: A:MET4 (CB)"));
+  EXPECT_THAT(ready.missing,
+              ElementsAre("side chains: 1 residue lacks atoms: A:MET4 (CB); --fill-side-chains "
+                          "builds them"));
 }
 
 /// Twelve glycines far from each other, each with one B factor.
