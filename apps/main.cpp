@@ -21,6 +21,7 @@ constexpr Command commands[] = {
     {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
     {"sample", "an ensemble of what a molecule can do, written to an H5MD trajectory",
      command_sample},
+    {"path", "move a molecule from one structure to another of it", nullptr},
     {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},
     {"forcegen", "write a force file of random pushes", command_forcegen},
     {"order", "write the order in which a technique visits the bars", command_order},

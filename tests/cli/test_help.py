@@ -25,6 +25,7 @@ PAGES = {
     "pliant-representatives": ["representatives", "--help"],
     "pliant-compare": ["compare", "--help"],
     "pliant-convert": ["convert", "--help"],
+    "pliant-path": ["path", "--help"],
     "pliant-recover": ["recover", "--help"],
     "pliant-experiment": ["experiment", "--help"],
     "pliant-experiment-report": ["experiment", "report", "--help"],

@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: MIT
+"""The command ``pliant path``."""
+
+from __future__ import annotations
+
+import argparse
+import csv
+import os
+import sys
+from collections.abc import Sequence
+from dataclasses import asdict
+from pathlib import Path
+from typing import Any
+
+from pliant import console
+from pliant._core import OptionError
+from pliant._output_names import check_trajectory_name, is_pdb_name
+from pliant.path.found import MolecularPath
+from pliant.path.walk import find_path
+
+EXIT_SHORT = 3  #: the end was not reached
+
+EPILOG = """\
+Residues are matched by chain and number, else by sequence. Hydrogen bonds, salt bridges and
+hydrophobic contacts that both structures have are held on the way; those of one alone are not.
+Bonds, angles and planar groups are those of START, exact in each frame, and atoms keep their
+distance.
+
+What a path shows is that one exists, and what must give way on it; not how fast, how likely, or
+that the molecule takes it.
+
+exit codes: 0 the end was reached (CA to 0.5 A, heavy atoms to 1 A), 1 bad input or file, 2 bad
+option, 3 it was not reached
+
+examples:
+  pliant path open.pdb closed.pdb -o closing.h5md
+  pliant path 4ake.cif 1ake.cif -o closing.h5md --atoms heavy --csv closing.csv
+  pliant analyse closing.h5md
+"""
+
+
+def write_table(path: MolecularPath, file: str | os.PathLike[str]) -> None:
+    """One line a frame, as CSV."""
+    rows = [asdict(frame) for frame in path.frames]
+    with Path(file).open("w", newline="", encoding="utf-8") as stream:
+        writer = csv.DictWriter(stream, list(rows[0]))
+        writer.writeheader()
+        writer.writerows(rows)
+
+
+def make_parser() -> console.Parser:
+    """The options of pliant path."""
+    parser = console.Parser(
+        "path",
+        "Moves a molecule from one structure to another of it: frames with exact bonds and\n"
+        "angles, contacts that both have held, nothing overlapping.",
+        EPILOG,
+    )
+    add = parser.add_argument
+    add("start", metavar="START", help="PDB or mmCIF file to begin with")
+    add("end", metavar="END", help="PDB or mmCIF file of the same molecule, to go to")
+    add("-o", "--output", metavar="FILE", required=True, help="H5MD trajectory to write")
+    add("--atoms", choices=("CA", "heavy"), default="CA",
+        help="which are asked to arrive: one a residue, or all but H (default: CA)")  # fmt: skip
+    add("--step", metavar="X", type=console.positive_number, default=0.2,
+        help="r.m.s. distance of a step, Angstrom (default: 0.2)")  # fmt: skip
+    add("--csv", metavar="FILE", help="write the table of frames, too")
+    add("--overwrite", action="store_true", help="replace existing outputs")
+    add("--json", action="store_true", help="print the report as one JSON object")
+    return parser
+
+
+def main(words: Sequence[str] | None = None) -> int:
+    """Runs the command; returns its exit code."""
+    arguments = make_parser().parse_args(words)
+    return console.run_command("path", lambda: _path(arguments))
+
+
+def _path(arguments: argparse.Namespace) -> int:
+    _check_outputs(arguments)
+    path = find_path(
+        arguments.start, arguments.end, atoms=arguments.atoms, step=arguments.step,
+        output=arguments.output, overwrite=arguments.overwrite,
+    )  # fmt: skip
+    if arguments.csv:
+        write_table(path, arguments.csv)
+    if arguments.json:
+        console.print_json(_facts(path, arguments.output))
+    else:
+        _print(path, arguments.output)
+    return console.EXIT_OK if path.arrived else EXIT_SHORT
+
+
+def _check_outputs(arguments: argparse.Namespace) -> None:
+    check_trajectory_name(arguments.output)
+    if is_pdb_name(arguments.output):
+        raise OptionError(f"--output {arguments.output}: expected a name that ends in .h5md")
+    if arguments.csv and Path(arguments.csv).exists() and not arguments.overwrite:
+        raise OptionError(f"--csv {arguments.csv}: exists; --overwrite replaces it")
+    names = [n for n in (arguments.start, arguments.end, arguments.output, arguments.csv) if n]
+    if len({os.path.realpath(name) for name in names}) < len(names):
+        raise OptionError("two of the files are one: START, END, --output and --csv must differ")
+
+
+def _facts(path: MolecularPath, output: str) -> dict[str, Any]:
+    return {
+        "output": output,
+        "arrived": path.arrived,
+        "rmsd_at_start": path.frames[0].to_end,
+        "rmsd_reached": path.reached,
+        "atoms": path.atoms,
+        "residues_matched": path.matched,
+        "contacts_held": path.held,
+        "contacts_of_start": path.only_start,
+        "contacts_of_end": path.only_end,
+        "worst_residual": max(frame.max_residual for frame in path.frames),
+        "seconds": path.seconds,
+        "notes": path.notes,
+        "frames": [asdict(frame) for frame in path.frames],
+    }
+
+
+def _print(path: MolecularPath, output: str) -> None:
+    first, last = path.frames[0], path.frames[-1]
+    worst = max(frame.max_residual for frame in path.frames)
+    for note in path.notes:
+        print(f"note: {note}", file=sys.stderr)
+    what = "arrived" if path.arrived else "did not arrive"
+    print(
+        f"path            {what}: {first.to_end:.2f} A from the end at first, {last.to_end:.2f} now"
+    )
+    print(
+        f"frames          {len(path.frames)}; {path.atoms} of {path.matched} residues, superposed"
+    )
+    print(
+        f"contacts        {path.held} of both structures held, off by {last.held_off:.3f} A at most"
+    )
+    print(f"                {last.lost} of {path.only_start} of the start alone are lost")
+    print(f"                {last.made} of {path.only_end} of the end alone are made")
+    print(f"worst bar       off by {worst:.1e} of its length")
+    print(f"time            {path.seconds:.2f} s")
+    print(f"trajectory      {console.printable_name(output)}")
+    if not path.arrived:
+        print("what stands in the way may be contacts, loops, or parts that would pass each other")
+
+
+if __name__ == "__main__":
+    sys.exit(main())

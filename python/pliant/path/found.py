@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: MIT
+"""What a path is, frame by frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from pliant._core import MolecularModel
+
+#: r.m.s. distance over matched atoms at which the end is reached, Angstrom: bonds and angles of the
+#: start keep heavy atoms further off
+ARRIVED = {"CA": 0.5, "heavy": 1.0}
+
+
+@dataclass
+class PathFrame:
+    """One step of a path."""
+
+    step: int
+    to_end: float  #: r.m.s. distance of the matched atoms from the end, superposed, Angstrom
+    from_start: float  #: the same from the start
+    lost: int  #: contacts that only the start has, and that are broken here
+    made: int  #: contacts that only the end has, and that are there
+    max_residual: float  #: worst bar, share of its length
+    held_off: float  #: furthest that a contact that both have is outside its interval, Angstrom
+
+
+@dataclass
+class MolecularPath:
+    """A path, and what it took."""
+
+    model: MolecularModel = field(repr=False)  #: of the start, with the contacts that both have
+    positions: np.ndarray = field(repr=False)  #: (F, N, 3) Angstrom, atoms of the model
+    frames: list[PathFrame]  #: F, the start first
+    matched: int  #: residues
+    atoms: str  #: "CA" or "heavy"
+    held: int  #: contacts that both structures have
+    only_start: int  #: contacts that only the start has
+    only_end: int
+    notes: list[str]  #: how residues were matched
+    seconds: float = 0.0
+
+    @property
+    def reached(self) -> float:
+        """How far the last frame is from the end, Angstrom."""
+        return self.frames[-1].to_end
+
+    @property
+    def arrived(self) -> bool:
+        """Whether the last frame is at the end: CA within 0.5 Angstrom, heavy atoms within 1."""
+        return self.reached <= ARRIVED[self.atoms]

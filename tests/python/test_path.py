@@ -1,0 +1,151 @@
+# SPDX-License-Identifier: MIT
+"""Paths between structures of adenylate kinase, open and closed."""
+
+import csv
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pliant
+
+pytest.importorskip("MDAnalysisTests")
+import MDAnalysisTests
+from pliant.path import find_path
+from pliant.path.command import main
+
+DATA = Path(MDAnalysisTests.__file__).parent / "data"
+OPEN, CLOSED = DATA / "adk_open.pdb", DATA / "adk_closed.pdb"
+
+pytestmark = pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
+
+
+@pytest.fixture(scope="module")
+def closing():
+    return find_path(OPEN, CLOSED)
+
+
+def fitted(points, goal):
+    """r.m.s. distance after the best rotation and shift (Kabsch)."""
+    one, other = points - points.mean(axis=0), goal - goal.mean(axis=0)
+    u, values, vt = np.linalg.svd(one.T @ other)
+    values[2] *= np.sign(np.linalg.det(u @ vt))
+    left = np.sum(one**2) + np.sum(other**2) - 2 * values.sum()
+    return np.sqrt(max(left, 0.0) / len(points))
+
+
+def alpha_carbons(structure, positions):
+    return positions[np.flatnonzero((structure.names == "CA") & (structure.elements == 6))]
+
+
+@pytest.mark.parametrize(("start", "end"), [(OPEN, CLOSED), (CLOSED, OPEN)])
+def test_arrives(start, end):
+    path = find_path(start, end)
+    assert path.arrived
+    goal = pliant.read(end)
+    there = fitted(
+        alpha_carbons(path.model.structure, path.positions[-1]),
+        alpha_carbons(goal, goal.positions),
+    )
+    assert there == pytest.approx(path.reached, abs=1e-6)
+    assert there < 0.5
+    assert path.frames[0].to_end > 6.5
+    assert path.frames[0].from_start == pytest.approx(0, abs=1e-9)
+
+
+def test_every_frame_is_exact(closing):
+    bars, rest = closing.model.framework.bars, closing.model.framework.rest_lengths
+    for positions in closing.positions:
+        lengths = np.linalg.norm(positions[bars[:, 1]] - positions[bars[:, 0]], axis=1)
+        assert np.max(np.abs(lengths - rest) / rest) < 1e-10
+
+
+def test_what_both_have_is_held(closing):
+    contacts = closing.model.contacts
+    assert len(contacts) == closing.held > 100
+    for positions in closing.positions:
+        apart = np.linalg.norm(positions[contacts["a"]] - positions[contacts["b"]], axis=1)
+        assert np.all(apart < contacts["most"] + 0.02)
+        assert np.all(apart > contacts["least"] - 0.02)
+
+
+def test_contacts_of_one_end_come_and_go(closing):
+    first, last = closing.frames[0], closing.frames[-1]
+    assert first.lost == 0
+    assert last.lost > 0.3 * closing.only_start
+    assert last.made > first.made
+
+
+def test_atoms_keep_their_distance(closing):
+    """Of heavy atoms of residues that are not neighbours, none comes nearer than at the start."""
+    from scipy.spatial import cKDTree
+
+    structure = closing.model.structure
+    heavy = np.flatnonzero(structure.elements > 1)
+    residue = structure.residue_of[heavy]
+
+    def nearest(positions):
+        pairs = cKDTree(positions[heavy]).query_pairs(3.0, output_type="ndarray")
+        far = np.abs(residue[pairs[:, 0]] - residue[pairs[:, 1]]) > 1
+        ends = positions[heavy][pairs[far]]
+        return np.linalg.norm(ends[:, 0] - ends[:, 1], axis=1).min()
+
+    least = nearest(closing.positions[0])
+    assert min(nearest(positions) for positions in closing.positions) > min(least, 2.55) - 0.15
+
+
+def test_steps_are_small(closing):
+    for one, other in zip(closing.positions, closing.positions[1:], strict=False):
+        carbons = [alpha_carbons(closing.model.structure, x) for x in (one, other)]
+        assert fitted(*carbons) < 0.35
+
+
+def test_twice_the_same(closing):
+    assert np.array_equal(find_path(OPEN, CLOSED).positions, closing.positions)
+
+
+def test_heavy_atoms_come_near():
+    path = find_path(OPEN, CLOSED, atoms="heavy")
+    assert path.arrived
+    assert path.reached < 1.0
+
+
+def test_other_numbers_are_matched_by_sequence(tmp_path, closing):
+    rows = []
+    for line in CLOSED.read_text().splitlines(keepends=True):
+        is_atom = line.startswith("ATOM")
+        rows.append(f"{line[:22]}{int(line[22:26]) + 300:4d}{line[26:]}" if is_atom else line)
+    (tmp_path / "renumbered.pdb").write_text("".join(rows))
+    path = find_path(OPEN, tmp_path / "renumbered.pdb")
+    assert path.matched == 214
+    assert np.array_equal(path.positions, closing.positions)
+    assert any("214 of our 214 residues" in note for note in path.notes)
+
+
+def test_what_makes_no_sense_is_refused(tmp_path):
+    with pytest.raises(pliant.OptionError, match='atoms: expected "CA" or "heavy", found "all"'):
+        find_path(OPEN, CLOSED, atoms="all")
+    with pytest.raises(pliant.OptionError, match="step: expected above 0, at most 2"):
+        find_path(OPEN, CLOSED, step=0)
+    with pytest.raises(pliant.InputError, match="is it the same molecule"):
+        find_path(OPEN, DATA / "1a28.pdb.gz")
+
+
+def test_the_command_writes_and_tells(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    words = [str(OPEN), str(CLOSED), "-o", "p.h5md", "--csv", "p.csv", "--json"]
+    assert main(words) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["arrived"]
+    assert told["residues_matched"] == 214
+    with open("p.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    reader = pliant.H5mdReader("p.h5md")
+    assert len(reader) == len(rows) == len(told["frames"])
+    assert reader.positions(0).shape == (3341, 3)
+    assert float(rows[-1]["to_end"]) == pytest.approx(told["rmsd_reached"])
+    assert main(words) == 2
+    assert "--csv p.csv: exists; --overwrite replaces it" in capsys.readouterr().err
+    assert main([str(OPEN), str(CLOSED), "-o", "p.pdb"]) == 2
+    assert main([str(OPEN), str(OPEN), "-o", "q.h5md"]) == 2
