@@ -239,6 +239,7 @@ constexpr SamplerEntry table[] = {
 
 /// Of more all at once drawn, hardly any draw is free of overlaps.
 constexpr std::size_t most_rotors = 64;
+constexpr std::size_t most_atoms = 2000;
 
 }  // namespace
 
@@ -246,7 +247,7 @@ std::span<const SamplerEntry> samplers() { return table; }
 
 std::string_view usual_sampler(const Framework& framework, std::span<const Vec3> start,
                                bool has_residues) {
-  if (has_residues) return "modes";
+  if (has_residues || start.size() > most_atoms) return "modes";
   const std::optional<BodyPlan> plan = BodyPlan::make(framework);
   if (!plan) return "modes";
   const TorsionMoves moves(framework, *plan, start);

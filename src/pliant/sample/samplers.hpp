@@ -58,8 +58,8 @@ struct SamplerEntry {
 
 std::span<const SamplerEntry> samplers();
 
-/// What suits a molecule: `torsions` for one of no residues of chains (`has_residues`) that has
-/// rotors, but no more than 64, invertible rings or flexible loops; else `modes`.
+/// What suits a molecule: `torsions` for one of no residues of chains (`has_residues`), of at most
+/// 2000 atoms and 64 rotors; else `modes`.
 std::string_view usual_sampler(const Framework& framework, std::span<const Vec3> start,
                                bool has_residues);
 

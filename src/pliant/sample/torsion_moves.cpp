@@ -162,14 +162,11 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
   for (std::uint32_t k = 0; k < bodies.size(); ++k) {
     if (bodies[k].turns() != 1 || is_in_loop_[k]) continue;
     Rotor rotor{plan_.joint_at()[bodies[k].a], plan_.joint_at()[bodies[k].b], 0, 0, false, {}};
-    std::vector<bool> hangs(bodies.size(), false);
-    hangs[k] = true;
-    for (std::uint32_t m = k; m < bodies.size(); ++m) {
-      if (m > k) hangs[m] = bodies[m].parent >= 0 && hangs[std::size_t(bodies[m].parent)];
-      if (!hangs[m]) continue;
+    // Bodies that hang on this one follow it: the plan goes depth first.
+    for (std::uint32_t m = k; m == k || (m < bodies.size() && bodies[m].parent >= std::int64_t{k});
+         ++m)
       for (Slot place = bodies[m].first; place < bodies[m].last; ++place)
         rotor.turning.push_back(plan_.joint_at()[place]);
-    }
     if (framework_.atoms() != nullptr) {
       if (chemistry.spins_alike(rotor.a, rotor.b) || chemistry.spins_alike(rotor.b, rotor.a))
         continue;
