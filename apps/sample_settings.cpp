@@ -141,7 +141,7 @@ void choose_sampler(SampleSettings& settings, const MolecularModel& model) {
     sampler = usual_sampler(model.framework, model.positions, has_residues(model));
   if (!settings.amplitude.empty() && !find_sampler(sampler).has_amplitude)
     throw OptionError("--amplitude: sampler " + sampler +
-                      " has none: torsions are drawn from the whole circle");
+                      " has none: how far torsions turn is drawn");
 }
 
 void choose_amplitude(SampleSettings& settings, const MolecularModel& model, const Log& log) {

@@ -85,8 +85,7 @@ def test_an_amplitude_is_refused(pliant, drug):
     ended = pliant("sample", drug, "-o", "out.sdf", "--amplitude", 2)
     assert ended.code == 2
     assert ended.err.splitlines()[-1] == (
-        "pliant: error: --amplitude: sampler torsions has none: torsions are drawn from the whole "
-        "circle"
+        "pliant: error: --amplitude: sampler torsions has none: how far torsions turn is drawn"
     )
 
 

@@ -176,3 +176,31 @@ def test_what_cannot_turn_is_told(tmp_path):
     with pytest.warns(pliant.PliantWarning, match="all conformers are the start"):
         ensemble = pliant.sample(pliant.read(path), 3)
     assert ensemble.positions[2] == pytest.approx(ensemble.positions[0])
+
+
+def test_loops_that_hang_on_rotors_turn_with_them(tmp_path):
+    """A loop is cut at one atom, which stands twice in the plan of bodies."""
+    _, path = molecule("C" * 16 + "C1CCCCCC1", tmp_path)
+    ensemble = pliant.sample(pliant.read(path), 5)
+    assert ensemble.failed == 0
+    assert ensemble.max_residual < 1e-10
+
+
+def test_several_molecules_move_against_each_other(tmp_path):
+    path = tmp_path / "two.xyz"
+    benzene = Chem.AddHs(Chem.MolFromSmiles("c1ccccc1"))
+    AllChem.EmbedMolecule(benzene, randomSeed=1)
+    one = benzene.GetConformer().GetPositions()
+    symbols = [atom.GetSymbol() for atom in benzene.GetAtoms()] * 2
+    rows = [
+        f"{s} {x:.4f} {y:.4f} {z:.4f}"
+        for s, (x, y, z) in zip(
+            symbols, np.concatenate([one, one + np.array([0, 0, 4])]), strict=True
+        )
+    ]
+    path.write_text(f"{len(rows)}\ntwo\n" + "\n".join(rows) + "\n")
+    structure = pliant.read(path)
+    by_default = pliant.sample(structure, 2, amplitude=0.3).positions
+    assert np.array_equal(
+        by_default, pliant.sample(structure, 2, amplitude=0.3, sampler="modes").positions
+    )

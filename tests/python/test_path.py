@@ -149,3 +149,28 @@ def test_the_command_writes_and_tells(tmp_path, monkeypatch, capsys):
     assert "--csv p.csv: exists; --overwrite replaces it" in capsys.readouterr().err
     assert main([str(OPEN), str(CLOSED), "-o", "p.pdb"]) == 2
     assert main([str(OPEN), str(OPEN), "-o", "q.h5md"]) == 2
+
+
+def test_atoms_that_are_alike_are_one(tmp_path, closing):
+    """The names of both O of ASP and GLU are a matter of chance."""
+    swapped = {"OD1": "OD2", "OD2": "OD1", "OE1": "OE2", "OE2": "OE1"}
+    rows = []
+    for line in CLOSED.read_text().splitlines(keepends=True):
+        name = line[12:16].strip()
+        if line.startswith("ATOM") and line[17:20] in ("ASP", "GLU") and name in swapped:
+            line = f"{line[:12]} {swapped[name]:3s}{line[16:]}"
+        rows.append(line)
+    (tmp_path / "swapped.pdb").write_text("".join(rows))
+    path = find_path(OPEN, tmp_path / "swapped.pdb")
+    assert path.held == closing.held
+
+
+def test_the_same_structure_is_no_way():
+    path = find_path(OPEN, OPEN)
+    assert path.arrived
+    assert len(path.frames) == 1
+
+
+def test_small_steps_are_no_reason_to_stop():
+    path = find_path(OPEN, CLOSED, step=0.02)
+    assert path.frames[20].to_end < path.frames[0].to_end - 0.3

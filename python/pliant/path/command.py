@@ -22,7 +22,8 @@ EXIT_SHORT = 3  #: the end was not reached
 
 EPILOG = """\
 Residues are matched by chain and number, else by sequence. Hydrogen bonds, salt bridges and
-hydrophobic contacts that both structures have are held on the way; those of one alone are not.
+hydrophobic contacts that both structures have are held on the way; those of one alone, and of
+what is not matched, are not. Ligands and metals are matched by chain, number and name.
 Bonds, angles and planar groups are those of START, exact in each frame, and atoms keep their
 distance.
 
@@ -95,6 +96,8 @@ def _check_outputs(arguments: argparse.Namespace) -> None:
     check_trajectory_name(arguments.output)
     if is_pdb_name(arguments.output):
         raise OptionError(f"--output {arguments.output}: expected a name that ends in .h5md")
+    if arguments.csv and not Path(arguments.csv).resolve().parent.is_dir():
+        raise OptionError(f"--csv {arguments.csv}: its directory does not exist")
     if arguments.csv and Path(arguments.csv).exists() and not arguments.overwrite:
         raise OptionError(f"--csv {arguments.csv}: exists; --overwrite replaces it")
     names = [n for n in (arguments.start, arguments.end, arguments.output, arguments.csv) if n]

@@ -22,13 +22,24 @@ from pliant._core import (
 from pliant._superposition import Superposition
 from pliant.compare.matching import match
 from pliant.compare.traces import trace_of_structure
-from pliant.path.contacts import BROKEN, furthest_off, is_there, keys, names_of, off, rms
+from pliant.path.contacts import (
+    BROKEN,
+    furthest_off,
+    is_there,
+    keys,
+    names_of,
+    off,
+    rms,
+    with_ligands,
+)
 from pliant.path.found import MolecularPath, PathFrame
 
 TOLERANCE = 1e-10  #: of bars, share of their length
 MOST_SWEEPS = 300  #: a step that takes more ends the path
 #: a path ends where so many steps together gain less than LEAST_GAIN, Angstrom
 PATIENCE, LEAST_GAIN = 8, 0.02
+ROUNDING = 1e-6  #: nearer to the end than this there is no way to go, Angstrom
+LEAST_SHARE = 0.05  #: of the way that those steps were asked to go, if that is less
 
 MOST_STEPS = 2000
 
@@ -91,7 +102,7 @@ class _Walk:
         self._match(whole.structure, self.goal_model.structure)
         self._share_contacts(whole)
         self.model = build_model(start, contacts=whole.contacts[self.is_shared])
-        self.only_start = whole.contacts[~self.is_shared]
+        self.only_start = whole.contacts[self.is_only_start]
         self._choose_atoms()
         self.start = np.array(self.model.positions)
         self.goal = np.array(self.goal_model.positions)[self.theirs]
@@ -121,15 +132,25 @@ class _Walk:
         }
 
     def _share_contacts(self, whole: MolecularModel) -> None:
-        """Which contacts of the start the end has as well; those that only the end has."""
-        ours = names_of(self._named(whole.structure, self.our_residues))
-        theirs = names_of(self._named(self.goal_model.structure, self.their_residues))
-        at_start = keys(whole.contacts, ours)
-        at_end = keys(self.goal_model.contacts, theirs)
+        """Which contacts of the start the end has as well; those that only one has.
+
+        Ligands and metals are matched by chain, number and name. Contacts of what is not matched
+        are let go, and counted for neither.
+        """
+        our_structure, their_structure = whole.structure, self.goal_model.structure
+        ours, theirs = with_ligands(
+            our_structure, their_structure, self.our_residues, self.their_residues
+        )
+        our_names = names_of(self._named(our_structure, ours))
+        their_names = names_of(self._named(their_structure, theirs))
+        at_start = keys(whole.contacts, our_names, our_structure)
+        at_end = keys(self.goal_model.contacts, their_names, their_structure)
         shared = {key for key in at_start if key is not None} & set(at_end)
         self.is_shared = np.array([key in shared for key in at_start], dtype=bool)
+        is_named = np.array([key is not None for key in at_start], dtype=bool)
+        self.is_only_start = is_named & ~self.is_shared
         self.only_end = [
-            (key, float(row["least"]), float(row["most"]))
+            (their_names[int(row["a"])], their_names[int(row["b"])], row["least"], row["most"])
             for key, row in zip(at_end, self.goal_model.contacts, strict=True)
             if key is not None and key not in shared
         ]
@@ -170,7 +191,7 @@ class _Walk:
 
     def _push(self, _step: int, positions: np.ndarray, _previous: np.ndarray) -> None:
         moves, apart = self._towards(positions)
-        moves = moves * min(1.0, self.step / apart)
+        moves = moves * (min(1.0, self.step / apart) if apart > 0.0 else 0.0)
         leaders = self.leader[self.ours]
         count = np.bincount(leaders, minlength=len(self.our_residues))
         common = (
@@ -203,6 +224,9 @@ class _Walk:
             if self._is_over(path.frames):
                 break
             frame = motion.step()
+            if len(path.frames) > MOST_STEPS:
+                path.notes.append(f"ended after {MOST_STEPS} steps")
+                break
             if not frame.converged:
                 path.notes.append("the last step could not be made whole, and is left out")
                 break
@@ -225,11 +249,10 @@ class _Walk:
         )
 
     def _is_over(self, frames: list[PathFrame]) -> bool:
-        if len(frames) > MOST_STEPS:
-            return True
         if len(frames) <= PATIENCE:
-            return False
-        return frames[-1 - PATIENCE].to_end - frames[-1].to_end < LEAST_GAIN
+            return frames[-1].to_end < ROUNDING
+        least = min(LEAST_GAIN, LEAST_SHARE * PATIENCE * self.step)
+        return frames[-1 - PATIENCE].to_end - frames[-1].to_end < least
 
     def _look(self, step: int, frame: Any, positions: np.ndarray) -> PathFrame:
         here, start = positions[self.ours], self.start[self.ours]
@@ -244,8 +267,14 @@ class _Walk:
             furthest_off(positions, self.model.contacts),
         )  # fmt: skip
 
-    def _is_made(self, positions: np.ndarray, key: Any, least: float, most: float) -> bool:
-        _, one, other = key
+    def _is_made(
+        self,
+        positions: np.ndarray,
+        one: tuple[int, str],
+        other: tuple[int, str],
+        least: float,
+        most: float,
+    ) -> bool:
         if one not in self.atom_of or other not in self.atom_of:
             return False
         return is_there(positions, self.atom_of[one], self.atom_of[other], least, most)

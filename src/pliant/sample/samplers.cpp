@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/sample/samplers.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -250,6 +251,9 @@ std::string_view usual_sampler(const Framework& framework, std::span<const Vec3>
   if (has_residues || start.size() > most_atoms) return "modes";
   const std::optional<BodyPlan> plan = BodyPlan::make(framework);
   if (!plan) return "modes";
+  const auto is_free = [](const PlanBody& body) { return body.parent < 0; };
+  const auto bodies = plan->bodies();
+  if (std::count_if(bodies.begin(), bodies.end(), is_free) > 1) return "modes";
   const TorsionMoves moves(framework, *plan, start);
   return moves.rotors().size() > most_rotors ? "modes" : "torsions";
 }

@@ -58,8 +58,9 @@ struct SamplerEntry {
 
 std::span<const SamplerEntry> samplers();
 
-/// What suits a molecule: `torsions` for one of no residues of chains (`has_residues`), of at most
-/// 2000 atoms and 64 rotors; else `modes`.
+/// What suits a molecule: `torsions` for a single one of no residues of chains (`has_residues`), of
+/// at most 2000 atoms and 64 rotors; else `modes`. Several molecules move against each other by
+/// `modes`, which torsions do not.
 std::string_view usual_sampler(const Framework& framework, std::span<const Vec3> start,
                                bool has_residues);
 

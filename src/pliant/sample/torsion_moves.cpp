@@ -166,7 +166,7 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
     for (std::uint32_t m = k; m == k || (m < bodies.size() && bodies[m].parent >= std::int64_t{k});
          ++m)
       for (Slot place = bodies[m].first; place < bodies[m].last; ++place)
-        rotor.turning.push_back(plan_.joint_at()[place]);
+        if (is_own(place)) rotor.turning.push_back(plan_.joint_at()[place]);
     if (framework_.atoms() != nullptr) {
       if (chemistry.spins_alike(rotor.a, rotor.b) || chemistry.spins_alike(rotor.b, rotor.a))
         continue;
@@ -207,11 +207,20 @@ bool TorsionMoves::holds_bars(std::span<const Vec3> x) const {
   return true;
 }
 
+/// Three atoms that are bonded to each other: such a nitrogen may keep its handedness.
+bool TorsionMoves::is_in_small_ring(Joint atom, const BondChemistry& chemistry) {
+  for (const Link& one : chemistry.bonds_at(atom))
+    for (const Link& two : chemistry.bonds_at(one.node))
+      for (const Link& three : chemistry.bonds_at(two.node))
+        if (two.node != atom && three.node == atom) return true;
+  return false;
+}
+
 /// Of the bonds that are in no ring, that with the fewest atoms beyond it turns over.
 void TorsionMoves::find_amines(const BondChemistry& chemistry) {
   if (framework_.atoms() == nullptr) return;
   for (Joint atom = 0; atom < framework_.joint_count(); ++atom) {
-    if (!chemistry.is_amine(atom)) continue;
+    if (!chemistry.is_amine(atom) || is_in_small_ring(atom, chemistry)) continue;
     Amine found{atom, 0, 0, {}};
     for (const Link& bond : chemistry.bonds_at(atom)) {
       std::vector<Joint> turning = chemistry.beyond(bond.node, {atom});
@@ -290,7 +299,7 @@ void TorsionMoves::push_loops(RandomSequence& draws, std::span<Vec3> targets) co
     else if (bodies[k].parent >= 0)
       push[k] = push[std::size_t(bodies[k].parent)];
     for (Slot place = bodies[k].first; place < bodies[k].last; ++place)
-      targets[plan_.joint_at()[place]] += push[k];
+      if (is_own(place)) targets[plan_.joint_at()[place]] += push[k];
   }
 }
 
