@@ -107,9 +107,10 @@ if TYPE_CHECKING:
     from pliant.analyse import analyse
     from pliant.check import check
     from pliant.compare import compare
+    from pliant.path import path
 else:
     # Packages that are called; what they need beyond NumPy and h5py is imported when they are.
-    from pliant import analyse, check, compare
+    from pliant import analyse, check, compare, path
 
 __all__ = [
     "Error",
@@ -184,6 +185,7 @@ __all__ = [
     "order",
     "ordering_text",
     "orderings",
+    "path",
     "perturbations",
     "prepare",
     "pushers",

@@ -171,7 +171,8 @@ def test_what_does_not_move_is_a_warning(pliant, tmp_path):
     angles = np.radians(60.0) * np.arange(6)
     lines = [f"C {1.39 * np.cos(a):.4f} {1.39 * np.sin(a):.4f} 0.0" for a in angles]
     ring.write_text("\n".join(["6", "ring", *lines, ""]))
-    ended = pliant("sample", ring, "-o", "out.h5md", "--frames", "20", "--quiet", "--json")
+    ended = pliant("sample", ring, "-o", "out.h5md", "--frames", "20", "--quiet", "--json",
+                   "--sampler", "modes")  # fmt: skip
     assert ended.code == 0
     assert json.loads(ended.out)["warnings"] == [
         "frames reach an amplitude of 0.00 of the 1.40 Angstrom asked for: what holds the "

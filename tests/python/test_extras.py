@@ -164,7 +164,7 @@ def test_a_check_is_told_without_rich_and_matplotlib(trajectory, tmp_path):
     assert json.loads(ended.stdout)["passed"]
 
 
-@pytest.mark.parametrize("name", ["analyse", "check", "compare"])
+@pytest.mark.parametrize("name", ["analyse", "check", "compare", "path"])
 @pytest.mark.parametrize(
     "imports",
     [
@@ -173,26 +173,27 @@ def test_a_check_is_told_without_rich_and_matplotlib(trajectory, tmp_path):
         pytest.param("import pliant.{name}.command, pliant", marks=pytest.mark.long),
         "from pliant.{name} import {name} as function; import pliant",
         pytest.param(
-            "from pliant import {name}; import pliant.{name}.suite, pliant; "
+            "from pliant import {name}; import pliant.{name}.{module}, pliant; "
             "assert pliant.{name} is {name}",
             marks=pytest.mark.long,
         ),
     ],
 )
 def test_what_is_a_package_can_be_called_in_whatever_order_it_is_imported(name, imports):
-    code = imports.format(name=name) + (
+    module = "walk" if name == "path" else "suite"
+    code = imports.format(name=name, module=module) + (
         f"; import importlib, inspect; assert callable(pliant.{name})"
         f"; assert pliant.{name} is importlib.import_module('pliant.{name}')"
         f"; assert inspect.signature(pliant.{name}) == inspect.signature(pliant.{name}.{name})"
         f"; assert set(pliant.{name}.__all__) <= set(dir(pliant.{name}))"
-        f"; pliant.{name}('no_such_file', *(['other'] if '{name}' == 'compare' else []))"
+        f"; pliant.{name}('no_such_file', *(['other'] if '{name}' in ('compare', 'path') else []))"
     )
     ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert "no_such_file" in ended.stderr.splitlines()[-1]
     assert "Error" in ended.stderr.splitlines()[-1]
 
 
-@pytest.mark.parametrize("name", ["analyse", "check", "compare"])
+@pytest.mark.parametrize("name", ["analyse", "check", "compare", "path"])
 def test_a_package_that_is_called_has_its_names_and_no_others(name):
     package = importlib.import_module(f"pliant.{name}")
     for public in package.__all__:

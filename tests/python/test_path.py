@@ -12,7 +12,6 @@ import pliant
 
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
-from pliant.path import find_path
 from pliant.path.command import main
 
 DATA = Path(MDAnalysisTests.__file__).parent / "data"
@@ -23,7 +22,7 @@ pytestmark = pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
 
 @pytest.fixture(scope="module")
 def closing():
-    return find_path(OPEN, CLOSED)
+    return pliant.path(OPEN, CLOSED)
 
 
 def fitted(points, goal):
@@ -41,7 +40,7 @@ def alpha_carbons(structure, positions):
 
 @pytest.mark.parametrize(("start", "end"), [(OPEN, CLOSED), (CLOSED, OPEN)])
 def test_arrives(start, end):
-    path = find_path(start, end)
+    path = pliant.path(start, end)
     assert path.arrived
     goal = pliant.read(end)
     there = fitted(
@@ -102,11 +101,11 @@ def test_steps_are_small(closing):
 
 
 def test_twice_the_same(closing):
-    assert np.array_equal(find_path(OPEN, CLOSED).positions, closing.positions)
+    assert np.array_equal(pliant.path(OPEN, CLOSED).positions, closing.positions)
 
 
 def test_heavy_atoms_come_near():
-    path = find_path(OPEN, CLOSED, atoms="heavy")
+    path = pliant.path(OPEN, CLOSED, atoms="heavy")
     assert path.arrived
     assert path.reached < 1.0
 
@@ -117,7 +116,7 @@ def test_other_numbers_are_matched_by_sequence(tmp_path, closing):
         is_atom = line.startswith("ATOM")
         rows.append(f"{line[:22]}{int(line[22:26]) + 300:4d}{line[26:]}" if is_atom else line)
     (tmp_path / "renumbered.pdb").write_text("".join(rows))
-    path = find_path(OPEN, tmp_path / "renumbered.pdb")
+    path = pliant.path(OPEN, tmp_path / "renumbered.pdb")
     assert path.matched == 214
     assert np.array_equal(path.positions, closing.positions)
     assert any("214 of our 214 residues" in note for note in path.notes)
@@ -125,11 +124,11 @@ def test_other_numbers_are_matched_by_sequence(tmp_path, closing):
 
 def test_what_makes_no_sense_is_refused(tmp_path):
     with pytest.raises(pliant.OptionError, match='atoms: expected "CA" or "heavy", found "all"'):
-        find_path(OPEN, CLOSED, atoms="all")
+        pliant.path(OPEN, CLOSED, atoms="all")
     with pytest.raises(pliant.OptionError, match="step: expected above 0, at most 2"):
-        find_path(OPEN, CLOSED, step=0)
+        pliant.path(OPEN, CLOSED, step=0)
     with pytest.raises(pliant.InputError, match="is it the same molecule"):
-        find_path(OPEN, DATA / "1a28.pdb.gz")
+        pliant.path(OPEN, DATA / "1a28.pdb.gz")
 
 
 def test_the_command_writes_and_tells(tmp_path, monkeypatch, capsys):
@@ -161,16 +160,16 @@ def test_atoms_that_are_alike_are_one(tmp_path, closing):
             line = f"{line[:12]} {swapped[name]:3s}{line[16:]}"
         rows.append(line)
     (tmp_path / "swapped.pdb").write_text("".join(rows))
-    path = find_path(OPEN, tmp_path / "swapped.pdb")
+    path = pliant.path(OPEN, tmp_path / "swapped.pdb")
     assert path.held == closing.held
 
 
 def test_the_same_structure_is_no_way():
-    path = find_path(OPEN, OPEN)
+    path = pliant.path(OPEN, OPEN)
     assert path.arrived
     assert len(path.frames) == 1
 
 
 def test_small_steps_are_no_reason_to_stop():
-    path = find_path(OPEN, CLOSED, step=0.02)
+    path = pliant.path(OPEN, CLOSED, step=0.02)
     assert path.frames[20].to_end < path.frames[0].to_end - 0.3

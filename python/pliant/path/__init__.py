@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant path``: a way from one structure to another, each frame whole (targeted FRODA).
+"""A way from one structure to another, each frame whole: ``pliant path``, ``pliant.path``.
 
 At each step the other structure is superposed on the molecule, whose residues are asked to go
 towards it by a fixed r.m.s. distance; technique ``froda`` then makes bars whole, keeps atoms apart
@@ -8,7 +8,14 @@ et al., Phys. Biol. 2 (2005) S127; D. W. Farrell, K. Speranskiy, M. F. Thorpe, P
 2908).
 """
 
-from pliant.path.found import MolecularPath, PathFrame
-from pliant.path.walk import find_path
+from typing import TYPE_CHECKING
 
-__all__ = ["MolecularPath", "PathFrame", "find_path"]
+from pliant._callable_package import make_callable
+
+if TYPE_CHECKING:
+    from pliant.path.found import MolecularPath, PathFrame
+    from pliant.path.walk import path
+
+__all__ = ["MolecularPath", "PathFrame", "path"]
+
+make_callable(__name__, {"path": "walk", "MolecularPath": "found", "PathFrame": "found"})

@@ -10,13 +10,14 @@ import sys
 from collections.abc import Sequence
 from dataclasses import asdict
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from pliant import console
 from pliant._core import OptionError
 from pliant._output_names import check_trajectory_name, is_pdb_name
-from pliant.path.found import MolecularPath
-from pliant.path.walk import find_path
+
+if TYPE_CHECKING:
+    from pliant.path.found import MolecularPath
 
 EXIT_SHORT = 3  #: the end was not reached
 
@@ -78,8 +79,10 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _path(arguments: argparse.Namespace) -> int:
+    from pliant.path import walk
+
     _check_outputs(arguments)
-    path = find_path(
+    path = walk.path(
         arguments.start, arguments.end, atoms=arguments.atoms, step=arguments.step,
         output=arguments.output, overwrite=arguments.overwrite,
     )  # fmt: skip

@@ -44,7 +44,7 @@ LEAST_SHARE = 0.05  #: of the way that those steps were asked to go, if that is 
 MOST_STEPS = 2000
 
 
-def find_path(
+def path(
     start: Structure | str | os.PathLike[str],
     end: Structure | str | os.PathLike[str],
     *,
@@ -84,9 +84,9 @@ def find_path(
         raise OptionError(f"step: expected above 0, at most 2 Angstrom, found {step}")
     begun = time.perf_counter()
     walk = _Walk(_structure(start), _structure(end), atoms, step)
-    path = walk.run(output, overwrite)
-    path.seconds = time.perf_counter() - begun
-    return path
+    found = walk.run(output, overwrite)
+    found.seconds = time.perf_counter() - begun
+    return found
 
 
 def _structure(given: Structure | str | os.PathLike[str]) -> Structure:
