@@ -24,9 +24,10 @@ struct Conformations {
 /// None of a sampler that goes along modes.
 std::optional<Conformations> conformations_of(const SampleSettings& settings,
                                               const SampledSystem& system) {
+  if (find_sampler(settings.sample.sampler).has_amplitude) return std::nullopt;
   const Framework& framework = system.framework;
   const auto plan = BodyPlan::make(framework);
-  if (find_sampler(settings.sample.sampler).has_amplitude || !plan) return std::nullopt;
+  if (!plan) return std::nullopt;
   const TorsionMoves moves(framework, *plan, system.start);
   Conformations found{{}, {}, {}, moves.loop_bodies().size()};
   for (const Rotor& rotor : moves.rotors())
@@ -54,7 +55,7 @@ void print_conformations(const Conformations& found) {
   if (!found.amines.empty())
     fmt::print("amines          {}: {} inverts\n", found.amines.size(), listed(found.amines));
   if (found.loop_bodies > 0)
-    fmt::print("flexible loops  of {} rigid units, pushed at random\n", found.loop_bodies);
+    fmt::print("flexible loops  of {} rigid units, bent at random\n", found.loop_bodies);
   fmt::print("                conformers show what is possible; how often is not claimed\n");
 }
 

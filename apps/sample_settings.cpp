@@ -88,7 +88,7 @@ std::string amplitude_source(const SampleSettings& settings) {
   return number ? number_text(*number) : settings.amplitude;
 }
 
-/// Whether it is a chain of amino acids or nucleotides, or several molecules of one.
+/// Whether it has residues of proteins or nucleic acids.
 bool has_residues(const MolecularModel& model) {
   return usual_model(model.structure) == ModelKind::protein;
 }

@@ -97,7 +97,16 @@ SimpleRing BondChemistry::in_order(const std::vector<std::uint32_t>& edges) cons
 }
 
 bool BondChemistry::is_amine(Joint atom) const {
-  return element(atom) == 7 && bonds_at(atom).size() == 3 && is_tetrahedral(atom);
+  return element(atom) == 7 && bonds_at(atom).size() == 3 && is_tetrahedral(atom) &&
+         !is_in_ring_of_three(atom);
+}
+
+bool BondChemistry::is_in_ring_of_three(Joint atom) const {
+  for (const Link& one : bonds_at(atom))
+    for (const Link& two : bonds_at(one.node))
+      for (const Link& three : bonds_at(two.node))
+        if (two.node != atom && three.node == atom) return true;
+  return false;
 }
 
 std::vector<Joint> BondChemistry::beyond(Joint atom, const std::vector<Joint>& walls) const {

@@ -33,11 +33,13 @@ class BondChemistry {
   std::vector<SimpleRing> simple_rings() const;
   /// Atoms that are reached from `atom` without passing `walls`, itself left out.
   std::vector<Joint> beyond(Joint atom, const std::vector<Joint>& walls) const;
-  /// Nitrogen with three bonds that do not lie in a plane: an amine, which inverts.
+  /// Nitrogen with three bonds that do not lie in a plane: an amine, which inverts; but in rings of
+  /// three, where it may keep its handedness.
   bool is_amine(Joint atom) const;
 
  private:
   std::uint8_t element(Joint atom) const;
+  bool is_in_ring_of_three(Joint atom) const;
   SimpleRing in_order(const std::vector<std::uint32_t>& edges) const;
 
   const Framework& framework_;

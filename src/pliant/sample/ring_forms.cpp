@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/sample/ring_forms.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 #include "pliant/base/superposition.hpp"
 #include "pliant/resolve/units/dense_solve.hpp"
@@ -84,12 +84,11 @@ double torsion_sign(Vec3 a, Vec3 b, Vec3 c, Vec3 d) { return dot(cross(b - a, c 
 
 bool is_chair(std::span<const Vec3> x) {
   if (x.size() != 6) return false;
-  for (std::size_t k = 0; k < 6; ++k) {
-    const double here = torsion_sign(x[k], x[(k + 1) % 6], x[(k + 2) % 6], x[(k + 3) % 6]);
-    const double next =
-        torsion_sign(x[(k + 1) % 6], x[(k + 2) % 6], x[(k + 3) % 6], x[(k + 4) % 6]);
-    if (!(here * next < 0.0)) return false;
-  }
+  std::array<double, 6> signs{};
+  for (std::size_t k = 0; k < 6; ++k)
+    signs[k] = torsion_sign(x[k], x[(k + 1) % 6], x[(k + 2) % 6], x[(k + 3) % 6]);
+  for (std::size_t k = 0; k < 6; ++k)
+    if (!(signs[k] * signs[(k + 1) % 6] < 0.0)) return false;
   return true;
 }
 

@@ -51,6 +51,12 @@ Turn drawn_torsion(RandomSequence& draws, TorsionDraw how, bool is_tetrahedral) 
 
 Vec3 unit(Vec3 v) { return (1.0 / norm(v)) * v; }
 
+/// Where `centre` + `r` goes by a turn about an axis of length 1 through the centre (Rodrigues).
+Vec3 turned(Vec3 centre, Vec3 r, Vec3 axis, Turn by) {
+  return centre + by.cosine * r + by.sine * cross(axis, r) +
+         ((1.0 - by.cosine) * dot(axis, r)) * axis;
+}
+
 /// The torsion i - a - b - j; none where three of them lie on a line.
 std::optional<Turn> torsion(Vec3 i, Vec3 a, Vec3 b, Vec3 j) {
   const Vec3 axis = unit(b - a);
@@ -108,7 +114,7 @@ void invert(const Amine& amine, std::span<Vec3> x) {
   const Vec3 axis = (1.0 / sine) * across;
   for (Joint joint : amine.turning) {
     const Vec3 r = x[joint] - centre;
-    x[joint] = centre + cosine * r + sine * cross(axis, r) + ((1.0 - cosine) * dot(axis, r)) * axis;
+    x[joint] = turned(centre, r, axis, {cosine, sine});
   }
 }
 
@@ -207,20 +213,11 @@ bool TorsionMoves::holds_bars(std::span<const Vec3> x) const {
   return true;
 }
 
-/// Three atoms that are bonded to each other: such a nitrogen may keep its handedness.
-bool TorsionMoves::is_in_small_ring(Joint atom, const BondChemistry& chemistry) {
-  for (const Link& one : chemistry.bonds_at(atom))
-    for (const Link& two : chemistry.bonds_at(one.node))
-      for (const Link& three : chemistry.bonds_at(two.node))
-        if (two.node != atom && three.node == atom) return true;
-  return false;
-}
-
 /// Of the bonds that are in no ring, that with the fewest atoms beyond it turns over.
 void TorsionMoves::find_amines(const BondChemistry& chemistry) {
   if (framework_.atoms() == nullptr) return;
   for (Joint atom = 0; atom < framework_.joint_count(); ++atom) {
-    if (!chemistry.is_amine(atom) || is_in_small_ring(atom, chemistry)) continue;
+    if (!chemistry.is_amine(atom)) continue;
     Amine found{atom, 0, 0, {}};
     for (const Link& bond : chemistry.bonds_at(atom)) {
       std::vector<Joint> turning = chemistry.beyond(bond.node, {atom});
@@ -270,8 +267,7 @@ void TorsionMoves::turn(const Rotor& rotor, TorsionDraw how, RandomSequence& dra
       by = by * back(*now);
   for (Joint joint : rotor.turning) {
     const Vec3 r = x[joint] - origin;
-    x[joint] = origin + by.cosine * r + by.sine * cross(axis, r) +
-               ((1.0 - by.cosine) * dot(axis, r)) * axis;
+    x[joint] = turned(origin, r, axis, by);
   }
 }
 

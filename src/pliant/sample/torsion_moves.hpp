@@ -81,7 +81,6 @@ class TorsionMoves {
   void find_loops();
   void find_rings(const BondChemistry& chemistry);
   void find_amines(const BondChemistry& chemistry);
-  static bool is_in_small_ring(Joint atom, const BondChemistry& chemistry);
   /// Whether it is the joint's own place, and not a copy at a cut.
   bool is_own(Slot place) const { return plan_.place_of(plan_.joint_at()[place]) == place; }
   bool holds_bars(std::span<const Vec3> x) const;
