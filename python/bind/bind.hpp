@@ -21,6 +21,7 @@ void bind_laboratory(nb::module_& module);
 void bind_model(nb::module_& module);
 void bind_molecule(nb::module_& module);
 void bind_motion(nb::module_& module);
+void bind_network(nb::module_& module);
 void bind_order(nb::module_& module);
 void bind_resolve(nb::module_& module);
 void bind_perturb(nb::module_& module);

@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: MIT
-// Sampling: elastic networks, ways to move, and ensembles of frames.
+// Sampling: ways to move, and ensembles of frames.
 #include <optional>
 
 #include "arrays.hpp"
 #include "asked_amplitude.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
+#include "network_nodes.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
-#include "pliant/model/residue_nodes.hpp"
-#include "pliant/sample/elastic_network.hpp"
-#include "pliant/sample/network_modes.hpp"
 #include "pliant/sample/sample.hpp"
 #include "pliant/sample/samplers.hpp"
 #include "recorded_bonds.hpp"
@@ -30,11 +28,6 @@ struct SampledEnsemble {
   std::vector<Vec3> positions;  ///< (F * N)
   SampleSummary summary;
 };
-
-NetworkNodes nodes_of(const Structure& structure) {
-  ResidueNodes found = residue_nodes(structure);
-  return {std::move(found.positions), std::move(found.chain), std::move(found.of_atom)};
-}
 
 MolecularModel model_from(const nb::handle& argument, const std::string& model) {
   if (nb::isinstance<MolecularModel>(argument)) {
@@ -172,20 +165,6 @@ Frames frames_of(nb::handle_t<SampledEnsemble> self) {
   return Frames(ensemble.positions.data(), {frames, atoms, 3}, self);
 }
 
-nb::tuple modes_of(const nb::handle& structure, const std::string& network, std::size_t count) {
-  const auto& from = nb::cast<const Structure&>(structure);
-  const NetworkNodes nodes = nodes_of(from);
-  check(nodes, from.size());
-  const NetworkModes modes = network_modes(nodes, network, count);
-  std::vector<double> flat;
-  for (std::size_t k = 0; k < modes.variances.size(); ++k)
-    flat.insert(flat.end(), modes.directions.row(k).begin(), modes.directions.row(k).end());
-  auto* kept = new std::vector<double>(std::move(flat));
-  nb::capsule owner(kept, [](void* p) noexcept { delete static_cast<std::vector<double>*>(p); });
-  const Frames directions(kept->data(), {modes.variances.size(), nodes.positions.size(), 3}, owner);
-  return nb::make_tuple(array_of(modes.variances), directions, new_positions(nodes.positions));
-}
-
 constexpr const char* sample_doc =
     R"(Samples what a molecule can do: independent frames about its structure, bars exact.
 
@@ -269,32 +248,6 @@ FileError
     frames have other bits.
 )";
 
-constexpr const char* modes_doc =
-    R"(Modes of the elastic network of a structure.
-
-Parameters
-----------
-structure : Structure
-network : str
-    A name in ``networks()``.
-count : int
-    How many modes, of largest variance first.
-
-Returns
--------
-variances : (K,) float64
-    Descending, in the unit of 1 / the springs; of ``shared``, shares of the whole.
-directions : (K, M, 3) float64
-    Of unit length, signs canonical.
-nodes : (M, 3) float64
-    Where the nodes are (Angstrom).
-
-Raises
-------
-OptionError
-    No such network, or fewer than two nodes.
-)";
-
 const SampleSummary& summary_of(const SampledEnsemble& self) { return self.summary; }
 const SampleSummary& summary_of(const SampleSummary& self) { return self; }
 
@@ -350,21 +303,11 @@ void bind_ensemble_class(nb::module_& module) {
 }  // namespace
 
 void bind_sample(nb::module_& module) {
-  bind_row<NetworkEntry>(module, "NetworkEntry", "One row of the table of elastic networks.");
   bind_row<SamplerEntry>(module, "SamplerEntry", "One row of the table of samplers.");
-  module.def(
-      "networks", [] { return rows_of(networks()); }, nb::rv_policy::reference,
-      "The table of elastic networks that ``sample`` knows.");
   module.def(
       "samplers", [] { return rows_of(samplers()); }, nb::rv_policy::reference,
       "The table of ways to move that ``sample`` knows.");
   bind_ensemble_class(module);
-  module.def("network_modes", &modes_of, "structure"_a, "network"_a = "shared",
-             "count"_a = usual_mode_count,
-             nb::sig("def network_modes(structure: Structure, network: str = \"shared\", "
-                     "count: int = 60) -> tuple[numpy.typing.NDArray[numpy.float64], "
-                     "numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"),
-             modes_doc);
   const SampleOptions usual;
   module.def("sample", &sample_from, "structure"_a, "frames"_a = usual.frames, nb::kw_only(),
              "amplitude"_a = AskedAmplitude(usual.amplitude), "seed"_a = usual.seed,

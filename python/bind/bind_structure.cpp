@@ -124,6 +124,14 @@ void bind_atoms(nb::class_<Structure>& structure) {
       },
       "(N,) int64, read-only view: the number that the file gives each atom.");
   structure.def_prop_ro(
+      "b_factors",
+      [](nb::handle_t<Structure> self) {
+        return const_view_of(std::span<const float>(nb::cast<const Structure&>(self).b_factors),
+                             self);
+      },
+      "(N,) float32, read-only view: B factors of the file (Angstrom^2), or what stands in their "
+      "column, such as pLDDT; (0,) where the format has none.");
+  structure.def_prop_ro(
       "masses", [](const Structure& self) { return array_of(masses_of(self)); },
       nb::rv_policy::reference, "(N,) float64: masses of the elements in u.");
 }

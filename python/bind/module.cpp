@@ -10,6 +10,7 @@ NB_MODULE(_core, module) {
   bind_molecule(module);
   bind_model(module);
   bind_rigidity(module);
+  bind_network(module);
   bind_sample(module);
   bind_order(module);
   bind_resolve(module);

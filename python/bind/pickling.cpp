@@ -23,8 +23,8 @@ void check_state(const nb::tuple& state, std::size_t parts) {
 
 template <class Thing>
 nb::bytes packed(std::span<const Thing> things) {
-  static_assert(std::has_unique_object_representations_v<Thing> || std::is_same_v<Thing, double> ||
-                std::is_same_v<Thing, Vec3>);
+  static_assert(std::has_unique_object_representations_v<Thing> ||
+                std::is_floating_point_v<Thing> || std::is_same_v<Thing, Vec3>);
   return nb::bytes(reinterpret_cast<const char*>(things.data()), things.size_bytes());
 }
 
@@ -183,11 +183,12 @@ nb::tuple structure_state(const Structure& structure) {
   return nb::make_tuple(layout, text_bytes(structure.title), text_bytes(structure.source),
                         structure.format, state_of(structure.atoms), packed(structure.positions),
                         packed(numbers_of(structure.bonds)), packed(structure.charges),
-                        packed(ends), structure.model, structure.model_count);
+                        packed(ends), structure.model, structure.model_count,
+                        packed(structure.b_factors), structure.assemblies);
 }
 
 Structure structure_from(const nb::tuple& state) {
-  check_state(state, 11);
+  check_state(state, 13);
   Structure structure;
   structure.title = text_from(state[1]);
   structure.source = text_from(state[2]);
@@ -202,6 +203,10 @@ Structure structure_from(const nb::tuple& state) {
     structure.chain_end.push_back(end != 0);
   structure.model = nb::cast<std::size_t>(state[9]);
   structure.model_count = nb::cast<std::size_t>(state[10]);
+  structure.b_factors = unpacked<float>(state[11]);
+  if (!structure.b_factors.empty() && structure.b_factors.size() != structure.size())
+    throw InputError("a pickle that is damaged");
+  structure.assemblies = nb::cast<std::vector<std::string>>(state[12]);
   return structure;
 }
 

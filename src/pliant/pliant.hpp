@@ -99,6 +99,7 @@
 #include "pliant/run/run_summary.hpp"       // what a run did
 
 // sample: what a molecule can do
+#include "pliant/sample/b_factors.hpp"        // which residues a crystal would show to move
 #include "pliant/sample/dense_matrix.hpp"     // by rows
 #include "pliant/sample/elastic_network.hpp"  // the table of networks
 #include "pliant/sample/network_modes.hpp"    // directions in which residues move together

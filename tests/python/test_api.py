@@ -149,7 +149,7 @@ def test_docstrings_say_what_and_name_every_parameter(name, doc, parameters):
 def test_what_takes_an_array_names_its_shape():
     for name, doc, parameters in DOCUMENTED:
         if "positions" in parameters and not name.startswith("Frame"):
-            assert re.search(r"\((N|B), [23]\)|as the function|``resolve``", doc), name
+            assert re.search(r"\((N|B|M), [23]\)|as the function|``resolve``", doc), name
 
 
 if __name__ == "__main__":

@@ -29,6 +29,7 @@ def structure():
 COLUMNS = (
     "positions", "names", "symbols", "elements", "serials", "residue_of", "residue_ids",
     "residue_names", "insertion_codes", "chains", "bonds", "bond_orders", "bond_origins",
+    "b_factors",
 )  # fmt: skip
 
 
@@ -37,9 +38,28 @@ def test_a_structure_is_the_same_there(structure, protocol):
     there = sent(structure, protocol)
     for name in COLUMNS:
         assert np.array_equal(getattr(there, name), getattr(structure, name)), name
-    for name in ("title", "source", "format", "model", "model_count"):
+    for name in ("title", "source", "format", "model", "model_count", "assemblies"):
         assert getattr(there, name) == getattr(structure, name)
     assert there.label(5) == structure.label(5)
+
+
+def test_b_factors_and_assemblies_travel(tmp_path):
+    path = tmp_path / "two.pdb"
+    path.write_text(
+        "REMARK 350 BIOMOLECULE: 1\n"
+        "REMARK 350 APPLY THE FOLLOWING TO CHAINS: A\n"
+        "REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000        0.00000\n"
+        "REMARK 350   BIOMT2   1  0.000000  1.000000  0.000000        0.00000\n"
+        "REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000\n"
+        "ATOM      1  N   GLY A   1       0.000   0.000   0.000  1.00 12.50           N\n"
+        "ATOM      2  CA  GLY A   1       1.450   0.000   0.000  1.00 17.25           C\n"
+    )
+    here = pliant.read(path)
+    assert here.b_factors.tolist() == [12.5, 17.25]
+    assert here.assemblies == ["1"]
+    there = sent(here)
+    assert there.b_factors.tolist() == [12.5, 17.25]
+    assert there.assemblies == ["1"]
 
 
 def framework_of(structure):

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant._core import OptionError
+from pliant._core import OptionError, node_b_factors
 from pliant.analyse.found import Contacts
 from pliant.analyse.kind import frame_blocks, kind_of
 from pliant.analyse.names import phi_psi_pairs
@@ -64,6 +64,7 @@ def flexibility_stage(study: Study) -> None:
     moved = superpose_all(study.some_positions(chosen), fitted)
     moved = moved[:, np.searchsorted(chosen, units.atoms)]
     study.flexibility = flexibility(moved, units.unit, frame_blocks(study))
+    study.b_estimate = b_estimate(study)
     if len(units.labels) < 4 or study.flexibility.still:
         return
     sites = units.sites(moved)[:, :: study.site_stride]
@@ -71,6 +72,21 @@ def flexibility_stage(study: Study) -> None:
     chain = np.flatnonzero(units.of_chain)[:: study.site_stride]
     if len(chain) >= LEAST_CHAIN:
         study.domains = find_domains(units.sites(moved)[:, chain], units.chains[chain])
+
+
+def b_estimate(study: Study) -> np.ndarray | None:
+    """(n,) B factors of a crystal of the reference, over their mean; NaN for units of no chain."""
+    units, reference = study.units, study.reference
+    assert units is not None and reference is not None
+    chain = np.flatnonzero(units.of_chain)
+    if len(chain) < LEAST_CHAIN:
+        return None
+    atoms = units.atoms[np.unique(units.unit, return_index=True)[1][chain]]
+    values = np.full(len(units.labels), np.nan)
+    names = units.chains[chain]
+    numbers = np.cumsum(np.append(False, names[1:] != names[:-1]))
+    values[chain] = node_b_factors(reference.positions[atoms], numbers)
+    return values
 
 
 def stereochemistry_stage(study: Study) -> None:

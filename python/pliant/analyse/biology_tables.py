@@ -33,6 +33,8 @@ def flexibility_columns(study: Study) -> dict[str, Any]:
         "second_half_angstrom": found.halves[1],
         "converged": [int(found.converged)] * len(units.labels),
     }
+    if study.b_estimate is not None:
+        columns["b_estimate_over_mean"] = ["" if b != b else b for b in study.b_estimate.tolist()]
     if study.domains is not None:
         columns["domain"] = study.unit_domains + 1  # 0: none
     moved = study.component_units

@@ -85,6 +85,7 @@ class Study:
     reference: Reference | None = None  #: what frames are compared with
     units: Units | None = None  #: residues or atoms whose flexibility is told
     flexibility: Flexibility | None = None
+    b_estimate: np.ndarray | None = None  #: (n,) B factors of a crystal, over their mean
     correlations: np.ndarray | None = None  #: (s, s) of every `site_stride`-th unit
     domains: Domains | None = None  #: of every `site_stride`-th unit of a chain
     shape: Stereochemistry | None = None

@@ -65,18 +65,37 @@ void DenseCholesky::update_below(std::size_t first, std::size_t last) {
 }
 
 void DenseCholesky::solve(EightVectors& b) const {
-  solve_forward(b);
+  solve_forward(b, 0);
   solve_backward(b);
 }
 
-/// Four rows at a time: first among themselves, then off all below.
-void DenseCholesky::solve_forward(EightVectors& b) const {
+/// A^-1 = U^-1 U^-T: entry k of its diagonal is the square of the solution of U^T x = e_k, which
+/// has nothing above row k.
+std::vector<double> DenseCholesky::inverse_diagonal() const {
+  const std::size_t n = u_.rows();
+  std::vector<double> diagonal(n, 0.0);
+  EightVectors b(n);
+  for (std::size_t first = 0; first < n; first += 8) {
+    for (std::size_t j = first; j < n; ++j) b[j].fill(0.0);
+    for (std::size_t k = first; k < std::min(first + 8, n); ++k) b[k][k - first] = 1.0;
+    solve_forward(b, first);
+    std::array<double, 8> sums{};
+    for (std::size_t j = first; j < n; ++j)
+      for (std::size_t lane = 0; lane < 8; ++lane) sums[lane] += b[j][lane] * b[j][lane];
+    for (std::size_t k = first; k < std::min(first + 8, n); ++k) diagonal[k] = sums[k - first];
+  }
+  return diagonal;
+}
+
+/// Four rows at a time: first among themselves, then off all below. Rows above `begin`, a multiple
+/// of four, are zero.
+void DenseCholesky::solve_forward(EightVectors& b, std::size_t begin) const {
   const std::size_t n = u_.rows();
   const auto take_off = [&](std::size_t k, std::size_t from, std::size_t to) {
     for (std::size_t j = from; j < to; ++j)
       for (std::size_t lane = 0; lane < 8; ++lane) b[j][lane] -= u_(k, j) * b[k][lane];
   };
-  for (std::size_t first = 0; first < n; first += panel) {
+  for (std::size_t first = begin; first < n; first += panel) {
     const std::size_t last = std::min(first + panel, n);
     for (std::size_t k = first; k < last; ++k) {
       const double inverse = 1.0 / u_(k, k);

@@ -94,6 +94,7 @@
 #include "pliant/run/run.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "pliant/run/run_summary.hpp"
+#include "pliant/sample/b_factors.hpp"
 #include "pliant/sample/dense_matrix.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/network_modes.hpp"
@@ -146,6 +147,7 @@ const Use uses[] = {
     of("pliant/base/range.hpp", overload<bool(Range, double)>(&holds)),
     of_type<Vec3>("pliant/base/vec3.hpp"),
     of("pliant/base/version.hpp", &version),
+    of("pliant/sample/b_factors.hpp", &relative_b_factors),
     of("pliant/sample/dense_matrix.hpp", &dot_product),
     of("pliant/sample/elastic_network.hpp", &networks),
     of("pliant/sample/network_modes.hpp", &network_modes),

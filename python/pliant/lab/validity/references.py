@@ -3,12 +3,9 @@
 
 from __future__ import annotations
 
-import gzip
 import os
 import warnings
-from collections.abc import Iterator
 from dataclasses import dataclass
-from pathlib import Path
 
 import numpy as np
 
@@ -62,29 +59,29 @@ class BFactors:
     trace: Trace  #: of it
     chain: np.ndarray  #: (K,) residues of the longest chain, into the trace
     values: np.ndarray  #: (K,) Angstrom^2
+    estimate: np.ndarray  #: (K,) ``estimate_b_factors``
 
 
 def b_factors_of(path: str | os.PathLike[str]) -> BFactors:
-    """Of a PDB file. Raises InputError as amino_part does."""
-    structure = amino_part(read_quietly(path))
+    """Of a PDB or mmCIF file. Raises InputError as amino_part does."""
+    whole = read_quietly(path)
+    structure = amino_part(whole)
     trace = trace_of(structure)
-    lines = dict(_alpha_lines(Path(path)))
-    keys = [
-        (str(structure.chains[a]), int(structure.residue_ids[a]),
-         str(structure.insertion_codes[a]))
-        for a in trace.atoms
-    ]  # fmt: skip
-    chains = [chain for chain, _, _ in keys]
-    longest = max(sorted(set(chains)), key=chains.count)
-    kept = [k for k, key in enumerate(keys) if key[0] == longest and key in lines]
-    return BFactors(structure, trace, np.array(kept), np.array([lines[keys[k]] for k in kept]))
+    names = [str(chain) for chain in structure.chains[trace.atoms]]
+    longest = max(sorted(set(names)), key=names.count)
+    estimate, atoms = pliant.estimate_b_factors(whole)
+    place = {_key(whole, a): k for k, a in enumerate(atoms)}
+    keys = [_key(structure, a) for a in trace.atoms]
+    kept = [k for k, name in enumerate(names) if name == longest and keys[k] in place]
+    own = np.array([place[keys[k]] for k in kept])
+    values = np.asarray(whole.b_factors, dtype=np.float64)[atoms[own]]
+    return BFactors(structure, trace, np.array(kept), values, estimate[own])
 
 
-def _alpha_lines(path: Path) -> Iterator[tuple[tuple[str, int, str], float]]:
-    """Chain, number, insertion code and B factor of each CA of the first model."""
-    data = path.read_bytes()
-    text = (gzip.decompress(data) if path.suffix == ".gz" else data).decode("latin-1")
-    for line in text.split("\nENDMDL")[0].splitlines():
-        is_atom = line.startswith(("ATOM  ", "HETATM"))
-        if is_atom and line[12:16] == " CA " and line[16] in " A1":
-            yield (line[21].strip(), int(line[22:26]), line[26].strip()), float(line[60:66])
+def _key(structure: pliant.Structure, atom: int) -> tuple[str, int, str]:
+    """Chain, number and insertion code of an atom's residue."""
+    return (
+        str(structure.chains[atom]),
+        int(structure.residue_ids[atom]),
+        str(structure.insertion_codes[atom]),
+    )

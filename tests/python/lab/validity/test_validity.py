@@ -16,6 +16,7 @@ pytest.importorskip("scipy")
 from pliant.lab.bench.command import main  # noqa: E402
 from pliant.lab.validity import ladder, sources  # noqa: E402
 from pliant.lab.validity.goals import goal_of  # noqa: E402
+from pliant.lab.validity.peers import gnm_fluctuations  # noqa: E402
 from pliant.lab.validity.references import b_factors_of, models_of, trajectory_of  # noqa: E402
 from pliant.lab.validity.rows import HELD_OUT, TUNED, Row, Validity  # noqa: E402
 
@@ -155,6 +156,15 @@ def test_b_factors_are_those_of_mdanalysis():
     alpha = mda.Universe(path).select_atoms("name CA and protein and chainID A")
     assert len(alpha) == len(found.values) == len(found.chain) == 251
     np.testing.assert_allclose(found.values, alpha.tempfactors)
+
+
+def test_gnm_is_the_closed_form_of_a_line():
+    """Closed form: in a chain where each node sees only the next, ends move most."""
+    line = np.stack([np.arange(5) * 9.0, np.zeros(5), np.zeros(5)], axis=1)
+    kirchhoff = np.diag([1.0, 2, 2, 2, 1]) - np.diag(np.ones(4), 1) - np.diag(np.ones(4), -1)
+    squares = np.diag(np.linalg.pinv(kirchhoff))
+    np.testing.assert_allclose(gnm_fluctuations(line) ** 2, squares)
+    assert squares[0] == pytest.approx(1.2)  # sum of k^2 / n^2 for k = 1 to 4, n = 5
 
 
 def test_the_command_writes_csv_and_a_picture(packages, capsys, tmp_path):
