@@ -74,9 +74,14 @@ int command_run(const Arguments& arguments) {
       "  pliant run protein.pdb -o out.h5md --steps 10000 --every 10 --technique blocks\n"
       "  pliant run protein.pdb -o movie.pdb --every 10\n"
       "  pliant run protein.pdb --perturb displacement --pin \"chainID A\" --walkers 8\n"
+      "  pliant run protein.pdb --model protein --rock 1 --rock-amplitude 2\n"
+      "  pliant run protein.pdb --model protein --pull \"resid 30:40\" 0,0,8\n"
+      "  pliant run protein.pdb --model protein \\\n"
+      "      --pair-distance \"resid 12 and name CA\" \"resid 88 and name CA\" 20..25\n"
       "  pliant run --continue out.h5md                after its end, Ctrl-C or a crash\n"
       "  pliant run --continue out.h5md --steps 20000\n"
       "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge,\n"
+      "or a guide did not arrive,\n"
       "130 ended early by Ctrl-C, with all frames complete.");
   RunSettings settings;
   add_run_options(line, settings);
@@ -87,17 +92,21 @@ int command_run(const Arguments& arguments) {
   Messages messages(settings.json || settings.quiet);
   const Molecule molecule = load(settings.molecule, messages.log());
   tell_what_is_free(settings.molecule, molecule.structure, messages.log());
-  complete(line, settings, molecule.framework);
+  complete(line, settings, molecule);
   refuse_to_replace(settings);
   settings.record.log = messages.log();
   watch_for_interrupt();
-  const std::vector<RunSummary> summaries = run_walkers(settings, molecule, messages.log());
+  std::vector<Vec3> last = molecule.structure.positions;
+  const std::vector<RunSummary> summaries = run_walkers(settings, molecule, messages.log(), last);
+  const GuideEnd end(settings.guide, settings.run.guide, molecule.structure.positions, last);
   if (settings.json) {
-    print_run_json(settings, molecule.framework, summaries, messages.warnings());
+    print_run_json(settings, molecule.framework, summaries, messages.warnings(), end);
   } else if (!settings.quiet) {
     print_run_table(settings, molecule.framework, summaries);
+    end.print();
   }
-  return exit_code_of(added_up(summaries));
+  const int code = exit_code_of(added_up(summaries));
+  return code == exit_ok && !end.is_reached() ? exit_unconverged : code;
 }
 
 }  // namespace pliant::app

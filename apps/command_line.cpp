@@ -191,6 +191,16 @@ void CommandLine::add_names(const std::string& name, std::vector<std::string>& v
       ->default_str(fallback);
 }
 
+void CommandLine::add_groups(const std::string& name, std::vector<std::vector<std::string>>& values,
+                             std::size_t size, const std::string& type, const std::string& help) {
+  parser_->app.add_option(name, values, help)
+      ->type_size(static_cast<int>(size))
+      ->expected(1, 1'000'000)
+      ->allow_extra_args(false)
+      ->type_name(type)
+      ->default_str("none");
+}
+
 void CommandLine::add_reals(const std::string& name, std::vector<double>& values, Range range,
                             const std::string& fallback, const std::string& help) {
   const auto parse = [name, range, &values](const std::vector<std::string>& texts) {

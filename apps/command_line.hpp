@@ -60,6 +60,10 @@ class CommandLine {
   void add_names(const std::string& name, std::vector<std::string>& values,
                  const std::string& fallback, const std::string& help);
 
+  /// `size` words each time that the option is given; `type` says what they stand for.
+  void add_groups(const std::string& name, std::vector<std::vector<std::string>>& values,
+                  std::size_t size, const std::string& type, const std::string& help);
+
   /// Finite real numbers in `range`, set apart by commas.
   void add_reals(const std::string& name, std::vector<double>& values, Range range,
                  const std::string& fallback, const std::string& help);

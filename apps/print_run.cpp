@@ -57,6 +57,36 @@ std::string unconverged_text(const RunSummary& summary, std::int64_t starts) {
   return text + (starts == 1 ? ", and the start" : fmt::format(", and {} starts", starts));
 }
 
+Json run_json(const RunSettings& settings, const Framework& framework,
+              const std::vector<RunSummary>& summaries, const std::vector<std::string>& warnings) {
+  const RunSummary summary = added_up(summaries);
+  return {{"input", settings.molecule.file},
+          {"outputs", outputs_of(settings, summaries)},
+          {"topology", settings.topology},
+          {"technique", settings.run.technique.name},
+          {"technique_used", technique_used(framework, settings.run.technique).name},
+          {"weighting", settings.run.technique.weighting},
+          {"atoms", framework.joint_count()},
+          {"bars", framework.bar_count()},
+          {"steps", summary.steps},
+          {"frames", summary.frames},
+          {"sweeps_mean", summary.mean_sweeps()},
+          {"sweeps_max", summary.max_sweeps},
+          {"projections", summary.projections},
+          {"worst_residual", summary.worst_residual},
+          {"worst_bar", worst_bar_of(framework, summary)},
+          {"worst_step", summary.worst_step},
+          {"unconverged_steps", summary.unconverged_steps},
+          {"stopped_early", summary.stopped_by_caller},
+          {"seconds", summary.seconds},
+          {"perturb_seconds", summary.perturb_seconds},
+          {"resolve_seconds", summary.resolve_seconds},
+          {"record_seconds", summary.observe_seconds},
+          {"us_per_step", microseconds_per_step(summary)},
+          {"ns_per_bar_and_sweep", summary.ns_per_bar_and_sweep()},
+          {"warnings", warnings}};
+}
+
 }  // namespace
 
 RunSummary added_up(const std::vector<RunSummary>& summaries) {
@@ -112,33 +142,14 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
 void print_run_json(const RunSettings& settings, const Framework& framework,
                     const std::vector<RunSummary>& summaries,
                     const std::vector<std::string>& warnings) {
-  const RunSummary summary = added_up(summaries);
-  const Json json{{"input", settings.molecule.file},
-                  {"outputs", outputs_of(settings, summaries)},
-                  {"topology", settings.topology},
-                  {"technique", settings.run.technique.name},
-                  {"technique_used", technique_used(framework, settings.run.technique).name},
-                  {"weighting", settings.run.technique.weighting},
-                  {"atoms", framework.joint_count()},
-                  {"bars", framework.bar_count()},
-                  {"steps", summary.steps},
-                  {"frames", summary.frames},
-                  {"sweeps_mean", summary.mean_sweeps()},
-                  {"sweeps_max", summary.max_sweeps},
-                  {"projections", summary.projections},
-                  {"worst_residual", summary.worst_residual},
-                  {"worst_bar", worst_bar_of(framework, summary)},
-                  {"worst_step", summary.worst_step},
-                  {"unconverged_steps", summary.unconverged_steps},
-                  {"stopped_early", summary.stopped_by_caller},
-                  {"seconds", summary.seconds},
-                  {"perturb_seconds", summary.perturb_seconds},
-                  {"resolve_seconds", summary.resolve_seconds},
-                  {"record_seconds", summary.observe_seconds},
-                  {"us_per_step", microseconds_per_step(summary)},
-                  {"ns_per_bar_and_sweep", summary.ns_per_bar_and_sweep()},
-                  {"warnings", warnings}};
-  print_json(json);
+  print_json(run_json(settings, framework, summaries, warnings));
+}
+
+void print_run_json(const RunSettings& settings, const Framework& framework,
+                    const std::vector<RunSummary>& summaries,
+                    const std::vector<std::string>& warnings, const GuideEnd& end) {
+  const Json json = run_json(settings, framework, summaries, warnings);
+  print_json(settings.guide.empty() ? json : json + end.json());
 }
 
 }  // namespace pliant::app

@@ -20,5 +20,9 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
 void print_run_json(const RunSettings& settings, const Framework& framework,
                     const std::vector<RunSummary>& summaries,
                     const std::vector<std::string>& warnings);
+/// With what came of its guide.
+void print_run_json(const RunSettings& settings, const Framework& framework,
+                    const std::vector<RunSummary>& summaries,
+                    const std::vector<std::string>& warnings, const GuideEnd& end);
 
 }  // namespace pliant::app

@@ -27,6 +27,11 @@ constexpr RecordedOption recorded_options[] = {{"input", "input/file"},
                                                {"--floppy", "model/floppy"},
                                                {"--ordering", "run/ordering"},
                                                {"--forces", "run/forces"},
+                                               {"--rock", "guide/rock"},
+                                               {"--rock-amplitude", "guide/rock_amplitude"},
+                                               {"--period", "guide/period"},
+                                               {"--pull", "guide/pull"},
+                                               {"--pair-distance", "guide/pair_distance"},
                                                {"--single", "record/single"},
                                                {"--compress", "record/compress"}};
 
@@ -58,6 +63,10 @@ RunOptions options_of(const H5mdCheckpoint& recorded) {
   try {
     options = run_options_from(recorded.parameters);
     options.replay = replay_of(recorded.inputs);
+    options.guide = guide_of(recorded.inputs);
+    if (options.guide.empty() && is_guided_run(recorded.parameters))
+      throw InputError("the file has not what guided it");
+    check(options.guide, recorded.framework);
     if (Ordering ordering = ordering_of(recorded.inputs); !ordering.empty())
       options.technique.ordering = std::make_shared<Ordering>(std::move(ordering));
     check(options);

@@ -175,10 +175,12 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
                    "all cores");
   add_technique_options(line, settings);
   add_perturb_options(line, settings);
+  add_guide_options(line, settings.guide);
   add_output_options(line, settings);
 }
 
 void number_walkers(const CommandLine& line, RunSettings& settings) {
+  check_guide(line, settings.guide, is_ensemble(settings));
   if (line.was_given("--shard")) take_shard(line, settings);
 }
 
@@ -191,9 +193,11 @@ void name_outputs(const CommandLine& line, RunSettings& settings) {
                             : default_topology(settings.output, settings.molecule.file);
 }
 
-void complete(const CommandLine& line, RunSettings& settings, const Framework& framework) {
+void complete(const CommandLine& line, RunSettings& settings, const Molecule& molecule) {
+  const Framework& framework = molecule.framework;
   if (settings.threads == 0) settings.threads = std::thread::hardware_concurrency();
   check_record_forces(settings);
+  settings.run.guide = guide_from(settings.guide, molecule);
   if (!settings.forces.empty()) take_forces(line, settings, framework);
   if (!settings.ordering.empty()) take_ordering(line, settings, framework);
   const bool is_left_to_auto = !line.was_given("--technique") && settings.ordering.empty();
@@ -234,8 +238,8 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
                  {"run/forces", fs::path(settings.forces).filename().string()},
                  {"record/single", settings.record.single},
                  {"record/compress", settings.record.compress}});
-  const std::vector<NamedParameter> model = parameters_of(settings.molecule.kind);
-  values.insert(values.end(), model.begin(), model.end());
+  for (const auto& more : {parameters_of(settings.molecule.kind), parameters_of(settings.guide)})
+    values.insert(values.end(), more.begin(), more.end());
   return values;
 }
 

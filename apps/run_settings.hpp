@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "guide_settings.hpp"
 #include "molecule_input.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/run/run.hpp"
@@ -14,6 +15,7 @@ namespace pliant::app {
 struct RunSettings {
   MoleculeOptions molecule;
   RunOptions run;
+  GuideSettings guide;
   H5mdOptions record;
   std::string go_on;          ///< trajectory whose run goes on; "": a new run
   std::string output;         ///< "": the input's name with .h5md, in the current folder
@@ -37,8 +39,8 @@ void number_walkers(const CommandLine& line, RunSettings& settings);
 /// Fills in the numbers of the walkers and the output names that the command line left open.
 void name_outputs(const CommandLine& line, RunSettings& settings);
 
-/// Fills in what else it left open: settings of the force file, the ordering.
-void complete(const CommandLine& line, RunSettings& settings, const Framework& framework);
+/// Fills in what else it left open: settings of the force file, the ordering, the guide.
+void complete(const CommandLine& line, RunSettings& settings, const Molecule& molecule);
 
 /// Whether there are several walkers, or a part of several.
 bool is_ensemble(const RunSettings& settings);

@@ -20,7 +20,8 @@ namespace {
 H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std::int64_t walker) {
   H5mdHeader header = molecule_header(molecule.structure);
   header.parameters = parameters_of(settings, molecule.framework, walker);
-  header.inputs = recorded_inputs(settings.run.replay, settings.run.technique.ordering.get());
+  header.inputs = recorded_inputs(settings.run.replay, settings.run.guide,
+                                  settings.run.technique.ordering.get());
   if (is_ensemble(settings)) header.inputs->start = molecule.structure.positions;
   return header;
 }
@@ -31,6 +32,7 @@ struct Shared {
   const Molecule& molecule;
   const Log& log;
   ProgressBar& progress;
+  std::vector<Vec3>& last;
   std::mutex showing = {};
   std::int64_t steps_done = 0;  ///< under the mutex
 
@@ -96,7 +98,10 @@ Watchers recorded(Shared& shared, std::int64_t walker) {
       [outputs, &shared](const Frame& frame) { return outputs->record(shared, frame); }};
   if (outputs->forces)
     watchers.on_push = [outputs](const Push& push) { outputs->forces->record(push); };
-  watchers.on_end = [outputs](const RunSummary&, const State& state) { outputs->close(state); };
+  watchers.on_end = [outputs, &shared](const RunSummary&, const State& state) {
+    outputs->close(state);
+    if (!is_ensemble(shared.settings)) shared.last = state.positions;
+  };
   if (walker == shared.settings.first_walker) watchers.log = shared.log;
   return watchers;
 }
@@ -104,9 +109,9 @@ Watchers recorded(Shared& shared, std::int64_t walker) {
 }  // namespace
 
 std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule& molecule,
-                                    const Log& log) {
+                                    const Log& log, std::vector<Vec3>& last) {
   ProgressBar progress(settings.walkers * settings.run.steps, "steps", settings.quiet);
-  Shared shared{settings, molecule, log, progress};
+  Shared shared{settings, molecule, log, progress, last};
   const auto first = static_cast<std::uint64_t>(settings.first_walker);
   EnsembleOptions options{settings.run,
                           {first, first + static_cast<std::uint64_t>(settings.walkers)},

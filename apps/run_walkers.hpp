@@ -11,8 +11,9 @@ namespace pliant::app {
 
 /// Runs all walkers over `settings.threads` threads, up to eight in step on each. What a walker
 /// does depends on the seed and its number alone. A walker that cannot be recorded stops; the
-/// others go on. Throws what the first failing walker threw, after all have ended.
+/// others go on. `last` gets the positions of one walker that ran alone. Throws what the first
+/// failing walker threw, after all have ended.
 std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule& molecule,
-                                    const Log& log);
+                                    const Log& log, std::vector<Vec3>& last);
 
 }  // namespace pliant::app

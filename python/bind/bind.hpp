@@ -17,6 +17,7 @@ void bind_base(nb::module_& module);
 void bind_framework(nb::module_& module);
 void bind_ensemble(nb::module_& module);
 void bind_generate(nb::module_& module);
+void bind_guide(nb::module_& module);
 void bind_laboratory(nb::module_& module);
 void bind_model(nb::module_& module);
 void bind_molecule(nb::module_& module);

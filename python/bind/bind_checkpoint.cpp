@@ -17,6 +17,10 @@ RunOptions options_of(const H5mdCheckpoint& from) {
   try {
     RunOptions options = run_options_from(from.parameters);
     options.replay = replay_of(from.inputs);
+    options.guide = guide_of(from.inputs);
+    if (options.guide.empty() && is_guided_run(from.parameters))
+      throw InputError("the file has not what guided it");
+    check(options.guide, from.framework);
     if (Ordering ordering = ordering_of(from.inputs); !ordering.empty())
       options.technique.ordering = std::make_shared<Ordering>(std::move(ordering));
     options.steps = from.steps;

@@ -119,9 +119,10 @@ void make_motion(PythonMotion* self, const Framework& framework, nb::handle stat
                  const std::optional<OrderingColumns>& ordering,
                  const std::variant<std::string, std::vector<std::string>>& push, double force,
                  double timestep, double damping, double displacement, const PythonPushes& replay,
-                 std::int64_t replay_from, double tolerance, std::optional<double> tolerance_length,
-                 double tolerance_limit, double tolerance_overlap, std::int64_t max_sweeps,
-                 std::uint64_t seed, std::uint64_t walker) {
+                 std::int64_t replay_from, const std::optional<Guide>& guide, double tolerance,
+                 std::optional<double> tolerance_length, double tolerance_limit,
+                 double tolerance_overlap, std::int64_t max_sweeps, std::uint64_t seed,
+                 std::uint64_t walker) {
   const ResolveArguments resolve{
       technique,         weighting,  mass_weighted, tolerance, tolerance_length, tolerance_limit,
       tolerance_overlap, max_sweeps, seed,          walker,    ordering};
@@ -136,6 +137,7 @@ void make_motion(PythonMotion* self, const Framework& framework, nb::handle stat
   options.perturb = {force, timestep, damping, displacement};
   options.replay = pushes_from(replay);
   options.replay_from = replay_from;
+  if (guide) options.guide = *guide;
   check_pushes(framework, options.replay);
   new (self) PythonMotion(framework, start_from(state), std::move(options), walker);
 }
@@ -160,7 +162,9 @@ constexpr const char* motion_doc =
     "replay : sequence of (joint, (x, y, z))\n"
     "    For pusher ``replay``: forces in kJ/(mol Angstrom), one per step.\n"
     "replay_from : int\n"
-    "    The step after which the first of them acts.\n"
+    "    The step after which replays and rocking begin.\n"
+    "guide : Guide, optional\n"
+    "    For pushers ``rock``, ``pull`` and ``pair_distance``.\n"
     "tolerance, tolerance_length, tolerance_limit, tolerance_overlap, max_sweeps\n"
     "    As for ``resolve``.\n"
     "seed, walker : int\n"
@@ -179,7 +183,7 @@ void bind_motion(nb::module_& module) {
            "mass_weighted"_a = technique.mass_weighted, "ordering"_a = nb::none(),
            "push"_a = "force", "force"_a = perturb.force, "timestep"_a = perturb.timestep,
            "damping"_a = perturb.damping, "displacement"_a = perturb.displacement,
-           "replay"_a = PythonPushes(), "replay_from"_a = 0,
+           "replay"_a = PythonPushes(), "replay_from"_a = 0, "guide"_a = nb::none(),
            "tolerance"_a = resolve.tolerance.relative, "tolerance_length"_a = nb::none(),
            "tolerance_limit"_a = resolve.tolerance.limit,
            "tolerance_overlap"_a = resolve.tolerance.overlap, "max_sweeps"_a = resolve.max_sweeps,

@@ -4,6 +4,7 @@
 #include "network_nodes.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/sample/b_factors.hpp"
+#include "pliant/sample/mode_field.hpp"
 #include "pliant/sample/network_modes.hpp"
 #include "tables.hpp"
 
@@ -62,6 +63,38 @@ nb::object b_factors_at(const ArrayLike& positions, const OptionalArray& chains)
   check(nodes, 0);
   return nb::cast(array_of(relative_b_factors(nodes)));
 }
+
+PositionsView field_of(const nb::handle& structure, std::int64_t mode, double amplitude,
+                       const std::string& network) {
+  const auto& from = nb::cast<const Structure&>(structure);
+  if (mode < 1) throw OptionError("mode = " + std::to_string(mode) + ": must be from 1");
+  return new_positions(mode_field(nodes_of(from), from.positions, static_cast<std::size_t>(mode),
+                                  amplitude, network));
+}
+
+constexpr const char* field_doc =
+    R"(The displacement of all atoms along one mode of the elastic network of a structure.
+
+Parameters
+----------
+structure : Structure
+mode : int
+    From 1, the mode of largest variance.
+amplitude : float
+    r.m.s. displacement of the nodes, Angstrom.
+network : str
+    A name in ``networks()``.
+
+Returns
+-------
+(N, 3) float64
+    Angstrom. Atoms go and turn with their residues, as frames of ``sample`` do.
+
+Raises
+------
+OptionError
+    No such mode or network, or fewer than two nodes.
+)";
 
 constexpr const char* modes_doc =
     R"(Modes of the elastic network of a structure.
@@ -153,6 +186,11 @@ void bind_network(nb::module_& module) {
                      "count: int = 60) -> tuple[numpy.typing.NDArray[numpy.float64], "
                      "numpy.typing.NDArray[numpy.float64], numpy.typing.NDArray[numpy.float64]]"),
              modes_doc);
+  module.def("mode_field", &field_of, "structure"_a, "mode"_a, "amplitude"_a = 1.0,
+             "network"_a = "shared",
+             nb::sig("def mode_field(structure: Structure, mode: int, amplitude: float = 1.0, "
+                     "network: str = \"shared\") -> numpy.typing.NDArray[numpy.float64]"),
+             field_doc);
   module.def("estimate_b_factors", &b_factors_of, "structure"_a,
              nb::sig("def estimate_b_factors(structure: Structure) -> "
                      "tuple[numpy.typing.NDArray[numpy.float64], "

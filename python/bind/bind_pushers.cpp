@@ -86,7 +86,8 @@ void bind_pushers(nb::module_& module) {
   bind_steering(module);
   module.def(
       "pushers", [] { return rows_of(pushers()); }, nb::rv_policy::reference,
-      "The table of pushers: those of ``perturbations()``, and ``replay``. They combine.");
+      "The table of pushers: those of ``perturbations()``, ``replay``, and those that follow a\n"
+      "``Guide``. They combine.");
 }
 
 }  // namespace pliant::python

@@ -55,7 +55,8 @@ void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
                    double flush_seconds, bool durable, const RunOptions* run) {
   H5mdHeader header = header_of(structure);
   header.parameters = parameters_from(parameters);
-  if (run != nullptr) header.inputs = recorded_inputs(run->replay, run->technique.ordering.get());
+  if (run != nullptr)
+    header.inputs = recorded_inputs(run->replay, run->guide, run->technique.ordering.get());
   const H5mdOptions options{.single = single,
                             .compress = compress,
                             .overwrite = overwrite,

@@ -18,6 +18,7 @@ NB_MODULE(_core, module) {
   bind_perturb(module);
   bind_record(module);
   bind_generate(module);
+  bind_guide(module);
   bind_run(module);
   bind_motion(module);
   bind_ensemble(module);

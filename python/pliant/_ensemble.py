@@ -78,6 +78,7 @@ def run_ensemble(
     """
     options = _options(
         replay,
+        None,
         ordering,
         steps=steps,
         every=every,

@@ -52,6 +52,7 @@ def run(
     damping: float = 0.0,
     displacement: float = 0.1,
     replay: Sequence[JointForce] | None = None,
+    guide: _core.Guide | None = None,
     record_forces: str | os.PathLike[str] | None = None,
     seed: int = 0,
     walker: int = 0,
@@ -101,6 +102,9 @@ def run(
         a pushed joint loses per step, 0 to 1; length of a random displacement, Angstrom.
     replay : sequence of (joint, (x, y, z)), optional
         Forces in kJ/(mol Angstrom), one per step, in place of `perturb`. The last ends the run.
+    guide : Guide, optional
+        Where joints are asked to go, in place of `perturb`, until they have arrived; `displacement`
+        at most in a step.
     record_forces : str or path, optional
         Force file to write: the push of each step, which `read_force_file` reads for `replay`.
         Only for `perturb="force"` or a replay, not for pushes of all joints. The file holds
@@ -142,6 +146,7 @@ def run(
     framework, structure, built = _built(source, structure, select, bars, lengths, pin)
     options = _options(
         replay,
+        guide,
         ordering,
         steps=steps,
         every=every,
@@ -163,7 +168,7 @@ def run(
     )
     start = _start(state, structure)
     _refuse_to_overwrite(structure, output, topology, record_forces)
-    forces = _force_recorder(record_forces, framework, options, overwrite)
+    forces = _force_recorder(record_forces, framework, options, overwrite, guide is not None)
     if topology is not None:
         _write_topology(topology, structure, start, overwrite)
     if output is None or is_pdb_name(output):
@@ -321,9 +326,12 @@ def _force_recorder(
     framework: _core.Framework,
     options: _core.RunOptions,
     overwrite: bool,
+    guided: bool,
 ) -> _core.ForceRecorder | None:
     if path is None:
         return None
+    if guided and not options.replay:
+        raise _core.OptionError("record_forces: a guide pushes by no force: give no guide")
     if not options.replay and options.perturb != "force":
         raise _core.OptionError(
             "record_forces: a force file holds one force on one joint a step, which "
@@ -333,9 +341,14 @@ def _force_recorder(
 
 
 def _options(
-    replay: Sequence[JointForce] | None, ordering: Ordering | None, **values: Value | Sweep
+    replay: Sequence[JointForce] | None,
+    guide: _core.Guide | None,
+    ordering: Ordering | None,
+    **values: Value | Sweep,
 ) -> _core.RunOptions:
     options = _core.RunOptions()
+    if guide is not None:
+        options.guide = guide
     options.ordering = ordering
     for name, value in values.items():
         setattr(options, name, value)

@@ -88,6 +88,7 @@
 
 // perturb, run: the loop
 #include "pliant/perturb/force_file.hpp"    // pushes to replay
+#include "pliant/perturb/guide.hpp"         // where joints are asked to go
 #include "pliant/perturb/perturbation.hpp"  // the pushers that need no more than a name
 #include "pliant/perturb/push.hpp"          // what a step pushed
 #include "pliant/perturb/pusher.hpp"        // what breaks the bars; the table of pushers
@@ -102,6 +103,7 @@
 #include "pliant/sample/b_factors.hpp"        // which residues a crystal would show to move
 #include "pliant/sample/dense_matrix.hpp"     // by rows
 #include "pliant/sample/elastic_network.hpp"  // the table of networks
+#include "pliant/sample/mode_field.hpp"       // joints along one of them
 #include "pliant/sample/network_modes.hpp"    // directions in which residues move together
 #include "pliant/sample/sample.hpp"           // frames along them
 #include "pliant/sample/sample_summary.hpp"   // how exact, how far

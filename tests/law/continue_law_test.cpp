@@ -30,6 +30,8 @@ class ContinueLaw : public test::TechniqueLaw {
     if (perturb == "replay")
       options.replay = {{0, {20, 0, 0}}, {last, {0, 9, 0}}, {last, {0, 5, 5}}, {0, {1, 1, 1}},
                         {0, {0, 7, 0}},  {last, {3, 0, 3}}, {last, {0, 0, 4}}, {0, {2, 0, 0}}};
+    else if (perturb == "guide")
+      options.guide = test::guide_of(framework);
     else
       options.perturb = perturb;
     return options;
@@ -40,7 +42,8 @@ class ContinueLaw : public test::TechniqueLaw {
 /// the second is one that it does. Some examples take a perturbation each; the law of
 /// restarts takes all.
 TEST_P(ContinueLaw, ThreePartsAreTheWhole) {
-  const std::vector<std::string> perturbations{"force", "force_all", "displacement", "replay"};
+  const std::vector<std::string> perturbations{"force", "force_all", "displacement", "replay",
+                                               "guide"};
   const TempDirectory directory;
   std::size_t count = 0;
   each_example([&](const Example& example) {

@@ -22,6 +22,7 @@ class RestartLaw : public test::TechniqueLaw {
     options.perturb.timestep = 0.02;
     const auto last = static_cast<Joint>(framework.joint_count() - 1);
     options.replay = {{0, {20, 0, 0}}, {last, {0, 9, 0}}, {last, {0, 5, 5}}, {0, {1, 1, 1}}};
+    options.guide = test::guide_of(framework);
     return options;
   }
 
@@ -30,6 +31,8 @@ class RestartLaw : public test::TechniqueLaw {
                               {"force_all"},
                               {"displacement"},
                               {"replay"},
+                              {"rock"},
+                              {"pull", "pair_distance"},
                               {"force", "force"},
                               {"replay", "force"},
                               {"force", "displacement"}}) {

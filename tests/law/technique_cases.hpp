@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pliant/examples/examples.hpp"
+#include "pliant/perturb/guide.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"
@@ -73,6 +74,18 @@ class TechniqueLaw : public testing::TestWithParam<TechniqueEntry> {
 
 /// A small break: a twentieth of the shortest bar.
 inline double small_break(const Framework& framework) { return 0.05 * shortest_bar(framework); }
+
+/// Rocks all joints, pulls the first, and asks for a distance of first and last.
+inline Guide guide_of(const Framework& framework) {
+  Guide guide;
+  const auto last = static_cast<Joint>(framework.joint_count() - 1);
+  for (Joint joint = 0; joint <= last; ++joint)
+    guide.rock.push_back(small_break(framework) * Vec3{3.0, double(joint % 3), -1.0});
+  guide.pulls = {{{0}, {5.0, 1.0, 2.0}}};
+  guide.pairs = {{{0}, {last}, 3.0, 4.0}};
+  guide.period = 7;
+  return guide;
+}
 
 }  // namespace pliant::test
 

@@ -126,8 +126,8 @@ def test_a_pusher_that_fails_leaves_the_state_as_it_was(moved):
 def test_what_is_no_pusher_is_refused():
     with pytest.raises(TypeError, match="expected a Steering or something to be called"):
         motion_of().add(3)
-    with pytest.raises(pliant.OptionError, match='no pusher named "pull"'):
-        motion_of("pull")
+    with pytest.raises(pliant.OptionError, match='no pusher named "tug"'):
+        motion_of("tug")
 
 
 def test_a_step_within_a_step_is_refused():
@@ -157,9 +157,12 @@ def test_steering_pulls_until_released():
         hand.pull([(0, (np.nan, 0, 0))])
 
 
+GUIDED = ["replay", "rock", "pull", "pair_distance"]
+
+
 def test_the_table_of_pushers():
     names = [row.name for row in pliant.pushers()]
-    assert names == [row.name for row in pliant.perturbations()] + ["replay"]
+    assert names == [row.name for row in pliant.perturbations()] + GUIDED
 
 
 def test_a_replay_ends():

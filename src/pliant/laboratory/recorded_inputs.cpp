@@ -3,10 +3,58 @@
 
 #include <algorithm>
 
+#include "pliant/base/error.hpp"
+
 namespace pliant {
 
-RunInputs recorded_inputs(std::span<const JointForce> replay, const Ordering* ordering) {
+namespace {
+
+void add_group(const std::vector<Joint>& group, std::vector<Joint>& joints,
+               std::vector<std::uint32_t>& groups) {
+  const std::uint32_t number = groups.empty() ? 0 : groups.back() + 1;
+  joints.insert(joints.end(), group.begin(), group.end());
+  groups.insert(groups.end(), group.size(), number);
+}
+
+void add_guide(const Guide& guide, RunInputs& inputs) {
+  if (guide.empty()) return;
+  inputs.guide_period = guide.period;
+  inputs.guide_rock = guide.rock;
+  for (const Pull& pull : guide.pulls) {
+    add_group(pull.joints, inputs.pull_joints, inputs.pull_groups);
+    inputs.pull_to.push_back(pull.to);
+  }
+  for (const PairDistance& pair : guide.pairs) {
+    add_group(pair.first, inputs.pair_joints, inputs.pair_groups);
+    add_group(pair.second, inputs.pair_joints, inputs.pair_groups);
+    inputs.pair_least.push_back(pair.least);
+    inputs.pair_most.push_back(pair.most);
+  }
+}
+
+/// Each group follows the one before, and there are `count`.
+bool are_groups(const std::vector<std::uint32_t>& groups, std::size_t joints, std::size_t count) {
+  if (groups.size() != joints) return false;
+  std::size_t next = 0;
+  for (const std::uint32_t group : groups) {
+    if (group != next && group + 1 != next) return false;
+    next = std::size_t{group} + 1;
+  }
+  return next == count;
+}
+
+bool fits_together(const RunInputs& inputs) {
+  return are_groups(inputs.pull_groups, inputs.pull_joints.size(), inputs.pull_to.size()) &&
+         are_groups(inputs.pair_groups, inputs.pair_joints.size(), 2 * inputs.pair_least.size()) &&
+         inputs.pair_least.size() == inputs.pair_most.size();
+}
+
+}  // namespace
+
+RunInputs recorded_inputs(std::span<const JointForce> replay, const Guide& guide,
+                          const Ordering* ordering) {
   RunInputs inputs;
+  add_guide(guide, inputs);
   for (const auto& [joint, force] : replay) {
     inputs.replay_joints.push_back(joint);
     inputs.replay_forces.push_back(force);
@@ -25,6 +73,24 @@ std::vector<JointForce> replay_of(const RunInputs& inputs) {
   for (std::size_t k = 0; k < inputs.replay_joints.size(); ++k)
     replay.push_back({inputs.replay_joints[k], inputs.replay_forces[k]});
   return replay;
+}
+
+Guide guide_of(const RunInputs& inputs) {
+  Guide guide;
+  if (inputs.guide_period == 0) return guide;
+  if (!fits_together(inputs)) throw InputError("what guided it does not fit together");
+  guide.period = inputs.guide_period;
+  guide.rock = inputs.guide_rock;
+  for (const Vec3 to : inputs.pull_to) guide.pulls.push_back({{}, to});
+  for (std::size_t k = 0; k < inputs.pull_groups.size(); ++k)
+    guide.pulls[inputs.pull_groups[k]].joints.push_back(inputs.pull_joints[k]);
+  for (std::size_t k = 0; k < inputs.pair_least.size(); ++k)
+    guide.pairs.push_back({{}, {}, inputs.pair_least[k], inputs.pair_most[k]});
+  for (std::size_t k = 0; k < inputs.pair_groups.size(); ++k) {
+    PairDistance& pair = guide.pairs[inputs.pair_groups[k] / 2];
+    (inputs.pair_groups[k] % 2 == 0 ? pair.first : pair.second).push_back(inputs.pair_joints[k]);
+  }
+  return guide;
 }
 
 Ordering ordering_of(const RunInputs& inputs) {

@@ -7,6 +7,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/perturb/guided_pushers.hpp"
 #include "pliant/perturb/past.hpp"
 #include "pliant/perturb/random_pushers.hpp"
 #include "pliant/perturb/replay.hpp"
@@ -23,6 +24,10 @@ constexpr PusherEntry table[] = {
     {"displacement", "every joint displaced in a random direction (as in FRODA)",
      make_displacement},
     {"replay", "given forces on given joints, one per step, moved by Verlet", make_replay},
+    {"rock", "given vectors there and back, such as a mode of an elastic network", make_rock},
+    {"pull", "groups pulled to given places, step by step", make_pull},
+    {"pair_distance", "pairs of groups brought to given distances, step by step",
+     make_pair_distance},
 };
 
 void require(bool ok, const char* name, double value, const char* range) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "pliant/base/random.hpp"
+#include "pliant/perturb/guide.hpp"
 #include "pliant/perturb/push.hpp"
 
 namespace pliant {
@@ -18,7 +19,7 @@ struct PerturbOptions {
   double force = 50.0;        ///< magnitude of a random force, kJ/(mol Angstrom)
   double timestep = 0.01;     ///< ps
   double damping = 0.0;       ///< share of its velocity that a pushed joint loses a step, 0 to 1
-  double displacement = 0.1;  ///< length of a random displacement (Angstrom)
+  double displacement = 0.1;  ///< length of a random displacement, or a guided step (Angstrom)
 };
 
 /// Throws OptionError naming the option, its value and its range.
@@ -49,7 +50,8 @@ class Pusher {
 struct PusherOptions {
   PerturbOptions perturb = {};
   std::vector<JointForce> replay = {};  ///< of `replay`: one force a step
-  std::int64_t replay_from = 0;         ///< the step after which the first of them acts
+  std::int64_t replay_from = 0;         ///< the step after which replays and guides begin
+  Guide guide = {};                     ///< of `rock`, `pull` and `pair_distance`
 };
 
 /// One row of the table of pushers.

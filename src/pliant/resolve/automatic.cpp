@@ -175,6 +175,8 @@ class Automatic final : public Method {
 }  // namespace
 
 Choice choose_technique(const Framework& framework, const Technique& asked) {
+  if (!framework.has_bars_only() && !framework.is_planar() && is_mostly_triangles(framework))
+    return chosen("froda", asked, "limits beside rigid units: torsions that know them");
   if (!framework.has_bars_only())
     return chosen("anderson", asked, "limits beside the bars: sweeps know them, accelerated");
   const GraphFacts facts = graph_facts(framework);

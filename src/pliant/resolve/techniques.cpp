@@ -27,8 +27,9 @@ namespace {
 
 std::vector<TechniqueEntry> all_techniques() {
   std::vector<TechniqueEntry> rows;
-  rows.push_back({"auto", "chosen from what the bars form: blocks, units, newton or anderson",
-                  false, false, true, make_automatic});
+  rows.push_back({"auto",
+                  "chosen from what the bars form: blocks, units, newton, froda or anderson", false,
+                  false, true, make_automatic});
   for (const OrderingEntry& row : orderings())
     rows.push_back(
         {row.name, row.summary, row.forests_only, true, true, make_sweeps, make_lane_sweeps});

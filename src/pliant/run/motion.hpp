@@ -25,7 +25,8 @@ struct MotionOptions {
       "force"};                         ///< names in pushers(), in the order in which they act
   PerturbOptions perturb = {};          ///< of all of them
   std::vector<JointForce> replay = {};  ///< of pusher `replay`: one force a step
-  std::int64_t replay_from = 0;         ///< the step after which the first of them acts
+  std::int64_t replay_from = 0;         ///< the step after which replays and guides begin
+  Guide guide = {};                     ///< of pushers `rock`, `pull` and `pair_distance`
   Log log = {};
 };
 

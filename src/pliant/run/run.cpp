@@ -14,9 +14,11 @@ void check(const RunOptions& options) {
 }
 
 MotionOptions motion_of(const RunOptions& options, std::int64_t start, const Log& log) {
-  const std::string push = options.replay.empty() ? options.perturb : "replay";
-  return {options.technique, options.resolve, {push}, options.perturb_options,
-          options.replay,    start,           log};
+  std::vector<std::string> push = pushers_of(options.guide);
+  if (!options.replay.empty()) push = {"replay"};
+  if (push.empty()) push = {options.perturb};
+  return {options.technique, options.resolve, push,          options.perturb_options,
+          options.replay,    start,           options.guide, log};
 }
 
 RunSummary run(const Framework& framework, State& state, const RunOptions& options,

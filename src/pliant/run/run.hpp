@@ -27,6 +27,8 @@ struct RunOptions {
   PerturbOptions perturb_options = {};
   std::vector<JointForce> replay = {};  ///< if not empty: these forces, one a step, in place of
                                         ///< `perturb`; the run ends with the last one
+  Guide guide = {};                     ///< if not empty, and nothing is replayed: it is followed
+                                        ///< in place of `perturb`, until has_arrived()
   std::int64_t steps = 1000;            ///< steps to do; from 0
   std::int64_t every = 1;               ///< show every so many steps (and step 0); from 1
   /// The step at which the run began, if the state is one that it has reached: steps count from

@@ -127,7 +127,31 @@ struct Restored {
   }
 };
 
+/// "rock+pull"; "": nothing guides.
+std::string guided_name(const Guide& guide) {
+  std::string name;
+  for (const std::string& pusher : pushers_of(guide)) name += (name.empty() ? "" : "+") + pusher;
+  return name;
+}
+
+/// Whether that is the name of some guide.
+bool is_guided(std::string_view name) {
+  for (int parts = 1; parts < 8; ++parts) {
+    Guide guide;
+    if (parts & 1) guide.rock.resize(1);
+    if (parts & 2) guide.pulls.resize(1);
+    if (parts & 4) guide.pairs.resize(1);
+    if (guided_name(guide) == name) return true;
+  }
+  return false;
+}
+
 }  // namespace
+
+bool is_guided_run(const std::vector<NamedParameter>& parameters) {
+  const auto* name = std::get_if<std::string>(&recorded(parameters, "run/perturb"));
+  return name != nullptr && is_guided(*name);
+}
 
 std::span<const RunField> run_fields() { return table; }
 
@@ -155,7 +179,8 @@ RunOptions run_options_from(const std::vector<NamedParameter>& parameters) {
   std::int64_t walker = 0;
   Restored{"run/walker", recorded(parameters, "run/walker")}(&walker);
   options.resolve.walker = static_cast<std::uint64_t>(walker);
-  if (options.perturb == "replay") options.perturb = RunOptions().perturb;
+  if (options.perturb == "replay" || is_guided(options.perturb))
+    options.perturb = RunOptions().perturb;
   return options;
 }
 
@@ -165,9 +190,10 @@ std::vector<NamedParameter> parameters_of(const RunOptions& options, const Frame
   for (const RunField& field : run_fields())
     values.emplace_back("run/" + std::string(field.name),
                         std::visit(Recorded{}, field.place(places)));
-  if (!options.replay.empty())
+  const std::string pushed = options.replay.empty() ? guided_name(options.guide) : "replay";
+  if (!pushed.empty())
     for (auto& [path, value] : values)
-      if (path == "run/perturb") value = std::string("replay");
+      if (path == "run/perturb") value = pushed;
   values.emplace_back("run/technique_used", technique_used(framework, options.technique).name);
   values.emplace_back("run/walker", static_cast<std::int64_t>(options.resolve.walker));
   return values;

@@ -47,12 +47,16 @@ void check_fields(const RunOptions& options);
 
 /// Every option by its path below /parameters: "run/max_sweeps". Two things more: "run/walker", and
 /// "run/technique_used", what `auto` chose for this framework. A seed is text, since 64 bits
-/// without sign do not fit a Parameter; of a replay "run/perturb" is "replay".
+/// without sign do not fit a Parameter; of a replay "run/perturb" is "replay",
+/// of a guide "rock", "pull" or "pair_distance", joined by "+".
 std::vector<NamedParameter> parameters_of(const RunOptions& options, const Framework& framework);
 
 /// The inverse: options of a recorded run. Without what is not recorded: a technique's own ordering
-/// or sweep, and the forces of a replay. Throws InputError naming a path that is missing or has a
-/// value that is none.
+/// or sweep, the forces of a replay, and a guide. Throws InputError naming a path that is missing
+/// or has a value that is none.
 RunOptions run_options_from(const std::vector<NamedParameter>& parameters);
+
+/// Whether the recorded run followed a guide. Throws InputError where the file does not say.
+bool is_guided_run(const std::vector<NamedParameter>& parameters);
 
 }  // namespace pliant

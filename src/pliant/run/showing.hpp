@@ -15,14 +15,14 @@ class Showing {
   /// What is referred to must outlive it; `start` is the step that the walker begins at.
   Showing(const std::vector<Observer>& observers, const std::function<void(const Push&)>& on_push,
           const RunOptions& options, std::int64_t start)
-      : observers_(observers), on_push_(on_push), every_(options.every) {
+      : observers_(observers), on_push_(on_push), every_(options.every), options_(options) {
     const auto pushes = static_cast<std::int64_t>(options.replay.size());
     last_step_ = start + (pushes > 0 ? std::min(options.steps, pushes) : options.steps);
   }
 
   template <class Walker>
   bool is_over(const Walker& walker) const {
-    return walker.is_over() || walker.state().step >= last_step_;
+    return walker.is_over() || walker.state().step >= last_step_ || has_arrived(walker.state());
   }
 
   /// Whether this step is shown even if nobody asks to stop.
@@ -32,7 +32,7 @@ class Showing {
   template <class Walker>
   void tell(Walker& walker) {
     if (on_push_) on_push_(walker.pushed());
-    if (walker.is_over() || is_due(walker.state().step)) show(walker, walker.frame());
+    if (is_over(walker) || is_due(walker.state().step)) show(walker, walker.frame());
   }
 
   template <class Walker>
@@ -50,9 +50,14 @@ class Showing {
   }
 
  private:
+  bool has_arrived(const State& state) const {
+    return options_.replay.empty() && pliant::has_arrived(options_.guide, state.positions);
+  }
+
   const std::vector<Observer>& observers_;
   const std::function<void(const Push&)>& on_push_;
   std::int64_t every_, last_step_ = 0;
+  const RunOptions& options_;
   double seconds_ = 0.0;
 };
 

@@ -66,6 +66,7 @@
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/order/traversal.hpp"
 #include "pliant/perturb/force_file.hpp"
+#include "pliant/perturb/guide.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/perturb/push.hpp"
 #include "pliant/perturb/pusher.hpp"
@@ -97,6 +98,7 @@
 #include "pliant/sample/b_factors.hpp"
 #include "pliant/sample/dense_matrix.hpp"
 #include "pliant/sample/elastic_network.hpp"
+#include "pliant/sample/mode_field.hpp"
 #include "pliant/sample/network_modes.hpp"
 #include "pliant/sample/sample.hpp"
 #include "pliant/sample/sample_summary.hpp"
@@ -150,6 +152,7 @@ const Use uses[] = {
     of("pliant/sample/b_factors.hpp", &relative_b_factors),
     of("pliant/sample/dense_matrix.hpp", &dot_product),
     of("pliant/sample/elastic_network.hpp", &networks),
+    of("pliant/sample/mode_field.hpp", &mode_field),
     of("pliant/sample/network_modes.hpp", &network_modes),
     of("pliant/sample/sample.hpp", &sample),
     of("pliant/sample/sample_summary.hpp", &FluctuationSums::rmsf),
@@ -209,6 +212,7 @@ const Use uses[] = {
     of("pliant/resolve/techniques.hpp", &techniques),
     of("pliant/resolve/walkers.hpp", &WalkerResolver::level),
     of("pliant/perturb/force_file.hpp", &write_force_file),
+    of("pliant/perturb/guide.hpp", &pushers_of),
     of("pliant/perturb/perturbation.hpp", &perturbations),
     of("pliant/perturb/push.hpp", &Push::disturbed),
     of("pliant/perturb/pusher.hpp", &pushers),

@@ -32,11 +32,12 @@ State pushed_by(const std::vector<std::string_view>& names, const Framework& fra
   return state;
 }
 
-TEST(Pushers, AreThePerturbationsAndReplay) {
-  EXPECT_EQ(pushers().size(), perturbations().size() + 1);
-  EXPECT_EQ(pushers().back().name, "replay");
-  EXPECT_EQ(test::error_text<OptionError>([] { find_pusher("pull"); }),
-            "no pusher named \"pull\"; known: force, force_all, displacement, replay");
+TEST(Pushers, AreThePerturbationsAReplayAndGuides) {
+  EXPECT_EQ(pushers().size(), perturbations().size() + 4);
+  EXPECT_EQ(pushers()[perturbations().size()].name, "replay");
+  EXPECT_EQ(test::error_text<OptionError>([] { find_pusher("tug"); }),
+            "no pusher named \"tug\"; known: force, force_all, displacement, replay, rock, pull, "
+            "pair_distance");
 }
 
 TEST(PushChain, MergesWhomTheyMoved) {

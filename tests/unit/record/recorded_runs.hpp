@@ -30,7 +30,7 @@ inline void record_run(const std::filesystem::path& path, const Framework& frame
                        const H5mdOptions& recording = {}) {
   H5mdHeader header;
   header.parameters = parameters_of(options, framework);
-  header.inputs = recorded_inputs(options.replay, nullptr);
+  header.inputs = recorded_inputs(options.replay, options.guide, nullptr);
   run_into(H5mdRecorder(path, framework, header, recording), framework, start, options);
 }
 
@@ -40,6 +40,7 @@ inline void go_on(const std::filesystem::path& path, std::int64_t steps,
   const H5mdCheckpoint from = read_checkpoint(path, steps);
   RunOptions options = run_options_from(from.parameters);
   options.replay = replay_of(from.inputs);
+  options.guide = guide_of(from.inputs);
   options.steps = from.steps;
   options.began = from.began;
   run_into(H5mdRecorder(from, recording), from.framework, from.state, options);

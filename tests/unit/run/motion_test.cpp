@@ -152,7 +152,7 @@ TEST(Motion, RefusesWhatCannotBe) {
   };
   EXPECT_EQ(refusal(by({"forces"})),
             "no pusher named \"forces\" (did you mean \"force\"?); known: force, force_all, "
-            "displacement, replay");
+            "displacement, replay, rock, pull, pair_distance");
   MotionOptions options = by({"replay"});
   options.replay = {{3, {}}};
   EXPECT_EQ(refusal(options), "replay: joint 3 of 3 does not exist");

@@ -83,6 +83,26 @@ void write_inputs_of_steps(std::int64_t file, const RunInputs& inputs) {
   }
 }
 
+void write_guide(std::int64_t file, const RunInputs& inputs) {
+  if (inputs.guide_period == 0) return;
+  const auto with_unit = [](const Hid& dataset) {
+    write_text_attribute(dataset, "unit", "Angstrom");
+  };
+  const auto name = [](const char* end) { return checkpoint::group + end; };
+  write_numbers(file, name("/guide_period"), std::vector<std::int64_t>{inputs.guide_period});
+  if (!inputs.guide_rock.empty()) with_unit(write_vectors(file, name("/rock"), inputs.guide_rock));
+  if (!inputs.pull_to.empty()) {
+    write_numbers(file, name("/pull_joint"), inputs.pull_joints);
+    write_numbers(file, name("/pull_group"), inputs.pull_groups);
+    with_unit(write_vectors(file, name("/pull_to"), inputs.pull_to));
+  }
+  if (inputs.pair_least.empty()) return;
+  write_numbers(file, name("/pair_joint"), inputs.pair_joints);
+  write_numbers(file, name("/pair_group"), inputs.pair_groups);
+  with_unit(write_numbers(file, name("/pair_least"), inputs.pair_least));
+  with_unit(write_numbers(file, name("/pair_most"), inputs.pair_most));
+}
+
 void write_nodes(std::int64_t file, const RunInputs& inputs) {
   if (!inputs.is_sample()) return;
   write_text_attribute(write_vectors(file, checkpoint::nodes, inputs.node_positions), "unit",
@@ -109,6 +129,7 @@ void write_inputs(std::int64_t file, const Framework& framework, const H5mdHeade
   write_framework_bits(file, framework, header);
   write_start(file, framework, *header.inputs);
   write_inputs_of_steps(file, *header.inputs);
+  write_guide(file, *header.inputs);
   write_nodes(file, *header.inputs);
 }
 

@@ -161,7 +161,27 @@ class CheckpointReader {
     inputs.ordering_bars = integers<BarIndex>("/ordering_bar");
     inputs.ordering_near = integers<Joint>("/ordering_near");
     inputs.ordering_is_tree = integers<std::uint8_t>("/ordering_is_tree");
+    if (has_object(file_, checkpoint::group + "/guide_period")) read_guide();
     if (has_object(file_, checkpoint::nodes)) read_nodes();
+  }
+
+  void read_guide() {
+    RunInputs& inputs = found_.inputs;
+    const auto period = integers<std::int64_t>("/guide_period");
+    inputs.guide_period = period.empty() ? 0 : period.front();
+    if (has_object(file_, checkpoint::group + "/rock"))
+      inputs.guide_rock = vectors_of(reals("/rock", 3 * found_.framework.joint_count()));
+    inputs.pull_joints = integers<Joint>("/pull_joint");
+    inputs.pull_groups = integers<std::uint32_t>("/pull_group");
+    if (!inputs.pull_groups.empty())
+      inputs.pull_to =
+          vectors_of(reals("/pull_to", 3 * (inputs.pull_groups.back() + std::size_t{1})));
+    if (!has_object(file_, checkpoint::group + "/pair_group")) return;
+    inputs.pair_joints = integers<Joint>("/pair_joint");
+    inputs.pair_groups = integers<std::uint32_t>("/pair_group");
+    const std::size_t groups = inputs.pair_groups.empty() ? 0 : inputs.pair_groups.back() + 1;
+    inputs.pair_least = reals("/pair_least", groups / 2);
+    inputs.pair_most = reals("/pair_most", groups / 2);
   }
 
   void read_nodes() {

@@ -44,6 +44,15 @@ struct RunInputs {
   std::vector<Vec3> start = {};                     ///< (N) Angstrom; or empty: not kept
   std::vector<Joint> replay_joints = {};            ///< (R) of a replay
   std::vector<Vec3> replay_forces = {};             ///< (R) kJ/(mol Angstrom)
+  std::vector<Vec3> guide_rock = {};                ///< (N) Angstrom, or none
+  std::int64_t guide_period = 0;                    ///< steps; 0: no guide
+  std::vector<Joint> pull_joints = {};              ///< (P) of all groups, one after another
+  std::vector<std::uint32_t> pull_groups = {};      ///< (P) from 0
+  std::vector<Vec3> pull_to = {};                   ///< (K) Angstrom
+  std::vector<Joint> pair_joints = {};              ///< (P) of all groups, one after another
+  std::vector<std::uint32_t> pair_groups = {};      ///< (P) 2 k and 2 k + 1: the groups of pair k
+  std::vector<double> pair_least = {};              ///< (K) Angstrom
+  std::vector<double> pair_most = {};               ///< (K) Angstrom
   std::vector<BarIndex> ordering_bars = {};         ///< (V) of an ordering that was given
   std::vector<Joint> ordering_near = {};            ///< (V)
   std::vector<std::uint8_t> ordering_is_tree = {};  ///< (V)
