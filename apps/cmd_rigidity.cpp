@@ -5,10 +5,12 @@
 #include <filesystem>
 
 #include "command.hpp"
+#include "dilution_picture.hpp"
 #include "messages.hpp"
 #include "molecule_input.hpp"
 #include "output_files.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/printable.hpp"
 #include "rigidity_files.hpp"
 #include "rigidity_report.hpp"
 
@@ -62,8 +64,8 @@ void add_options(CommandLine& line, RigiditySettings& settings) {
                 "take hydrogen bonds out one by one, the weakest first, from --hbond-cutoff on");
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FOLDER",
-                "write tables, PDB files with clusters and flexibility as B factors, and scripts "
-                "for PyMOL and ChimeraX");
+                "write tables, PDB files with clusters and flexibility as B factors, scripts "
+                "for PyMOL and ChimeraX, and with --dilution a picture (dilution.svg)");
   line.add_flag("--overwrite", settings.overwrite, "replace files of that folder");
   line.add_flag("--csv", settings.as_csv,
                 "print a table of residues, with --dilution one of hydrogen bonds that go");
@@ -78,6 +80,21 @@ void refuse_input_as_output(const RigiditySettings& settings) {
   refuse_same_files(inputs_of(settings.molecule), outputs);
 }
 
+void dilute(RigidityReport& report) {
+  const RigidityNetwork& network = report.rigidity.network;
+  DilutionPicture picture(report.model.structure);
+  report.dilution = dilute_hydrogen_bonds(
+      network,
+      [&](const DilutionRow& row, const ClusterList& clusters) { picture.add(row, clusters); });
+  std::vector<double> energies;
+  for (std::size_t k = network.first_hydrogen_bond; k < network.edges.size(); ++k)
+    energies.push_back(report.model.contacts[network.contact_of(k)].energy);
+  report.dilution_svg =
+      picture.svg(printable_name(std::filesystem::path(report.file).filename().string()) +
+                      ": rigid clusters of residues as hydrogen bonds go",
+                  energies);
+}
+
 RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
   RigidityReport report;
   report.file = settings.molecule.file;
@@ -88,7 +105,7 @@ RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
   options.tether_bars = static_cast<std::uint8_t>(settings.tether_bars);
   options.ends_turn = settings.ends_turn;
   report.rigidity = analyse_rigidity(report.model.structure, report.model.contacts, options);
-  if (settings.dilution) report.dilution = dilute_hydrogen_bonds(report.rigidity.network);
+  if (settings.dilution) dilute(report);
   return report;
 }
 

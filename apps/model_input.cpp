@@ -16,6 +16,9 @@ void add_model_options(CommandLine& line, ModelSettings& settings) {
   line.add_flag("--keep-waters", settings.keep_waters, "do not take waters out");
   line.add_flag("--fill-side-chains", settings.fill_side_chains,
                 "build the missing atoms of side chains by rule (a guess: no data shows them)");
+  line.add_flag("--all-hydrogens", settings.all_hydrogens,
+                "place hydrogens on carbon by rule as well, and keep those on carbon clear of\n"
+                "other atoms: for starts of MD; slower");
   line.add_names("--protonate", settings.protonate, "",
                  "forms of residues, as HIS57:HID,A:ASP25:ASH (default: as hydrogens, names and pH "
                  "7 say)");
@@ -34,6 +37,7 @@ void check(const ModelSettings& settings) {
     const char* expected = "--model molecule or --model protein";
     refuse(settings.keep_waters, "--keep-waters", expected);
     refuse(settings.fill_side_chains, "--fill-side-chains", expected);
+    refuse(settings.all_hydrogens, "--all-hydrogens", expected);
     refuse(!settings.protonate.empty(), "--protonate", expected);
   }
   if (model == nullptr || !model->has_contacts) {
@@ -51,6 +55,7 @@ std::vector<NamedParameter> parameters_of(const ModelSettings& settings) {
           {"model/hbond_cutoff", settings.hbond_cutoff},
           {"model/keep_waters", settings.keep_waters},
           {"model/fill_side_chains", settings.fill_side_chains},
+          {"model/all_hydrogens", settings.all_hydrogens},
           {"model/protonate", forms},
           {"model/floppy", settings.floppy},
           {"model/contacts", std::filesystem::path(settings.contacts).filename().string()}};
@@ -61,6 +66,7 @@ ModelOptions model_options_of(const ModelSettings& settings, const Log& log) {
   if (!settings.name.empty()) options.kind = choose(models(), "model", settings.name).kind;
   options.prepare.keep_waters = settings.keep_waters;
   options.prepare.fill_side_chains = settings.fill_side_chains;
+  options.prepare.all_hydrogens = settings.all_hydrogens;
   options.prepare.protonate = settings.protonate;
   options.prepare.floppy_below = settings.floppy ? disordered_below : 0.0;
   options.hydrogen_bonds.cutoff = settings.hbond_cutoff;

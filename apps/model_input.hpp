@@ -14,7 +14,7 @@ namespace pliant::app {
 struct ModelSettings {
   std::string name;  ///< of a row of models(); "": none was asked for
   double hbond_cutoff = -1.0;
-  bool keep_waters = false, fill_side_chains = false, floppy = false;
+  bool keep_waters = false, fill_side_chains = false, all_hydrogens = false, floppy = false;
   std::vector<std::string> protonate;
   std::string contacts;  ///< file to read them from; "": found
 };

@@ -55,7 +55,7 @@ bool is_polymer(const Structure& structure) { return usual_model(structure) == M
 std::vector<std::string> rigidity_file_names(bool has_dilution) {
   std::vector<std::string> names{"clusters.pdb", "flexibility.pdb", "show.pml",
                                  "show.cxc",     "residues.csv",    "bonds.csv"};
-  if (has_dilution) names.push_back("dilution.csv");
+  if (has_dilution) names.insert(names.end(), {"dilution.csv", "dilution.svg"});
   return names;
 }
 
@@ -73,7 +73,8 @@ void write_rigidity_folder(const std::string& folder, const RigidityReport& repo
       rigidity_chimerax_script(report.listed_clusters(), polymer),
       residues_as_csv(report),
       bonds_as_csv(report)};
-  if (!report.dilution.empty()) texts.push_back(dilution_as_csv(report));
+  if (!report.dilution.empty())
+    texts.insert(texts.end(), {dilution_as_csv(report), report.dilution_svg});
   make_folder(path);
   const auto names = rigidity_file_names(!report.dilution.empty());
   for (std::size_t k = 0; k < names.size(); ++k)

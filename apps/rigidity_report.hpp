@@ -21,6 +21,7 @@ struct RigidityReport {
   ContactModel model;
   Rigidity rigidity;
   std::vector<DilutionRow> dilution;  ///< none was asked for: empty
+  std::string dilution_svg;           ///< its picture; "": none
 
   std::size_t listed_clusters() const;  ///< of three atoms or more
   std::size_t atoms_in_listed() const;

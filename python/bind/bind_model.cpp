@@ -12,8 +12,9 @@ namespace pliant::python {
 namespace {
 
 PrepareOptions prepare_options(bool keep_waters, std::vector<std::string> protonate,
-                               double floppy_below, bool fill_side_chains) {
+                               double floppy_below, bool fill_side_chains, bool all_hydrogens) {
   PrepareOptions options;
+  options.all_hydrogens = all_hydrogens;
   options.fill_side_chains = fill_side_chains;
   options.keep_waters = keep_waters;
   options.protonate = std::move(protonate);
@@ -24,9 +25,9 @@ PrepareOptions prepare_options(bool keep_waters, std::vector<std::string> proton
 
 Preparation prepare_structure(const Structure& structure, bool keep_waters, bool add_hydrogens,
                               std::vector<std::string> protonate, double floppy_below,
-                              bool fill_side_chains) {
-  PrepareOptions options =
-      prepare_options(keep_waters, std::move(protonate), floppy_below, fill_side_chains);
+                              bool fill_side_chains, bool all_hydrogens) {
+  PrepareOptions options = prepare_options(keep_waters, std::move(protonate), floppy_below,
+                                           fill_side_chains, all_hydrogens);
   options.add_hydrogens = add_hydrogens;
   const nb::gil_scoped_release no_gil;
   return prepare(structure, options);
@@ -41,11 +42,11 @@ nb::object contacts_of(const Structure& structure, double hbond_cutoff) {
 MolecularModel model_of(const Structure& structure, const std::string& model, bool keep_waters,
                         std::vector<std::string> protonate, double floppy_below,
                         double hbond_cutoff, const nb::object& contacts, const std::string& pin,
-                        bool fill_side_chains) {
+                        bool fill_side_chains, bool all_hydrogens) {
   ModelOptions options;
   options.kind = choose(models(), "model", model).kind;
-  options.prepare =
-      prepare_options(keep_waters, std::move(protonate), floppy_below, fill_side_chains);
+  options.prepare = prepare_options(keep_waters, std::move(protonate), floppy_below,
+                                    fill_side_chains, all_hydrogens);
   options.hydrogen_bonds.cutoff = hbond_cutoff;
   options.pin = pin;
   options.log = python_log();
@@ -79,6 +80,9 @@ floppy_below : float
 fill_side_chains : bool
     Build missing atoms of side chains by ideal geometry and the usual torsions that run least into
     other atoms. A guess, which ``missing`` names.
+all_hydrogens : bool
+    Place hydrogens on carbon by rule as well (ideal angles, methyls staggered), where a carbon of an
+    amino acid, cap or nucleotide has none.
 
 Raises
 ------
@@ -123,7 +127,7 @@ contacts : array, optional
     Rows as ``contacts`` gives them, atoms of the prepared structure, in place of those found.
 pin : str
     Selection of atoms that never move.
-fill_side_chains : bool
+fill_side_chains, all_hydrogens : bool
     As in ``prepare``.
 
 Raises
@@ -146,7 +150,8 @@ void bind_preparation(nb::module_& module) {
       .def_ro("missing", &Preparation::missing, "What the structure lacks, line by line.");
   module.def("prepare", &prepare_structure, "structure"_a, nb::kw_only(), "keep_waters"_a = false,
              "add_hydrogens"_a = true, "protonate"_a = std::vector<std::string>{},
-             "floppy_below"_a = 0.0, "fill_side_chains"_a = false, prepare_doc);
+             "floppy_below"_a = 0.0, "fill_side_chains"_a = false, "all_hydrogens"_a = false,
+             prepare_doc);
 }
 
 void bind_built_model(nb::module_& module) {
@@ -193,11 +198,13 @@ void bind_model(nb::module_& module) {
              "keep_waters"_a = false, "protonate"_a = std::vector<std::string>{},
              "floppy_below"_a = 0.0, "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
              "contacts"_a = nb::none(), "pin"_a = "", "fill_side_chains"_a = false,
+             "all_hydrogens"_a = false,
              nb::sig("def build_model(structure: Structure, model: str = \"protein\", *, "
                      "keep_waters: bool = False, protonate: collections.abc.Sequence[str] = (), "
                      "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
                      "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
-                     "fill_side_chains: bool = False) -> MolecularModel"),
+                     "fill_side_chains: bool = False, all_hydrogens: bool = False) -> "
+                     "MolecularModel"),
              build_doc);
 }
 

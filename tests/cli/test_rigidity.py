@@ -5,6 +5,7 @@ import csv
 import io
 import json
 from pathlib import Path
+from xml.etree import ElementTree
 
 import numpy as np
 import pytest
@@ -95,7 +96,7 @@ def test_files_for_viewers(pliant, tmp_path):
     folder = tmp_path / "found"
     assert {p.name for p in folder.iterdir()} == {
         *("clusters.pdb", "flexibility.pdb", "show.pml", "show.cxc"),
-        *("residues.csv", "bonds.csv", "dilution.csv"),
+        *("residues.csv", "bonds.csv", "dilution.csv", "dilution.svg"),
     }
     found = json.loads(pliant("rigidity", OPEN, "--json").out)
     clusters = MDAnalysis.Universe(folder / "clusters.pdb").atoms.tempfactors
@@ -110,6 +111,31 @@ def test_files_for_viewers(pliant, tmp_path):
     assert again.code == 1
     assert "clusters.pdb" in again.err
     assert pliant("rigidity", OPEN, "-o", "found", "--overwrite").code == 0
+
+
+def test_the_dilution_plot_shows_domains_of_the_kinase(pliant, tmp_path):
+    """Core, lid and the domain that binds the nucleotide are rigid apart from each other."""
+    pliant("rigidity", OPEN, "-o", "found", "--dilution")
+    picture = ElementTree.parse(tmp_path / "found" / "dilution.svg").getroot()
+    shapes = {"x": float, "y": float, "width": float, "fill": str}
+    bars = [
+        {name: kind(bar.get(name)) for name, kind in shapes.items()}
+        for bar in picture.iter("{http://www.w3.org/2000/svg}rect")
+        if bar.get("x")
+    ]
+    rows = list(csv.DictReader((tmp_path / "found" / "dilution.csv").open()))
+    lines = {bar["y"] for bar in bars}
+    assert 30 < len(lines) <= len(rows) + 1
+    at_first = [bar for bar in bars if bar["y"] == min(lines)]
+    step = at_first[-1]["x"] + at_first[-1]["width"] - at_first[0]["x"]
+    colour_of = {}
+    for bar in at_first:
+        first = round((bar["x"] - at_first[0]["x"]) / step * 214) + 1
+        for residue in range(first, first + round(bar["width"] / step * 214)):
+            colour_of[residue] = bar["fill"]
+    core, lid, binding = colour_of[100], colour_of[130], colour_of[50]
+    assert len({core, lid, binding}) == 3
+    assert colour_of[200] == colour_of[20] == core
 
 
 @pytest.mark.parametrize(

@@ -113,7 +113,7 @@ class ModelBuilder {
 
   /// Pairs that are too close at the start keep the distance that they have.
   void take_sterics() {
-    Sterics sterics = molecular_sterics(ready_.structure);
+    Sterics sterics = molecular_sterics(ready_.structure, options_.prepare.all_hydrogens);
     const Framework joints({.joint_count = ready_.structure.size(),
                             .sterics = std::make_shared<const Sterics>(sterics)});
     sterics.own = own_distances(joints, ready_.structure.positions);

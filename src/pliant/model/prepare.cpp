@@ -8,6 +8,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
+#include "pliant/model/carbon_hydrogens.hpp"
 #include "pliant/model/edit_structure.hpp"
 #include "pliant/model/hydrogen_places.hpp"
 #include "pliant/model/polar_hydrogens.hpp"
@@ -189,6 +190,16 @@ class Preparer {
       tell(counted(added.size(), "polar hydrogen", "polar hydrogens") + " placed by rule");
     tell_of_protonation(protonation);
     if (!added.empty()) take(with_atoms(now_.structure, added));
+    if (options_.all_hydrogens) add_carbon_hydrogens();
+  }
+
+  void add_carbon_hydrogens() {
+    std::vector<NewAtom> added;
+    for (PlacedHydrogen& h : place_carbon_hydrogens(now_.structure))
+      added.push_back({h.parent, std::move(h.name), 1, h.position});
+    if (added.empty()) return tell("hydrogens on carbon: none was missing");
+    tell(counted(added.size(), "hydrogen on carbon", "hydrogens on carbon") + " placed by rule");
+    take(with_atoms(now_.structure, added));
   }
 
   /// The polar hydrogens of side chains whose form is asked for: others come in their place.

@@ -17,6 +17,7 @@ struct PrepareOptions {
   bool keep_waters = false;
   bool fill_side_chains = false;            ///< their missing atoms by rule: see side_chains.hpp
   bool add_hydrogens = true;                ///< polar hydrogens by rule where there are none
+  bool all_hydrogens = false;               ///< those on carbon as well
   std::vector<std::string> protonate = {};  ///< "HIS57:HID", "A:ASP25:ASH"
   /// Models whose B factors are a confidence (pLDDT): contacts of residues below are left out; 0:
   /// of none.
@@ -45,7 +46,8 @@ inline constexpr double disordered_below = 50.0;
 /// - side chains are completed by rule, if they are to be;
 /// - amino acids get their CB by rule, in a structure that has no side chain at all;
 /// - polar hydrogens (on N, O, S) are placed by rule where a residue's part has no hydrogen, with
-///   protonation as protonation.hpp says; hydrogens of the structure stay.
+///   protonation as protonation.hpp says; hydrogens of the structure stay;
+/// - hydrogens on carbon are placed by rule where a carbon has none, if all are asked for.
 /// Deterministic; linear in the number of atoms.
 /// Throws OptionError for a `protonate` that names no residue or no form of it; InputError naming
 /// the structure's file if nothing but waters or CA atoms is there.

@@ -26,6 +26,10 @@ constexpr double table[count][count] = {
     {2.6, 2.4, 2.4, 2.6, 1.8, 2.0, 2.0, 2.4},  // X
 };
 
+// The row of HC where clashes count: spheres of 1.22 (HC), 1.70 (C), 1.55 (N), 1.40 (O) and 1.80
+// (S) overlap by 0.38.
+constexpr double careful[count] = {2.54, 2.39, 2.24, 2.64, 1.9, 2.06, 1.9, 2.0};
+
 bool counts_as_sulphur(std::uint8_t element) {
   constexpr std::array<std::uint8_t, 6> like{15, 16, 17, 34, 35, 53};  // P S Cl Se Br I
   for (std::uint8_t number : like)
@@ -50,11 +54,13 @@ Kind kind_of(const Structure& structure, const AtomGraph& graph, std::uint32_t a
 
 std::vector<std::string_view> steric_kind_names() { return {names.begin(), names.end()}; }
 
-Sterics molecular_sterics(const Structure& structure) {
+Sterics molecular_sterics(const Structure& structure, bool clashes_count) {
   const AtomGraph graph(structure);
   Sterics sterics;
   sterics.kind_count = count;
   for (const auto& row : table) sterics.least.insert(sterics.least.end(), row, row + count);
+  for (std::size_t kind = 0; clashes_count && kind < count; ++kind)
+    sterics.least[HC * count + kind] = sterics.least[kind * count + HC] = careful[kind];
   for (std::uint32_t atom = 0; atom < structure.size(); ++atom)
     sterics.kinds.push_back(kind_of(structure, graph, atom));
   for (const Bond& bond : structure.bonds) sterics.bonds.emplace_back(bond.a, bond.b);

@@ -18,6 +18,9 @@ std::vector<std::string_view> steric_kind_names();
 
 /// The sterics of a structure whose bonds are known: its kinds, the table, its bonds for what is
 /// excluded (up to three apart). Own distances are empty: own_distances() finds them.
-Sterics molecular_sterics(const Structure& structure);
+/// `clashes_count`: hydrogens on carbon keep 0.02 Angstrom more than the distance at which
+/// MolProbity counts a serious clash; usually some are let nearer, since many models leave them
+/// out.
+Sterics molecular_sterics(const Structure& structure, bool clashes_count = false);
 
 }  // namespace pliant

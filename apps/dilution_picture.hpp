@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The dilution plot: which residues are rigid together as hydrogen bonds go, one line each time
+// that clusters of residues change, as FIRST draws it (Hespenheide, Rader, Thorpe, Kuhn, J. Mol.
+// Graph. Model. 21 (2002) 195). An SVG picture.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "pliant/model/model.hpp"
+#include "pliant/model/rigidity_dilution.hpp"
+
+namespace pliant::app {
+
+class DilutionPicture {
+ public:
+  /// Residues are those of `structure` that have CA, or P or C4'; others are left out.
+  explicit DilutionPicture(const Structure& structure);
+
+  /// As dilute_hydrogen_bonds() shows rows: from no hydrogen bond to all.
+  void add(const DilutionRow& row, const ClusterList& clusters);
+
+  /// `energies`: of the hydrogen bonds, the strongest first, kcal/mol.
+  std::string svg(const std::string& title, const std::vector<double>& energies) const;
+
+ private:
+  /// The cluster of each residue; `none` where fewer than three share it.
+  struct Line {
+    std::size_t hydrogen_bonds;
+    std::vector<std::uint32_t> cluster;
+  };
+
+  std::vector<std::vector<std::uint32_t>> colours_of(const std::vector<Line>& lines) const;
+  std::string axis(double bottom) const;
+  const Residue& residue(std::size_t k) const;
+
+  const Structure& structure_;
+  std::vector<std::uint32_t> atoms_;  ///< one a residue that is shown
+  std::vector<Line> lines_;
+};
+
+}  // namespace pliant::app
