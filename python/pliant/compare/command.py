@@ -9,6 +9,7 @@ import sys
 from collections.abc import Sequence
 
 from pliant import console
+from pliant._core import OptionError
 
 EPILOG = """\
 Exit code: 0 if they were compared, 1 if they cannot be, 2 for a bad option.
@@ -20,6 +21,7 @@ examples:
   pliant compare out.h5md nmr_models.pdb
   pliant compare out.h5md 4ake.cif 1ake.pdb.gz 2eck.cif
   pliant compare out.h5md dynamics.dcd
+  pliant compare opening.h5md dims.dcd --path
   pliant compare out.h5md dynamics.xtc --topology start.pdb --select 'not name H*'
 """
 
@@ -44,10 +46,14 @@ def make_parser() -> console.Parser:
         help="file with the atom names of THEIRS (default: THEIRS itself, else OURS)")  # fmt: skip
     add("--select", metavar="TEXT", default="all",
         help="MDAnalysis selection for both (default all)")  # fmt: skip
-    add("--frames", metavar="N", type=console.whole_number(2, "all"), default=2000,
-        help="most frames to read of each, spread evenly, or all (default 2000)")  # fmt: skip
+    add("--frames", metavar="N", type=console.whole_number(2, "all"),
+        help="most frames to read of each, spread evenly, or all (default 2000; 500 with "
+             "--path)")  # fmt: skip
     add("-o", "--output", metavar="FOLDER", type=pathlib.Path,
         help="folder for the pictures (default: that of OURS)")  # fmt: skip
+    add("--path", action="store_true",
+        help="OURS and one file of THEIRS are paths: mean nearest, Hausdorff and Frechet "
+             "distances of their frames, beside a straight line")  # fmt: skip
     add("--no-picture", action="store_true", help="draw no picture")
     add("--json", action="store_true", help="print the comparison as one JSON object")
     return parser
@@ -60,8 +66,10 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _compare(arguments: argparse.Namespace) -> int:
+    if arguments.path:
+        return _compare_paths(arguments)
     from pliant.compare.report import as_json, print_report
-    from pliant.compare.suite import compare
+    from pliant.compare.suite import FRAMES, compare
 
     folder = arguments.output or pathlib.Path(arguments.ours).parent
     report = compare(
@@ -69,13 +77,34 @@ def _compare(arguments: argparse.Namespace) -> int:
         arguments.theirs,
         topology=arguments.topology,
         select=arguments.select,
-        frames=arguments.frames,
+        frames=FRAMES if arguments.frames is None else arguments.frames,
         pictures=None if arguments.no_picture else folder,
     )
     if arguments.json:
         console.print_json(as_json(report))
     else:
         print_report(report)
+    return console.EXIT_OK
+
+
+def _compare_paths(arguments: argparse.Namespace) -> int:
+    from pliant.compare.paths import FRAMES, as_json, compare_paths, print_paths
+
+    if len(arguments.theirs) > 1:
+        raise OptionError(f"--path: expected one file of THEIRS, found {len(arguments.theirs)}")
+    if arguments.output is not None:
+        raise OptionError("--output: --path draws no picture")
+    found = compare_paths(
+        arguments.ours,
+        arguments.theirs[0],
+        topology=arguments.topology,
+        select=arguments.select,
+        frames=FRAMES if arguments.frames is None else arguments.frames,
+    )
+    if arguments.json:
+        console.print_json(as_json(found))
+    else:
+        print_paths(found)
     return console.EXIT_OK
 
 
