@@ -15,7 +15,8 @@ Exit code: 0 if every check passed, 1 if one failed, 2 for a bad option. Where O
 something, such as repair frameworks with bars across angles, this is said; it is no failure.
 Frames are usable as MD starts where all stay finite, no two atoms are in one place, each residue
 keeps its hand, and in 95 % of the frames energy ends at most 3 (100 steps) and 1 (500 steps) kJ/mol
-a residue above the start's, and alpha carbons move by at most 0.4 Angstrom in 100 steps.
+a residue above the start's, and alpha carbons move by at most 0.4 Angstrom in 100 steps. Hydrogens
+are best placed before: pliant sample --all-hydrogens keeps them clear of other atoms.
 
 examples:
   pliant check out.h5md
