@@ -135,7 +135,7 @@ def _step(group: h5py.Group, name: str, left: list[int]) -> Item | None:
             raise refused(group, name, "is a link that leads in a circle")
         return _follow(group, link.path, left)
     found = _guarded(group, name, lambda: _opened(group, name))
-    if isinstance(found, h5py.Dataset) and (found.external or found.is_virtual):
+    if isinstance(found, h5py.Dataset) and _guarded(group, name, lambda: _is_elsewhere(found)):
         raise refused(group, name, "has its values in other files, which are not read")
     return found if isinstance(found, (h5py.Group, h5py.Dataset)) else None
 
@@ -146,6 +146,12 @@ def _opened(group: h5py.Group, name: str) -> Any:
         return group[name]
     except KeyError as error:
         raise OSError(error.args[0]) from error
+
+
+def _is_elsewhere(found: h5py.Dataset) -> bool:
+    """Whether the values are in other files; asks for all that damage may make h5py fail to tell."""
+    _ = found.dtype, found.shape, found.chunks, found.name
+    return bool(found.external or found.is_virtual)
 
 
 def refused(parent: Item, name: str, why: str) -> InputError:
@@ -251,7 +257,7 @@ def _scalars(
 ) -> Iterator[tuple[str, Any]]:
     if not isinstance(group, h5py.Group) or levels == 0:
         return
-    number = h5py.h5o.get_info(group.id).addr
+    number = _guarded(group, "", lambda: h5py.h5o.get_info(group.id).addr)
     if number in above:
         return
     for name in names_in(group):

@@ -160,4 +160,4 @@ def test_a_million_atoms(pliant, tmp_path):
     write_big_pdb.write_big_pdb(path)
     found = pliant("rigidity", path, "--keep-waters")
     assert found.code == 0
-    assert "atoms                           1020200" in found.out
+    assert found.out.splitlines()[1].split()[:2] == ["atoms", "1020200"]
