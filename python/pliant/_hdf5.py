@@ -149,7 +149,7 @@ def _opened(group: h5py.Group, name: str) -> Any:
 
 
 def _is_elsewhere(found: h5py.Dataset) -> bool:
-    """Whether the values are in other files; asks for all that damage may make h5py fail to tell."""
+    """Whether values are in other files; asks for all that damage may make h5py fail to tell."""
     _ = found.dtype, found.shape, found.chunks, found.name
     return bool(found.external or found.is_virtual)
 
