@@ -66,7 +66,7 @@ RunOptions options_of(const H5mdCheckpoint& recorded) {
     options.replay = replay_of(recorded.inputs);
     options.guide = guide_of(recorded.inputs);
     if (options.guide.empty() && is_guided_run(recorded.parameters))
-      throw InputError("the file has not what guided it");
+      throw InputError("the file does not hold the guide that it followed");
     check(options.guide, recorded.framework);
     if (Ordering ordering = ordering_of(recorded.inputs); !ordering.empty())
       options.technique.ordering = std::make_shared<Ordering>(std::move(ordering));

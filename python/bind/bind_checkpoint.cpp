@@ -19,7 +19,7 @@ RunOptions options_of(const H5mdCheckpoint& from) {
     options.replay = replay_of(from.inputs);
     options.guide = guide_of(from.inputs);
     if (options.guide.empty() && is_guided_run(from.parameters))
-      throw InputError("the file has not what guided it");
+      throw InputError("the file does not hold the guide that it followed");
     check(options.guide, from.framework);
     if (Ordering ordering = ordering_of(from.inputs); !ordering.empty())
       options.technique.ordering = std::make_shared<Ordering>(std::move(ordering));
