@@ -67,6 +67,13 @@ void check_joints(const Guide& guide, std::size_t joints) {
   }
 }
 
+/// Positions that have every joint of the guide. Throws IndexError.
+std::vector<Vec3> positions_for(const Guide& guide, const ArrayLike& positions) {
+  std::vector<Vec3> x = positions_from(positions);
+  check_joints(guide, x.size());
+  return x;
+}
+
 constexpr const char* guide_doc =
     R"(Where joints are asked to go, step by step: steered motion. For ``run`` and ``Motion``.
 
@@ -103,9 +110,7 @@ void bind_guide(nb::module_& module) {
       .def(
           "has_arrived",
           [](const Guide& self, const ArrayLike& positions) {
-            const std::vector<Vec3> x = positions_from(positions);
-            check_joints(self, x.size());
-            return has_arrived(self, x);
+            return has_arrived(self, positions_for(self, positions));
           },
           "positions"_a,
           "Whether nothing is left to follow at positions (N, 3), Angstrom: each pull is within\n"
@@ -113,8 +118,7 @@ void bind_guide(nb::module_& module) {
       .def(
           "pulls_away",
           [](const Guide& self, const ArrayLike& positions) {
-            const std::vector<Vec3> x = positions_from(positions);
-            check_joints(self, x.size());
+            const std::vector<Vec3> x = positions_for(self, positions);
             std::vector<double> away;
             for (const Pull& pull : self.pulls) away.push_back(norm(way_of(pull, x)));
             return array_of(std::move(away));
@@ -125,8 +129,7 @@ void bind_guide(nb::module_& module) {
       .def(
           "pair_distances",
           [](const Guide& self, const ArrayLike& positions) {
-            const std::vector<Vec3> x = positions_from(positions);
-            check_joints(self, x.size());
+            const std::vector<Vec3> x = positions_for(self, positions);
             std::vector<double> found;
             for (const PairDistance& pair : self.pairs) found.push_back(norm(line_of(pair, x)));
             return array_of(std::move(found));
