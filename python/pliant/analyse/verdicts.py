@@ -190,6 +190,8 @@ def _amplitude(study: Study) -> Verdict | None:
     asked = told.get("sample/amplitude")
     if asked is None or study.flexibility is None or study.kind != ENSEMBLE:
         return None
+    if str(told.get("sample/sampler", "")).startswith("torsions"):
+        return None  # conformers go as far as their torsions turn: nothing is asked for
     reached = float(study.flexibility.rmsf.mean())
     sentence = f"Amplitude: asked {float(asked):.2f} Å, reached {reached:.2f} Å."
     details = (

@@ -318,3 +318,11 @@ def test_two_errors_hold_what_a_long_run_finds(tmp_path):
         found = part.study.flexibility
         inside.append(np.abs(found.rmsf - expected) <= 2 * found.error)
     assert 0.90 <= np.mean(inside) <= 0.98
+
+
+def test_conformers_were_asked_for_no_amplitude(tmp_path):
+    command("sample", PEPTIDE.with_name("aspirin.sdf"), "-o", tmp_path / "aspirin.h5md", "--quiet")
+    pliant.analyse(tmp_path / "aspirin.h5md", tmp_path / "out", dpi=50)
+    text = (tmp_path / "out" / "report.html").read_text(encoding="utf-8")
+    assert "Frames are independent" in text
+    assert "mplitude" not in text.split("<script")[0].split("Options of the run")[0]
