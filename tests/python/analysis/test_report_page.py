@@ -37,6 +37,10 @@ INK = """(async () => {
 })()"""
 
 DRAWN = "document.documentElement?.dataset.viewer !== undefined"
+#: how many tables show less than they hold
+TABLES_CUT = (
+    "[...document.querySelectorAll('.table')].filter((t) => t.scrollWidth > t.clientWidth).length"
+)
 
 
 @pytest.fixture(scope="module")
@@ -176,6 +180,7 @@ class TestViewer:
         browser.call("Emulation.setDeviceMetricsOverride", size)
         try:
             assert browser.evaluate("document.documentElement.scrollWidth") <= 390
+            assert browser.evaluate(TABLES_CUT) == 0
         finally:
             wide = {"width": 1320, "height": 1000, "deviceScaleFactor": 1, "mobile": False}
             browser.call("Emulation.setDeviceMetricsOverride", wide)
