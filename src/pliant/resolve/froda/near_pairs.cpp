@@ -121,6 +121,8 @@ void NearPairs::sort_into_cells(std::span<const Vec3> x) {
   slot_.resize(listed.size());
   kind_at_.resize(listed.size());
   renewed_at_.resize(listed.size());
+  squares_.resize(listed.size());
+  hits_.resize(listed.size() + hits_beyond);
   for (std::size_t k = 0; k < listed.size(); ++k) {
     const std::uint32_t slot = next_[cell_of_[k]]++;
     const Vec3 at = x[listed[k]];
@@ -136,102 +138,70 @@ void NearPairs::sort_into_cells(std::span<const Vec3> x) {
 /// Pairs within a cell, and between it and half of its neighbours: the others visit it.
 void NearPairs::visit_cell(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   const std::uint32_t row = (a * cells_[1] + b) * cells_[2];
-  const std::size_t own = first_in_cell_[row + c + 1] - first_in_cell_[row + c];
-  if (own == 0) return;
-  clear_near();
+  const std::uint32_t first = first_in_cell_[row + c], last = first_in_cell_[row + c + 1];
+  if (first == last) return;
+  run_count_ = 0;
   const std::uint32_t low = c > 0 ? c - 1 : 0, high = std::min(c + 1, cells_[2] - 1);
-  gather_run(row, c, high);
+  add_run(row, c, high);
   const bool has_next = a + 1 < cells_[0];
-  if (b + 1 < cells_[1]) gather_run(row + cells_[2], low, high);
-  if (has_next && b > 0) gather_run(row + (cells_[1] - 1) * cells_[2], low, high);
-  if (has_next) gather_run(row + cells_[1] * cells_[2], low, high);
-  if (has_next && b + 1 < cells_[1]) gather_run(row + (cells_[1] + 1) * cells_[2], low, high);
-  compare(own);
+  if (b + 1 < cells_[1]) add_run(row + cells_[2], low, high);
+  if (has_next && b > 0) add_run(row + (cells_[1] - 1) * cells_[2], low, high);
+  if (has_next) add_run(row + cells_[1] * cells_[2], low, high);
+  if (has_next && b + 1 < cells_[1]) add_run(row + (cells_[1] + 1) * cells_[2], low, high);
+  compare(first, last);
 }
 
 /// Pairs of renewed places of a cell with all in it and around it.
 void NearPairs::visit_renewed(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   const std::uint32_t cell = (a * cells_[1] + b) * cells_[2] + c;
+  const std::uint32_t first = first_in_cell_[cell], last = first_in_cell_[cell + 1];
   const auto own = renewed_at_.begin();
-  if (std::find(own + first_in_cell_[cell], own + first_in_cell_[cell + 1], 1) ==
-      own + first_in_cell_[cell + 1])
-    return;
-  clear_near();
+  if (std::find(own + first, own + last, 1) == own + last) return;
+  run_count_ = 0;
   const std::uint32_t low = c > 0 ? c - 1 : 0, high = std::min(c + 1, cells_[2] - 1);
-  std::size_t first = 0;
   for (std::uint32_t x = a > 0 ? a - 1 : 0; x <= std::min(a + 1, cells_[0] - 1); ++x)
-    for (std::uint32_t y = b > 0 ? b - 1 : 0; y <= std::min(b + 1, cells_[1] - 1); ++y) {
-      const std::uint32_t row = (x * cells_[1] + y) * cells_[2];
-      if (x == a && y == b) first = near_.size() + first_in_cell_[cell] - first_in_cell_[row + low];
-      gather_run(row, low, high);
-    }
-  compare_renewed(first, first + first_in_cell_[cell + 1] - first_in_cell_[cell]);
+    for (std::uint32_t y = b > 0 ? b - 1 : 0; y <= std::min(b + 1, cells_[1] - 1); ++y)
+      add_run((x * cells_[1] + y) * cells_[2], low, high);
+  compare_renewed(first, last);
 }
 
-void NearPairs::clear_near() {
-  near_.clear();
-  near_kind_.clear();
-  near_renewed_.clear();
-  near_x_.clear();
-  near_y_.clear();
-  near_z_.clear();
+/// The places in cells low..high of a row, which lie side by side.
+void NearPairs::add_run(std::uint32_t row, std::uint32_t low, std::uint32_t high) {
+  runs_[run_count_++] = {first_in_cell_[row + low], first_in_cell_[row + high + 1]};
 }
 
-/// Appends the places in cells low..high of a row.
-void NearPairs::gather_run(std::uint32_t row, std::uint32_t low, std::uint32_t high) {
-  const auto from = std::ptrdiff_t(first_in_cell_[row + low]);
-  const auto to = std::ptrdiff_t(first_in_cell_[row + high + 1]);
-  near_.insert(near_.end(), slot_.begin() + from, slot_.begin() + to);
-  near_kind_.insert(near_kind_.end(), kind_at_.begin() + from, kind_at_.begin() + to);
-  near_renewed_.insert(near_renewed_.end(), renewed_at_.begin() + from, renewed_at_.begin() + to);
-  near_x_.insert(near_x_.end(), x_.begin() + from, x_.begin() + to);
-  near_y_.insert(near_y_.end(), y_.begin() + from, y_.begin() + to);
-  near_z_.insert(near_z_.end(), z_.begin() + from, z_.begin() + to);
-}
-
-/// Each of the first `own` candidates with all after it.
-void NearPairs::compare(std::size_t own) {
-  for (std::size_t k = 0; k < own; ++k) {
-    const float* reaches = rules_.square_reaches(near_kind_[k]);
-    const std::size_t hits = find_hits(k, k + 1);
+/// Each of the places [first, last), with which the first run begins, with all after it.
+void NearPairs::compare(std::uint32_t first, std::uint32_t last) {
+  for (std::uint32_t k = first; k < last; ++k) {
+    runs_[0].from = k + 1;
+    const float* reaches = rules_.square_reaches(kind_at_[k]);
+    const std::size_t hits = find_hits(k);
     for (std::size_t h = 0; h < hits; ++h)
-      if (squares_[hits_[h]] < reaches[near_kind_[hits_[h]]]) take(near_[k], near_[hits_[h]]);
+      if (squares_[hits_[h]] < reaches[kind_at_[hits_[h]]]) take(slot_[k], slot_[hits_[h]]);
   }
 }
 
-/// The renewed ones of candidates [first, last) with all; of two renewed ones the lower takes both.
-void NearPairs::compare_renewed(std::size_t first, std::size_t last) {
-  for (std::size_t k = first; k < last; ++k) {
-    if (near_renewed_[k] == 0) continue;
-    const float* reaches = rules_.square_reaches(near_kind_[k]);
-    const std::size_t hits = find_hits(k, 0);
+/// The renewed ones of [first, last) with all; of two renewed ones the lower takes both.
+void NearPairs::compare_renewed(std::uint32_t first, std::uint32_t last) {
+  for (std::uint32_t k = first; k < last; ++k) {
+    if (renewed_at_[k] == 0) continue;
+    const float* reaches = rules_.square_reaches(kind_at_[k]);
+    const std::size_t hits = find_hits(k);
     for (std::size_t h = 0; h < hits; ++h) {
       const std::uint32_t m = hits_[h];
-      if (!(squares_[m] < reaches[near_kind_[m]])) continue;
-      if (near_renewed_[m] == 0 || near_[k] < near_[m]) take(near_[k], near_[m]);
+      if (!(squares_[m] < reaches[kind_at_[m]])) continue;
+      if (renewed_at_[m] == 0 || slot_[k] < slot_[m]) take(slot_[k], slot_[m]);
     }
   }
 }
 
-/// Candidates from `first` on that are near candidate k; how many.
-std::size_t NearPairs::find_hits(std::size_t k, std::size_t first) {
-  const std::size_t count = near_.size();
-  squares_.resize(count);
-  hits_.resize(count);
-  const float *px = near_x_.data(), *py = near_y_.data(), *pz = near_z_.data();
-  float* square = squares_.data();
-  const float ax = px[k], ay = py[k], az = pz[k];
-  for (std::size_t m = first; m < count; ++m) {
-    const float dx = px[m] - ax, dy = py[m] - ay, dz = pz[m] - az;
-    square[m] = dx * dx + dy * dy + dz * dz;
-  }
-  const float widest = rules_.widest();
-  std::uint32_t* hit = hits_.data();
+/// Which of the runs are near the k-th of the sorted places; how many.
+std::size_t NearPairs::find_hits(std::uint32_t k) {
+  const NearPoints points{x_.data(), y_.data(), z_.data()};
+  const float widest = rules_.widest(kind_at_[k]);
   std::size_t hits = 0;
-  for (std::size_t m = first; m < count; ++m) {  // no branch: which are near is anyone's guess
-    hit[hits] = static_cast<std::uint32_t>(m);
-    hits += square[m] < widest ? 1 : 0;
-  }
+  for (std::size_t r = 0; r < run_count_; ++r)
+    hits += find_near_hits(points, runs_[r], k, widest, squares_.data(), hits_.data() + hits);
   return hits;
 }
 

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "pliant/resolve/froda/near_hits.hpp"
 #include "pliant/resolve/froda/near_rules.hpp"
 
 namespace pliant {
@@ -42,11 +43,10 @@ class NearPairs {
   void visit_cells(const Visit& visit);
   void visit_cell(std::uint32_t x, std::uint32_t y, std::uint32_t z);
   void visit_renewed(std::uint32_t x, std::uint32_t y, std::uint32_t z);
-  void clear_near();
-  void gather_run(std::uint32_t row, std::uint32_t low, std::uint32_t high);
-  void compare(std::size_t own);
-  void compare_renewed(std::size_t first, std::size_t last);
-  std::size_t find_hits(std::size_t k, std::size_t first);
+  void add_run(std::uint32_t row, std::uint32_t low, std::uint32_t high);
+  void compare(std::uint32_t first, std::uint32_t last);
+  void compare_renewed(std::uint32_t first, std::uint32_t last);
+  std::size_t find_hits(std::uint32_t k);
   void take(Slot one, Slot other);
   void sort_pairs();
 
@@ -57,15 +57,18 @@ class NearPairs {
   std::vector<Vec3> listed_at_;  ///< where each place was when its pairs were listed
   std::vector<NearPair> pairs_, unsorted_, sorted_, kept_;
   std::vector<std::uint8_t> is_renewed_;  ///< of each place
-  // while a list is made: places sorted into cells, and the candidates of the cell in hand
+  // while a list is made: places sorted into cells
   std::array<std::uint32_t, 3> cells_{};
   std::vector<std::uint32_t> cell_of_, first_in_cell_, slot_;
   std::vector<float> x_, y_, z_;
-  std::vector<float> near_x_, near_y_, near_z_, squares_;
-  std::vector<Slot> near_;
-  std::vector<std::uint8_t> renewed_at_, near_renewed_;
+  std::vector<std::uint8_t> renewed_at_;
+  std::vector<std::uint16_t> kind_at_;
+  // the candidates of the cell in hand, as runs of sorted places, and which are near the one in
+  // hand
+  std::array<NearRun, 9> runs_{};
+  std::size_t run_count_ = 0;
+  std::vector<float> squares_;  ///< of distances to the one in hand, of each sorted place
   std::vector<std::uint32_t> hits_;
-  std::vector<std::uint16_t> near_kind_, kind_at_;
   std::vector<std::uint32_t> first_of_, next_;
 };
 

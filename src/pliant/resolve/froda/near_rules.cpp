@@ -66,7 +66,10 @@ void NearRules::set_reaches(double skin) {
   for (double least : sterics_.least) {
     const double reach = (is_beyond ? rules_.largest() : least) + skin + list_slack;
     square_reaches_.push_back(least > 0.0 || is_beyond ? static_cast<float>(reach * reach) : 0.0F);
-    widest_ = std::max(widest_, square_reaches_.back());
+  }
+  for (std::size_t kind = 0; kind < kinds_; ++kind) {
+    const float* reaches = square_reaches_.data() + kind * kinds_;
+    widest_.push_back(*std::max_element(reaches, reaches + kinds_));
   }
 }
 

@@ -31,7 +31,7 @@ class NearRules {
   const float* square_reaches(std::uint16_t kind) const {
     return square_reaches_.data() + kind * kinds_;
   }
-  float widest() const { return widest_; }  ///< largest of them
+  float widest(std::uint16_t kind) const { return widest_[kind]; }  ///< largest of them
 
  private:
   /// A pair whose distance is its own; 0: may come as near as it likes.
@@ -50,7 +50,7 @@ class NearRules {
   std::vector<std::uint16_t> kind_;           ///< of each place, below kinds_
   std::size_t kinds_ = 0;
   std::vector<float> square_reaches_;  ///< (kinds * kinds)
-  float widest_ = 0.0F;
+  std::vector<float> widest_;          ///< (kinds)
   std::vector<Slot> listed_;
 };
 
