@@ -17,7 +17,8 @@ if TYPE_CHECKING:
 
 #: Old names and new ones, of packages with all that is in them; the longest that fits counts.
 MOVED = {
-    "pliant.bench": "pliant.lab.bench",  # 0.2.0, as all of these
+    "pliant.analysis.sequence": "pliant._sequence",  # 0.3.0
+    "pliant.bench": "pliant.lab.bench",  # 0.2.0, as all below
     "pliant.bench.run_subcommands": "pliant.lab.bench.subcommands",
     "pliant.cli_analyse": "pliant.analyse.command",
     "pliant.comparison": "pliant.compare",

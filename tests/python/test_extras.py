@@ -164,6 +164,13 @@ def test_a_check_is_told_without_rich_and_matplotlib(trajectory, tmp_path):
     assert json.loads(ended.stdout)["passed"]
 
 
+def test_a_path_needs_none(tmp_path):
+    code = "import pliant\npath = pliant.path({0!r}, {0!r})\nprint(path.arrived, len(path.frames))"
+    peptide = Path(__file__).parents[2] / "data/molecules/peptide_20.pdb"
+    ended = run_without(code.format(str(peptide)))
+    assert (ended.stdout, ended.stderr) == ("True 1\n", "")
+
+
 @pytest.mark.parametrize("name", ["analyse", "check", "compare", "path"])
 @pytest.mark.parametrize(
     "imports",

@@ -9,6 +9,7 @@ import numpy as np
 
 ENSEMBLE = "ensemble"  #: `pliant sample`: frames are independent
 PATH = "path"  #: `pliant run`, or sampler `walk`: each frame is the one before, pushed
+TRANSITION = "transition"  #: `pliant path`: each frame is nearer to another structure
 TRAJECTORY = "trajectory"  #: another program's: frames may be anything
 
 

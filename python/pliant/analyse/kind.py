@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What the frames of a file are: independent draws, a path of pushes, or something of others."""
+"""What the frames of a file are: independent draws, a path of pushes or between structures, or
+something of others."""
 
 from __future__ import annotations
 
@@ -7,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant.analyse.found import ENSEMBLE, PATH, TRAJECTORY
+from pliant.analyse.found import ENSEMBLE, PATH, TRAJECTORY, TRANSITION
 from pliant.analysis.flexibility import numbered_blocks, path_blocks
 
 if TYPE_CHECKING:
@@ -26,6 +27,11 @@ SENTENCES = {
         "depends on the pushes and on how many there were, so that these fluctuations are no "
         "property of the molecule. For those of a molecule see pliant sample."
     ),
+    TRANSITION: (
+        "A path from one structure to another: frames lie in the order of the way, and show that "
+        "it can be gone. They tell nothing of time, of rates, or of how often a shape occurs; "
+        "fluctuations are those of the way, and no property of the molecule. The 3-D view plays it."
+    ),
     TRAJECTORY: (
         "A trajectory of another program: fluctuations are what it gives; errors come from blocks "
         "of frames that are longer than what the slowest motion remembers."
@@ -34,8 +40,10 @@ SENTENCES = {
 
 
 def kind_of(study: Study) -> str:
-    """ENSEMBLE, PATH or TRAJECTORY, by what the file tells of itself."""
+    """ENSEMBLE, PATH, TRANSITION or TRAJECTORY, by what the file tells of itself."""
     told = study.record.parameters if study.record else {}
+    if "path/end" in told:
+        return TRANSITION
     sampler = told.get("sample/sampler")
     if sampler is not None:
         return PATH if sampler == "walk" else ENSEMBLE

@@ -9,13 +9,16 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant.analyse.bar_verdict import Verdict, verdict
-from pliant.analyse.found import ENSEMBLE, PATH
+from pliant.analyse.found import ENSEMBLE, PATH, TRANSITION
 from pliant.analyse.kind import SENTENCES
 from pliant.analyse.study import known
 from pliant.analysis.stereochemistry import TWISTED
 
 if TYPE_CHECKING:
     from pliant.analyse.study import Study
+
+#: kinds of frames of which fluctuations are no property of the molecule
+NO_ENSEMBLES = {PATH: "A path of pushes", TRANSITION: "A path from one structure to another"}
 
 #: a bond angle may change by so much, degrees; molecular dynamics at 300 K changes some by 16
 MOST_ANGLE = 20.0
@@ -119,10 +122,10 @@ def whole(study: Study) -> Verdict:
     if failed:
         sentence = f"Do not use these frames as they are: see {' and '.join(failed)}."
         return Verdict("bad", sentence, "Other questions may well have good answers.")
-    if study.kind == PATH:
+    if study.kind in NO_ENSEMBLES:
         held = [name for name, one in made.items() if one.kind == "good"]
         details = f"What could be judged and holds: {', '.join(held)}." if held else ""
-        return Verdict("mixed", "A path of pushes, and not an ensemble.", details)
+        return Verdict("mixed", f"{NO_ENSEMBLES[study.kind]}, and not an ensemble.", details)
     doubtful = [one for one in made.values() if one.kind == "mixed"]
     if doubtful:
         return Verdict("mixed", doubtful[0].sentence, doubtful[0].details)
@@ -138,11 +141,13 @@ def _sentence(text: str) -> str:
 
 def _what_it_is(study: Study) -> Verdict:
     sentence, details = SENTENCES[study.kind].split(": ", 1)
-    kind = "mixed" if study.kind == PATH else "open"
+    kind = "mixed" if study.kind in NO_ENSEMBLES else "open"
     return Verdict(kind, f"{sentence}.", details[:1].upper() + details[1:])
 
 
 def _convergence(study: Study) -> Verdict:
+    if study.kind == TRANSITION:
+        return Verdict("open", "A path has an end, and does not converge.", "")
     found = study.flexibility
     if found is None:
         return Verdict(
@@ -161,7 +166,7 @@ def _convergence(study: Study) -> Verdict:
     if study.kind == ENSEMBLE and len(study.frames) < 200:
         details += " Fewer than 200 frames are no two whole blocks: errors are rather too large."
     if found.converged:
-        what = "The flexibility is converged" if study.kind != PATH else "The halves agree"
+        what = "The halves agree" if study.kind in NO_ENSEMBLES else "The flexibility is converged"
         return Verdict("good", f"{what}.", details)
     return Verdict("mixed", "The flexibility is not converged: the halves differ.", details)
 

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pliant._core import InputError
-from pliant.analysis.sequence import aligned
+from pliant._sequence import aligned
 from pliant.compare.traces import Trace
 
 #: by number where so many of the residues of the shorter chain are found and called the same

@@ -10,7 +10,7 @@ import numpy as np
 
 from pliant._chains import chain_of
 from pliant._core import Structure
-from pliant.analysis.sequence import LETTERS, NUCLEOTIDES, UNKNOWN
+from pliant._sequence import LETTERS, NUCLEOTIDES, UNKNOWN
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 
 EXIT_SHORT = 3  #: the end was not reached
 
+ATTEMPTS = 10  #: of --backtrack without a number
+
 EPILOG = """\
 Residues are matched by chain and number, else by sequence. Hydrogen bonds, salt bridges and
 hydrophobic contacts that both structures have are held on the way; those of one alone, and of
@@ -36,6 +38,7 @@ option, 3 it was not reached
 
 examples:
   pliant path open.pdb closed.pdb -o closing.h5md
+  pliant path 1cll.pdb 5ggm.pdb -o p.h5md --both --backtrack
   pliant path 4ake.cif 1ake.cif -o closing.h5md --atoms heavy --csv closing.csv
   pliant analyse closing.h5md
 """
@@ -66,6 +69,14 @@ def make_parser() -> console.Parser:
         help="which are asked to arrive: one a residue, or all but H (default: CA)")  # fmt: skip
     add("--step", metavar="X", type=console.positive_number, default=0.2,
         help="r.m.s. distance of a step, Angstrom (default: 0.2)")  # fmt: skip
+    add("--both", action="store_true",
+        help="move both towards each other; START then goes on along what END did")  # fmt: skip
+    add("--backtrack", metavar="N", nargs="?", type=console.whole_number(0, most=1000),
+        const=ATTEMPTS, default=0,
+        help="where the path is stuck go back and try again by a detour, at most N times "
+        f"({ATTEMPTS} if N is not given; default: 0)")  # fmt: skip
+    add("--seed", metavar="N", type=console.whole_number(0, most=2**64 - 1), default=0,
+        help="of the detours (default: 0)")  # fmt: skip
     add("--csv", metavar="FILE", help="write the table of frames, too")
     add("--overwrite", action="store_true", help="replace existing outputs")
     add("--json", action="store_true", help="print the report as one JSON object")
@@ -84,6 +95,7 @@ def _path(arguments: argparse.Namespace) -> int:
     _check_outputs(arguments)
     path = walk.path(
         arguments.start, arguments.end, atoms=arguments.atoms, step=arguments.step,
+        both=arguments.both, backtrack=arguments.backtrack, seed=arguments.seed,
         output=arguments.output, overwrite=arguments.overwrite,
     )  # fmt: skip
     if arguments.csv:
@@ -120,6 +132,8 @@ def _facts(path: MolecularPath, output: str) -> dict[str, Any]:
         "contacts_of_start": path.only_start,
         "contacts_of_end": path.only_end,
         "worst_residual": max(frame.max_residual for frame in path.frames),
+        "attempts": path.attempts,
+        "tightest": [asdict(place) for place in path.tight_places()],
         "seconds": path.seconds,
         "notes": path.notes,
         "frames": [asdict(frame) for frame in path.frames],
@@ -143,11 +157,19 @@ def _print(path: MolecularPath, output: str) -> None:
     )
     print(f"                {last.lost} of {path.only_start} of the start alone are lost")
     print(f"                {last.made} of {path.only_end} of the end alone are made")
+    for k, place in enumerate(path.tight_places()):
+        print(
+            f"{'' if k else 'tightest':15s} {place.atoms}: {place.overlap:.3f} A too near in "
+            f"frame {place.step}"
+        )
+    if path.attempts:
+        print(f"went back       {path.attempts} times")
     print(f"worst bar       off by {worst:.1e} of its length")
     print(f"time            {path.seconds:.2f} s")
     print(f"trajectory      {console.printable_name(output)}")
     if not path.arrived:
-        print("what stands in the way may be contacts, loops, or parts that would pass each other")
+        print("what stands in the way may be contacts, loops, or parts that would pass each other;")
+        print("--both and --backtrack try other ways round")
 
 
 if __name__ == "__main__":

@@ -36,11 +36,13 @@ def keys(
     Atoms that a turn of the side chain would swap are one: OD1 and OD2 of ASP.
     """
 
+    residue_names = structure.residue_names
+
     def end(atom: int) -> tuple[int, str] | None:
         if atom not in names:
             return None
         number, name = names[atom]
-        return number, ALIKE.get((str(structure.residue_names[atom]), name), name)
+        return number, ALIKE.get((str(residue_names[atom]), name), name)
 
     found: list[Any] = []
     for row in contacts:
@@ -65,22 +67,18 @@ def with_ligands(
 
 
 def _by_label(structure: Structure) -> dict[tuple[str, int, str, str], int]:
-    _, first = np.unique(structure.residue_of, return_index=True)
+    residues, first = np.unique(structure.residue_of, return_index=True)
+    columns = (
+        structure.chains[first],
+        structure.residue_ids[first].tolist(),
+        structure.insertion_codes[first],
+        structure.residue_names[first],
+    )
+    labels = zip(*columns, strict=True)
     return {
-        (
-            str(structure.chains[atom]),
-            int(structure.residue_ids[atom]),
-            str(structure.insertion_codes[atom]),
-            str(structure.residue_names[atom]),
-        ): int(structure.residue_of[atom])
-        for atom in first
+        (str(chain), number, str(code), str(name)): int(residue)
+        for (chain, number, code, name), residue in zip(labels, residues, strict=True)
     }
-
-
-def is_there(positions: np.ndarray, a: int, b: int, least: float, most: float) -> bool:
-    """Whether two atoms of positions (N, 3) are as near as a contact wants them, Angstrom."""
-    apart = float(np.linalg.norm(positions[a] - positions[b]))
-    return least - BROKEN <= apart <= most + BROKEN
 
 
 def off(positions: np.ndarray, contacts: np.ndarray) -> np.ndarray:
@@ -88,11 +86,6 @@ def off(positions: np.ndarray, contacts: np.ndarray) -> np.ndarray:
     apart = np.linalg.norm(positions[contacts["a"]] - positions[contacts["b"]], axis=1)
     outside = np.maximum(apart - contacts["most"], contacts["least"] - apart)
     return np.asarray(np.maximum(0.0, outside))
-
-
-def furthest_off(positions: np.ndarray, contacts: np.ndarray) -> float:
-    """The largest of them; 0 where there are none."""
-    return float(off(positions, contacts).max(initial=0.0))
 
 
 def rms(moves: np.ndarray) -> float:

@@ -25,6 +25,18 @@ class PathFrame:
     made: int  #: contacts that only the end has, and that are there
     max_residual: float  #: worst bar, share of its length
     held_off: float  #: furthest that a contact that both have is outside its interval, Angstrom
+    overlap: float  #: how much nearer than allowed two atoms are at most, Angstrom
+    tightest: str  #: these two: "A:LYS12 NZ - A:ASP54 OD1"; empty where none are
+
+
+@dataclass
+class TightPlace:
+    """Two atoms that are too near each other, more than any others in some frames."""
+
+    atoms: str  #: "A:LYS12 NZ - A:ASP54 OD1"
+    overlap: float  #: how much nearer than allowed, at most, Angstrom
+    step: int  #: where that is
+    frames: int  #: of which these two are the tightest
 
 
 @dataclass
@@ -39,7 +51,8 @@ class MolecularPath:
     held: int  #: contacts that both structures have
     only_start: int  #: contacts that only the start has
     only_end: int
-    notes: list[str]  #: how residues were matched
+    notes: list[str]  #: how residues were matched, where the ends met, why it ended
+    attempts: int = 0  #: times that it went back and tried again
     seconds: float = 0.0
 
     @property
@@ -51,3 +64,13 @@ class MolecularPath:
     def arrived(self) -> bool:
         """Whether the last frame is at the end: CA within 0.5 Angstrom, heavy atoms within 1."""
         return self.reached <= ARRIVED[self.atoms]
+
+    def tight_places(self, count: int = 3) -> list[TightPlace]:
+        """Pairs of atoms that are the nearest of a frame, the most overlapping first."""
+        found: dict[str, TightPlace] = {}
+        for frame in (frame for frame in self.frames if frame.tightest):
+            one = found.setdefault(frame.tightest, TightPlace(frame.tightest, 0.0, 0, 0))
+            one.frames += 1
+            if frame.overlap > one.overlap:
+                one.overlap, one.step = frame.overlap, frame.step
+        return sorted(found.values(), key=lambda one: -one.overlap)[:count]

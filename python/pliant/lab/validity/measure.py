@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pliant._sequence import aligned
 from pliant.analysis import agreement as alike
 from pliant.analysis.agreement import TEN, Figure
-from pliant.analysis.sequence import aligned
 from pliant.lab.validity.cases import Fluctuation
 from pliant.lab.validity.goals import goal_of
 from pliant.lab.validity.peers import gnm_fluctuations, network_of

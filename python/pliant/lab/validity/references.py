@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import pliant
-from pliant.analysis.sequence import LETTERS
+from pliant._sequence import LETTERS
 from pliant.analysis.traces import joined_along
 from pliant.lab.validity.trace import Trace, amino_part, trace_of
 

@@ -3,8 +3,8 @@
 
 import numpy as np
 import pytest
+from pliant._sequence import LETTERS, aligned
 from pliant.analysis import agreement as alike
-from pliant.analysis.sequence import LETTERS, aligned
 from pliant.lab.validity.peers import Network, drawn_frames, network_of
 from pliant.lab.validity.trace import amino_part, trace_of
 
