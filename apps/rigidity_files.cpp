@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "pliant/base/error.hpp"
-#include "pliant/model/survey.hpp"
 #include "pliant/record/pdb_text.hpp"
 #include "pliant/text/output_file.hpp"
 #include "rigidity_scripts.hpp"
@@ -48,8 +47,6 @@ std::string pdb_of(const RigidityReport& report, const std::string& remark,
   return pdb.text();
 }
 
-bool is_polymer(const Structure& structure) { return usual_model(structure) == ModelKind::protein; }
-
 }  // namespace
 
 std::vector<std::string> rigidity_file_names(bool has_dilution) {
@@ -62,15 +59,15 @@ std::vector<std::string> rigidity_file_names(bool has_dilution) {
 void write_rigidity_folder(const std::string& folder, const RigidityReport& report, bool overwrite,
                            const Log& log) {
   const std::filesystem::path path(folder);
-  const bool polymer = is_polymer(report.model.structure);
+  const bool polymer = report.is_polymer();
   PdbCuts cuts;
   std::vector<std::string> texts{
       pdb_of(report, "B = number of the rigid cluster, 1 the largest; 0 in none",
              cluster_numbers(report), cuts),
       pdb_of(report, "B = 100 x flexibility index of the residue", flexibility_of_atoms(report),
              cuts),
-      rigidity_pymol_script(report.listed_clusters(), polymer),
-      rigidity_chimerax_script(report.listed_clusters(), polymer),
+      rigidity_pymol_script(report.coloured_clusters(), polymer),
+      rigidity_chimerax_script(report.coloured_clusters(), polymer),
       residues_as_csv(report),
       bonds_as_csv(report)};
   if (!report.dilution.empty())
