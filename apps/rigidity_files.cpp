@@ -2,6 +2,7 @@
 #include "rigidity_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "pliant/base/error.hpp"
@@ -60,14 +61,17 @@ void write_rigidity_folder(const std::string& folder, const RigidityReport& repo
                            const Log& log) {
   const std::filesystem::path path(folder);
   const bool polymer = report.is_polymer();
+  const std::vector<double> flexibility = flexibility_of_atoms(report);
+  double most = 1.0;
+  for (const double value : flexibility) most = std::max(most, std::ceil(value));
+  const std::size_t coloured = report.coloured_clusters();
   PdbCuts cuts;
   std::vector<std::string> texts{
       pdb_of(report, "B = number of the rigid cluster, 1 the largest; 0 in none",
              cluster_numbers(report), cuts),
-      pdb_of(report, "B = 100 x flexibility index of the residue", flexibility_of_atoms(report),
-             cuts),
-      rigidity_pymol_script(report.coloured_clusters(), polymer),
-      rigidity_chimerax_script(report.coloured_clusters(), polymer),
+      pdb_of(report, "B = 100 x flexibility index of the residue", flexibility, cuts),
+      rigidity_pymol_script(coloured, polymer, most),
+      rigidity_chimerax_script(coloured, polymer, most),
       residues_as_csv(report),
       bonds_as_csv(report)};
   if (!report.dilution.empty())

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "rigidity_json.hpp"
 
-#include <cmath>
-
 #include "pliant/base/elements.hpp"
 #include "pliant/model/dilution_picture.hpp"
 
@@ -78,9 +76,6 @@ Json json_of_dilution(const RigidityReport& report) {
   return Json::array(rows);
 }
 
-/// To a thousandth of an Angstrom, as PDB files have them.
-double rounded(double coordinate) { return std::round(1000.0 * coordinate) / 1000.0; }
-
 Json json_of_structure(const Structure& structure) {
   std::vector<std::string> names, elements;
   std::vector<Json> residue_of, positions, bonds;
@@ -89,7 +84,7 @@ Json json_of_structure(const Structure& structure) {
     elements.push_back(std::string(element_symbol(structure.atoms.elements[k])));
     residue_of.push_back(structure.atoms.residue_of[k]);
     const Vec3& at = structure.positions[k];
-    for (const double coordinate : {at.x, at.y, at.z}) positions.push_back(rounded(coordinate));
+    for (const double coordinate : {at.x, at.y, at.z}) positions.push_back(coordinate);
   }
   for (const Bond& bond : structure.bonds)
     for (const std::uint32_t atom : {bond.a, bond.b}) bonds.push_back(atom);

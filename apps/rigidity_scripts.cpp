@@ -21,9 +21,9 @@ std::string hexadecimal(std::size_t cluster) { return cluster_colour(cluster).su
 
 }  // namespace
 
-std::string rigidity_pymol_script(std::size_t clusters, bool is_polymer) {
+std::string rigidity_pymol_script(std::size_t clusters, bool is_polymer, double most) {
   std::string text =
-      "# pymol show.pml: scene F1 rigid clusters, each in a colour, the others grey;\n"
+      "# pymol show.pml: scene F1 rigid clusters, each in a colour, the others grey,\n"
       "# scene F2 flexibility of residues: blue rigid, orange flexible\n"
       "load clusters.pdb, clusters\nload flexibility.pdb, flexibility\nhide everything\n"
       "bg_color white\n";
@@ -37,20 +37,22 @@ std::string rigidity_pymol_script(std::size_t clusters, bool is_polymer) {
   text += shown("clusters") + "orient clusters\nscene F1, store\nhide everything\n";
   text += fmt::format("set_color rigid, [{}]\nset_color between, [{}]\nset_color flexible, [{}]\n",
                       fmt::join(ramp[0], ", "), fmt::join(ramp[1], ", "), fmt::join(ramp[2], ", "));
-  text += "spectrum b, rigid between flexible, flexibility, 0, 100\n";
+  text += fmt::format("spectrum b, rigid between flexible, flexibility, 0, {:.0f}\n", most);
   return text + shown("flexibility") + "scene F2, store\nscene F1, recall\n";
 }
 
-std::string rigidity_chimerax_script(std::size_t clusters, bool is_polymer) {
+std::string rigidity_chimerax_script(std::size_t clusters, bool is_polymer, double most) {
   std::string text =
-      "# ChimeraX: open show.cxc; model 1: rigid clusters, each in a colour, the others grey;\n"
+      "# ChimeraX: open show.cxc. Model 1: rigid clusters, each in a colour, the others grey,\n"
       "# model 2, hidden: flexibility of residues, blue rigid, orange flexible\n"
       "open clusters.pdb\nopen flexibility.pdb\nset bgColor white\n";
   text += fmt::format("color #1 #{}\n", loose);
   for (std::size_t k = clusters; k-- > 0;)
     text += fmt::format("color (#1 & @@bfactor>{}.5 & @@bfactor<{}.5) {}\n", k, k + 1,
                         cluster_colour(k));
-  text += "color byattribute bfactor #2 palette 0,#2f6799:50,#dee2e4:100,#d55e00\n";
+  text +=
+      fmt::format("color byattribute bfactor #2 palette 0,#2f6799:{:.1f},#dee2e4:{:.0f},#d55e00\n",
+                  0.5 * most, most);
   text += is_polymer ? "hide atoms\nshow ligand atoms\nshow cartoons\ncolor #1,2 fromatoms\n"
                      : "show atoms\n";
   return text + "hide #2 models\nview\n";

@@ -128,7 +128,7 @@ def facts_of_json(found: Mapping[str, Any]) -> RigidityFacts:
         residue_of=np.array(found["residue_of_atom"], dtype=int),
         names=found["names"],
         elements=found["elements"],
-        positions=np.array(found["positions"], dtype=float).reshape(-1, 3),
+        positions=np.round(np.array(found["positions"], dtype=float).reshape(-1, 3), 3),
         bonds=np.array(found["atoms_of_bonds"], dtype=int).reshape(-1, 2),
         chains=[row["chain"] for row in residues],
         numbers=[f"{row['number']}{row['insertion']}" for row in residues],
