@@ -5,13 +5,15 @@
 #include <filesystem>
 
 #include "command.hpp"
-#include "dilution_picture.hpp"
+#include "external.hpp"
 #include "messages.hpp"
 #include "molecule_input.hpp"
 #include "output_files.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/model/dilution_picture.hpp"
 #include "rigidity_files.hpp"
+#include "rigidity_json.hpp"
 #include "rigidity_report.hpp"
 
 namespace pliant::app {
@@ -21,7 +23,7 @@ struct RigiditySettings {
   MoleculeOptions molecule;
   std::int64_t hydrogen_bond_bars = 5, tether_bars = 2;
   bool ends_turn = true, dilution = false;
-  std::string output;
+  std::string output, page;
   bool overwrite = false, as_csv = false, as_json = false;
 };
 
@@ -45,7 +47,7 @@ constexpr const char* footer =
     "\n"
     "Examples:\n"
     "  pliant rigidity protein.pdb\n"
-    "  pliant rigidity protein.pdb --dilution --hbond-cutoff -0.1\n"
+    "  pliant rigidity protein.pdb --dilution --page rigid.html\n"
     "  pliant rigidity protein.pdb -o rigid && cd rigid && pymol show.pml\n"
     "  pliant rigidity protein.pdb --csv > residues.csv";
 
@@ -66,33 +68,47 @@ void add_options(CommandLine& line, RigiditySettings& settings) {
   line.add_text("-o,--output", settings.output, "FOLDER",
                 "write tables, PDB files with clusters and flexibility as B factors, scripts "
                 "for PyMOL and ChimeraX, and with --dilution a picture (dilution.svg)");
-  line.add_flag("--overwrite", settings.overwrite, "replace files of that folder");
+  line.add_text("--page", settings.page, "FILE",
+                "write an HTML page: the molecule in 3-D coloured by cluster and by flexibility, "
+                "clusters by residues, with --dilution the plot (made by the Python package)");
+  line.add_flag("--overwrite", settings.overwrite, "replace the page, and files of that folder");
   line.add_flag("--csv", settings.as_csv,
                 "print a table of residues, with --dilution one of hydrogen bonds that go");
   line.add_flag("--json", settings.as_json, "print one JSON object with all that was found");
 }
 
 void refuse_input_as_output(const RigiditySettings& settings) {
-  if (settings.output.empty()) return;
-  std::vector<std::string> outputs;
+  std::vector<std::string> outputs{settings.page};
   for (const std::string& name : rigidity_file_names(settings.dilution))
-    outputs.push_back((std::filesystem::path(settings.output) / name).string());
+    if (!settings.output.empty())
+      outputs.push_back((std::filesystem::path(settings.output) / name).string());
   refuse_same_files(inputs_of(settings.molecule), outputs);
 }
 
 void dilute(RigidityReport& report) {
-  const RigidityNetwork& network = report.rigidity.network;
-  DilutionPicture picture(report.model.structure);
-  report.dilution = dilute_hydrogen_bonds(
-      network,
-      [&](const DilutionRow& row, const ClusterList& clusters) { picture.add(row, clusters); });
-  std::vector<double> energies;
-  for (std::size_t k = network.first_hydrogen_bond; k < network.edges.size(); ++k)
-    energies.push_back(report.model.contacts[network.contact_of(k)].energy);
-  report.dilution_svg =
-      picture.svg(printable_name(std::filesystem::path(report.file).filename().string()) +
-                      ": rigid clusters of residues as hydrogen bonds go",
-                  energies);
+  const std::string file = std::filesystem::path(report.file).filename().string();
+  DrawnDilution drawn =
+      draw_dilution(report.model, report.rigidity.network, dilution_title(printable_name(file)));
+  report.dilution = std::move(drawn.rows);
+  report.dilution_svg = std::move(drawn.svg);
+}
+
+/// Path of the program that makes the page; "" where none is asked for.
+std::string page_program(const RigiditySettings& settings) {
+  if (settings.page.empty()) return "";
+  std::string path = find_external("rigidity-page");
+  if (path.empty())
+    throw InputError(
+        "--page is made by the Python package: install it (pip install pliant), so that "
+        "pliant-rigidity-page is on PATH");
+  return path;
+}
+
+int write_page(const std::string& program, const RigiditySettings& settings,
+               const RigidityReport& report) {
+  Arguments arguments{"-o", settings.page};
+  if (settings.overwrite) arguments.push_back("--overwrite");
+  return run_with_input(program, arguments, json_for_page(report).text());
 }
 
 RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
@@ -118,13 +134,16 @@ int command_rigidity(const Arguments& arguments) {
   add_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (settings.as_csv && settings.as_json) throw OptionError("--csv, --json: expected one of them");
-  if (settings.overwrite && settings.output.empty())
-    throw OptionError("--overwrite: goes with --output");
+  if (settings.overwrite && settings.output.empty() && settings.page.empty())
+    throw OptionError("--overwrite: goes with --output or --page");
   refuse_input_as_output(settings);
+  const std::string program = page_program(settings);
   Messages messages(settings.as_json);
   const RigidityReport report = report_of(settings, messages.log());
   if (!settings.output.empty())
     write_rigidity_folder(settings.output, report, settings.overwrite, messages.log());
+  if (!program.empty())
+    if (const int code = write_page(program, settings, report); code != exit_ok) return code;
   if (settings.as_csv)
     fmt::print("{}", settings.dilution ? dilution_as_csv(report) : residues_as_csv(report));
   else if (settings.as_json)

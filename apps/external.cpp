@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "external.hpp"
 
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <cerrno>
 #include <cstdlib>
+#include <cstring>
 #include <filesystem>
 #include <string_view>
+
+#include "pliant/base/error.hpp"
 
 namespace pliant::app {
 namespace {
@@ -20,6 +26,27 @@ bool is_program(const fs::path& path) {
 std::string_view search_path() {
   const char* path = std::getenv("PATH");
   return path == nullptr ? "" : path;
+}
+
+[[noreturn]] void fail_to_run(const std::string& path) {
+  throw FileError(path + ": cannot be run: " + std::strerror(errno));
+}
+
+/// As far as the reader takes it: one that ends early says why itself.
+void write_all(int descriptor, std::string_view text) {
+  while (!text.empty()) {
+    const ssize_t written = write(descriptor, text.data(), text.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return;
+    text.remove_prefix(static_cast<std::size_t>(written));
+  }
+}
+
+int exit_code_of(pid_t child, const std::string& path) {
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0)
+    if (errno != EINTR) fail_to_run(path);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : int{exit_failed};
 }
 
 }  // namespace
@@ -38,6 +65,24 @@ std::string find_external(const std::string& name) {
     rest = colon == std::string_view::npos ? "" : rest.substr(colon + 1);
   }
   return "";
+}
+
+int run_with_input(const std::string& path, const Arguments& arguments, const std::string& input) {
+  std::array<int, 2> ends{};  // to read from, to write to
+  if (pipe(ends.data()) != 0) fail_to_run(path);
+  const pid_t child = fork();
+  if (child < 0) fail_to_run(path);
+  if (child == 0) {
+    dup2(ends[0], STDIN_FILENO);
+    close(ends[0]);
+    close(ends[1]);
+    become(path, arguments);
+    _exit(exit_failed);
+  }
+  close(ends[0]);
+  write_all(ends[1], input);
+  close(ends[1]);
+  return exit_code_of(child, path);
 }
 
 void become(const std::string& path, const Arguments& arguments) {

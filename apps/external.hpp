@@ -12,6 +12,10 @@ namespace pliant::app {
 /// is none.
 std::string find_external(const std::string& name);
 
+/// Runs the program at `path` until it ends, with `input` as its standard input; its exit code.
+/// Throws FileError with the system's reason if it cannot be run.
+int run_with_input(const std::string& path, const Arguments& arguments, const std::string& input);
+
 /// Becomes the program at `path`. Returns only if that fails.
 void become(const std::string& path, const Arguments& arguments);
 

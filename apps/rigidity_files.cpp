@@ -2,10 +2,10 @@
 #include "rigidity_files.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "pliant/base/error.hpp"
-#include "pliant/model/survey.hpp"
 #include "pliant/record/pdb_text.hpp"
 #include "pliant/text/output_file.hpp"
 #include "rigidity_scripts.hpp"
@@ -48,8 +48,6 @@ std::string pdb_of(const RigidityReport& report, const std::string& remark,
   return pdb.text();
 }
 
-bool is_polymer(const Structure& structure) { return usual_model(structure) == ModelKind::protein; }
-
 }  // namespace
 
 std::vector<std::string> rigidity_file_names(bool has_dilution) {
@@ -62,15 +60,18 @@ std::vector<std::string> rigidity_file_names(bool has_dilution) {
 void write_rigidity_folder(const std::string& folder, const RigidityReport& report, bool overwrite,
                            const Log& log) {
   const std::filesystem::path path(folder);
-  const bool polymer = is_polymer(report.model.structure);
+  const bool polymer = report.is_polymer();
+  const std::vector<double> flexibility = flexibility_of_atoms(report);
+  double most = 1.0;
+  for (const double value : flexibility) most = std::max(most, std::ceil(value));
+  const std::size_t coloured = report.coloured_clusters();
   PdbCuts cuts;
   std::vector<std::string> texts{
       pdb_of(report, "B = number of the rigid cluster, 1 the largest; 0 in none",
              cluster_numbers(report), cuts),
-      pdb_of(report, "B = 100 x flexibility index of the residue", flexibility_of_atoms(report),
-             cuts),
-      rigidity_pymol_script(report.listed_clusters(), polymer),
-      rigidity_chimerax_script(report.listed_clusters(), polymer),
+      pdb_of(report, "B = 100 x flexibility index of the residue", flexibility, cuts),
+      rigidity_pymol_script(coloured, polymer, most),
+      rigidity_chimerax_script(coloured, polymer, most),
       residues_as_csv(report),
       bonds_as_csv(report)};
   if (!report.dilution.empty())

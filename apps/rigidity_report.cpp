@@ -8,17 +8,13 @@
 
 #include "csv_cell.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/model/dilution_picture.hpp"
+#include "pliant/model/survey.hpp"
 
 namespace pliant::app {
 namespace {
 
 constexpr std::size_t most_printed = 10, most_stretches = 6;
-
-bool is_listed_bond(const RigidityReport& report, std::size_t edge) {
-  const Rigidity& rigidity = report.rigidity;
-  return !rigidity.network.is_bond(edge) || rigidity.network.edges[edge].bars < freedoms_of_body ||
-         rigidity.found.redundant[edge] > 0;
-}
 
 void print_row(std::string_view label, std::size_t value, const std::string& comment) {
   fmt::print("{:<28}{:>9}{}{}\n", label, value, comment.empty() ? "" : "   ", comment);
@@ -96,65 +92,6 @@ void print_dilution(const RigidityReport& report) {
   }
 }
 
-Json json_of_clusters(const RigidityReport& report) {
-  std::vector<Json> clusters;
-  for (std::size_t k = 0; k < report.listed_clusters(); ++k)
-    clusters.push_back({{"cluster", k + 1},
-                        {"atoms", report.rigidity.found.clusters.sizes[k]},
-                        {"residues", residues_of(report, static_cast<std::uint32_t>(k), ~0U)}});
-  return Json::array(clusters);
-}
-
-Json json_of_bonds(const RigidityReport& report) {
-  std::vector<Json> bonds;
-  const Rigidity& rigidity = report.rigidity;
-  for (std::size_t k = 0; k < rigidity.network.edges.size(); ++k) {
-    if (!is_listed_bond(report, k)) continue;
-    const BodyEdge& edge = rigidity.network.edges[k];
-    bonds.push_back({{"kind", report.kind_of(k)},
-                     {"a", report.label(edge.a)},
-                     {"b", report.label(edge.b)},
-                     {"bars", edge.bars},
-                     {"redundant", rigidity.found.redundant[k]},
-                     {"flexible", rigidity.is_flexible(k)},
-                     {"flexibility", rigidity.flexibility[k]}});
-  }
-  return Json::array(bonds);
-}
-
-Json json_of_residues(const RigidityReport& report) {
-  std::vector<Json> rows;
-  const auto& residues = report.model.structure.atoms.residues;
-  for (std::size_t k = 0; k < residues.size(); ++k) {
-    const ResidueFlexibility& found = report.rigidity.residues[k];
-    rows.push_back({{"chain", residues[k].chain},
-                    {"number", residues[k].number},
-                    {"name", residues[k].name},
-                    {"cluster", found.cluster + 1},
-                    {"flexibility", found.index},
-                    {"bonds", found.bonds},
-                    {"flexible", found.flexible}});
-  }
-  return Json::array(rows);
-}
-
-Json json_of_dilution(const RigidityReport& report) {
-  std::vector<Json> rows;
-  for (std::size_t k = 0; k < report.dilution.size(); ++k) {
-    const DilutionRow& row = report.dilution[k];
-    std::vector<Json> largest;
-    for (const std::uint32_t size : row.largest) largest.push_back(size);
-    Json json{{"hydrogen_bonds", row.hydrogen_bonds},
-              {"degrees_of_freedom", row.freedoms},
-              {"redundant", row.redundant},
-              {"clusters", row.clusters},
-              {"largest", Json::array(largest)}};
-    if (const auto weakest = report.weakest_of(row)) json = json + Json{{"cutoff", *weakest}};
-    rows.push_back(std::move(json));
-  }
-  return Json::array(rows);
-}
-
 }  // namespace
 
 std::size_t RigidityReport::listed_clusters() const {
@@ -163,6 +100,24 @@ std::size_t RigidityReport::listed_clusters() const {
       std::find_if(sizes.begin(), sizes.end(),
                    [](std::uint32_t size) { return size < least_listed; }) -
       sizes.begin());
+}
+
+bool RigidityReport::is_listed_bond(std::size_t edge) const {
+  return !rigidity.network.is_bond(edge) || rigidity.network.edges[edge].bars < freedoms_of_body ||
+         rigidity.found.redundant[edge] > 0;
+}
+
+std::size_t RigidityReport::coloured_clusters() const {
+  const auto& sizes = rigidity.found.clusters.sizes;
+  const std::uint32_t least = is_polymer() ? least_coloured : least_listed;
+  const auto count =
+      std::find_if(sizes.begin(), sizes.end(), [&](std::uint32_t size) { return size < least; }) -
+      sizes.begin();
+  return std::min(static_cast<std::size_t>(count), cluster_colours);
+}
+
+bool RigidityReport::is_polymer() const {
+  return usual_model(model.structure) == ModelKind::protein;
 }
 
 std::size_t RigidityReport::atoms_in_listed() const {
@@ -180,6 +135,11 @@ std::string RigidityReport::kind_of(std::size_t edge) const {
   return std::string(name(model.contacts[rigidity.network.contact_of(edge)].kind));
 }
 
+std::optional<double> RigidityReport::energy_of(std::size_t edge) const {
+  if (rigidity.network.is_bond(edge)) return std::nullopt;
+  return model.contacts[rigidity.network.contact_of(edge)].energy;
+}
+
 std::optional<double> RigidityReport::weakest_of(const DilutionRow& row) const {
   if (row.hydrogen_bonds == 0) return std::nullopt;
   const std::size_t last = rigidity.network.first_hydrogen_bond + row.hydrogen_bonds - 1;
@@ -189,6 +149,10 @@ std::optional<double> RigidityReport::weakest_of(const DilutionRow& row) const {
 std::optional<std::size_t> RigidityReport::taken_for(std::size_t row) const {
   if (row == 0) return std::nullopt;
   return rigidity.network.first_hydrogen_bond + dilution[row].hydrogen_bonds;
+}
+
+std::string insertion_of(const Residue& residue) {
+  return residue.insertion_code > ' ' ? std::string(1, residue.insertion_code) : "";
 }
 
 std::string residues_of(const RigidityReport& report, std::uint32_t cluster, std::size_t most) {
@@ -220,37 +184,15 @@ void print_rigidity(const RigidityReport& report) {
   print_dilution(report);
 }
 
-Json json_of_rigidity(const RigidityReport& report) {
-  const RigidClusters& found = report.rigidity.found;
-  std::vector<Json> of_atom;
-  for (const std::uint32_t cluster : found.clusters.of_body) of_atom.push_back(cluster + 1);
-  const Json totals{
-      {"file", report.file},
-      {"atoms", report.rigidity.network.atoms},
-      {"contacts", report.rigidity.network.edges.size() - report.rigidity.network.bonds},
-      {"bonds_that_may_turn", report.rigidity.hinges},
-      {"flexible_bonds", report.rigidity.flexible_bonds},
-      {"degrees_of_freedom", found.freedoms},
-      {"parts", found.components},
-      {"bars", found.bars},
-      {"redundant", report.redundant_bars()}};
-  const Json lists{{"clusters", json_of_clusters(report)},
-                   {"cluster_of_atom", Json::array(of_atom)},
-                   {"residues", json_of_residues(report)},
-                   {"bonds", json_of_bonds(report)}};
-  if (report.dilution.empty()) return totals + lists;
-  return totals + lists + Json{{"dilution", json_of_dilution(report)}};
-}
-
 std::string residues_as_csv(const RigidityReport& report) {
   std::string text = "chain,number,insertion,name,cluster,flexibility,bonds,flexible\n";
   const auto& residues = report.model.structure.atoms.residues;
   for (std::size_t k = 0; k < residues.size(); ++k) {
     const ResidueFlexibility& found = report.rigidity.residues[k];
-    text += fmt::format(
-        "{},{},{},{},{},{:.6g},{},{}\n", csv_cell(residues[k].chain), residues[k].number,
-        residues[k].insertion_code > ' ' ? csv_cell({residues[k].insertion_code}) : std::string(),
-        csv_cell(residues[k].name), found.cluster + 1, found.index, found.bonds, found.flexible);
+    text += fmt::format("{},{},{},{},{},{:.6g},{},{}\n", csv_cell(residues[k].chain),
+                        residues[k].number, csv_cell(insertion_of(residues[k])),
+                        csv_cell(residues[k].name), found.cluster + 1, found.index, found.bonds,
+                        found.flexible);
   }
   return text;
 }
@@ -259,16 +201,13 @@ std::string bonds_as_csv(const RigidityReport& report) {
   std::string text = "kind,a,b,bars,redundant,flexible,flexibility,energy\n";
   const Rigidity& rigidity = report.rigidity;
   for (std::size_t k = 0; k < rigidity.network.edges.size(); ++k) {
-    if (!is_listed_bond(report, k)) continue;
+    if (!report.is_listed_bond(k)) continue;
     const BodyEdge& edge = rigidity.network.edges[k];
-    const std::string energy =
-        rigidity.network.is_bond(k)
-            ? ""
-            : fmt::format("{:.6g}", report.model.contacts[rigidity.network.contact_of(k)].energy);
+    const auto energy = report.energy_of(k);
     text += fmt::format("{},{},{},{},{},{},{:.6g},{}\n", report.kind_of(k),
                         csv_cell(report.label(edge.a)), csv_cell(report.label(edge.b)), edge.bars,
                         rigidity.found.redundant[k], int(rigidity.is_flexible(k)),
-                        rigidity.flexibility[k], energy);
+                        rigidity.flexibility[k], energy ? fmt::format("{:.6g}", *energy) : "");
   }
   return text;
 }

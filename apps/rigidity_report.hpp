@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
-// What pliant rigidity tells: a table to read, CSV and JSON.
+// What pliant rigidity tells: a table to read, and CSV.
 #pragma once
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "json.hpp"
 #include "pliant/model/rigidity.hpp"
 #include "pliant/model/rigidity_dilution.hpp"
 
@@ -14,6 +13,9 @@ namespace pliant::app {
 
 /// Clusters of fewer atoms are not listed: a bond alone is no cluster.
 inline constexpr std::uint32_t least_listed = 3;
+
+/// In molecules with chains of residues, clusters of fewer atoms (a side chain) stay grey.
+inline constexpr std::uint32_t least_coloured = 20;
 
 /// All that was found of one molecule.
 struct RigidityReport {
@@ -23,11 +25,17 @@ struct RigidityReport {
   std::vector<DilutionRow> dilution;  ///< none was asked for: empty
   std::string dilution_svg;           ///< its picture; "": none
 
-  std::size_t listed_clusters() const;  ///< of three atoms or more
+  std::size_t listed_clusters() const;    ///< of three atoms or more
+  std::size_t coloured_clusters() const;  ///< the first so many; at most cluster_colours
+  bool is_polymer() const;                ///< has chains of amino acids
   std::size_t atoms_in_listed() const;
   std::size_t redundant_bars() const;
   /// The name of a kind of contact, or "bond".
   std::string kind_of(std::size_t edge) const;
+  /// Whether an edge could turn, or has redundant bars.
+  bool is_listed_bond(std::size_t edge) const;
+  /// kcal/mol; nothing for a bond.
+  std::optional<double> energy_of(std::size_t edge) const;
   std::string label(std::uint32_t atom) const { return model.structure.atoms.label(atom); }
   /// The energy of the weakest hydrogen bond that a row has left; nothing where none is left.
   std::optional<double> weakest_of(const DilutionRow& row) const;
@@ -35,11 +43,13 @@ struct RigidityReport {
   std::optional<std::size_t> taken_for(std::size_t row) const;
 };
 
+/// "" where there is none.
+std::string insertion_of(const Residue& residue);
+
 /// "A:1-20, A:25": residues with three atoms or more in a cluster; at most `most` stretches.
 std::string residues_of(const RigidityReport& report, std::uint32_t cluster, std::size_t most);
 
 void print_rigidity(const RigidityReport& report);
-Json json_of_rigidity(const RigidityReport& report);
 /// One line a residue.
 std::string residues_as_csv(const RigidityReport& report);
 /// One line a bond or contact that could turn, or that has redundant bars.

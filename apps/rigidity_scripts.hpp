@@ -8,11 +8,10 @@
 namespace pliant::app {
 
 /// Both load clusters.pdb, whose B factors are numbers of clusters, and flexibility.pdb, where they
-/// are 100 times the flexibility index. The first `clusters` have colours of their own.
-std::string rigidity_pymol_script(std::size_t clusters, bool is_polymer);
-std::string rigidity_chimerax_script(std::size_t clusters, bool is_polymer);
-
-/// "#0072b2": of a cluster, from 0; colours come again after the last.
-std::string cluster_colour(std::size_t cluster);
+/// are 100 times the flexibility index. The first `clusters` have colours
+/// of their own (cluster_colour); others are grey.
+/// Colours of flexibility go from 0 to `most`, of that B factor.
+std::string rigidity_pymol_script(std::size_t clusters, bool is_polymer, double most);
+std::string rigidity_chimerax_script(std::size_t clusters, bool is_polymer, double most);
 
 }  // namespace pliant::app

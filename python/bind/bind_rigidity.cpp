@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Rigid clusters and degrees of freedom of molecules, by counting.
 #include <algorithm>
+#include <filesystem>
 #include <limits>
 
 #include "arrays.hpp"
 #include "messages.hpp"
 #include "molecular_contacts.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/printable.hpp"
+#include "pliant/model/dilution_picture.hpp"
 #include "pliant/model/rigidity.hpp"
 #include "pliant/model/rigidity_dilution.hpp"
 #include "structure.hpp"
@@ -174,6 +177,51 @@ dict of arrays, L = hydrogen bonds + 1 rows from all to none
     largest.
 )";
 
+constexpr const char* picture_doc =
+    R"(The dilution plot as an SVG picture: which residues are rigid together as hydrogen bonds go.
+
+One line each time that clusters of residues change; bars of one colour in a line are one cluster
+(Hespenheide, Rader, Thorpe, Kuhn, J. Mol. Graph. Model. 21 (2002) 195).
+
+Parameters
+----------
+name : str
+    What the title calls the molecule; "": the name of its file.
+)";
+
+constexpr const char* page_doc =
+    R"(Writes an HTML page: the molecule in 3-D coloured by cluster and by flexibility, the clusters.
+
+The page is one file that opens in a browser without a network. Ribbons of a protein need
+MDAnalysis (``pip install "pliant[analysis]"``).
+
+Parameters
+----------
+path : path
+    The file to write.
+dilution : bool
+    Whether the dilution plot is in it.
+overwrite : bool
+    Whether a file of that name is replaced.
+
+Raises
+------
+FileError
+    It exists or cannot be written.
+)";
+
+std::string picture_of(const MoleculeRigidity& self, const std::string& name) {
+  const std::string file = std::filesystem::path(self.model.structure.source).filename().string();
+  return draw_dilution(self.model, self.found.network,
+                       dilution_title(name.empty() ? printable_name(file) : name))
+      .svg;
+}
+
+void write_page(const nb::object& self, const nb::object& path, bool dilution, bool overwrite) {
+  nb::module_::import_("pliant.analyse.rigidity_page")
+      .attr("write_rigidity_page")(self, path, "dilution"_a = dilution, "overwrite"_a = overwrite);
+}
+
 using Self = const MoleculeRigidity&;
 
 void bind_totals(nb::class_<MoleculeRigidity>& bound) {
@@ -202,6 +250,13 @@ void bind_totals(nb::class_<MoleculeRigidity>& bound) {
       .def_prop_ro(
           "flexible_bonds", [](Self self) { return self.found.flexible_bonds; },
           "Of these, those between different clusters.")
+      .def("dilution_picture", &picture_of, "name"_a = "", nb::call_guard<nb::gil_scoped_release>(),
+           picture_doc)
+      .def("write_page", &write_page, "path"_a, nb::kw_only(), "dilution"_a = false,
+           "overwrite"_a = false,
+           nb::sig("def write_page(self, path: str | os.PathLike, *, dilution: bool = False, "
+                   "overwrite: bool = False) -> None"),
+           page_doc)
       .def("dilution", &dilution_of,
            nb::sig("def dilution(self) -> dict[str, numpy.typing.NDArray[typing.Any]]"),
            dilution_doc);

@@ -32,6 +32,7 @@
 #include "pliant/model/atom_graph.hpp"            // who is bonded to whom
 #include "pliant/model/contact_file.hpp"          // contacts as text
 #include "pliant/model/contact_list.hpp"          // contacts, and the limits that they are
+#include "pliant/model/dilution_picture.hpp"      // rigid clusters as hydrogen bonds go, drawn
 #include "pliant/model/hydrogen_bond_energy.hpp"  // of one hydrogen bond
 #include "pliant/model/hydrogen_bonds.hpp"        // hydrogen bonds and salt bridges
 #include "pliant/model/model.hpp"                 // the model of a molecule

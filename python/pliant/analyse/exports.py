@@ -124,20 +124,28 @@ def _one_chain(study: Study) -> bool:
     return len(set(known(study.units).chains.tolist())) == 1
 
 
+def _usual_b(study: Study) -> float:
+    """Where colours end: above nine tenths of the B factors, lest one loose end take them all."""
+    return max(0.1, float(np.percentile(b_factors(known(study.flexibility).rmsf), 90)))
+
+
 def pymol_script(study: Study) -> str:
     """Loads the ensemble in PyMOL, colours it by flexibility, or by domain, and plays it."""
+    of_residues = known(study.units).what == "residue"
     lines = [
-        "# pymol show.pml: still is blue, flexible is red; scene F2: domains",
+        "# pymol show.pml: still is blue, flexible is red",  # PyMOL runs what follows a semicolon
         "load ensemble.pdb, ensemble",
         "hide everything",
-        "show cartoon" if known(study.units).what == "residue" else "show sticks",
-        "spectrum b, blue_white_red, ensemble",
+        *(["dss ensemble", "show cartoon"] if of_residues else ["show sticks"]),
+        f"spectrum b, blue_white_red, ensemble, 0, {_usual_b(study):.1f}",
         "bg_color white",
         "orient",
         "scene F1, store",
     ]
-    if _one_chain(study):
-        for k, stretches in enumerate(_domain_selections(study)):
+    domains = _domain_selections(study) if _one_chain(study) else []
+    if domains:
+        lines.append("# scene F2: domains")
+        for k, stretches in enumerate(domains):
             residues = "+".join(f"{a}-{b}" for a, b in stretches)
             lines.append(f"select domain{k + 1}, ensemble and resi {residues}")
             lines.append(f"color 0x{DOMAIN_COLOURS[k][1:]}, domain{k + 1}")
@@ -152,11 +160,13 @@ def chimerax_script(study: Study) -> str:
         "open ensemble.pdb coordsets true",
         "hide atoms",
         "show cartoons" if known(study.units).what == "residue" else "show atoms",
-        "color byattribute bfactor palette blue:white:red",
+        f"color byattribute bfactor palette blue:white:red range 0,{_usual_b(study):.1f}",
     ]
     if _one_chain(study):
         for k, stretches in enumerate(_domain_selections(study)):
             residues = ",".join(f"{a}-{b}" for a, b in stretches)
             lines.append(f"name domain{k + 1} :{residues}")
             lines.append(f"# color domain{k + 1} {DOMAIN_COLOURS[k]}")
-    return "\n".join([*lines, "set bgColor white", "view", "coordset #1 loop 0 pauseFrames 4", ""])
+    return "\n".join(
+        [*lines, "set bgColor white", "view", "coordset #1 1,-1 pauseFrames 4 loop 100", ""]
+    )

@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import base64
 import contextlib
 import warnings
 from dataclasses import dataclass
@@ -14,6 +13,12 @@ import numpy.typing as npt
 
 from pliant.analyse.names import chains_of, numbers_of
 from pliant.analyse.study import known
+from pliant.analyse.view_limits import (
+    MAX_ATOMS,
+    MAX_WITH_HYDROGENS,
+    as_base64,
+    facing_the_reader,
+)
 from pliant.analysis.collective import participation
 from pliant.analysis.frames import weights_of
 from pliant.analysis.residuals import bar_residuals
@@ -26,12 +31,6 @@ if TYPE_CHECKING:
     from pliant.analyse.study import Study
     from pliant.analysis.residuals import BarResiduals
 
-
-#: atoms that a browser draws fluently
-MAX_ATOMS = 12_000
-
-#: of more atoms than these the hydrogens are not shown
-MAX_WITH_HYDROGENS = 1_500
 
 #: of frames in the page, before they are written as text
 MAX_BYTES = 1_000_000
@@ -97,8 +96,8 @@ def scene(study: Study, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES) 
         "frames": study.frames[shown.frames].tolist(),
         "axis": {"label": study.axis[1], "values": study.axis[0][shown.frames].tolist()},
         "step": step,
-        "positions": _base64(np.round(positions / step).astype("<i2")),
-        "residuals": _base64(codes),
+        "positions": as_base64(np.round(positions / step).astype("<i2")),
+        "residuals": as_base64(codes),
         "residual_codes": {"per_decade": CODES_PER_DECADE, "lowest": LOWEST_DECADE},
         "series": _series(study, shown.frames),
         "notes": shown.notes,
@@ -135,17 +134,7 @@ def _positions_and_codes(
         positions[k] = superposition.apply(every[shown.atoms], fitted)
         if len(bar_numbers):
             codes[k] = _codes(known(study.residuals), every, bar_numbers)
-    return _facing_the_reader(positions), codes
-
-
-def _facing_the_reader(positions: np.ndarray) -> np.ndarray:
-    """Turned so that the first frame is longest along x and thinnest along z, around 0."""
-    positions = positions - positions[0].mean(axis=0)
-    _, _, axes = np.linalg.svd(positions[0], full_matrices=True)
-    if np.linalg.det(axes) < 0:
-        axes[2] = -axes[2]
-    turned: np.ndarray = positions @ axes.T
-    return turned
+    return facing_the_reader(positions), codes
 
 
 def _codes(residuals: BarResiduals, positions: np.ndarray, bar_numbers: np.ndarray) -> np.ndarray:
@@ -259,7 +248,3 @@ def _series(study: Study, frames: np.ndarray) -> dict[str, Any]:
 
 def _rounded(values: np.ndarray) -> list[float]:
     return [float(f"{value:.4g}") for value in np.asarray(values, dtype=float)]
-
-
-def _base64(array: np.ndarray) -> str:
-    return base64.b64encode(np.ascontiguousarray(array).tobytes()).decode("ascii")

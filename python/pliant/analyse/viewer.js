@@ -15,6 +15,8 @@ function startViewer() {
   };
   const ramp = [[47, 103, 153], [127, 165, 196], [222, 226, 228], [238, 180, 110], [213, 94, 0]];
   const domainColours = ["#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00"];
+  // Of what has kinds, not amounts: a colour a kind, and grey for the rest.
+  const palettes = { domain: domainColours, ...scene.palettes };
   const loose = "#c3cad1";
   const resting = [213, 219, 225], strained = [0, 114, 178], broken = "#d55e00";
 
@@ -39,9 +41,9 @@ function startViewer() {
   function atomColours(kind) {
     const { elements, unit } = scene.atoms;
     const values = scene.units[kind];
-    if (kind === "domain") return unit.map((k) => domainColours[values[k]] || loose);
+    if (palettes[kind] && values) return unit.map((k) => palettes[kind][values[k]] || loose);
     if (values) {
-      const top = values.slice().sort((a, b) => a - b)[Math.floor(0.98 * (values.length - 1))] || 1;
+      const top = scene.tops?.[kind] || values.slice().sort((a, b) => a - b)[Math.floor(0.98 * (values.length - 1))] || 1;
       return unit.map((k) => (k < 0 ? loose : rampAt(values[k] / top)));
     }
     if (kind === "residual") return elements.map(() => hex(resting));
@@ -144,16 +146,20 @@ function startViewer() {
   function legend() {
     const box = document.getElementById("legend");
     const [left, strip, right] = box.children;
-    box.hidden = state.colour === "element";
-    const domains = new Set(scene.units.domain || []);
-    domains.delete(-1);
-    if (state.colour === "domain") {
-      [left.textContent, right.textContent] = ["", `${domains.size} domains; grey: none`];
-      const step = 100 / domains.size;
-      strip.style.background = `linear-gradient(90deg, ${[...domains].sort().map((k, place) =>
-        `${domainColours[k]} ${place * step}% ${(place + 1) * step}%`).join(",")})`;
-    } else if (state.colour === "mobility" || state.colour === "motion") {
-      [left.textContent, right.textContent] = ["still", { mobility: "mobile (RMSF)", motion: "moved by PC1" }[state.colour]];
+    box.style.display = state.colour === "element" ? "none" : "flex";
+    const palette = palettes[state.colour];
+    if (palette) {
+      const kinds = [...new Set(scene.units[state.colour])].filter((k) => palette[k]).sort((a, b) => a - b);
+      const many = { domain: "domains; grey: none", cluster: "rigid clusters; grey: smaller or flexible" };
+      [left.textContent, right.textContent] = ["", `${kinds.length} ${many[state.colour]}`];
+      const step = 100 / kinds.length;
+      strip.style.background = kinds.length ? `linear-gradient(90deg, ${kinds.map((k, place) =>
+        `${palette[k]} ${place * step}% ${(place + 1) * step}%`).join(",")})` : loose;
+    } else if (["mobility", "motion", "flexibility"].includes(state.colour)) {
+      [left.textContent, right.textContent] = {
+        mobility: ["still", "mobile (RMSF)"], motion: ["still", "moved by PC1"],
+        flexibility: ["rigid (0)", `flexible (${scene.tops?.flexibility})`],
+      }[state.colour];
       strip.style.background = `linear-gradient(90deg, ${ramp.map(hex).join(",")})`;
     } else if (state.colour === "residual") {
       [left.textContent, right.textContent] = ["bar at rest", "at tolerance, beyond"];
@@ -188,10 +194,12 @@ function startViewer() {
       if (state.ready) draw();
     });
     const kinds = [["element", "element"]];
-    const labels = { mobility: "mobility", domain: "domains", motion: "PC1" };
+    const labels = {
+      cluster: "rigid clusters", flexibility: "flexibility", mobility: "mobility", domain: "domains", motion: "PC1",
+    };
     for (const key of Object.keys(labels)) if (scene.units[key]) kinds.push([key, labels[key]]);
     if (barCount) kinds.push(["residual", "bar residual"]);
-    choices("colours", kinds, protein && scene.units.mobility ? "mobility" : "element", (key) => {
+    choices("colours", kinds, scene.units.cluster ? "cluster" : protein && scene.units.mobility ? "mobility" : "element", (key) => {
       state.colour = key;
       colours = atomColours(key);
       legend();
@@ -229,6 +237,7 @@ function startViewer() {
   }
 
   function listen() {
+    if (count < 2) for (const one of document.querySelectorAll(".timeline, .bar.play")) one.style.display = "none";
     const slider = document.getElementById("slider");
     slider.max = String(count - 1);
     slider.addEventListener("input", () => show(Number(slider.value)));

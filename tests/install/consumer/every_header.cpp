@@ -43,6 +43,7 @@
 #include "pliant/model/atom_graph.hpp"
 #include "pliant/model/contact_file.hpp"
 #include "pliant/model/contact_list.hpp"
+#include "pliant/model/dilution_picture.hpp"
 #include "pliant/model/hydrogen_bond_energy.hpp"
 #include "pliant/model/hydrogen_bonds.hpp"
 #include "pliant/model/model.hpp"
@@ -168,6 +169,7 @@ const Use uses[] = {
     of("pliant/model/atom_graph.hpp", &AtomGraph::are_bonded),
     of("pliant/model/contact_file.hpp", &parse_contacts),
     of("pliant/model/contact_list.hpp", &limits_of),
+    of("pliant/model/dilution_picture.hpp", &draw_dilution),
     of("pliant/model/hydrogen_bond_energy.hpp", &hydrogen_bond_energy),
     of("pliant/model/hydrogen_bonds.hpp", &hydrogen_bonds),
     of("pliant/model/model.hpp", &build_model),

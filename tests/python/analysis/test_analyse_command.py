@@ -4,6 +4,8 @@
 import csv
 import json
 import shutil
+import subprocess
+from pathlib import Path
 
 import h5py
 import numpy as np
@@ -294,3 +296,23 @@ def test_wrong_usage_is_exit_code_2(arguments, capsys):
         main(arguments)
     assert ended.value.code == 2
     assert "pliant analyse: error:" in capsys.readouterr().err
+
+
+def test_scripts_for_viewers(tmp_path, analysed):
+    analysed()
+    pymol = (tmp_path / "out" / "show.pml").read_text()
+    assert ";" not in pymol, "PyMOL runs what follows a semicolon, even after a #"
+    assert ("scene F2" in pymol) == ("select domain1" in pymol)
+    # Anything below 2 plays once: src/bundles/std_commands/src/coordset.py of ChimeraX.
+    assert "coordset #1 1,-1 pauseFrames 4 loop 100" in (tmp_path / "out" / "show.cxc").read_text()
+
+
+@pytest.mark.skipif(not Path("/usr/bin/pymol").exists(), reason="no PyMOL is installed")
+def test_pymol_runs_the_script(tmp_path, analysed):
+    analysed()
+    words = ["/usr/bin/pymol", "-cq", "show.pml", "-d", "print('states', cmd.count_states())"]
+    done = subprocess.run(
+        words, cwd=tmp_path / "out", capture_output=True, text=True, env={"PATH": "/usr/bin:/bin"}
+    )
+    assert "Error" not in done.stdout + done.stderr
+    assert "states 24" in done.stdout

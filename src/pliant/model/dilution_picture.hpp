@@ -4,15 +4,24 @@
 // Graph. Model. 21 (2002) 195). An SVG picture.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
-#include "pliant/model/model.hpp"
+#include "pliant/model/rigidity.hpp"
 #include "pliant/model/rigidity_dilution.hpp"
 
-namespace pliant::app {
+namespace pliant {
 
+/// Clusters that are drawn have one of so many colours.
+inline constexpr std::size_t cluster_colours = 14;
+
+/// "#0072b2": of a cluster, from 0; colours come again after the last. The first six are told apart
+/// without seeing red and green (Okabe, Ito, Color Universal Design, 2008).
+std::string cluster_colour(std::size_t cluster);
+
+/// Rows of a dilution, and the picture of them.
 class DilutionPicture {
  public:
   /// Residues are those of `structure` that have CA, or P or C4'; others are left out.
@@ -40,4 +49,17 @@ class DilutionPicture {
   std::vector<Line> lines_;
 };
 
-}  // namespace pliant::app
+/// Rows, and the picture of them.
+struct DrawnDilution {
+  std::vector<DilutionRow> rows;
+  std::string svg;
+};
+
+/// Of a picture: "ubi.pdb: rigid clusters of residues as hydrogen bonds go".
+std::string dilution_title(const std::string& molecule);
+
+/// Dilutes a network of this model (dilute_hydrogen_bonds) and draws it. `title` is plain text.
+DrawnDilution draw_dilution(const ContactModel& model, const RigidityNetwork& network,
+                            const std::string& title);
+
+}  // namespace pliant

@@ -1,16 +1,21 @@
 // SPDX-License-Identifier: MIT
-#include "dilution_picture.hpp"
+#include "pliant/model/dilution_picture.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
+#include <string_view>
 
 #include "pliant/model/residue_nodes.hpp"
-#include "rigidity_scripts.hpp"
 
-namespace pliant::app {
+namespace pliant {
 namespace {
+
+constexpr std::array<std::string_view, cluster_colours> hexadecimal{
+    "0072b2", "e69f00", "009e73", "cc79a7", "56b4e9", "d55e00", "f0e442",
+    "5a4fcf", "8c564b", "7f9f3f", "b05a8f", "2f8f9f", "c0a060", "6b6b9f"};
 
 constexpr std::uint32_t none = ~std::uint32_t{0};
 constexpr std::size_t least_residues = 3;  // that make a cluster which is shown
@@ -112,6 +117,10 @@ std::string escaped(const std::string& text) {
 
 }  // namespace
 
+std::string cluster_colour(std::size_t cluster) {
+  return fmt::format("#{}", hexadecimal[cluster % cluster_colours]);
+}
+
 DilutionPicture::DilutionPicture(const Structure& structure) : structure_(structure) {
   const ResidueNodes nodes = residue_nodes(structure);
   for (std::size_t k = 0; k < nodes.atom.size(); ++k)
@@ -194,4 +203,22 @@ std::string DilutionPicture::svg(const std::string& title,
   return text + "</svg>\n";
 }
 
-}  // namespace pliant::app
+std::string dilution_title(const std::string& molecule) {
+  return molecule + ": rigid clusters of residues as hydrogen bonds go";
+}
+
+DrawnDilution draw_dilution(const ContactModel& model, const RigidityNetwork& network,
+                            const std::string& title) {
+  DrawnDilution drawn;
+  DilutionPicture picture(model.structure);
+  drawn.rows = dilute_hydrogen_bonds(
+      network,
+      [&](const DilutionRow& row, const ClusterList& clusters) { picture.add(row, clusters); });
+  std::vector<double> energies;
+  for (std::size_t k = network.first_hydrogen_bond; k < network.edges.size(); ++k)
+    energies.push_back(model.contacts[network.contact_of(k)].energy);
+  drawn.svg = picture.svg(title, energies);
+  return drawn;
+}
+
+}  // namespace pliant
