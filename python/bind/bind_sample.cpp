@@ -12,6 +12,7 @@
 #include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
+#include "pliant/sample/conformer_framework.hpp"
 #include "pliant/sample/sample.hpp"
 #include "pliant/sample/samplers.hpp"
 #include "recorded_bonds.hpp"
@@ -122,6 +123,8 @@ SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
                                     usual_model(out.model.structure) == ModelKind::protein);
   options.temperature = temperature;
   check(options);
+  if (!find_sampler(options.sampler).has_amplitude)
+    out.model.framework = conformer_framework(out.model.framework, out.model.positions);
   {
     const nb::gil_scoped_release no_gil;
     fill(out, options, output, watch);

@@ -192,7 +192,7 @@ class TorsionsSampler final : public Sampler {
     request.limits_off.clear();
     request.from.assign(now.begin(), now.end());
     if (step == 0) {
-      const bool is_usual = is_mixed && frame % 2 == 0;
+      const bool is_usual = is_mixed && frame % 4 != 3;
       draw(draws, is_usual ? TorsionDraw::preferred : other, request);
     }
     request.targets = request.from;
@@ -204,6 +204,7 @@ class TorsionsSampler final : public Sampler {
   void draw(RandomSequence& draws, TorsionDraw how, FrameRequest& request) const {
     moves_.draw_rings(draws, request.from);
     moves_.draw_amines(draws, request.from);
+    moves_.draw_amides(draws, request.from);
     const std::vector<Vec3> start = request.from;
     double least = HUGE_VAL;
     for (int k = 0; k < draws_a_conformer && least > 0.0; ++k) {
@@ -249,7 +250,7 @@ std::span<const SamplerEntry> samplers() { return table; }
 std::string_view usual_sampler(const Framework& framework, std::span<const Vec3> start,
                                bool has_residues) {
   if (has_residues || start.size() > most_atoms) return "modes";
-  const std::optional<BodyPlan> plan = BodyPlan::make(framework);
+  const std::optional<BodyPlan> plan = conformer_plan(framework, start);
   if (!plan) return "modes";
   const auto is_free = [](const PlanBody& body) { return body.parent < 0; };
   const auto bodies = plan->bodies();

@@ -14,41 +14,6 @@ constexpr double flat_ring = 0.1;  // Angstrom: a ring so near a plane has no ot
 constexpr double whole = 1e-9;     // share of a bar's length
 constexpr double loop_push = 3.0;  // Angstrom: how far a typical joint of a loop is asked to go
 
-/// cos and sin of an angle.
-struct Turn {
-  double cosine = 1.0, sine = 0.0;
-};
-
-Turn operator*(Turn one, Turn other) {
-  return {one.cosine * other.cosine - one.sine * other.sine,
-          one.sine * other.cosine + one.cosine * other.sine};
-}
-
-Turn back(Turn turn) { return {turn.cosine, -turn.sine}; }
-
-/// By an angle whose half has the tangent t.
-Turn of_half_tangent(double t) { return {(1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)}; }
-
-// Tangents of half of 12 and of 6 degrees.
-constexpr double half_of_12 = 0.10510423526567646, half_of_6 = 0.052407779283041196;
-constexpr Turn by_30{0.8660254037844386, 0.5}, by_60{0.5, 0.8660254037844386};
-
-/// Within an angle about 0, evenly but for its third order.
-Turn jitter(RandomSequence& draws, double half_tangent) {
-  return of_half_tangent(half_tangent * (2.0 * draws.uniform() - 1.0));
-}
-
-Turn drawn_torsion(RandomSequence& draws, TorsionDraw how, bool is_tetrahedral) {
-  if (how == TorsionDraw::uniform) {
-    const Vec3 at = draws.direction_in_plane();
-    return {at.x, at.y};
-  }
-  Turn turn = is_tetrahedral ? by_60 : Turn{};
-  const Turn step = is_tetrahedral ? by_60 * by_60 : by_30;
-  for (std::uint64_t k = draws.below(is_tetrahedral ? 3 : 12); k > 0; --k) turn = turn * step;
-  return turn * jitter(draws, is_tetrahedral ? half_of_12 : half_of_6);
-}
-
 Vec3 unit(Vec3 v) { return (1.0 / norm(v)) * v; }
 
 /// Where `centre` + `r` goes by a turn about an axis of length 1 through the centre (Rodrigues).
@@ -75,6 +40,14 @@ struct Axes {
 Axes axes_of(Vec3 one, Vec3 other) {
   const Vec3 x = unit(one + other), z = unit(cross(one, other));
   return {x, cross(z, x), z};
+}
+
+/// To a usual torsion from where it is; where three atoms lie on a line there is none.
+Turn usual_turn(const Rotor& rotor, RandomSequence& draws, std::span<const Vec3> x) {
+  if (rotor.kind == BondTurn::ester) return drawn_jitter(draws, rotor.kind);
+  const Turn wanted = drawn_usual(draws, rotor.kind);
+  const auto now = torsion(x[rotor.beyond_a], x[rotor.a], x[rotor.b], x[rotor.beyond_b]);
+  return now ? wanted * back(*now) : wanted;
 }
 
 Vec3 centre_of(const SimpleRing& ring, std::span<const Vec3> x) {
@@ -118,6 +91,14 @@ void invert(const Amine& amine, std::span<Vec3> x) {
   }
 }
 
+void turn_over(const AmideTurn& amide, std::span<Vec3> x) {
+  const Vec3 origin = x[amide.carbon], axis = unit(x[amide.nitrogen] - origin);
+  for (Joint joint : amide.turning) {
+    const Vec3 r = x[joint] - origin;
+    x[joint] = origin - r + (2.0 * dot(axis, r)) * axis;
+  }
+}
+
 void take_form(const FlexibleRing& ring, const RingForm& form, std::span<Vec3> x) {
   const std::size_t n = ring.atoms.size();
   std::vector<Vec3> old(n), now(n);
@@ -144,6 +125,7 @@ TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
   find_rotors(chemistry);
   find_rings(chemistry);
   find_amines(chemistry);
+  find_amides(chemistry);
 }
 
 /// Bodies on the way from both ends of a cut to where the ways meet.
@@ -167,7 +149,7 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
   const auto bodies = plan_.bodies();
   for (std::uint32_t k = 0; k < bodies.size(); ++k) {
     if (bodies[k].turns() != 1 || is_in_loop_[k]) continue;
-    Rotor rotor{plan_.joint_at()[bodies[k].a], plan_.joint_at()[bodies[k].b], 0, 0, false, {}};
+    Rotor rotor{plan_.joint_at()[bodies[k].a], plan_.joint_at()[bodies[k].b], 0, 0, {}, {}};
     // Bodies that hang on this one follow it: the plan goes depth first.
     for (std::uint32_t m = k; m == k || (m < bodies.size() && bodies[m].parent >= std::int64_t{k});
          ++m)
@@ -178,7 +160,7 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
         continue;
       rotor.beyond_a = chemistry.reference(rotor.a, rotor.b);
       rotor.beyond_b = chemistry.reference(rotor.b, rotor.a);
-      rotor.is_tetrahedral = chemistry.is_tetrahedral(rotor.a) && chemistry.is_tetrahedral(rotor.b);
+      rotor.kind = turn_of(chemistry, rotor.a, rotor.b);
     }
     rotors_.push_back(std::move(rotor));
   }
@@ -237,6 +219,23 @@ void TorsionMoves::find_amines(const BondChemistry& chemistry) {
   }
 }
 
+/// Where a bar still reaches across, it stays as it is.
+void TorsionMoves::find_amides(const BondChemistry& chemistry) {
+  for (const auto& [carbon, nitrogen] : tertiary_amides(framework_, chemistry)) {
+    std::vector<Joint> one = chemistry.beyond(carbon, {nitrogen});
+    std::vector<Joint> other = chemistry.beyond(nitrogen, {carbon});
+    AmideTurn found{carbon, nitrogen, std::move(one.size() < other.size() ? one : other)};
+    std::vector<Vec3> x(start_.begin(), start_.end());
+    turn_over(found, x);
+    if (holds_bars(x)) amides_.push_back(std::move(found));
+  }
+}
+
+void TorsionMoves::draw_amides(RandomSequence& draws, std::span<Vec3> x) const {
+  for (const AmideTurn& amide : amides_)
+    if (draws.below(2) == 1) turn_over(amide, x);
+}
+
 void TorsionMoves::draw_amines(RandomSequence& draws, std::span<Vec3> x) const {
   for (const Amine& amine : amines_)
     if (draws.below(2) == 1) invert(amine, x);
@@ -261,10 +260,9 @@ void TorsionMoves::turn_rotors(RandomSequence& draws, TorsionDraw how, std::span
 void TorsionMoves::turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws,
                         std::span<Vec3> x) const {
   const Vec3 origin = x[rotor.b], axis = unit(x[rotor.b] - x[rotor.a]);
-  Turn by = drawn_torsion(draws, how, rotor.is_tetrahedral);
-  if (how == TorsionDraw::preferred)
-    if (const auto now = torsion(x[rotor.beyond_a], x[rotor.a], x[rotor.b], x[rotor.beyond_b]))
-      by = by * back(*now);
+  const Turn by = how == TorsionDraw::uniform && rotor.kind != BondTurn::ester
+                      ? drawn_angle(draws)
+                      : usual_turn(rotor, draws, x);
   for (Joint joint : rotor.turning) {
     const Vec3 r = x[joint] - origin;
     x[joint] = turned(origin, r, axis, by);

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// What conformers of small molecules are held by: amides that turn have no bar across them in the
+// framework, and still are rigid units while a conformer is resolved.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "pliant/framework/framework.hpp"
+#include "pliant/resolve/froda/body_plan.hpp"
+#include "pliant/sample/bond_chemistry.hpp"
+
+namespace pliant {
+
+/// A tertiary amide outside of rings, which is cis or trans.
+struct Amide {
+  Joint carbon, nitrogen;
+};
+
+/// The tertiary amides of a molecule (N without hydrogen, bond in no ring), by carbon, then
+/// nitrogen.
+std::vector<Amide> tertiary_amides(const Framework& framework, const BondChemistry& chemistry);
+
+/// The framework without the bars that reach across its tertiary amides (1-4), which a turn from
+/// cis to trans would break. `start` (N, Angstrom).
+Framework conformer_framework(const Framework& framework, std::span<const Vec3> start);
+
+/// The plan of bodies in which conformers are resolved: tertiary amides are rigid, bars across them
+/// or not. Null where BodyPlan::make gives none.
+std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<const Vec3> start);
+
+}  // namespace pliant
