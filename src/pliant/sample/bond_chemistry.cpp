@@ -146,6 +146,12 @@ bool BondChemistry::is_tertiary_amide(Joint c, Joint n) const {
   });
 }
 
+bool BondChemistry::is_acylated(Joint nitrogen) const {
+  const auto bonds = bonds_at(nitrogen);
+  return std::any_of(bonds.begin(), bonds.end(),
+                     [&](const Link& bond) { return is_tertiary_amide(bond.node, nitrogen); });
+}
+
 bool BondChemistry::is_ester(Joint c, Joint o) const {
   const auto bonds = bonds_at(o);
   return is_acyl(c) && element(o) == 8 && bonds.size() == 2 &&

@@ -23,6 +23,9 @@ class BondChemistry {
   std::span<const Link> bonds_at(Joint atom) const { return bonds_.at(atom); }
   bool is_hydrogen(Joint atom) const { return element(atom) == 1; }
   bool is_oxygen(Joint atom) const { return element(atom) == 8; }
+  bool is_nitrogen(Joint atom) const { return element(atom) == 7; }
+  /// Nitrogen that makes a tertiary amide with one of its neighbours.
+  bool is_acylated(Joint nitrogen) const;
   /// Bonds to other atoms than hydrogen.
   int heavy_bonds_at(Joint atom) const;
   /// Whether its bonds lie about it as about sp3 carbon; false where they lie in a plane.

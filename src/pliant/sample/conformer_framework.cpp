@@ -2,10 +2,15 @@
 #include "pliant/sample/conformer_framework.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 
 namespace pliant {
 namespace {
+
+constexpr int softened_bonds = 4;
+constexpr double softness = 0.9;    // of least distances
+constexpr double least_soft = 2.6;  // Angstrom: heavy atoms come no nearer
 
 /// Pairs of atoms across an amide: at its carbon and at its nitrogen.
 std::vector<Bar> pairs_across(const Amide& amide, const BondChemistry& chemistry) {
@@ -25,6 +30,43 @@ bool has_bar_of(const Framework& framework, const std::vector<Bar>& pairs) {
     return std::any_of(around.begin(), around.end(),
                        [&](const Incidence& at) { return at.joint == pair.b; });
   });
+}
+
+/// Heavy atoms above `atom` that are four bonds away.
+std::vector<Joint> four_bonds_from(Joint atom, const BondChemistry& chemistry) {
+  std::vector<Joint> reached{atom};
+  std::size_t begin = 0;
+  for (int depth = 0; depth < softened_bonds; ++depth) {
+    const std::size_t end = reached.size();
+    for (std::size_t k = begin; k < end; ++k)
+      for (const Link& bond : chemistry.bonds_at(reached[k]))
+        if (std::find(reached.begin(), reached.end(), bond.node) == reached.end())
+          reached.push_back(bond.node);
+    begin = end;
+  }
+  reached.erase(reached.begin(), reached.begin() + std::ptrdiff_t(begin));
+  std::erase_if(reached, [&](Joint other) { return other < atom || chemistry.is_hydrogen(other); });
+  std::sort(reached.begin(), reached.end());
+  return reached;
+}
+
+/// Angles that cannot open bring such pairs nearer than they are at rest.
+std::shared_ptr<const Sterics> softened(const Sterics& sterics, const BondChemistry& chemistry) {
+  Sterics soft = sterics;
+  const auto has_own = [&](Joint a, Joint b) {
+    return std::any_of(sterics.own.begin(), sterics.own.end(), [&](const OwnDistance& own) {
+      return std::minmax(own.a, own.b) == std::minmax(a, b);
+    });
+  };
+  for (Joint a = 0; a < sterics.kinds.size(); ++a) {
+    if (chemistry.is_hydrogen(a)) continue;
+    for (Joint b : four_bonds_from(a, chemistry)) {
+      const double usual = sterics.of_kinds(a, b);
+      const double least = std::max(softness * usual, std::min(usual, least_soft));
+      if (least < usual && !has_own(a, b)) soft.own.push_back({a, b, least});
+    }
+  }
+  return std::make_shared<const Sterics>(std::move(soft));
 }
 
 /// Short pairs hold a torsion badly: its sine is small there.
@@ -60,6 +102,7 @@ Framework conformer_framework(const Framework& framework, std::span<const Vec3> 
     parts.bars.push_back(bar);
     parts.rest_lengths.push_back(framework.rest_lengths()[k]);
   }
+  if (parts.sterics != nullptr) parts.sterics = softened(*parts.sterics, chemistry);
   return Framework(std::move(parts));
 }
 

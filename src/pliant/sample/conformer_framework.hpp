@@ -23,7 +23,9 @@ struct Amide {
 std::vector<Amide> tertiary_amides(const Framework& framework, const BondChemistry& chemistry);
 
 /// The framework without the bars that reach across its tertiary amides (1-4), which a turn from
-/// cis to trans would break. `start` (N, Angstrom).
+/// cis to trans would break; heavy atoms four bonds apart may come as near as 0.9 of their least
+/// distance (but 2.6 Angstrom), since angles that cannot open bring them together. `start` (N,
+/// Angstrom).
 Framework conformer_framework(const Framework& framework, std::span<const Vec3> start);
 
 /// The plan of bodies in which conformers are resolved: tertiary amides are rigid, bars across them

@@ -164,13 +164,14 @@ class SmallSterics {
 
 /// Of so many draws the one that overlaps least is resolved: torsions stay where they were drawn.
 constexpr int draws_a_conformer = 20;
+constexpr double little_overlap = 0.1;  // Angstrom^2: resolving takes it away
 
 /// Flexible loops are bent so often.
 constexpr int loop_steps = 12;
 
 /// Conformers: torsions drawn, rings inverted or not, loops pushed. With `mixed` the torsions of
-/// even frames are those that are usual, of odd ones any: starts of one conformer each miss what
-/// the other finds.
+/// three of four frames are those that are usual, of the fourth any: starts of one conformer each
+/// miss what the other finds.
 template <bool is_mixed, TorsionDraw other>
 class TorsionsSampler final : public Sampler {
  public:
@@ -207,7 +208,7 @@ class TorsionsSampler final : public Sampler {
     moves_.draw_amides(draws, request.from);
     const std::vector<Vec3> start = request.from;
     double least = HUGE_VAL;
-    for (int k = 0; k < draws_a_conformer && least > 0.0; ++k) {
+    for (int k = 0; k < draws_a_conformer && least > little_overlap; ++k) {
       request.targets = start;
       moves_.turn_rotors(draws, how, request.targets);
       const double here = sterics_.overlap(request.targets);

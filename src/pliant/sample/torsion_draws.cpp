@@ -21,25 +21,36 @@ constexpr BondTurnEntry table[] = {
     {BondTurn::any, "any", 0xfff, within_6},
     {BondTurn::staggered, "staggered", at(2, 6, 10), within_12},
     {BondTurn::ester, "ester", 0, within_12},
-    {BondTurn::aryl_oxygen, "aryl_oxygen", at(0, 6), within_20},
-    {BondTurn::flanked_aryl, "flanked_aryl", at(0, 3, 6, 9), within_20},
-    {BondTurn::aryl_amine, "aryl_amine", at(0, 1, 5, 6, 7, 11), within_12},
-    {BondTurn::aryl_primary, "aryl_primary", at(3, 9), within_25},
-    {BondTurn::aryl_branched, "aryl_branched", at(2, 4, 8, 10), within_20}};
+    {BondTurn::in_plane, "in_plane", at(0, 6), within_20},
+    {BondTurn::flanked, "flanked", at(0, 3, 6, 9), within_20},
+    {BondTurn::near_plane, "near_plane", at(0, 1, 5, 6, 7, 11), within_12},
+    {BondTurn::off_plane, "off_plane", at(1, 2, 3, 4, 5, 7, 8, 9, 10, 11), within_12},
+    {BondTurn::flat_primary, "flat_primary", at(3, 9), within_25},
+    {BondTurn::flat_branched, "flat_branched", at(2, 4, 8, 10), within_20}};
 
 /// By an angle whose half has the tangent t.
 Turn of_half_tangent(double t) { return {(1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)}; }
 
-BondTurn aryl_turn(const BondChemistry& chemistry, Joint aryl, Joint other) {
-  const auto bonds = chemistry.bonds_at(other);
-  if (chemistry.is_oxygen(other) && bonds.size() == 2)
-    return chemistry.is_flanked(aryl) ? BondTurn::flanked_aryl : BondTurn::aryl_oxygen;
-  if (chemistry.is_amine(other))
-    return chemistry.is_flanked(aryl) ? BondTurn::any : BondTurn::aryl_amine;
-  if (bonds.size() != 4) return BondTurn::any;
-  const int heavy = chemistry.heavy_bonds_at(other);
-  if (heavy == 2) return BondTurn::aryl_primary;
-  return heavy == 3 ? BondTurn::aryl_branched : BondTurn::any;
+BondTurn from_flat(const BondChemistry& chemistry, Joint to) {
+  if (chemistry.bonds_at(to).size() != 4) return BondTurn::any;
+  const int heavy = chemistry.heavy_bonds_at(to);
+  if (heavy == 2) return BondTurn::flat_primary;
+  return heavy == 3 ? BondTurn::flat_branched : BondTurn::any;
+}
+
+BondTurn from_aryl(const BondChemistry& chemistry, Joint aryl, Joint to) {
+  const bool is_flanked = chemistry.is_flanked(aryl);
+  if (chemistry.is_oxygen(to) && chemistry.bonds_at(to).size() == 2)
+    return is_flanked ? BondTurn::flanked : BondTurn::in_plane;
+  if (chemistry.is_nitrogen(to) && chemistry.bonds_at(to).size() == 3 && !chemistry.is_in_ring(to))
+    return is_flanked || chemistry.is_acylated(to) ? BondTurn::off_plane : BondTurn::near_plane;
+  return from_flat(chemistry, to);
+}
+
+/// Nitrogen that bears no hydrogen, its bonds in a plane.
+bool is_flat_nitrogen(const BondChemistry& chemistry, Joint atom) {
+  return chemistry.is_nitrogen(atom) && chemistry.heavy_bonds_at(atom) == 3 &&
+         chemistry.bonds_at(atom).size() == 3 && !chemistry.is_tetrahedral(atom);
 }
 
 }  // namespace
@@ -48,8 +59,10 @@ const BondTurnEntry& entry(BondTurn kind) { return table[static_cast<std::size_t
 
 BondTurn turn_of(const BondChemistry& chemistry, Joint a, Joint b) {
   if (chemistry.is_ester(a, b) || chemistry.is_ester(b, a)) return BondTurn::ester;
-  if (chemistry.is_aryl(a)) return aryl_turn(chemistry, a, b);
-  if (chemistry.is_aryl(b)) return aryl_turn(chemistry, b, a);
+  if (chemistry.is_aryl(a)) return from_aryl(chemistry, a, b);
+  if (chemistry.is_aryl(b)) return from_aryl(chemistry, b, a);
+  if (is_flat_nitrogen(chemistry, a)) return from_flat(chemistry, b);
+  if (is_flat_nitrogen(chemistry, b)) return from_flat(chemistry, a);
   const bool both = chemistry.is_tetrahedral(a) && chemistry.is_tetrahedral(b);
   return both ? BondTurn::staggered : BondTurn::any;
 }

@@ -18,16 +18,17 @@ enum class TorsionDraw : std::uint8_t {
   preferred,  ///< near one that is usual for such a bond
 };
 
-/// What a bond that turns is like.
+/// What a bond that turns is like. Flat are aryl rings and planar nitrogen without hydrogen.
 enum class BondTurn : std::uint8_t {
   any,            ///< nothing is known: multiples of 30 degrees
   staggered,      ///< between two sp3 atoms: 60, 180, 300
   ester,          ///< O=C-O-R: as it is (Z, unless the file has E)
-  aryl_oxygen,    ///< in the plane: 0, 180
-  flanked_aryl,   ///< the same with neighbours on both sides: 0, 90, 180, 270
-  aryl_amine,     ///< nearly in the plane: 0, 180 and 30 beside them
-  aryl_primary,   ///< aryl - CH2R: 90, 270
-  aryl_branched,  ///< aryl - CHR2: 60, 120, 240, 300, hydrogen near the plane
+  in_plane,       ///< aryl - O: 0, 180
+  flanked,        ///< the same with neighbours on both sides: 0, 90, 180, 270
+  near_plane,     ///< aryl - N: 0, 180 and 30 beside them
+  off_plane,      ///< aryl - N of tertiary amides, or with neighbours: all but 0 and 180
+  flat_primary,   ///< flat - CH2R: 90, 270
+  flat_branched,  ///< flat - CHR2: 60, 120, 240, 300, hydrogen near the plane
 };
 
 /// One row of the table of kinds.
