@@ -5,9 +5,12 @@
 #include <memory>
 #include <utility>
 
+#include "pliant/sample/ring_pucker.hpp"
+
 namespace pliant {
 namespace {
 
+constexpr double soft_angle = 0.12;  // Angstrom
 constexpr int softened_bonds = 4;
 constexpr double softness = 0.9;    // of least distances
 constexpr double least_soft = 2.6;  // Angstrom: heavy atoms come no nearer
@@ -23,6 +26,19 @@ std::vector<Bar> pairs_across(const Amide& amide, const BondChemistry& chemistry
 }
 
 bool joins(Bar bar, Bar pair) { return std::minmax(bar.a, bar.b) == std::minmax(pair.a, pair.b); }
+
+bool is_among(Bar bar, const std::vector<Bar>& pairs) {
+  return std::any_of(pairs.begin(), pairs.end(), [&](Bar pair) { return joins(bar, pair); });
+}
+
+/// Pairs of these that limits hold.
+std::vector<Bar> limited(const Framework& framework, const std::vector<Bar>& pairs) {
+  std::vector<Bar> found;
+  for (const Limit& limit : framework.limits())
+    if (const Bar pair{limit.a, limit.b}; is_among(pair, pairs) && !is_among(pair, found))
+      found.push_back(pair);
+  return found;
+}
 
 bool has_bar_of(const Framework& framework, const std::vector<Bar>& pairs) {
   return std::any_of(pairs.begin(), pairs.end(), [&](Bar pair) {
@@ -89,18 +105,26 @@ std::vector<Amide> tertiary_amides(const Framework& framework, const BondChemist
 
 Framework conformer_framework(const Framework& framework, std::span<const Vec3> start) {
   const BondChemistry chemistry(framework, start);
-  std::vector<Bar> across;
+  std::vector<Bar> across, angles;
   for (const Amide& amide : tertiary_amides(framework, chemistry))
     for (Bar pair : pairs_across(amide, chemistry)) across.push_back(pair);
+  if (framework.atoms() != nullptr)
+    for (const SimpleRing& ring : puckered_rings(chemistry, start))
+      for (Bar pair : ring_angles(ring, chemistry)) angles.push_back(pair);
   FrameworkParts parts = framework.parts();
   parts.bars.clear();
   parts.rest_lengths.clear();
   for (BarIndex k = 0; k < framework.bar_count(); ++k) {
     const Bar bar = framework.bars()[k];
-    if (std::any_of(across.begin(), across.end(), [&](Bar pair) { return joins(bar, pair); }))
+    if (is_among(bar, across)) continue;
+    const double length = framework.rest_lengths()[k];
+    if (is_among(bar, angles)) {
+      parts.limits.push_back(
+          {.a = bar.a, .b = bar.b, .least = length - soft_angle, .most = length + soft_angle});
       continue;
+    }
     parts.bars.push_back(bar);
-    parts.rest_lengths.push_back(framework.rest_lengths()[k]);
+    parts.rest_lengths.push_back(length);
   }
   if (parts.sterics != nullptr) parts.sterics = softened(*parts.sterics, chemistry);
   return Framework(std::move(parts));
@@ -112,10 +136,16 @@ std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<con
   parts.limits.clear();
   parts.sterics.reset();
   parts.drawn.assign(start.begin(), start.end());
+  std::vector<Bar> added;
   for (const Amide& amide : tertiary_amides(framework, chemistry)) {
     const std::vector<Bar> pairs = pairs_across(amide, chemistry);
-    if (pairs.empty() || has_bar_of(framework, pairs)) continue;
-    const Bar bar = longest_of(pairs, start);
+    if (!pairs.empty() && !has_bar_of(framework, pairs)) added.push_back(longest_of(pairs, start));
+  }
+  if (framework.atoms() != nullptr && !framework.limits().empty())
+    for (const SimpleRing& ring : puckered_rings(chemistry, start))
+      for (Bar pair : limited(framework, ring_angles(ring, chemistry)))
+        if (!is_among(pair, added)) added.push_back(pair);
+  for (Bar bar : added) {
     parts.bars.push_back(bar);
     parts.rest_lengths.push_back(distance(start[bar.a], start[bar.b]));
   }

@@ -38,12 +38,23 @@ BondTurn from_flat(const BondChemistry& chemistry, Joint to) {
   return heavy == 3 ? BondTurn::flat_branched : BondTurn::any;
 }
 
+/// Branches crowd about nitrogen in too many ways for one to be usual.
+BondTurn from_nitrogen(const BondChemistry& chemistry, Joint to) {
+  const BondTurn kind = from_flat(chemistry, to);
+  return kind == BondTurn::flat_primary ? kind : BondTurn::any;
+}
+
+BondTurn aryl_nitrogen(const BondChemistry& chemistry, bool is_flanked, Joint to) {
+  if (is_flanked) return BondTurn::off_plane;
+  return chemistry.is_acylated(to) ? BondTurn::any : BondTurn::near_plane;
+}
+
 BondTurn from_aryl(const BondChemistry& chemistry, Joint aryl, Joint to) {
   const bool is_flanked = chemistry.is_flanked(aryl);
   if (chemistry.is_oxygen(to) && chemistry.bonds_at(to).size() == 2)
     return is_flanked ? BondTurn::flanked : BondTurn::in_plane;
   if (chemistry.is_nitrogen(to) && chemistry.bonds_at(to).size() == 3 && !chemistry.is_in_ring(to))
-    return is_flanked || chemistry.is_acylated(to) ? BondTurn::off_plane : BondTurn::near_plane;
+    return aryl_nitrogen(chemistry, is_flanked, to);
   return from_flat(chemistry, to);
 }
 
@@ -61,8 +72,8 @@ BondTurn turn_of(const BondChemistry& chemistry, Joint a, Joint b) {
   if (chemistry.is_ester(a, b) || chemistry.is_ester(b, a)) return BondTurn::ester;
   if (chemistry.is_aryl(a)) return from_aryl(chemistry, a, b);
   if (chemistry.is_aryl(b)) return from_aryl(chemistry, b, a);
-  if (is_flat_nitrogen(chemistry, a)) return from_flat(chemistry, b);
-  if (is_flat_nitrogen(chemistry, b)) return from_flat(chemistry, a);
+  if (is_flat_nitrogen(chemistry, a)) return from_nitrogen(chemistry, b);
+  if (is_flat_nitrogen(chemistry, b)) return from_nitrogen(chemistry, a);
   const bool both = chemistry.is_tetrahedral(a) && chemistry.is_tetrahedral(b);
   return both ? BondTurn::staggered : BondTurn::any;
 }

@@ -6,11 +6,11 @@
 #include <cmath>
 
 #include "pliant/base/superposition.hpp"
+#include "pliant/sample/ring_pucker.hpp"
 
 namespace pliant {
 namespace {
 
-constexpr double flat_ring = 0.1;  // Angstrom: a ring so near a plane has no other form
 constexpr double whole = 1e-9;     // share of a bar's length
 constexpr double loop_push = 3.0;  // Angstrom: how far a typical joint of a loop is asked to go
 
@@ -48,28 +48,6 @@ Turn usual_turn(const Rotor& rotor, RandomSequence& draws, std::span<const Vec3>
   const Turn wanted = drawn_usual(draws, rotor.kind);
   const auto now = torsion(x[rotor.beyond_a], x[rotor.a], x[rotor.b], x[rotor.beyond_b]);
   return now ? wanted * back(*now) : wanted;
-}
-
-Vec3 centre_of(const SimpleRing& ring, std::span<const Vec3> x) {
-  Vec3 sum{};
-  for (Joint atom : ring) sum += x[atom];
-  return (1.0 / double(ring.size())) * sum;
-}
-
-/// Normal of the ring's mean plane (Newell).
-Vec3 normal_of(const SimpleRing& ring, std::span<const Vec3> x) {
-  const Vec3 centre = centre_of(ring, x);
-  Vec3 sum{};
-  for (std::size_t k = 0; k < ring.size(); ++k)
-    sum += cross(x[ring[k]] - centre, x[ring[(k + 1) % ring.size()]] - centre);
-  return unit(sum);
-}
-
-double out_of_plane(const SimpleRing& ring, std::span<const Vec3> x) {
-  const Vec3 centre = centre_of(ring, x), normal = normal_of(ring, x);
-  double furthest = 0.0;
-  for (Joint atom : ring) furthest = std::max(furthest, std::abs(dot(x[atom] - centre, normal)));
-  return furthest;
 }
 
 }  // namespace
@@ -168,21 +146,37 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
 
 void TorsionMoves::find_rings(const BondChemistry& chemistry) {
   if (framework_.atoms() == nullptr) return;
-  for (SimpleRing& atoms : chemistry.simple_rings()) {
-    if (out_of_plane(atoms, start_) < flat_ring) continue;
+  for (SimpleRing& atoms : puckered_rings(chemistry, start_)) {
     std::vector<Vec3> positions;
-    for (Joint atom : atoms) positions.push_back(start_[atom]);
-    FlexibleRing ring{std::move(atoms), {}, ring_forms(positions)};
+    std::vector<bool> is_flat;
+    for (Joint atom : atoms) {
+      positions.push_back(start_[atom]);
+      is_flat.push_back(!chemistry.is_tetrahedral(atom));
+    }
+    FlexibleRing ring{std::move(atoms), {}, ring_forms(positions, is_flat)};
     for (Joint atom : ring.atoms) ring.branches.push_back(chemistry.beyond(atom, ring.atoms));
+    const std::vector<Bar> angles = ring_angles(ring.atoms, chemistry);
     std::vector<RingForm> forms;
     for (RingForm& form : ring.forms) {
       std::vector<Vec3> x(start_.begin(), start_.end());
       if (!forms.empty()) take_form(ring, form, x);
-      if (holds_bars(x)) forms.push_back(std::move(form));
+      if (holds_bars(x) && holds_limits(angles, x)) forms.push_back(std::move(form));
     }
     ring.forms = std::move(forms);
     if (ring.forms.size() > 1) rings_.push_back(std::move(ring));
   }
+}
+
+/// Limits of other pairs are for resolving to keep.
+bool TorsionMoves::holds_limits(std::span<const Bar> pairs, std::span<const Vec3> x) const {
+  for (const Limit& limit : framework_.limits()) {
+    const auto [a, b] = std::minmax(limit.a, limit.b);
+    const double now = distance(x[a], x[b]);
+    if (now >= limit.least && now <= limit.most) continue;
+    if (std::any_of(pairs.begin(), pairs.end(), [&](Bar p) { return p.a == a && p.b == b; }))
+      return false;
+  }
+  return true;
 }
 
 /// Bars that reach further than across an atom may not like it: those of planar groups.

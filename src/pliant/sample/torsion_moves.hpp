@@ -91,6 +91,7 @@ class TorsionMoves {
   /// Whether it is the joint's own place, and not a copy at a cut.
   bool is_own(Slot place) const { return plan_.place_of(plan_.joint_at()[place]) == place; }
   bool holds_bars(std::span<const Vec3> x) const;
+  bool holds_limits(std::span<const Bar> pairs, std::span<const Vec3> x) const;
   Vec3 middle_of(const PlanBody& body, std::span<const Vec3> x) const;
   void turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws, std::span<Vec3> x) const;
 
