@@ -124,7 +124,16 @@ bool BondChemistry::is_flanked(Joint aryl) const {
          }) > 1;
 }
 
-/// Carbon with three bonds in a plane, at which oxygen or sulphur ends.
+bool BondChemistry::is_conjugated(Joint atom) const {
+  return !is_tetrahedral(atom) || ((is_nitrogen(atom) || is_oxygen(atom)) && is_beside_acyl(atom));
+}
+
+bool BondChemistry::is_beside_acyl(Joint atom) const {
+  const auto bonds = bonds_at(atom);
+  return std::any_of(bonds.begin(), bonds.end(),
+                     [&](const Link& bond) { return is_acyl(bond.node); });
+}
+
 bool BondChemistry::is_acyl(Joint atom) const {
   const auto bonds = bonds_at(atom);
   return element(atom) == 6 && bonds.size() == 3 && !is_tetrahedral(atom) &&
@@ -161,7 +170,7 @@ bool BondChemistry::is_ester(Joint c, Joint o) const {
 
 bool BondChemistry::is_amine(Joint atom) const {
   return element(atom) == 7 && bonds_at(atom).size() == 3 && is_tetrahedral(atom) &&
-         !is_in_ring_of_three(atom);
+         !is_in_ring_of_three(atom) && !is_beside_acyl(atom);
 }
 
 bool BondChemistry::is_in_ring_of_three(Joint atom) const {

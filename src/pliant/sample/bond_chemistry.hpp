@@ -26,12 +26,17 @@ class BondChemistry {
   bool is_nitrogen(Joint atom) const { return element(atom) == 7; }
   /// Nitrogen that makes a tertiary amide with one of its neighbours.
   bool is_acylated(Joint nitrogen) const;
+  /// Carbon with three bonds in a plane, at which oxygen or sulphur ends.
+  bool is_acyl(Joint atom) const;
   /// Bonds to other atoms than hydrogen.
   int heavy_bonds_at(Joint atom) const;
   /// Whether its bonds lie about it as about sp3 carbon; false where they lie in a plane.
   bool is_tetrahedral(Joint atom) const;
   /// CH3, NH3 and their like: nothing but hydrogens beyond the bond from `from`.
   bool spins_alike(Joint from, Joint atom) const;
+  /// Its bonds lie in a plane, or it is nitrogen or oxygen of an amide or ester, which may be drawn
+  /// less flat than it is.
+  bool is_conjugated(Joint atom) const;
   /// The atom bonded to `atom`, but `except`, that torsions are counted from: no hydrogen if that
   /// can be; `atom` itself if there is none.
   Joint reference(Joint atom, Joint except) const;
@@ -51,13 +56,13 @@ class BondChemistry {
   /// Whether the bond from carbon `c` to oxygen `o` is that of an ester: O=C-O-R.
   bool is_ester(Joint c, Joint o) const;
   /// Nitrogen with three bonds that do not lie in a plane: an amine, which inverts; but in rings of
-  /// three, where it may keep its handedness.
+  /// three, where it may keep its handedness, and in amides.
   bool is_amine(Joint atom) const;
 
  private:
   std::uint8_t element(Joint atom) const;
   bool is_in_ring_of_three(Joint atom) const;
-  bool is_acyl(Joint atom) const;
+  bool is_beside_acyl(Joint atom) const;
   SimpleRing in_order(const std::vector<std::uint32_t>& edges) const;
 
   const Framework& framework_;

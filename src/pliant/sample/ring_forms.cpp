@@ -11,7 +11,8 @@
 namespace pliant {
 namespace {
 
-constexpr double least_difference = 0.15;  // Angstrom, r.m.s.
+constexpr double least_difference = 0.15;       // Angstrom, r.m.s.
+constexpr double least_difference_five = 0.08;  // envelopes 36 degrees apart differ by 0.11
 constexpr int most_steps = 60;
 constexpr double closed = 1e-13;  // of a squared distance
 // The twelve equations depend on each other where boats are flexible: a little is added.
@@ -20,6 +21,8 @@ constexpr double damping = 1e-9;
 /// Steps towards distances that need not be met; larger damping leaves more as it is.
 constexpr int relaxing_steps = 8;
 constexpr double relaxing = 0.05;
+/// All ten distances of a ring of five leave it no other form than its mirror image.
+constexpr double relaxing_five = 1.0;
 constexpr double pucker_of_five = 0.4;  // Angstrom, that of cyclopentane and proline
 
 /// A distance in a ring.
@@ -93,7 +96,9 @@ bool meet(const std::vector<RingDistance>& wanted, std::vector<Vec3>& x) {
 /// Meets the bonds and comes near to the angles.
 bool relax(std::span<const Vec3> ring, std::vector<Vec3>& x) {
   const std::vector<RingDistance> all = distances_of(ring, 2);
-  for (int step = 0; step < relaxing_steps; ++step) approach(all, relaxing, x);
+  if (ring.size() == 5) approach(all, relaxing_five, x);
+  if (ring.size() == 6)
+    for (int step = 0; step < relaxing_steps; ++step) approach(all, relaxing, x);
   return meet(distances_of(ring, 1), x);
 }
 
@@ -114,7 +119,8 @@ void add_if_new(std::vector<Vec3> x, std::vector<RingForm>& forms) {
     const RigidMotion onto = superposition(x, known.positions);
     double sum = 0.0;
     for (std::size_t k = 0; k < x.size(); ++k) sum += norm_squared(onto(x[k]) - known.positions[k]);
-    if (sum < double(x.size()) * least_difference * least_difference) return;
+    const double least = x.size() == 5 ? least_difference_five : least_difference;
+    if (sum < double(x.size()) * least * least) return;
   }
   const bool chair = is_chair(x);
   forms.push_back({std::move(x), chair});
@@ -194,7 +200,8 @@ std::vector<RingForm> ring_forms(std::span<const Vec3> ring, const std::vector<b
   if (ring.size() == 6) seeds = hexagons();
   if (ring.size() == 6)
     for (std::vector<Vec3> x : seeds)
-      if (meet(distances_of(ring, 2), x)) add_if_new(std::move(x), forms);
+      if (meet(distances_of(ring, 2), x) && keeps_flat(ring, is_flat, x))
+        add_if_new(std::move(x), forms);
   add_mirrored(forms);
   for (std::vector<Vec3>& x : seeds)
     if (relax(ring, x) && keeps_flat(ring, is_flat, x)) add_if_new(std::move(x), forms);

@@ -55,6 +55,7 @@ BondTurn from_aryl(const BondChemistry& chemistry, Joint aryl, Joint to) {
     return is_flanked ? BondTurn::flanked : BondTurn::in_plane;
   if (chemistry.is_nitrogen(to) && chemistry.bonds_at(to).size() == 3 && !chemistry.is_in_ring(to))
     return aryl_nitrogen(chemistry, is_flanked, to);
+  if (chemistry.is_acyl(to)) return is_flanked ? BondTurn::any : BondTurn::near_plane;
   return from_flat(chemistry, to);
 }
 

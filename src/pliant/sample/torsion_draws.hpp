@@ -25,7 +25,7 @@ enum class BondTurn : std::uint8_t {
   ester,          ///< O=C-O-R: as it is (Z, unless the file has E)
   in_plane,       ///< aryl - O: 0, 180
   flanked,        ///< the same with neighbours on both sides: 0, 90, 180, 270
-  near_plane,     ///< aryl - N: 0, 180 and 30 beside them
+  near_plane,     ///< aryl - N, aryl - C=O: 0, 180 and 30 beside them
   off_plane,      ///< aryl - N with neighbours on both sides: all but 0 and 180
   flat_primary,   ///< flat - CH2R: 90, 270
   flat_branched,  ///< aryl - CHR2: 60, 120, 240, 300, hydrogen near the plane

@@ -151,7 +151,7 @@ void TorsionMoves::find_rings(const BondChemistry& chemistry) {
     std::vector<bool> is_flat;
     for (Joint atom : atoms) {
       positions.push_back(start_[atom]);
-      is_flat.push_back(!chemistry.is_tetrahedral(atom));
+      is_flat.push_back(chemistry.is_conjugated(atom));
     }
     FlexibleRing ring{std::move(atoms), {}, ring_forms(positions, is_flat)};
     for (Joint atom : ring.atoms) ring.branches.push_back(chemistry.beyond(atom, ring.atoms));
