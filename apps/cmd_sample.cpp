@@ -13,6 +13,8 @@
 #include "pliant/base/printable.hpp"
 #include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/record/topology_pdb.hpp"
+#include "pliant/sample/conformer_framework.hpp"
+#include "pliant/sample/samplers.hpp"
 #include "recorded_header.hpp"
 #include "sample_report.hpp"
 #include "sample_settings.hpp"
@@ -106,8 +108,10 @@ int command_sample(const Arguments& arguments) {
   complete(settings);
   check_outputs(settings);
   settings.record.log = messages.log();
-  const MolecularModel model = load_model(settings, messages.log());
+  MolecularModel model = load_model(settings, messages.log());
   choose_sampler(settings, model);
+  if (!find_sampler(settings.sample.sampler).has_amplitude)
+    model.framework = conformer_framework(model.framework, model.positions);
   choose_amplitude(settings, model, messages.log());
   watch_for_interrupt();
   const SampleSummary summary = sample_to_file(settings, model, messages.log());

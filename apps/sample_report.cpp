@@ -17,7 +17,7 @@ namespace {
 
 /// What moves in conformers, by name.
 struct Conformations {
-  std::vector<std::string> rotors, rings, amines;
+  std::vector<std::string> rotors, rings, amines, amides;
   std::size_t loop_bodies = 0;
 };
 
@@ -26,10 +26,10 @@ std::optional<Conformations> conformations_of(const SampleSettings& settings,
                                               const SampledSystem& system) {
   if (find_sampler(settings.sample.sampler).has_amplitude) return std::nullopt;
   const Framework& framework = system.framework;
-  const auto plan = BodyPlan::make(framework);
+  const auto plan = conformer_plan(framework, system.start);
   if (!plan) return std::nullopt;
   const TorsionMoves moves(framework, *plan, system.start);
-  Conformations found{{}, {}, {}, moves.loop_bodies().size()};
+  Conformations found{{}, {}, {}, {}, moves.loop_bodies().size()};
   for (const Rotor& rotor : moves.rotors())
     found.rotors.push_back(framework.label(Bar{rotor.a, rotor.b}));
   for (const FlexibleRing& ring : moves.rings()) {
@@ -38,6 +38,8 @@ std::optional<Conformations> conformations_of(const SampleSettings& settings,
     found.rings.push_back(names + " (" + std::to_string(ring.forms.size()) + " forms)");
   }
   for (const Amine& amine : moves.amines()) found.amines.push_back(framework.label(amine.nitrogen));
+  for (const AmideTurn& amide : moves.amides())
+    found.amides.push_back(framework.label(Bar{amide.carbon, amide.nitrogen}));
   return found;
 }
 
@@ -54,6 +56,8 @@ void print_conformations(const Conformations& found) {
              listed(found.rings));
   if (!found.amines.empty())
     fmt::print("amines          {}: {} inverts\n", found.amines.size(), listed(found.amines));
+  if (!found.amides.empty())
+    fmt::print("amides          {}: {} cis or trans\n", found.amides.size(), listed(found.amides));
   if (found.loop_bodies > 0)
     fmt::print("flexible loops  of {} rigid units, bent at random\n", found.loop_bodies);
   fmt::print("                conformers show what is possible; how often is not claimed\n");
@@ -139,6 +143,7 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"rotors", moving.rotors},
                   {"rings", moving.rings},
                   {"amines", moving.amines},
+                  {"amides", moving.amides},
                   {"loop_units", moving.loop_bodies},
                   {"redrawn", summary.redrawn},
                   {"rescued", summary.rescued},

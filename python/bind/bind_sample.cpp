@@ -12,6 +12,7 @@
 #include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
+#include "pliant/sample/conformer_framework.hpp"
 #include "pliant/sample/sample.hpp"
 #include "pliant/sample/samplers.hpp"
 #include "recorded_bonds.hpp"
@@ -99,14 +100,14 @@ void fill(SampledEnsemble& out, const SampleOptions& options, const Output& outp
 }
 
 SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
-                            const AskedAmplitude& amplitude, std::uint64_t seed, int threads,
-                            const std::string& network, const std::string& sampler,
+                            const std::optional<AskedAmplitude>& amplitude, std::uint64_t seed,
+                            int threads, const std::string& network, const std::string& sampler,
                             std::int64_t first_frame, double temperature, const std::string& model,
                             const std::optional<std::filesystem::path>& path, bool overwrite,
                             bool single, bool compress) {
   const Output output = output_from(path, overwrite, single, compress);
   SampledEnsemble out{model_from(structure, model), {}, {}, {}};
-  out.amplitude = amplitude_of(amplitude, out.model.structure);
+  out.amplitude = amplitude_of(amplitude.value_or(usual_amplitude), out.model.structure);
   InterruptWatch watch;
   SampleOptions options;
   options.frames = frames;
@@ -122,6 +123,12 @@ SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
                                     usual_model(out.model.structure) == ModelKind::protein);
   options.temperature = temperature;
   check(options);
+  const bool has_amplitude = find_sampler(options.sampler).has_amplitude;
+  if (amplitude && !has_amplitude)
+    throw OptionError("amplitude: sampler " + options.sampler +
+                      " has none: how far torsions turn is drawn");
+  if (!has_amplitude)
+    out.model.framework = conformer_framework(out.model.framework, out.model.positions);
   {
     const nb::gil_scoped_release no_gil;
     fill(out, options, output, watch);
@@ -176,8 +183,9 @@ structure : Structure or MolecularModel
     A structure with its bonds, as ``read`` gives it, or the model of one.
 frames : int
     How many, from 1.
-amplitude : float, str or path
-    Mean r.m.s. fluctuation of residues (Angstrom), ``"bfactors"``, or a file of models or frames.
+amplitude : float, str or path, optional
+    Mean r.m.s. fluctuation of residues (Angstrom), ``"bfactors"``, or a file of models or frames; 1.4
+    if none is given. Samplers ``torsions`` take none.
 seed : int
     Of all random numbers. Frames are a function of the model, the seed and their number.
 threads : int
@@ -309,19 +317,20 @@ void bind_sample(nb::module_& module) {
       "The table of ways to move that ``sample`` knows.");
   bind_ensemble_class(module);
   const SampleOptions usual;
-  module.def("sample", &sample_from, "structure"_a, "frames"_a = usual.frames, nb::kw_only(),
-             "amplitude"_a = AskedAmplitude(usual.amplitude), "seed"_a = usual.seed,
-             "threads"_a = usual.threads, "network"_a = usual.network, "sampler"_a = "auto",
-             "first_frame"_a = usual.first_frame, "temperature"_a = usual.temperature,
-             "model"_a = "", "output"_a = nb::none(), "overwrite"_a = false, "single"_a = false,
-             "compress"_a = false,
-             nb::sig("def sample(structure: Structure | MolecularModel, frames: int = 200, *, "
-                     "amplitude: float | str | os.PathLike = 1.4, seed: int = 0, threads: int = 1, "
-                     "network: str = \"shared\", sampler: str = \"auto\", first_frame: int = 0, "
-                     "temperature: float = 12.552, model: str = \"\", "
-                     "output: str | os.PathLike[str] | None = None, overwrite: bool = False, "
-                     "single: bool = False, compress: bool = False) -> SampledEnsemble"),
-             sample_doc);
+  module.def(
+      "sample", &sample_from, "structure"_a, "frames"_a = usual.frames, nb::kw_only(),
+      "amplitude"_a = nb::none(), "seed"_a = usual.seed, "threads"_a = usual.threads,
+      "network"_a = usual.network, "sampler"_a = "auto", "first_frame"_a = usual.first_frame,
+      "temperature"_a = usual.temperature, "model"_a = "", "output"_a = nb::none(),
+      "overwrite"_a = false, "single"_a = false, "compress"_a = false,
+      nb::sig(
+          "def sample(structure: Structure | MolecularModel, frames: int = 200, *, "
+          "amplitude: float | str | os.PathLike | None = None, seed: int = 0, threads: int = 1, "
+          "network: str = \"shared\", sampler: str = \"auto\", first_frame: int = 0, "
+          "temperature: float = 12.552, model: str = \"\", "
+          "output: str | os.PathLike[str] | None = None, overwrite: bool = False, "
+          "single: bool = False, compress: bool = False) -> SampledEnsemble"),
+      sample_doc);
   module.def("continue_sample", &continue_from, "path"_a, "frames"_a = nb::none(), nb::kw_only(),
              "threads"_a = usual.threads, "flush_seconds"_a = 1.0, "durable"_a = false,
              continue_doc);

@@ -29,6 +29,7 @@ def test_conformers_are_records_of_sdf(pliant, drug, tmp_path):
     assert ended.code == 0
     assert "rotors          6: " in ended.out
     assert "rings           1: " in ended.out
+    assert "amides          1: C(3) - N(5) cis or trans" in ended.out
     assert "how often is not claimed" in ended.out
     assert not (tmp_path / "conformers.pdb").exists()
     start = records(tmp_path / drug)[0]
@@ -69,6 +70,7 @@ def test_what_moves_is_named_in_json(pliant, drug):
     assert told["sampler"] == "torsions"
     assert len(told["rotors"]) == 6
     assert len(told["rings"]) == 1
+    assert told["amides"] == ["C(3) - N(5)"]
     assert told["loop_units"] == 0
 
 

@@ -17,6 +17,8 @@ MOLECULES = {
     "menthol": "CC(C)[C@@H]1CC[C@@H](C)C[C@H]1O",
     "lactone": "O=C1CCCCCCCCCCO1",
     "charged": "C[NH2+]CCC(=O)[O-]",
+    "crotonoyl proline": "C/C=C/C(=O)N1CCC[C@H]1C(=O)O",
+    "Z butenyl": "C/C=C\\CN(C)C(=O)[C@@H](C)O",
 }
 
 
@@ -45,26 +47,48 @@ def with_positions(made, positions):
     return copy
 
 
+def at_puckered_rings(made, one, other):
+    """Which pairs lie across an angle that has a bond of a ring of five or six for a side."""
+    atoms = {k for ring in made.GetRingInfo().AtomRings() if len(ring) < 7 for k in ring}
+    atoms = {k for k in atoms if not made.GetAtomWithIdx(k).GetIsAromatic()}
+    return np.array([(a in atoms) or (b in atoms) for a, b in zip(one, other, strict=True)])
+
+
 def test_lengths_and_angles_are_those_of_the_start(sampled):
+    """Angles at puckered rings change with their form, by up to 0.12 Angstrom."""
     made, ensemble = sampled
     near = Chem.GetDistanceMatrix(made)
     one, other = np.nonzero(np.triu((near == 1) | (near == 2)))
     start = made.GetConformer().GetPositions()
     wanted = np.linalg.norm(start[one] - start[other], axis=1)
-    for frame in ensemble.positions:
-        found = np.linalg.norm(frame[one] - frame[other], axis=1)
-        assert found == pytest.approx(wanted, abs=2e-4)  # of the file's digits
+    gives_way = at_puckered_rings(made, one, other) & (near[one, other] == 2)
+    off = np.array([np.linalg.norm(x[one] - x[other], axis=1) - wanted for x in ensemble.positions])
+    assert np.abs(off[:, ~gives_way]).max() < 2e-4  # of the file's digits
+    assert np.abs(off).max() < 0.1205
     assert ensemble.max_residual < 1e-10
 
 
-def test_handedness_is_kept(sampled):
+def test_bars_of_the_framework_are_exact(sampled):
+    _, ensemble = sampled
+    framework = ensemble.model.framework
+    bars = np.asarray(framework.bars)
+    for x in ensemble.positions:
+        lengths = np.linalg.norm(x[bars[:, 0]] - x[bars[:, 1]], axis=1)
+        assert lengths == pytest.approx(np.asarray(framework.rest_lengths), rel=1e-10)
+
+
+def with_stereo(made, positions):
+    """Isomeric SMILES, of handedness and double bonds as positions show them."""
+    copy = Chem.RemoveAllHs(with_positions(made, positions))
+    Chem.AssignStereochemistryFrom3D(copy)
+    return Chem.MolToSmiles(copy)
+
+
+def test_handedness_and_double_bonds_are_kept(sampled):
     made, ensemble = sampled
-    for frame in ensemble.positions[:20]:
-        copy = Chem.RemoveAllHs(with_positions(made, frame))
-        Chem.AssignStereochemistryFrom3D(copy)
-        start = Chem.RemoveAllHs(Chem.Mol(made))
-        Chem.AssignStereochemistryFrom3D(start)
-        assert Chem.MolToSmiles(copy) == Chem.MolToSmiles(start)
+    start = with_stereo(made, made.GetConformer().GetPositions())
+    for frame in ensemble.positions:
+        assert with_stereo(made, frame) == start
 
 
 def test_atoms_keep_their_distance(sampled):
@@ -98,6 +122,59 @@ def test_rotors_are_those_of_rdkit(tmp_path):
         means[frozenset((a, b))] = abs(np.mean(np.exp(1j * np.arctan2(sine, cosine))))
     assert len(means) == CalcNumRotatableBonds(heavy)
     assert max(means.values()) < 0.6
+
+
+def angles_about(made, pattern, positions):
+    """(frames) degrees from 0 to 360 of the first match."""
+    four = made.GetSubstructMatch(Chem.MolFromSmarts(pattern))
+    conformers = (with_positions(made, x).GetConformer() for x in positions)
+    return np.array([rdMolTransforms.GetDihedralDeg(c, *four) for c in conformers]) % 360
+
+
+def test_tertiary_amides_are_cis_and_trans(tmp_path):
+    """Turned by 180 degrees as a whole: whatever the start's torsion is, others are not met."""
+    made, path = molecule("CCC(=O)N(C)CC", tmp_path)
+    positions = pliant.sample(pliant.read(path), 60).positions
+    found = angles_about(made, "O=C-N-[CH3]", positions)
+    start = angles_about(made, "O=C-N-[CH3]", [made.GetConformer().GetPositions()])[0]
+    turned = np.abs((found - start + 90) % 360 - 90 - 180) < 0.01
+    kept = np.abs((found - start + 180) % 360 - 180) < 0.01
+    assert np.all(turned | kept)
+    assert 15 < np.sum(turned) < 45
+
+
+@pytest.mark.parametrize(
+    ("smiles", "pattern"),
+    [("CCC(=O)NCC", "O=C-N-[CH2]"), ("CCC(=O)OCC", "O=C-O-C")],
+)
+def test_other_amides_and_esters_stay(smiles, pattern, tmp_path):
+    made, path = molecule(smiles, tmp_path)
+    positions = pliant.sample(pliant.read(path), 60).positions
+    found = angles_about(made, pattern, positions)
+    assert np.abs((found + 180) % 360 - 180).max() < 25  # Z
+
+
+def test_rings_of_five_pucker_at_each_atom(tmp_path):
+    """The atom furthest from the mean plane, and its side."""
+    made, path = molecule("CC1CCCC1", tmp_path)
+    ring = made.GetRingInfo().AtomRings()[0]
+    seen = set()
+    for x in pliant.sample(pliant.read(path), 200).positions[:, ring]:
+        centred = x - x.mean(axis=0)
+        normal = sum(np.cross(centred[k], centred[(k + 1) % 5]) for k in range(5))
+        heights = centred @ normal / np.linalg.norm(normal)
+        seen.add((int(np.abs(heights).argmax()), float(np.sign(heights[np.abs(heights).argmax()]))))
+    assert len({atom for atom, _ in seen}) >= 4
+    assert len(seen) >= 6
+
+
+def test_an_amplitude_is_refused(tmp_path):
+    _, path = molecule("CCCC", tmp_path)
+    with pytest.raises(pliant.OptionError) as caught:
+        pliant.sample(pliant.read(path), 1, amplitude=1.0)
+    assert str(caught.value) == (
+        "amplitude: sampler torsions has none: how far torsions turn is drawn"
+    )
 
 
 def test_rings_of_six_take_both_chairs(tmp_path):

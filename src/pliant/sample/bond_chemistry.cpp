@@ -29,6 +29,10 @@ BondChemistry::BondChemistry(const Framework& framework, std::span<const Vec3> s
     if (framework.rest_lengths()[k] <= longest_bond * radii) edges_.push_back(bars[k]);
   }
   bonds_ = Graph(framework.joint_count(), edges_);
+  is_in_ring_.assign(framework.joint_count(), false);
+  const Blocks blocks = find_blocks(bonds_);
+  for (std::size_t edge = 0; edge < edges_.size(); ++edge)
+    if (!blocks.is_bridge[edge]) is_in_ring_[edges_[edge].a] = is_in_ring_[edges_[edge].b] = true;
 }
 
 std::uint8_t BondChemistry::element(Joint atom) const { return framework_.atoms()->elements[atom]; }
@@ -96,9 +100,77 @@ SimpleRing BondChemistry::in_order(const std::vector<std::uint32_t>& edges) cons
   return ring.size() == edges.size() ? ring : SimpleRing{};
 }
 
+bool BondChemistry::is_aryl(Joint atom) const {
+  const auto is_flat = [&](Joint at) {
+    return bonds_at(at).size() == 2 || (bonds_at(at).size() == 3 && !is_tetrahedral(at));
+  };
+  const auto bonds = bonds_at(atom);
+  return is_in_ring(atom) && bonds.size() == 3 && is_flat(atom) &&
+         std::all_of(bonds.begin(), bonds.end(), [&](const Link& bond) {
+           return !is_in_ring(bond.node) || is_flat(bond.node);
+         });
+}
+
+int BondChemistry::heavy_bonds_at(Joint atom) const {
+  const auto bonds = bonds_at(atom);
+  return static_cast<int>(std::count_if(bonds.begin(), bonds.end(),
+                                        [&](const Link& bond) { return !is_hydrogen(bond.node); }));
+}
+
+bool BondChemistry::is_flanked(Joint aryl) const {
+  const auto bonds = bonds_at(aryl);
+  return std::count_if(bonds.begin(), bonds.end(), [&](const Link& bond) {
+           return is_in_ring(bond.node) && heavy_bonds_at(bond.node) > 2;
+         }) > 1;
+}
+
+bool BondChemistry::is_conjugated(Joint atom) const {
+  return !is_tetrahedral(atom) || ((is_nitrogen(atom) || is_oxygen(atom)) && is_beside_acyl(atom));
+}
+
+bool BondChemistry::is_beside_acyl(Joint atom) const {
+  const auto bonds = bonds_at(atom);
+  return std::any_of(bonds.begin(), bonds.end(),
+                     [&](const Link& bond) { return is_acyl(bond.node); });
+}
+
+bool BondChemistry::is_acyl(Joint atom) const {
+  const auto bonds = bonds_at(atom);
+  return element(atom) == 6 && bonds.size() == 3 && !is_tetrahedral(atom) &&
+         std::any_of(bonds.begin(), bonds.end(), [&](const Link& bond) {
+           const std::uint8_t other = element(bond.node);
+           return (other == 8 || other == 16) && bonds_at(bond.node).size() == 1;
+         });
+}
+
+bool BondChemistry::is_tertiary_amide(Joint c, Joint n) const {
+  const auto bonds = bonds_at(n);
+  if (!is_acyl(c) || element(n) != 7 || bonds.size() != 3 || is_tetrahedral(n)) return false;
+  if (std::any_of(bonds.begin(), bonds.end(),
+                  [&](const Link& bond) { return is_hydrogen(bond.node); }))
+    return false;
+  const std::vector<Joint> hung = beyond(c, {n});
+  return std::none_of(bonds.begin(), bonds.end(), [&](const Link& bond) {
+    return bond.node != c && std::find(hung.begin(), hung.end(), bond.node) != hung.end();
+  });
+}
+
+bool BondChemistry::is_acylated(Joint nitrogen) const {
+  const auto bonds = bonds_at(nitrogen);
+  return std::any_of(bonds.begin(), bonds.end(),
+                     [&](const Link& bond) { return is_tertiary_amide(bond.node, nitrogen); });
+}
+
+bool BondChemistry::is_ester(Joint c, Joint o) const {
+  const auto bonds = bonds_at(o);
+  return is_acyl(c) && element(o) == 8 && bonds.size() == 2 &&
+         std::none_of(bonds.begin(), bonds.end(),
+                      [&](const Link& bond) { return is_hydrogen(bond.node); });
+}
+
 bool BondChemistry::is_amine(Joint atom) const {
   return element(atom) == 7 && bonds_at(atom).size() == 3 && is_tetrahedral(atom) &&
-         !is_in_ring_of_three(atom);
+         !is_in_ring_of_three(atom) && !is_beside_acyl(atom);
 }
 
 bool BondChemistry::is_in_ring_of_three(Joint atom) const {

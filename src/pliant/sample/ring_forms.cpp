@@ -11,21 +11,30 @@
 namespace pliant {
 namespace {
 
-constexpr double least_difference = 0.15;  // Angstrom, r.m.s.
+constexpr double least_difference = 0.15;       // Angstrom, r.m.s.
+constexpr double least_difference_five = 0.08;  // envelopes 36 degrees apart differ by 0.11
 constexpr int most_steps = 60;
 constexpr double closed = 1e-13;  // of a squared distance
 // The twelve equations depend on each other where boats are flexible: a little is added.
 constexpr double damping = 1e-9;
 
-/// Distances across one and two bonds of a ring of six.
+/// Steps towards distances that need not be met; larger damping leaves more as it is.
+constexpr int relaxing_steps = 8;
+constexpr double relaxing = 0.05;
+/// All ten distances of a ring of five leave it no other form than its mirror image.
+constexpr double relaxing_five = 1.0;
+constexpr double pucker_of_five = 0.4;  // Angstrom, that of cyclopentane and proline
+
+/// A distance in a ring.
 struct RingDistance {
   std::size_t i, j;
   double square;
 };
 
-std::vector<RingDistance> distances_of(std::span<const Vec3> ring) {
+/// Across one, up to `most` bonds.
+std::vector<RingDistance> distances_of(std::span<const Vec3> ring, std::size_t most) {
   std::vector<RingDistance> all;
-  for (std::size_t step = 1; step <= 2; ++step)
+  for (std::size_t step = 1; step <= most; ++step)
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::size_t j = (i + step) % ring.size();
       all.push_back({i, j, norm_squared(ring[i] - ring[j])});
@@ -47,37 +56,50 @@ std::vector<Vec3> hexagon(const std::array<double, 6>& heights) {
   return x;
 }
 
-/// Gauss-Newton of least change until all distances are met.
-bool meet(const std::vector<RingDistance>& wanted, std::vector<Vec3>& x) {
+/// A step of Gauss-Newton of least change; the worst share by which a squared distance was off.
+double approach(const std::vector<RingDistance>& wanted, double damped, std::vector<Vec3>& x) {
   const std::size_t n = wanted.size();
-  for (int step = 0; step < most_steps; ++step) {
-    std::vector<double> off(n), product(n * n, 0.0);
-    double worst = 0.0, largest = 0.0;
-    for (std::size_t a = 0; a < n; ++a) {
-      off[a] = norm_squared(x[wanted[a].i] - x[wanted[a].j]) - wanted[a].square;
-      worst = std::max(worst, std::abs(off[a]) / wanted[a].square);
-    }
-    if (!(worst > closed)) return std::isfinite(worst);
-    for (std::size_t a = 0; a < n; ++a)
-      for (std::size_t b = 0; b <= a; ++b) {
-        const auto& [i, j, one] = wanted[a];
-        const auto& [k, l, other] = wanted[b];
-        const double shared = (i == k ? 1.0 : 0.0) + (j == l ? 1.0 : 0.0) - (i == l ? 1.0 : 0.0) -
-                              (j == k ? 1.0 : 0.0);
-        product[a * n + b] = 4.0 * shared * dot(x[i] - x[j], x[k] - x[l]);
-        largest = std::max(largest, product[a * n + b]);
-      }
-    for (std::size_t a = 0; a < n; ++a) product[a * n + a] += damping * largest;
-    if (!solve_positive(product, off, 0.0)) return false;
-    std::vector<Vec3> moved = x;
-    for (std::size_t a = 0; a < n; ++a) {
-      const Vec3 along = (2.0 * off[a]) * (x[wanted[a].i] - x[wanted[a].j]);
-      moved[wanted[a].i] += -1.0 * along;
-      moved[wanted[a].j] += along;
-    }
-    x = moved;
+  std::vector<double> off(n), product(n * n, 0.0);
+  double worst = 0.0, largest = 0.0;
+  for (std::size_t a = 0; a < n; ++a) {
+    off[a] = norm_squared(x[wanted[a].i] - x[wanted[a].j]) - wanted[a].square;
+    worst = std::max(worst, std::abs(off[a]) / wanted[a].square);
   }
-  return false;
+  for (std::size_t a = 0; a < n; ++a)
+    for (std::size_t b = 0; b <= a; ++b) {
+      const auto& [i, j, one] = wanted[a];
+      const auto& [k, l, other] = wanted[b];
+      const double shared =
+          (i == k ? 1.0 : 0.0) + (j == l ? 1.0 : 0.0) - (i == l ? 1.0 : 0.0) - (j == k ? 1.0 : 0.0);
+      product[a * n + b] = 4.0 * shared * dot(x[i] - x[j], x[k] - x[l]);
+      largest = std::max(largest, product[a * n + b]);
+    }
+  for (std::size_t a = 0; a < n; ++a) product[a * n + a] += damped * largest;
+  if (!solve_positive(product, off, 0.0)) return HUGE_VAL;
+  const std::vector<Vec3> old = x;
+  for (std::size_t a = 0; a < n; ++a) {
+    const Vec3 along = (2.0 * off[a]) * (old[wanted[a].i] - old[wanted[a].j]);
+    x[wanted[a].i] += -1.0 * along;
+    x[wanted[a].j] += along;
+  }
+  return worst;
+}
+
+/// Until all distances are met.
+bool meet(const std::vector<RingDistance>& wanted, std::vector<Vec3>& x) {
+  double worst = HUGE_VAL;
+  for (int step = 0; step < most_steps && worst > closed; ++step)
+    worst = approach(wanted, damping, x);
+  return worst <= closed;
+}
+
+/// Meets the bonds and comes near to the angles.
+bool relax(std::span<const Vec3> ring, std::vector<Vec3>& x) {
+  const std::vector<RingDistance> all = distances_of(ring, 2);
+  if (ring.size() == 5) approach(all, relaxing_five, x);
+  if (ring.size() == 6)
+    for (int step = 0; step < relaxing_steps; ++step) approach(all, relaxing, x);
+  return meet(distances_of(ring, 1), x);
 }
 
 double torsion_sign(Vec3 a, Vec3 b, Vec3 c, Vec3 d) { return dot(cross(b - a, c - b), d - c); }
@@ -97,42 +119,93 @@ void add_if_new(std::vector<Vec3> x, std::vector<RingForm>& forms) {
     const RigidMotion onto = superposition(x, known.positions);
     double sum = 0.0;
     for (std::size_t k = 0; k < x.size(); ++k) sum += norm_squared(onto(x[k]) - known.positions[k]);
-    if (sum < double(x.size()) * least_difference * least_difference) return;
+    const double least = x.size() == 5 ? least_difference_five : least_difference;
+    if (sum < double(x.size()) * least * least) return;
   }
   const bool chair = is_chair(x);
   forms.push_back({std::move(x), chair});
 }
 
-std::vector<std::array<double, 6>> seeds() {
+/// An even pentagon as ten envelopes, z_k = q sqrt(2/5) cos(phi + 4 pi k / 5), phi in steps of 36
+/// degrees.
+std::vector<std::vector<Vec3>> pentagons() {
+  // cos and sin of 72 and 36 degrees.
+  constexpr double c = 0.30901699437494745, s = 0.9510565162951535, c36 = 0.8090169943749475,
+                   s36 = 0.5877852522924731, radius = 1.29, share = 0.6324555320336759;
+  std::vector<std::vector<Vec3>> all;
+  Vec3 phase{1.0, 0.0, 0.0};
+  for (int m = 0; m < 10; ++m) {
+    std::vector<Vec3> x;
+    Vec3 corner{1.0, 0.0, 0.0}, angle = phase;
+    for (int k = 0; k < 5; ++k) {
+      x.push_back({radius * corner.x, radius * corner.y, pucker_of_five * share * angle.x});
+      corner = {c * corner.x - s * corner.y, s * corner.x + c * corner.y, 0.0};
+      angle = {-c36 * angle.x - s36 * angle.y, s36 * angle.x - c36 * angle.y, 0.0};
+    }
+    all.push_back(std::move(x));
+    phase = {c36 * phase.x - s36 * phase.y, s36 * phase.x + c36 * phase.y, 0.0};
+  }
+  return all;
+}
+
+/// Even hexagons as a chair and the six twist-boats.
+std::vector<std::vector<Vec3>> hexagons() {
   constexpr double chair = 0.25, boat = 0.38;
-  std::vector<std::array<double, 6>> all{{chair, -chair, chair, -chair, chair, -chair}};
+  std::vector<std::vector<Vec3>> all{hexagon({chair, -chair, chair, -chair, chair, -chair})};
   for (std::size_t k = 0; k < 3; ++k)
     for (double up : {boat, -boat}) {
       std::array<double, 6> heights{};
       for (std::size_t m = 0; m < 6; ++m)
         heights[m] = m % 3 == k ? 0.0 : ((m + 3 - k) % 3 == 1 ? up : -up);
-      all.push_back(heights);
+      all.push_back(hexagon(heights));
     }
   return all;
 }
 
-}  // namespace
+double torsion_cosine(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
+  const Vec3 one = cross(b - a, c - b), other = cross(c - b, d - c);
+  return dot(one, other) / (norm(one) * norm(other));
+}
 
-std::vector<RingForm> ring_forms(std::span<const Vec3> ring) {
-  std::vector<RingForm> forms{{{ring.begin(), ring.end()}, is_chair(ring)}};
-  if (ring.size() == 6) {
-    const std::vector<RingDistance> wanted = distances_of(ring);
-    for (const auto& heights : seeds()) {
-      std::vector<Vec3> x = hexagon(heights);
-      if (meet(wanted, x)) add_if_new(std::move(x), forms);
-    }
+/// Whether double bonds and the like are turned no further than they were.
+bool keeps_flat(std::span<const Vec3> ring, const std::vector<bool>& is_flat,
+                std::span<const Vec3> x) {
+  constexpr double cosine_12 = 0.9781476007338057, sine_12 = 0.20791169081775934;
+  const std::size_t n = ring.size();
+  for (std::size_t k = 0; k < n; ++k) {
+    const std::size_t before = (k + n - 1) % n, after = (k + 1) % n, last = (k + 2) % n;
+    if (!is_flat[k] || !is_flat[after]) continue;
+    const double was = torsion_cosine(ring[before], ring[k], ring[after], ring[last]);
+    const double least = was * cosine_12 - std::sqrt(std::max(0.0, 1.0 - was * was)) * sine_12;
+    if (torsion_cosine(x[before], x[k], x[after], x[last]) < least) return false;
   }
+  return true;
+}
+
+void add_mirrored(std::vector<RingForm>& forms) {
   const std::size_t found = forms.size();
   for (std::size_t k = 0; k < found; ++k) {
     std::vector<Vec3> mirrored = forms[k].positions;
     for (Vec3& x : mirrored) x.z = -x.z;
     add_if_new(std::move(mirrored), forms);
   }
+}
+
+}  // namespace
+
+std::vector<RingForm> ring_forms(std::span<const Vec3> ring, const std::vector<bool>& is_flat) {
+  std::vector<RingForm> forms{{{ring.begin(), ring.end()}, is_chair(ring)}};
+  std::vector<std::vector<Vec3>> seeds;
+  if (ring.size() == 5) seeds = pentagons();
+  if (ring.size() == 6) seeds = hexagons();
+  if (ring.size() == 6)
+    for (std::vector<Vec3> x : seeds)
+      if (meet(distances_of(ring, 2), x) && keeps_flat(ring, is_flat, x))
+        add_if_new(std::move(x), forms);
+  add_mirrored(forms);
+  for (std::vector<Vec3>& x : seeds)
+    if (relax(ring, x) && keeps_flat(ring, is_flat, x)) add_if_new(std::move(x), forms);
+  add_mirrored(forms);
   return forms;
 }
 

@@ -16,11 +16,13 @@ struct RingForm {
   bool is_chair = false;        ///< torsions of both signs in turn, all round a ring of six
 };
 
-/// Forms of a ring of n atoms in order (n from 5, Angstrom) that have its distances across one and
-/// two bonds; the ring itself is the first. Of six atoms these twelve distances leave a few forms,
-/// of which those are found that Gauss-Newton steps reach from an even chair and the six
-/// twist-boats (D. Cremer, J. A. Pople, J. Am. Chem. Soc. 97 (1975) 1354). Two forms differ by
-/// 0.15 Angstrom (r.m.s.).
-std::vector<RingForm> ring_forms(std::span<const Vec3> ring);
+/// Forms of a ring of n atoms in order (n from 5, Angstrom); the ring itself is the first. First
+/// those that have its distances across one and two bonds: the mirror image, and of six atoms what
+/// Gauss-Newton steps reach from an even chair and the six twist-boats. Then, of five atoms from
+/// ten envelopes, of six from the chairs and twist-boats (D. Cremer, J. A. Pople, J. Am. Chem. Soc.
+/// 97 (1975) 1354), those that keep the bonds and come as near to the angles as some damped steps
+/// bring them. Bonds between two atoms of which `is_flat` (n) keep the size of their torsion, to 12
+/// degrees. Two forms differ by 0.15 Angstrom (r.m.s.), of five atoms by 0.08.
+std::vector<RingForm> ring_forms(std::span<const Vec3> ring, const std::vector<bool>& is_flat);
 
 }  // namespace pliant

@@ -14,6 +14,7 @@
 #include "pliant/base/range.hpp"
 #include "pliant/framework/residual.hpp"
 #include "pliant/sample/coarse_nodes.hpp"
+#include "pliant/sample/conformer_framework.hpp"
 #include "pliant/sample/frame_maker.hpp"
 
 namespace pliant {
@@ -210,7 +211,9 @@ SampleSummary sample(const Framework& framework, std::span<const Vec3> start, Ne
                       std::to_string(framework.joint_count()) + " joints");
   check(nodes, framework.joint_count());
   check_start(framework, start);
-  const std::optional<BodyPlan> plan = BodyPlan::make(framework);
+  const std::optional<BodyPlan> plan = find_sampler(options.sampler).has_amplitude
+                                           ? BodyPlan::make(framework)
+                                           : conformer_plan(framework, start);
   if (!plan) throw OptionError("sample: the framework has pinned joints, or lies in a plane");
   nodes = coarsened(std::move(nodes));
   SampleSummary summary = Sampling(framework, start, nodes, options, *plan).run(observer);

@@ -164,13 +164,14 @@ class SmallSterics {
 
 /// Of so many draws the one that overlaps least is resolved: torsions stay where they were drawn.
 constexpr int draws_a_conformer = 20;
+constexpr double little_overlap = 0.1;  // Angstrom^2: resolving takes it away
 
 /// Flexible loops are bent so often.
 constexpr int loop_steps = 12;
 
 /// Conformers: torsions drawn, rings inverted or not, loops pushed. With `mixed` the torsions of
-/// even frames are those that are usual, of odd ones any: starts of one conformer each miss what
-/// the other finds.
+/// three of four frames are those that are usual, of the fourth any: starts of one conformer each
+/// miss what the other finds.
 template <bool is_mixed, TorsionDraw other>
 class TorsionsSampler final : public Sampler {
  public:
@@ -192,7 +193,7 @@ class TorsionsSampler final : public Sampler {
     request.limits_off.clear();
     request.from.assign(now.begin(), now.end());
     if (step == 0) {
-      const bool is_usual = is_mixed && frame % 2 == 0;
+      const bool is_usual = is_mixed && frame % 4 != 3;
       draw(draws, is_usual ? TorsionDraw::preferred : other, request);
     }
     request.targets = request.from;
@@ -204,9 +205,10 @@ class TorsionsSampler final : public Sampler {
   void draw(RandomSequence& draws, TorsionDraw how, FrameRequest& request) const {
     moves_.draw_rings(draws, request.from);
     moves_.draw_amines(draws, request.from);
+    moves_.draw_amides(draws, request.from);
     const std::vector<Vec3> start = request.from;
     double least = HUGE_VAL;
-    for (int k = 0; k < draws_a_conformer && least > 0.0; ++k) {
+    for (int k = 0; k < draws_a_conformer && least > little_overlap; ++k) {
       request.targets = start;
       moves_.turn_rotors(draws, how, request.targets);
       const double here = sterics_.overlap(request.targets);
@@ -249,7 +251,7 @@ std::span<const SamplerEntry> samplers() { return table; }
 std::string_view usual_sampler(const Framework& framework, std::span<const Vec3> start,
                                bool has_residues) {
   if (has_residues || start.size() > most_atoms) return "modes";
-  const std::optional<BodyPlan> plan = BodyPlan::make(framework);
+  const std::optional<BodyPlan> plan = conformer_plan(framework, start);
   if (!plan) return "modes";
   const auto is_free = [](const PlanBody& body) { return body.parent < 0; };
   const auto bodies = plan->bodies();

@@ -6,48 +6,13 @@
 #include <cmath>
 
 #include "pliant/base/superposition.hpp"
+#include "pliant/sample/ring_pucker.hpp"
 
 namespace pliant {
 namespace {
 
-constexpr double flat_ring = 0.1;  // Angstrom: a ring so near a plane has no other form
 constexpr double whole = 1e-9;     // share of a bar's length
 constexpr double loop_push = 3.0;  // Angstrom: how far a typical joint of a loop is asked to go
-
-/// cos and sin of an angle.
-struct Turn {
-  double cosine = 1.0, sine = 0.0;
-};
-
-Turn operator*(Turn one, Turn other) {
-  return {one.cosine * other.cosine - one.sine * other.sine,
-          one.sine * other.cosine + one.cosine * other.sine};
-}
-
-Turn back(Turn turn) { return {turn.cosine, -turn.sine}; }
-
-/// By an angle whose half has the tangent t.
-Turn of_half_tangent(double t) { return {(1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)}; }
-
-// Tangents of half of 12 and of 6 degrees.
-constexpr double half_of_12 = 0.10510423526567646, half_of_6 = 0.052407779283041196;
-constexpr Turn by_30{0.8660254037844386, 0.5}, by_60{0.5, 0.8660254037844386};
-
-/// Within an angle about 0, evenly but for its third order.
-Turn jitter(RandomSequence& draws, double half_tangent) {
-  return of_half_tangent(half_tangent * (2.0 * draws.uniform() - 1.0));
-}
-
-Turn drawn_torsion(RandomSequence& draws, TorsionDraw how, bool is_tetrahedral) {
-  if (how == TorsionDraw::uniform) {
-    const Vec3 at = draws.direction_in_plane();
-    return {at.x, at.y};
-  }
-  Turn turn = is_tetrahedral ? by_60 : Turn{};
-  const Turn step = is_tetrahedral ? by_60 * by_60 : by_30;
-  for (std::uint64_t k = draws.below(is_tetrahedral ? 3 : 12); k > 0; --k) turn = turn * step;
-  return turn * jitter(draws, is_tetrahedral ? half_of_12 : half_of_6);
-}
 
 Vec3 unit(Vec3 v) { return (1.0 / norm(v)) * v; }
 
@@ -77,26 +42,12 @@ Axes axes_of(Vec3 one, Vec3 other) {
   return {x, cross(z, x), z};
 }
 
-Vec3 centre_of(const SimpleRing& ring, std::span<const Vec3> x) {
-  Vec3 sum{};
-  for (Joint atom : ring) sum += x[atom];
-  return (1.0 / double(ring.size())) * sum;
-}
-
-/// Normal of the ring's mean plane (Newell).
-Vec3 normal_of(const SimpleRing& ring, std::span<const Vec3> x) {
-  const Vec3 centre = centre_of(ring, x);
-  Vec3 sum{};
-  for (std::size_t k = 0; k < ring.size(); ++k)
-    sum += cross(x[ring[k]] - centre, x[ring[(k + 1) % ring.size()]] - centre);
-  return unit(sum);
-}
-
-double out_of_plane(const SimpleRing& ring, std::span<const Vec3> x) {
-  const Vec3 centre = centre_of(ring, x), normal = normal_of(ring, x);
-  double furthest = 0.0;
-  for (Joint atom : ring) furthest = std::max(furthest, std::abs(dot(x[atom] - centre, normal)));
-  return furthest;
+/// To a usual torsion from where it is; where three atoms lie on a line there is none.
+Turn usual_turn(const Rotor& rotor, RandomSequence& draws, std::span<const Vec3> x) {
+  if (rotor.kind == BondTurn::ester) return drawn_jitter(draws, rotor.kind);
+  const Turn wanted = drawn_usual(draws, rotor.kind);
+  const auto now = torsion(x[rotor.beyond_a], x[rotor.a], x[rotor.b], x[rotor.beyond_b]);
+  return now ? wanted * back(*now) : wanted;
 }
 
 }  // namespace
@@ -115,6 +66,14 @@ void invert(const Amine& amine, std::span<Vec3> x) {
   for (Joint joint : amine.turning) {
     const Vec3 r = x[joint] - centre;
     x[joint] = turned(centre, r, axis, {cosine, sine});
+  }
+}
+
+void turn_over(const AmideTurn& amide, std::span<Vec3> x) {
+  const Vec3 origin = x[amide.carbon], axis = unit(x[amide.nitrogen] - origin);
+  for (Joint joint : amide.turning) {
+    const Vec3 r = x[joint] - origin;
+    x[joint] = origin - r + (2.0 * dot(axis, r)) * axis;
   }
 }
 
@@ -144,6 +103,7 @@ TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
   find_rotors(chemistry);
   find_rings(chemistry);
   find_amines(chemistry);
+  find_amides(chemistry);
 }
 
 /// Bodies on the way from both ends of a cut to where the ways meet.
@@ -167,7 +127,7 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
   const auto bodies = plan_.bodies();
   for (std::uint32_t k = 0; k < bodies.size(); ++k) {
     if (bodies[k].turns() != 1 || is_in_loop_[k]) continue;
-    Rotor rotor{plan_.joint_at()[bodies[k].a], plan_.joint_at()[bodies[k].b], 0, 0, false, {}};
+    Rotor rotor{plan_.joint_at()[bodies[k].a], plan_.joint_at()[bodies[k].b], 0, 0, {}, {}};
     // Bodies that hang on this one follow it: the plan goes depth first.
     for (std::uint32_t m = k; m == k || (m < bodies.size() && bodies[m].parent >= std::int64_t{k});
          ++m)
@@ -178,7 +138,7 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
         continue;
       rotor.beyond_a = chemistry.reference(rotor.a, rotor.b);
       rotor.beyond_b = chemistry.reference(rotor.b, rotor.a);
-      rotor.is_tetrahedral = chemistry.is_tetrahedral(rotor.a) && chemistry.is_tetrahedral(rotor.b);
+      rotor.kind = turn_of(chemistry, rotor.a, rotor.b);
     }
     rotors_.push_back(std::move(rotor));
   }
@@ -186,21 +146,37 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
 
 void TorsionMoves::find_rings(const BondChemistry& chemistry) {
   if (framework_.atoms() == nullptr) return;
-  for (SimpleRing& atoms : chemistry.simple_rings()) {
-    if (out_of_plane(atoms, start_) < flat_ring) continue;
+  for (SimpleRing& atoms : puckered_rings(chemistry, start_)) {
     std::vector<Vec3> positions;
-    for (Joint atom : atoms) positions.push_back(start_[atom]);
-    FlexibleRing ring{std::move(atoms), {}, ring_forms(positions)};
+    std::vector<bool> is_flat;
+    for (Joint atom : atoms) {
+      positions.push_back(start_[atom]);
+      is_flat.push_back(chemistry.is_conjugated(atom));
+    }
+    FlexibleRing ring{std::move(atoms), {}, ring_forms(positions, is_flat)};
     for (Joint atom : ring.atoms) ring.branches.push_back(chemistry.beyond(atom, ring.atoms));
+    const std::vector<Bar> angles = ring_angles(ring.atoms, chemistry);
     std::vector<RingForm> forms;
     for (RingForm& form : ring.forms) {
       std::vector<Vec3> x(start_.begin(), start_.end());
       if (!forms.empty()) take_form(ring, form, x);
-      if (holds_bars(x)) forms.push_back(std::move(form));
+      if (holds_bars(x) && holds_limits(angles, x)) forms.push_back(std::move(form));
     }
     ring.forms = std::move(forms);
     if (ring.forms.size() > 1) rings_.push_back(std::move(ring));
   }
+}
+
+/// Limits of other pairs are for resolving to keep.
+bool TorsionMoves::holds_limits(std::span<const Bar> pairs, std::span<const Vec3> x) const {
+  for (const Limit& limit : framework_.limits()) {
+    const auto [a, b] = std::minmax(limit.a, limit.b);
+    const double now = distance(x[a], x[b]);
+    if (now >= limit.least && now <= limit.most) continue;
+    if (std::any_of(pairs.begin(), pairs.end(), [&](Bar p) { return p.a == a && p.b == b; }))
+      return false;
+  }
+  return true;
 }
 
 /// Bars that reach further than across an atom may not like it: those of planar groups.
@@ -237,6 +213,23 @@ void TorsionMoves::find_amines(const BondChemistry& chemistry) {
   }
 }
 
+/// Where a bar still reaches across, it stays as it is.
+void TorsionMoves::find_amides(const BondChemistry& chemistry) {
+  for (const auto& [carbon, nitrogen] : tertiary_amides(framework_, chemistry)) {
+    std::vector<Joint> one = chemistry.beyond(carbon, {nitrogen});
+    std::vector<Joint> other = chemistry.beyond(nitrogen, {carbon});
+    AmideTurn found{carbon, nitrogen, std::move(one.size() < other.size() ? one : other)};
+    std::vector<Vec3> x(start_.begin(), start_.end());
+    turn_over(found, x);
+    if (holds_bars(x)) amides_.push_back(std::move(found));
+  }
+}
+
+void TorsionMoves::draw_amides(RandomSequence& draws, std::span<Vec3> x) const {
+  for (const AmideTurn& amide : amides_)
+    if (draws.below(2) == 1) turn_over(amide, x);
+}
+
 void TorsionMoves::draw_amines(RandomSequence& draws, std::span<Vec3> x) const {
   for (const Amine& amine : amines_)
     if (draws.below(2) == 1) invert(amine, x);
@@ -261,10 +254,9 @@ void TorsionMoves::turn_rotors(RandomSequence& draws, TorsionDraw how, std::span
 void TorsionMoves::turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws,
                         std::span<Vec3> x) const {
   const Vec3 origin = x[rotor.b], axis = unit(x[rotor.b] - x[rotor.a]);
-  Turn by = drawn_torsion(draws, how, rotor.is_tetrahedral);
-  if (how == TorsionDraw::preferred)
-    if (const auto now = torsion(x[rotor.beyond_a], x[rotor.a], x[rotor.b], x[rotor.beyond_b]))
-      by = by * back(*now);
+  const Turn by = how == TorsionDraw::uniform && rotor.kind != BondTurn::ester
+                      ? drawn_angle(draws)
+                      : usual_turn(rotor, draws, x);
   for (Joint joint : rotor.turning) {
     const Vec3 r = x[joint] - origin;
     x[joint] = turned(origin, r, axis, by);

@@ -7,6 +7,7 @@
 //   across an atom stay, axial becomes equatorial, and handedness (chirality) is kept;
 // - nitrogen of amines inverts: the smallest of what it bears is turned to the other side of the
 //   other two bonds;
+// - tertiary amides turn from cis to trans, where no bar reaches across them;
 // - flexible loops (rings of seven and more) are bent at random, step by step.
 #pragma once
 
@@ -19,7 +20,9 @@
 #include "pliant/framework/framework.hpp"
 #include "pliant/resolve/froda/body_plan.hpp"
 #include "pliant/sample/bond_chemistry.hpp"
+#include "pliant/sample/conformer_framework.hpp"
 #include "pliant/sample/ring_forms.hpp"
+#include "pliant/sample/torsion_draws.hpp"
 
 namespace pliant {
 
@@ -27,7 +30,7 @@ namespace pliant {
 struct Rotor {
   Joint a, b;                  ///< the bond; what is beyond b moves
   Joint beyond_a, beyond_b;    ///< the torsion is beyond_a - a - b - beyond_b
-  bool is_tetrahedral;         ///< both ends are: torsions of 60, 180 and 300 degrees are usual
+  BondTurn kind;               ///< where its torsions usually are
   std::vector<Joint> turning;  ///< joints that move
 };
 
@@ -44,11 +47,10 @@ struct Amine {
   std::vector<Joint> turning;
 };
 
-/// How torsions are drawn.
-enum class TorsionDraw : std::uint8_t {
-  uniform,    ///< each from the whole circle
-  preferred,  ///< between sp3 atoms within 12 degrees of staggered; else within 6 degrees of a
-              ///< multiple of 30
+/// An amide that turns by 180 degrees, and what moves: the smaller side.
+struct AmideTurn {
+  Joint carbon, nitrogen;
+  std::vector<Joint> turning;
 };
 
 class TorsionMoves {
@@ -59,10 +61,12 @@ class TorsionMoves {
   std::span<const Rotor> rotors() const { return rotors_; }
   std::span<const FlexibleRing> rings() const { return rings_; }
   std::span<const Amine> amines() const { return amines_; }
+  std::span<const AmideTurn> amides() const { return amides_; }
   /// Rigid units (bodies of the plan) of flexible loops.
   std::span<const std::uint32_t> loop_bodies() const { return loop_bodies_; }
   bool empty() const {
-    return rotors_.empty() && rings_.empty() && amines_.empty() && loop_bodies_.empty();
+    return rotors_.empty() && rings_.empty() && amines_.empty() && amides_.empty() &&
+           loop_bodies_.empty();
   }
 
   /// Gives each ring of `x` (N, Angstrom) one of its forms, by chance: of three draws two take a
@@ -70,6 +74,8 @@ class TorsionMoves {
   void draw_rings(RandomSequence& draws, std::span<Vec3> x) const;
   /// Inverts each amine of `x` or not, by chance.
   void draw_amines(RandomSequence& draws, std::span<Vec3> x) const;
+  /// Turns each amide of `x` to its other form or not, by chance.
+  void draw_amides(RandomSequence& draws, std::span<Vec3> x) const;
   /// Draws all torsions of `x`.
   void turn_rotors(RandomSequence& draws, TorsionDraw how, std::span<Vec3> x) const;
 
@@ -81,9 +87,11 @@ class TorsionMoves {
   void find_loops();
   void find_rings(const BondChemistry& chemistry);
   void find_amines(const BondChemistry& chemistry);
+  void find_amides(const BondChemistry& chemistry);
   /// Whether it is the joint's own place, and not a copy at a cut.
   bool is_own(Slot place) const { return plan_.place_of(plan_.joint_at()[place]) == place; }
   bool holds_bars(std::span<const Vec3> x) const;
+  bool holds_limits(std::span<const Bar> pairs, std::span<const Vec3> x) const;
   Vec3 middle_of(const PlanBody& body, std::span<const Vec3> x) const;
   void turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws, std::span<Vec3> x) const;
 
@@ -95,6 +103,7 @@ class TorsionMoves {
   std::vector<Rotor> rotors_;
   std::vector<FlexibleRing> rings_;
   std::vector<Amine> amines_;
+  std::vector<AmideTurn> amides_;
 };
 
 /// Gives a ring of x (N) this form, superposed on the one it has, its branches moved as the two
@@ -103,5 +112,8 @@ void take_form(const FlexibleRing& ring, const RingForm& form, std::span<Vec3> x
 
 /// Inverts nitrogen in x (N).
 void invert(const Amine& amine, std::span<Vec3> x);
+
+/// Turns an amide of x (N) by 180 degrees.
+void turn_over(const AmideTurn& amide, std::span<Vec3> x);
 
 }  // namespace pliant
