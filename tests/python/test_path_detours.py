@@ -175,3 +175,12 @@ def test_an_analysis_knows_a_path(hairpin, tmp_path):
     assert kept["path/end"] == "straight.pdb"
     assert (kept["path/both"], kept["path/backtrack"], kept["path/seed"]) == (1, 2, 3)
     assert kind_of(SimpleNamespace(record=record)) == TRANSITION
+
+
+def test_a_page_of_a_path_claims_no_errors(hairpin, tmp_path):
+    pliant.path(*hairpin, output=tmp_path / "p.h5md", backtrack=2)
+    pliant.analyse(tmp_path / "p.h5md", tmp_path / "out", dpi=50)
+    page = (tmp_path / "out" / "report.html").read_text(encoding="utf-8").split("<script")[0]
+    assert "A path from one structure to another" in page
+    assert "move most on the way" in page
+    assert "two errors" not in page

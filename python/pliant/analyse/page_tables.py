@@ -12,7 +12,7 @@ import numpy as np
 
 from pliant.analyse.bar_verdict import scientific, tolerance_text
 from pliant.analyse.figures.torsion_figures import most_mobile
-from pliant.analyse.found import ENSEMBLE
+from pliant.analyse.found import ENSEMBLE, TRANSITION
 from pliant.analyse.names import bar_labels, greek
 from pliant.analyse.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
 from pliant.analyse.study import known
@@ -59,7 +59,7 @@ def facts(study: Study) -> list[tuple[str, str, str]]:
 
 def _flexible_facts(study: Study) -> list[tuple[str, str, str]]:
     rows = []
-    if study.flexibility is not None:
+    if study.flexibility is not None and study.kind != TRANSITION:
         found, units = study.flexibility, known(study.units)
         text = f"mean fluctuation of a{'n atom' if units.what == 'atom' else ' residue'} (RMSF)"
         rows.append((f"{found.rmsf.mean():.2f} ± {2 * found.error.mean():.1g}", "Å", text))
@@ -118,6 +118,9 @@ def _flexible_table(study: Study) -> PageTable:
         (units.labels[k], f"{found.rmsf[k]:.3f}", f"± {2 * found.error[k]:.2g}")
         for k in np.argsort(-found.rmsf, kind="stable")[:8]
     ]
+    if study.kind == TRANSITION:
+        caption = f"{units.what.capitalize()}s that move most on the way"
+        return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)"), [row[:2] for row in rows])
     caption = f"Most flexible {units.what}s"
     if not found.converged:
         caption += " (not converged)"

@@ -146,7 +146,8 @@ function startViewer() {
   function legend() {
     const box = document.getElementById("legend");
     const [left, strip, right] = box.children;
-    box.style.display = state.colour === "element" ? "none" : "flex";
+    box.hidden = state.colour === "element";
+    box.style.display = box.hidden ? "none" : "flex"; // the class's display overrides `hidden`
     const palette = palettes[state.colour];
     if (palette) {
       const kinds = [...new Set(scene.units[state.colour])].filter((k) => palette[k]).sort((a, b) => a - b);

@@ -310,9 +310,11 @@ def test_scripts_for_viewers(tmp_path, analysed):
 @pytest.mark.skipif(not Path("/usr/bin/pymol").exists(), reason="no PyMOL is installed")
 def test_pymol_runs_the_script(tmp_path, analysed):
     analysed()
-    words = ["/usr/bin/pymol", "-cq", "show.pml", "-d", "print('states', cmd.count_states())"]
+    count = "print('states', cmd.count_states())"
+    words = ["/usr/bin/pymol", "-cq", "show.pml", "-d", "mstop", "-d", count]  # else it plays on
     done = subprocess.run(
-        words, cwd=tmp_path / "out", capture_output=True, text=True, env={"PATH": "/usr/bin:/bin"}
-    )
+        words, cwd=tmp_path / "out", capture_output=True, text=True, timeout=120,
+        env={"PATH": "/usr/bin:/bin"},
+    )  # fmt: skip
     assert "Error" not in done.stdout + done.stderr
     assert "states 24" in done.stdout

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 
 from pliant.analyse.figures import flexibility_figures, mobility, series, torsion_figures
 from pliant.analyse.figures.style import styled
-from pliant.analyse.found import ENSEMBLE, PATH
+from pliant.analyse.found import ENSEMBLE, PATH, TRANSITION
 from pliant.analyse.names import has_backbone
 from pliant.analyse.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
 
@@ -31,9 +31,12 @@ class FigureKind:
     text: str  #: what it shows, for the page
     of_a_path: str = ""  #: what must be said beside that of a path of pushes
     of_an_ensemble: str = ""  #: ... of independent frames
+    of_a_transition: str = ""  #: what it shows of a path between structures, if something else
 
     def caption(self, study: Study) -> str:
         """What the figure shows of this study."""
+        if study.kind == TRANSITION and self.of_a_transition:
+            return self.of_a_transition
         more = {PATH: self.of_a_path, ENSEMBLE: self.of_an_ensemble}.get(study.kind, "")
         return f"{self.text} {more}".strip()
 
@@ -51,6 +54,9 @@ FIGURES = (
         "Of this path only: with other pushes, or more of them, the profile would be another.",
         "About 19 of 20 values of a much longer run lie within the band. It is the error of having "
         "few frames; that a model made them is not in it.",
+        "Root mean square distance from the average place on the way, after superposition: what "
+        "must move to get from one structure to the other. A strip along the axis has the colours "
+        "of the domains.",
     ),
     FigureKind(
         "correlations", TOGETHER, flexibility_figures.together, _has("correlations"),

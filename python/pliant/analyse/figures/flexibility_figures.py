@@ -21,6 +21,7 @@ from pliant.analyse.figures.style import (
     named_bars,
     new_figure,
 )
+from pliant.analyse.found import TRANSITION
 from pliant.analyse.study import known
 from pliant.analysis.collective import participation
 from pliant.analysis.domains import LOOSE
@@ -36,35 +37,53 @@ NAMED_BARS = 40
 
 
 def flexibility(study: Study) -> Figure:
-    """RMSF of each unit with twice its error; the halves where they do not agree."""
+    """RMSF of each unit with twice its error; the halves where they do not agree. The way from one
+    structure to another is one: it has neither."""
     found, units = known(study.flexibility), known(study.units)
     figure, axes = new_figure()
     if len(units.labels) <= NAMED_BARS:
         named_bars(axes, units.labels, found.rmsf, BLUE)
-        place = np.arange(len(found.rmsf))
-        axes.errorbar(place, found.rmsf, 2 * found.error, fmt="none", ecolor=INK, lw=1, capsize=2)
         axes.set_xlabel(units.what)
     else:
-        _line_with_band(axes, study)
-    agree = "halves agree" if found.converged else "not converged: halves differ"
-    error = f"two errors {2 * found.error.mean():.1g} Å on average"
-    axes.set(ylabel="RMSF (Å)", title=f"Flexibility: {agree}, {error}")
-    axes.set_ylim(0, 1.04 * float((found.rmsf + 2 * found.error).max()) or 1.0)
+        _lines(axes, study)
+    axes.set(ylabel="RMSF (Å)", title="How far residues move on the way")
+    axes.set_ylim(0, 1.04 * float(found.rmsf.max()) or 1.0)
+    if study.kind != TRANSITION:
+        _errors(axes, study)
     return figure
 
 
-def _line_with_band(axes: Axes, study: Study) -> None:
+def _lines(axes: Axes, study: Study) -> None:
+    found, units = known(study.flexibility), known(study.units)
+    place = np.arange(len(found.rmsf))
+    for part in chain_parts(units.chains):
+        axes.plot(place[part], found.rmsf[part], color=BLUE, lw=1.3)
+    _domain_strip(axes, study)
+    chain_axis(axes, units.numbers, units.chains)
+
+
+def _errors(axes: Axes, study: Study) -> None:
+    found, units = known(study.flexibility), known(study.units)
+    if len(units.labels) <= NAMED_BARS:
+        place = np.arange(len(found.rmsf))
+        axes.errorbar(place, found.rmsf, 2 * found.error, fmt="none", ecolor=INK, lw=1, capsize=2)
+    else:
+        _bands(axes, study)
+    agree = "halves agree" if found.converged else "not converged: halves differ"
+    error = f"two errors {2 * found.error.mean():.1g} Å on average"
+    axes.set_title(f"Flexibility: {agree}, {error}")
+    axes.set_ylim(0, 1.04 * float((found.rmsf + 2 * found.error).max()) or 1.0)
+
+
+def _bands(axes: Axes, study: Study) -> None:
     found, units = known(study.flexibility), known(study.units)
     place = np.arange(len(found.rmsf))
     for part in chain_parts(units.chains):
         band = found.rmsf[part] - 2 * found.error[part], found.rmsf[part] + 2 * found.error[part]
         axes.fill_between(place[part], np.maximum(band[0], 0), band[1], color=SKY, alpha=0.45, lw=0)
-        axes.plot(place[part], found.rmsf[part], color=BLUE, lw=1.3)
         if not found.converged:
             for half, colour in zip(found.halves, (ORANGE, GREY), strict=True):
                 axes.plot(place[part], half[part], color=colour, lw=0.8)
-    _domain_strip(axes, study)
-    chain_axis(axes, units.numbers, units.chains)
 
 
 def chain_parts(chains: np.ndarray) -> list[slice]:
