@@ -30,7 +30,8 @@ constexpr auto foreign_names = std::to_array<ForeignName>({
     {".xyz", "XYZ"},
 });
 
-constexpr auto convertible = std::to_array<std::string_view>({".dcd", ".trr", ".xtc", ".xyz"});
+constexpr auto convertible =
+    std::to_array<std::string_view>({".cif", ".dcd", ".mmcif", ".trr", ".xtc", ".xyz"});
 
 /// Where a name leads, also through a link to a file that does not exist yet.
 fs::path end_of_links(fs::path name) {

@@ -17,7 +17,7 @@ def is_pdb_name(output: str | os.PathLike[str]) -> bool:
 def check_trajectory_name(output: str | os.PathLike[str]) -> None:
     """Raises OptionError for names of formats into which trajectories are converted."""
     ending = Path(output).suffix.lower()
-    if ending in (".dcd", ".trr", ".xtc", ".xyz"):
+    if ending in (".cif", ".dcd", ".mmcif", ".trr", ".xtc", ".xyz"):
         raise OptionError(
             f"output {os.fspath(output)}: trajectories are written as H5MD or PDB; "
             f"pliant convert makes {ending[1:].upper()} of them"

@@ -16,6 +16,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pliant import _core, console
+from pliant._cif_models import write_models
 from pliant._core import InputError, OptionError
 from pliant._extras import need
 from pliant._superposition import Superposition
@@ -24,6 +25,8 @@ from pliant._superposition import Superposition
 FORMATS = {
     ".pdb": ("PDB, a model a frame", False),
     ".ent": ("PDB, a model a frame", False),
+    ".cif": ("mmCIF, a model a frame", False),
+    ".mmcif": ("mmCIF, a model a frame", False),
     ".dcd": ("DCD", True),
     ".xtc": ("XTC", True),
     ".trr": ("TRR", True),
@@ -31,10 +34,11 @@ FORMATS = {
 }
 
 EPILOG = """\
-The name of OUT says the format: .pdb (a model a frame), .dcd, .xtc, .trr or .xyz. PDB is written
-by Pliant itself, the others by MDAnalysis (pip install "pliant[analysis]"). H5MD has every digit:
-PDB keeps 0.001 Angstrom, XYZ 0.00001, XTC 0.01, DCD and TRR 32-bit floats. Observables and bars are
-left out. DCD, XTC and TRR have positions only: open them with the PDB file that pliant run writes
+The name of OUT says the format: .pdb or .cif (a model a frame), .dcd, .xtc, .trr or .xyz. PDB and
+mmCIF are written by Pliant itself, the others by MDAnalysis (pip install "pliant[analysis]"). H5MD
+has every digit: PDB keeps 0.001 Angstrom, mmCIF and XYZ 0.00001, XTC 0.01, DCD and TRR 32-bit
+floats. Observables and bars are left out. mmCIF has no bonds: programs know them by names of
+residues. DCD, XTC and TRR have positions only: open them with the PDB file that pliant run writes
 beside its trajectory.
 
 exit codes: 0 done, 1 bad input or file, 2 bad option or missing package
@@ -69,7 +73,7 @@ def convert(
     Parameters
     ----------
     source, output : path
-        Endings of `output`: .pdb, .ent, .dcd, .xtc, .trr, .xyz.
+        Endings of `output`: .pdb, .ent, .cif, .mmcif, .dcd, .xtc, .trr, .xyz.
     select : str
         Atoms that are written; "": all.
     every : int
@@ -103,7 +107,7 @@ def convert(
     atoms = _chosen(structure, select)
     part = structure if len(atoms) == len(structure) else _part_of(structure, select)
     frames = _frames(reader, atoms, every, superpose)
-    write = _write_with_mdanalysis if is_of_mdanalysis else _write_pdb
+    write = _write_with_mdanalysis if is_of_mdanalysis else _OWN_WRITERS[name]
     count = write(os.fspath(output), part, frames, overwrite)
     return Converted(os.fspath(output), name, count, len(atoms))
 
@@ -178,6 +182,19 @@ def _write_pdb(
         for moment in frames:
             recorder.record(moment.positions)
     return int(recorder.models)
+
+
+def _write_cif(
+    output: str, structure: _core.Structure, frames: Iterator[_Moment], overwrite: bool
+) -> int:
+    with (
+        _beside(output, overwrite) as path,
+        open(path, "w", encoding="utf-8", newline="\n") as file,
+    ):
+        return write_models(file, structure, (moment.positions for moment in frames))
+
+
+_OWN_WRITERS = {"PDB, a model a frame": _write_pdb, "mmCIF, a model a frame": _write_cif}
 
 
 def _write_with_mdanalysis(

@@ -352,7 +352,7 @@ def test_no_output_is_any_input(pliant, ethanol, tmp_path, option):
 
 FOREIGN = {"dcd": "DCD", "xtc": "XTC", "xyz": "XYZ", "DCD": "DCD", "trr": "TRR",
            "nc": "NetCDF", "cif": "mmCIF"}  # fmt: skip
-CONVERTIBLE = ("dcd", "xtc", "xyz", "trr")
+CONVERTIBLE = ("cif", "dcd", "xtc", "xyz", "trr")
 
 
 @pytest.mark.parametrize("extension", FOREIGN)

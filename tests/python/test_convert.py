@@ -27,7 +27,14 @@ sys.exit(main(sys.argv[1:]))
 """
 
 #: Largest difference of a coordinate, Angstrom: half of the last digit, or a 32-bit float.
-DIGITS = {".pdb": 5.01e-4, ".dcd": 4e-6, ".xtc": 5.01e-3, ".trr": 4e-6, ".xyz": 9e-6}
+DIGITS = {
+    ".pdb": 5.01e-4,
+    ".dcd": 4e-6,
+    ".xtc": 5.01e-3,
+    ".trr": 4e-6,
+    ".xyz": 9e-6,
+    ".cif": 5.01e-6,
+}
 
 
 @pytest.fixture(scope="module")
@@ -49,7 +56,7 @@ def with_mdanalysis(path, topology):
     return np.array([step.positions.astype(float) for step in universe.trajectory])
 
 
-@pytest.mark.parametrize("ending", DIGITS)
+@pytest.mark.parametrize("ending", [".pdb", ".dcd", ".xtc", ".trr", ".xyz"])
 def test_mdanalysis_reads_the_positions_back(recorded, tmp_path, ending):
     done = convert(recorded, tmp_path / f"out{ending}")
     assert (done.frames, done.atoms) == (7, 22)
@@ -79,6 +86,58 @@ def test_gemmi_reads_models_names_and_positions(recorded, tmp_path):
         for model in (source[0], models[0])
     ]
     assert names[0] == names[1]
+
+
+@pytest.fixture(scope="module")
+def odd(tmp_path_factory):
+    """A trajectory of a nucleotide with primes, a ligand, insertion codes and B factors."""
+    path = tmp_path_factory.mktemp("odd") / "odd.pdb"
+    lines = (
+        ("ATOM", "N", "ALA", "A", "5 ", (0, 0, 0), 11.5, "N"),
+        ("ATOM", "CA", "ALA", "A", "5 ", (1.458, 0, 0), 12.25, "C"),
+        ("ATOM", "N", "GLY", "A", "5B", (2.5, 3, 0), 13, "N"),
+        ("ATOM", "O5'", "DA", "B", "1 ", (9, 0, 0.00123), 0, "O"),
+        ("HETATM", 'C1"', "data_", "C", "-3 ", (0, 9.5, 20), 99, "C"),
+    )
+    text = "".join(
+        f"{kind:<6}{k:>5} {name:<4} {residue[:3]:>3} {chain}{number[:-1]:>4}{number[-1]}   "
+        f"{x:8.3f}{y:8.3f}{z:8.3f}{1:6.2f}{b:6.2f}          {element:>2}\n"
+        for k, (kind, name, residue, chain, number, (x, y, z), b, element) in enumerate(lines, 1)
+    )
+    path.write_text(text)
+    output = path.with_suffix(".h5md")
+    pliant.run(pliant.read(path), output=output, steps=2)
+    return output
+
+
+def test_gemmi_reads_mmcif_as_it_was_recorded(odd, tmp_path):
+    path = tmp_path / "out.cif"
+    assert convert(odd, path).frames == 3
+    models = gemmi.read_structure(str(path))
+    found = np.array([[[*one.atom.pos.tolist()] for one in model.all()] for model in models])
+    assert np.abs(found - positions(odd)).max() < DIGITS[".cif"]
+    read = [
+        (one.chain.name, one.residue.name, str(one.residue.seqid), one.atom.name,
+         one.atom.element.name, one.residue.het_flag, one.residue.label_seq)
+        for one in models[2].all()
+    ]  # fmt: skip
+    assert read == [
+        ("A", "ALA", "5", "N", "N", "A", 1),
+        ("A", "ALA", "5", "CA", "C", "A", 1),
+        ("A", "GLY", "5B", "N", "N", "A", 2),
+        ("B", "DA", "1", "O5'", "O", "A", 1),
+        ("C", "dat", "-3", 'C1"', "C", "H", None),
+    ]
+
+
+def test_our_reader_finds_the_models_of_mmcif(recorded, tmp_path):
+    convert(recorded, tmp_path / "out.cif", every=3)
+    source = pliant.H5mdReader(recorded).structure()
+    for model, frame in enumerate((0, 3, 6), 1):
+        found = pliant.read(tmp_path / "out.cif", model=model)
+        assert np.abs(found.positions - positions(recorded)[frame]).max() < DIGITS[".cif"]
+        for name in ("names", "residue_names", "residue_ids", "chains", "elements"):
+            assert getattr(found, name).tolist() == getattr(source, name).tolist()
 
 
 def test_our_reader_finds_models_and_bonds(recorded, tmp_path):
@@ -113,7 +172,7 @@ def test_superposed_as_mdanalysis_does(recorded, tmp_path):
 @pytest.mark.parametrize("ending", [".foo", ".h5md", ""])
 def test_other_names_are_refused(recorded, tmp_path, ending, capsys):
     assert main([str(recorded), "-o", str(tmp_path / f"out{ending}")]) == 2
-    wanted = "expected a name that ends in .pdb, .ent, .dcd, .xtc, .trr, .xyz\n"
+    wanted = "expected a name that ends in .pdb, .ent, .cif, .mmcif, .dcd, .xtc, .trr, .xyz\n"
     assert capsys.readouterr().err == f"pliant convert: error: {tmp_path}/out{ending}: {wanted}"
 
 
