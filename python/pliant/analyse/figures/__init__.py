@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pliant.analyse.figures import flexibility_figures, mobility, series, torsion_figures
 from pliant.analyse.figures.style import styled
@@ -132,6 +132,16 @@ def save_figures(study: Study, folder: Path, dpi: int = 150) -> list[tuple[Figur
             if not kind.applies(study):
                 continue
             path = folder / f"{kind.name}.png"
-            kind.draw(study).savefig(path, dpi=dpi, metadata={"Software": None})
+            _save(kind.draw(study), path, dpi)
             written.append((kind, path))
     return written
+
+
+def _save(figure: Figure, path: Path, dpi: int) -> None:
+    """What `savefig` writes, drawn once: it draws all twice, first for the layout alone."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+
+    figure.set_dpi(dpi)
+    figure.set_facecolor("white")
+    canvas: Any = FigureCanvasAgg(figure)
+    canvas.print_png(path, metadata={"Software": None})
