@@ -311,7 +311,9 @@ void bind_ensemble_class(nb::module_& module) {
 }  // namespace
 
 void bind_sample(nb::module_& module) {
-  bind_row<SamplerEntry>(module, "SamplerEntry", "One row of the table of samplers.");
+  bind_row<SamplerEntry>(module, "SamplerEntry", "One row of the table of samplers.")
+      .def_ro("has_amplitude", &SamplerEntry::has_amplitude,
+              "Whether frames are asked for an amplitude (Angstrom).");
   module.def(
       "samplers", [] { return rows_of(samplers()); }, nb::rv_policy::reference,
       "The table of ways to move that ``sample`` knows.");

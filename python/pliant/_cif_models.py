@@ -32,22 +32,22 @@ def write_models(file: TextIO, structure: _core.Structure, frames: Iterable[np.n
     """
     file.write("data_pliant\n#\nloop_\n")
     file.writelines(f"_atom_site.{name}\n" for name in COLUMNS)
-    before, after = list(_before_places(structure)), list(_after_places(structure))
+    around = list(_around_places(structure))
     models = 0
     for positions in frames:
-        first, models = models * len(before) + 1, models + 1
+        first, models = models * len(around) + 1, models + 1
         file.writelines(
-            f"{group} {first + k} {named} {x:.5f} {y:.5f} {z:.5f} {rest} {models}\n"
-            for k, ((group, named), (x, y, z), rest) in enumerate(
-                zip(before, positions.tolist(), after, strict=True)
+            f"{group} {first + k} {before} {x:.5f} {y:.5f} {z:.5f} {after} {models}\n"
+            for k, ((group, before, after), (x, y, z)) in enumerate(
+                zip(around, positions.tolist(), strict=True)
             )
         )
     file.write("#\n")
     return models
 
 
-def _value(text: str, empty: str = ".") -> str:
-    """A value of CIF 1.1 that is read as this text."""
+def _value(text: str, empty: str) -> str:
+    """A value of CIF 1.1 that is read as this text; `empty` where there is none."""
     text = " ".join(str(text).split())
     if not text:
         return empty
@@ -63,30 +63,23 @@ def _values(texts: np.ndarray, empty: str) -> list[str]:
     return [values[k] for k in which.tolist()]
 
 
-def _before_places(structure: _core.Structure) -> Iterator[tuple[str, str]]:
-    """Of each atom its group, and the values between its number and its place."""
+def _around_places(structure: _core.Structure) -> Iterator[tuple[str, str, str]]:
+    """Of each atom its group, the values between its number and its place, and those between its
+    place and the number of the model."""
     sequence = _numbers_in_chains(structure)
-    for symbol, name, residue_name, chain, residue, insertion in zip(
-        _values(structure.symbols, "X"), _values(structure.names, "X"),
-        _values(structure.residue_names, "UNK"), _values(structure.chains, "A"),
-        structure.residue_of.tolist(), _values(structure.insertion_codes, "?"), strict=True,
-    ):  # fmt: skip
-        number = sequence[residue]
-        named = f"{symbol} {name} . {residue_name} {chain} ? {number} {insertion}"
-        yield "HETATM" if number == "." else "ATOM", named
-
-
-def _after_places(structure: _core.Structure) -> Iterator[str]:
-    """Of each atom the values between its place and the number of the model."""
     b_factors: np.ndarray = np.asarray(structure.b_factors)
     if len(b_factors) == 0:
         b_factors = np.zeros(len(structure))
-    for b_factor, number, residue_name, chain, name in zip(
-        b_factors.tolist(), structure.residue_ids.tolist(),
+    for symbol, name, residue_name, chain, residue, insertion, number, b_factor in zip(
+        _values(structure.symbols, "X"), _values(structure.names, "X"),
         _values(structure.residue_names, "UNK"), _values(structure.chains, "A"),
-        _values(structure.names, "X"), strict=True,
+        structure.residue_of.tolist(), _values(structure.insertion_codes, "?"),
+        structure.residue_ids.tolist(), b_factors.tolist(), strict=True,
     ):  # fmt: skip
-        yield f"1.00 {b_factor:.2f} {number} {residue_name} {chain} {name}"
+        place = sequence[residue]
+        before = f"{symbol} {name} . {residue_name} {chain} ? {place} {insertion}"
+        after = f"1.00 {b_factor:.2f} {number} {residue_name} {chain} {name}"
+        yield "HETATM" if place == "." else "ATOM", before, after
 
 
 def _numbers_in_chains(structure: _core.Structure) -> list[str]:

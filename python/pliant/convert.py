@@ -21,18 +21,6 @@ from pliant._core import InputError, OptionError
 from pliant._extras import need
 from pliant._superposition import Superposition
 
-#: Endings of names -> what they are, and whether MDAnalysis writes them.
-FORMATS = {
-    ".pdb": ("PDB, a model a frame", False),
-    ".ent": ("PDB, a model a frame", False),
-    ".cif": ("mmCIF, a model a frame", False),
-    ".mmcif": ("mmCIF, a model a frame", False),
-    ".dcd": ("DCD", True),
-    ".xtc": ("XTC", True),
-    ".trr": ("TRR", True),
-    ".xyz": ("XYZ", True),
-}
-
 EPILOG = """\
 The name of OUT says the format: .pdb or .cif (a model a frame), .dcd, .xtc, .trr or .xyz. PDB and
 mmCIF are written by Pliant itself, the others by MDAnalysis (pip install "pliant[analysis]"). H5MD
@@ -96,8 +84,8 @@ def convert(
     if ending not in FORMATS:
         known = ", ".join(FORMATS)
         raise OptionError(f"{os.fspath(output)}: expected a name that ends in {known}")
-    name, is_of_mdanalysis = FORMATS[ending]
-    if is_of_mdanalysis:
+    name, write = FORMATS[ending]
+    if write is _write_with_mdanalysis:
         need(f"writing {name}", "MDAnalysis")
     _refuse(source, output, overwrite)
     reader = _core.H5mdReader(os.fspath(source))
@@ -107,7 +95,6 @@ def convert(
     atoms = _chosen(structure, select)
     part = structure if len(atoms) == len(structure) else _part_of(structure, select)
     frames = _frames(reader, atoms, every, superpose)
-    write = _write_with_mdanalysis if is_of_mdanalysis else _OWN_WRITERS[name]
     count = write(os.fspath(output), part, frames, overwrite)
     return Converted(os.fspath(output), name, count, len(atoms))
 
@@ -194,9 +181,6 @@ def _write_cif(
         return write_models(file, structure, (moment.positions for moment in frames))
 
 
-_OWN_WRITERS = {"PDB, a model a frame": _write_pdb, "mmCIF, a model a frame": _write_cif}
-
-
 def _write_with_mdanalysis(
     output: str, structure: _core.Structure, frames: Iterator[_Moment], overwrite: bool
 ) -> int:
@@ -218,6 +202,21 @@ def _write_with_mdanalysis(
                 writer.write(universe.atoms)
                 count += 1
     return count
+
+
+_PDB, _CIF = ("PDB, a model a frame", _write_pdb), ("mmCIF, a model a frame", _write_cif)
+
+#: Endings of names -> what they are, and what writes them.
+FORMATS = {
+    ".pdb": _PDB,
+    ".ent": _PDB,
+    ".cif": _CIF,
+    ".mmcif": _CIF,
+    ".dcd": ("DCD", _write_with_mdanalysis),
+    ".xtc": ("XTC", _write_with_mdanalysis),
+    ".trr": ("TRR", _write_with_mdanalysis),
+    ".xyz": ("XYZ", _write_with_mdanalysis),
+}
 
 
 @contextmanager

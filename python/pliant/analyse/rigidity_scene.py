@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from pliant.analyse.rigidity_facts import COLOURS, RigidityFacts
-from pliant.analyse.view_limits import MAX_ATOMS, MAX_WITH_HYDROGENS, as_base64, facing_the_reader
+from pliant.analyse.view_limits import as_base64, drawn_atoms, facing_the_reader
 
 #: of fewer residues a flexibility of residues tells nothing
 LEAST_RESIDUES = 4
@@ -57,17 +57,12 @@ def rigidity_scene(facts: RigidityFacts) -> dict[str, Any]:
 
 def _shown_atoms(facts: RigidityFacts) -> tuple[np.ndarray, list[str]]:
     """Which atoms are drawn, and what is said of the others."""
-    every = np.arange(len(facts.names))
-    if len(every) <= MAX_WITH_HYDROGENS:
-        return every, []
     heavy = np.flatnonzero([element not in ("H", "D") for element in facts.elements])
-    if len(heavy) <= MAX_ATOMS:
-        return heavy, [f"the molecule without the {len(every) - len(heavy)} hydrogens"]
-    trace = np.flatnonzero([name in ("CA", "P") for name in facts.names])
-    if LEAST_RESIDUES <= len(trace) <= MAX_ATOMS:
-        return trace, ["the CA and P atoms only"]
-    stride = -(-len(every) // MAX_ATOMS)
-    return every[::stride], [f"every {stride}th atom only"]
+    return drawn_atoms(
+        len(facts.names),
+        heavy,
+        lambda: np.flatnonzero([name in ("CA", "P") for name in facts.names]),
+    )
 
 
 def _secondary_structure(facts: RigidityFacts, owners: np.ndarray) -> str:

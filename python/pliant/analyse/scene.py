@@ -15,8 +15,8 @@ from pliant.analyse.names import chains_of, numbers_of
 from pliant.analyse.study import known
 from pliant.analyse.view_limits import (
     MAX_ATOMS,
-    MAX_WITH_HYDROGENS,
     as_base64,
+    drawn_atoms,
     facing_the_reader,
 )
 from pliant.analysis.collective import participation
@@ -63,20 +63,15 @@ def thinned(study: Study, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES
 
 
 def _shown_atoms(atoms: AtomGroup, max_atoms: int) -> tuple[AtomGroup, list[str]]:
-    if len(atoms) <= min(max_atoms, MAX_WITH_HYDROGENS):
-        return atoms, []
-    heavy = atoms[~is_hydrogen(atoms)]
-    if len(heavy) == len(atoms) <= max_atoms:
-        return atoms, []
-    if len(heavy) <= max_atoms:
-        return heavy, [f"the molecule without the {len(atoms) - len(heavy)} hydrogens"]
-    trace = atoms[:0]
-    with contextlib.suppress(Exception):  # foreign topologies lack names or residues
-        trace = atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
-    if 4 <= len(trace) <= max_atoms:
-        return trace, ["the CA and P atoms only"]
-    stride = -(-len(atoms) // max_atoms)
-    return atoms[::stride], [f"every {stride}th atom only"]
+    def trace() -> np.ndarray:
+        with contextlib.suppress(Exception):  # foreign topologies lack names or residues
+            found = atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
+            return np.flatnonzero(np.isin(atoms.ix, found.ix))
+        return np.empty(0, dtype=np.int64)
+
+    heavy = np.flatnonzero(~is_hydrogen(atoms))
+    shown, notes = drawn_atoms(len(atoms), heavy, trace, max_atoms)
+    return atoms[shown], notes
 
 
 def scene(study: Study, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES) -> dict[str, Any]:

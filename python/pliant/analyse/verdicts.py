@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant._core import samplers
 from pliant.analyse.bar_verdict import Verdict, verdict
 from pliant.analyse.found import ENSEMBLE, PATH, TRANSITION
 from pliant.analyse.kind import SENTENCES
@@ -195,7 +196,7 @@ def _amplitude(study: Study) -> Verdict | None:
     asked = told.get("sample/amplitude")
     if asked is None or study.flexibility is None or study.kind != ENSEMBLE:
         return None
-    if str(told.get("sample/sampler", "")).startswith("torsions"):
+    if told.get("sample/sampler") in [row.name for row in samplers() if not row.has_amplitude]:
         return None  # conformers go as far as their torsions turn: nothing is asked for
     reached = float(study.flexibility.rmsf.mean())
     sentence = f"Amplitude: asked {float(asked):.2f} Å, reached {reached:.2f} Å."

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import base64
+from collections.abc import Callable
 
 import numpy as np
 
@@ -12,6 +13,22 @@ MAX_ATOMS = 12_000
 
 #: of more atoms than these the hydrogens are not shown
 MAX_WITH_HYDROGENS = 1_500
+
+
+def drawn_atoms(
+    count: int, heavy: np.ndarray, trace: Callable[[], np.ndarray], most: int = MAX_ATOMS
+) -> tuple[np.ndarray, list[str]]:
+    """Which of `count` atoms are drawn, and what is said of the others: all, but hydrogens, the
+    trace (CA and P), or every so many."""
+    every = np.arange(count)
+    if count <= min(most, MAX_WITH_HYDROGENS) or len(heavy) == count <= most:
+        return every, []
+    if len(heavy) <= most:
+        return heavy, [f"the molecule without the {count - len(heavy)} hydrogens"]
+    if 4 <= len(found := trace()) <= most:
+        return found, ["the CA and P atoms only"]
+    stride = -(-count // most)
+    return every[::stride], [f"every {stride}th atom only"]
 
 
 def facing_the_reader(positions: np.ndarray) -> np.ndarray:

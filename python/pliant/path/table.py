@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
-from pliant._core import Frame, measure
+from pliant._core import Frame, Structure, measure
 from pliant.path.contacts import BROKEN, off, rms
 from pliant.path.ends import Ends
 from pliant.path.found import PathFrame
@@ -19,7 +19,6 @@ class Table:
         self._ends = ends
         self._side = ends.start
         self._begun = ends.start.positions[ends.start.asked]
-        self._labels = _labels(ends)
 
     def row(self, frame: Frame) -> PathFrame:
         """Of one frame."""
@@ -43,21 +42,11 @@ class Table:
         found = measure(self._side.model.framework, positions)
         if found.max_overlap <= 0.0:
             return 0.0, ""
-        one, other = sorted(found.worst_overlap)
-        return found.max_overlap, f"{self._labels[one]} - {self._labels[other]}"
+        structure = self._side.model.structure
+        one, other = (_label(structure, atom) for atom in sorted(found.worst_overlap))
+        return found.max_overlap, f"{one} - {other}"
 
 
-def _labels(ends: Ends) -> list[str]:
-    """ "A:LYS12 NZ" of each atom."""
-    structure = ends.start.model.structure
-    columns = (
-        structure.chains,
-        structure.residue_names,
-        structure.residue_ids.tolist(),
-        structure.insertion_codes,
-        structure.names,
-    )
-    return [
-        f"{f'{chain}:' if chain else ''}{residue}{number}{str(code).strip()} {name}"
-        for chain, residue, number, code, name in zip(*columns, strict=True)
-    ]
+def _label(structure: Structure, atom: int) -> str:
+    """ "A:LYS12 NZ"."""
+    return " ".join(structure.label(atom).rsplit(":", 1))

@@ -198,10 +198,11 @@ std::vector<RingForm> ring_forms(std::span<const Vec3> ring, const std::vector<b
   std::vector<std::vector<Vec3>> seeds;
   if (ring.size() == 5) seeds = pentagons();
   if (ring.size() == 6) seeds = hexagons();
-  if (ring.size() == 6)
+  if (ring.size() == 6) {
+    const std::vector<RingDistance> wanted = distances_of(ring, 2);
     for (std::vector<Vec3> x : seeds)
-      if (meet(distances_of(ring, 2), x) && keeps_flat(ring, is_flat, x))
-        add_if_new(std::move(x), forms);
+      if (meet(wanted, x) && keeps_flat(ring, is_flat, x)) add_if_new(std::move(x), forms);
+  }
   add_mirrored(forms);
   for (std::vector<Vec3>& x : seeds)
     if (relax(ring, x) && keeps_flat(ring, is_flat, x)) add_if_new(std::move(x), forms);

@@ -46,9 +46,11 @@ def flexibility(study: Study) -> Figure:
         axes.set_xlabel(units.what)
     else:
         _lines(axes, study)
-    axes.set(ylabel="RMSF (Å)", title="How far residues move on the way")
-    axes.set_ylim(0, 1.04 * float(found.rmsf.max()) or 1.0)
-    if study.kind != TRANSITION:
+    axes.set_ylabel("RMSF (Å)")
+    if study.kind == TRANSITION:
+        axes.set_title(f"How far {units.what}s move on the way")
+        axes.set_ylim(0, 1.04 * float(found.rmsf.max()) or 1.0)
+    else:
         _errors(axes, study)
     return figure
 
