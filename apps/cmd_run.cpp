@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <memory>
+#include <optional>
 
 #include "command.hpp"
 #include "continue_run.hpp"
@@ -60,6 +62,32 @@ void tell_what_is_free(const MoleculeOptions& options, const Structure& structur
         "holds them, and pliant sample makes ensembles");
 }
 
+/// Null: nobody looks.
+std::unique_ptr<LiveRun> live_run(const RunSettings& settings, const Molecule& molecule,
+                                  const Log& log) {
+  if (!settings.imd.is_asked) return nullptr;
+  if (settings.record_forces.empty())
+    log.warn("what clients pull acts, but no force file can hold this run: it cannot be repeated");
+  return std::make_unique<LiveRun>(settings.imd, settings.run, molecule.framework.joint_count(),
+                                   log);
+}
+
+constexpr const char* footer =
+    "Examples:\n"
+    "  pliant run caffeine.sdf\n"
+    "  pliant run protein.pdb -o out.h5md --steps 10000 --every 10 --technique blocks\n"
+    "  pliant run protein.pdb -o movie.pdb --every 10\n"
+    "  pliant run protein.pdb --perturb displacement --pin \"chainID A\" --walkers 8\n"
+    "  pliant run protein.pdb --model protein --rock 1 --rock-amplitude 2\n"
+    "  pliant run protein.pdb --model protein --pull \"resid 30:40\" 0,0,8\n"
+    "  pliant run protein.pdb --model protein \\\n"
+    "      --pair-distance \"resid 12 and name CA\" \"resid 88 and name CA\" 20..25\n"
+    "  pliant run --continue out.h5md                after its end, Ctrl-C or a crash\n"
+    "  pliant run --continue out.h5md --steps 20000\n"
+    "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge,\n"
+    "or a guide did not arrive,\n"
+    "130 ended early by Ctrl-C, with all frames complete.";
+
 }  // namespace
 
 int command_run(const Arguments& arguments) {
@@ -68,21 +96,7 @@ int command_run(const Arguments& arguments) {
       "Pushes a molecule again and again, resolves the bars that break, and records each\n"
       "step in an H5MD trajectory. Every bar of every frame is within the tolerance, or\n"
       "else the frame and the exit code (3) say so.");
-  line.set_footer(
-      "Examples:\n"
-      "  pliant run caffeine.sdf\n"
-      "  pliant run protein.pdb -o out.h5md --steps 10000 --every 10 --technique blocks\n"
-      "  pliant run protein.pdb -o movie.pdb --every 10\n"
-      "  pliant run protein.pdb --perturb displacement --pin \"chainID A\" --walkers 8\n"
-      "  pliant run protein.pdb --model protein --rock 1 --rock-amplitude 2\n"
-      "  pliant run protein.pdb --model protein --pull \"resid 30:40\" 0,0,8\n"
-      "  pliant run protein.pdb --model protein \\\n"
-      "      --pair-distance \"resid 12 and name CA\" \"resid 88 and name CA\" 20..25\n"
-      "  pliant run --continue out.h5md                after its end, Ctrl-C or a crash\n"
-      "  pliant run --continue out.h5md --steps 20000\n"
-      "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge,\n"
-      "or a guide did not arrive,\n"
-      "130 ended early by Ctrl-C, with all frames complete.");
+  line.set_footer(footer);
   RunSettings settings;
   add_run_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;
@@ -97,12 +111,17 @@ int command_run(const Arguments& arguments) {
   settings.record.log = messages.log();
   watch_for_interrupt();
   std::vector<Vec3> last = molecule.structure.positions;
-  const std::vector<RunSummary> summaries = run_walkers(settings, molecule, messages.log(), last);
+  const auto live = live_run(settings, molecule, messages.log());
+  const std::vector<RunSummary> summaries =
+      run_walkers(settings, molecule, messages.log(), last, live.get());
+  std::optional<ImdSummary> served;
+  if (live) served = live->close();
   const GuideEnd end(settings.guide, settings.run.guide, molecule.structure.positions, last);
   if (settings.json) {
-    print_run_json(settings, molecule.framework, summaries, messages.warnings(), end);
+    print_run_json(settings, molecule.framework, summaries, messages.warnings(), end, served);
   } else if (!settings.quiet) {
     print_run_table(settings, molecule.framework, summaries);
+    if (served) print_served(*served);
     end.print();
   }
   const int code = exit_code_of(added_up(summaries));

@@ -49,6 +49,11 @@ class CommandLine {
   void add_integer(const std::string& name, std::int64_t& value, std::int64_t least,
                    std::int64_t most, const std::string& help, const char* fallback = nullptr);
 
+  /// A whole number that need not follow the option: without one the value stays.
+  void add_optional_integer(const std::string& name, bool& is_asked, std::int64_t& value,
+                            std::int64_t least, std::int64_t most, const std::string& type,
+                            const std::string& help);
+
   /// A 64-bit number without sign.
   void add_seed(const std::string& name, std::uint64_t& value, const std::string& help);
 

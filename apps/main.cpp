@@ -5,8 +5,10 @@
 #include <exception>
 
 #include "command.hpp"
+#include "completion.hpp"
 #include "external.hpp"
 #include "pliant/base/choices.hpp"
+#include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 
 namespace pliant::app {
@@ -22,10 +24,12 @@ constexpr Command commands[] = {
     {"sample", "an ensemble of what a molecule can do, written to an H5MD trajectory",
      command_sample},
     {"path", "move a molecule from one structure to another of it", nullptr},
+    {"play", "pull at a molecule by hand, on a page in the browser", nullptr},
     {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},
     {"forcegen", "write a force file of random pushes", command_forcegen},
     {"order", "write the order in which a technique visits the bars", command_order},
     {"techniques", "list techniques, weightings and perturbations", command_techniques},
+    {"watch", "follow a run in a terminal while it goes, over IMD", nullptr},
     {"check", "check a trajectory against OpenMM", nullptr},
     {"analyse", "make figures, tables and an HTML report of a trajectory", nullptr},
     {"representatives", "choose a few frames that stand for all, as a PDB file", nullptr},
@@ -57,7 +61,8 @@ void print_usage(std::FILE* to) {
       "  pliant check out.h5md\n"
       "  pliant analyse out.h5md\n"
       "\n"
-      "pliant COMMAND --help explains a command.\n",
+      "pliant COMMAND --help explains a command. pliant --completion bash, zsh or fish prints a\n"
+      "script that lets the shell complete commands and options.\n",
       to);
 }
 
@@ -82,6 +87,12 @@ int run_external(const std::string& name, const Arguments& arguments) {
   return exit_failed;
 }
 
+int print_completion(const Arguments& words) {
+  if (words.size() != 1) throw OptionError("--completion: expected bash, zsh or fish after it");
+  std::fputs(completion_script(words[0], commands).c_str(), stdout);
+  return exit_ok;
+}
+
 int dispatch(const Arguments& words) {
   if (words.empty()) {
     print_usage(stderr);
@@ -97,6 +108,7 @@ int dispatch(const Arguments& words) {
     return exit_ok;
   }
   const Arguments rest(words.begin() + 1, words.end());
+  if (name == "--completion") return print_completion(rest);
   for (const Command& command : commands)
     if (command.name == name && command.run != nullptr) return command.run(rest);
   return run_external(name, rest);

@@ -87,29 +87,17 @@ Json run_json(const RunSettings& settings, const Framework& framework,
           {"warnings", warnings}};
 }
 
+Json served_json(const ImdSummary& served) {
+  return {{"imd_clients", served.clients},           {"imd_clients_refused", served.refused},
+          {"imd_frames_sent", served.frames_sent},   {"imd_frames_dropped", served.frames_dropped},
+          {"imd_forces_taken", served.forces_taken}, {"imd_seconds_waited", served.seconds_waited}};
+}
+
 }  // namespace
 
 RunSummary added_up(const std::vector<RunSummary>& summaries) {
   RunSummary sum = summaries.front();
-  for (std::size_t k = 1; k < summaries.size(); ++k) {
-    const RunSummary& one = summaries[k];
-    sum.steps += one.steps;
-    sum.frames += one.frames;
-    sum.sweeps += one.sweeps;
-    sum.projections += one.projections;
-    sum.unconverged_steps += one.unconverged_steps;
-    if (sum.first_unconverged_step < 0) sum.first_unconverged_step = one.first_unconverged_step;
-    sum.max_sweeps = std::max(sum.max_sweeps, one.max_sweeps);
-    sum.seconds += one.seconds;
-    sum.perturb_seconds += one.perturb_seconds;
-    sum.resolve_seconds += one.resolve_seconds;
-    sum.observe_seconds += one.observe_seconds;
-    sum.stopped_by_caller = sum.stopped_by_caller || one.stopped_by_caller;
-    if (one.worst_residual <= sum.worst_residual) continue;
-    sum.worst_residual = one.worst_residual;
-    sum.worst_bar = one.worst_bar;
-    sum.worst_step = one.worst_step;
-  }
+  for (std::size_t k = 1; k < summaries.size(); ++k) add(sum, summaries[k]);
   return sum;
 }
 
@@ -139,6 +127,14 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
     fmt::print("trajectory      {}\n", printable_name(output));
 }
 
+void print_served(const ImdSummary& served) {
+  fmt::print("IMD             {} clients, {} frames sent, {} dropped, {} packets of forces\n",
+             served.clients, served.frames_sent, served.frames_dropped, served.forces_taken);
+  if (served.refused > 0) fmt::print("                {} clients refused\n", served.refused);
+  if (served.seconds_waited > 0.0)
+    fmt::print("                {:.2f} s waited for clients\n", served.seconds_waited);
+}
+
 void print_run_json(const RunSettings& settings, const Framework& framework,
                     const std::vector<RunSummary>& summaries,
                     const std::vector<std::string>& warnings) {
@@ -147,8 +143,10 @@ void print_run_json(const RunSettings& settings, const Framework& framework,
 
 void print_run_json(const RunSettings& settings, const Framework& framework,
                     const std::vector<RunSummary>& summaries,
-                    const std::vector<std::string>& warnings, const GuideEnd& end) {
-  const Json json = run_json(settings, framework, summaries, warnings);
+                    const std::vector<std::string>& warnings, const GuideEnd& end,
+                    const std::optional<ImdSummary>& served) {
+  Json json = run_json(settings, framework, summaries, warnings);
+  if (served) json = json + served_json(*served);
   print_json(settings.guide.empty() ? json : json + end.json());
 }
 

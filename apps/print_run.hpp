@@ -2,6 +2,7 @@
 // The summary that pliant run ends with, as a table and as JSON.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "pliant/run/run.hpp"
@@ -20,9 +21,13 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
 void print_run_json(const RunSettings& settings, const Framework& framework,
                     const std::vector<RunSummary>& summaries,
                     const std::vector<std::string>& warnings);
-/// With what came of its guide.
+/// What came of serving its clients.
+void print_served(const ImdSummary& served);
+
+/// With what came of its guide, and of serving, if it was served.
 void print_run_json(const RunSettings& settings, const Framework& framework,
                     const std::vector<RunSummary>& summaries,
-                    const std::vector<std::string>& warnings, const GuideEnd& end);
+                    const std::vector<std::string>& warnings, const GuideEnd& end,
+                    const std::optional<ImdSummary>& served);
 
 }  // namespace pliant::app

@@ -38,7 +38,7 @@ constexpr RecordedOption recorded_options[] = {{"input", "input/file"},
 
 /// Options of a new file.
 constexpr const char* options_of_a_new_run[] = {"--format", "--topology", "--overwrite",
-                                                "--record-forces"};
+                                                "--record-forces", "--imd"};
 
 std::string option_of(const RunField& field) {
   std::string option = "--" + std::string(field.name);
@@ -64,6 +64,7 @@ RunOptions options_of(const H5mdCheckpoint& recorded) {
   try {
     options = run_options_from(recorded.parameters);
     options.replay = replay_of(recorded.inputs);
+    options.replay_counts = recorded.inputs.replay_counts;
     options.guide = guide_of(recorded.inputs);
     if (options.guide.empty() && is_guided_run(recorded.parameters))
       throw InputError("the file does not hold the guide that it followed");

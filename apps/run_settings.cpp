@@ -6,6 +6,7 @@
 #include <limits>
 #include <thread>
 
+#include "force_events_input.hpp"
 #include "frame_output.hpp"
 #include "output_files.hpp"
 #include "pliant/base/choices.hpp"
@@ -40,13 +41,6 @@ struct AddField {
   void operator()(std::string* value) const {
     line.add_choice(option, *value, field.choices(), help);
   }
-
-  /// "--max-sweeps" of "max_sweeps".
-  static std::string option_name(std::string_view name) {
-    std::string option = "--" + std::string(name);
-    std::replace(option.begin(), option.end(), '_', '-');
-    return option;
-  }
 };
 
 void add_fields(CommandLine& line, RunOptions& run, RunGroup group) {
@@ -65,7 +59,8 @@ void add_perturb_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Perturbation");
   add_fields(line, settings.run, RunGroup::perturbation);
   line.add_text("--forces", settings.forces, "FILE",
-                "replay a force file, one push per step, in place of --perturb");
+                "replay a force file: a push per step, or what was done by hand\n"
+                "(pliant-forces 2), in place of --perturb");
   line.add_text("--record-forces", settings.record_forces, "FILE",
                 "write the push of each step to a force file, for --forces");
 }
@@ -108,8 +103,11 @@ void expect_settings(const CommandLine& line, const RunSettings& settings, const
                      ": does not say, so that the command line must: " + missing);
 }
 
-void take_forces(const CommandLine& line, RunSettings& settings, const Framework& framework) {
-  const ForceFile file = read_force_file(settings.forces, framework);
+void take_forces(const CommandLine& line, RunSettings& settings, const Molecule& molecule) {
+  const std::string bytes = read_bytes(settings.forces);
+  const std::string_view text = without_byte_order_mark(bytes);
+  if (has_force_events(text)) return take_events(line, settings, molecule, text);
+  const ForceFile file = parse_force_file(text, settings.forces, molecule.framework);
   if (file.pushes.empty()) throw InputError(printable_name(settings.forces) + ": holds no push");
   expect_settings(line, settings, file);
   RunOptions& run = settings.run;
@@ -157,7 +155,22 @@ void check_record_forces(const RunSettings& settings) {
                       settings.run.perturb + " is not; use --perturb force");
 }
 
+/// What a client does is kept, so that the run can be repeated; where a force file can hold it.
+void name_live_forces(RunSettings& settings) {
+  const bool can_be_kept =
+      settings.guide.empty() && (settings.run.perturb == "force" || !settings.forces.empty());
+  if (!settings.imd.is_asked || !settings.record_forces.empty() || !can_be_kept) return;
+  settings.record_forces = fs::path(settings.output).replace_extension(".forces").string();
+  settings.imd.keeps_forces_if_pulled = true;
+}
+
 }  // namespace
+
+std::string option_name(std::string_view field) {
+  std::string option = "--" + std::string(field);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
+}
 
 void add_run_options(CommandLine& line, RunSettings& settings) {
   add_molecule_options(line, settings.molecule);
@@ -176,17 +189,20 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
   add_technique_options(line, settings);
   add_perturb_options(line, settings);
   add_guide_options(line, settings.guide);
+  add_imd_options(line, settings.imd);
   add_output_options(line, settings);
 }
 
 void number_walkers(const CommandLine& line, RunSettings& settings) {
   check_guide(line, settings.guide, is_ensemble(settings));
   if (line.was_given("--shard")) take_shard(line, settings);
+  check_imd(line, settings.imd, is_ensemble(settings));
 }
 
 void name_outputs(const CommandLine& line, RunSettings& settings) {
   number_walkers(line, settings);
   if (settings.output.empty()) settings.output = default_trajectory(settings.molecule.file);
+  name_live_forces(settings);
   if (settings.topology.empty())
     settings.topology = settings.first_walker > 0 || is_pdb_name(settings.output)
                             ? "none"
@@ -198,7 +214,7 @@ void complete(const CommandLine& line, RunSettings& settings, const Molecule& mo
   if (settings.threads == 0) settings.threads = std::thread::hardware_concurrency();
   check_record_forces(settings);
   settings.run.guide = guide_from(settings.guide, molecule);
-  if (!settings.forces.empty()) take_forces(line, settings, framework);
+  if (!settings.forces.empty()) take_forces(line, settings, molecule);
   if (!settings.ordering.empty()) take_ordering(line, settings, framework);
   const bool is_left_to_auto = !line.was_given("--technique") && settings.ordering.empty();
   if (is_left_to_auto && line.was_given("--weighting")) settings.run.technique.name = "bfs_cycle";
@@ -225,6 +241,9 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
   RunOptions run = settings.run;
   run.resolve.walker = static_cast<std::uint64_t>(walker);
   std::vector<NamedParameter> values = pliant::parameters_of(run, framework);
+  if (!settings.events.empty())
+    for (auto& [path, value] : values)
+      if (path == "run/perturb") value = std::string(events_perturbation);
   values.insert(values.end(),
                 {{"input/file", fs::path(settings.molecule.file).filename().string()},
                  {"input/model", settings.molecule.model},

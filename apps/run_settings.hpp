@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "guide_settings.hpp"
+#include "imd_settings.hpp"
 #include "molecule_input.hpp"
+#include "pliant/perturb/force_events.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/run/run.hpp"
 
@@ -17,19 +19,24 @@ struct RunSettings {
   RunOptions run;
   GuideSettings guide;
   H5mdOptions record;
-  std::string go_on;          ///< trajectory whose run goes on; "": a new run
-  std::string output;         ///< "": the input's name with .h5md, in the current folder
-  std::string topology;       ///< sidecar PDB; "": the output's name with .pdb; "none": none
-  std::string forces;         ///< force file to replay; "": none
-  std::string record_forces;  ///< force file to write; "": none
-  std::string ordering;       ///< ordering file in place of a technique's ordering; "": none
-  std::string shard;          ///< "FIRST..LAST", walkers by number, in place of `walkers`; or ""
+  ImdSettings imd;
+  std::string go_on;               ///< trajectory whose run goes on; "": a new run
+  std::string output;              ///< "": the input's name with .h5md, in the current folder
+  std::string topology;            ///< sidecar PDB; "": the output's name with .pdb; "none": none
+  std::string forces;              ///< force file to replay; "": none
+  std::vector<ForceEvent> events;  ///< of such a file that has events
+  std::string record_forces;       ///< force file to write; "": none
+  std::string ordering;            ///< ordering file in place of a technique's ordering; "": none
+  std::string shard;  ///< "FIRST..LAST", walkers by number, in place of `walkers`; or ""
   std::int64_t first_walker = 0;
   std::int64_t walkers = 1;  ///< from the first one on
   std::int64_t threads = 0;  ///< 0: as many as there are cores
   bool json = false;
   bool quiet = false;
 };
+
+/// "--max-sweeps" of "max_sweeps".
+std::string option_name(std::string_view field);
 
 void add_run_options(CommandLine& line, RunSettings& settings);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "run_walkers.hpp"
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -12,6 +14,8 @@
 #include "pliant/laboratory/recorded_inputs.hpp"
 #include "pliant/record/topology_pdb.hpp"
 #include "pliant/run/ensemble.hpp"
+#include "pliant/run/replay_events.hpp"
+#include "pliant/run/run_fields.hpp"
 #include "recorded_header.hpp"
 
 namespace pliant::app {
@@ -20,8 +24,9 @@ namespace {
 H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std::int64_t walker) {
   H5mdHeader header = molecule_header(molecule.structure);
   header.parameters = parameters_of(settings, molecule.framework, walker);
-  header.inputs = recorded_inputs(settings.run.replay, settings.run.guide,
-                                  settings.run.technique.ordering.get());
+  header.inputs =
+      recorded_inputs(settings.run.replay, settings.run.guide,
+                      settings.run.technique.ordering.get(), settings.run.replay_counts);
   if (is_ensemble(settings)) header.inputs->start = molecule.structure.positions;
   return header;
 }
@@ -33,6 +38,7 @@ struct Shared {
   const Log& log;
   ProgressBar& progress;
   std::vector<Vec3>& last;
+  LiveRun* live;  ///< null: nobody looks
   std::mutex showing = {};
   std::int64_t steps_done = 0;  ///< under the mutex
 
@@ -53,6 +59,21 @@ void write_sidecar(const Shared& shared) {
                      recorded_bonds(structure), options);
 }
 
+/// What is not as usual, besides the settings that every force file has.
+std::vector<std::pair<std::string, std::string>> settings_of(const RunOptions& run) {
+  constexpr std::array not_of_them{"steps",        "every",    "perturb",   "force",
+                                   "displacement", "timestep", "tolerance", "tolerance_length",
+                                   "max_sweeps"};
+  std::vector<std::pair<std::string, std::string>> settings;
+  for (const RunField& field : run_fields()) {
+    const std::string text = run_field_text(run, field);
+    if (std::ranges::find(not_of_them, field.name) == not_of_them.end() &&
+        text != run_field_text(RunOptions(), field))
+      settings.emplace_back(field.name, text);
+  }
+  return settings;
+}
+
 /// Records a walker's pushes, or nothing.
 std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t walker) {
   const RunSettings& settings = shared.settings;
@@ -60,6 +81,7 @@ std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t w
   ForceFile forces;
   forces.set(settings.run.perturb_options, settings.run.resolve.tolerance,
              settings.run.resolve.max_sweeps);
+  forces.settings = settings_of(settings.run);
   return std::optional<ForceRecorder>(std::in_place,
                                       of_walker(settings, settings.record_forces, walker),
                                       settings.record.overwrite, shared.molecule.framework, forces);
@@ -67,26 +89,32 @@ std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t w
 
 /// The outputs of a walker.
 struct RecordedWalker {
+  Shared& shared;
   FrameOutput recorder;
   std::optional<ForceRecorder> forces;
   std::int64_t last_step = 0;
 
-  RecordedWalker(const Shared& shared, std::int64_t walker)
-      : recorder(output_of(shared.settings, walker), shared.molecule.framework,
+  RecordedWalker(Shared& shared_things, std::int64_t walker)
+      : shared(shared_things),
+        recorder(output_of(shared.settings, walker), shared.molecule.framework,
                  header_of(shared.settings, shared.molecule, walker), shared.settings.record),
         forces(force_recorder(shared, walker)) {}
 
-  bool record(Shared& shared, const Frame& frame) {
+  bool keeps_forces() const {
+    return !shared.settings.imd.keeps_forces_if_pulled || shared.live->was_pulled();
+  }
+
+  bool record(const Frame& frame) {
     recorder.record(frame);
     shared.add_steps(frame.step - last_step);
     last_step = frame.step;
-    return interrupted();
+    return interrupted() || (shared.live != nullptr && shared.live->was_killed());
   }
 
   void close(const State& state) {
     recorder.end_run(state);
     recorder.close();
-    if (forces) forces->publish();
+    if (forces && keeps_forces()) forces->publish();
   }
 };
 
@@ -94,8 +122,7 @@ Watchers recorded(Shared& shared, std::int64_t walker) {
   const auto outputs = std::make_shared<RecordedWalker>(shared, walker);
   if (walker == shared.settings.first_walker) write_sidecar(shared);
   Watchers watchers;
-  watchers.observers = {
-      [outputs, &shared](const Frame& frame) { return outputs->record(shared, frame); }};
+  watchers.observers = {[outputs](const Frame& frame) { return outputs->record(frame); }};
   if (outputs->forces)
     watchers.on_push = [outputs](const Push& push) { outputs->forces->record(push); };
   watchers.on_end = [outputs, &shared](const RunSummary&, const State& state) {
@@ -103,20 +130,41 @@ Watchers recorded(Shared& shared, std::int64_t walker) {
     if (!is_ensemble(shared.settings)) shared.last = state.positions;
   };
   if (walker == shared.settings.first_walker) watchers.log = shared.log;
+  if (shared.live != nullptr) {
+    // A port that nobody chose has to be said.
+    if (!shared.settings.quiet || shared.settings.imd.port == 0)
+      shared.live->say_where(shared.settings.topology);
+    watchers.hands = shared.live->hands();
+    watchers.onlooker = shared.live->onlooker();
+  }
   return watchers;
+}
+
+/// What a person did, once more.
+RunSummary replay(Shared& shared) {
+  const Watchers watchers = recorded(shared, 0);
+  State state(shared.molecule.structure.positions);
+  ReplayOptions options{shared.settings.forces, shared.settings.run.every, interrupted, shared.log};
+  const RunSummary summary = replay_events(shared.molecule.framework, state, shared.settings.events,
+                                           options, watchers.observers);
+  watchers.on_end(summary, state);
+  return summary;
 }
 
 }  // namespace
 
 std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule& molecule,
-                                    const Log& log, std::vector<Vec3>& last) {
+                                    const Log& log, std::vector<Vec3>& last, LiveRun* live) {
   ProgressBar progress(settings.walkers * settings.run.steps, "steps", settings.quiet);
-  Shared shared{settings, molecule, log, progress, last};
+  Shared shared{settings, molecule, log, progress, last, live};
+  if (!settings.events.empty()) return {replay(shared)};
   const auto first = static_cast<std::uint64_t>(settings.first_walker);
   EnsembleOptions options{settings.run,
                           {first, first + static_cast<std::uint64_t>(settings.walkers)},
                           static_cast<int>(settings.threads)};
-  options.run.resolve.should_stop = interrupted;
+  options.run.resolve.should_stop = [live] {
+    return interrupted() || (live != nullptr && live->was_killed());
+  };
   return run_ensemble(
       molecule.framework, State(molecule.structure.positions), options,
       [&](std::uint64_t walker) { return recorded(shared, static_cast<std::int64_t>(walker)); });

@@ -14,6 +14,7 @@ namespace pliant::app {
 /// others go on. `last` gets the positions of one walker that ran alone. Throws what the first
 /// failing walker threw, after all have ended.
 std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule& molecule,
-                                    const Log& log, std::vector<Vec3>& last);
+                                    const Log& log, std::vector<Vec3>& last,
+                                    LiveRun* live = nullptr);
 
 }  // namespace pliant::app

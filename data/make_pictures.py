@@ -234,7 +234,7 @@ def draw_mechanisms():
 def draw_work_precision():
     """Run time against error of every technique, OpenMM, and GROMACS if installed, on a protein."""
     pliant("bench", "work-precision", datafiles.PDB_small, "--quiet", "--repeats", 15,
-           "--png", HERE / "pictures" / "work_precision.png")  # fmt: skip
+           "-o", HERE / "pictures" / "work_precision.png")  # fmt: skip
 
 
 def draw_thesis():

@@ -17,6 +17,7 @@ RunOptions options_of(const H5mdCheckpoint& from) {
   try {
     RunOptions options = run_options_from(from.parameters);
     options.replay = replay_of(from.inputs);
+    options.replay_counts = from.inputs.replay_counts;
     options.guide = guide_of(from.inputs);
     if (options.guide.empty() && is_guided_run(from.parameters))
       throw InputError("the file does not hold the guide that it followed");

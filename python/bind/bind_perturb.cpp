@@ -6,6 +6,7 @@
 
 #include "options.hpp"
 #include "pliant/perturb/force_file.hpp"
+#include "pliant/perturb/replay.hpp"
 #include "pushers.hpp"
 #include "pushes.hpp"
 #include "tables.hpp"
@@ -44,11 +45,13 @@ void bind_force_file(nb::module_& module) {
       .def_prop_rw(
           "pushes", [](const ForceFile& self) { return pushes_to_python(self.pushes); },
           [](ForceFile& self, const PythonPushes& pushes) { self.pushes = pushes_from(pushes); },
-          "(joint, (x, y, z)) in kJ/(mol Angstrom), one per step.")
+          "(joint, (x, y, z)) in kJ/(mol Angstrom), one per step, or as ``counts`` says.")
+      .def_rw("counts", &ForceFile::counts, "Pushes in each step; empty: one.")
       .def(
           "text",
           [](const ForceFile& self, const Framework& framework) {
             for (const JointForce& push : self.pushes) joint_at(framework, push.joint);
+            check_counts(self.pushes, self.counts);
             return write_force_file(self, framework);
           },
           "framework"_a, "The file's text, which reads back to the same bits.");

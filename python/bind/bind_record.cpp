@@ -56,7 +56,8 @@ void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
   H5mdHeader header = header_of(structure);
   header.parameters = parameters_from(parameters);
   if (run != nullptr)
-    header.inputs = recorded_inputs(run->replay, run->guide, run->technique.ordering.get());
+    header.inputs =
+        recorded_inputs(run->replay, run->guide, run->technique.ordering.get(), run->replay_counts);
   const H5mdOptions options{.single = single,
                             .compress = compress,
                             .overwrite = overwrite,

@@ -136,6 +136,8 @@ void bind_replay(nb::class_<RunOptions>& options) {
       "replay", [](const RunOptions& self) { return pushes_to_python(self.replay); },
       [](RunOptions& self, const PythonPushes& pushes) { self.replay = pushes_from(pushes); },
       "Forces in place of ``perturb``: (joint, (x, y, z)) in kJ/(mol Angstrom), one per step.");
+  options.def_rw("replay_counts", &RunOptions::replay_counts,
+                 "Forces of ``replay`` in each step; empty: one.");
   options.def_rw("guide", &RunOptions::guide, "Followed in place of ``perturb``.");
 }
 

@@ -95,6 +95,7 @@ from pliant._core import (
     write_test_set,
     write_topology_pdb,
 )
+from pliant._display import show_in_notebooks
 from pliant._ensemble import run_ensemble
 from pliant._late import import_after
 from pliant._moved import keep_old_names
@@ -229,4 +230,5 @@ del _name
 # MDAnalysis.Universe("out.h5md") has names and bonds wherever both are imported.
 import_after("MDAnalysis", "pliant.h5md_parser")
 
+show_in_notebooks()
 keep_old_names()

@@ -13,6 +13,7 @@ from pliant._salvage import Salvage, StoredValues
 
 TRAJECTORY = "particles/trajectory"
 POSITION = f"{TRAJECTORY}/position"
+CONTACT_STATES = "contact_states"
 
 _ATOMS = (
     *("atom_name", "element", "atomic_number", "atom_serial", "residue_of"),
@@ -108,9 +109,14 @@ def _misfit(name: str, stored: StoredValues, count: int) -> str:
     return ""
 
 
+def series_group(name: str) -> str:
+    """The group of a series that goes with the frames."""
+    return f"connectivity/{name}" if name == CONTACT_STATES else f"observables/{name}"
+
+
 def write_observable(file: h5py.File, name: str, stored: StoredValues, frames: SavedFrames) -> None:
     """Writes the values of the saved frames."""
-    path = f"observables/{name}"
+    path = series_group(name)
     put(file, f"{path}/value", np.asarray(stored.values)[frames.numbers])
     for key, value in stored.attributes.items():
         file[f"{path}/value"].attrs[key] = value

@@ -18,10 +18,12 @@ import numpy as np
 from pliant import _hdf5, console
 from pliant._core import FileError, InputError, OptionError, check_hdf5_structure
 from pliant._recovered_file import (
+    CONTACT_STATES,
     POSITION,
     TRAJECTORY,
     SavedFrames,
     put,
+    series_group,
     write_frames,
     write_header,
     write_observable,
@@ -201,12 +203,13 @@ def _read_blocks(path: str, count: int, recovery: Recovery) -> dict[int, np.ndar
 
 def _read_observables(path: str, count: int, recovery: Recovery) -> dict[str, StoredValues]:
     listed = salvage(path, [("observables", _names)])
-    names = listed.found.get("observables") or OBSERVABLES
-    found = salvage(path, [(name, dataset(f"observables/{name}/value")) for name in names])
+    names = [*(listed.found.get("observables") or OBSERVABLES), CONTACT_STATES]
+    found = salvage(path, [(name, dataset(f"{series_group(name)}/value")) for name in names])
     for name, why in found.lost.items():
         recovery.lost[f"observable {name}"] = why
     for name, stored in found.found.items():
-        if np.ndim(stored.values) == 1 and len(stored.values) >= count:
+        dimensions = 2 if name == CONTACT_STATES else 1
+        if np.ndim(stored.values) == dimensions and len(stored.values) >= count:
             recovery.observables.append(name)
         else:
             recovery.lost[f"observable {name}"] = "has not one value a frame"

@@ -13,6 +13,7 @@
 #include "pliant/base/parameter.hpp"      // values of options in files
 #include "pliant/base/random.hpp"   // draws as functions of (seed, domain, walker, step, joint)
 #include "pliant/base/range.hpp"    // what an option may be
+#include "pliant/base/threads.hpp"  // where there are any
 #include "pliant/base/vec3.hpp"     // Vec3
 #include "pliant/base/version.hpp"  // of this library
 
@@ -88,6 +89,7 @@
 #include "pliant/resolve/walkers.hpp"                  // many copies at once
 
 // perturb, run: the loop
+#include "pliant/perturb/force_events.hpp"  // what a person did, to repeat
 #include "pliant/perturb/force_file.hpp"    // pushes to replay
 #include "pliant/perturb/guide.hpp"         // where joints are asked to go
 #include "pliant/perturb/perturbation.hpp"  // the pushers that need no more than a name
@@ -96,9 +98,11 @@
 #include "pliant/perturb/steering.hpp"      // forces from another thread
 #include "pliant/run/ensemble.hpp"          // many walkers; shards of them
 #include "pliant/run/motion.hpp"            // one walker, step by step
+#include "pliant/run/replay_events.hpp"     // what a person did, once more
 #include "pliant/run/run.hpp"               // a motion shown to observers
 #include "pliant/run/run_fields.hpp"        // the table of its options
 #include "pliant/run/run_summary.hpp"       // what a run did
+#include "pliant/run/steered_walk.hpp"      // a motion in somebody's hands
 
 // sample: what a molecule can do
 #include "pliant/sample/b_factors.hpp"        // which residues a crystal would show to move
@@ -119,6 +123,14 @@
 #include "pliant/record/topology_pdb.hpp"                 // names and bonds for other programs
 #include "pliant/record/xml/graph_xml.hpp"                // frameworks as XML
 #include "pliant/record/xml/write_graph_xml.hpp"          // and back
+
+// stream: runs followed and steered while they go
+#include "pliant/stream/imd_commands.hpp"  // what a client says
+#include "pliant/stream/imd_exchange.hpp"  // what run and server share
+#include "pliant/stream/imd_packets.hpp"   // what a server says
+#include "pliant/stream/imd_server.hpp"    // live: VMD, MDAnalysis, pliant watch
+#include "pliant/stream/imd_session.hpp"   // one client
+#include "pliant/stream/sockets.hpp"       // TCP
 
 // laboratory: graphs, forces and results in folders
 #include "pliant/laboratory/force_recorder.hpp"   // the pushes of a run as a force file

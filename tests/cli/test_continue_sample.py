@@ -180,3 +180,9 @@ def test_redraws_and_contacts_are_recorded(pliant, tmp_path):
         assert (broken == 0).all()  # such a frame is not written
         assert (wrong <= off).all()
         assert (off == 0).all() if name == "m.h5md" else off.max() > 0
+        states = found["connectivity/contact_states/value"]
+        for k, count in enumerate((held, broken, off)):
+            assert np.array_equal((states == k).sum(axis=1), count)
+        for c, group in enumerate(dict.fromkeys(groups.tolist())):
+            is_out = out[:, groups == group].any(axis=1)
+            assert (states[is_out, c] == 2).all()  # what is out of its interval is switched off

@@ -26,6 +26,8 @@ PAGES = {
     "pliant-compare": ["compare", "--help"],
     "pliant-convert": ["convert", "--help"],
     "pliant-path": ["path", "--help"],
+    "pliant-watch": ["watch", "--help"],
+    "pliant-play": ["play", "--help"],
     "pliant-recover": ["recover", "--help"],
     "pliant-experiment": ["experiment", "--help"],
     "pliant-experiment-report": ["experiment", "report", "--help"],

@@ -19,5 +19,5 @@ def test_techniques_as_json(pliant):
 def test_techniques_as_a_table(pliant):
     ended = pliant("techniques")
     assert ended.code == 0
-    assert "bfs_reverse    bfs_cycle, then backwards and forwards in turn" in ended.out
-    assert "rings_anderson rings_first with Anderson acceleration" in ended.out
+    assert "bfs_reverse      bfs_cycle, then backwards and forwards in turn" in ended.out
+    assert "rings_anderson   rings_first with Anderson acceleration" in ended.out

@@ -25,9 +25,9 @@ def test_unknown_command_suggests_the_nearest(pliant):
     assert ended.code == 2
     assert ended.err == (
         'pliant: no command named "inffo" (did you mean "info"?); '
-        "known: info, contacts, rigidity, run, sample, path, structgen, forcegen, order, "
-        "techniques, check, analyse, representatives, compare, convert, recover, experiment, "
-        "bench\n"
+        "known: info, contacts, rigidity, run, sample, path, play, structgen, forcegen, "
+        "order, techniques, watch, check, analyse, representatives, compare, convert, recover, "
+        "experiment, bench\n"
     )
 
 

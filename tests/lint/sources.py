@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-FOLDERS = ("src", "apps", "python", "tests")
+FOLDERS = ("src", "apps", "python", "tests", "docs")
 CPP = (".cpp", ".hpp")
 
 

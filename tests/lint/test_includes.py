@@ -27,6 +27,7 @@ MAY_INCLUDE = {
     "sample": ("base", "framework", "rigidity", "resolve"),
     "run": ("base", "framework", "order", "resolve", "perturb"),
     "record": ("base", "text", "framework"),
+    "stream": ("base", "framework", "perturb"),
     "laboratory": (
         *("base", "text", "framework", "generate", "order", "resolve", "perturb", "sample"),
         "record",

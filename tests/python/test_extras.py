@@ -117,7 +117,7 @@ def commands():
         ("compare", ["{file}", "{file}"], "MDAnalysis", "MDAnalysis", "analysis"),
         ("bench", ["work-precision", str(CAFFEINE)], "scipy", "SciPy", "lab"),
         ("bench", ["work-precision", str(CAFFEINE)], "openmm", "OpenMM", "lab"),
-        ("bench", ["work-precision", str(CAFFEINE), "--png", "x.png"], "matplotlib", "matplotlib",
+        ("bench", ["work-precision", str(CAFFEINE), "-o", "x.png"], "matplotlib", "matplotlib",
          "lab"),
         ("bench", ["scaling"], "scipy", "SciPy", "lab"),
         ("bench", ["stress"], "openmm", "OpenMM", "lab"),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant.analyse.biology import spread
+from pliant.analyse.names import atom_labels
 from pliant.analyse.study import known
 from pliant.analysis.collective import participation
 
@@ -69,6 +70,24 @@ def contact_columns(study: Study) -> dict[str, Any]:
         "second": [labels[k] for k in found.pairs[:, 1]],
         "share_of_frames": found.share,
         "at_start": found.at_start.astype(int),
+    }
+
+
+def held_contact_columns(study: Study) -> dict[str, Any]:
+    """One row per contact of the model: in what share of the frames it is held, broken, off."""
+    contacts = study.record.contacts if study.record else None
+    if contacts is None or contacts.states is None or len(contacts.states) <= max(study.frames):
+        return {}
+    names = atom_labels(study.universe.atoms)
+    shares = contacts.shares(study.frames)
+    return {
+        "first": [names[joint] for joint in contacts.joints[:, 0]],
+        "second": [names[joint] for joint in contacts.joints[:, 1]],
+        "kind": contacts.kinds,
+        "energy_kj_per_mol": ["" if e != e else e for e in contacts.energies.tolist()],
+        "share_held": shares[:, 0],
+        "share_broken": shares[:, 1],
+        "share_off": shares[:, 2],
     }
 
 

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant._core import InputError, OptionError
+from pliant._display import Displayed, Facts
 from pliant.analyse.found import ENSEMBLE
 from pliant.analyse.kind import kind_of
 from pliant.analyse.multi_model import write_models
@@ -27,7 +28,7 @@ MOST_FRAMES = 3000
 
 
 @dataclass(frozen=True)
-class Representatives:
+class Representatives(Displayed):
     """k frames, and how well they stand for all."""
 
     frames: np.ndarray  #: (k,) numbers in the file, those nearest to most frames first
@@ -38,6 +39,14 @@ class Representatives:
     superposed_on: str  #: atoms
     notes: tuple[str, ...]
     output: str = ""  #: the file written
+
+    def facts(self) -> Facts:
+        """Which frames, and how well they stand for all."""
+        chosen = ", ".join(map(str, self.frames.tolist()))
+        far = f"{self.mean_distance:.2f} Å on average, {self.largest_distance:.2f} Å at most"
+        compared = f"{self.compared} frames, superposed on {self.superposed_on}"
+        files = [("file", self.output)] if self.output else []
+        return [("frames", chosen), ("a frame is off", far), ("compared", compared), *files]
 
     def as_json(self) -> dict[str, Any]:
         """The same as one JSON object."""

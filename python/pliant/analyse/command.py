@@ -147,10 +147,11 @@ def _stages(quiet: bool) -> Iterator[Callable[[str], None]]:
         yield lambda name: None
         return
     from rich.console import Console
+    from rich.live import Live
 
-    console = Console(stderr=True)
-    with console.status("reading") as status:
-        yield lambda name: status.update(f"{name} ...")
+    # Without a thread of its own, which would keep the figures from being drawn in two processes.
+    with Live(console=Console(stderr=True), auto_refresh=False, transient=True) as line:
+        yield lambda name: line.update(f"{name} ...", refresh=True)
 
 
 def _print_summary(summary: Mapping[str, Any]) -> None:

@@ -11,17 +11,19 @@ from typing import Any
 
 import MDAnalysis  # noqa: F401  (before pliant.analysis, which says that it lacks MDAnalysis itself)
 
+from pliant._display import Displayed, Facts
 from pliant.analyse.bar_verdict import Verdict, verdict
 from pliant.analyse.stages import study_trajectory
 from pliant.analyse.study import Study, StudyOptions
 from pliant.analyse.summary import summary
+from pliant.analyse.verdicts import verdicts
 from pliant.analyse.write import make_folder, write_report
 
 DPI = 150
 
 
 @dataclass
-class AnalysisReport:
+class AnalysisReport(Displayed):
     """What `analyse` found."""
 
     study: Study  #: the results, as arrays
@@ -33,6 +35,13 @@ class AnalysisReport:
     def verdict(self) -> Verdict:
         """Of the bars: whether every bar of every frame is within tolerance."""
         return verdict(self.study)
+
+    def facts(self) -> Facts:
+        """The verdicts, as text."""
+        frames = f"{len(self.study.frames)}, of {len(self.study.atoms)} atoms"
+        made = [(what, one.sentence) for what, one in verdicts(self.study).items()]
+        files = [("page", str(self.outputs["report"]))] if "report" in self.outputs else []
+        return [("file", self.study.options.path), ("frames", frames), *made, *files]
 
     def as_json(self) -> dict[str, Any]:
         """What it comes down to, as one JSON object."""

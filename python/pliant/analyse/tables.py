@@ -19,6 +19,7 @@ from pliant.analyse.biology_tables import (
     correlation_columns,
     distance_columns,
     flexibility_columns,
+    held_contact_columns,
     shape_columns,
 )
 from pliant.analyse.names import atom_labels, bar_labels, chains_of
@@ -53,6 +54,7 @@ def save_tables(study: Study, folder: Path) -> list[Path]:
         "flexibility": flexibility_columns(study),
         "correlations": correlation_columns(study),
         "contacts": contact_columns(study),
+        "held_contacts": held_contact_columns(study),
         "stereochemistry": shape_columns(study),
     }
     written = []

@@ -7,8 +7,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pliant._core import InputError
+from pliant.analyse.draw import Drawing
 from pliant.analyse.exports import save_exports
-from pliant.analyse.figures import save_figures
 from pliant.analyse.page import write_page
 from pliant.analyse.tables import save_tables
 
@@ -29,9 +29,10 @@ def write_report(study: Study, folder: Path, dpi: int = 150) -> dict[str, Any]:
     Files of an earlier report are replaced.
     """
     make_folder(folder)
-    figures = save_figures(study, folder, dpi)
-    tables = save_tables(study, folder)
-    exports = save_exports(study, folder)
+    with Drawing(study, folder, dpi) as drawing:
+        tables = save_tables(study, folder)
+        exports = save_exports(study, folder)
+        figures = drawing.finish()
     report = folder / "report.html"
     pictures = [path for _, path in figures]
     write_page(study, figures, [*exports, *tables, *pictures], report, dpi)

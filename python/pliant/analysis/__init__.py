@@ -17,6 +17,7 @@ with needed_by("pliant.analysis"):
     from pliant.analysis.gyration import RadiusOfGyration
     from pliant.analysis.pca import PrincipalComponents
     from pliant.analysis.record import RunRecord, read_record
+    from pliant.analysis.recorded_contacts import RecordedContacts
     from pliant.analysis.residuals import BarResiduals, bar_residuals
     from pliant.analysis.rmsd import RmsdToStart
     from pliant.analysis.rmsf import Rmsf
@@ -28,6 +29,7 @@ __all__ = [
     "BarResiduals",
     "PrincipalComponents",
     "RadiusOfGyration",
+    "RecordedContacts",
     "RmsdToStart",
     "Rmsf",
     "RunRecord",

@@ -12,6 +12,7 @@ import h5py
 import numpy as np
 
 from pliant import _hdf5
+from pliant.analysis.recorded_contacts import RecordedContacts, contacts_of
 
 #: used where a file has bars but does not say how exact they were to be
 DEFAULT_TOLERANCE = 1e-6
@@ -30,6 +31,7 @@ class RunRecord:
         default_factory=dict
     )  #: name -> (F,) one number a frame
     parameters: dict[str, Any] = field(default_factory=dict)  #: "run/technique" -> its value
+    contacts: RecordedContacts | None = None  #: which a model held, and in which frames
     complete_frames: int = 0  #: frames of which position, step and time are all there
 
     @property
@@ -71,6 +73,7 @@ def _read_record(path: str) -> RunRecord | None:
         creator = _hdf5.item(file, "h5md/creator")
         record.creator, record.version = (_hdf5.text(creator, k) for k in ("name", "version"))
         _read_bars(file, record)
+        record.contacts = contacts_of(file)
         record.complete_frames = _complete_frames(group)
         record.observables = _read_observables(file)
         record.parameters = dict(_hdf5.scalars(_hdf5.item(file, "parameters")))

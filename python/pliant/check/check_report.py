@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from pliant import _core
+from pliant._display import Displayed, Facts
 from pliant.check import contest as side_by_side
 from pliant.check.check_record import Remeasured
 from pliant.check.contest import Method
@@ -17,7 +18,7 @@ from pliant.check.sample import Sample
 
 
 @dataclass
-class CheckReport:
+class CheckReport(Displayed):
     """What `check` found. ``passed`` is the answer; the rest says why."""
 
     recording: Recording
@@ -35,6 +36,11 @@ class CheckReport:
     def passed(self) -> bool:
         """No finding failed. What OpenMM cannot do is not a failure of the trajectory."""
         return all(finding.status != FAILED for finding in self.findings)
+
+    def facts(self) -> Facts:
+        """Each finding with what was measured."""
+        told = [(one.title, f"{one.status}, {one.measured or '-'}") for one in self.findings]
+        return [("file", self.recording.path), ("passed", "yes" if self.passed else "no"), *told]
 
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""

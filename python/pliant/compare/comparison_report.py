@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pliant._display import Displayed, Facts
 from pliant.analysis import agreement
 from pliant.compare.ensembles import Ensembles
 from pliant.compare.residue_report import ResidueComparison
@@ -77,7 +78,7 @@ class AtomComparison:
 
 
 @dataclass
-class ComparisonReport:
+class ComparisonReport(Displayed):
     """What `compare` found. One of `residues` and `atoms` at least is there."""
 
     path: str  #: of ours
@@ -91,3 +92,8 @@ class ComparisonReport:
     def conclusions(self) -> list[str]:
         """What follows, in plain words."""
         return self.residues.conclusions if self.residues else []
+
+    def facts(self) -> Facts:
+        """What was compared, and what follows."""
+        compared = [("ours", self.path), *(("theirs", path) for path in self.theirs)]
+        return [*compared, *(("follows", sentence) for sentence in self.conclusions)]

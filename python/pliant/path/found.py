@@ -8,6 +8,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from pliant._core import MolecularModel
+from pliant._display import Displayed, Facts
 
 #: r.m.s. distance over matched atoms at which the end is reached, Angstrom: bonds and angles of the
 #: start keep heavy atoms further off
@@ -40,7 +41,7 @@ class TightPlace:
 
 
 @dataclass
-class MolecularPath:
+class MolecularPath(Displayed):
     """A path, and what it took."""
 
     model: MolecularModel = field(repr=False)  #: of the start, with the contacts that both have
@@ -64,6 +65,19 @@ class MolecularPath:
     def arrived(self) -> bool:
         """Whether the last frame is at the end: CA within 0.5 Angstrom, heavy atoms within 1."""
         return self.reached <= ARRIVED[self.atoms]
+
+    def facts(self) -> Facts:
+        """How far it came, and what is in its way."""
+        at_first = self.frames[0].to_end
+        tight = [f"{one.atoms}, {one.overlap:.2f} Å" for one in self.tight_places(1)]
+        return [
+            ("frames", f"{len(self.frames)}"),
+            ("matched", f"{self.matched} residues, by {self.atoms}"),
+            ("distance from the end", f"{at_first:.2f} Å at first, {self.reached:.2f} Å reached"),
+            ("contacts", f"{self.held} held, {self.only_start} let go, {self.only_end} of the end"),
+            *(("tightest", text) for text in tight),
+            *(("note", note) for note in self.notes),
+        ]
 
     def tight_places(self, count: int = 3) -> list[TightPlace]:
         """Pairs of atoms that are the nearest of a frame, the most overlapping first."""

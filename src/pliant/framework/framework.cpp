@@ -71,13 +71,23 @@ void Framework::take_masses(const std::vector<double>& masses, const std::vector
                        ": must be from 1e-150 to 1e150 u");
     inverse_masses_[i] = 1.0 / masses[i];
   }
-  for (Joint joint : pinned) {
+  pin(pinned);
+}
+
+void Framework::pin(std::span<const Joint> joints) {
+  for (Joint joint : joints) {
     if (joint >= joint_count_)
       throw InputError("pinned joint " + std::to_string(joint) + " of " +
                        std::to_string(joint_count_) + " does not exist");
     if (inverse_masses_[joint] != 0.0) ++pinned_count_;
     inverse_masses_[joint] = 0.0;
   }
+}
+
+Framework Framework::with_pinned(std::span<const Joint> joints) const {
+  Framework copy = *this;
+  copy.pin(joints);
+  return copy;
 }
 
 void Framework::check_bars() const {

@@ -94,6 +94,10 @@ class Framework {
   /// What it is made of, to make another from. Masses to rounding, 1 for pinned joints.
   FrameworkParts parts() const;
 
+  /// The same with these joints pinned too, and every other mass to the bit. Throws InputError if a
+  /// joint does not exist.
+  Framework with_pinned(std::span<const Joint> joints) const;
+
   std::string label(Joint joint) const;  ///< the atom's name, or "joint 7"
   std::string label(Bar bar) const;      ///< "LYS12:CA - LYS12:CB", or "3 - 7"
   std::size_t merged_bar_count() const { return merged_bar_count_; }
@@ -101,6 +105,7 @@ class Framework {
  private:
   void check_counts() const;
   void take_masses(const std::vector<double>& masses, const std::vector<Joint>& pinned);
+  void pin(std::span<const Joint> joints);
   void check_bars() const;
   void check_drawn() const;
   void check_limits() const;

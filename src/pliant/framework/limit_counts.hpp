@@ -14,6 +14,13 @@
 
 namespace pliant {
 
+/// What a thing that limits stand for does in a frame. Numbers are those of recorded files.
+enum class ContactState : std::uint8_t {
+  held,    ///< on, each limit within its interval
+  broken,  ///< on, some limit is not
+  off      ///< switched off, wherever its joints are
+};
+
 /// Limits of one group stand for one thing; a limit of no group stands for one of its own.
 struct LimitCounts {
   std::int64_t held = 0;    ///< on, each limit within its interval
@@ -42,28 +49,29 @@ class LimitCounter {
   /// `positions` in Angstrom; `off` (L) or empty. A limit is within its interval up to `tolerance`
   /// (Angstrom); one whose length is not finite is not. Not for two threads at once.
   LimitCounts count(std::span<const Vec3> positions, LimitsOff off, double tolerance) {
-    found_.assign(things_, is_held);
+    found_.assign(things_, ContactState::held);
     for (LimitIndex k = 0; k < limits_.size(); ++k) {
       const Limit& limit = limits_[k];
       const double length = distance(positions[limit.a], positions[limit.b]);
-      std::uint8_t& found = found_[thing_[k]];
+      ContactState& found = found_[thing_[k]];  // the worst that is known of it
       if (is_off(off, k))
-        found = is_switched_off;
+        found = ContactState::off;
       else if (!std::isfinite(length) || std::abs(excess(limit, length)) > tolerance)
-        found = std::max<std::uint8_t>(found, is_broken);
+        found = std::max(found, ContactState::broken);
     }
-    return {std::ranges::count(found_, is_held), std::ranges::count(found_, is_broken),
-            std::ranges::count(found_, is_switched_off)};
+    return {std::ranges::count(found_, ContactState::held),
+            std::ranges::count(found_, ContactState::broken),
+            std::ranges::count(found_, ContactState::off)};
   }
 
- private:
-  /// The worst that is known of a thing; more outdoes less.
-  static constexpr std::uint8_t is_held = 0, is_broken = 1, is_switched_off = 2;
+  /// (size()) Of each thing, as count() found it last, in the order of each thing's first limit.
+  std::span<const ContactState> states() const { return found_; }
 
+ private:
   std::vector<Limit> limits_;
   std::vector<std::uint32_t> thing_;  ///< (L) that each limit stands for
   std::size_t things_ = 0;
-  std::vector<std::uint8_t> found_;  ///< scratch of count()
+  std::vector<ContactState> found_;  ///< of the last count()
 };
 
 }  // namespace pliant

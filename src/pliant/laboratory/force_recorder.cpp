@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/laboratory/force_recorder.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace pliant {
@@ -10,10 +11,16 @@ ForceRecorder::ForceRecorder(const std::filesystem::path& path, bool overwrite,
     : framework_(framework), forces_(std::move(settings)), file_(path, overwrite) {}
 
 void ForceRecorder::record(const Push& push) {
-  forces_.pushes.push_back({static_cast<Joint>(push.root_joint), push.force});
+  const std::size_t before = forces_.pushes.size();
+  forces_.pushes.insert(forces_.pushes.end(), push.forces.begin(), push.forces.end());
+  if (push.forces.empty() && push.root_joint != no_joint)
+    forces_.pushes.push_back({static_cast<Joint>(push.root_joint), push.force});
+  forces_.counts.push_back(static_cast<std::int64_t>(forces_.pushes.size() - before));
 }
 
 void ForceRecorder::publish() {
+  const auto is_one = [](std::int64_t count) { return count == 1; };
+  if (std::ranges::all_of(forces_.counts, is_one)) forces_.counts.clear();
   file_.write(write_force_file(forces_, framework_));
   file_.publish();
 }

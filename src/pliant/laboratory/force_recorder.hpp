@@ -10,7 +10,8 @@
 namespace pliant {
 
 /// The force file that the pushes of a run become: there as a whole once the run has ended, or not
-/// at all. Of a push only the root joint and its force are kept, as of perturbation `force`.
+/// at all. Of a push the forces are kept that acted by move_by_verlet; if it had none, the root
+/// joint and 0.
 class ForceRecorder {
  public:
   /// `settings` without pushes; the framework must outlive it. Throws FileError as OutputFile does.

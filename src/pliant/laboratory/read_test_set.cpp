@@ -141,6 +141,7 @@ class Reader {
 
   void check_forces(const fs::path& file, const ForceFile& forces, std::int64_t pushes) const {
     const TestSettings& settings = set_.settings;
+    if (!forces.counts.empty()) fail({file.string()}, "expected one push a step");
     if (std::int64_t(forces.pushes.size()) != pushes)
       fail({file.string()}, "expected " + std::to_string(pushes) + " pushes, as " +
                                 std::string(test_set_paths::index_file) + " has it, found " +

@@ -52,8 +52,9 @@ bool fits_together(const RunInputs& inputs) {
 }  // namespace
 
 RunInputs recorded_inputs(std::span<const JointForce> replay, const Guide& guide,
-                          const Ordering* ordering) {
+                          const Ordering* ordering, std::span<const std::int64_t> replay_counts) {
   RunInputs inputs;
+  inputs.replay_counts.assign(replay_counts.begin(), replay_counts.end());
   add_guide(guide, inputs);
   for (const auto& [joint, force] : replay) {
     inputs.replay_joints.push_back(joint);

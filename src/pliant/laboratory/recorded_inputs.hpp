@@ -13,11 +13,12 @@
 
 namespace pliant {
 
-/// `ordering` is null where none was given.
+/// `ordering` is null where none was given; `replay_counts` as in RunOptions.
 RunInputs recorded_inputs(std::span<const JointForce> replay, const Guide& guide,
-                          const Ordering* ordering);
+                          const Ordering* ordering,
+                          std::span<const std::int64_t> replay_counts = {});
 
-/// One force a step; empty: the run is no replay.
+/// One force a step, or as many as inputs.replay_counts say; empty: the run is no replay.
 std::vector<JointForce> replay_of(const RunInputs& inputs);
 /// Empty: the run followed none. Throws InputError where its parts do not fit together.
 Guide guide_of(const RunInputs& inputs);

@@ -6,7 +6,6 @@
 #include <cstddef>
 #include <filesystem>
 #include <numbers>
-#include <system_error>
 #include <vector>
 
 #include "pliant/base/error.hpp"
@@ -14,6 +13,7 @@
 #include "pliant/model/atom_graph.hpp"
 #include "pliant/model/ensemble_amplitude.hpp"
 #include "pliant/model/residue_nodes.hpp"
+#include "pliant/text/file_text.hpp"
 
 namespace pliant {
 namespace {
@@ -111,9 +111,7 @@ AmplitudeChoice choose_amplitude(std::string_view text, const Structure& structu
   if (const auto number = parse_real(text)) return given(*number);
   if (text == "bfactors") return b_factor_amplitude(structure, log);
   if (text == "plddt") refuse_confidence();
-  std::error_code error;
-  if (!std::filesystem::exists(std::filesystem::path(text), error))
-    throw OptionError(std::string(expected) + "; found " + quoted(text));
+  if (!is_there(text)) throw OptionError(std::string(expected) + "; found " + quoted(text));
   return ensemble_amplitude(std::filesystem::path(text), structure, log);
 }
 

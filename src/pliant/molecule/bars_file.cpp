@@ -8,6 +8,7 @@
 #include "pliant/base/number.hpp"
 #include "pliant/base/words.hpp"
 #include "pliant/framework/joint_names.hpp"
+#include "pliant/text/file_text.hpp"
 #include "pliant/text/text_lines.hpp"
 
 namespace pliant {
@@ -268,10 +269,9 @@ std::string write_bars_file(const BarsFile& file, const Framework& joints) {
 }
 
 bool is_bars_file(const std::string& bars) {
-  std::error_code error;
   const auto known = names_of(bar_choices);
   const bool is_name = std::find(known.begin(), known.end(), bars) != known.end();
-  return !is_name && std::filesystem::exists(bars, error);
+  return !is_name && is_there(bars);
 }
 
 void take_bars(const std::string& bars, const Structure& structure, BuildOptions& options) {

@@ -2,21 +2,20 @@
 #include "pliant/perturb/force_file.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <fstream>
-#include <iterator>
+#include <utility>
 
 #include "pliant/base/number.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/base/words.hpp"
 #include "pliant/framework/joint_names.hpp"
+#include "pliant/perturb/force_events.hpp"
+#include "pliant/perturb/force_line.hpp"
+#include "pliant/text/file_text.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr std::string_view heading = "pliant-forces 1";
-/// The square of a larger force overflows on its way to a length.
-constexpr double largest_force = 1e100;
 
 /// Reads a force file line by line.
 class Parser {
@@ -87,26 +86,38 @@ class Parser {
     set(found_.max_sweeps, words, *value);
   }
 
-  void take_push(const Words& words) {
-    expect_words(words, 5, "a joint and a force (x, y, z)");
-    const Joint joint = names_.find(words[1], place_);
-    found_.pushes.push_back(
-        {joint, {component(words, 2), component(words, 3), component(words, 4)}});
-  }
-
-  double component(const Words& words, std::size_t k) {
-    const auto value = parse_real(words[k]);
-    if (!value || std::abs(*value) > largest_force)
-      fail(place_, std::string("force ") + "xyz"[k - 2] +
-                       ": expected a finite number up to 1e100, found " + quoted(words[k]));
-    return *value;
-  }
+  void take_push(const Words& words) { found_.pushes.push_back(force_of(words, names_, place_)); }
 
   Place place_;
   JointNames names_;
   bool headed_ = false;
   ForceFile found_;
 };
+
+/// Those that every file has, as name and text.
+std::vector<SetOption> settings_of(const ForceFile& forces) {
+  std::vector<SetOption> settings;
+  const auto add = [&](const char* name, const std::optional<double>& value) {
+    if (value) settings.push_back({name, shortest_text(*value)});
+  };
+  add("timestep", forces.timestep);
+  add("tolerance", forces.tolerance);
+  add("tolerance_length", forces.tolerance_length);
+  if (forces.max_sweeps) settings.push_back({"max_sweeps", std::to_string(*forces.max_sweeps)});
+  return settings;
+}
+
+std::vector<ForceEvent> events_of(const ForceFile& forces) {
+  std::vector<ForceEvent> events;
+  for (SetOption& setting : settings_of(forces)) events.push_back({std::move(setting)});
+  for (const auto& [name, value] : forces.settings) events.push_back({SetOption{name, value}});
+  auto next = forces.pushes.begin();
+  for (const std::int64_t count : forces.counts) {
+    events.push_back({PullStep{{next, next + count}}});
+    next += count;
+  }
+  return events;
+}
 
 }  // namespace
 
@@ -132,30 +143,16 @@ ForceFile parse_force_file(std::string_view text, std::string_view file_name,
 }
 
 ForceFile read_force_file(const std::filesystem::path& path, const Framework& framework) {
-  std::error_code error;
-  if (!std::filesystem::is_regular_file(path, error))
-    throw FileError(printable_name(path.string()) +
-                    ": cannot be read: " + (error ? error.message() : "not a regular file"));
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw FileError(printable_name(path.string()) + ": cannot be opened for reading");
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
-  return parse_force_file(text, path.string(), framework);
+  const std::string bytes = read_bytes(path);
+  return parse_force_file(without_byte_order_mark(bytes), path.string(), framework);
 }
 
 std::string write_force_file(const ForceFile& forces, const Framework& framework) {
+  if (!forces.counts.empty()) return write_force_events(events_of(forces), framework);
   const JointNames names(framework);
   std::string text = std::string(heading) + "\n";
-  const auto setting = [&](const char* name, const std::optional<double>& value) {
-    if (value) text += std::string(name) + " " + shortest_text(*value) + "\n";
-  };
-  setting("timestep", forces.timestep);
-  setting("tolerance", forces.tolerance);
-  setting("tolerance_length", forces.tolerance_length);
-  if (forces.max_sweeps) text += "max_sweeps " + std::to_string(*forces.max_sweeps) + "\n";
-  for (const JointForce& push : forces.pushes) {
-    text += "push " + names.word_for(push.joint, "force file") + " " + shortest_text(push.force.x) +
-            " " + shortest_text(push.force.y) + " " + shortest_text(push.force.z) + "\n";
-  }
+  for (const auto& [name, value] : settings_of(forces)) text += name + " " + value + "\n";
+  for (const JointForce& push : forces.pushes) text += force_line("push", push, names);
   return text;
 }
 

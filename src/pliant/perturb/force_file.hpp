@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Force files: pushes to be replayed, one a step, with the settings that they were made for.
+// Force files: pushes to be replayed, one a step, with the settings that they were made for. More
+// forces a step are written as events (force_events.hpp), which is version 2.
 //
 //   pliant-forces 1
 //   timestep 0.01            # ps
@@ -12,6 +13,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "pliant/framework/residual.hpp"
@@ -26,7 +28,10 @@ struct ForceFile {
   std::optional<double> tolerance;         ///< relative
   std::optional<double> tolerance_length;  ///< Angstrom
   std::optional<std::int64_t> max_sweeps;
-  std::vector<JointForce> pushes;  ///< one a step
+  std::vector<JointForce> pushes;         ///< one a step; or, to be written as events:
+  std::vector<std::int64_t> counts = {};  ///< (S) so many in each step
+  /// Options of a run, by name, besides those above; with counts alone.
+  std::vector<std::pair<std::string, std::string>> settings = {};
 
   /// Takes timestep, tolerance (the one that counts) and max_sweeps.
   void set(const PerturbOptions& options, Tolerance within, std::int64_t most_sweeps);
@@ -42,7 +47,8 @@ ForceFile make_force_file(const Framework& framework, const PerturbOptions& opti
                           Tolerance tolerance, std::int64_t max_sweeps, const RandomKey& key,
                           std::int64_t count);
 
-/// The text that parse_force_file reads back to the same bits. Throws InputError if a joint has no
+/// The text that parse_force_file, or with counts parse_force_events, reads back to the same bits.
+/// Throws InputError if a joint has no
 /// name of its own and its index is the name of another one.
 std::string write_force_file(const ForceFile& forces, const Framework& framework);
 

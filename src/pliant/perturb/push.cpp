@@ -8,6 +8,7 @@ void Push::clear() {
   force = {};
   all = false;
   joints.clear();
+  forces.clear();
 }
 
 void Push::add(Joint joint, Vec3 by) {

@@ -24,6 +24,7 @@ struct Push {
   Vec3 force;                          ///< on it, kJ/(mol Angstrom); 0 if none
   bool all = false;                    ///< any joint may have been moved
   std::vector<Joint> joints = {};      ///< unless `all`: those that were, the root joint among them
+  std::vector<JointForce> forces = {};  ///< in the order in which move_by_verlet applied them
 
   void clear();
   /// Notes a joint that was moved, and the force that did.

@@ -34,6 +34,18 @@ void require(bool ok, const char* name, double value, const char* range) {
   if (!ok) throw OptionError(std::string(name) + " = " + number_text(value) + ": must be " + range);
 }
 
+/// What a joint does by its velocity, if it has not been moved in this step.
+Vec3 glide(const PushCall& call, Joint joint, const State& state) {
+  const Vec3 x = state.positions[joint], start = state.previous[joint];
+  return (1.0 - call.damping) * (x == start ? x - call.older[joint] : Vec3{});
+}
+
+/// By how much a unit of force moves a joint, Angstrom.
+double gain(const PushCall& call, Joint joint) {
+  const double dt = call.timestep;
+  return acceleration_of_unit_force * call.framework.inverse_masses()[joint] * dt * dt;
+}
+
 }  // namespace
 
 std::span<const PusherEntry> pushers() { return table; }
@@ -42,14 +54,22 @@ const PusherEntry& find_pusher(std::string_view name) { return choose(pushers(),
 
 void move_by_verlet(const PushCall& call, const JointForce& push, State& state) {
   if (call.framework.is_pinned(push.joint)) return;
-  const double dt = call.timestep;
-  const Vec3 x = state.positions[push.joint], start = state.previous[push.joint];
-  const Vec3 moved = x == start ? x - call.older[push.joint] : Vec3{};
-  const double gain =
-      acceleration_of_unit_force * call.framework.inverse_masses()[push.joint] * dt * dt;
-  Vec3 next = x + (1.0 - call.damping) * moved + gain * push.force;
+  const Vec3 x = state.positions[push.joint];
+  Vec3 next = x + glide(call, push.joint, state) + gain(call, push.joint) * push.force;
   if (call.framework.is_planar()) next.z = x.z;
   state.positions[push.joint] = next;
+}
+
+JointForce held_back(const PushCall& call, const JointForce& push, const State& state,
+                     double longest) {
+  if (call.framework.is_pinned(push.joint)) return push;
+  const Vec3 by_itself = glide(call, push.joint, state);
+  const double unit = gain(call, push.joint);
+  Vec3 moved = by_itself + unit * push.force;
+  if (call.framework.is_planar()) moved.z = 0.0;
+  const double length = std::hypot(moved.x, moved.y, moved.z);
+  if (length <= longest) return push;
+  return {push.joint, (1.0 / unit) * ((longest / length) * moved - by_itself)};
 }
 
 void move_by_verlet(const PushCall& call, std::span<const JointForce> forces, State& state,
@@ -57,6 +77,7 @@ void move_by_verlet(const PushCall& call, std::span<const JointForce> forces, St
   for (const JointForce& push : forces) {
     move_by_verlet(call, push, state);
     out.add(push.joint, push.force);
+    out.forces.push_back(push);
   }
 }
 

@@ -49,9 +49,10 @@ class Pusher {
 /// What the pushers of the table are made with.
 struct PusherOptions {
   PerturbOptions perturb = {};
-  std::vector<JointForce> replay = {};  ///< of `replay`: one force a step
-  std::int64_t replay_from = 0;         ///< the step after which replays and guides begin
-  Guide guide = {};                     ///< of `rock`, `pull` and `pair_distance`
+  std::vector<JointForce> replay = {};           ///< of `replay`: one force a step, or
+  std::int64_t replay_from = 0;                  ///< the step after which replays and guides begin
+  Guide guide = {};                              ///< of `rock`, `pull` and `pair_distance`
+  std::vector<std::int64_t> replay_counts = {};  ///< of `replay`: (S) so many in each step
 };
 
 /// One row of the table of pushers.
@@ -78,6 +79,11 @@ void move_by_verlet(const PushCall& call, const JointForce& push, State& state);
 /// The same of each of these forces, and adds their joints to `out`.
 void move_by_verlet(const PushCall& call, std::span<const JointForce> forces, State& state,
                     Push& out);
+
+/// The force nearest to it by which move_by_verlet moves the joint by `longest` Angstrom at most,
+/// what the joint does by its velocity included.
+JointForce held_back(const PushCall& call, const JointForce& push, const State& state,
+                     double longest);
 
 /// A step of one pusher that applies these forces by move_by_verlet, with state.previous left as
 /// the positions before it.

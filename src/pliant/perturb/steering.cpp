@@ -4,8 +4,15 @@
 #include <string>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 
 namespace pliant {
+
+Steering::Steering(double longest_step) : longest_step_(longest_step) {
+  if (!(longest_step > 0.0))
+    throw OptionError("steering: longest step = " + number_text(longest_step) +
+                      ": must be above 0");
+}
 
 void Steering::pull(std::span<const JointForce> forces) {
   for (const JointForce& pull : forces)
@@ -28,7 +35,11 @@ bool Steering::push(const PushCall& call, State& state, Push& out) {
     if (pull.joint >= count)
       throw OptionError("steering: joint " + std::to_string(pull.joint) + " of " +
                         std::to_string(count) + " does not exist");
-  move_by_verlet(call, acting_, state, out);
+  const bool is_held_back = longest_step_ < std::numeric_limits<double>::infinity();
+  for (JointForce& pull : acting_) {
+    if (is_held_back) pull = held_back(call, pull, state, longest_step_);
+    move_by_verlet(call, {&pull, 1}, state, out);
+  }
   return true;
 }
 

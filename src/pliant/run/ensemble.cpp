@@ -5,11 +5,10 @@
 #include <atomic>
 #include <deque>
 #include <exception>
-#include <mutex>
 #include <string>
-#include <thread>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/threads.hpp"
 #include "pliant/resolve/lanes/lane_kernels.hpp"
 
 namespace pliant {
@@ -28,7 +27,7 @@ class FirstFailure {
   }
 
  private:
-  std::mutex mutex_;
+  Mutex mutex_;
   std::exception_ptr first_;
 };
 
@@ -66,6 +65,8 @@ struct Watched {
   WalkerRun run() {
     WalkerRun run{state, number};
     run.observers = {[this](const Frame& frame) { return show(frame); }};
+    run.hands = watchers.hands;
+    run.onlooker = watchers.onlooker;
     run.log = watchers.log;
     if (watchers.reached) run.began = watchers.reached->began;
     if (watchers.on_push)
@@ -89,12 +90,7 @@ class Ensemble {
     const auto threads = static_cast<std::uint64_t>(options_.threads);
     // As many as fit into the lanes, if that leaves no thread without.
     group_size_ = std::clamp<std::uint64_t>((count() + threads - 1) / threads, 1, lane_count);
-    {
-      std::vector<std::jthread> others;
-      for (std::uint64_t k = 1; k < std::min(threads, count()); ++k)
-        others.emplace_back([this] { run_next_groups(); });
-      run_next_groups();
-    }
+    run_in_threads(std::min(threads, count()), [this](std::size_t) { run_next_groups(); });
     failure_.rethrow();
     for (std::size_t k = 0; k < summaries_.size(); ++k)
       if (!begun_[k]) summaries_[k].stopped_by_caller = true;
@@ -155,7 +151,7 @@ class Ensemble {
   const WatchersOf& watchers_of_;
   std::uint64_t group_size_ = 1;        ///< walkers that step together
   std::atomic<std::uint64_t> next_{0};  ///< of the shard, to be begun
-  std::mutex watchers_;
+  Mutex watchers_;
   FirstFailure failure_;
   std::vector<RunSummary> summaries_;
   std::vector<bool> begun_;  ///< of the shard

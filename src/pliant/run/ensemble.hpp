@@ -39,6 +39,8 @@ struct WalkerReached {
 struct Watchers {
   std::vector<Observer> observers = {};
   std::function<void(const Push&)> on_push = {};
+  std::vector<std::shared_ptr<Pusher>> hands = {};  ///< as RunOptions::hands
+  Onlooker onlooker = {};
   /// Told once what the walker did and where it ended, if it was begun.
   std::function<void(const RunSummary&, const State&)> on_end = {};
   Log log = {};

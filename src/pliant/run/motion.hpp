@@ -28,6 +28,7 @@ struct MotionOptions {
   std::int64_t replay_from = 0;         ///< the step after which replays and guides begin
   Guide guide = {};                     ///< of pushers `rock`, `pull` and `pair_distance`
   Log log = {};
+  std::vector<std::int64_t> replay_counts = {};  ///< (S) forces of each step; empty: one
 };
 
 /// Throws OptionError naming the option, its value and its range.

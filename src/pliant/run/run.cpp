@@ -13,12 +13,19 @@ void check(const RunOptions& options) {
   check(options.technique);
 }
 
+std::int64_t replayed_steps(const RunOptions& options) {
+  const bool has_counts = !options.replay_counts.empty();
+  return static_cast<std::int64_t>(has_counts ? options.replay_counts.size()
+                                              : options.replay.size());
+}
+
 MotionOptions motion_of(const RunOptions& options, std::int64_t start, const Log& log) {
   std::vector<std::string> push = pushers_of(options.guide);
-  if (!options.replay.empty()) push = {"replay"};
+  if (replayed_steps(options) > 0) push = {"replay"};
   if (push.empty()) push = {options.perturb};
-  return {options.technique, options.resolve, push,          options.perturb_options,
-          options.replay,    start,           options.guide, log};
+  return {options.technique,    options.resolve, push,          options.perturb_options,
+          options.replay,       start,           options.guide, log,
+          options.replay_counts};
 }
 
 RunSummary run(const Framework& framework, State& state, const RunOptions& options,
@@ -27,8 +34,9 @@ RunSummary run(const Framework& framework, State& state, const RunOptions& optio
   const std::int64_t began = options.began.value_or(state.step);
   Motion motion(framework, std::ref(state), motion_of(options, began, options.log),
                 options.resolve.walker);
-  Showing showing(observers, options.on_push, options, began);
-  if (!options.began) showing.show(motion, motion.start());
+  for (const std::shared_ptr<Pusher>& hand : options.hands) motion.add(hand);
+  Showing showing(observers, options.on_push, options.onlooker, options, began);
+  if (!options.began) showing.show_start(motion, motion.start());
   while (!showing.is_over(motion))
     if (motion.advance()) showing.tell(motion);
   return showing.with_observers(motion.summary());

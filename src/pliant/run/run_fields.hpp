@@ -41,9 +41,20 @@ std::span<const RunField> run_fields();
 /// The row of that name. Throws OptionError listing the known names.
 const RunField& find_run_field(std::string_view name);
 
+/// Sets an option from text: "true" or "false", a number, a name. Throws OptionError naming it, the
+/// text and what was expected; ranges are check_fields()' matter.
+void set_run_field(RunOptions& options, std::string_view name, std::string_view text);
+
+/// The value of an option as text that set_run_field() reads back to the same bits.
+std::string run_field_text(const RunOptions& options, const RunField& field);
+
 /// Throws OptionError naming the first option that is out of its range or no known name, the value
 /// and what it must be.
 void check_fields(const RunOptions& options);
+
+/// What is recorded as the perturbation of a run that replayed a force file with events. Nothing
+/// goes on with such a run.
+inline constexpr std::string_view events_perturbation = "events";
 
 /// Every option by its path below /parameters: "run/max_sweeps". Two things more: "run/walker", and
 /// "run/technique_used", what `auto` chose for this framework. A seed is text, since 64 bits

@@ -28,4 +28,7 @@ struct RunSummary {
   }
 };
 
+/// Counts what `more` did to `sum`: of another walker, or of later steps of the same.
+void add(RunSummary& sum, const RunSummary& more);
+
 }  // namespace pliant

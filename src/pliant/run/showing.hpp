@@ -14,10 +14,14 @@ class Showing {
  public:
   /// What is referred to must outlive it; `start` is the step that the walker begins at.
   Showing(const std::vector<Observer>& observers, const std::function<void(const Push&)>& on_push,
-          const RunOptions& options, std::int64_t start)
-      : observers_(observers), on_push_(on_push), every_(options.every), options_(options) {
-    const auto pushes = static_cast<std::int64_t>(options.replay.size());
-    last_step_ = start + (pushes > 0 ? std::min(options.steps, pushes) : options.steps);
+          const Onlooker& onlooker, const RunOptions& options, std::int64_t start)
+      : observers_(observers),
+        on_push_(on_push),
+        onlooker_(onlooker),
+        every_(options.every),
+        options_(options) {
+    const std::int64_t replayed = replayed_steps(options);
+    last_step_ = start + (replayed > 0 ? std::min(options.steps, replayed) : options.steps);
   }
 
   template <class Walker>
@@ -32,18 +36,23 @@ class Showing {
   template <class Walker>
   void tell(Walker& walker) {
     if (on_push_) on_push_(walker.pushed());
-    if (is_over(walker) || is_due(walker.state().step)) show(walker, walker.frame());
+    const bool is_wanted = onlooker_.wants && onlooker_.wants(walker.state().step);
+    const bool is_shown = is_over(walker) || is_due(walker.state().step);
+    if (!is_wanted && !is_shown) return;
+    const Frame frame = walker.frame();
+    if (is_wanted) look(frame);
+    if (is_shown) show(walker, frame);
   }
 
   template <class Walker>
-  void show(Walker& walker, const Frame& frame) {
-    const Stopwatch watch(seconds_);
-    for (const Observer& observer : observers_)
-      if (observer(frame)) walker.stop();
+  void show_start(Walker& walker, const Frame& frame) {
+    if (onlooker_.wants && onlooker_.wants(frame.step)) look(frame);
+    show(walker, frame);
   }
 
-  /// With the time that observers took.
+  /// With the time that observers took, and the frames that they were shown.
   RunSummary with_observers(RunSummary summary) const {
+    summary.frames = frames_;
     summary.observe_seconds += seconds_;
     summary.seconds += seconds_;
     return summary;
@@ -51,14 +60,29 @@ class Showing {
 
  private:
   bool has_arrived(const State& state) const {
-    return options_.replay.empty() && pliant::has_arrived(options_.guide, state.positions);
+    return replayed_steps(options_) == 0 && pliant::has_arrived(options_.guide, state.positions);
+  }
+
+  template <class Walker>
+  void show(Walker& walker, const Frame& frame) {
+    const Stopwatch watch(seconds_);
+    ++frames_;
+    for (const Observer& observer : observers_)
+      if (observer(frame)) walker.stop();
+  }
+
+  void look(const Frame& frame) {
+    const Stopwatch watch(seconds_);
+    onlooker_.look(frame);
   }
 
   const std::vector<Observer>& observers_;
   const std::function<void(const Push&)>& on_push_;
+  const Onlooker& onlooker_;
   std::int64_t every_, last_step_ = 0;
   const RunOptions& options_;
   double seconds_ = 0.0;
+  std::int64_t frames_ = 0;
 };
 
 /// What each walker of a run does, from the step `start` on.

@@ -24,7 +24,9 @@ Together::Together(const Framework& framework, std::span<WalkerRun> walkers,
     const std::int64_t start = walker.began.value_or(walker.state.step);
     walkers_.push_back(
         {Walk(framework, walker.state, motion_of(options, start, walker.log), walker.number),
-         Showing(walker.observers, walker.on_push, options, start), walker.began.has_value()});
+         Showing(walker.observers, walker.on_push, walker.onlooker, options, start),
+         walker.began.has_value()});
+    for (const std::shared_ptr<Pusher>& hand : walker.hands) walkers_.back().walk.add(hand);
   }
 }
 
@@ -32,7 +34,7 @@ std::vector<RunSummary> Together::run() {
   for (Shown& walker : walkers_) {
     if (walker.goes_on) continue;
     walker.walk.start(resolver_.alone());
-    walker.showing.show(walker.walk, walker.walk.frame());
+    walker.showing.show_start(walker.walk, walker.walk.frame());
   }
   try {
     while (step()) continue;

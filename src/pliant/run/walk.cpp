@@ -42,8 +42,8 @@ Walk::Walk(const Framework& framework, State& state, const MotionOptions& option
       last_(nothing_done(Stop::converged)) {
   check_positions(framework, state.positions, resolve_.tolerance, log_);
   check_previous(framework, state);
-  const PusherOptions made_with{options.perturb, options.replay, options.replay_from,
-                                options.guide};
+  const PusherOptions made_with{options.perturb, options.replay, options.replay_from, options.guide,
+                                options.replay_counts};
   for (const std::string& name : options.push)
     pushers_.add(find_pusher(name).make(framework, made_with));
   if (framework.joint_count() == 0) throw InputError("nothing to run: no joints");

@@ -6,12 +6,11 @@
 #include <chrono>
 #include <exception>
 #include <memory>
-#include <mutex>
-#include <thread>
 #include <utility>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/range.hpp"
+#include "pliant/base/threads.hpp"
 #include "pliant/framework/residual.hpp"
 #include "pliant/sample/coarse_nodes.hpp"
 #include "pliant/sample/conformer_framework.hpp"
@@ -105,18 +104,15 @@ class Sampling {
     }
     std::atomic<std::size_t> next{0};
     std::exception_ptr thrown;
-    std::mutex throwing;
-    std::vector<std::thread> threads;
-    for (auto& maker : makers_)
-      threads.emplace_back([&, &mine = *maker] {
-        try {
-          for (std::size_t k = next++; k < made_.size(); k = next++) make(mine, first, k);
-        } catch (...) {
-          const std::lock_guard hold(throwing);
-          thrown = std::current_exception();
-        }
-      });
-    for (std::thread& thread : threads) thread.join();
+    Mutex throwing;
+    run_in_threads(makers_.size(), [&](std::size_t thread) {
+      try {
+        for (std::size_t k = next++; k < made_.size(); k = next++) make(*makers_[thread], first, k);
+      } catch (...) {
+        const std::lock_guard hold(throwing);
+        thrown = std::current_exception();
+      }
+    });
     if (thrown) std::rethrow_exception(thrown);
   }
 

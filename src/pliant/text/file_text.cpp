@@ -113,6 +113,11 @@ std::string read_bytes(const std::filesystem::path& path, std::size_t most) {
   return bytes;
 }
 
+bool is_there(const std::filesystem::path& path) {
+  struct stat status {};
+  return ::stat(path.string().c_str(), &status) == 0;
+}
+
 std::string megabytes(std::size_t bytes) {
   constexpr std::size_t one = 1000000;
   const bool is_whole = bytes >= one && bytes % one == 0;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/text/gzip.hpp"
 
+#ifdef PLIANT_HAS_ZLIB
+
 #include <zlib.h>
 
 #include <algorithm>
@@ -47,3 +49,9 @@ class GzipDecoder final : public Decoder {
 std::unique_ptr<Decoder> make_gzip_decoder() { return std::make_unique<GzipDecoder>(); }
 
 }  // namespace pliant
+
+#else
+
+std::unique_ptr<pliant::Decoder> pliant::make_gzip_decoder() { return nullptr; }
+
+#endif

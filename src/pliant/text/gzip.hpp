@@ -8,7 +8,7 @@
 
 namespace pliant {
 
-/// Throws std::bad_alloc.
+/// Null where this build has no zlib. Throws std::bad_alloc.
 std::unique_ptr<Decoder> make_gzip_decoder();
 
 }  // namespace pliant

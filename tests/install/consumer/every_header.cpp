@@ -15,6 +15,7 @@
 #include "pliant/base/parameter.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/base/range.hpp"
+#include "pliant/base/threads.hpp"
 #include "pliant/base/vec3.hpp"
 #include "pliant/base/version.hpp"
 #include "pliant/examples/examples.hpp"
@@ -66,6 +67,7 @@
 #include "pliant/order/ordering.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/order/traversal.hpp"
+#include "pliant/perturb/force_events.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/perturb/guide.hpp"
 #include "pliant/perturb/perturbation.hpp"
@@ -93,9 +95,11 @@
 #include "pliant/rigidity/rigid_clusters.hpp"
 #include "pliant/run/ensemble.hpp"
 #include "pliant/run/motion.hpp"
+#include "pliant/run/replay_events.hpp"
 #include "pliant/run/run.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "pliant/run/run_summary.hpp"
+#include "pliant/run/steered_walk.hpp"
 #include "pliant/sample/b_factors.hpp"
 #include "pliant/sample/dense_matrix.hpp"
 #include "pliant/sample/elastic_network.hpp"
@@ -104,6 +108,12 @@
 #include "pliant/sample/sample.hpp"
 #include "pliant/sample/sample_summary.hpp"
 #include "pliant/sample/samplers.hpp"
+#include "pliant/stream/imd_commands.hpp"
+#include "pliant/stream/imd_exchange.hpp"
+#include "pliant/stream/imd_packets.hpp"
+#include "pliant/stream/imd_server.hpp"
+#include "pliant/stream/imd_session.hpp"
+#include "pliant/stream/sockets.hpp"
 #include "pliant/text/file_text.hpp"
 #include "pliant/text/output_file.hpp"
 
@@ -148,6 +158,7 @@ const Use uses[] = {
     of_type<Parameter>("pliant/base/parameter.hpp"),
     of("pliant/base/random.hpp", &philox4x64),
     of("pliant/base/range.hpp", overload<bool(Range, double)>(&holds)),
+    of_type<Mutex>("pliant/base/threads.hpp"),
     of_type<Vec3>("pliant/base/vec3.hpp"),
     of("pliant/base/version.hpp", &version),
     of("pliant/sample/b_factors.hpp", &relative_b_factors),
@@ -158,6 +169,12 @@ const Use uses[] = {
     of("pliant/sample/sample.hpp", &sample),
     of("pliant/sample/sample_summary.hpp", &FluctuationSums::rmsf),
     of("pliant/sample/samplers.hpp", &samplers),
+    of("pliant/stream/imd_commands.hpp", &ImdCommandReader::next),
+    of("pliant/stream/imd_exchange.hpp", &ImdExchange::wants),
+    of("pliant/stream/imd_packets.hpp", &imd_greeting),
+    of("pliant/stream/imd_server.hpp", &ImdServer::close),
+    of("pliant/stream/imd_session.hpp", &ImdSession::step),
+    of("pliant/stream/sockets.hpp", &listen_on),
     of("pliant/text/file_text.hpp", &read_bytes),
     of("pliant/text/output_file.hpp", &write_text_file),
     of("pliant/molecule/bars_file.hpp", &write_bars_file),
@@ -213,6 +230,7 @@ const Use uses[] = {
     of("pliant/resolve/resolve.hpp", &Resolver::check_arguments),
     of("pliant/resolve/techniques.hpp", &techniques),
     of("pliant/resolve/walkers.hpp", &WalkerResolver::level),
+    of("pliant/perturb/force_events.hpp", &write_force_events),
     of("pliant/perturb/force_file.hpp", &write_force_file),
     of("pliant/perturb/guide.hpp", &pushers_of),
     of("pliant/perturb/perturbation.hpp", &perturbations),
@@ -221,9 +239,11 @@ const Use uses[] = {
     of("pliant/perturb/steering.hpp", &Steering::release),
     of("pliant/run/ensemble.hpp", &run_ensemble),
     of("pliant/run/motion.hpp", &Motion::step),
+    of("pliant/run/replay_events.hpp", &replay_events),
     of("pliant/run/run.hpp", &run),
     of("pliant/run/run_fields.hpp", &run_fields),
-    of_type<RunSummary>("pliant/run/run_summary.hpp"),
+    of("pliant/run/run_summary.hpp", &add),
+    of("pliant/run/steered_walk.hpp", &SteeredWalk::pull),
     of("pliant/record/h5md/h5md_checkpoint_reader.hpp", &read_checkpoint),
     of("pliant/record/h5md/h5md_reader.hpp", &H5mdReader::frames),
     of("pliant/record/h5md/h5md_recorder.hpp", &H5mdRecorder::flush),

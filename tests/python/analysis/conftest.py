@@ -7,6 +7,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import pytest
+from pliant.analyse.figures import picture_path
 
 sys.path.insert(0, str(Path(__file__).parent))  # so that tests can import what lies beside them
 
@@ -66,6 +67,23 @@ def zigzag(n):
     half = np.radians(111 / 2)
     k = np.arange(n)
     return np.stack([1.54 * np.sin(half) * k, 1.54 * np.cos(half) * (k % 2), 0.0 * k], axis=1)
+
+
+#: a picture of one grey dot
+DOT = bytes.fromhex(
+    "89504e470d0a1a0a0000000d4948445200000001000000010800000000"
+    "3a7e9b550000000a49444154789c636800000082008177cd72b60000000049454e44ae426082"
+)
+
+
+@pytest.fixture
+def no_drawing(monkeypatch):
+    """Reports with dots for figures, for tests of all else: drawing takes longer than the rest."""
+
+    def save_dot(kind, study, folder, dpi=150):
+        picture_path(kind, folder).write_bytes(DOT)
+
+    monkeypatch.setattr("pliant.analyse.draw.save_figure", save_dot)
 
 
 @pytest.fixture

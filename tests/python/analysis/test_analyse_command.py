@@ -15,6 +15,8 @@ from pliant.console import plain
 
 import pliant
 
+without_figures = pytest.mark.usefixtures("no_drawing")
+
 
 @pytest.fixture
 def run(tmp_path, peptide, wander, write_run):
@@ -68,6 +70,7 @@ def test_it_writes_figures_tables_and_the_page(tmp_path, analysed):
         assert (tmp_path / "out" / f"{name}.png").read_bytes().startswith(b"\x89PNG")
 
 
+@without_figures
 def test_json_has_the_numbers_that_numpy_finds(run, analysed, peptide):
     code, out, _ = analysed("--json")
     found = json.loads(out)
@@ -91,6 +94,7 @@ def test_json_has_the_numbers_that_numpy_finds(run, analysed, peptide):
     assert 0.99 < sum(found["pca_explained"]) <= 1.0 + 1e-9
 
 
+@without_figures
 def test_the_function_gives_what_the_command_prints(tmp_path, run, analysed):
     printed = json.loads(analysed("--json", "--select", "name CA CB")[1])
     chosen = {"select": "name CA CB", "dpi": 50}
@@ -104,6 +108,7 @@ def test_the_function_gives_what_the_command_prints(tmp_path, run, analysed):
     np.testing.assert_array_equal(alone.study.rmsd, written.study.rmsd)
 
 
+@without_figures
 def test_the_table_of_frames(tmp_path, run, analysed, peptide):
     analysed("--quiet")
     rows = read_csv(tmp_path / "out" / "frames.csv")
@@ -121,6 +126,7 @@ def test_the_table_of_frames(tmp_path, run, analysed, peptide):
     assert {"pc1_angstrom", "pc2_angstrom", "radius_of_gyration_angstrom", "sweeps"} <= set(rows[0])
 
 
+@without_figures
 def test_the_tables_of_atoms_residues_bars_torsions_and_components(tmp_path, analysed, peptide):
     analysed("--quiet")
     folder = tmp_path / "out"
@@ -148,6 +154,7 @@ def test_the_tables_of_atoms_residues_bars_torsions_and_components(tmp_path, ana
     assert float(pca[-1]["cumulative"]) == pytest.approx(1.0)
 
 
+@without_figures
 def test_a_frame_that_breaks_its_promise_is_called_bad(tmp_path, peptide, write_run, capsys):
     trajectory = np.array([peptide.positions] * 5)
     trajectory[2, 3] += 0.1
@@ -159,6 +166,7 @@ def test_a_frame_that_breaks_its_promise_is_called_bad(tmp_path, peptide, write_
     assert found["verdict_text"].endswith("1 of which the run calls converged.")
 
 
+@without_figures
 def test_frames_and_atoms_can_be_chosen(analysed):
     _, out, _ = analysed("--json", "--start", 3, "--stop", 20, "--step", 4, "--select", "resid 1:2")
     found = json.loads(out)
@@ -169,6 +177,7 @@ def test_frames_and_atoms_can_be_chosen(analysed):
     assert json.loads(out)["superposed_on"] == "atoms 'name CA C N'"
 
 
+@without_figures
 @pytest.mark.filterwarnings("ignore::UserWarning")
 def test_two_workers_find_the_same(analysed):
     one = json.loads(analysed("--json")[1])
@@ -178,6 +187,7 @@ def test_two_workers_find_the_same(analysed):
             assert two[key] == pytest.approx(value, rel=1e-6), key
 
 
+@without_figures
 def test_a_trajectory_of_another_program(tmp_path, peptide, wander, capsys):
     """Positions only, as MDAnalysis writes them: what needs bars is left out and said."""
     import MDAnalysis
@@ -203,6 +213,7 @@ def test_a_trajectory_of_another_program(tmp_path, peptide, wander, capsys):
     assert (tmp_path / "out" / "report.html").exists()
 
 
+@without_figures
 def test_frames_that_are_no_numbers_are_left_out(tmp_path, peptide, write_run, capsys):
     trajectory = np.array([peptide.positions] * 6)
     trajectory[4, 0] = np.nan
@@ -213,6 +224,7 @@ def test_frames_that_are_no_numbers_are_left_out(tmp_path, peptide, write_run, c
     assert "1 frames hold coordinates that are not finite: left out" in found["notes"]
 
 
+@without_figures
 def test_a_file_that_was_cut_off_is_read_up_to_there(tmp_path, peptide, write_run, capsys):
     path = write_run(tmp_path / "cut.h5md", peptide, np.array([peptide.positions] * 6))
     with h5py.File(path, "a") as file:
@@ -226,6 +238,7 @@ def test_a_file_that_was_cut_off_is_read_up_to_there(tmp_path, peptide, write_ru
     assert "the last 2 frames are not complete: left out" in found["notes"]
 
 
+@without_figures
 def test_one_frame_is_enough(tmp_path, peptide, write_run, capsys):
     path = write_run(tmp_path / "one.h5md", peptide, [peptide.positions])
     assert main([str(path), "-o", str(tmp_path / "out"), "--json"]) == 0
@@ -247,6 +260,7 @@ def refused(arguments, capsys):
     return code, error.removeprefix("pliant analyse: error: ").rstrip("\n")
 
 
+@without_figures
 def test_input_that_cannot_be_read_is_exit_code_1(tmp_path, peptide, write_run, capsys):
     text = tmp_path / "text.h5md"
     text.write_text("no HDF5")
@@ -274,6 +288,7 @@ def test_input_that_cannot_be_read_is_exit_code_1(tmp_path, peptide, write_run, 
     assert message.startswith(f"{good} with topology {topology}: MDAnalysis cannot read it: ")
 
 
+@without_figures
 def test_a_choice_that_is_wrong_or_empty_is_exit_code_2(tmp_path, peptide, write_run, capsys):
     good = write_run(tmp_path / "good.h5md", peptide, [peptide.positions])
     for arguments, message in (
@@ -291,6 +306,7 @@ def test_a_choice_that_is_wrong_or_empty_is_exit_code_2(tmp_path, peptide, write
     "arguments",
     [[], ["a", "b"], ["a", "--step", "0"], ["a", "--workers", "x"], ["a", "--nonsense"]],
 )
+@without_figures
 def test_wrong_usage_is_exit_code_2(arguments, capsys):
     with pytest.raises(SystemExit) as ended:
         main(arguments)
@@ -298,6 +314,7 @@ def test_wrong_usage_is_exit_code_2(arguments, capsys):
     assert "pliant analyse: error:" in capsys.readouterr().err
 
 
+@without_figures
 def test_scripts_for_viewers(tmp_path, analysed):
     analysed()
     pymol = (tmp_path / "out" / "show.pml").read_text()
@@ -307,6 +324,7 @@ def test_scripts_for_viewers(tmp_path, analysed):
     assert "coordset #1 1,-1 pauseFrames 4 loop 100" in (tmp_path / "out" / "show.cxc").read_text()
 
 
+@without_figures
 @pytest.mark.skipif(not Path("/usr/bin/pymol").exists(), reason="no PyMOL is installed")
 def test_pymol_runs_the_script(tmp_path, analysed):
     analysed()

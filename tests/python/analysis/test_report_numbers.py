@@ -20,6 +20,8 @@ from pliant.analysis.ramachandran import FAVOURED, OUTLIER, judged
 
 import pliant
 
+pytestmark = pytest.mark.usefixtures("no_drawing")
+
 PEPTIDE = Path(__file__).parents[3] / "data/molecules/peptide_20.pdb"
 ENDS = ("resid 1 and name CA", "resid 20 and name CA")
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/framework/limit_counts.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace pliant {
@@ -37,6 +38,8 @@ TEST(LimitCounts, WhatIsOffIsNeitherHeldNorBroken) {
   moved[3].x = 20.0;
   const std::vector<std::uint8_t> off{0, 1, 0, 1, 0};
   EXPECT_EQ(counter.count(moved, off, 0.1), (LimitCounts{0, 1, 2}));
+  constexpr ContactState off_now = ContactState::off;
+  EXPECT_THAT(counter.states(), testing::ElementsAre(off_now, off_now, ContactState::broken));
 }
 
 TEST(LimitCounts, ALengthThatIsNotFiniteIsBroken) {

@@ -6,6 +6,8 @@
 #include <fstream>
 
 #include "pliant/base/error.hpp"
+#include "pliant/perturb/force_events.hpp"
+#include "pliant/text/file_text.hpp"
 #include "support/error_text.hpp"
 #include "support/temp_directory.hpp"
 
@@ -44,6 +46,21 @@ TEST_F(ForceRecords, AreThereAsAWholeOncePublished) {
   EXPECT_EQ(back.pushes[0].joint, 1u);
   EXPECT_EQ(back.pushes[0].force, (Vec3{1.0, -2.0, 0.1}));
   EXPECT_EQ(back.pushes[1].joint, 0u);
+}
+
+TEST_F(ForceRecords, HoldAllForcesOfAStep) {
+  ForceRecorder recorder(path_, false, framework_, {});
+  Push push;
+  recorder.record(push);
+  push.add(1, {1.0, 0.0, 0.0});
+  push.forces = {{1, {1.0, 0.0, 0.0}}, {0, {0.0, 2.0, 0.0}}};
+  recorder.record(push);
+  recorder.publish();
+  const auto back = parse_force_events(read_bytes(path_), "f.txt", framework_);
+  ASSERT_EQ(back.size(), 2u);
+  EXPECT_TRUE(std::get<PullStep>(back[0].what).forces.empty());
+  EXPECT_EQ(std::get<PullStep>(back[1].what).forces.size(), 2u);
+  EXPECT_EQ(std::get<PullStep>(back[1].what).forces[1].joint, 0u);
 }
 
 TEST_F(ForceRecords, LeaveNothingBehindUnlessPublished) {

@@ -5,6 +5,7 @@
 
 #include <fstream>
 
+#include "pliant/perturb/force_events.hpp"
 #include "support/error_text.hpp"
 #include "support/temp_directory.hpp"
 
@@ -133,13 +134,29 @@ TEST(ForceFile, TakesLinesEndedByCarriageReturnAndNewline) {
 
 TEST(ForceFile, SaysWhatItExpected) {
   EXPECT_EQ(refusal(""), "f.txt: expected the line \"pliant-forces 1\" first, found no text");
-  EXPECT_EQ(refusal("\n\npliant-forces 2\n"),
-            "f.txt:3: expected \"pliant-forces 1\", found \"pliant-forces 2\"");
+  EXPECT_EQ(refusal("\n\npliant-forces 3\n"),
+            "f.txt:3: expected \"pliant-forces 1\", found \"pliant-forces 3\"");
   EXPECT_EQ(refusal("HEADER \x1b[2J"),
             "f.txt:1: expected \"pliant-forces 1\", found \"HEADER \\x1b[2J\"");
   EXPECT_EQ(refusal("pliant-forces 1\npull C1 1 2 3"),
             "f.txt:2: expected timestep, tolerance, tolerance_length, max_sweeps or push, found "
             "\"pull\"");
+}
+
+/// A file with counts is one of events.
+TEST(ForceFile, WithCountsIsWrittenAsEvents) {
+  ForceFile file;
+  file.timestep = 0.01;
+  file.settings = {{"technique", "blocks"}};
+  file.pushes = {{0, {1, 2, 3}}, {1, {4, 5, 6}}, {5, {0, 0, -1}}};
+  file.counts = {2, 0, 1};
+  const std::string text = write_force_file(file, butane());
+  EXPECT_EQ(text,
+            "pliant-forces 2\nset timestep 0.01\nset technique blocks\nforce C1 1 2 3\n"
+            "force C2 4 5 6\nstep\nstep\nforce 5 0 0 -1\nstep\n");
+  const std::vector<ForceEvent> events = parse_force_events(text, "f.txt", butane());
+  EXPECT_EQ(write_force_events(events, butane()), text);
+  EXPECT_EQ(steps_of(events), 3);
 }
 
 TEST(ForceFile, IsReadBackToTheSameBits) {
@@ -205,9 +222,9 @@ TEST(ReadForceFile, ReadsFilesAndNamesThemInErrors) {
             path.string() + ":1: expected \"pliant-forces 1\", found \"nothing\"");
   std::filesystem::remove(path);
   EXPECT_EQ(test::error_text<FileError>([&] { read_force_file(path, butane()); }),
-            path.string() + ": cannot be read: No such file or directory");
+            "cannot read " + path.string() + ": No such file or directory");
   EXPECT_EQ(test::error_text<FileError>([&] { read_force_file(folder, butane()); }),
-            folder.string() + ": cannot be read: not a regular file");
+            "cannot read " + folder.string() + ": Is a directory");
 }
 
 }  // namespace force_file_test

@@ -213,6 +213,80 @@ TEST(Steering, RefusesWhatCannotBe) {
   EXPECT_EQ(state.step, 0);
 }
 
+/// The longest motion in one step of one joint under a force, pulled for some steps.
+double longest_motion(Steering& steering, const JointForce& pull, int steps) {
+  const Framework framework = test::with_masses(framework_of(chain(4)));
+  State state(chain(4).positions);
+  steering.pull({&pull, 1});
+  PushChain chain_of(framework, {}, seed_5);
+  chain_of.add(std::shared_ptr<Pusher>(std::shared_ptr<void>(), &steering));
+  double longest = 0.0;
+  for (int step = 0; step < steps; ++step) {
+    chain_of.push(state);
+    longest = std::max(longest, distance(state.positions[pull.joint], state.previous[pull.joint]));
+  }
+  return longest;
+}
+
+TEST(Steering, HoldsBackForcesThatMoveTooFar) {
+  Steering hand(0.2);
+  EXPECT_NEAR(longest_motion(hand, {1, {1e38, -1e38, 1e38}}, 5), 0.2, 1e-12);
+  EXPECT_NEAR(longest_motion(hand, {1, {0, 3, 0}}, 500), 0.2, 1e-12) << "by its velocity, too";
+  EXPECT_LT(longest_motion(hand, {1, {0, 3, 0}}, 2), 0.2);
+  Steering free_hand;
+  EXPECT_GT(longest_motion(free_hand, {1, {0, 3, 0}}, 500), 0.2);
+}
+
+TEST(Steering, TellsForcesAsTheyActed) {
+  const Framework framework = test::with_masses(framework_of(chain(4)));
+  State state(chain(4).positions);
+  State replayed = state;
+  const auto hand = std::make_shared<Steering>(0.05);
+  const JointForce pulls[] = {{1, {0, 2000, 0}}, {3, {1, 0, 0}}};
+  hand->pull(pulls);
+  PushChain by_hand(framework, {}, seed_5), again(framework, {}, seed_5);
+  by_hand.add(hand);
+  std::vector<JointForce> acted;
+  std::vector<std::int64_t> counts;
+  std::vector<std::vector<Vec3>> places;
+  for (int step = 0; step < 5; ++step) {
+    if (step == 3) hand->release();
+    by_hand.push(state);
+    const auto& forces = by_hand.pushed().forces;
+    acted.insert(acted.end(), forces.begin(), forces.end());
+    counts.push_back(std::int64_t(forces.size()));
+    places.push_back(state.positions);
+  }
+  EXPECT_EQ(counts, (std::vector<std::int64_t>{2, 2, 2, 0, 0}));
+  PusherOptions options;
+  options.replay = acted;
+  options.replay_counts = counts;
+  again.add(find_pusher("replay").make(framework, options));
+  for (const std::vector<Vec3>& place : places) {
+    EXPECT_FALSE(again.is_over());
+    again.push(replayed);
+    EXPECT_TRUE(test::same_bits(replayed.positions, place));
+  }
+  EXPECT_TRUE(again.is_over());
+}
+
+TEST(Replay, RefusesCountsOfOtherForces) {
+  const Framework framework = framework_of(chain(3));
+  const auto refusal = [&](std::vector<std::int64_t> counts) {
+    return test::error_text<OptionError>([&] {
+      PusherOptions options;
+      options.replay = {{0, {}}, {1, {}}};
+      options.replay_counts = std::move(counts);
+      find_pusher("replay").make(framework, options);
+    });
+  };
+  EXPECT_EQ(refusal({1, 2}), "replay: a step has 2 forces, where 1 are left");
+  EXPECT_EQ(refusal({-1}), "replay: a step has -1 forces, where 2 are left");
+  EXPECT_EQ(refusal({1}), "replay: 1 forces belong to no step");
+  EXPECT_EQ(test::error_text<OptionError>([] { Steering(0.0); }),
+            "steering: longest step = 0: must be above 0");
+}
+
 TEST(Steering, IsAskedFromManyThreads) {
   const Framework framework = framework_of(chain(3));
   State state(chain(3).positions);

@@ -93,6 +93,27 @@ TEST(Run, ShowsEverySoManyStepsAndTheLast) {
   EXPECT_EQ(steps, (std::vector<std::int64_t>{0, 4, 8, 10}));
 }
 
+TEST(Run, OnlookersSeeWhatTheyWantWhateverIsShown) {
+  const Framework framework = framework_of(ring(6));
+  RunOptions options = displacing(10);
+  const Story alone = tell(framework, State(ring(6).positions), options);
+  options.every = 4;
+  std::vector<std::int64_t> seen;
+  std::vector<std::vector<Vec3>> places;
+  options.onlooker.wants = [](std::int64_t step) { return step % 3 == 0; };
+  options.onlooker.look = [&](const Frame& frame) {
+    seen.push_back(frame.step);
+    places.emplace_back(frame.positions.begin(), frame.positions.end());
+    EXPECT_GT(frame.rms_residual, -1.0);
+  };
+  const Story story = tell(framework, State(ring(6).positions), options);
+  EXPECT_EQ(seen, (std::vector<std::int64_t>{0, 3, 6, 9}));
+  EXPECT_EQ(story.summary.frames, 4) << "steps 0, 4, 8 and the last: an onlooker is no observer";
+  for (std::size_t k = 0; k < seen.size(); ++k)
+    EXPECT_TRUE(test::same_bits(places[k], alone.frames[std::size_t(seen[k])].positions));
+  EXPECT_TRUE(test::same_bits(story.state.positions, alone.state.positions));
+}
+
 TEST(Run, NoStepsShowTheStart) {
   const Story story = tell(framework_of(ring(5)), State(ring(5).positions), displacing(0));
   EXPECT_EQ(story.frames.size(), 1u);

@@ -124,17 +124,20 @@ FIGURES = (
 )  # fmt: skip
 
 
-def save_figures(study: Study, folder: Path, dpi: int = 150) -> list[tuple[FigureKind, Path]]:
-    """Writes the PNG of each figure that the study gives; returns [(FigureKind, path)]."""
-    written = []
+def figures_of(study: Study) -> list[FigureKind]:
+    """The figures that the study gives, in the order of the page."""
+    return [kind for kind in FIGURES if kind.applies(study)]
+
+
+def picture_path(kind: FigureKind, folder: Path) -> Path:
+    """The PNG of a figure."""
+    return folder / f"{kind.name}.png"
+
+
+def save_figure(kind: FigureKind, study: Study, folder: Path, dpi: int = 150) -> None:
+    """Draws a figure and writes its PNG."""
     with styled():
-        for kind in FIGURES:
-            if not kind.applies(study):
-                continue
-            path = folder / f"{kind.name}.png"
-            _save(kind.draw(study), path, dpi)
-            written.append((kind, path))
-    return written
+        _save(kind.draw(study), picture_path(kind, folder), dpi)
 
 
 def _save(figure: Figure, path: Path, dpi: int) -> None:

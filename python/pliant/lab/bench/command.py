@@ -17,7 +17,7 @@ EPILOG = """\
 pliant bench SUBCOMMAND --help explains each.
 
 examples:
-  pliant bench work-precision protein.pdb --png race.png
+  pliant bench work-precision protein.pdb -o race.png
   pliant bench scaling --sizes 1e3,1e4,1e5
   pliant bench throughput protein.pdb
   pliant bench auto

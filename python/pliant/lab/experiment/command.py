@@ -33,9 +33,9 @@ Exit code: 0 if the table is complete, 1 if a file cannot be read or written or 
 different results, 2 for a bad option.
 
 examples:
-  pliant experiment --out study --seed 1
-  pliant experiment --out study --folders thesis-set
-  pliant experiment --out fine --tolerance-length 1e-4 --class 1-cycle-ring --technique bfs_cycle
+  pliant experiment -o study --seed 1
+  pliant experiment -o study --folders thesis-set
+  pliant experiment -o fine --tolerance-length 1e-4 --class 1-cycle-ring --technique bfs_cycle
 """
 
 
@@ -47,7 +47,7 @@ def make_parser() -> console.Parser:
         "weighting, and writes one tidy table (thesis, chapter 5).",
         EPILOG,
     )
-    parser.add_argument("-o", "--out", metavar="DIR", type=Path, required=True,
+    parser.add_argument("-o", "--output", metavar="DIR", type=Path, required=True,
                         help="folder of the table; an unfinished table is continued")  # fmt: skip
     _add_counts(parser)
     _add_sizes(parser)
@@ -162,7 +162,7 @@ def _experiment(arguments: argparse.Namespace) -> int:
     settings, options = _sources(arguments)
     options["workers"] = arguments.workers or usable_cores()
     with console.progress("experiment, graphs", arguments.quiet) as show:
-        table = laboratory.run_experiment(settings, arguments.out, show=show, **options)
+        table = laboratory.run_experiment(settings, arguments.output, show=show, **options)
     folder = arguments.test_set or arguments.folders
     filled = folders.fill(folder, table) if folder else None
     _say(arguments, table, filled, time.monotonic() - begin)
@@ -201,11 +201,12 @@ def _say(
     count = len(table)
     stuck = int(count - table.columns["converged"].sum())
     if arguments.json:
-        console.print_json({"out": str(arguments.out), "resolves": count, "unconverged": stuck,
+        console.print_json({"output": str(arguments.output),
+                            "resolves": count, "unconverged": stuck,
                             "seconds": seconds, "folders": vars(filled) if filled else None}
                            )  # fmt: skip
         return
-    where = console.printable_name(arguments.out)
+    where = console.printable_name(arguments.output)
     print(f"{where}: {count} resolves, {stuck} of them not converged; {seconds:.1f} s")
     if filled:
         folder = console.printable_name(arguments.test_set or arguments.folders)

@@ -144,7 +144,7 @@ def read(folder: Path) -> Table:
     """
     path = folder / TABLE_H5
     if not path.is_file():
-        raise FileError(f"{path}: no such file: run pliant experiment --out {folder} first")
+        raise FileError(f"{path}: no such file: run pliant experiment -o {folder} first")
     try:
         with h5py.File(path, "r") as file:
             settings = Settings.from_text(file.attrs["settings"])

@@ -30,7 +30,7 @@ def draw(found: Validity, path: str | os.PathLike[str]) -> None:
     overlaps = [row for row in found.rows if row.figure == OVERLAP and math.isfinite(row.ours)]
     count = len(systems) + bool(overlaps)
     if count == 0:
-        raise InputError("--picture: no row that the picture shows was measured")
+        raise InputError("--output: no row that the picture shows was measured")
     with figure(1, count, panel=(4.6, 3.4)) as (plot, axes):
         for name, panel in zip(systems, axes[0], strict=False):
             _profiles(panel, found, name)

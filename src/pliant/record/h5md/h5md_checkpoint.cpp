@@ -76,6 +76,8 @@ void write_inputs_of_steps(std::int64_t file, const RunInputs& inputs) {
         write_vectors(file, checkpoint::group + "/replay_force", inputs.replay_forces), "unit",
         "kJ mol-1 Angstrom-1");
   }
+  if (!inputs.replay_counts.empty())
+    write_numbers(file, checkpoint::group + "/replay_count", inputs.replay_counts);
   if (!inputs.ordering_bars.empty()) {
     write_numbers(file, checkpoint::group + "/ordering_bar", inputs.ordering_bars);
     write_numbers(file, checkpoint::group + "/ordering_near", inputs.ordering_near);

@@ -9,6 +9,7 @@
 //   mass (N) u, drawn (N, 3)   where /particles does not say them bit by bit, or at all
 //   start (N, 3)   of one of several walkers, where it is not the drawn positions
 //   replay_joint (R), replay_force (R, 3) kJ/(mol Angstrom)   of a replay
+//   replay_count (S)   of one that has not one force in each step
 //   ordering_bar, ordering_near, ordering_is_tree (V)         of an ordering that was given
 //   node_position (M, 3), node_chain (M), node_of_joint (N, -1: none)   of a sample's network
 #pragma once

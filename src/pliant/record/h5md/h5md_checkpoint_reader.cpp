@@ -158,6 +158,7 @@ class CheckpointReader {
     inputs.replay_joints = integers<Joint>("/replay_joint");
     if (!inputs.replay_joints.empty())
       inputs.replay_forces = vectors_of(reals("/replay_force", 3 * inputs.replay_joints.size()));
+    inputs.replay_counts = integers<std::int64_t>("/replay_count");
     inputs.ordering_bars = integers<BarIndex>("/ordering_bar");
     inputs.ordering_near = integers<Joint>("/ordering_near");
     inputs.ordering_is_tree = integers<std::uint8_t>("/ordering_is_tree");

@@ -86,6 +86,8 @@ std::vector<std::string> stop_names() {
   return names;
 }
 
+const std::vector<std::string> state_names{"held", "broken", "off"};  // of ContactState
+
 Hid memory_type(NumberKind kind) {
   switch (kind) {
     case integer:
@@ -122,6 +124,16 @@ std::uint64_t frames_per_chunk(std::size_t frame_bytes, bool compress) {
 
 constexpr const char* position_parts[] = {"/value", "/time", "/step"};
 
+/// A series of its own has the steps and times of the positions.
+void link_steps(std::int64_t file, const std::string& group) {
+  for (const char* part : {"/time", "/step"})
+    checked(H5Lcreate_hard(file, (std::string(h5md::position) + part).c_str(), file,
+                           (group + part).c_str(), H5P_DEFAULT, H5P_DEFAULT),
+            "link " + group + part);
+}
+
+std::string states_path() { return std::string(h5md::contact_states) + "/value"; }
+
 }  // namespace
 
 FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options,
@@ -131,6 +143,7 @@ FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, const H5
       contacts_(framework.limits()) {
   make_positions(file, framework.joint_count(), options);
   make_observables(file);
+  make_contact_states(file);
 }
 
 /// A file of an earlier version may have fewer observables.
@@ -147,12 +160,14 @@ FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, std::uin
     const Hid type = memory_type(observables[row].kind);
     observables_.emplace_back(file, group_of(observables[row]) + "/value", type, frames);
   }
+  if (contacts_.size() > 0 && has_object(file, h5md::contact_states))
+    states_.emplace(file, states_path(), named_number_type(state_names), frames);
   count_bytes(framework.joint_count());
 }
 
 void FrameSeries::count_bytes(std::size_t joint_count) {
   frame_bytes_ = joint_count * 3 * (single_ ? sizeof(float) : sizeof(double)) +
-                 (2 + rows_.size()) * sizeof(double);
+                 (2 + rows_.size()) * sizeof(double) + contacts_.size();
 }
 
 /// In the order value, time, step: HDF5 itself then also writes them in this order.
@@ -182,17 +197,25 @@ void FrameSeries::make_observables(std::int64_t file) {
     observables_.push_back(make_series(file, group + "/value", observable.kind));
     if (*observable.unit != '\0')
       write_text_attribute(observables_.back().dataset(), "unit", observable.unit);
-    for (const char* part : {"/time", "/step"})
-      checked(H5Lcreate_hard(file, (std::string(h5md::position) + part).c_str(), file,
-                             (group + part).c_str(), H5P_DEFAULT, H5P_DEFAULT),
-              "link " + group + part);
+    link_steps(file, group);
   }
+}
+
+void FrameSeries::make_contact_states(std::int64_t file) {
+  if (contacts_.size() == 0) return;
+  make_group(file, h5md::contact_states);
+  const Hid type = named_number_type(state_names);
+  const SeriesLayout layout{.row = {contacts_.size()},
+                            .chunk_rows = frames_per_chunk(contacts_.size(), false)};
+  states_.emplace(file, states_path(), type, type, layout);
+  link_steps(file, h5md::contact_states);
 }
 
 std::vector<std::uint64_t> FrameSeries::addresses(std::int64_t file) const {
   std::vector<std::uint64_t> addresses;
   for (const std::size_t row : rows_)
     addresses.push_back(object_address(file, group_of(observables[row]) + "/value"));
+  if (states_) addresses.push_back(object_address(file, states_path()));
   for (const char* part : position_parts)
     addresses.push_back(object_address(file, std::string(h5md::position) + part));
   return addresses;
@@ -206,6 +229,7 @@ void FrameSeries::add(const Frame& frame) {
                              contacts_.count(frame.positions, frame.limits_off, held_within)};
   for (std::size_t k = 0; k < rows_.size(); ++k)
     observables[rows_[k]].add(counted, observables_[k]);
+  if (states_) states_->add_bytes(std::as_bytes(contacts_.states()));
   ++waiting_frames_;
 }
 
@@ -230,6 +254,7 @@ bool FrameSeries::last_is(std::span<const Vec3> positions) const {
 
 void FrameSeries::write() {
   for (Series& series : observables_) series.write(waiting_frames_);
+  if (states_) states_->write(waiting_frames_);
   for (Series& series : positions_) series.write(waiting_frames_);
   waiting_frames_ = 0;
 }

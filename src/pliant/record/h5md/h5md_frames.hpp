@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "pliant/framework/limit_counts.hpp"
@@ -47,6 +48,7 @@ class FrameSeries {
   void count_bytes(std::size_t joint_count);
   void make_positions(std::int64_t file, std::size_t joint_count, const H5mdOptions& options);
   void make_observables(std::int64_t file);
+  void make_contact_states(std::int64_t file);
   void add_positions(std::span<const Vec3> positions);
 
   bool single_;
@@ -57,6 +59,7 @@ class FrameSeries {
   std::vector<float> singles_;       // scratch of add_positions
   std::vector<Series> positions_;    // value, time, step
   std::vector<Series> observables_;  // (rows)
+  std::optional<Series> states_;     // of contacts; none without limits, and in files before 0.3.0
 };
 
 }  // namespace pliant

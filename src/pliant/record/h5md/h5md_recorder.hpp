@@ -44,6 +44,7 @@ struct RunInputs {
   std::vector<Vec3> start = {};                     ///< (N) Angstrom; or empty: not kept
   std::vector<Joint> replay_joints = {};            ///< (R) of a replay
   std::vector<Vec3> replay_forces = {};             ///< (R) kJ/(mol Angstrom)
+  std::vector<std::int64_t> replay_counts = {};     ///< (S) of each step; or none: one force each
   std::vector<Vec3> guide_rock = {};                ///< (N) Angstrom, or none
   std::int64_t guide_period = 0;                    ///< steps; 0: no guide
   std::vector<Joint> pull_joints = {};              ///< (P) of all groups, one after another

@@ -17,7 +17,9 @@ inline constexpr char observables[] = "/observables";
 inline constexpr char bars[] = "/connectivity/bars";
 inline constexpr char bonds[] = "/connectivity/bonds";
 inline constexpr char limits[] = "/connectivity/limits";  // (L, 2) joints
-inline constexpr char limit[] = "/parameters/limit";      // least, most, kind, energy, group
+/// value (F, C) of the C things that limits stand for, in the order of each one's first limit
+inline constexpr char contact_states[] = "/connectivity/contact_states";
+inline constexpr char limit[] = "/parameters/limit";  // least, most, kind, energy, group
 /// kind, least, own, own_least, unit, bonds_apart, bonds
 inline constexpr char sterics[] = "/parameters/sterics";
 inline constexpr int schema = 2;                                // of /h5md/creator; none is 1

@@ -173,7 +173,7 @@ def test_ratios_compare_times_to_the_same_error():
 def test_the_command_writes_json_csv_and_a_picture(tmp_path, capsys):
     words = ["work-precision", str(CAFFEINE), "--tolerances", "1e-2,1e-6", "--repeats", "1",
              "--techniques", "blocks,bfs_cycle", "--no-gromacs", "--json"]  # fmt: skip
-    words += ["--csv", str(tmp_path / "a.csv"), "--png", str(tmp_path / "a.png")]
+    words += ["--csv", str(tmp_path / "a.csv"), "-o", str(tmp_path / "a.png")]
     assert main(words) == 0
     said = json.loads(capsys.readouterr().out)
     assert said["joints"] == 24 and said["bars"] == 25

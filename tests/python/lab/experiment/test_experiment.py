@@ -201,7 +201,7 @@ def test_what_is_done_is_not_done_again(tmp_path, monkeypatch):
 
 def test_killed_and_run_again(tmp_path, study_folder):
     words = [sys.executable, "-m", "pliant.lab.experiment.command",
-             "--out", str(tmp_path / "study"), "--seed", "7", "--graphs", "3", "--forces", "8",
+             "--output", str(tmp_path / "study"), "--seed", "7", "--graphs", "3", "--forces", "8",
              "--workers", "2"]  # fmt: skip
     child = subprocess.Popen(words, stdout=subprocess.DEVNULL, start_new_session=True)
     parts = tmp_path / "study" / "parts"
@@ -218,7 +218,7 @@ def test_killed_and_run_again(tmp_path, study_folder):
 
 def test_interrupted_it_ends_at_once(tmp_path):
     words = [sys.executable, "-m", "pliant.lab.experiment.command",
-             "--out", str(tmp_path / "study"), "--graphs", "2000", "--workers", "2"]  # fmt: skip
+             "--output", str(tmp_path / "study"), "--graphs", "2000", "--workers", "2"]  # fmt: skip
     child = subprocess.Popen(
         words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True,
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
@@ -236,14 +236,14 @@ def test_interrupted_it_ends_at_once(tmp_path):
 
 
 def test_a_folder_of_another_experiment_is_refused(study_folder, capsys):
-    words = ["--out", str(study_folder), "--seed", "7", "--graphs", "3", "--forces", "9"]
+    words = ["--output", str(study_folder), "--seed", "7", "--graphs", "3", "--forces", "9"]
     assert command.main(words) == 2
     assert "holds another experiment: forces 8 there, 9 asked" in capsys.readouterr().err
 
 
 def test_an_empty_folder_is_taken(tmp_path, capsys):
     (tmp_path / "new").mkdir()
-    words = ["--out", str(tmp_path / "new"), "--class", "tree", "--graphs", "1", "--forces", "2",
+    words = ["--output", str(tmp_path / "new"), "--class", "tree", "--graphs", "1", "--forces", "2",
              "--technique", "bfs_tree", "--workers", "1"]  # fmt: skip
     assert command.main(words) == 0
     assert (tmp_path / "new" / "table.csv").is_file()
@@ -251,7 +251,7 @@ def test_an_empty_folder_is_taken(tmp_path, capsys):
 
 def test_a_folder_of_something_else_is_refused(tmp_path, capsys):
     (tmp_path / "thesis.txt").write_text("mine")
-    assert command.main(["--out", str(tmp_path)]) == 2
+    assert command.main(["--output", str(tmp_path)]) == 2
     assert "is there and holds no experiment" in capsys.readouterr().err
     assert [path.name for path in tmp_path.iterdir()] == ["thesis.txt"]
 
@@ -272,7 +272,7 @@ def test_a_folder_of_something_else_is_refused(tmp_path, capsys):
 )
 def test_bad_options(words, message, tmp_path, capsys):
     try:
-        code = command.main(["--out", str(tmp_path / "new"), *words])
+        code = command.main(["--output", str(tmp_path / "new"), *words])
     except SystemExit as ended:
         code = ended.code
     assert code == 2
@@ -281,7 +281,7 @@ def test_bad_options(words, message, tmp_path, capsys):
 
 
 def test_the_command_says_what_it_did(tmp_path, capsys):
-    words = ["--out", str(tmp_path / "new"), "--class", "tree", "--graphs", "2", "--forces", "3",
+    words = ["--output", str(tmp_path / "new"), "--class", "tree", "--graphs", "2", "--forces", "3",
              "--technique", "bfs_tree", "--workers", "1"]  # fmt: skip
     assert command.main(words) == 0
     assert "18 resolves, 0 of them not converged" in capsys.readouterr().out

@@ -20,7 +20,7 @@ WORDS = ["--seed", "5", "--graphs", "2", "--forces", "6", "--class", "tree", "--
 @pytest.fixture
 def filled(tmp_path, capsys):
     """A test set made and filled by an experiment, and the experiment's folder."""
-    words = ["--out", str(tmp_path / "study"), "--folders", str(tmp_path / "set"), *WORDS]
+    words = ["--output", str(tmp_path / "study"), "--folders", str(tmp_path / "set"), *WORDS]
     assert command.main(words) == 0
     assert "34 results written, 0 there already" in capsys.readouterr().out
     return tmp_path
@@ -52,7 +52,7 @@ def test_results_xml_names_every_heuristic(filled):
 
 
 def test_read_back_and_rerun_to_the_same_numbers(filled, capsys):
-    words = ["--out", str(filled / "again"), "--test-set", str(filled / "set"), "--quiet"]
+    words = ["--output", str(filled / "again"), "--test-set", str(filled / "set"), "--quiet"]
     assert command.main(words) == 0
     assert (
         "0 results written, 34 there already and the same, 0 different" in capsys.readouterr().out
@@ -69,7 +69,7 @@ def test_other_numbers_are_told_and_left(filled, capsys):
     rows["sweeps"] = rows["sweeps"] + 1
     made.write_results("tree", 0, "bfs_tree", 1.0, *rows.values())
     made.save()
-    words = ["--out", str(filled / "again"), "--test-set", str(filled / "set"), "--quiet"]
+    words = ["--output", str(filled / "again"), "--test-set", str(filled / "set"), "--quiet"]
     assert command.main(words) == 1
     ended = capsys.readouterr()
     assert "33 there already and the same, 1 different" in ended.out
@@ -81,12 +81,12 @@ def test_other_numbers_are_told_and_left(filled, capsys):
 def test_a_set_of_structgen_is_run_and_its_own_graphs_are_used(tmp_path, capsys):
     pliant.write_test_set(tmp_path / "set", classes=["1-cycle-ring"], graphs=2, forces=5,
                           force_files=2, seed=9, techniques=["bfs_cycle"])  # fmt: skip
-    words = ["--out", str(tmp_path / "study"), "--test-set", str(tmp_path / "set"), "--quiet"]
+    words = ["--output", str(tmp_path / "study"), "--test-set", str(tmp_path / "set"), "--quiet"]
     assert command.main(words) == 0
     table = tables.read(tmp_path / "study")
     assert (len(table), set(table.columns["technique"])) == (30, {b"bfs_cycle"})
     # The same from its numbers alone, as generate() and make_force_file() have it.
-    words = ["--out", str(tmp_path / "made"), "--seed", "9", "--graphs", "2", "--forces", "5",
+    words = ["--output", str(tmp_path / "made"), "--seed", "9", "--graphs", "2", "--forces", "5",
              "--class", "1-cycle-ring", "--technique", "bfs_cycle", "--quiet"]  # fmt: skip
     assert command.main(words) == 0
     again = tables.read(tmp_path / "made")
@@ -107,7 +107,7 @@ def test_an_experiment_knows_its_test_set(tmp_path, capsys):
     line = next(row for row in text.split("\n") if row.startswith("push"))
     path.write_text(text.replace(line, " ".join([*line.split()[:2], "1", "2", "3"])))
     assert folders.settings_of_set(tmp_path / "one") != folders.settings_of_set(tmp_path / "two")
-    words = ["--out", str(tmp_path / "study"), "--quiet", "--test-set"]
+    words = ["--output", str(tmp_path / "study"), "--quiet", "--test-set"]
     assert command.main([*words, str(tmp_path / "one")]) == 0
     assert command.main([*words, str(tmp_path / "two")]) == 2
     assert "holds another experiment: test_set_digest" in capsys.readouterr().err
@@ -115,13 +115,13 @@ def test_an_experiment_knows_its_test_set(tmp_path, capsys):
 
 @pytest.mark.parametrize("word", ["--seed", "--force", "--graphs", "--box", "--max-sweeps"])
 def test_what_the_set_says_is_not_said_again(word, tmp_path, capsys):
-    words = ["--out", str(tmp_path / "study"), "--test-set", str(tmp_path), word, "3"]
+    words = ["--output", str(tmp_path / "study"), "--test-set", str(tmp_path), word, "3"]
     assert command.main(words) == 2
     assert f"{word}: not with --test-set, which says it" in capsys.readouterr().err
 
 
 def test_folders_of_other_settings_are_refused(filled, capsys):
-    words = [*WORDS, "--out", str(filled / "more"), "--folders", str(filled / "set")]
+    words = [*WORDS, "--output", str(filled / "more"), "--folders", str(filled / "set")]
     assert command.main([*words, "--force", "60"]) == 2
     assert "holds another test set: force 50.0 there, 60.0 asked" in capsys.readouterr().err
 

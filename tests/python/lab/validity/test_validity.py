@@ -170,7 +170,7 @@ def test_gnm_is_the_closed_form_of_a_line():
 def test_the_command_writes_csv_and_a_picture(packages, capsys, tmp_path):
     table, picture = tmp_path / "rows.csv", tmp_path / "picture.png"
     words = ["validity", "--rows", "adk_closed", "--frames", "12", "--seeds", "1"]
-    assert main([*words, "--csv", str(table), "--picture", str(picture)]) == 0
+    assert main([*words, "--csv", str(table), "--output", str(picture)]) == 0
     out = capsys.readouterr().out
     assert "AdK, closed to open" in out and " goals met" in out and "wrong: " not in out
     rows = list(csv.DictReader(table.open()))

@@ -21,7 +21,7 @@ column 'data' says what was tuned on. The exit code is 1 where a frame is not ex
 missed goal of another kind is named and is no failure."""
 EPILOG = """\
 examples:
-  pliant bench validity --picture validity.png --csv validity.csv
+  pliant bench validity -o validity.png --csv validity.csv
   pliant bench validity --rows ubiquitin,adk_closed --frames 100
   pliant bench validity --rows pairs --pairs domainmotion"""
 
@@ -40,7 +40,7 @@ def add_options(parser: console.Parser) -> None:
     add("--seeds", metavar="N", type=console.whole_number(1), default=3,
         help="ensembles of different seeds that are compared (default 3)")  # fmt: skip
     add("--csv", metavar="FILE", help="write the rows as CSV")
-    add("--picture", metavar="FILE", help="draw profiles and overlaps as a PNG")
+    add("-o", "--output", metavar="FILE", help="draw profiles and overlaps (PNG)")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -63,9 +63,9 @@ def run(arguments: argparse.Namespace) -> int:
         )
     if arguments.csv:
         write_csv(found.rows, arguments.csv)
-    if arguments.picture:
+    if arguments.output:
         from pliant.lab.validity.picture import draw
 
-        draw(found, arguments.picture)
+        draw(found, arguments.output)
     console.print_json(found.as_json()) if arguments.json else print_report(found)
     return console.EXIT_FAILED if found.broken else console.EXIT_OK

@@ -23,7 +23,7 @@ constraints in its log, their errors those of its trajectory. Of the settings of
 the fastest that meets a tolerance counts."""
 EPILOG = """\
 examples:
-  pliant bench work-precision protein.pdb --png race.png --csv race.csv
+  pliant bench work-precision protein.pdb -o race.png --csv race.csv
   pliant bench work-precision protein.pdb --bars angles --techniques blocks,bfs_reverse
 """
 
@@ -53,7 +53,7 @@ def add_options(parser: console.Parser) -> None:
     add("--no-openmm", action="store_true", help="leave OpenMM out")
     add("--no-gromacs", action="store_true", help="leave GROMACS out")
     add("--csv", metavar="FILE", help="write the rows as CSV")
-    add("--png", metavar="FILE", help="draw run time against error")
+    add("-o", "--output", metavar="FILE", help="draw run time against error (PNG)")
 
 
 def run(arguments: argparse.Namespace) -> int:
@@ -62,7 +62,7 @@ def run(arguments: argparse.Namespace) -> int:
     from pliant.lab.bench.work_precision import work_precision
     from pliant.lab.bench.work_precision_report import print_report
 
-    if arguments.png:
+    if arguments.output:
         need("a picture of pliant bench", "matplotlib", extra="lab")
     with console.progress("race", arguments.quiet or arguments.json) as show:
         found = work_precision(
@@ -81,10 +81,10 @@ def run(arguments: argparse.Namespace) -> int:
         )
     if arguments.csv:
         write_csv(found.rows, arguments.csv)
-    if arguments.png:
+    if arguments.output:
         from pliant.lab.bench.work_precision_picture import draw
 
-        draw(found, arguments.png)
+        draw(found, arguments.output)
     if arguments.json:
         console.print_json(found.as_json())
     else:

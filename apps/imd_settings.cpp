@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+#include "imd_settings.hpp"
+
+#include <fmt/format.h>
+
+#include <limits>
+
+#include "interrupt.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/base/printable.hpp"
+
+namespace pliant::app {
+namespace {
+
+/// What a hand moves an atom by in a step at most, Angstrom: bars are still resolved from there.
+constexpr double longest_step = 0.2;
+
+ImdOptions options_of(const ImdSettings& settings, const RunOptions& run, const Log& log) {
+  ImdOptions options;
+  options.host = settings.host;
+  options.port = static_cast<int>(settings.port);
+  options.version = static_cast<int>(settings.version);
+  options.wait = settings.wait;
+  options.every = settings.every;
+  options.timestep = run.perturb_options.timestep;
+  options.should_stop = interrupted;
+  options.log = log;
+  return options;
+}
+
+}  // namespace
+
+void add_imd_options(CommandLine& line, ImdSettings& settings) {
+  line.start_group("Live (see src/pliant/stream/README.md)");
+  line.add_optional_integer("--imd", settings.is_asked, settings.port, 0, 65535, "PORT",
+                            "let VMD, MDAnalysis, pliant watch follow the run and pull;\n"
+                            "0: any free port, which is printed");
+  line.add_text("--imd-host", settings.host, "HOST",
+                "be reached from other machines; IMD knows no password");
+  line.add_integer("--imd-version", settings.version, 2, 3, "2 for VMD, 3 for MDAnalysis");
+  line.add_flag("--imd-wait", settings.wait,
+                "go on only while a client is there, and no faster than it reads");
+  line.add_integer("--imd-every", settings.every, 1, std::numeric_limits<std::int64_t>::max(),
+                   "send every N-th step, unless the client asks for another rate");
+}
+
+void check_imd(const CommandLine& line, ImdSettings& settings, bool has_walkers) {
+  for (const char* option : {"--imd-host", "--imd-version", "--imd-wait", "--imd-every"})
+    if (line.was_given(option) && !settings.is_asked)
+      throw OptionError(std::string(option) + ": goes with --imd");
+  if (settings.is_asked && has_walkers) throw OptionError("--imd: follows one walker, not several");
+}
+
+LiveRun::LiveRun(const ImdSettings& settings, const RunOptions& run, std::size_t joint_count,
+                 const Log& log)
+    : settings_(settings),
+      steering_(std::make_shared<Steering>(longest_step)),
+      server_(joint_count, options_of(settings, run, log), steering_) {
+  if (!server_.is_loopback())
+    log.warn("--imd-host " + printable_name(settings.host) +
+             ": IMD knows no password: whoever reaches port " + std::to_string(server_.port()) +
+             " can follow, push and end the run");
+}
+
+Onlooker LiveRun::onlooker() {
+  return {[this](std::int64_t step) { return server_.wants(step); },
+          [this](const Frame& frame) { server_.show(frame); }};
+}
+
+void LiveRun::say_where(const std::string& topology) const {
+  fmt::print(stderr, "note: IMD version {} on {}:{}{}{}\n", settings_.version,
+             printable_name(settings_.host), server_.port(),
+             topology == "none" ? "" : ", atoms as in " + printable_name(topology),
+             settings_.wait ? "; waiting for a client" : "");
+}
+
+}  // namespace pliant::app

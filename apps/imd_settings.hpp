@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// The options of pliant run that let other programs follow it and pull (IMD), and who serves them.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "command_line.hpp"
+#include "pliant/run/run.hpp"
+#include "pliant/stream/imd_server.hpp"
+
+namespace pliant::app {
+
+struct ImdSettings {
+  bool is_asked = false;
+  std::int64_t port = 8888;
+  std::int64_t version = 3;
+  std::int64_t every = 1;
+  std::string host = "127.0.0.1";
+  bool wait = false;
+  bool keeps_forces_if_pulled = false;  ///< the force file is there only if a client pulled
+};
+
+void add_imd_options(CommandLine& line, ImdSettings& settings);
+
+/// Throws OptionError where options do not go together; `has_walkers`: there are several.
+void check_imd(const CommandLine& line, ImdSettings& settings, bool has_walkers);
+
+/// Whom a run is shown to, and by whom it is pulled.
+class LiveRun {
+ public:
+  /// Listens. Throws FileError where it cannot. The log must outlive it.
+  LiveRun(const ImdSettings& settings, const RunOptions& run, std::size_t joint_count,
+          const Log& log);
+
+  Onlooker onlooker();
+  std::vector<std::shared_ptr<Pusher>> hands() const { return {steering_}; }
+  bool was_killed() const { return server_.was_killed(); }
+  /// Where it can be followed, on stderr.
+  void say_where(const std::string& topology) const;
+  /// Whether clients have pulled.
+  bool was_pulled() { return server_.summary().forces_taken > 0; }
+  /// Lets the client read what is left.
+  ImdSummary close() { return server_.close(); }
+
+ private:
+  ImdSettings settings_;
+  std::shared_ptr<Steering> steering_;
+  ImdServer server_;
+};
+
+}  // namespace pliant::app

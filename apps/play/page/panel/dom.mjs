@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+// Elements by id, and options of a select. Text is always text: nothing here makes markup of it.
+
+export const $ = (id) => document.getElementById(id);
+
+export function element(tag, text = '', attributes = {}) {
+  const made = document.createElement(tag);
+  made.textContent = text;
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  return made;
+}
+
+/** Replaces the options of a select by [{name, title}]. */
+export function fillSelect(select, rows, chosen) {
+  select.replaceChildren(...rows.map(({name, title}) => new Option(title ?? name, name)));
+  if (chosen !== undefined && rows.some((row) => row.name === chosen)) select.value = chosen;
+}
+
+/** A number as the field writes it: short, with an exponent where it is small. */
+export function shortNumber(value) {
+  if (!Number.isFinite(value)) return '–';
+  if (value === 0) return '0';
+  const size = Math.abs(value);
+  return size < 1e-3 || size >= 1e6 ? value.toExponential(1) : String(Number(value.toPrecision(3)));
+}
+
+const units = (count, one, many = `${one}s`) => `${count.toLocaleString('en')} ${count === 1 ? one : many}`;
+export {units};
+
+/** Tells what went wrong, or what is to be known, above the picture. */
+export function say(text, isNote = false) {
+  $('message-text').textContent = text;
+  $('message').classList.toggle('note-only', isNote);
+  $('message').hidden = !text;
+}
+
+/** Runs what may fail; the error goes to the user. */
+export async function guarded(action) {
+  try {
+    return await action();
+  } catch (error) {
+    say(error.message || String(error));
+    return undefined;
+  }
+}

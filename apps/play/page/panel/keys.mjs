@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// The keyboard, and the dialogs that tell about it.
+import {$, guarded, say} from './dom.mjs';
+import {helpRow} from './look.mjs';
+import {textInside} from '../inside.mjs';
+
+const STEP = 24;  // CSS pixels of a turn, a shift or a pull by a key
+
+const HELP = [
+  [['drag a joint'], 'pull it; the arrow is the force'],
+  [['drag beside it'], 'turn the picture'],
+  [['Shift', 'drag'], 'move the picture; the right button does so too'],
+  [['wheel'], 'nearer or farther; two fingers on a touch screen'],
+  [['Ctrl', 'click'], 'pin a joint, or take the pin out'],
+  [['←', '→', '↑', '↓'], 'turn the picture'],
+  [[',', '.'], 'choose the joint before or after'],
+  [['Shift', '←→↑↓'], 'pull the chosen joint'],
+  [['+', '−'], 'nearer, farther'],
+  [['P'], 'pin the chosen joint'],
+  [['Space'], 'play or stop the recording'],
+  [['R'], 'record, or stop recording'],
+  [['Z'], 'undo the last pull'],
+  [['F'], 'see all of it'],
+  [['W'], 'wander, or stop'],
+  [['T'], 'dark or light'],
+  [['?'], 'this help'],
+];
+
+const ARROWS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1]};
+const TYPING = /^(INPUT|SELECT|TEXTAREA|BUTTON|SUMMARY)$/;
+
+export class Keys {
+  constructor(parts) {
+    Object.assign(this, parts);
+    this.chosen = -1;
+    $('help-rows').replaceChildren(...HELP.map(([keys, meaning]) => helpRow(keys, meaning)));
+    $('help-open').onclick = () => $('help').showModal();
+    $('about-open').onclick = () => this.about();
+    addEventListener('keydown', (event) => this.press(event));
+    this.stage.on('began', () => { this.chosen = -1; });
+    this.letters = {
+      p: () => this.pin(), r: () => $('record').click(), z: () => $('undo').click(),
+      f: () => this.fit(), w: () => $('wander').click(), t: () => $('theme').click(),
+      '?': () => $('help').showModal(), ' ': () => $('play').click(),
+      ',': () => this.choose(-1), '.': () => this.choose(1),
+      '+': () => this.zoom(0.85), '=': () => this.zoom(0.85), '-': () => this.zoom(1 / 0.85),
+    };
+  }
+
+  async about() {
+    $('about-text').textContent = `Pliant ${PLIANT_VERSION}: molecular flexibility by geometric ` +
+      'constraints. The solver is the same C++ library as the command’s, as WebAssembly. Nothing that ' +
+      'you open leaves this page.';
+    $('about-notices').textContent = await textInside('notices');
+    $('about').showModal();
+  }
+
+  press(event) {
+    const {target, key} = event;
+    const isTyping = TYPING.test(target.tagName) || document.querySelector('dialog[open]');
+    if (isTyping || event.ctrlKey || event.metaKey || event.altKey) return;
+    const arrow = ARROWS[key];
+    const action = arrow ? () => this.arrow(arrow, event.shiftKey) : this.letters[key.toLowerCase()];
+    if (!action || !this.stage.model) return;
+    event.preventDefault();
+    guarded(action);
+  }
+
+  arrow([dx, dy], isPull) {
+    if (isPull) return this.pull(dx, dy);
+    this.view.orbit.rotate(dx * STEP, dy * STEP);
+    this.view.stale = true;
+    return undefined;
+  }
+
+  pull(dx, dy) {
+    if (this.chosen < 0) return say('Choose a joint first, by the keys , and .', true);
+    return this.hand.isReplay ? undefined : this.hand.nudge(this.chosen, dx * STEP, dy * STEP);
+  }
+
+  choose(way) {
+    const {joints} = this.stage.model;
+    this.chosen = (this.chosen + way + joints) % joints;
+    this.view.setLit({hover: this.chosen});
+    $('said').textContent = this.hand.describe(this.chosen);
+  }
+
+  pin() {
+    const joint = this.chosen >= 0 ? this.chosen : this.hand.hovered;
+    if (joint >= 0) this.session.togglePin(joint);
+  }
+
+  zoom(factor) {
+    this.view.orbit.zoom(factor);
+    this.view.stale = true;
+  }
+
+  fit() {
+    $('fit').click();
+  }
+}

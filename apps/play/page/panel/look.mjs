@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: MIT
+// How it is drawn: style, colours, background, dark and light.
+import {$, element, fillSelect} from './dom.mjs';
+import {COLOURINGS, scaleColour} from '../view/colours.mjs';
+import {STYLES} from '../view/scene.mjs';
+
+const GROUNDS = {light: '#f7f9fb', dark: '#10161c'};
+const LEGENDS = {
+  residual: ['10⁻⁴', '10⁻¹ of the length'], mobility: ['still', 'most mobile'],
+  sequence: ['first', 'last'],
+};
+
+export class Look {
+  constructor(view, stage) {
+    Object.assign(this, {view, stage});
+    this.ownGround = false;
+    fillSelect($('style'), Object.entries(STYLES).map(([name, {title}]) => ({name, title})), 'balls');
+    fillSelect($('colouring'), COLOURINGS, 'element');
+    $('style').onchange = () => this.setStyle($('style').value);
+    $('colouring').onchange = () => this.setColouring($('colouring').value);
+    $('background').oninput = () => this.setGround($('background').value);
+    $('background-reset').onclick = () => this.resetGround();
+    $('show-contacts').onchange = () => this.toggles();
+    $('show-bars').onchange = () => this.toggles();
+    $('show-strain').onchange = () => { stage.showStrain = $('show-strain').checked; };
+    $('theme').onclick = () => this.setTheme(this.theme === 'dark' ? 'light' : 'dark');
+    stage.on('began', (model) => this.began(model));
+    this.setTheme(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
+    this.legend();
+  }
+
+  /** The trace of a protein is offered where there is one; large ones begin with it. */
+  began(model) {
+    const hasTrace = model.trace.length > 2;
+    for (const option of $('style').options)
+      option.disabled = STYLES[option.value].trace > 0 && !hasTrace;
+    if (!hasTrace && STYLES[this.view.style].trace > 0) this.setStyle('balls');
+    const hasClusters = model.cluster.some((number) => number >= 0);
+    this.allow('chain', new Set(model.chain).size > 1);
+    this.allow('cluster', hasClusters);
+  }
+
+  /** A colouring that has nothing to tell of this model cannot be chosen. */
+  allow(name, isMeant) {
+    [...$('colouring').options].find((option) => option.value === name).disabled = !isMeant;
+    if (!isMeant && this.stage.colouring === name) this.setColouring('element');
+  }
+
+  setStyle(name) {
+    $('style').value = name;
+    this.view.setStyle(name);
+    this.stage.look();
+  }
+
+  setColouring(name) {
+    $('colouring').value = name;
+    this.stage.colouring = name;
+    this.stage.look();
+    this.legend();
+  }
+
+  toggles() {
+    this.view.showContacts = $('show-contacts').checked;
+    this.view.showAllBars = $('show-bars').checked;
+    this.view.setStyle(this.view.style);
+  }
+
+  setTheme(theme) {
+    this.theme = theme;
+    document.documentElement.dataset.theme = theme;
+    if (!this.ownGround) this.paintGround(GROUNDS[theme]);
+    dispatchEvent(new Event('resize'));
+  }
+
+  setGround(colour) {
+    this.ownGround = true;
+    this.paintGround(colour);
+  }
+
+  resetGround() {
+    this.ownGround = false;
+    this.paintGround(GROUNDS[this.theme]);
+  }
+
+  paintGround(colour) {
+    $('background').value = colour;
+    this.view.setBackground(colour);
+  }
+
+  legend() {
+    const words = LEGENDS[this.stage.colouring] ?? ['', ''];
+    [$('legend-low').textContent, $('legend-high').textContent] = words;
+    const pen = $('legend-bar').getContext('2d');
+    for (let x = 0; x < 90; ++x) {
+      pen.fillStyle = `rgb(${scaleColour(x / 89).join(',')})`;
+      pen.fillRect(x, 0, 1, 8);
+    }
+  }
+}
+
+/** A table of keys for the help. */
+export function helpRow(keys, meaning) {
+  const row = element('tr');
+  const cell = element('td');
+  keys.forEach((key) => cell.append(element('kbd', key), ' '));
+  row.append(cell, element('td', meaning));
+  return row;
+}

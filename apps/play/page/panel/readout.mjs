@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// What the last step was, in numbers; what is open; what is under the pointer.
+import {$, element, shortNumber, units} from './dom.mjs';
+
+function verdict(step) {
+  if (step.converged === false) return ['Not converged', 'bad'];
+  return ['All bars whole', 'good'];
+}
+
+export class Readout {
+  constructor(stage, session, hand) {
+    Object.assign(this, {stage, session});
+    stage.on('began', (model) => this.began(model));
+    stage.on('changed', () => this.refresh());
+    session.on('pins', () => this.pins());
+    hand.onSay = (text) => { $('said').textContent = text; };
+  }
+
+  began(model) {
+    const facts = [units(model.joints, 'joint'), units(model.bars.length / 2, 'bar')];
+    if (model.contacts.length) facts.push(units(model.contacts.length / 2, 'contact'));
+    const clusters = new Set(model.cluster.filter((number) => number >= 0)).size;
+    if (clusters) facts.push(units(clusters, 'rigid cluster'));
+    $('title').replaceChildren(element('b', model.title || 'No title'), ` · ${facts.join(', ')}`);
+    $('title').title = model.title;
+    document.title = `${model.title || 'Pliant'} – Pliant play`;
+    this.pins();
+    this.refresh();
+  }
+
+  /** The frame that is shown: the last step, or one of the recording. */
+  shown() {
+    const {stage} = this;
+    return stage.at === null ? stage.last ?? stage.frames.at(0) : stage.frames.at(stage.at);
+  }
+
+  refresh() {
+    const step = this.shown();
+    if (!step) return;
+    $('out-step').textContent = step.step ?? '–';
+    $('out-sweeps').textContent = step.sweeps ?? '–';
+    $('out-projections').textContent = step.projections?.toLocaleString('en') ?? '–';
+    $('out-residual').textContent = shortNumber(step.residual);
+    const worst = step.worst ?? -1;
+    $('out-residual').title = worst >= 0 ? this.session.model?.barName(worst) ?? '' : '';
+    $('out-time').textContent = step.seconds === undefined ? '–' : `${(step.seconds * 1000).toFixed(2)} ms`;
+    const [text, kind] = this.stage.isReplay ? ['Replay', ''] : verdict(step);
+    $('out-verdict').textContent = text;
+    $('out-verdict').className = kind;
+  }
+
+  pins() {
+    const {pins} = this.session;
+    $('pins').textContent = pins.size ? units(pins.size, 'joint') : 'none';
+    $('pins-clear').disabled = !pins.size;
+  }
+}

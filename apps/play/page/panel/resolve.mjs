@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: MIT
+// Technique, weighting, tolerance, sweeps, timestep, model: at once in force.
+import {$, fillSelect, guarded, say} from './dom.mjs';
+
+const FIELDS = [
+  ['technique', 'technique', String], ['weighting', 'weighting', Number],
+  ['tolerance', 'tolerance', Number], ['max-sweeps', 'max_sweeps', Number],
+  ['timestep', 'timestep', Number],
+];
+const MODELS = {
+  auto: 'What the file is', bonds: 'Bonds', angles: 'Bonds and angles', molecule: 'Molecule',
+  protein: 'Protein',
+};
+
+const asText = (value) => (typeof value === 'number' && value && Math.abs(value) < 1e-3
+  ? value.toExponential().replace('e-', 'e-') : String(value));
+
+export class Resolve {
+  constructor(session, stage) {
+    this.session = session;
+    this.techniques = [];
+    for (const [id, field, read] of FIELDS)
+      $(id).onchange = () => this.change(id, field, read);
+    $('model').onchange = () => this.reopen();
+    session.on('settings', () => this.show());
+    stage.on('began', (model) => this.began(model, stage.isReplay));
+  }
+
+  fill(facts) {
+    this.techniques = facts.techniques;
+    fillSelect($('technique'), facts.techniques.map(({name}) => ({name})));
+    const models = (facts.models ?? Object.keys(MODELS)).map((row) => row.name ?? row);
+    const names = models.includes('auto') ? models : ['auto', ...models];
+    fillSelect($('model'), names.map((name) => ({name, title: MODELS[name] ?? name})));
+  }
+
+  began(model, isReplay) {
+    for (const [id] of FIELDS) $(id).disabled = isReplay;
+    $('model').disabled = isReplay || model.kind === 'graph';
+    $('model').value = this.session.source?.model ?? 'auto';
+    const held = model.model && model.kind !== 'graph' ? `Held by: ${MODELS[model.model] ?? model.model}. ` : '';
+    $('model-note').textContent = model.kind === 'graph' ? 'A graph is held by its bars.'
+      : `${held}Another model begins again.`;
+  }
+
+  async change(id, field, read) {
+    const value = read($(id).value);
+    if (Number.isNaN(value)) {
+      say(`${field}: expected a number, found "${$(id).value}"`);
+      return this.show();
+    }
+    try {
+      await this.session.change({[field]: value});
+      say('');
+    } catch (error) {
+      say(error.message);
+      this.show();
+    }
+    return undefined;
+  }
+
+  show() {
+    const {settings} = this.session;
+    for (const [id, field] of FIELDS)
+      if (settings[field] !== undefined) $(id).value = asText(settings[field]);
+    const row = this.techniques.find(({name}) => name === settings.technique);
+    $('technique-title').textContent = row?.title ?? '';
+    $('weighting').disabled = row?.weightings === false;
+  }
+
+  reopen() {
+    if (!this.session.source) return undefined;
+    return guarded(() => this.session.again($('model').value));
+  }
+}

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: MIT
+// Record, stop, scrub, replay, undo and save.
+import {$, guarded, say} from './dom.mjs';
+import {h5mdBytes} from '../record/hdf5.mjs';
+import {pdbText} from '../record/pdb.mjs';
+
+const RATE = 30;  // frames a second at speed 1
+
+/** Hands a file to the browser. */
+function download(parts, name, type) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(new Blob(parts, {type}));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 60000);
+}
+
+const stemOf = (title) => (title || 'pliant').split(/[\\/]/).pop().replace(/\.[a-z0-9]+$/i, '').replace(/[^\w.-]+/g, '_') || 'pliant';
+
+export class Transport {
+  constructor(stage, session, view) {
+    Object.assign(this, {stage, session, view});
+    this.playing = false;
+    $('record').onclick = () => this.record(!stage.recording);
+    $('play').onclick = () => this.play(!this.playing);
+    $('live').onclick = () => this.goLive();
+    $('scrub').oninput = () => this.scrub();
+    $('undo').onclick = () => guarded(() => this.undo());
+    $('save').onchange = () => this.chosen();
+    stage.on('changed', () => this.refresh());
+    stage.on('full', () => say('The recording is full (768 MB) and has stopped: save it, or undo.', true));
+    session.on('step', () => this.play(false));
+  }
+
+  record(isOn) {
+    this.stage.recording = isOn;
+    this.refresh();
+  }
+
+  play(isOn) {
+    if (isOn === this.playing) return;
+    this.playing = isOn && this.stage.frames.length > 1;
+    if (this.playing && (this.stage.at === null || this.stage.at === this.stage.frames.length - 1)) this.stage.show(0);
+    this.place = this.stage.at ?? 0;
+    this.before = null;
+    this.refresh();
+  }
+
+  goLive() {
+    this.play(false);
+    this.stage.live();
+  }
+
+  scrub() {
+    this.playing = false;
+    this.stage.show(Number($('scrub').value));
+  }
+
+  async undo() {
+    this.play(false);
+    if (this.stage.isReplay) return say('A trajectory from a file has nothing to undo.', true);
+    const steps = await this.session.undo();
+    if (!steps) say('There is nothing to undo.', true);
+    return undefined;
+  }
+
+  tick(now) {
+    if (!this.playing) return;
+    const passed = this.before === null ? 0 : (now - this.before) / 1000;
+    this.before = now;
+    this.place += passed * RATE * Number($('speed').value);
+    const last = this.stage.frames.length - 1;
+    if (Math.floor(this.place) !== this.stage.at) this.stage.show(Math.min(Math.floor(this.place), last));
+    if (this.place >= last) this.play(false);
+  }
+
+  refresh() {
+    const {stage} = this;
+    const last = Math.max(0, stage.frames.length - 1);
+    const at = stage.at ?? last;
+    $('scrub').max = last;
+    $('scrub').value = at;
+    $('frame').textContent = `${at} / ${last}`;
+    $('record').setAttribute('aria-pressed', stage.recording);
+    $('play').setAttribute('aria-pressed', this.playing);
+    $('play').textContent = this.playing ? '❚❚' : '▶';
+    $('play').disabled = last < 1;
+    $('scrub').disabled = last < 1;
+    $('live').disabled = stage.at === null || stage.isReplay;
+    $('undo').disabled = !this.session.strokes.length || stage.isReplay;
+  }
+
+  chosen() {
+    const kind = $('save').value;
+    $('save').value = '';
+    return guarded(() => this.save(kind));
+  }
+
+  async save(kind) {
+    const {stage, session} = this;
+    if (!stage.model) throw new Error('Nothing is open that could be saved.');
+    const stem = stemOf(session.fileName || stage.model.title);
+    if (kind === 'forces') return this.saveForces(stem);
+    if (kind === 'png') return this.savePicture(stem);
+    if (kind === 'pdb')
+      return download(pdbText(stage.model, stage.frames.list), `${stem}.pdb`, 'chemical/x-pdb');
+    const timestep = session.settings.timestep || 0.01;
+    const bytes = await h5mdBytes(stage.model, stage.frames.list, timestep);
+    return download([bytes], `${stem}.h5md`, 'application/x-hdf5');
+  }
+
+  async saveForces(stem) {
+    if (this.stage.isReplay) throw new Error('A trajectory from a file was made without this page: it has no forces.');
+    download([await this.session.forces()], `${stem}.forces.txt`, 'text/plain');
+  }
+
+  async savePicture(stem) {
+    this.view.draw();
+    const blob = await new Promise((resolve) => this.view.renderer.domElement.toBlob(resolve, 'image/png'));
+    download([blob], `${stem}.png`, 'image/png');
+  }
+}

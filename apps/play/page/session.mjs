@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+// The session: what is open, where it is, what has been done. It asks the worker, one request after
+// the other, and tells whoever listens; it knows no element of the page.
+import {workerInside, bytesInside, unzipped} from './inside.mjs';
+
+/** Fields that a reply of `open` may leave out. */
+function completed(reply) {
+  const joints = reply.joints;
+  const model = {
+    title: '', kind: 'graph', model: '', names: [], warnings: [], kindNames: [], chain: [],
+    ...reply,
+  };
+  model.elements ??= new Uint8Array(joints);
+  model.residue ??= new Int32Array(joints);
+  model.cluster ??= new Int32Array(joints).fill(-1);
+  for (const name of ['trace', 'bars', 'bonds', 'contacts']) model[name] ??= new Int32Array(0);
+  model.nameOf = (joint) => model.names[joint] ?? `joint ${joint}`;
+  model.barName = (bar) => `${model.nameOf(model.bars[2 * bar])} – ${model.nameOf(model.bars[2 * bar + 1])}`;
+  return model;
+}
+
+export class Session extends EventTarget {
+  constructor() {
+    super();
+    this.model = null;
+    this.positions = null;
+    this.settings = {};
+    this.pins = new Set();
+    this.source = null;  // what was opened, to open it again with another model
+    this.strokes = [];  // numbers of pulls of each drag or push, for undo
+    this.queue = Promise.resolve();
+  }
+
+  tell(name, detail) {
+    this.dispatchEvent(new CustomEvent(name, {detail}));
+  }
+
+  on(name, action) {
+    this.addEventListener(name, (event) => action(event.detail));
+  }
+
+  /** Starts the solver; the reply of `boot` tells what it can do. */
+  async boot() {
+    this.client = await workerInside('solver-worker');
+    const wasm = await bytesInside('solver-wasm');
+    this.facts = await this.client.ask('boot', {wasm: wasm.buffer}, [wasm.buffer]);
+    return this.facts;
+  }
+
+  /** One request after the other: a reply never belongs to a session that is no more. */
+  ask(what, request, transfer) {
+    const reply = this.queue.then(() => this.client.ask(what, request, transfer));
+    this.queue = reply.catch(() => {});
+    return reply;
+  }
+
+  async openFile(name, bytes, model = 'auto') {
+    const file = await unzipped(name, bytes);
+    return this.begin({do: 'open', name: file.name, bytes: file.bytes, model});
+  }
+
+  openExample(name, model = 'auto') {
+    return this.begin({do: 'example', name, model});
+  }
+
+  generate(options) {
+    return this.begin({do: 'structgen', options});
+  }
+
+  /** What is open, from its start, with another model. */
+  again(model) {
+    return this.begin({...this.source, model});
+  }
+
+  async begin(source) {
+    const {do: what, ...request} = source;
+    const reply = await this.ask(what, request);
+    this.source = source;
+    this.fileName = source.name ?? source.options?.class ?? '';
+    this.model = completed(reply);
+    this.positions = reply.positions;
+    this.before = null;
+    this.pins = new Set(reply.pinned ?? []);
+    this.strokes = [];
+    if (reply.settings) this.settings = reply.settings;
+    this.tell('open', this.model);
+    await this.change({});
+    return this.model;
+  }
+
+  /** Any subset of the settings; the reply tells those in force. */
+  async change(settings) {
+    const {id, ok, ...all} = await this.ask('settings', settings);
+    this.settings = all.settings ?? all;
+    this.tell('settings', this.settings);
+  }
+
+  /** One step; `forces` as [[joint, x, y, z], ...], kJ/(mol Angstrom). */
+  async pull(forces, isNewStroke = true) {
+    const step = await this.ask('pull', {forces, pins: [...this.pins]});
+    if (isNewStroke || !this.strokes.length) this.strokes.push(0);
+    this.strokes[this.strokes.length - 1] += 1;
+    return this.stand(step, forces);
+  }
+
+  /** The push bar by bar; afterwards the walker stands where pull() would have left it. */
+  async resolution(forces) {
+    const shown = await this.ask('resolution', {forces, pins: [...this.pins]});
+    this.strokes.push(1);
+    return shown;
+  }
+
+  /** Angstrom that a joint goes by itself in the next step: Verlet keeps what it did in the last. */
+  coasting(joint) {
+    const share = 1 - (this.settings.damping ?? 0);
+    const [now, before] = [this.positions, this.before ?? this.positions];
+    return [0, 1, 2].map((c) => share * (now[3 * joint + c] - before[3 * joint + c]));
+  }
+
+  stand(step, forces = []) {
+    this.before = this.positions;
+    this.positions = step.positions;
+    this.tell('step', {...step, forces});
+    return step;
+  }
+
+  /** {frames} of the session's walker, or {walkers}: where each of several is after so many steps. */
+  wander(steps, walkers, goOn) {
+    return this.ask('wander', {steps, walkers, pins: [...this.pins], go_on: goOn});
+  }
+
+  compare(technique, weighting) {
+    return this.ask('again', {technique, weighting});
+  }
+
+  /** Takes the last drag back. Returns the number of steps that went. */
+  async undo() {
+    const steps = this.strokes.pop() ?? 0;
+    if (!steps) return 0;
+    const before = await this.ask('undo', {steps});
+    this.positions = before.positions;
+    this.before = null;
+    this.tell('undone', {...before, steps});
+    return steps;
+  }
+
+  async forces() {
+    return (await this.ask('forces', {})).text;
+  }
+
+  togglePin(joint) {
+    if (!this.pins.delete(joint)) this.pins.add(joint);
+    this.tell('pins', this.pins);
+  }
+
+  clearPins() {
+    this.pins.clear();
+    this.tell('pins', this.pins);
+  }
+}

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: MIT
+// Colours of joints. Categories are those of Okabe & Ito (2008) and of Paul Tol's "muted" set, the
+// scale is cividis (Nunez, Anderton & Renslow 2018): all can be told apart by colour-blind people.
+
+const hex = (text) => [1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16));
+
+// Hues that the field uses, lightness apart: red and blue differ for all who see colours poorly.
+const ELEMENTS = {
+  0: '#7b93b5', 1: '#eceef0', 3: '#a678c8', 5: '#d9a58c', 6: '#7f8894', 7: '#3f74d1', 8: '#d5482f',
+  9: '#7fb069', 11: '#a678c8', 12: '#5f9e4f', 14: '#b59a6b', 15: '#e08a2e', 16: '#e0b92e',
+  17: '#5fae57', 19: '#8f5fb8', 20: '#6b8f4f', 26: '#b85c2e', 29: '#b87a4b', 30: '#6d74a8',
+  35: '#a04a3a', 53: '#7a3f9e',
+};
+const OTHER = '#b08aa0';
+export const CATEGORIES = [
+  '#0072b2', '#e69f00', '#009e73', '#cc79a7', '#56b4e9', '#d55e00', '#f0e442', '#332288',
+  '#88ccee', '#44aa99', '#117733', '#999933', '#ddcc77', '#cc6677', '#882255', '#aa4499',
+].map(hex);
+const FLEXIBLE = hex('#9aa3ad');
+const CIVIDIS = ['#00224e', '#2a3f6d', '#575d6d', '#7d7c78', '#a59c74', '#d2c060', '#fee838'].map(hex);
+
+// Van der Waals radii in Angstrom (Bondi 1964; H: Rowland & Taylor 1996); 0 is a joint of no element.
+const RADII = {0: 1.5, 1: 1.1, 6: 1.7, 7: 1.55, 8: 1.52, 9: 1.47, 15: 1.8, 16: 1.8, 17: 1.75};
+
+export const elementColour = (number) => hex(ELEMENTS[number] ?? OTHER);
+export const vanDerWaals = (number) => RADII[number] ?? 1.8;
+
+/** Colour of `share` from 0 to 1 on cividis, as [r, g, b] of 255. */
+export function scaleColour(share) {
+  const at = Math.min(Math.max(share, 0), 1) * (CIVIDIS.length - 1);
+  const k = Math.min(Math.floor(at), CIVIDIS.length - 2);
+  return CIVIDIS[k].map((from, c) => Math.round(from + (CIVIDIS[k + 1][c] - from) * (at - k)));
+}
+
+/** The same for all walkers: of 1e-4 of a length and less, to a tenth of it. */
+export const residualShare = (residual) =>
+  Math.min(Math.max((Math.log10(Math.abs(residual) + 1e-9) + 4) / 3, 0), 1);
+
+const byElement = (model) => (joint) => elementColour(model.elements[joint]);
+
+function byCluster(model) {
+  return (joint) => {
+    const cluster = model.cluster[joint];
+    return cluster < 0 ? FLEXIBLE : CATEGORIES[cluster % CATEGORIES.length];
+  };
+}
+
+function byChain(model) {
+  const names = [...new Set(model.chain)];
+  const colours = new Map(names.map((name, k) => [name, CATEGORIES[k % CATEGORIES.length]]));
+  return (joint) => colours.get(model.chain[model.residue[joint]]) ?? FLEXIBLE;
+}
+
+/** From the start of a chain (dark) to its end (light), by residue, or by joint where none are. */
+function bySequence(model) {
+  const most = Math.max(1, model.residue.length ? model.residue.at(-1) : 0);
+  return (joint) => scaleColour(model.residue[joint] / most);
+}
+
+function byResidual(model, {residuals}) {
+  const worst = new Float32Array(model.joints);
+  for (let bar = 0; bar < (residuals?.length ?? 0); ++bar)
+    for (const joint of [model.bars[2 * bar], model.bars[2 * bar + 1]])
+      worst[joint] = Math.max(worst[joint], Math.abs(residuals[bar]));
+  return (joint) => scaleColour(residualShare(worst[joint]));
+}
+
+function byMobility(model, {mobility}) {
+  const most = mobility ? mobility.reduce((a, b) => Math.max(a, b), 1e-9) : 1;
+  return (joint) => scaleColour(mobility ? mobility[joint] / most : 0);
+}
+
+export const COLOURINGS = [
+  {name: 'element', title: 'Element', of: byElement},
+  {name: 'cluster', title: 'Rigid cluster', of: byCluster},
+  {name: 'chain', title: 'Chain', of: byChain},
+  {name: 'sequence', title: 'Place in the chain', of: bySequence},
+  {name: 'residual', title: 'Residual of its bars', of: byResidual, live: true},
+  {name: 'mobility', title: 'Mobility (RMSF so far)', of: byMobility, live: true},
+];
+
+/** RGBA of all joints: the colour, and the radius in shares of 4 Angstrom. */
+export function jointLook(model, colouring, facts, radiusOf, out) {
+  const colourOf = COLOURINGS.find((row) => row.name === colouring).of(model, facts);
+  for (let joint = 0; joint < model.joints; ++joint) {
+    const colour = colourOf(joint);
+    out[4 * joint] = colour[0];
+    out[4 * joint + 1] = colour[1];
+    out[4 * joint + 2] = colour[2];
+    out[4 * joint + 3] = Math.round(radiusOf(joint) / 4 * 255);
+  }
+}

@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: MIT
+// The picture: balls in one draw call, sticks in another, of any number of walkers.
+import {
+  BoxGeometry, ColorManagement, GLSL3, InstancedBufferGeometry, LinearSRGBColorSpace, Mesh,
+  PlaneGeometry, RawShaderMaterial, Scene, Vector2, Vector3, Vector4, WebGLRenderTarget, WebGLRenderer,
+} from 'three';
+import {Arrow} from './arrow.mjs';
+import {Orbit} from './camera.mjs';
+import {Textures, WIDTH} from './textures.mjs';
+import {
+  ballFragment, ballVertex, stickFragment, stickVertex, traceVertex,
+} from './shaders.mjs';
+
+ColorManagement.enabled = false;  // the shaders write the colours of the screen
+
+const rgb = (text) => new Vector3(...[1, 3, 5].map((k) => parseInt(text.slice(k, k + 2), 16) / 255));
+
+/** Ball and stick sizes of the styles; radii of sticks in Angstrom. */
+export const STYLES = {
+  balls: {title: 'Ball and stick', ball: 0.24, stick: 0.13, trace: 0},
+  sticks: {title: 'Sticks', ball: 0, stick: 0.17, trace: 0},
+  lines: {title: 'Lines', ball: 0, stick: 0.05, trace: 0},
+  spheres: {title: 'Spheres', ball: 1, stick: 0, trace: 0},
+  trace: {title: 'Trace', ball: 0, stick: 0.0, trace: 0.55},
+  'trace-lines': {title: 'Trace and lines', ball: 0, stick: 0.06, trace: 0.4},
+};
+
+const COLOURS = {
+  hoverColour: '#ffd23f', nearColour: '#56b4e9', farColour: '#e69f00', pinColour: '#222831',
+  waveColour: '#56b4e9', longColour: '#e0201b', shortColour: '#c2185b', plainColour: '#9aa3ad',
+  litColour: '#ffd23f', contactColour: '#3a9d8f',
+};
+
+function uniformsOf() {
+  const values = {
+    positions: null, look: null, marks: null, bars: null, controls: null, strain: null,
+    width: WIDTH, joints: 1, firstWalker: 0, barCount: 1, pieceCount: 1, ballScale: 0.24, unit: 1,
+    stickRadius: 0.13, traceRadius: 0.5, residualScale: 1, litBar: -1, splitColours: 1, picking: 0,
+    kindRadius: new Vector4(1, 0, 0.45, 0), lit: new Vector3(-1, -1, -1),
+    background: new Vector3(1, 1, 1), fog: new Vector2(10, 100),
+  };
+  for (const [name, text] of Object.entries(COLOURS)) values[name] = rgb(text);
+  return Object.fromEntries(Object.entries(values).map(([name, value]) => [name, {value}]));
+}
+
+function instanced(geometry) {
+  const made = new InstancedBufferGeometry();
+  made.setAttribute('position', geometry.getAttribute('position'));
+  made.setIndex(geometry.getIndex());
+  made.instanceCount = 0;
+  return made;
+}
+
+function layer(shape, uniforms, vertexShader, fragmentShader, smooth) {
+  const material = new RawShaderMaterial({
+    glslVersion: GLSL3, uniforms, vertexShader, fragmentShader, alphaToCoverage: smooth,
+  });
+  const mesh = new Mesh(instanced(shape), material);
+  mesh.frustumCulled = false;
+  return mesh;
+}
+
+/** Whether the browser draws without a graphics processor: then with fewer samples. */
+function isSoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2');
+  const facts = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = facts ? gl.getParameter(facts.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|software|basic render/i.test(name);
+}
+
+export class View {
+  constructor(canvas) {
+    this.isSmooth = !isSoftware();
+    this.renderer = new WebGLRenderer({canvas, antialias: this.isSmooth, powerPreference: 'high-performance'});
+    this.renderer.outputColorSpace = LinearSRGBColorSpace;  // no second conversion
+    this.orbit = new Orbit();
+    this.uniforms = uniformsOf();
+    this.scene = new Scene();
+    this.balls = layer(new PlaneGeometry(2, 2), this.uniforms, ballVertex, ballFragment, this.isSmooth);
+    const box = new BoxGeometry(2, 2, 2);
+    this.sticks = layer(box, this.uniforms, stickVertex, stickFragment, false);
+    this.trace = layer(box, this.uniforms, traceVertex, stickFragment, false);
+    this.arrow = new Arrow();
+    this.scene.add(this.balls, this.sticks, this.trace);
+    this.patch = new WebGLRenderTarget(1, 1);
+    this.walkers = 1;
+    this.split = false;
+    this.style = 'balls';
+    this.showAllBars = false;
+    this.showContacts = true;
+    this.stale = true;
+  }
+
+  /** Draws another model: joints, bars, bonds, contacts, trace; `unit` as in the shaders. */
+  open(model, positions) {
+    this.model = model;
+    this.split = false;
+    this.allocate(1);
+    this.textures.setPositions(positions);
+    this.uniforms.unit.value = this.unit = unitOf(model, positions);
+    this.orbit.frame(positions, this.unit);
+    this.arrow.setUnit(this.unit);
+    this.setStyle(this.style);
+  }
+
+  /** Room for `walkers` walkers; what joints and bars looked like is forgotten. */
+  allocate(walkers) {
+    this.textures?.dispose();
+    this.textures = new Textures(this.model, walkers);
+    this.walkers = walkers;
+    const {textures, uniforms} = this;
+    for (const name of ['positions', 'look', 'marks', 'strain', 'bars', 'controls'])
+      uniforms[name].value = textures[name];
+    uniforms.joints.value = this.model.joints;
+    uniforms.barCount.value = Math.max(1, textures.stickCount);
+    uniforms.pieceCount.value = Math.max(1, textures.pieceCount);
+    this.stale = true;
+  }
+
+  setPositions(positions, walker = 0) {
+    this.textures.setPositions(positions, walker);
+    this.stale = true;
+  }
+
+  setStrain(residuals) {
+    this.textures.setStrain(residuals);
+    this.stale = true;
+  }
+
+  setStyle(name) {
+    this.style = name;
+    const style = STYLES[name];
+    const {uniforms} = this;
+    uniforms.ballScale.value = style.ball || style.stick / 1.7;
+    uniforms.stickRadius.value = style.stick;
+    uniforms.traceRadius.value = style.trace;
+    uniforms.kindRadius.value.set(1, this.showAllBars ? 0.35 : 0, this.showContacts ? 0.5 : 0, 0);
+    this.stale = true;
+  }
+
+  setBackground(text) {
+    this.background = text;
+    this.uniforms.background.value = rgb(text);
+    this.renderer.setClearColor(text, 1);
+    this.stale = true;
+  }
+
+  /** Numbers of joints and a bar to light up, or -1. */
+  setLit({hover, near, far, bar}) {
+    const {lit, litBar} = this.uniforms;
+    lit.value.set(hover ?? lit.value.x, near ?? lit.value.y, far ?? lit.value.z);
+    litBar.value = bar ?? litBar.value;
+    this.stale = true;
+  }
+
+  resize(width, height, ratio) {
+    this.size = {width, height};
+    this.renderer.setPixelRatio(this.isSmooth ? ratio : 1);
+    this.renderer.setSize(width, height, false);
+    this.fit();
+  }
+
+  /** The camera sees one of two panes, or the whole. */
+  fit() {
+    const {width, height} = this.size;
+    this.orbit.resize(this.split ? width / 2 : width, height);
+    this.stale = true;
+  }
+
+  count(walkers) {
+    const style = STYLES[this.style];
+    const {model, textures, balls, sticks, trace} = this;
+    balls.geometry.instanceCount = this.style === 'trace' ? 0 : model.joints * walkers;
+    sticks.geometry.instanceCount = textures.stickCount * walkers;
+    trace.geometry.instanceCount = style.trace ? 5 * textures.pieceCount * walkers : 0;
+    trace.visible = trace.geometry.instanceCount > 0;
+    balls.visible = balls.geometry.instanceCount > 0;
+    sticks.visible = sticks.geometry.instanceCount > 0;
+  }
+
+  setFog() {
+    const {distance, radius} = this.orbit;
+    this.uniforms.fog.value.set(distance - 0.25 * radius, distance + 1.7 * radius);
+  }
+
+  draw() {
+    this.stale = false;
+    if (!this.model) return this.renderer.clear();
+    this.setFog();
+    if (this.split) return this.drawSplit();
+    this.uniforms.firstWalker.value = 0;
+    this.count(this.walkers);
+    this.renderer.render(this.scene, this.orbit.camera);
+    return this.arrow.draw(this.renderer, this.orbit.camera);
+  }
+
+  /** Two walkers beside each other under one camera. */
+  drawSplit() {
+    const {width, height} = this.size;
+    this.renderer.setScissorTest(true);
+    for (const pane of [0, 1]) {
+      const box = [pane * width / 2, 0, width / 2, height];
+      this.renderer.setViewport(...box);
+      this.renderer.setScissor(...box);
+      this.uniforms.firstWalker.value = pane;
+      this.count(1);
+      this.renderer.render(this.scene, this.orbit.camera);
+    }
+    this.renderer.setScissorTest(false);
+    this.renderer.setViewport(0, 0, width, height);
+  }
+
+  /** What is seen at a place in CSS pixels: {joint} or {bar}, or null. A joint up to `reach` beside
+   * it counts too, for fingers and small joints. */
+  pick(x, y, reach = 0) {
+    if (!this.model) return null;
+    const {camera, size} = this.orbit;
+    const edge = 2 * Math.round(reach) + 1;
+    const corner = [x % size.width - (edge - 1) / 2, y - (edge - 1) / 2];
+    camera.setViewOffset(size.width, size.height, ...corner, edge, edge);
+    const bytes = this.numbersSeen(edge);
+    camera.clearViewOffset();
+    return this.nearest(bytes, edge);
+  }
+
+  /** Numbers of joints and bars in a patch of pixels, as colours. */
+  numbersSeen(edge) {
+    const {renderer, patch, uniforms} = this;
+    if (patch.width !== edge) patch.setSize(edge, edge);
+    uniforms.picking.value = 1;
+    uniforms.firstWalker.value = 0;
+    this.count(1);
+    renderer.setRenderTarget(patch);
+    renderer.setClearColor(0, 0);
+    renderer.clear();
+    renderer.render(this.scene, this.orbit.camera);
+    const bytes = new Uint8Array(4 * edge * edge);
+    renderer.readRenderTargetPixels(patch, 0, 0, edge, edge, bytes);
+    renderer.setRenderTarget(null);
+    renderer.setClearColor(this.background, 1);
+    uniforms.picking.value = 0;
+    return bytes;
+  }
+
+  /** What is in the middle of the patch, but for joints near it. */
+  nearest(bytes, edge) {
+    const middle = (edge - 1) / 2;
+    let found = this.meaning(bytes, middle * edge + middle);
+    let least = found?.joint === undefined ? Infinity : 0;
+    for (let k = 0; k < edge * edge; ++k) {
+      const far = Math.hypot(k % edge - middle, Math.floor(k / edge) - middle);
+      if (far >= least || far > middle + 0.5) continue;
+      const here = this.meaning(bytes, k);
+      if (here?.joint === undefined) continue;
+      [found, least] = [here, far];
+    }
+    return found;
+  }
+
+  meaning(bytes, pixel) {
+    const {model} = this;
+    const number = bytes[4 * pixel] + 256 * bytes[4 * pixel + 1] + 65536 * bytes[4 * pixel + 2] - 1;
+    if (number < 0) return null;
+    if (number < model.joints) return {joint: number};
+    const bar = number - model.joints;
+    return bar < model.bars.length / 2 ? {bar} : null;
+  }
+}
+
+/** Length of a usual bar / 1.5 Angstrom: 1 for molecules, more or less for mechanisms. */
+export function unitOf(model, positions) {
+  if (model.kind !== 'graph' || !model.bars.length) return 1;
+  let sum = 0;
+  for (let k = 0; k < model.bars.length; k += 2) {
+    const [a, b] = [3 * model.bars[k], 3 * model.bars[k + 1]];
+    sum += Math.hypot(...[0, 1, 2].map((c) => positions[a + c] - positions[b + c]));
+  }
+  return sum / (model.bars.length / 2) / 2.2 || 1;
+}

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+// What the shaders read: joints, bars and the trace of one model as textures of WIDTH texels a row.
+import {
+  DataTexture, FloatType, IntType, RGBAFormat, RGBAIntegerFormat, RedFormat, RGFormat,
+  UnsignedByteType,
+} from 'three';
+
+export const WIDTH = 1024;
+const rows = (count) => Math.max(1, Math.ceil(count / WIDTH));
+
+function texture(Numbers, count, channels, format, type, internal) {
+  const data = new Numbers(channels * WIDTH * rows(count));
+  const made = new DataTexture(data, WIDTH, rows(count), format, type);
+  made.internalFormat = internal;
+  made.needsUpdate = true;
+  return made;
+}
+
+const floats = (count) => texture(Float32Array, count, 4, RGBAFormat, FloatType, 'RGBA32F');
+const numbers = (count) => texture(Int32Array, count, 4, RGBAIntegerFormat, IntType, 'RGBA32I');
+
+/** Kinds of sticks: bonds, other bars, contacts. */
+export const BOND = 0;
+export const OTHER_BAR = 1;
+export const CONTACT = 2;
+
+function pairKey(a, b) {
+  return a < b ? `${a} ${b}` : `${b} ${a}`;
+}
+
+/** Bars first, so that a bar's number is its stick's; then bonds that no bar holds; then contacts. */
+export function sticksOf(model) {
+  const bonds = new Set();
+  const areAllBonds = !model.bonds.length;
+  for (let k = 0; k < model.bonds.length; k += 2) bonds.add(pairKey(model.bonds[k], model.bonds[k + 1]));
+  const sticks = [];
+  for (let k = 0; k < model.bars.length; k += 2) {
+    const [a, b] = [model.bars[k], model.bars[k + 1]];
+    const isBond = areAllBonds || bonds.delete(pairKey(a, b));
+    sticks.push([a, b, isBond ? BOND : OTHER_BAR]);
+  }
+  for (const key of bonds) sticks.push([...key.split(' ').map(Number), BOND]);
+  for (let k = 0; k < model.contacts.length; k += 2)
+    sticks.push([model.contacts[k], model.contacts[k + 1], CONTACT]);
+  return sticks;
+}
+
+/** Joints of each piece of the trace with the neighbours that bend it; ends stand for themselves. */
+export function piecesOf(trace) {
+  const pieces = [];
+  for (let k = 0; k + 1 < trace.length; ++k) {
+    const [a, b] = [trace[k], trace[k + 1]];
+    if (a < 0 || b < 0) continue;
+    const before = k > 0 && trace[k - 1] >= 0 ? trace[k - 1] : a;
+    const after = k + 2 < trace.length && trace[k + 2] >= 0 ? trace[k + 2] : b;
+    pieces.push([before, a, b, after]);
+  }
+  return pieces;
+}
+
+function fill(target, lists) {
+  lists.forEach((list, k) => target.image.data.set(list, 4 * k));
+}
+
+export class Textures {
+  constructor(model, walkers) {
+    const sticks = sticksOf(model);
+    const pieces = piecesOf(model.trace);
+    this.model = model;
+    this.stickCount = sticks.length;
+    this.pieceCount = pieces.length;
+    this.positions = floats(model.joints * walkers);
+    this.look = texture(Uint8Array, model.joints, 4, RGBAFormat, UnsignedByteType, 'RGBA8');
+    this.marks = texture(Uint8Array, model.joints, 2, RGFormat, UnsignedByteType, 'RG8');
+    this.strain = texture(Float32Array, sticks.length, 1, RedFormat, FloatType, 'R32F');
+    this.bars = numbers(sticks.length);
+    this.controls = numbers(pieces.length);
+    fill(this.bars, sticks);
+    fill(this.controls, pieces);
+  }
+
+  /** Positions of one walker: 3 numbers a joint, Angstrom. */
+  setPositions(positions, walker = 0) {
+    const {data} = this.positions.image;
+    for (let at = 4 * walker * this.model.joints, k = 0; k < positions.length; at += 4, k += 3) {
+      data[at] = positions[k];
+      data[at + 1] = positions[k + 1];
+      data[at + 2] = positions[k + 2];
+    }
+    this.positions.needsUpdate = true;
+  }
+
+  setStrain(residuals) {
+    this.strain.image.data.set(residuals);
+    this.strain.needsUpdate = true;
+  }
+
+  dispose() {
+    for (const name of ['positions', 'look', 'marks', 'strain', 'bars', 'controls']) this[name].dispose();
+  }
+}

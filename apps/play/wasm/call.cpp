@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#include "call.hpp"
+
+#include "open_calls.hpp"
+#include "pliant/base/choices.hpp"
+#include "sample_call.hpp"
+#include "step_calls.hpp"
+
+namespace pliant::play {
+namespace {
+
+constexpr CallEntry table[] = {
+    {"boot", boot},
+    {"open", open},
+    {"example", example},
+    {"structgen", structgen},
+    {"settings", settings},
+    {"pull", pull},
+    {"resolution", resolution},
+    {"wander", wander},
+    {"sample", sample_frames},
+    {"again", again},
+    {"undo", undo},
+    {"forces", forces},
+    {"state", state},
+};
+
+Reply failure(std::string_view message) {
+  Reply reply;
+  reply.fields = {{"ok", false}, {"error", message}};
+  return reply;
+}
+
+}  // namespace
+
+std::span<const CallEntry> calls() { return table; }
+
+Reply answer(const Request& request) noexcept {
+  try {
+    const std::string name = request.fields.value("do", "");
+    Reply reply = choose(calls(), "call", name).answer(request);
+    reply.fields["ok"] = true;
+    return reply;
+  } catch (const Json::exception& error) {
+    return failure(std::string("request: ") + error.what());
+  } catch (const std::bad_alloc&) {
+    return failure("out of memory");
+  } catch (const std::exception& error) {
+    return failure(error.what());
+  }
+}
+
+}  // namespace pliant::play

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+#include "document.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "pliant/base/choices.hpp"
+#include "pliant/model/model.hpp"
+#include "pliant/model/residue_nodes.hpp"
+#include "pliant/model/rigidity.hpp"
+#include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/read/read.hpp"
+#include "pliant/record/xml/graph_xml.hpp"
+#include "pliant/text/compression.hpp"
+
+namespace pliant::play {
+namespace {
+
+bool ends_with_xml(std::string_view name) {
+  return name.size() > 4 && name.substr(name.size() - 4) == ".xml";
+}
+
+/// Of what is compressed, what it holds: a build without zlib and its like says that it cannot.
+std::string expanded(const std::string& name, std::string_view bytes) {
+  const Compression* compression = compression_of(bytes);
+  return compression ? expand(*compression, bytes, name, usual_text) : std::string(bytes);
+}
+
+Document open_graph(const SourceText& source, const Log& log) {
+  GraphFile graph = parse_graph_xml(source, log);
+  std::vector<Bond> bonds;
+  for (Bar bar : graph.framework.bars())
+    bonds.push_back({std::min(bar.a, bar.b), std::max(bar.a, bar.b), BondOrigin::file, 0});
+  AtomTable atoms = *graph.framework.atoms();
+  return {std::string(source.name),
+          "graph",
+          "",
+          std::move(graph.framework),
+          std::move(atoms),
+          std::move(graph.positions),
+          std::move(bonds),
+          {},
+          {},
+          {},
+          {}};
+}
+
+ModelKind kind_of(const std::string& model, const Structure& structure) {
+  if (model == "auto") return usual_model(structure);
+  return choose(models(), "model", model).kind;
+}
+
+Document open_molecule(const SourceText& source, const std::string& model, const Log& log) {
+  ReadOptions reading;
+  reading.log = log;
+  Structure read = read_structure(source, reading);
+  BondOptions bonding;
+  bonding.log = log;
+  perceive_bonds(read, bonding);
+  ModelOptions options;
+  options.kind = kind_of(model, read);
+  options.log = log;
+  MolecularModel built = build_model(read, options);
+  Structure& made = built.structure;
+  const Rigidity rigidity = analyse_rigidity(made, built.contacts);
+  ResidueNodes nodes = residue_nodes(made);
+  const bool has_residues = usual_model(made) == ModelKind::protein;
+  return {made.title.empty() ? std::string(source.name) : made.title,
+          "molecule",
+          std::string(entry(built.kind).name),
+          std::move(built.framework),
+          std::move(made.atoms),
+          std::move(built.positions),
+          std::move(made.bonds),
+          std::move(made.chain_end),
+          std::move(built.contacts),
+          rigidity.found.clusters.of_body,
+          {},
+          {std::move(nodes.positions), std::move(nodes.chain), std::move(nodes.of_atom)},
+          has_residues};
+}
+
+}  // namespace
+
+Document open_file(const std::string& name, std::string_view bytes, const std::string& model) {
+  std::vector<std::string> warnings;
+  const Log log{[&](Severity severity, std::string_view text) {
+    if (severity == Severity::warning) warnings.emplace_back(text);
+  }};
+  const std::string text = expanded(name, bytes);
+  const SourceText source{name, without_byte_order_mark(text)};
+  Document document =
+      ends_with_xml(name) ? open_graph(source, log) : open_molecule(source, model, log);
+  document.warnings = std::move(warnings);
+  return document;
+}
+
+}  // namespace pliant::play

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// What is open: a molecule or a graph, with all that a page shows of it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "pliant/framework/framework.hpp"
+#include "pliant/model/contact_list.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+#include "pliant/sample/elastic_network.hpp"
+#include "reply.hpp"
+
+namespace pliant::play {
+
+struct Document {
+  std::string title;
+  std::string kind;   ///< "molecule" or "graph"
+  std::string model;  ///< a name in models(); "" of a graph
+  Framework framework;
+  AtomTable atoms;
+  std::vector<Vec3> positions;  ///< (N) Angstrom
+  std::vector<Bond> bonds;      ///< of a graph: its bars
+  std::vector<bool> chain_end;  ///< (R) or none
+  std::vector<MolecularContact> contacts;
+  std::vector<std::uint32_t> clusters;  ///< (N) rigid cluster of each atom; none of a graph
+  std::vector<std::string> warnings;
+  NetworkNodes nodes = {};    ///< of an elastic network; of a graph none
+  bool has_residues = false;  ///< of a polymer
+};
+
+/// Reads a file, whose compression the page has undone, and builds its model: a name in models(),
+/// or "auto" for the one that fits. A graph XML file has no model. Throws as the readers and
+/// build_model().
+Document open_file(const std::string& name, std::string_view bytes, const std::string& model);
+
+/// x, y, z of each.
+std::span<const double> numbers_of(std::span<const Vec3> positions);
+
+/// All of it, as the call `open` replies, at these positions.
+Reply describe(const Document& document, std::span<const Vec3> positions);
+
+}  // namespace pliant::play

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: MIT
+#include "open_calls.hpp"
+
+#include "pliant/base/version.hpp"
+#include "pliant/examples/examples.hpp"
+#include "pliant/generate/random_graphs.hpp"
+#include "pliant/model/model.hpp"
+#include "pliant/resolve/techniques.hpp"
+#include "pliant/sample/samplers.hpp"
+#include "session.hpp"
+
+namespace pliant::play {
+namespace {
+
+Json techniques_told() {
+  Json rows = Json::array();
+  for (const TechniqueEntry& row : techniques())
+    rows.push_back({{"name", row.name},
+                    {"title", row.summary},
+                    {"weightings", row.has_weighting},
+                    {"limits", row.knows_limits},
+                    {"forestsOnly", row.forests_only}});
+  return rows;
+}
+
+Json samplers_told() {
+  Json rows = Json::array({{{"name", "auto"}, {"title", "what fits the molecule"}}});
+  for (const SamplerEntry& row : samplers())
+    rows.push_back({{"name", row.name}, {"title", row.summary}, {"amplitude", row.has_amplitude}});
+  return rows;
+}
+
+Json models_told() {
+  Json rows = Json::array({{{"name", "auto"}, {"title", "what fits the molecule"}}});
+  for (const ModelEntry& row : models())
+    rows.push_back({{"name", row.name}, {"title", row.summary}});
+  return rows;
+}
+
+Json classes_told() {
+  Json rows = Json::array();
+  for (const GraphClass& row : graph_classes())
+    rows.push_back({{"name", row.name}, {"family", row.family}, {"title", row.summary}});
+  return rows;
+}
+
+/// Frameworks of the library that stand whole.
+Json examples_told() {
+  Json rows = Json::array();
+  for (const Example& row : examples())
+    if (row.facts.whole)
+      rows.push_back({{"name", row.name}, {"title", row.source}, {"kind", "graph"}});
+  return rows;
+}
+
+Document graph_document(std::string title, Framework framework, std::vector<Vec3> positions) {
+  AtomTable atoms;
+  if (framework.atoms()) {
+    atoms = *framework.atoms();
+  } else {
+    atoms.residues.push_back({"", 1, ' ', ""});
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+      atoms.names.push_back(std::to_string(k));
+      atoms.elements.push_back(0);
+      atoms.residue_of.push_back(0);
+      atoms.serials.push_back(static_cast<std::int64_t>(k) + 1);
+    }
+  }
+  std::vector<Bond> bonds;
+  for (Bar bar : framework.bars())
+    bonds.push_back({std::min(bar.a, bar.b), std::max(bar.a, bar.b), BondOrigin::file, 0});
+  return {std::move(title),
+          "graph",
+          "",
+          std::move(framework),
+          std::move(atoms),
+          std::move(positions),
+          std::move(bonds),
+          {},
+          {},
+          {},
+          {}};
+}
+
+}  // namespace
+
+Reply boot(const Request&) {
+  Reply reply;
+  reply.fields = {{"version", version()},
+                  {"samplers", samplers_told()},
+                  {"techniques", techniques_told()},
+                  {"weightings", {0.5, 0.75, 1.0}},
+                  {"models", models_told()},
+                  {"classes", classes_told()},
+                  {"examples", examples_told()}};
+  return reply;
+}
+
+Reply open(const Request& request) {
+  return begin_session(open_file(request.fields.value("name", "file"), request.bytes,
+                                 request.fields.value("model", "auto")));
+}
+
+Reply example(const Request& request) {
+  const Example& row = find_example(request.fields.value("name", ""));
+  return begin_session(graph_document(std::string(row.name), row.framework, row.positions));
+}
+
+Reply structgen(const Request& request) {
+  const Json& asked = request.fields.at("options");
+  const GraphClass& kind = find_graph_class(asked.value("class", "tree"));
+  GenerateOptions options;
+  options.depth = asked.value("depth", options.depth);
+  options.children = asked.value("children", options.children);
+  options.ring = asked.value("ring", options.ring);
+  options.cycles = asked.value("cycles", options.cycles);
+  options.joints = asked.value("joints", options.joints);
+  options.box = asked.value("box", options.box);
+  check(options);
+  RandomKey key;
+  key.seed = asked.value("seed", std::uint64_t{0});
+  GeneratedGraph graph = generate(kind, options, key);
+  return begin_session(graph_document(std::string(kind.name) + ", seed " + std::to_string(key.seed),
+                                      std::move(graph.framework), std::move(graph.positions)));
+}
+
+}  // namespace pliant::play

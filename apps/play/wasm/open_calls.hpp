@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+// Calls that tell what there is, and open something.
+#pragma once
+
+#include "call.hpp"
+
+namespace pliant::play {
+
+Reply boot(const Request& request);
+Reply open(const Request& request);
+Reply example(const Request& request);
+Reply structgen(const Request& request);
+
+}  // namespace pliant::play

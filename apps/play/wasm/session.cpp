@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: MIT
+#include "session.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include "pliant/base/error.hpp"
+#include "settings.hpp"
+
+namespace pliant::play {
+namespace {
+
+std::unique_ptr<Session> open_session;
+
+/// Bytes of the states that undo goes back to.
+constexpr std::size_t kept_bytes = std::size_t{64} << 20;
+
+double seconds_of(const std::function<void()>& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The wandering that the events end with, or null.
+WanderSteps* last_wander(std::vector<ForceEvent>& events) {
+  return events.empty() ? nullptr : std::get_if<WanderSteps>(&events.back().what);
+}
+
+}  // namespace
+
+Session::Session(Document document)
+    : document_(std::move(document)),
+      walk_(std::make_unique<SteeredWalk>(document_.framework, State(document_.positions))),
+      options_(std::make_shared<const RunOptions>(walk_->options())),
+      pinned_(std::make_shared<const std::vector<Joint>>()) {
+  const std::size_t one = 2 * sizeof(Vec3) * std::max<std::size_t>(document_.positions.size(), 1);
+  most_befores_ = std::clamp<std::size_t>(kept_bytes / one, 4, 1000);
+  walk_->start();
+}
+
+void Session::set(const RunOptions& options) {
+  crowd_.clear();
+  walk_->set(options);
+  options_ = std::make_shared<const RunOptions>(options);
+}
+
+void Session::pin(std::vector<Joint> joints) {
+  std::ranges::sort(joints);
+  joints.erase(std::ranges::unique(joints).begin(), joints.end());
+  if (joints == *pinned_) return;
+  crowd_.clear();
+  walk_->pin(joints);
+  pinned_ = std::make_shared<const std::vector<Joint>>(std::move(joints));
+}
+
+StepReport Session::report(Done done, const std::function<Frame()>& step) {
+  crowd_.clear();
+  StepReport report;
+  State before = state();
+  walk_->look_at_push([&](std::span<const Vec3> positions) {
+    report.pushed.assign(positions.begin(), positions.end());
+  });
+  report.seconds = seconds_of([&] { report.frame = step(); });
+  walk_->look_at_push({});
+  befores_.push_back(std::move(before));
+  if (befores_.size() > most_befores_) befores_.pop_front();
+  done_.push_back(std::move(done));
+  return report;
+}
+
+StepReport Session::pull(const std::vector<JointForce>& forces) {
+  return report({options_, pinned_, forces}, [&] { return walk_->pull(forces); });
+}
+
+StepReport Session::pull_watched(const std::vector<JointForce>& forces,
+                                 const std::function<void(const RepairedBar&)>& on_bar) {
+  walk_->watch(on_bar);
+  const auto leave = [&] { walk_->watch({}); };
+  try {
+    StepReport done = pull(forces);
+    leave();
+    return done;
+  } catch (...) {
+    leave();
+    throw;
+  }
+}
+
+StepReport Session::wander() {
+  return report({options_, pinned_, {}, false}, [&] { return walk_->wander(); });
+}
+
+std::vector<std::unique_ptr<SteeredWalk>>& Session::crowd(std::size_t walkers, bool goes_on) {
+  if (goes_on && crowd_.size() == walkers) return crowd_;
+  crowd_.clear();
+  for (std::size_t number = 0; number < walkers; ++number) {
+    RunOptions options = this->options();
+    options.resolve.walker = number;
+    crowd_.push_back(std::make_unique<SteeredWalk>(framework(), state(), options));
+  }
+  return crowd_;
+}
+
+StepReport Session::again(const RunOptions& options, State& after) const {
+  if (done_.empty() || befores_.empty() || !done_.back().is_pull)
+    throw OptionError("again: the last step was no pull");
+  const Done& last = done_.back();
+  SteeredWalk other(document_.framework, befores_.back(), options);
+  other.pin(*last.pinned);
+  StepReport report;
+  report.seconds = seconds_of([&] { report.frame = other.pull(last.forces); });
+  after = other.state();
+  report.frame.positions = after.positions;
+  return report;
+}
+
+std::size_t Session::undo(std::size_t steps) {
+  const std::size_t count = std::min(steps, befores_.size());
+  if (count == 0) return 0;
+  crowd_.clear();
+  State before = std::move(befores_[befores_.size() - count]);
+  befores_.resize(befores_.size() - count);
+  done_.resize(done_.size() - count);
+  walk_->put(std::move(before));
+  return count;
+}
+
+std::vector<ForceEvent> Session::events() const {
+  std::vector<ForceEvent> events;
+  RunOptions set;
+  std::vector<Joint> pinned;
+  for (const Done& done : done_) {
+    for (const RunField& field : run_fields()) {
+      const std::string value = run_field_text(*done.options, field);
+      if (is_no_setting(field) || value == run_field_text(set, field)) continue;
+      events.push_back({SetOption{std::string(field.name), value}});
+    }
+    set = *done.options;
+    if (*done.pinned != pinned) events.push_back({PinJoints{pinned = *done.pinned}});
+    if (done.is_pull)
+      events.push_back({PullStep{done.forces}});
+    else if (auto* last = last_wander(events))
+      ++last->count;
+    else
+      events.push_back({WanderSteps{}});
+  }
+  return events;
+}
+
+Session& session() {
+  if (!open_session) throw OptionError("nothing is open");
+  return *open_session;
+}
+
+Reply begin_session(Document document) {
+  auto fresh = std::make_unique<Session>(std::move(document));
+  open_session = std::move(fresh);
+  return describe(open_session->document(), open_session->state().positions);
+}
+
+std::vector<float> residuals_of(const Framework& framework, std::span<const Vec3> positions) {
+  std::vector<float> out(framework.bar_count());
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    const Bar bar = framework.bars()[k];
+    const double rest = framework.rest_lengths()[k];
+    out[k] = static_cast<float>(residual(positions[bar.a], positions[bar.b], rest) / rest);
+  }
+  return out;
+}
+
+}  // namespace pliant::play

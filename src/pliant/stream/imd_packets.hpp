@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: MIT
+// Packets of IMD (Interactive Molecular Dynamics, the protocol by which VMD and MDAnalysis follow a
+// run): what a server sends. Version 2 is what VMD speaks (Stone, Gullingsrud, Grayson, Schulten,
+// Proc. I3D 2001, 191), version 3 that of imdclient's specification.
+//
+// A packet is a header, two 32-bit numbers in network order, and a body in the server's own order.
+// The second number of the handshake is in the server's order too: so a client learns it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "pliant/framework/frame.hpp"
+
+namespace pliant {
+
+enum class ImdType : std::int32_t {
+  disconnect,
+  energies,
+  coordinates,
+  go,
+  handshake,
+  kill,
+  forces,  ///< of a client, on some atoms; "MDCOMM"
+  pause,
+  rate,
+  io_error,
+  session_info,
+  resume,
+  time,
+  box,
+  velocities,
+  all_forces,
+  wait
+};
+
+/// How a session speaks.
+struct ImdFormat {
+  int version = 3;       ///< 2 or 3
+  bool swapped = false;  ///< bodies in the byte order that is not this machine's
+};
+
+/// The nine numbers of an energy packet, which carry how well a step was resolved.
+struct ImdEnergies {
+  float temperature = 0.0F;    ///< 0: a step has none
+  float total = 0.0F;          ///< largest |length - rest| / rest
+  float potential = 0.0F;      ///< root mean square of it
+  float van_der_waals = 0.0F;  ///< largest overlap of two joints, Angstrom
+  float coulomb = 0.0F;        ///< 1: the step did not converge, 0: it did
+  float bonds = 0.0F;          ///< sweeps of the step
+  float angles = 0.0F;         ///< how far a limit is outside its interval at most, Angstrom
+  float dihedrals = 0.0F;      ///< forces of the client that act
+  float impropers = 0.0F;      ///< frames that this client was too slow for
+};
+
+/// What a client did that stands in a frame's energies.
+struct ImdCounts {
+  std::int64_t forces = 0, dropped = 0;
+};
+
+ImdEnergies imd_energies(const Frame& frame, const ImdCounts& counts);
+
+using Bytes = std::vector<std::byte>;
+
+/// Handshake, and in version 3 what each frame will hold: time, energies and coordinates.
+Bytes imd_greeting(const ImdFormat& format);
+
+/// A frame, put into `bytes` in place of what was there: in version 3 time, energies, coordinates;
+/// in version 2 the last two. `timestep` in ps.
+void imd_frame(const ImdFormat& format, const Frame& frame, double timestep,
+               const ImdCounts& counts, Bytes& bytes);
+
+/// The eight bytes before a body.
+struct ImdHeader {
+  ImdType type;
+  std::int32_t value;
+};
+
+/// Of 8 bytes. The type may be no ImdType.
+ImdHeader imd_header(const std::byte* bytes);
+
+/// A 32-bit number of a body.
+std::uint32_t imd_word(const ImdFormat& format, const std::byte* bytes);
+
+}  // namespace pliant

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: MIT
+"""pliant run --imd and pliant watch: options, and what they say."""
+
+import json
+import subprocess
+import sys
+
+import h5py
+import pytest
+from imd_partners import MOLECULES, served_run
+
+import pliant as library
+
+PEPTIDE = MOLECULES / "alanine_dipeptide.pdb"
+
+
+@pytest.mark.parametrize(
+    ("options", "said"),
+    [
+        (("--imd", "70000"), 'pliant run: error: --imd: expected a whole number from 0 to 65535, '
+         'found "70000"'),
+        (("--imd", "--imd-version", "4"), "pliant run: error: --imd-version: expected a whole "
+         'number from 2 to 3, found "4"'),
+        (("--imd-wait",), "pliant: error: --imd-wait: goes with --imd"),
+        (("--imd-every", "3"), "pliant: error: --imd-every: goes with --imd"),
+        (("--imd", "--walkers", "2"), "pliant: error: --imd: follows one walker, not several"),
+    ],
+)  # fmt: skip
+def test_options_that_make_no_sense(pliant, tmp_path, options, said):
+    ended = pliant("run", PEPTIDE, *options)
+    assert ended.code == 2
+    assert ended.err.splitlines()[0] == said
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_port_that_is_taken(pliant, command, tmp_path):
+    (tmp_path / "other").mkdir()
+    with served_run(command, tmp_path / "other", "--imd-wait") as run:
+        ended = pliant("run", PEPTIDE, "--imd", run.port)
+    assert ended.code == 1
+    assert ended.err.splitlines()[-1] == (
+        f"pliant: error: IMD on 127.0.0.1:{run.port}: cannot listen: Address already in use"
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["other"]
+
+
+def test_a_run_that_is_reached_from_elsewhere_says_so(pliant):
+    ended = pliant("run", PEPTIDE, "--steps", "2", "--imd", "0", "--imd-host", "0.0.0.0")
+    assert ended.code == 0
+    assert "warning: --imd-host 0.0.0.0: IMD knows no password: whoever reaches port " in ended.err
+
+
+def test_a_run_whose_pushes_no_file_holds_says_so(pliant, tmp_path):
+    ended = pliant("run", PEPTIDE, "--steps", "2", "--imd", "0", "--perturb", "displacement")
+    assert ended.code == 0
+    assert (
+        "warning: what clients pull acts, but no force file can hold this run: it cannot be "
+        "repeated" in ended.err
+    )
+
+
+def test_what_goes_on_is_not_live(pliant, tmp_path):
+    assert pliant("run", PEPTIDE, "-o", "a.h5md", "--steps", "2").code == 0
+    ended = pliant("run", "--continue", "a.h5md", "--imd")
+    assert (ended.code, ended.err) == (
+        2,
+        "pliant: error: --imd: does not go with --continue, which adds to a.h5md\n",
+    )
+
+
+def test_nobody_came(pliant):
+    ended = pliant("run", PEPTIDE, "--steps", "2", "--imd", "0", "--json")
+    facts = json.loads(ended.out)
+    assert {name: value for name, value in facts.items() if name.startswith("imd")} == {
+        "imd_clients": 0,
+        "imd_clients_refused": 0,
+        "imd_frames_sent": 0,
+        "imd_frames_dropped": 0,
+        "imd_forces_taken": 0,
+        "imd_seconds_waited": 0.0,
+    }
+
+
+def test_watch_records_what_it_sees(pliant, command, tmp_path):
+    with served_run(command, tmp_path, "--steps", "1000000", "--imd-wait") as run:
+        words = ["watch", f"localhost:{run.port}", "--frames", "40", "--kill", "--json"]
+        record = ["--record", "seen.h5md", "--topology", "run.pdb"]
+        ended = pliant(*words, *record)
+        assert run.end()[0] == 130
+    assert ended.code == 0, ended.err
+    seen = json.loads(ended.out)
+    assert (seen["frames"], seen["first_step"], seen["last_step"]) == (40, 0, 39)
+    assert seen["frames_dropped"] == 0
+    assert 0.0 < seen["worst_residual"] <= 1e-6
+    assert seen["mean_sweeps"] == pytest.approx(39 / 40)
+    reader = library.H5mdReader(tmp_path / "seen.h5md")
+    assert len(reader) == 40
+    with h5py.File(tmp_path / "run.h5md") as ours, h5py.File(tmp_path / "seen.h5md") as theirs:
+        path = "particles/trajectory/position/value"
+        assert (ours[path][:40].astype("f4") == theirs[path][:]).all()
+
+
+def test_watch_says_what_is_wrong(pliant, tmp_path):
+    ended = pliant("watch", "nowhere")
+    assert ended.code == 2
+    assert "expected HOST:PORT, found 'nowhere'" in ended.err
+    ended = pliant("watch", ":8888", "--record", "a.h5md")
+    assert (ended.code, ended.err) == (
+        2,
+        "pliant watch: error: --record and --topology go together\n",
+    )
+    (tmp_path / "a.h5md").touch()
+    ended = pliant("watch", ":8888", "--record", "a.h5md", "--topology", PEPTIDE)
+    assert (ended.code, ended.err) == (
+        2,
+        "pliant watch: error: --record a.h5md: exists; --overwrite replaces it\n",
+    )
+
+
+def test_watch_notices_other_atoms(pliant, command, tmp_path):
+    with served_run(command, tmp_path, "--steps", "1000", "--imd-wait") as run:
+        ended = pliant(
+            "watch", f"localhost:{run.port}", "--record", "a.h5md", "--topology", PEPTIDE
+        )
+    assert ended.code == 1
+    assert ended.err == "pliant watch: error: --topology: has 22 atoms, the run 327\n"
+    assert not (tmp_path / "a.h5md").exists()
+
+
+def test_watch_needs_neither_extra_nor_analysis():
+    code = "import sys, pliant.imd.watch; assert not {'MDAnalysis', 'imdclient'} & set(sys.modules)"
+    subprocess.run([sys.executable, "-c", code], check=True)

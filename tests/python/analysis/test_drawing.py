@@ -1,0 +1,87 @@
+# SPDX-License-Identifier: MIT
+"""Figures drawn in two processes: the same bytes as in one, and nothing lost when one fails."""
+
+import os
+import sys
+import threading
+
+import pytest
+from pliant.analyse import draw
+from pliant.analyse.figures import figures_of
+from pliant.analyse.stages import study_trajectory
+from pliant.analyse.study import StudyOptions
+
+on_linux = pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
+
+
+@pytest.fixture
+def study(tmp_path, peptide, wander, write_run, monkeypatch):
+    monkeypatch.setattr(draw, "figures_of", lambda study: figures_of(study)[-2:])
+    trajectory = wander(peptide, peptide.rotatable, 12, degrees=25.0)
+    run = write_run(tmp_path / "run.h5md", peptide, trajectory)
+    return study_trajectory(StudyOptions(os.fspath(run), None))
+
+
+def drawn(study, folder):
+    folder.mkdir()
+    with draw.Drawing(study, folder, 60) as drawing:
+        figures = drawing.finish()
+    assert [path.stem for _, path in figures] == [kind.name for kind, _ in figures]
+    return {path.name: path.read_bytes() for _, path in figures}
+
+
+@on_linux
+def test_two_processes_write_the_bytes_of_one(study, tmp_path, monkeypatch):
+    monkeypatch.setattr(draw, "_may_fork", lambda: False)
+    alone = drawn(study, tmp_path / "one")
+    monkeypatch.setattr(draw, "_may_fork", lambda: True)
+    monkeypatch.setattr(draw.Drawing, "finish", finish_after_the_other(draw.Drawing.finish))
+    assert drawn(study, tmp_path / "two") == alone
+    assert len(alone) == 2
+
+
+def finish_after_the_other(finish):
+    """`finish` of a first process so slow that the other draws all."""
+
+    def late(drawing):
+        os.waitid(os.P_PID, drawing._child, os.WEXITED | os.WNOWAIT)
+        return finish(drawing)
+
+    return late
+
+
+@on_linux
+def test_what_a_process_that_dies_left_out_is_drawn(study, tmp_path, monkeypatch):
+    monkeypatch.setattr(draw, "_may_fork", lambda: False)
+    alone = drawn(study, tmp_path / "one")
+    monkeypatch.setattr(draw, "_may_fork", lambda: True)
+    mine = os.getpid()
+    save = draw.save_figure
+    monkeypatch.setattr(
+        draw, "save_figure", lambda *a: save(*a) if os.getpid() == mine else os.abort()
+    )
+    monkeypatch.setattr(draw.Drawing, "finish", finish_after_the_other(draw.Drawing.finish))
+    assert drawn(study, tmp_path / "two") == alone
+
+
+@on_linux
+def test_no_process_is_left_when_the_work_beside_fails(study, tmp_path, monkeypatch):
+    monkeypatch.setattr(draw, "_may_fork", lambda: True)
+    with pytest.raises(RuntimeError, match="beside"), draw.Drawing(study, tmp_path, 60) as drawing:
+        child = drawing._child
+        raise RuntimeError("beside")
+    with pytest.raises(ChildProcessError):
+        os.waitpid(child, 0)
+
+
+@on_linux
+def test_a_process_with_other_threads_is_not_forked(study):
+    here, go = threading.Event(), threading.Event()
+    other = threading.Thread(target=lambda: (here.set(), go.wait()))
+    other.start()
+    here.wait()
+    try:
+        assert not draw._may_fork()
+    finally:
+        go.set()
+        other.join()

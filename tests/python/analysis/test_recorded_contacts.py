@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+"""Which contact of the model is held, broken or off in which frame: as recorded, read and told."""
+
+import csv
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from pliant.analyse import analyse
+from pliant.analysis import read_record
+from pliant.recover import recover
+
+import pliant
+
+PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "cyclic_hexapeptide.pdb"
+FRAMES = 400
+TEMPERATURE = 12.552  # kJ/mol
+
+
+@pytest.fixture(scope="module")
+def diluted(tmp_path_factory):
+    path = tmp_path_factory.mktemp("diluted") / "d.h5md"
+    pliant.sample(
+        pliant.read(PEPTIDE), frames=FRAMES, sampler="dilute", temperature=TEMPERATURE,
+        amplitude=0.3, output=path,
+    )  # fmt: skip
+    return path
+
+
+def test_each_is_on_as_often_as_its_energy_says(diluted):
+    contacts = read_record(diluted).contacts
+    assert contacts.states.shape == (FRAMES, len(contacts.kinds))
+    shares = contacts.shares(np.arange(FRAMES))
+    assert (shares[:, 1] == 0).all()
+    np.testing.assert_allclose(shares.sum(axis=1), 1, rtol=1e-14)
+    on = 1 - np.exp(-np.abs(contacts.energies) / TEMPERATURE)
+    error = np.sqrt(on * (1 - on) / FRAMES)
+    assert (np.abs(shares[:, 0] - on) < 4 * error + 1e-12).all()
+    assert len(set(contacts.states.sum(axis=1).tolist())) > 1
+
+
+def test_the_report_has_a_row_for_each(diluted, tmp_path):
+    folder = tmp_path / "report"
+    analyse(diluted, folder, start=100)
+    with open(folder / "held_contacts.csv", encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    contacts = read_record(diluted).contacts
+    assert [row["kind"] for row in rows] == contacts.kinds
+    share = (contacts.states[100:] == 2).mean(axis=0)
+    np.testing.assert_allclose([float(row["share_off"]) for row in rows], share)
+    names = pliant.read(PEPTIDE).names
+    assert rows[0]["first"].rpartition(":")[2] in names
+
+
+def test_they_are_saved_from_a_broken_file(diluted, tmp_path):
+    recover(diluted, tmp_path / "saved.h5md")
+    saved, before = read_record(tmp_path / "saved.h5md").contacts, read_record(diluted).contacts
+    assert np.array_equal(saved.states, before.states)
+    assert saved.kinds == before.kinds
+
+
+def test_a_file_without_them_says_so(diluted, tmp_path):
+    old = tmp_path / "old.h5md"
+    old.write_bytes(diluted.read_bytes())
+    with h5py.File(old, "a") as file:
+        del file["connectivity/contact_states"]
+    contacts = read_record(old).contacts
+    assert contacts.states is None
+    with pytest.raises(ValueError, match="does not say which contact is held"):
+        contacts.shares(np.arange(3))
+    assert not [path for path in analyse(old, tmp_path / "r").outputs["tables"] if "held" in path]
+
+
+def test_a_run_of_bars_has_none(tmp_path):
+    water = pliant.read_text("3\nwater\nO 0 0 0\nH 0.96 0 0\nH -0.24 0.93 0\n", "water.xyz")
+    pliant.run(water, output=tmp_path / "w.h5md", steps=3)
+    assert read_record(tmp_path / "w.h5md").contacts is None

@@ -1,0 +1,144 @@
+# SPDX-License-Identifier: MIT
+"""The page of pliant play in Chromium, where node, Chromium and the page are there.
+
+What a person does is tested in apps/play/test by node; here these tests are called, and the files
+that the page saves are read by h5py, MDAnalysis and pliant run.
+"""
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+ROOT = Path(__file__).resolve().parents[3]
+BUILT = Path(os.environ.get("PLIANT_PLAY", ROOT / "build/play"))
+TESTS = ROOT / "apps/play/test"
+CHROMIUM = os.environ.get("CHROMIUM", "/usr/bin/chromium")
+COMMAND = Path(os.environ.get("PLIANT_COMMAND", Path(sys.executable).parent / "pliant"))
+TOLERANCE = 1e-6  #: of a bar, relative; the page's default
+
+
+def _missing():
+    if not shutil.which("node"):
+        return "node is not installed"
+    if not Path(CHROMIUM).is_file():
+        return f"{CHROMIUM} is not installed"
+    for file in (BUILT / "pliant.html", BUILT / "node_modules/playwright-core/package.json"):
+        if not file.is_file():
+            return f"{file} is missing: ./dev play makes it"
+    return ""
+
+
+pytestmark = pytest.mark.skipif(bool(_missing()), reason=_missing() or "all is there")
+
+
+def node(script, *words, timeout):
+    return subprocess.run(
+        ["node", TESTS / script, *map(str, words)],
+        capture_output=True,
+        text=True,
+        timeout=timeout,
+    )
+
+
+@pytest.mark.parametrize("tests", ["open", "hand"])
+def test_a_person_opens_and_pulls(tests):
+    done = node("run.mjs", tests, timeout=150)
+    assert done.returncode == 0, done.stdout[-4000:]
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("tests", ["page", "record", "resolve"])
+def test_a_person_does_all_else(tests):
+    done = node("run.mjs", tests, timeout=300)
+    assert done.returncode == 0, done.stdout[-4000:]
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory):
+    """What two drags at a peptide leave: the folder of its files, and its facts."""
+    folder = tmp_path_factory.mktemp("session")
+    return made(ROOT / "data/molecules/peptide_20.pdb", folder)
+
+
+def made(molecule, folder, *settings):
+    done = node("make_session.mjs", molecule, folder, *settings, timeout=280)
+    assert done.returncode == 0, done.stderr[-4000:]
+    return folder, json.loads(done.stdout)
+
+
+def worst_of(file):
+    """Largest relative deviation of a bar in any frame of an H5MD file."""
+    h5py = pytest.importorskip("h5py")
+    with h5py.File(file) as found:
+        bars = found["connectivity/bars"][:]
+        rest = found["parameters/framework/rest_length"][:]
+        worst = 0.0
+        for frame in found["particles/trajectory/position/value"]:
+            length = np.linalg.norm(frame[bars[:, 0]] - frame[bars[:, 1]], axis=1)
+            worst = max(worst, np.abs(length / rest - 1).max())
+    return worst
+
+
+def test_every_bar_of_every_saved_frame_is_whole(session):
+    folder, facts = session
+    assert facts["steps"] >= 10
+    assert worst_of(folder / "session.h5md") <= TOLERANCE
+
+
+def test_mdanalysis_opens_the_h5md_and_the_pdb(session):
+    MDAnalysis = pytest.importorskip("MDAnalysis")
+    folder, facts = session
+    pdb, h5md = folder / "session.pdb", folder / "session.h5md"
+    models, frames = MDAnalysis.Universe(pdb), MDAnalysis.Universe(pdb, h5md)
+    assert len(models.trajectory) == len(frames.trajectory) == facts["steps"] + 1
+    assert len(frames.atoms) == facts["joints"] == 327
+    for k in (0, facts["steps"]):
+        models.trajectory[k], frames.trajectory[k]
+        assert np.allclose(models.atoms.positions, frames.atoms.positions, atol=0.0011)
+    assert frames.trajectory.units["length"] == "Angstrom"
+
+
+def replayed(molecule, folder, model):
+    """The frames that pliant run makes of the session's force file."""
+    h5py = pytest.importorskip("h5py")
+    out = folder / "replayed.h5md"
+    words = [
+        "run",
+        molecule,
+        "--forces",
+        folder / "session.forces.txt",
+        "--model",
+        model,
+        "-o",
+        out,
+    ]
+    subprocess.run([COMMAND, *map(str, words), "--overwrite"], check=True, capture_output=True)
+    with h5py.File(out) as found:
+        return found["particles/trajectory/position/value"][:]
+
+
+def test_pliant_run_replays_the_session_to_the_same_bits(session):
+    h5py = pytest.importorskip("h5py")
+    folder, facts = session
+    with h5py.File(folder / "session.h5md") as found:
+        frames = found["particles/trajectory/position/value"][:]
+    peptide = ROOT / "data/molecules/peptide_20.pdb"
+    assert np.array_equal(replayed(peptide, folder, facts["model"]), frames)
+
+
+@pytest.mark.long
+def test_a_protein_of_3341_atoms(tmp_path):
+    data = pytest.importorskip("MDAnalysisTests.datafiles")
+    h5py = pytest.importorskip("h5py")
+    folder, facts = made(data.PDB_small, tmp_path, "blocks", "bonds")
+    assert facts["joints"] == 3341
+    assert worst_of(folder / "session.h5md") <= TOLERANCE
+    with h5py.File(folder / "session.h5md") as found:
+        frames = found["particles/trajectory/position/value"][:]
+    assert np.array_equal(replayed(data.PDB_small, folder, "bonds"), frames)

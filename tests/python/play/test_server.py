@@ -1,0 +1,155 @@
+# SPDX-License-Identifier: MIT
+"""pliant play: what is served, to whom, and once; what is told where something is missing."""
+
+import base64
+import http.client
+import json
+import re
+import threading
+import webbrowser
+
+import pytest
+from pliant.play import command, page
+from pliant.play.server import PageServer
+
+BARE = b"<!doctype html><title>page</title>" + page.PLACE + b"<p>end</p>"
+
+
+@pytest.fixture
+def built(tmp_path, monkeypatch):
+    """A package with a page."""
+    file = tmp_path / "pliant.html"
+    file.write_bytes(BARE)
+    monkeypatch.setattr(page, "PAGE", file)
+    return file
+
+
+@pytest.fixture
+def server():
+    with PageServer(b"first", b"then") as running:
+        thread = threading.Thread(target=running.serve_forever, kwargs={"poll_interval": 0.01})
+        thread.start()
+        yield running
+        running.shutdown()
+        thread.join()
+
+
+def ask(server, path, host=None, method="GET"):
+    connection = http.client.HTTPConnection("127.0.0.1", server.server_port, timeout=5)
+    connection.request(method, path, headers={"Host": host} if host else {})
+    reply = connection.getresponse()
+    return reply.status, reply.read(), reply
+
+
+def given_in(text):
+    block = re.search(rb'<script type="application/json" id="given">(.*?)</script>', text)
+    return json.loads(block[1])
+
+
+def test_the_first_page_is_handed_out_once(server):
+    assert ask(server, server.path)[:2] == (200, b"first")
+    assert ask(server, server.path)[:2] == (200, b"then")
+    assert ask(server, server.path)[:2] == (200, b"then")
+
+
+def test_nothing_else_is_served(server):
+    for path in ("/", server.path + "x", server.path + "../", "/etc/passwd", "/" + "a" * 32 + "/"):
+        assert ask(server, path)[:2] == (404, b"nothing is here\n")
+    for method in ("POST", "PUT", "HEAD", "OPTIONS"):
+        assert ask(server, server.path, method=method)[0] == 501
+    assert ask(server, server.path)[1] == b"first"
+
+
+@pytest.mark.parametrize("host", ["evil.example", "localhost", "127.0.0.1", "127.0.0.1:1"])
+def test_another_host_is_refused(server, host):
+    assert ask(server, server.path, host)[:2] == (403, b"expected another Host\n")
+    assert ask(server, server.path)[1] == b"first"
+
+
+def test_addresses_are_of_this_machine_and_differ():
+    with PageServer(b"", b"") as one, PageServer(b"", b"") as other:
+        assert one.server_address[0] == "127.0.0.1"
+        assert one.path != other.path
+        assert len(one.path) == 34
+        assert one.address == f"http://127.0.0.1:{one.server_port}{one.path}"
+
+
+def test_headers_let_nobody_keep_or_frame_it(server):
+    reply = ask(server, server.path)[2]
+    assert reply.getheader("Cache-Control") == "no-store"
+    assert reply.getheader("X-Frame-Options") == "DENY"
+    assert reply.getheader("Server").strip() == "pliant"
+
+
+def test_the_file_is_inside_the_page_and_is_no_markup():
+    name = "</script><script>alert(1)</script>.pdb"
+    text = page.with_file(BARE, name, b"\x00\xff</script>")
+    assert text.count(b"</script>") == 1
+    found = given_in(text)
+    assert found["name"] == name
+    assert base64.b64decode(found["data"]) == b"\x00\xff</script>"
+    assert given_in(page.without_file(BARE, name)) == {"name": name, "gone": True}
+
+
+def test_without_a_file_the_page_is_opened_as_a_file(built, monkeypatch, capsys):
+    opened = []
+    monkeypatch.setattr(webbrowser, "open", lambda address: opened.append(address) or True)
+    assert command.main([]) == 0
+    assert opened == [built.as_uri()]
+    assert capsys.readouterr().out == f"opened {built.as_uri()}\n"
+
+
+def test_no_open_prints_the_address(built, capsys):
+    assert command.main(["--no-open"]) == 0
+    assert capsys.readouterr().out == f"{built.as_uri()}\n"
+
+
+def test_without_a_browser_the_address_is_printed(built, monkeypatch, capsys):
+    monkeypatch.setattr(webbrowser, "open", lambda address: False)
+    assert command.main([]) == 0
+    assert capsys.readouterr().out == f"{built.as_uri()}\n"
+
+
+def test_a_file_is_served_until_ctrl_c(built, tmp_path, monkeypatch, capsys):
+    molecule = tmp_path / "m.xyz"
+    molecule.write_bytes(b"1\n\nC 0 0 0\n")
+    seen = []
+
+    def look(server, poll_interval):
+        thread = threading.Thread(target=lambda: seen.append(ask(server, server.path)[1]))
+        thread.start()
+        server.handle_request()
+        thread.join()
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(PageServer, "serve_forever", look)
+    assert command.main([str(molecule), "--no-open"]) == 0
+    assert re.fullmatch(r"http://127\.0\.0\.1:\d+/[\w-]{32}/\n", capsys.readouterr().out)
+    assert base64.b64decode(given_in(seen[0])["data"]) == molecule.read_bytes()
+
+
+def test_a_package_without_the_page_says_how_to_make_it(tmp_path, monkeypatch, capsys):
+    missing = tmp_path / "pliant.html"
+    monkeypatch.setattr(page, "PAGE", missing)
+    assert command.main([]) == 1
+    assert capsys.readouterr().err == (
+        f"pliant play: error: {missing}: not there: ./dev play makes the page, "
+        "./dev build then installs it\n"
+    )
+
+
+def test_bad_files_and_options(built, tmp_path, monkeypatch, capsys):
+    assert command.main([str(tmp_path / "none.pdb")]) == 1
+    wanted = f"pliant play: error: {tmp_path}/none.pdb: cannot be read: No such file or directory\n"
+    assert capsys.readouterr().err == wanted
+    assert command.main([str(tmp_path)]) == 1
+    assert capsys.readouterr().err.endswith(": cannot be read: Is a directory\n")
+    monkeypatch.setattr(page, "MOST_BYTES", 1024**2)
+    (tmp_path / "large.pdb").write_bytes(b" " * (3 * 1024**2))
+    assert command.main([str(tmp_path / "large.pdb")]) == 1
+    assert capsys.readouterr().err == (
+        f"pliant play: error: {tmp_path}/large.pdb: expected at most 1 MB, found 3\n"
+    )
+    with pytest.raises(SystemExit) as ended:
+        command.main(["--port", "1"])
+    assert ended.value.code == 2

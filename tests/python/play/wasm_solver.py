@@ -1,0 +1,49 @@
+# SPDX-License-Identifier: MIT
+"""The WebAssembly module of the page, asked as the page asks it, by node."""
+
+import hashlib
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+
+ROOT = Path(__file__).resolve().parents[3]
+WASM = ROOT / "build" / "play" / "pliant.wasm"
+
+
+def is_there():
+    """Whether ./dev play has built the module and node is here to run it."""
+    return WASM.exists() and shutil.which("node") is not None
+
+
+class Solver:
+    """One worker; a context manager."""
+
+    def __enter__(self):
+        script = ROOT / "apps" / "play" / "test" / "answer_lines.mjs"
+        self.node = subprocess.Popen(["node", script], stdin=subprocess.PIPE,
+                                     stdout=subprocess.PIPE, text=True)  # fmt: skip
+        return self
+
+    def __exit__(self, *_):
+        self.node.stdin.close()
+        self.node.wait(60)
+
+    def ask(self, what, **fields):
+        """The reply; a failed one raises ValueError with its text."""
+        print(json.dumps({"do": what, **fields}), file=self.node.stdin, flush=True)
+        reply = json.loads(self.node.stdout.readline())
+        if not reply["ok"]:
+            raise ValueError(reply["error"])
+        return reply
+
+    def open(self, path, model="bonds"):
+        """Opens a file by its path; the model as `build_model` calls it."""
+        return self.ask("open", name=Path(path).name, file=str(path), model=model)
+
+
+def sha1(array, kind=np.float64):
+    """What a reply tells of an array with these numbers."""
+    return hashlib.sha1(np.ascontiguousarray(array, kind).tobytes()).hexdigest()
