@@ -13,6 +13,16 @@ def pytest_configure():
         signal.signal(signal.SIGINT, signal.default_int_handler)
 
 
+@pytest.fixture(autouse=True)
+def own_signals():
+    """imdclient takes Ctrl-C and SIGTERM for itself and keeps them: later tests want theirs."""
+    kept = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    yield
+    for number, handler in kept.items():
+        if signal.getsignal(number) is not handler:
+            signal.signal(number, handler)
+
+
 #: seconds after which a test marked `long` hangs, on a machine that does other things too
 LONG_TIMEOUT = 3600
 
