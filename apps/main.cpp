@@ -15,6 +15,7 @@ namespace pliant::app {
 namespace {
 
 constexpr Command commands[] = {
+    {"demo", "make a first ensemble of a helix that comes along, and say what moves", nullptr},
     {"info", "list what a molecule file holds: atoms, bonds, bars, cycles, blocks", command_info},
     {"contacts", "list hydrogen bonds, salt bridges and hydrophobic contacts of a molecule",
      command_contacts},
