@@ -19,7 +19,8 @@ zig_tools "$folder/bin" -target "$machine-linux-gnu.2.28" -fno-sanitize=all
 system_headers "$folder/headers"
 pugixml_source "$folder/pugixml"
 export CC=$folder/bin/cc CXX=$folder/bin/c++ AR=$folder/bin/ar RANLIB=$folder/bin/ranlib
-export CFLAGS='-O2 -fPIC -w'
+# Whoever links these takes the functions that it calls, and shows none of them to others.
+export CFLAGS='-O2 -fPIC -w -ffunction-sections -fdata-sections -fvisibility=hidden'
 
 # apt reads one list of its own, and checks what it fetches against Debian's keys.
 apt_source() {
@@ -69,7 +70,7 @@ build_xz() {
 # Its configure writes C of before 1999, which clang refuses unless told otherwise.
 build_hdf5() {
   unpack hdf5
-  CFLAGS="$CFLAGS -Wno-error=implicit-int -Wno-error=implicit-function-declaration" \
+  CFLAGS="$CFLAGS -Os -Wno-error=implicit-int -Wno-error=implicit-function-declaration" \
     ./configure --prefix="$folder" --disable-shared --enable-static --disable-hl --disable-tests \
     --disable-tools --without-szlib --with-zlib="$folder"
   make -j"$jobs" -C src
@@ -77,7 +78,8 @@ build_hdf5() {
 }
 
 build_pugixml() {
-  "$CXX" -std=c++17 -O2 -fPIC -c "$folder/pugixml/pugixml.cpp" -o "$folder/pugixml/pugixml.o"
+  # shellcheck disable=SC2086 # several flags
+  "$CXX" -std=c++17 $CFLAGS -c "$folder/pugixml/pugixml.cpp" -o "$folder/pugixml/pugixml.o"
   "$AR" rcs "$folder/lib/libpugixml.a" "$folder/pugixml/pugixml.o"
 }
 
