@@ -41,7 +41,7 @@ void add_options(CommandLine& line, ForcegenSettings& settings) {
   line.add_real("--tolerance", settings.resolve.tolerance.relative, Range::positive,
                 "largest residual of a whole bar: |length - rest length| / rest length");
   line.add_real("--tolerance-length", settings.resolve.tolerance.length, Range::positive,
-                "the same in Angstrom, |length - rest length|; replaces --tolerance", "");
+                "largest residual in Angstrom, |length - rest length|; replaces --tolerance", "");
   line.add_integer("--max-sweeps", settings.resolve.max_sweeps, 1, no_limit,
                    "give up on a step after this many sweeps");
   line.start_group("Output");

@@ -20,7 +20,7 @@ constexpr Command commands[] = {
      command_contacts},
     {"rigidity", "count degrees of freedom: which parts of a molecule are rigid, which flexible",
      command_rigidity},
-    {"run", "push a molecule and restore its bars, again and again; steer it; follow it live",
+    {"run", "push a molecule and restore its bonds, step by step; steer it; follow it live",
      command_run},
     {"sample", "make an ensemble of a protein, or conformers of a small molecule", command_sample},
     {"path", "find a path from one structure of a molecule to another", nullptr},

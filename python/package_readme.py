@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What a package index shows of README.md: its relative links become absolute ones.
 
-Called by the build (``[tool.scikit-build.metadata]`` in pyproject.toml) when an sdist or a wheel gets
-its metadata. In the repository links stay relative, so that they work on disk.
+Called by the build (``[tool.scikit-build.metadata]`` in pyproject.toml) when an sdist or a wheel
+gets its metadata. In the repository links stay relative, so that they work on disk.
 """
 
 import re

@@ -15,8 +15,8 @@ EPILOG = """\
 Exit code: 0 if they were compared, 1 if they cannot be, 2 for a bad option.
 
 The ceiling is how well two halves of THEIRS agree with each other: no agreement beyond that can be
-detected. How far OURS goes (--amplitude of pliant sample) was an input, so only which parts move, and
-in what directions, counts.
+detected. How far OURS goes (--amplitude of pliant sample) was an input, so only which parts move,
+and in what directions, counts.
 
 examples:
   pliant compare out.h5md nmr_models.pdb
@@ -32,10 +32,10 @@ def make_parser() -> console.Parser:
     parser = console.Parser(
         "compare",
         "Compares an ensemble made by Pliant with experiment or another program: NMR models,\n"
-        "crystal structures, a trajectory of molecular dynamics. It says which residues move (r of\n"
-        "RMSF), in what directions (RMSIP, overlaps of modes), what one has and the other lacks,\n"
-        "and what cannot be concluded. Residues are matched by sequence. If the atoms are the\n"
-        "same, torsions and the lengths of bars (pairs of atoms at a fixed distance) are\n"
+        "crystal structures, a trajectory of molecular dynamics. It says which residues move (r\n"
+        "of RMSF), in what directions (RMSIP, overlaps of modes), what one has and the other\n"
+        "lacks, and what cannot be concluded. Residues are matched by sequence. If the atoms are\n"
+        "the same, torsions and the lengths of bars (pairs of atoms at a fixed distance) are\n"
         "compared as well.",
         EPILOG,
     )
@@ -49,7 +49,7 @@ def make_parser() -> console.Parser:
     add("--select", metavar="TEXT", default="all",
         help="MDAnalysis selection for both (default all)")  # fmt: skip
     add("--frames", metavar="N", type=console.whole_number(2, "all"),
-        help="largest number of frames to read of each, spread evenly, or all (default 2000; 500 with "
+        help="frames to read of each at most, spread evenly, or all (default 2000; 500 with "
              "--path)")  # fmt: skip
     add("-o", "--output", metavar="FOLDER", type=pathlib.Path,
         help="folder for the pictures (default: that of OURS)")  # fmt: skip

@@ -19,9 +19,9 @@ USUAL_PORT = 8888
 
 EPILOG = """\
 Follows any program that speaks IMD, version 2 or 3: pliant run --imd, gmx mdrun -imdwait, LAMMPS,
-NAMD. Pliant sends the largest residual (how far the worst bar is off) and the number of sweeps (visits
-to all bars) in the fields for total and bond energies; other programs send energies there. Ctrl-C
-leaves; the run goes on.
+NAMD. Pliant sends the largest residual (how far the worst bar is off) and the number of sweeps
+(visits to all bars) in the fields for total and bond energies; other programs send energies there.
+Ctrl-C leaves; the run goes on.
 
 exit codes: 0 the run has ended, or --frames have arrived, 1 no server there, or it does not speak
 IMD, 2 bad option, 130 left by Ctrl-C

@@ -25,12 +25,13 @@ ATTEMPTS = 10  #: of --backtrack without a number
 
 EPILOG = """\
 Residues are matched by chain and number, else by sequence. Hydrogen bonds, salt bridges and
-hydrophobic contacts that both structures have are held on the way; contacts in only one of them, or
-of atoms that are not matched, are not held. Ligands and metals are matched by chain, number and name.
-Bonds, angles and planar groups are those of START, exact in each frame, and atoms do not overlap.
+hydrophobic contacts that both structures have are held on the way; contacts in only one of them,
+or of atoms that are not matched, are not held. Ligands and metals are matched by chain, number and
+name. Bonds, angles and planar groups are those of START, exact in each frame, and atoms do not
+overlap.
 
-A path shows that a way exists, and what must give way on it. It does not show how fast or how likely
-it is, or that the molecule takes it.
+A path shows that a way exists, and what must give way on it. It does not show how fast or how
+likely it is, or that the molecule takes it.
 
 exit codes: 0 END was reached (CA to 0.5 A, heavy atoms to 1 A), 1 bad input or file, 2 bad option,
 3 END was not reached

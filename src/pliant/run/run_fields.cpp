@@ -52,7 +52,7 @@ const RunField table[] = {
      at<resolve, &ResolveOptions::tolerance, &Tolerance::relative>},
     {"tolerance_length",
      RunGroup::technique,
-     "the same in Angstrom, |length - rest length|; replaces tolerance",
+     "largest residual in Angstrom, |length - rest length|; replaces tolerance",
      Range::positive,
      at<resolve, &ResolveOptions::tolerance, &Tolerance::length>,
      nullptr,

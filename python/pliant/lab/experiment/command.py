@@ -120,7 +120,7 @@ def _add_forces(parser: console.Parser) -> None:
         help="largest |length - rest| of a whole bar, Angstrom "
              f"(default {default.tolerance_length:g})")  # fmt: skip
     add("--max-sweeps", type=console.whole_number(1), metavar="N",
-        help=f"give up on a resolve after this many sweeps (default {default.max_sweeps})")  # fmt: skip
+        help=f"give up after this many sweeps (default {default.max_sweeps})")  # fmt: skip
 
 
 def _add_test_set(parser: console.Parser) -> None:
