@@ -239,7 +239,7 @@ BAR = 24  #: characters of a progress bar
 def progress(what: str, quiet: bool = False) -> Iterator[Callable[[int, int], None]]:
     """Gives a function (done, total) that draws a bar over itself: on a terminal, in a notebook."""
     shown = not quiet and sys.stderr.isatty()
-    bars = []
+    bars: list[_progress.Bar | None] = []
 
     def show(done: int, total: int) -> None:
         if shown:
