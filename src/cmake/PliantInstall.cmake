@@ -10,6 +10,7 @@ if(BUILD_SHARED_LIBS)
   foreach(part core files record)
     set_target_properties(pliant_${part} PROPERTIES
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+      DEFINE_SYMBOL ""  # no source asks for it, and one precompiled header serves all
       INSTALL_RPATH $ORIGIN)
     if(NOT APPLE AND NOT WIN32)
       set(symbols ${CMAKE_CURRENT_LIST_DIR}/pliant.symbols)
