@@ -24,7 +24,7 @@ void add_options(CommandLine& line, ContactsSettings& settings) {
   line.start_group("Output");
   line.add_flag("--csv", settings.as_csv, "print a table that --contacts reads back");
   line.add_flag("--json", settings.as_json,
-                "print one JSON object, which --contacts reads back, too");
+                "print one JSON object, which --contacts reads back as well");
 }
 
 /// A row of the table; the middle one is the hydrogen.
@@ -54,9 +54,9 @@ void print_table(const std::vector<MolecularContact>& contacts, const AtomTable&
 int command_contacts(const Arguments& arguments) {
   CommandLine line(
       "pliant contacts",
-      "Lists what holds a molecule besides its bonds: hydrogen bonds and salt bridges with\n"
-      "their energies, hydrophobic contacts, metals. Polar hydrogens that the file lacks\n"
-      "are placed by rule, the same each time; what was done is told on stderr.");
+      "Lists what holds a molecule together besides its bonds: hydrogen bonds and salt\n"
+      "bridges with their energies, hydrophobic contacts, metals. Polar hydrogens that the\n"
+      "file lacks are added by geometric rules, the same way each time; stderr says which.");
   line.set_footer(
       "Examples:\n"
       "  pliant contacts protein.pdb\n"

@@ -39,11 +39,11 @@ void add_options(CommandLine& line, ForcegenSettings& settings) {
   line.start_group("Settings written for the run");
   line.add_real("--timestep", settings.perturb.timestep, Range::positive, "length of a step, ps");
   line.add_real("--tolerance", settings.resolve.tolerance.relative, Range::positive,
-                "largest |length - rest| / rest of a whole bar");
+                "largest residual of a whole bar: |length - rest length| / rest length");
   line.add_real("--tolerance-length", settings.resolve.tolerance.length, Range::positive,
-                "largest |length - rest| in Angstrom, in place of --tolerance", "");
+                "largest residual in Angstrom, |length - rest length|; replaces --tolerance", "");
   line.add_integer("--max-sweeps", settings.resolve.max_sweeps, 1, no_limit,
-                   "give a step up after so many sweeps");
+                   "give up on a step after this many sweeps");
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FILE",
                 "force file (default: INPUT's name-forces.txt)");

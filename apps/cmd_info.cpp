@@ -267,9 +267,10 @@ void print_survey(const Facts& facts) {
 int command_info(const Arguments& arguments) {
   CommandLine line(
       "pliant info",
-      "Lists what a molecule file holds: atoms, bonds and their origins, bars,\n"
-      "components, independent cycles, bridges and blocks, what was guessed, and what\n"
-      "is missing for the model of a protein.");
+      "Lists what is in a molecule file: atoms, bonds and how they are known, what was\n"
+      "guessed, and what is missing for the model of a protein. Then what the bars (pairs of\n"
+      "atoms at a fixed distance) form: components (connected parts), cycles, bridges (bars\n"
+      "on no cycle) and blocks (ring systems).");
   MoleculeOptions options;
   bool as_json = false;
   add_molecule_options(line, options);

@@ -27,7 +27,7 @@ void add_options(CommandLine& line, OrderSettings& settings) {
   add_molecule_options(line, settings.molecule);
   line.start_group("Ordering");
   line.add_choice("--ordering", settings.ordering, names_of(orderings()),
-                  "ordering: see pliant techniques");
+                  "one of those that pliant techniques lists");
   line.add_text("--root", settings.root, "JOINT",
                 "joint where the ordering begins: its name, or its index from 0");
   line.add_seed("--seed", settings.seed, "seed of random orderings");

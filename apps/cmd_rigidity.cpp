@@ -29,21 +29,23 @@ struct RigiditySettings {
 
 constexpr const char* summary =
     "Counts degrees of freedom (body-bar pebble game, as FIRST does): which atoms move as\n"
-    "one (rigid clusters), which bonds still turn, and what holds more than it needs to.\n"
+    "one (rigid clusters), which bonds can still rotate, and where there are more\n"
+    "constraints than needed.\n"
     "\n"
-    "Each atom is a body with 6 freedoms. A bond that may turn takes 5 of them (a hinge),\n"
-    "one that does not (peptide, double, aromatic) 6, a hydrogen bond 5, a hydrophobic\n"
-    "contact 2. What is left are internal degrees of freedom: a ring of six single bonds\n"
-    "has none, a ring of seven has one. Only the graph counts, not positions; contacts hold\n"
-    "as if they never broke. So the answer depends on --hbond-cutoff: look at --dilution.";
+    "Each atom is a body with 6 freedoms. A bond that can rotate removes 5 of them (a\n"
+    "hinge), one that cannot (peptide, double, aromatic) 6, a hydrogen bond 5, a hydrophobic\n"
+    "contact 2. Those that remain are internal degrees of freedom: a ring of six single\n"
+    "bonds has none, a ring of seven has one. The count looks at the graph alone, not at\n"
+    "positions, and contacts never break. So the answer depends on --hbond-cutoff: try\n"
+    "--dilution.";
 
 constexpr const char* footer =
     "How to read it:\n"
-    "  flexibility  of a bond: 1 turns freely, 1/7 in a ring of seven that turns as a whole,\n"
-    "               0 locked, below 0 locked by more bars than it takes (redundant)\n"
+    "  flexibility  of a bond: 1 rotates freely, 1/7 in a ring of seven that moves as a whole,\n"
+    "               0 locked, below 0 locked by more bars than needed (redundant)\n"
     "               of a residue: the mean of its N-CA and CA-C bonds\n"
-    "  dilution     hydrogen bonds go one by one, the weakest first: the clusters that stay\n"
-    "               longest are the core, where they come apart are hinges\n"
+    "  dilution     hydrogen bonds are removed one by one, weakest first: the clusters that last\n"
+    "               longest are the core, and they come apart at hinges\n"
     "\n"
     "Examples:\n"
     "  pliant rigidity protein.pdb\n"
@@ -56,14 +58,14 @@ void add_options(CommandLine& line, RigiditySettings& settings) {
   add_model_options(line, settings.molecule.kind);
   line.start_group("Counting");
   line.add_integer("--hbond-bars", settings.hydrogen_bond_bars, 1, freedoms_of_body,
-                   "bars of a hydrogen bond or salt bridge");
+                   "how many freedoms a hydrogen bond or salt bridge removes");
   line.add_integer("--tether-bars", settings.tether_bars, 0, freedoms_of_body,
-                   "bars of a hydrophobic contact; 0 leaves them out");
+                   "how many a hydrophobic contact removes; 0 ignores these contacts");
   line.add_opposite("--still-ends", settings.ends_turn,
-                    "an atom with one bond stays put on it where a hydrogen bond holds it: D-H of "
-                    "D-H..A does not turn");
+                    "an atom with a single bond does not rotate about it if a hydrogen bond "
+                    "holds it: D-H of D-H..A stays put");
   line.add_flag("--dilution", settings.dilution,
-                "take hydrogen bonds out one by one, the weakest first, from --hbond-cutoff on");
+                "remove hydrogen bonds one by one, weakest first, starting at --hbond-cutoff");
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FOLDER",
                 "write tables, PDB files with clusters and flexibility as B factors, scripts "
@@ -73,7 +75,7 @@ void add_options(CommandLine& line, RigiditySettings& settings) {
                 "clusters by residues, with --dilution the plot (made by the Python package)");
   line.add_flag("--overwrite", settings.overwrite, "replace the page, and files of that folder");
   line.add_flag("--csv", settings.as_csv,
-                "print a table of residues, with --dilution one of hydrogen bonds that go");
+                "print a table of residues, or with --dilution of the hydrogen bonds removed");
   line.add_flag("--json", settings.as_json, "print one JSON object with all that was found");
 }
 

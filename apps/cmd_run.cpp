@@ -58,8 +58,8 @@ void tell_what_is_free(const MoleculeOptions& options, const Structure& structur
       structure.format != "graph" && usual_model(structure) == ModelKind::protein;
   if (is_molecule && options.kind.name.empty() && bars_of(options) == "bonds")
     log.note(
-        "bars of bonds: angles, planar groups, contacts and overlaps are free; --model protein "
-        "holds them, and pliant sample makes ensembles");
+        "only bonds are held: angles and planar groups are free, contacts may break, atoms may "
+        "overlap; --model protein holds them, and pliant sample makes ensembles");
 }
 
 /// Null: nobody looks.
@@ -67,7 +67,7 @@ std::unique_ptr<LiveRun> live_run(const RunSettings& settings, const Molecule& m
                                   const Log& log) {
   if (!settings.imd.is_asked) return nullptr;
   if (settings.record_forces.empty())
-    log.warn("what clients pull acts, but no force file can hold this run: it cannot be repeated");
+    log.warn("clients can pull, but a force file cannot describe this run: it cannot be repeated");
   return std::make_unique<LiveRun>(settings.imd, settings.run, molecule.framework.joint_count(),
                                    log);
 }
@@ -84,18 +84,23 @@ constexpr const char* footer =
     "      --pair-distance \"resid 12 and name CA\" \"resid 88 and name CA\" 20..25\n"
     "  pliant run --continue out.h5md                after its end, Ctrl-C or a crash\n"
     "  pliant run --continue out.h5md --steps 20000\n"
-    "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge,\n"
-    "or a guide did not arrive,\n"
-    "130 ended early by Ctrl-C, with all frames complete.";
+    "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge or a\n"
+    "guide did not reach its goal, 130 ended early by Ctrl-C, with all frames complete.";
 
 }  // namespace
 
 int command_run(const Arguments& arguments) {
   CommandLine line(
       "pliant run",
-      "Pushes a molecule again and again, resolves the bars that break, and records each\n"
-      "step in an H5MD trajectory. Every bar of every frame is within the tolerance, or\n"
-      "else the frame and the exit code (3) say so.");
+      "Pushes a molecule again and again, restores what each push breaks, and records every\n"
+      "step in an H5MD trajectory.\n"
+      "\n"
+      "Atoms are joints. A bar is two joints at a fixed distance: a bond or, with --bars\n"
+      "angles, the two ends of a bond angle. A push breaks bars. A technique resolves them:\n"
+      "it makes them whole again, each at its length within the tolerance. Most techniques\n"
+      "do so in sweeps, visits to all bars one after another. How far a bar is off is its\n"
+      "residual; if one is beyond the tolerance, the frame and the exit code (3) say so. A\n"
+      "walker is one of several independent copies of the molecule.");
   line.set_footer(footer);
   RunSettings settings;
   add_run_options(line, settings);

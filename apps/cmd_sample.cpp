@@ -89,10 +89,10 @@ SampledSystem system_of(const MolecularModel& model) {
 int command_sample(const Arguments& arguments) {
   CommandLine line(
       "pliant sample",
-      "Samples what a molecule can do: independent frames about the structure of the file,\n"
-      "each with exact bonds and angles, its contacts held and nothing overlapping. How far\n"
-      "frames go (--amplitude) is an input, not a prediction; populations are not claimed.\n"
-      "Of a small molecule, frames are conformers: torsions are drawn, and rings inverted.");
+      "Makes an ensemble: independent frames around the structure in the file, each with\n"
+      "exact bonds and angles, with its contacts held and no overlaps. How far the frames go\n"
+      "(--amplitude) is an input, not a prediction, and how often a shape occurs is not known.\n"
+      "For a small molecule the frames are conformers, with new torsions and flipped rings.");
   line.set_footer(
       "Examples:\n"
       "  pliant sample protein.pdb -o ensemble.h5md\n"
@@ -102,8 +102,8 @@ int command_sample(const Arguments& arguments) {
       "  pliant sample drug.sdf -o conformers.sdf            torsions, rings\n"
       "  pliant sample --continue ensemble.h5md              after Ctrl-C or a crash\n"
       "  pliant sample --continue ensemble.h5md --frames 2000\n"
-      "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a frame could not be resolved\n"
-      "and is left out, 130 ended early by Ctrl-C with whole frames.");
+      "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a frame could not be made and\n"
+      "is left out, 130 ended early by Ctrl-C, with all frames complete.");
   SampleSettings settings;
   add_sample_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;

@@ -75,12 +75,12 @@ void write_set(StructgenSettings& settings) {
 int command_structgen(const Arguments& arguments) {
   CommandLine line(
       "pliant structgen",
-      "Makes random frameworks of a class: a tree, or a graph of 1, 2 or n cycles. Each way of\n"
-      "making a graph is a class of its own. Writes one graph as XML. With --test-set it writes\n"
-      "a folder for each class, in it one for each graph with its forces and its ordering, in\n"
-      "it one for the results of each heuristic (technique and weighting), and results.xml at\n"
-      "the top, which lists them all. Every graph is checked to belong to its class. The same\n"
-      "seed makes the same files.");
+      "Makes random frameworks (points, called joints, and bars of fixed length between them): a\n"
+      "tree, or a graph with 1, 2 or n cycles, made in one of the ways listed below (classes).\n"
+      "Writes one graph as XML. With --test-set it writes a folder for each class, with a folder\n"
+      "for each graph, its forces and its ordering, with a folder for the results of each\n"
+      "heuristic (technique and weighting); results.xml at the top lists them all. Every graph is\n"
+      "checked to belong to its class. The same seed makes the same files.");
   StructgenSettings settings;
   add_structgen_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;

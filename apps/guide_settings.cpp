@@ -81,14 +81,15 @@ std::string joined(const std::vector<std::vector<std::string>>& groups) {
 void add_guide_options(CommandLine& line, GuideSettings& settings) {
   line.start_group("Guides, in place of --perturb");
   line.add_integer("--rock", settings.rock, 1, most_modes,
-                   "there and back along this mode of the elastic network, from 1", "none");
+                   "rock back and forth along this mode of the elastic network, counted from 1",
+                   "none");
   line.add_real("--rock-amplitude", settings.rock_amplitude, Range::positive,
-                "how far to either side, Angstrom, r.m.s. of residues");
+                "how far to each side, Angstrom, r.m.s. over residues");
   line.add_integer("--period", settings.period, 2, most_period,
-                   "steps of rocking there, back and to the other side");
+                   "steps of one rock to one side, to the other and back");
   line.add_groups("--pull", settings.pulls, 2, "SELECTION X,Y,Z",
                   "pull these atoms by this vector, Angstrom; may be repeated;\n"
-                  "whole residues come sooner than single atoms");
+                  "whole residues get there faster than single atoms");
   line.add_groups("--pair-distance", settings.pairs, 3, "A B DISTANCE",
                   "bring the centres of two selections to a distance in Angstrom, or an\n"
                   "interval such as 20..30 (FRET, DEER, cross-links); may be repeated");

@@ -33,13 +33,13 @@ ImdOptions options_of(const ImdSettings& settings, const RunOptions& run, const 
 void add_imd_options(CommandLine& line, ImdSettings& settings) {
   line.start_group("Live (see src/pliant/stream/README.md)");
   line.add_optional_integer("--imd", settings.is_asked, settings.port, 0, 65535, "PORT",
-                            "let VMD, MDAnalysis, pliant watch follow the run and pull;\n"
+                            "let VMD, MDAnalysis or pliant watch follow the run and pull;\n"
                             "0: any free port, which is printed");
   line.add_text("--imd-host", settings.host, "HOST",
-                "be reached from other machines; IMD knows no password");
+                "accept clients from other machines; IMD has no passwords");
   line.add_integer("--imd-version", settings.version, 2, 3, "2 for VMD, 3 for MDAnalysis");
   line.add_flag("--imd-wait", settings.wait,
-                "go on only while a client is there, and no faster than it reads");
+                "run only while a client is connected, and no faster than it reads");
   line.add_integer("--imd-every", settings.every, 1, std::numeric_limits<std::int64_t>::max(),
                    "send every N-th step, unless the client asks for another rate");
 }
@@ -58,7 +58,7 @@ LiveRun::LiveRun(const ImdSettings& settings, const RunOptions& run, std::size_t
       server_(joint_count, options_of(settings, run, log), steering_) {
   if (!server_.is_loopback())
     log.warn("--imd-host " + printable_name(settings.host) +
-             ": IMD knows no password: whoever reaches port " + std::to_string(server_.port()) +
+             ": IMD has no passwords: whoever reaches port " + std::to_string(server_.port()) +
              " can follow, push and end the run");
 }
 

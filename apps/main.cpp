@@ -16,29 +16,30 @@ namespace {
 
 constexpr Command commands[] = {
     {"demo", "make a first ensemble of a helix that comes along, and say what moves", nullptr},
-    {"info", "list what a molecule file holds: atoms, bonds, bars, cycles, blocks", command_info},
+    {"info", "list what is in a molecule file, what was guessed and what is missing", command_info},
     {"contacts", "list hydrogen bonds, salt bridges and hydrophobic contacts of a molecule",
      command_contacts},
     {"rigidity", "count degrees of freedom: which parts of a molecule are rigid, which flexible",
      command_rigidity},
-    {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
-    {"sample", "an ensemble of what a molecule can do, written to an H5MD trajectory",
-     command_sample},
-    {"path", "move a molecule from one structure to another of it", nullptr},
+    {"run", "push a molecule and restore its bonds, step by step; steer it; follow it live",
+     command_run},
+    {"sample", "make an ensemble of a protein, or conformers of a small molecule", command_sample},
+    {"path", "find a path from one structure of a molecule to another", nullptr},
     {"play", "pull at a molecule by hand, on a page in the browser", nullptr},
     {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},
     {"forcegen", "write a force file of random pushes", command_forcegen},
     {"order", "write the order in which a technique visits the bars", command_order},
     {"techniques", "list techniques, weightings and perturbations", command_techniques},
-    {"watch", "follow a run in a terminal while it goes, over IMD", nullptr},
-    {"check", "check a trajectory against OpenMM", nullptr},
-    {"analyse", "make figures, tables and an HTML report of a trajectory", nullptr},
-    {"representatives", "choose a few frames that stand for all, as a PDB file", nullptr},
-    {"compare", "compare a trajectory with one of OpenMM or another program", nullptr},
+    {"watch", "follow a live run in a terminal, over IMD", nullptr},
+    {"check", "check a trajectory with OpenMM: may MD start from it?", nullptr},
+    {"analyse", "make an HTML report, figures and tables of a trajectory", nullptr},
+    {"representatives", "choose a few frames that represent all the others", nullptr},
+    {"compare", "compare with NMR models, crystal structures or MD", nullptr},
     {"convert", "write a trajectory as DCD, XTC, TRR, XYZ or PDB", nullptr},
-    {"recover", "copy what can be read of a damaged trajectory", nullptr},
-    {"experiment", "compare techniques on random graphs, judge the claims of the thesis", nullptr},
-    {"bench", "measure time and error of every technique, beside OpenMM", nullptr},
+    {"recover", "copy whatever can be read of a damaged trajectory", nullptr},
+    {"experiment", "compare techniques on random graphs, and judge the claims of the thesis",
+     nullptr},
+    {"bench", "measure time and error of every technique, and of OpenMM", nullptr},
 };
 
 void print_usage(std::FILE* to) {
@@ -54,16 +55,25 @@ void print_usage(std::FILE* to) {
                  int(command.summary.size()), command.summary.data());
   std::fputs(
       "\n"
-      "A program pliant-NAME on PATH is run as pliant NAME.\n"
+      "words:\n"
+      "  joint            a point: an atom, if the input is a molecule\n"
+      "  bar              two joints at a fixed distance: a bond, or the two ends of a bond angle\n"
+      "  residual         how far a bar is from its length; it is whole within the tolerance\n"
+      "  technique        a way to make broken bars whole again, which is to resolve them\n"
+      "  sweep            one visit to all bars, one after another; most techniques make many\n"
+      "  walker           one of several independent copies of a molecule\n"
+      "\n"
+      "pliant NAME also runs a program called pliant-NAME on your PATH.\n"
       "\n"
       "examples:\n"
-      "  pliant info molecule.pdb\n"
-      "  pliant run molecule.pdb -o out.h5md --steps 1000\n"
-      "  pliant check out.h5md\n"
+      "  pliant info protein.pdb\n"
+      "  pliant sample protein.pdb -o out.h5md\n"
       "  pliant analyse out.h5md\n"
+      "  pliant compare out.h5md nmr_models.pdb\n"
       "\n"
-      "pliant COMMAND --help explains a command. pliant --completion bash, zsh or fish prints a\n"
-      "script that lets the shell complete commands and options.\n",
+      "pliant COMMAND --help explains a command. pliant --completion bash (or zsh, or fish) "
+      "prints\n"
+      "a script that lets your shell complete commands and options.\n",
       to);
 }
 

@@ -10,20 +10,20 @@ namespace pliant::app {
 void add_model_options(CommandLine& line, ModelSettings& settings) {
   line.start_group("Model");
   line.add_real("--hbond-cutoff", settings.hbond_cutoff, Range::any,
-                "kcal/mol: hydrogen bonds of no lower energy are left out");
+                "leave out hydrogen bonds that are weaker than this energy, kcal/mol");
   line.add_text("--contacts", settings.contacts, "FILE",
-                "contacts as pliant contacts --csv or --json writes them, in place of those found");
-  line.add_flag("--keep-waters", settings.keep_waters, "do not take waters out");
+                "use the contacts in this file (as written by pliant contacts --csv or --json)");
+  line.add_flag("--keep-waters", settings.keep_waters, "do not remove waters");
   line.add_flag("--fill-side-chains", settings.fill_side_chains,
-                "build the missing atoms of side chains by rule (a guess: no data shows them)");
+                "build missing side-chain atoms by rule (a guess: the data does not show them)");
   line.add_flag("--all-hydrogens", settings.all_hydrogens,
-                "place hydrogens on carbon by rule as well, and keep those on carbon clear of\n"
-                "other atoms: for starts of MD; slower");
+                "add hydrogens on carbon as well, and keep them clear of other atoms: for\n"
+                "starting MD; slower");
   line.add_names("--protonate", settings.protonate, "",
-                 "forms of residues, as HIS57:HID,A:ASP25:ASH (default: as hydrogens, names and pH "
-                 "7 say)");
+                 "protonation states, such as HIS57:HID,A:ASP25:ASH (default: from the hydrogens "
+                 "and names in the file, else pH 7)");
   line.add_flag("--floppy", settings.floppy,
-                "leave out contacts of residues with a confidence (pLDDT) below 50");
+                "drop the contacts of residues with a confidence (pLDDT) below 50");
 }
 
 void check(const ModelSettings& settings) {

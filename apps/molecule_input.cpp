@@ -88,27 +88,28 @@ void add_file_options(CommandLine& line, MoleculeOptions& options) {
   line.add_choice("--format", options.format, names_of(formats()),
                   "pdb, mmcif, xyz or sdf (default: by extension or content)");
   line.add_integer("--frame", options.model, 1, most_models,
-                   "number of the model, frame or record");
+                   "which model, frame or record of the file");
   line.add_text("--assembly", options.assembly, "N",
-                "make the biological assembly N that the file states");
+                "build biological assembly N, as the file describes it");
   line.add_text("--select", options.select, "SELECTION",
-                "take these atoms only, such as \"protein\" or \"not resname HOH\"");
+                "use only these atoms, such as \"protein\" or \"not resname HOH\"");
   line.add_integer("--max-input", options.max_input, 1, largest_text / 1'000'000,
-                   "megabytes that the file may have, and expand to");
+                   "largest file accepted, in megabytes, also once it is decompressed");
   line.add_opposite("--no-distance-bonds", options.guess_distances,
-                    "guess no bonds from distances");
+                    "do not guess bonds from distances");
 }
 
 void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
   add_file_options(line, options);
   line.add_integer_or_choice("--model", options.model, 1, most_models, options.kind.name,
                              names_of(models()),
-                             "what holds it: bonds, angles, molecule or protein, in place of "
-                             "--bars; a number is that of --frame");
+                             "what holds it together: bonds, angles, molecule (no overlaps) or "
+                             "protein (contacts, too); replaces --bars; a number means --frame");
   line.add_text("--bars", options.bars, "NAME or FILE",
-                "bonds, angles (bonds and 1-3 pairs), none or a bars file (default: bonds)");
+                "bars: bonds, angles (bonds, angles and planar groups), none, or a bars file "
+                "(default: bonds)");
   line.add_choice("--lengths", options.lengths, names_of(length_choices),
-                  "take rest lengths from the geometry, or from a table of bonds");
+                  "lengths of the bars: as in the file (geometry), or from a table of bonds");
   line.add_text("--pin", options.pin, "SELECTION",
                 "atoms that never move, such as \"chainID A and name CA\"");
   add_model_options(line, options.kind);

@@ -112,7 +112,7 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
   fmt::print("technique       {}\n", technique_line(settings.run.technique, framework));
   fmt::print("steps           {}, of which {} frames are recorded{}\n", summary.steps,
              summary.frames, settings.go_on.empty() ? " (the start is one)" : "");
-  fmt::print("sweeps a step   {:.1f} on average, {} at most\n", summary.mean_sweeps(),
+  fmt::print("sweeps per step {:.1f} on average, {} at most\n", summary.mean_sweeps(),
              summary.max_sweeps);
   fmt::print("worst bar       {} off by {:.2e} of its length, after step {}\n",
              worst_bar_of(framework, summary), summary.worst_residual, summary.worst_step);

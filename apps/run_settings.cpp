@@ -52,15 +52,15 @@ void add_technique_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Technique");
   add_fields(line, settings.run, RunGroup::technique);
   line.add_text("--ordering", settings.ordering, "FILE",
-                "visit the bars in the order of a file, in place of --technique");
+                "visit the bars in the order that this file lists; replaces --technique");
 }
 
 void add_perturb_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Perturbation");
   add_fields(line, settings.run, RunGroup::perturbation);
   line.add_text("--forces", settings.forces, "FILE",
-                "replay a force file: a push per step, or what was done by hand\n"
-                "(pliant-forces 2), in place of --perturb");
+                "replay a force file: one push per step, or what was done by hand\n"
+                "(pliant-forces 2); replaces --perturb");
   line.add_text("--record-forces", settings.record_forces, "FILE",
                 "write the push of each step to a force file, for --forces");
 }
@@ -68,13 +68,13 @@ void add_perturb_options(CommandLine& line, RunSettings& settings) {
 void add_output_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FILE",
-                "H5MD trajectory, or models of a PDB file where the name ends in .pdb\n"
+                "H5MD trajectory, or a PDB file with a model per frame (name ends in .pdb)\n"
                 "(default: INPUT's name.h5md)");
   line.add_text("--topology", settings.topology, "FILE",
-                "PDB with names and bonds, or none (default: OUTPUT's name.pdb)");
+                "PDB file of names and bonds to write, or none (default: OUTPUT's name.pdb)");
   line.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
   line.add_flag("--durable", settings.record.durable,
-                "wait for the disk with each commit, so that frames survive a power cut");
+                "wait for the disk at each commit, so that frames survive a power cut");
   line.add_flag("--single", settings.record.single, "positions as 32-bit floats");
   line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
@@ -177,13 +177,13 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Run");
   add_fields(line, settings.run, RunGroup::run);
   line.add_text("--continue", settings.go_on, "FILE",
-                "go on with the run of a trajectory, up to --steps in all, as if it had never "
+                "continue the run in this trajectory, up to --steps in total, as if it had never "
                 "stopped");
   line.not_required_with("input", "--continue");
   line.add_integer("--walkers", settings.walkers, 1, most_walkers,
-                   "independent runs, each with its own output");
+                   "independent copies, each with its own output");
   line.add_text("--shard", settings.shard, "FIRST..LAST",
-                "run only the walkers with these numbers, such as 800..899");
+                "run only these walkers, such as 800..899");
   line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the walkers",
                    "all cores");
   add_technique_options(line, settings);

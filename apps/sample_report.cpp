@@ -109,10 +109,10 @@ void print_table(const SampleSettings& settings, const SampledSystem& system,
   conformations ? print_conformations(*conformations) : print_amplitude(settings, summary);
   fmt::print("RMSF            {:.2f} A over atoms, superposed; {:.2f} A between halves of frames\n",
              mean_of(summary.rmsf), mean_of(summary.rmsf_error));
-  fmt::print("drawn again     {} frames; {} more took a second way\n", summary.redrawn,
+  fmt::print("drawn again     {} frames; {} more needed a second attempt\n", summary.redrawn,
              std::max<std::int64_t>(0, summary.rescued - summary.redrawn));
   print_worst(system, summary);
-  fmt::print("time            {:.2f} s; {:.2f} ms of a core a frame\n", summary.seconds,
+  fmt::print("time            {:.2f} s; {:.2f} ms of one core per frame\n", summary.seconds,
              ms_a_frame(summary));
   if (summary.failed > 0)
     fmt::print("not resolved    {} frames, which are left out\n", summary.failed);

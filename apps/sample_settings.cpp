@@ -28,7 +28,7 @@ void add_molecule_group(CommandLine& line, SampleSettings& settings) {
   std::vector<std::string_view> kinds{"auto"};
   for (const ModelEntry& row : models()) kinds.push_back(row.name);
   line.add_choice("--model", settings.model, kinds,
-                  "what holds it; auto: protein where there are residues, else molecule");
+                  "what holds it together; auto: protein if there are residues, else molecule");
   add_model_options(line, settings.molecule.kind);
 }
 
@@ -37,38 +37,38 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
   SampleOptions& sample = settings.sample;
   line.add_integer("--frames", sample.frames, 1, most_frames, "frames to write");
   line.add_text("--continue", settings.go_on, "FILE",
-                "go on with the frames of a trajectory, up to --frames in all, as if it had never "
+                "continue this trajectory, up to --frames in total, as if it had never "
                 "stopped");
   line.not_required_with("input", "--continue");
   line.add_integer("--first-frame", sample.first_frame, 0, most_frames,
-                   "number of the first frame: a run may be made in pieces");
+                   "number of the first frame, if an ensemble is made in pieces");
   line.add_text("--amplitude", settings.amplitude, "X, NAME or FILE",
-                "how far frames go: mean r.m.s. fluctuation of residues. An input, not a result:\n"
-                "X: as given, in Angstrom (default 1.4, that of ubiquitin by NMR, 2K39)\n"
-                "bfactors: as far as the file's B factors say, sqrt(3 B / 8 pi^2)\n"
-                "FILE: as far as an ensemble of yours goes: models (PDB, mmCIF) or frames (H5MD)\n"
-                "of the same residues, numbered alike");
-  line.add_seed("--seed", sample.seed, "of all random numbers");
+                "how far frames go: r.m.s. fluctuation, averaged over residues. An input:\n"
+                "X: in Angstrom (default 1.4, which is that of ubiquitin by NMR, 2K39)\n"
+                "bfactors: from the B factors in the file, sqrt(3 B / 8 pi^2)\n"
+                "FILE: from your own ensemble: models (PDB, mmCIF) or frames (H5MD) of the\n"
+                "same residues, with the same numbers");
+  line.add_seed("--seed", sample.seed, "seed of all random numbers");
   line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the frames",
                    "all cores");
   line.add_choice("--network", sample.network, names_of(networks()),
-                  "elastic network whose modes frames go along");
+                  "elastic network; frames follow its modes");
   std::vector<std::string_view> ways{"auto"};
   for (const SamplerEntry& row : samplers()) ways.push_back(row.name);
   sample.sampler = "auto";
   line.add_choice("--sampler", sample.sampler, ways,
-                  "way to move; auto: modes where there are residues, torsions of small molecules");
+                  "way to move; auto: modes if there are residues, torsions for small molecules");
   line.add_real("--temperature", sample.temperature, Range::positive,
-                "T of sampler dilute (kJ/mol)");
+                "T of sampler dilute, kJ/mol");
 }
 
 void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.start_group("Output");
   line.add_text("-o,--output", settings.output, "FILE",
-                "H5MD trajectory, or models of a PDB file (.pdb), or records of SDF (.sdf)\n"
+                "H5MD trajectory, or a PDB file (.pdb) or SDF file (.sdf) of all frames\n"
                 "(default: INPUT's name.h5md)");
   line.add_text("--topology", settings.topology, "FILE",
-                "PDB with names and bonds, or none (default: OUTPUT's name.pdb)");
+                "PDB file of names and bonds to write, or none (default: OUTPUT's name.pdb)");
   line.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
   line.add_flag("--single", settings.record.single, "positions as 32-bit floats");
   line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");

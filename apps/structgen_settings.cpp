@@ -28,8 +28,7 @@ void add_one_options(CommandLine& line, StructgenSettings& settings) {
   line.add_text("CLASS", settings.kind, "NAME", "class of the graph (see below)");
   line.start_group("One graph");
   line.add_text("-o,--output", settings.output, "FILE", "graph XML (default: CLASS.xml)");
-  line.add_integer("--number", settings.number, 0, no_limit,
-                   "number of the graph among those of this class and seed");
+  line.add_integer("--number", settings.number, 0, no_limit, "which graph of this class and seed");
   line.add_flag("--overwrite", settings.overwrite, "replace an existing file");
 }
 
@@ -37,12 +36,12 @@ void add_size_options(CommandLine& line, GenerateOptions& sizes) {
   line.start_group("Sizes");
   line.add_integer("--depth", sizes.depth, 1, no_limit, "levels of a tree below its root");
   line.add_integer("--children", sizes.children, 1, no_limit,
-                   "most children of a joint (the number is random)");
+                   "largest number of children of a joint (the number is random)");
   line.add_integer("--ring", sizes.ring, 3, no_limit,
-                   "most joints of a closed chain (the number is random)");
+                   "largest number of joints of a closed chain (the number is random)");
   line.add_integer("--cycles", sizes.cycles, 0, no_limit, "non-tree bars of an n-cycle");
   line.add_integer("--joints", sizes.joints, 0, no_limit,
-                   "joints of a tree; 0: as --depth and --children give");
+                   "joints of a tree; 0: as many as --depth and --children give");
   line.add_real("--box", sizes.box, Range::positive,
                 "edge of the box that positions are drawn from, Angstrom");
 }
@@ -69,9 +68,9 @@ void add_force_options(CommandLine& line, TestSettings& settings) {
                 "size of a push, kJ/(mol Angstrom)");
   line.add_real("--timestep", settings.timestep, Range::positive, "length of a step, ps");
   line.add_real("--tolerance-length", settings.tolerance_length, Range::positive,
-                "largest |length - rest| of a whole bar, Angstrom");
+                "largest residual of a whole bar, Angstrom");
   line.add_integer("--max-sweeps", settings.max_sweeps, 1, no_limit,
-                   "give a step up after so many sweeps");
+                   "give up on a step after this many sweeps");
 }
 
 std::string footer() {

@@ -51,10 +51,15 @@ OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state,
   check_pushes(framework, options.replay);
   show_framework(options.technique, framework);
   const StateInUse in_use(nb::cast<const State&>(state));
-  InterruptWatch watch;
+  std::int64_t done = options.began.value_or(0);
+  InterruptWatch watch("steps", options.steps);
   if (forces) options.on_push = [forces](const Push& push) { forces->record(push); };
   options.log = python_log();
-  options.resolve.should_stop = [&watch] { return watch(); };
+  options.resolve.should_stop = [&] { return watch(done); };
+  options.onlooker.wants = [&done](std::int64_t step) {
+    done = step;
+    return false;
+  };
   std::vector<Observer> all;
   std::vector<LockedRecorder*> recorders;
   for (const nb::object& observer : observers) {
@@ -62,7 +67,7 @@ OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state,
     if (nb::isinstance<LockedRecorder>(observer))
       recorders.push_back(&nb::cast<LockedRecorder&>(observer));
   }
-  all.push_back([&watch](const Frame&) { return watch(); });
+  all.push_back([&](const Frame&) { return watch(done); });
   RunSummary summary;
   {
     State& moved = nb::cast<State&>(state);

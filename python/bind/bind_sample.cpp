@@ -94,7 +94,7 @@ void fill(SampledEnsemble& out, const SampleOptions& options, const Output& outp
       sample(model.framework, model.positions, nodes, options, [&](const SampledFrame& frame) {
         if (recorder) recorder->record(recorded_frame(frame));
         out.positions.insert(out.positions.end(), frame.positions.begin(), frame.positions.end());
-        return watch();
+        return watch(frame.frame - options.first_frame + 1);
       });
   if (recorder) recorder->close();
 }
@@ -108,7 +108,7 @@ SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
   const Output output = output_from(path, overwrite, single, compress);
   SampledEnsemble out{model_from(structure, model), {}, {}, {}};
   out.amplitude = amplitude_of(amplitude.value_or(usual_amplitude), out.model.structure);
-  InterruptWatch watch;
+  InterruptWatch watch("frames", frames);
   SampleOptions options;
   options.frames = frames;
   options.first_frame = first_frame;

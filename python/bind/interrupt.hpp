@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C during a long call: signal handlers of Python run only when they are asked for.
+// Long calls: Ctrl-C, whose handler in Python runs only when it is asked for, and progress bars.
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <exception>
 
 #include "bind.hpp"
@@ -13,16 +14,41 @@ namespace pliant::python {
 /// is kept until the computation has ended in good order.
 class InterruptWatch {
  public:
+  InterruptWatch() = default;
+
+  /// With a bar in notebooks and on terminals, of `total` things called `what`; made and destroyed
+  /// with the GIL held.
+  InterruptWatch(const char* what, std::int64_t total)
+      : bar_(nb::module_::import_("pliant._progress").attr("begin")(what, total)) {}
+
+  InterruptWatch(const InterruptWatch&) = delete;
+  InterruptWatch& operator=(const InterruptWatch&) = delete;
+  InterruptWatch(InterruptWatch&&) = default;
+  InterruptWatch& operator=(InterruptWatch&&) = default;
+
+  ~InterruptWatch() {
+    if (!bar_.is_valid() || bar_.is_none()) return;
+    try {
+      bar_.attr("close")();
+    } catch (nb::python_error& error) {
+      error.discard_as_unraisable("closing a progress bar");
+    }
+  }
+
   /// True once a handler has raised. May be called without the GIL.
-  bool operator()() {
+  bool operator()(std::int64_t done = 0) {
     if (raised_) return true;
     const Clock::time_point now = Clock::now();
     if (now - last_ < std::chrono::milliseconds(100)) return false;
     last_ = now;
     const nb::gil_scoped_acquire gil;
-    if (PyErr_CheckSignals() == 0) return false;
-    raised_ = std::make_exception_ptr(nb::python_error());
-    return true;
+    try {
+      if (PyErr_CheckSignals() != 0) throw nb::python_error();
+      if (bar_.is_valid() && !bar_.is_none()) bar_.attr("show")(done);
+    } catch (const nb::python_error&) {
+      raised_ = std::current_exception();
+    }
+    return raised_ != nullptr;
   }
 
   /// What a handler raised; null if nothing. Rethrow it with the GIL held.
@@ -32,6 +58,7 @@ class InterruptWatch {
   using Clock = std::chrono::steady_clock;
   Clock::time_point last_ = Clock::now();
   std::exception_ptr raised_;
+  nb::object bar_;
 };
 
 }  // namespace pliant::python

@@ -112,7 +112,7 @@ def _run_summary(shown: _core.RunSummary) -> Facts:
     return [
         ("steps", f"{shown.steps}, {shown.frames} frames shown or recorded"),
         ("not converged", missed),
-        ("sweeps a step", f"{shown.mean_sweeps:.3g}, {shown.max_sweeps} at most"),
+        ("sweeps per step", f"{shown.mean_sweeps:.3g}, {shown.max_sweeps} at most"),
         ("bars looked at", f"{shown.projections}"),
         ("worst bar", f"off by {shown.worst_residual:.2g} of its length, bar {shown.worst_bar}"),
         ("time", f"{shown.seconds:.2g} s, resolving {shown.resolve_seconds:.2g} s"),

@@ -16,6 +16,7 @@ from typing import Any, NoReturn, TextIO
 
 import numpy as np
 
+from pliant import _progress
 from pliant._core import Error, OptionError
 from pliant._extras import MissingPackageError, needed_by
 
@@ -128,6 +129,7 @@ def run_command(command: str, work: Callable[[], int]) -> int:
 
     So does a package that is not installed, with 2: the line says how to install it.
     """
+    _progress.hide()  # commands draw their own
     try:
         with needed_by("this command"):
             code = work()
@@ -235,17 +237,24 @@ BAR = 24  #: characters of a progress bar
 
 @contextlib.contextmanager
 def progress(what: str, quiet: bool = False) -> Iterator[Callable[[int, int], None]]:
-    """Gives a function (done, total) that draws a bar over itself; only on a terminal."""
+    """Gives a function (done, total) that draws a bar over itself: on a terminal, in a notebook."""
     shown = not quiet and sys.stderr.isatty()
+    bars: list[_progress.Bar | None] = []
 
     def show(done: int, total: int) -> None:
         if shown:
             bar = "#" * (BAR * done // max(total, 1))
             text = f"{what}: [{bar:.<{BAR}}] {done} / {total}"
             print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)
+        elif not quiet and _progress.in_notebook():
+            bars[:] = bars or [_progress.begin(what, total)]
+            if bars[0] is not None:
+                bars[0].show(done)
 
     try:
         yield show
     finally:
         if shown:
             print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+        for one in filter(None, bars):
+            one.close()

@@ -22,12 +22,12 @@ from pliant._extras import need
 from pliant._superposition import Superposition
 
 EPILOG = """\
-The name of OUT says the format: .pdb or .cif (a model a frame), .dcd, .xtc, .trr or .xyz. PDB and
-mmCIF are written by Pliant itself, the others by MDAnalysis (pip install "pliant[analysis]"). H5MD
-has every digit: PDB keeps 0.001 Angstrom, mmCIF and XYZ 0.00001, XTC 0.01, DCD and TRR 32-bit
-floats. Observables and bars are left out. mmCIF has no bonds: programs know them by names of
-residues. DCD, XTC and TRR have positions only: open them with the PDB file that pliant run writes
-beside its trajectory.
+The name of OUT says the format: .pdb or .cif (one model per frame), .dcd, .xtc, .trr or .xyz. PDB
+and mmCIF are written by Pliant itself, the others by MDAnalysis (pip install "pliant[analysis]").
+H5MD keeps every digit; PDB keeps 0.001 Angstrom, mmCIF and XYZ 0.00001, XTC 0.01, DCD and TRR
+32-bit floats. Observables and bars are left out. mmCIF has no bonds: programs know them from the
+names of residues. DCD, XTC and TRR have only positions: open them with the PDB file that pliant
+run writes beside its trajectory.
 
 exit codes: 0 done, 1 bad input or file, 2 bad option or missing package
 
@@ -257,7 +257,7 @@ def make_parser() -> console.Parser:
     add("--every", metavar="N", type=console.whole_number(1), default=1,
         help="only each Nth frame, from the first (default 1)")  # fmt: skip
     add("--superpose", action="store_true",
-        help="lay each frame on the first, by least squares over the atoms written")  # fmt: skip
+        help="superpose each frame on the first, by least squares over these atoms")  # fmt: skip
     add("--overwrite", action="store_true", help="replace an existing OUT")
     add("--json", action="store_true", help="print what was written as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")

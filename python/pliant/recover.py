@@ -56,7 +56,7 @@ OBSERVABLES = (
 EPILOG = """\
 Every frame that can be read is kept, wherever it is, with its step and time, and so are the
 observables, names, bonds, bars and options that can be read. Coordinates have no checksums: a wrong
-digit cannot be told from a right one. BROKEN is not changed.
+digit looks like a right one. BROKEN is not changed.
 
 exit codes: 0 frames were saved, 1 none, 2 bad option
 

@@ -5,6 +5,21 @@ include(CMakePackageConfigHelpers)
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/pliant)
 
+# With BUILD_SHARED_LIBS they are shared, and show no symbols but those of namespace pliant.
+if(BUILD_SHARED_LIBS)
+  foreach(part core files record)
+    set_target_properties(pliant_${part} PROPERTIES
+      VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR}
+      DEFINE_SYMBOL ""  # no source asks for it, and one precompiled header serves all
+      INSTALL_RPATH $ORIGIN)
+    if(NOT APPLE AND NOT WIN32)
+      set(symbols ${CMAKE_CURRENT_LIST_DIR}/pliant.symbols)
+      target_link_options(pliant_${part} PRIVATE LINKER:--version-script=${symbols})
+      set_property(TARGET pliant_${part} APPEND PROPERTY LINK_DEPENDS ${symbols})
+    endif()
+  endforeach()
+endif()
+
 install(TARGETS pliant pliant_core pliant_files pliant_record
         EXPORT pliantTargets COMPONENT library
         ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
@@ -26,8 +41,23 @@ foreach(header IN LISTS public_headers)
           DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/${folder} COMPONENT library)
 endforeach()
 
-install(FILES ${PROJECT_SOURCE_DIR}/LICENSE
+include(PliantNotices)
+set(third_party Eigen3 GEMMI HDF5 PEGTL ZLIB fmt pugixml ${pliant_optional})
+if(TARGET pliant_command)
+  list(APPEND third_party CLI11 nlohmann_json)
+endif()
+if(PLIANT_PYTHON)
+  list(APPEND third_party nanobind)
+endif()
+list(SORT third_party)
+set(notices ${PROJECT_BINARY_DIR}/THIRD_PARTY_NOTICES.txt)
+pliant_write_notices(${notices} ${third_party})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${notices}
         DESTINATION ${CMAKE_INSTALL_DATADIR}/licenses/pliant COMPONENT library)
+if(SKBUILD)
+  install(FILES ${notices} DESTINATION ${SKBUILD_PLATLIB_DIR}/pliant
+          COMPONENT python EXCLUDE_FROM_ALL)
+endif()
 
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/pliantConfig.cmake.in
   ${PROJECT_BINARY_DIR}/pliantConfig.cmake INSTALL_DESTINATION ${package_folder})
@@ -61,6 +91,9 @@ foreach(package pliant pliant-core)
 endforeach()
 
 if(TARGET pliant_command)
+  if(BUILD_SHARED_LIBS)
+    set_target_properties(pliant_command PROPERTIES INSTALL_RPATH $ORIGIN/../${CMAKE_INSTALL_LIBDIR})
+  endif()
   install(TARGETS pliant_command COMPONENT command RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
   if(SKBUILD)  # beside the wheel's other scripts, so that it is found on PATH
     install(TARGETS pliant_command COMPONENT python EXCLUDE_FROM_ALL

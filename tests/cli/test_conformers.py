@@ -103,7 +103,7 @@ def test_what_cannot_turn_is_told(pliant, tmp_path):
     Chem.MolToMolFile(made, str(tmp_path / "caffeine.sdf"))
     ended = pliant("sample", "caffeine.sdf", "-o", "out.sdf", "--frames", 2)
     assert ended.code == 0
-    assert "warning: no bond of it turns, no ring of it has another form" in ended.err
+    assert "warning: no bond can rotate and no ring has another form" in ended.err
 
 
 @pytest.mark.parametrize("version", ["V2000", "V3000"])

@@ -125,7 +125,7 @@ def test_bars_of_bonds_are_said_to_be_free(pliant, tmp_path):
     molecule.write_text(HISTIDINE)
     ended = pliant("run", molecule, "--steps", "1")
     assert ended.code == 0
-    assert "note: bars of bonds: angles, planar groups, contacts and overlaps are free" in ended.err
+    assert "note: only bonds are held: angles and planar groups are free" in ended.err
 
 
 def test_info_says_what_is_missing(pliant):

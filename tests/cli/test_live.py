@@ -47,14 +47,14 @@ def test_a_port_that_is_taken(pliant, command, tmp_path):
 def test_a_run_that_is_reached_from_elsewhere_says_so(pliant):
     ended = pliant("run", PEPTIDE, "--steps", "2", "--imd", "0", "--imd-host", "0.0.0.0")
     assert ended.code == 0
-    assert "warning: --imd-host 0.0.0.0: IMD knows no password: whoever reaches port " in ended.err
+    assert "warning: --imd-host 0.0.0.0: IMD has no passwords: whoever reaches port " in ended.err
 
 
 def test_a_run_whose_pushes_no_file_holds_says_so(pliant, tmp_path):
     ended = pliant("run", PEPTIDE, "--steps", "2", "--imd", "0", "--perturb", "displacement")
     assert ended.code == 0
     assert (
-        "warning: what clients pull acts, but no force file can hold this run: it cannot be "
+        "warning: clients can pull, but a force file cannot describe this run: it cannot be "
         "repeated" in ended.err
     )
 

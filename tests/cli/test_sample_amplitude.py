@@ -90,7 +90,7 @@ def test_it_is_as_b_factors_say(pliant, start, tmp_path):
     assert told["amplitude_asked"] == pytest.approx(expected, rel=1e-6)
     assert told["amplitude_from"] == "bfactors"
     assert told["amplitude_reason"] == "B factors of 14 residues, mean 19 A^2"
-    assert any("B factors, which hold disorder of the crystal" in w for w in told["warnings"])
+    assert any("B factors, which contain disorder of the crystal" in w for w in told["warnings"])
     with h5py.File(tmp_path / "out.h5md") as file:
         assert file["parameters/sample/amplitude"][()] == pytest.approx(expected, rel=1e-6)
         assert file["parameters/sample/amplitude_from"][()] == b"bfactors"
@@ -175,6 +175,6 @@ def test_what_does_not_move_is_a_warning(pliant, tmp_path):
                    "--sampler", "modes")  # fmt: skip
     assert ended.code == 0
     assert json.loads(ended.out)["warnings"] == [
-        "frames reach an amplitude of 0.00 of the 1.40 Angstrom asked for: what holds the "
-        "molecule does not let it move so far"
+        "frames reach an amplitude of 0.00 of the 1.40 Angstrom asked for: the molecule "
+        "is held too tightly to move that far"
     ]

@@ -27,12 +27,12 @@ DESCRIPTION = """\
 Analyses a trajectory and writes figures (PNG), tables (CSV) and one page, report.html, which
 opens in a browser without a network and shows the molecule moving.
 
-It tells how flexible each residue is, with an error; which parts move together; collective motions;
-contacts kept and lost; and whether frames are still the molecule: bond angles, chirality, planar
-groups, peptide bonds, Ramachandran, overlaps, and every bar of every frame. It takes any trajectory
-that MDAnalysis reads. What cannot be computed from a file is left out, and the page says so. Beside
-the page lie files for other programs: flexibility.csv, bfactors.pdb, modes.nmd (ProDy, VMD),
-ensemble.pdb with scripts for PyMOL and ChimeraX."""
+It shows how flexible each residue is, with an error; which parts move together; collective
+motions; contacts kept and lost; and whether the stereochemistry is sound: bond angles, chirality,
+planar groups, peptide bonds, Ramachandran, overlaps, and every bar (fixed distance) of every
+frame. It takes any trajectory that MDAnalysis reads. What cannot be computed from a file is left
+out, and the page says so. The folder also holds files for other programs: flexibility.csv,
+bfactors.pdb, modes.nmd (ProDy, VMD), ensemble.pdb with scripts for PyMOL and ChimeraX."""
 
 EPILOG = """\
 examples:
@@ -55,7 +55,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> Parser:
     parser = Parser("analyse", DESCRIPTION, EPILOG)
     add = parser.add_argument
-    add("file", metavar="FILE", help="trajectory of pliant sample or run (H5MD), or another")
+    add(
+        "file",
+        metavar="FILE",
+        help="trajectory of pliant sample or run (H5MD), or of another program",
+    )
     add(
         "-o", "--output", metavar="DIR",
         help="folder for the results (default: FILE's name with -report)",
@@ -166,7 +170,7 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
         ("flexibility", "flexibility_mean", "{:.3f} Angstrom, mean RMSF"),
         ("domains", "domains", "{}"),
         ("worst residual", "max_residual", "{:.2e} of the bar's length"),
-        ("sweeps a step", "sweeps_mean", "{:.1f} on average"),
+        ("sweeps per step", "sweeps_mean", "{:.1f} on average"),
         ("RMSD", "rmsd_max", "{:.3f} Angstrom at most"),
         ("gyration", "radius_of_gyration_mean", "{:.3f} Angstrom, mean radius"),
         ("torsions", "rotatable_bonds", "{} rotatable bonds"),

@@ -11,12 +11,12 @@ from collections.abc import Sequence
 from pliant.console import EXIT_OK, Parser, note, print_json, run_command, whole_number
 
 DESCRIPTION = """\
-Chooses a few frames that stand for all, and writes them as the models of a PDB file: for docking,
-for simulations that begin from different shapes, or to look at.
+Chooses a few frames that represent all the others, and writes them as the models of a PDB file:
+for docking, for simulations that start from different shapes, or to look at.
 
-Frames are compared by their RMSD, superposed pair by pair, and chosen by k-medoids: each frame of
-the file is as near as can be to one of those chosen. Nothing is random. How many frames are nearest
-to each is no population: how often a shape occurs is not claimed."""
+Frames are compared by their RMSD, superposed pair by pair, and chosen by k-medoids: the frames of
+the file are, on average, as close as possible to one of those chosen. Nothing is random. How many
+frames are closest to each is not a population: how often a shape occurs is not known."""
 
 EPILOG = """\
 examples:
@@ -36,7 +36,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> Parser:
     parser = Parser("representatives", DESCRIPTION, EPILOG)
     add = parser.add_argument
-    add("file", metavar="FILE", help="trajectory of pliant sample or run (H5MD), or another")
+    add("file", metavar="FILE", help="trajectory of pliant sample or run (H5MD), or another one")
     add("-k", dest="count", type=whole_number(1), required=True, metavar="K", help="how many")
     add("-o", "--output", metavar="FILE", required=True, help="PDB file with K models")
     add("--topology", metavar="FILE", help="file of atoms, if FILE holds none (PDB, GRO, PSF ...)")

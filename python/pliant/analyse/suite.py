@@ -12,8 +12,9 @@ from typing import Any
 import MDAnalysis  # noqa: F401  (before pliant.analysis, which says that it lacks MDAnalysis itself)
 
 from pliant._display import Displayed, Facts
+from pliant._progress import Stages
 from pliant.analyse.bar_verdict import Verdict, verdict
-from pliant.analyse.stages import study_trajectory
+from pliant.analyse.stages import STAGES, study_trajectory
 from pliant.analyse.study import Study, StudyOptions
 from pliant.analyse.summary import summary
 from pliant.analyse.verdicts import verdicts
@@ -64,7 +65,7 @@ def analyse(
     step: int | None = None,
     workers: int = 1,
     dpi: int = DPI,
-    on_stage: Callable[[str], None] = lambda name: None,
+    on_stage: Callable[[str], None] | None = None,
 ) -> AnalysisReport:
     """Analyses a trajectory; writes figures, tables and a report page if told where.
 
@@ -103,7 +104,8 @@ def analyse(
     dpi : int
         Resolution of the figures, dots per inch.
     on_stage : callable
-        Called with the name of each stage as it begins.
+        Called with the name of each stage as it begins. Default: a progress bar in notebooks and on
+        terminals.
 
     Raises
     ------
@@ -116,23 +118,33 @@ def analyse(
     """
     if output is not None:
         make_folder(Path(output))
-    study = study_trajectory(
-        StudyOptions(
-            os.fspath(path),
-            None if topology is None else os.fspath(topology),
-            select,
-            superpose,
-            mass_weighted,
-            hydrogens,
-            start,
-            stop,
-            step,
-            workers,
-            None if reference is None else os.fspath(reference),
-            tuple((str(a), str(b)) for a, b in distances),
-        ),
-        on_stage,
+    options = StudyOptions(
+        os.fspath(path),
+        None if topology is None else os.fspath(topology),
+        select,
+        superpose,
+        mass_weighted,
+        hydrogens,
+        start,
+        stop,
+        step,
+        workers,
+        None if reference is None else os.fspath(reference),
+        tuple((str(a), str(b)) for a, b in distances),
     )
+    if on_stage is not None:
+        return _analysed(options, output, dpi, on_stage)
+    with Stages("analysing", 2 + len(STAGES)) as stages:
+        return _analysed(options, output, dpi, stages)
+
+
+def _analysed(
+    options: StudyOptions,
+    output: str | os.PathLike[str] | None,
+    dpi: int,
+    on_stage: Callable[[str], None],
+) -> AnalysisReport:
+    study = study_trajectory(options, on_stage)
     if output is None:
         return AnalysisReport(study)
     on_stage("figures and page")

@@ -11,12 +11,13 @@ from collections.abc import Sequence
 from pliant import console
 
 EPILOG = """\
-Exit code: 0 if every check passed, 1 if one failed, 2 for a bad option. Where OpenMM cannot do
-something, such as repair frameworks with bars across angles, this is said; it is no failure.
-Frames are usable as MD starts where all stay finite, no two atoms are in one place, each residue
-keeps its hand, and in 95 % of the frames energy ends at most 3 (100 steps) and 1 (500 steps) kJ/mol
-a residue above the start's, and alpha carbons move by at most 0.4 Angstrom in 100 steps. Hydrogens
-are best placed before: pliant sample --all-hydrogens keeps them clear of other atoms.
+Exit code: 0 if every check passed, 1 if one failed, 2 for a bad option. If OpenMM cannot do
+something, such as repair frameworks that fix bond angles, the report says so; it is not a failure.
+Frames can be used to start MD if all numbers stay finite, no two atoms are in the same place, each
+residue keeps its chirality, and in 95 % of the frames the energy ends at most 3 (100 steps) and 1
+(500 steps) kJ/mol per residue above that of the start structure, and alpha carbons move by at most
+0.4 Angstrom in 100 steps. It is best to add hydrogens before sampling: pliant sample
+--all-hydrogens keeps them clear of other atoms.
 
 examples:
   pliant check out.h5md
@@ -30,13 +31,13 @@ def make_parser() -> console.Parser:
     """The options of pliant check."""
     parser = console.Parser(
         "check",
-        "Checks a trajectory against OpenMM. Every bar of every frame is measured. OpenMM's\n"
-        "constraints must leave the frames unchanged and notice the smallest break, and its\n"
-        "harmonic bonds must have the energy that Pliant computes. Frames of a run are broken,\n"
-        "and Pliant and OpenMM's CCMA repair the same ones. Of an ensemble of a protein OpenMM\n"
-        "minimises frames, the start structure and frames of a short MD alike (amber14, implicit\n"
-        "water OBC2): may MD start from the frames? That takes about ten minutes for 200\n"
-        "residues on two free cores. OpenMM runs in processes of its own.",
+        "Checks a trajectory with OpenMM. Every bar (two atoms at a fixed distance) of every\n"
+        "frame is measured. OpenMM's constraints must leave the frames unchanged and notice the\n"
+        "smallest break, and its harmonic bonds must have the energy that Pliant computes. Frames\n"
+        "of a run are broken, and Pliant and OpenMM's CCMA both repair them. For an ensemble of a\n"
+        "protein, OpenMM minimises frames, the start structure and frames of a short MD in the\n"
+        "same way (amber14, implicit water OBC2): may MD start from the frames? That takes about\n"
+        "ten minutes for 200 residues on two free cores. OpenMM runs in separate processes.",
         EPILOG,
     )
     add = parser.add_argument
@@ -50,7 +51,7 @@ def make_parser() -> console.Parser:
     add("--seed", metavar="N", type=console.whole_number(0), default=0,
         help="seed of the displacements (default 0)")  # fmt: skip
     add("--time-limit", metavar="S", type=console.positive_number, default=300.0,
-        help="give a job of OpenMM up after so many seconds (default 300)")  # fmt: skip
+        help="give up on an OpenMM job after this many seconds (default 300)")  # fmt: skip
     _add_force_field(parser)
     add("-o", "--output", metavar="FOLDER", type=pathlib.Path,
         help="folder for the picture (default: that of the trajectory)")  # fmt: skip
@@ -63,7 +64,7 @@ def make_parser() -> console.Parser:
 def _add_force_field(parser: console.Parser) -> None:
     add = parser.add_argument_group("force field").add_argument
     add("--force-field", action=argparse.BooleanOptionalAction, default=None,
-        help="minimise frames (default: where the file is an ensemble of a protein)")  # fmt: skip
+        help="minimise frames (default: if the file is an ensemble of a protein)")  # fmt: skip
     add("--starts", metavar="N", type=console.whole_number(1, "all"), default=20,
         help="frames minimised for 100 steps, spread evenly, or all (default 20)")  # fmt: skip
     add("--long-starts", metavar="N", type=console.whole_number(0), default=3,
@@ -74,7 +75,7 @@ def _add_force_field(parser: console.Parser) -> None:
     add("--start", metavar="FILE",
         help="structure that the ensemble began with (default: the PDB beside it)")  # fmt: skip
     add("--total-limit", metavar="S", type=console.positive_number, default=1200.0,
-        help="minimise nothing more after so many seconds; what is missing then is said "
+        help="stop minimising after this many seconds, and say what is missing "
         "(default 1200)")  # fmt: skip
 
 

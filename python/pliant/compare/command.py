@@ -14,8 +14,9 @@ from pliant._core import OptionError
 EPILOG = """\
 Exit code: 0 if they were compared, 1 if they cannot be, 2 for a bad option.
 
-What halves of THEIRS give against each other is the ceiling: no better agreement can be told.
-How far ours goes (--amplitude of pliant sample) was put in, so only parts and directions count.
+The ceiling is how well two halves of THEIRS agree with each other: no agreement beyond that can be
+detected. How far OURS goes (--amplitude of pliant sample) was an input, so only which parts move,
+and in what directions, counts.
 
 examples:
   pliant compare out.h5md nmr_models.pdb
@@ -30,11 +31,12 @@ def make_parser() -> console.Parser:
     """The options of pliant compare."""
     parser = console.Parser(
         "compare",
-        "Compares an ensemble of Pliant with experiment or another program: models of an NMR\n"
-        "file, crystal structures, a trajectory of molecular dynamics. Which residues move (r of\n"
-        "RMSF), in what directions (RMSIP, overlaps of modes), what one has and the other lacks,\n"
-        "and what cannot be concluded. Residues are matched by sequence. Where the atoms are the\n"
-        "same, torsions and lengths of bars are compared too.",
+        "Compares an ensemble made by Pliant with experiment or another program: NMR models,\n"
+        "crystal structures, a trajectory of molecular dynamics. It says which residues move (r\n"
+        "of RMSF), in what directions (RMSIP, overlaps of modes), what one has and the other\n"
+        "lacks, and what cannot be concluded. Residues are matched by sequence. If the atoms are\n"
+        "the same, torsions and the lengths of bars (pairs of atoms at a fixed distance) are\n"
+        "compared as well.",
         EPILOG,
     )
     add = parser.add_argument
@@ -47,7 +49,7 @@ def make_parser() -> console.Parser:
     add("--select", metavar="TEXT", default="all",
         help="MDAnalysis selection for both (default all)")  # fmt: skip
     add("--frames", metavar="N", type=console.whole_number(2, "all"),
-        help="most frames to read of each, spread evenly, or all (default 2000; 500 with "
+        help="frames to read of each at most, spread evenly, or all (default 2000; 500 with "
              "--path)")  # fmt: skip
     add("-o", "--output", metavar="FOLDER", type=pathlib.Path,
         help="folder for the pictures (default: that of OURS)")  # fmt: skip

@@ -18,12 +18,13 @@ from pliant.imd.client import Client, ImdFrame
 USUAL_PORT = 8888
 
 EPILOG = """\
-Follows what speaks IMD, version 2 or 3: pliant run --imd, gmx mdrun -imdwait, LAMMPS, NAMD. Of
-another program than Pliant residual and sweeps are its total and bond energies: see ENERGIES in
-src/pliant/stream/README.md. Ctrl-C leaves; the run goes on.
+Follows any program that speaks IMD, version 2 or 3: pliant run --imd, gmx mdrun -imdwait, LAMMPS,
+NAMD. Pliant sends the largest residual (how far the worst bar is off) and the number of sweeps
+(visits to all bars) in the fields for total and bond energies; other programs send energies there.
+Ctrl-C leaves; the run goes on.
 
-exit codes: 0 the run has ended, or --frames are there, 1 nobody listens or what is sent is no IMD,
-2 bad option, 130 left by Ctrl-C
+exit codes: 0 the run has ended, or --frames have arrived, 1 no server there, or it does not speak
+IMD, 2 bad option, 130 left by Ctrl-C
 
 examples:
   pliant run protein.pdb -o out.h5md --steps 100000 --imd &
@@ -35,16 +36,16 @@ examples:
 def make_parser() -> console.Parser:
     """The options of pliant watch."""
     parser = console.Parser(
-        "watch", "Follows a run while it goes, over IMD: how fast, how exact.", EPILOG
+        "watch", "Follows a live run over IMD: how fast it is, how exact.", EPILOG
     )
     add = parser.add_argument
-    add("server", metavar="HOST:PORT", type=_address, help="of the run; :PORT is on this machine")
-    add("--record", metavar="FILE", help="H5MD trajectory to write of what is seen")
+    add("server", metavar="HOST:PORT", type=_address, help="where it runs; :PORT: on this machine")
+    add("--record", metavar="FILE", help="record what arrives in this H5MD trajectory")
     add("--topology", metavar="PDB", help="names and bonds of its atoms, for --record")
-    add("--frames", metavar="N", type=console.whole_number(1), help="leave after so many")
+    add("--frames", metavar="N", type=console.whole_number(1), help="leave after this many frames")
     add("--rate", metavar="N", type=console.whole_number(1),
-        help="ask for one step in N (default: as the run sends)")  # fmt: skip
-    add("--kill", action="store_true", help="end the run when leaving")
+        help="ask for every N-th step (default: as the run sends them)")  # fmt: skip
+    add("--kill", action="store_true", help="end the run on leaving")
     add("--overwrite", action="store_true", help="replace an existing trajectory")
     add("--json", action="store_true", help="print what was seen as one JSON object")
     return parser
@@ -203,6 +204,6 @@ def _print(seen: Seen, arguments: argparse.Namespace) -> None:
     print(f"frames          {seen.frames}, {rate:.0f} a second; {seen.frames_dropped} dropped")
     print(f"steps           {seen.first_step} to {seen.last_step}")
     print(f"residual        {seen.worst_residual:.2e} at most")
-    print(f"sweeps a step   {seen.mean_sweeps:.1f} on average")
+    print(f"sweeps per step {seen.mean_sweeps:.1f} on average")
     if arguments.record:
         print(f"trajectory      {console.printable_name(arguments.record)}")

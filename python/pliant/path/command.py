@@ -25,16 +25,16 @@ ATTEMPTS = 10  #: of --backtrack without a number
 
 EPILOG = """\
 Residues are matched by chain and number, else by sequence. Hydrogen bonds, salt bridges and
-hydrophobic contacts that both structures have are held on the way; those of one alone, and of
-what is not matched, are not. Ligands and metals are matched by chain, number and name.
-Bonds, angles and planar groups are those of START, exact in each frame, and atoms keep their
-distance.
+hydrophobic contacts that both structures have are held on the way; contacts in only one of them,
+or of atoms that are not matched, are not held. Ligands and metals are matched by chain, number and
+name. Bonds, angles and planar groups are those of START, exact in each frame, and atoms do not
+overlap.
 
-What a path shows is that one exists, and what must give way on it; not how fast, how likely, or
-that the molecule takes it.
+A path shows that a way exists, and what must give way on it. It does not show how fast or how
+likely it is, or that the molecule takes it.
 
-exit codes: 0 the end was reached (CA to 0.5 A, heavy atoms to 1 A), 1 bad input or file, 2 bad
-option, 3 it was not reached
+exit codes: 0 END was reached (CA to 0.5 A, heavy atoms to 1 A), 1 bad input or file, 2 bad option,
+3 END was not reached
 
 examples:
   pliant path open.pdb closed.pdb -o closing.h5md
@@ -57,27 +57,27 @@ def make_parser() -> console.Parser:
     """The options of pliant path."""
     parser = console.Parser(
         "path",
-        "Moves a molecule from one structure to another of it: frames with exact bonds and\n"
-        "angles, contacts that both have held, nothing overlapping.",
+        "Finds a path from one structure of a molecule to another: frames with exact bonds and\n"
+        "angles and no overlaps, which keep the contacts that both structures have.",
         EPILOG,
     )
     add = parser.add_argument
-    add("start", metavar="START", help="PDB or mmCIF file to begin with")
+    add("start", metavar="START", help="PDB or mmCIF file to start from")
     add("end", metavar="END", help="PDB or mmCIF file of the same molecule, to go to")
     add("-o", "--output", metavar="FILE", required=True, help="H5MD trajectory to write")
     add("--atoms", choices=("CA", "heavy"), default="CA",
-        help="which are asked to arrive: one a residue, or all but H (default: CA)")  # fmt: skip
+        help="which atoms are to arrive: one per residue, or all but H (default: CA)")  # fmt: skip
     add("--step", metavar="X", type=console.positive_number, default=0.2,
         help="r.m.s. distance of a step, Angstrom (default: 0.2)")  # fmt: skip
     add("--both", action="store_true",
-        help="move both towards each other; START then goes on along what END did")  # fmt: skip
+        help="move both towards each other; START then follows END's frames backwards")  # fmt: skip
     add("--backtrack", metavar="N", nargs="?", type=console.whole_number(0, most=1000),
         const=ATTEMPTS, default=0,
-        help="where the path is stuck go back and try again by a detour, at most N times "
+        help="if the path gets stuck, go back and try a detour, at most N times "
         f"({ATTEMPTS} if N is not given; default: 0)")  # fmt: skip
     add("--seed", metavar="N", type=console.whole_number(0, most=2**64 - 1), default=0,
-        help="of the detours (default: 0)")  # fmt: skip
-    add("--csv", metavar="FILE", help="write the table of frames, too")
+        help="seed of the detours (default: 0)")  # fmt: skip
+    add("--csv", metavar="FILE", help="also write the table of frames")
     add("--overwrite", action="store_true", help="replace existing outputs")
     add("--json", action="store_true", help="print the report as one JSON object")
     return parser

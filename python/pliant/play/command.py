@@ -13,12 +13,13 @@ from pliant.play import page
 from pliant.play.server import PageServer
 
 EPILOG = """\
-The page is one file with the solver inside, as WebAssembly; it asks no network for anything and
-gives what you open to nobody. FILE is handed to the browser once, from this machine to itself
-(127.0.0.1), at an address that cannot be guessed; the command stays until Ctrl-C. Without FILE the
-page is opened as a file, and files can be dropped on it.
+The page is a single file with the solver inside, as WebAssembly. It never uses the network, and
+what you open does not leave your machine. FILE is handed to the browser once, over a local address
+(127.0.0.1) that cannot be guessed; the command keeps running until Ctrl-C. Without FILE the page
+is opened as a file, and you can drop files on it.
 
-In the page: drag a joint to pull it, drag beside it to turn the picture; "?" tells the rest.
+In the page: drag an atom to pull it, drag the background to rotate the view; "?" explains the
+rest.
 
 exit codes: 0 done, 1 FILE cannot be read, or the package was built without the page; 2 bad option
 
@@ -33,14 +34,19 @@ def make_parser() -> console.Parser:
     """The options of pliant play."""
     parser = console.Parser(
         "play",
-        "Opens a page in the browser in which joints are pulled by hand, bars are seen to break\n"
-        "and to be repaired, and what was done is recorded, replayed and saved.",
+        "Opens a page in the browser in which you pull at the atoms of a molecule, watch bars\n"
+        "(two atoms at a fixed distance) break and be repaired, and record, replay and save\n"
+        "what you did.",
         EPILOG,
     )
     add = parser.add_argument
     add("file", metavar="FILE", nargs="?",
         help="PDB, mmCIF, XYZ, SDF, graph XML or H5MD file to open in it")  # fmt: skip
-    add("--no-open", action="store_true", help="print the page's address, open no browser")
+    add(
+        "--no-open",
+        action="store_true",
+        help="print the address of the page, do not open a browser",
+    )
     return parser
 
 

@@ -99,8 +99,8 @@ AmplitudeChoice b_factor_amplitude(const Structure& structure, const Log& log) {
     log.warn(std::to_string(atoms.size() - count) +
              " residues have no B factor above 0 and are left out of the amplitude");
   log.warn(
-      "the amplitude is from B factors, which hold disorder of the crystal and errors of the model "
-      "beside motion, and which crystal packing holds down where domains move");
+      "the amplitude is from B factors, which contain disorder of the crystal and errors of the "
+      "model as well as motion, and in which crystal packing suppresses domain motions");
   return {sum / double(count), "bfactors",
           "B factors of " + std::to_string(count) + " residues, mean " +
               number_text(mean_b / double(count), 3) + " A^2"};

@@ -26,7 +26,7 @@ void warn_of_amplitude(const SampleSummary& summary, const Log& log) {
     return;
   log.warn("frames reach an amplitude of " + two_digits(summary.amplitude_reached) + " of the " +
            two_digits(summary.amplitude_asked) +
-           " Angstrom asked for: what holds the molecule does not let it move so far");
+           " Angstrom asked for: the molecule is held too tightly to move that far");
 }
 
 FluctuationSums::FluctuationSums(std::span<const Vec3> start, std::vector<std::size_t> fitted)

@@ -181,7 +181,7 @@ class TorsionsSampler final : public Sampler {
         seed_(setting.options.seed) {
     if (moves_.empty())
       setting.options.log.warn(
-          "no bond of it turns, no ring of it has another form: all conformers are the start");
+          "no bond can rotate and no ring has another form: all conformers are the same");
   }
 
   int steps_a_frame() const override { return moves_.loop_bodies().empty() ? 1 : loop_steps; }

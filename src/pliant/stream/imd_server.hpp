@@ -28,7 +28,7 @@ struct ImdOptions {
   ImdPatience patience = {};
 };
 
-/// Serves one client after another in a thread of its own. IMD knows no password: whoever reaches
+/// Serves one client after another in a thread of its own. IMD has no passwords: whoever reaches
 /// the port may follow, pull and end the run.
 class ImdServer {
  public:

@@ -43,8 +43,8 @@ def make_parser() -> console.Parser:
     """The options of pliant experiment."""
     parser = console.Parser(
         "experiment",
-        "Resolves the same random forces on the same random graphs with every technique and\n"
-        "weighting, and writes one tidy table (thesis, chapter 5).",
+        "Applies the same random forces to the same random graphs, restores the broken bars with\n"
+        "every technique and weighting, and writes one tidy table (thesis, chapter 5).",
         EPILOG,
     )
     parser.add_argument("-o", "--output", metavar="DIR", type=Path, required=True,
@@ -120,7 +120,7 @@ def _add_forces(parser: console.Parser) -> None:
         help="largest |length - rest| of a whole bar, Angstrom "
              f"(default {default.tolerance_length:g})")  # fmt: skip
     add("--max-sweeps", type=console.whole_number(1), metavar="N",
-        help=f"give a resolve up after so many sweeps (default {default.max_sweeps})")  # fmt: skip
+        help=f"give up after this many sweeps (default {default.max_sweeps})")  # fmt: skip
 
 
 def _add_test_set(parser: console.Parser) -> None:

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+# Copies PREFIX to MOVED, and refuses files for CMake and pkg-config that name PREFIX.
+file(REMOVE_RECURSE ${MOVED})
+file(COPY ${PREFIX}/ DESTINATION ${MOVED})
+file(GLOB_RECURSE files ${MOVED}/*.cmake ${MOVED}/*.pc)
+if(NOT files)
+  message(FATAL_ERROR "${PREFIX}: holds no files for CMake and pkg-config")
+endif()
+foreach(file IN LISTS files)
+  file(READ ${file} text)
+  string(FIND "${text}" "${PREFIX}" place)
+  if(NOT place EQUAL -1)
+    message(FATAL_ERROR "${file}: names ${PREFIX}")
+  endif()
+endforeach()

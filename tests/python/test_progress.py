@@ -1,0 +1,167 @@
+# SPDX-License-Identifier: MIT
+"""Progress bars: in notebooks and on terminals, and nowhere else."""
+
+import fcntl
+import os
+import pty
+import struct
+import subprocess
+import sys
+import termios
+import types
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+import pliant
+from pliant import _progress, console
+
+MOLECULES = Path(__file__).parents[2] / "data" / "molecules"
+CAFFEINE, ASPIRIN = MOLECULES / "caffeine.sdf", MOLECULES / "aspirin.sdf"
+
+#: Some hundred thousand steps take longer than the tenth of a second between two looks at a bar.
+LONG_RUN = f"""
+import pliant
+from pliant import _progress
+_progress.DELAY = 0.0
+pliant.run({str(CAFFEINE)!r}, steps=300_000, every=300_000)
+"""
+
+
+class RecordedBar:
+    def __init__(self, what, total):
+        self.what, self.total, self.shown, self.closed = what, total, [], 0
+
+    def show(self, done):
+        self.shown.append(done)
+
+    def close(self):
+        self.closed += 1
+
+
+@pytest.fixture
+def bars(monkeypatch):
+    made = []
+
+    def begin(what, total):
+        made.append(RecordedBar(what, total))
+        return made[-1]
+
+    monkeypatch.setattr(_progress, "begin", begin)
+    return made
+
+
+def on_a_terminal(code, **environment):
+    """What a script writes to a terminal as its stderr."""
+    ours, theirs = pty.openpty()
+    fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("4H", 24, 80, 0, 0))
+    process = subprocess.Popen(
+        [sys.executable, "-c", code],
+        stdout=subprocess.DEVNULL, stderr=theirs, env={**os.environ, **environment},
+    )  # fmt: skip
+    os.close(theirs)
+    text = b""
+    try:
+        while piece := os.read(ours, 65536):
+            text += piece
+    except OSError:  # the other end is closed
+        pass
+    os.close(ours)
+    assert process.wait() == 0, text.decode()
+    return text.decode()
+
+
+def test_run_tells_its_steps(bars):
+    pliant.run(CAFFEINE, steps=300_000, every=300_000)
+    (bar,) = bars
+    assert (bar.what, bar.total, bar.closed) == ("steps", 300_000, 1)
+    assert bar.shown
+    assert np.all(np.diff([0, *bar.shown, 300_000]) >= 0)
+    assert bar.shown[-1] > 0
+
+
+def test_sample_tells_its_frames(bars):
+    pliant.sample(pliant.read(ASPIRIN), 10_000)
+    (bar,) = bars
+    assert (bar.what, bar.total, bar.closed) == ("frames", 10_000, 1)
+    assert bar.shown
+    assert np.all(np.diff([0, *bar.shown, 10_000]) >= 0)
+
+
+def test_bar_is_closed_if_the_run_fails(bars):
+    def fails(frame):
+        raise RuntimeError("no")
+
+    with pytest.raises(RuntimeError, match="no"):
+        pliant.run(CAFFEINE, steps=10, observers=[fails])
+    assert bars[0].closed == 1
+
+
+def test_a_bar_that_fails_ends_the_run(bars, monkeypatch):
+    def show(self, done):
+        raise ValueError("the bar is broken")
+
+    monkeypatch.setattr(RecordedBar, "show", show)
+    with pytest.raises(ValueError, match="the bar is broken"):
+        pliant.run(CAFFEINE, steps=300_000, every=300_000)
+
+
+def test_analyse_names_its_stages(bars, tmp_path):
+    pytest.importorskip("MDAnalysis")
+    pliant.run(CAFFEINE, output=tmp_path / "out.h5md", steps=5)
+    bars.clear()
+    pliant.analyse(tmp_path / "out.h5md")
+    (bar,) = bars
+    assert bar.shown == list(range(len(bar.shown)))
+    assert bar.total - 1 <= len(bar.shown) <= bar.total
+    assert bar.closed == 1
+
+
+def test_nothing_is_shown_without_a_terminal():
+    done = subprocess.run(
+        [sys.executable, "-c", LONG_RUN], capture_output=True, text=True, check=True
+    )
+    assert (done.stdout, done.stderr) == ("", "")
+
+
+def test_a_terminal_shows_a_bar():
+    text = on_a_terminal(LONG_RUN)
+    assert "steps" in text
+    assert "300000" in text
+
+
+def test_a_terminal_without_tqdm_shows_a_bar():
+    text = on_a_terminal("import sys\nsys.modules['tqdm.auto'] = None\n" + LONG_RUN)
+    assert "steps: [" in text
+    assert " / 300000" in text
+    assert text.endswith("\r\x1b[K")
+
+
+def test_it_can_be_hidden():
+    assert on_a_terminal(LONG_RUN, TQDM_DISABLE="1") == ""
+    assert on_a_terminal("from pliant import _progress\n_progress.hide()" + LONG_RUN) == ""
+
+
+def test_a_notebook_shows_a_bar(tmp_path):
+    nbclient = pytest.importorskip("nbclient")
+    nbformat = pytest.importorskip("nbformat")
+    pytest.importorskip("ipykernel")
+    cell = nbformat.v4.new_code_cell(LONG_RUN)
+    notebook = nbformat.v4.new_notebook(cells=[cell])
+    resources = {"metadata": {"path": str(tmp_path)}}
+    done = nbclient.NotebookClient(notebook, timeout=120, resources=resources).execute()
+    shown = str(done.cells[0].outputs)
+    assert "steps" in shown
+    assert "300000" in shown
+    assert "TqdmWarning" not in shown
+
+
+def test_commands_of_python_show_bars_in_notebooks(bars, monkeypatch):
+    kernel = types.SimpleNamespace(kernel=object())
+    monkeypatch.setitem(sys.modules, "IPython", types.SimpleNamespace(get_ipython=lambda: kernel))
+    with console.progress("jobs") as show:
+        show(1, 4)
+        show(2, 4)
+    (bar,) = bars
+    assert (bar.what, bar.total, bar.shown, bar.closed) == ("jobs", 4, [1, 2], 1)
