@@ -18,6 +18,7 @@ _EXTRAS = {
     "openmm": ("OpenMM", "openmm"),
     "rdkit": ("RDKit", "rdkit"),
     "scipy": ("SciPy", "lab"),
+    "websockets": ("websockets", "play"),
 }
 
 

@@ -13,6 +13,7 @@ from pathlib import Path
 from pliant import console
 from pliant._core import Frame, H5mdRecorder, InputError, OptionError, Structure, read
 from pliant._output_names import check_trajectory_name, is_pdb_name
+from pliant.imd.address import server_address
 from pliant.imd.client import Client, ImdFrame
 
 USUAL_PORT = 8888
@@ -38,7 +39,7 @@ def make_parser() -> console.Parser:
         "watch", "Follows a run while it goes, over IMD: how fast, how exact.", EPILOG
     )
     add = parser.add_argument
-    add("server", metavar="HOST:PORT", type=_address, help="of the run; :PORT is on this machine")
+    add("server", metavar="HOST:PORT", type=server_address, help="of the run; :PORT is on this machine")
     add("--record", metavar="FILE", help="H5MD trajectory to write of what is seen")
     add("--topology", metavar="PDB", help="names and bonds of its atoms, for --record")
     add("--frames", metavar="N", type=console.whole_number(1), help="leave after so many")
@@ -105,13 +106,6 @@ class _Screen:
         )
         end = "\x1b[K" if is_terminal else "\n"
         print(("\r" if is_terminal else "") + text, end=end, file=sys.stderr, flush=True)
-
-
-def _address(text: str) -> tuple[str, int]:
-    host, _, port = text.rpartition(":")
-    if not port.isascii() or not port.isdigit() or not 1 <= int(port) <= 65535:
-        raise argparse.ArgumentTypeError(f"expected HOST:PORT, found '{text}'")
-    return host or "127.0.0.1", int(port)
 
 
 def _watch(arguments: argparse.Namespace) -> int:

@@ -9,7 +9,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from pliant import console
+from pliant._core import OptionError
+from pliant.imd.address import server_address
 from pliant.play import page
+from pliant.play.connect import connect
 from pliant.play.server import PageServer
 
 EPILOG = """\
@@ -20,12 +23,20 @@ page is opened as a file, and files can be dropped on it.
 
 In the page: drag a joint to pull it, drag beside it to turn the picture; "?" tells the rest.
 
-exit codes: 0 done, 1 FILE cannot be read, or the package was built without the page; 2 bad option
+With --connect the page shows a run that goes on elsewhere (pliant run --imd): its atoms as they move,
+its residual and sweeps; a drag pulls at the run's atoms. FILE is the one that the run reads, or the
+PDB file that it writes. The page gets the newest frame when it has drawn the last, so that no slow
+screen holds the run up. The command ends when the page has been told that the run has ended.
+
+exit codes: 0 done, 1 FILE cannot be read or is not the run's, nobody listens there, the connection is
+lost, or the package was built without the page; 2 bad option
 
 examples:
   pliant play
   pliant play protein.pdb
   pliant play caffeine.sdf --no-open
+  pliant run protein.pdb --steps 1000000 --imd &
+  pliant play --connect localhost:8888 protein.pdb
 """
 
 
@@ -40,6 +51,9 @@ def make_parser() -> console.Parser:
     add = parser.add_argument
     add("file", metavar="FILE", nargs="?",
         help="PDB, mmCIF, XYZ, SDF, graph XML or H5MD file to open in it")  # fmt: skip
+    add("--connect", metavar="HOST:PORT", type=server_address,
+        help="show a run that goes on there (pliant run --imd), and pull at it;\n"
+        ":PORT is on this machine")  # fmt: skip
     add("--no-open", action="store_true", help="print the page's address, open no browser")
     return parser
 
@@ -51,6 +65,8 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _play(arguments: argparse.Namespace) -> int:
+    if arguments.connect:
+        return _connect(arguments)
     file = page.page_file()
     if arguments.file is None:
         _show(file.as_uri(), arguments.no_open)
@@ -62,6 +78,13 @@ def _play(arguments: argparse.Namespace) -> int:
         _show(server.address, arguments.no_open)
         _serve(server)
     return console.EXIT_OK
+
+
+def _connect(arguments: argparse.Namespace) -> int:
+    if arguments.file is None:
+        raise OptionError("--connect: expected FILE too, the one that the run reads")
+    host, port = arguments.connect
+    return connect(host, port, Path(arguments.file), lambda at: _show(at, arguments.no_open))
 
 
 def _show(address: str, no_open: bool) -> None:

@@ -89,6 +89,7 @@ export class Open {
   }
 
   async openBlob(file) {
+    if (this.session.live) throw new Error('This page shows a run: pliant play opens files.');
     return this.openBytes(file.name, new Uint8Array(await file.arrayBuffer()));
   }
 
