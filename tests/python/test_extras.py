@@ -19,7 +19,7 @@ except ModuleNotFoundError:  # Python 3.10
 
 ROOT = Path(__file__).parents[2]
 CAFFEINE = ROOT / "data" / "molecules" / "caffeine.sdf"
-EXTRAS = ("MDAnalysis", "matplotlib", "openmm", "rdkit", "rich", "scipy")
+EXTRAS = ("MDAnalysis", "matplotlib", "openmm", "rdkit", "rich", "scipy", "websockets")
 
 # Modules of these names are not found, as if they were not installed.
 HIDE = """
@@ -121,6 +121,7 @@ def commands():
          "lab"),
         ("bench", ["scaling"], "scipy", "SciPy", "lab"),
         ("bench", ["stress"], "openmm", "OpenMM", "lab"),
+        ("play", ["--connect", ":8888", str(CAFFEINE)], "websockets", "websockets", "play"),
         ("experiment", ["report", "."], "matplotlib", "matplotlib", "plot"),
     ]  # fmt: skip
 

@@ -77,7 +77,7 @@ export class Live {
     const now = performance.now();
     const seconds = (now - (this.cameAt ?? now)) / 1000;
     if (seconds > 0 && step >= this.step) {
-      this.steps = Math.max(1, step - this.step);
+      this.steps += 0.4 * (Math.max(1, step - this.step) - this.steps);
       const blend = (name, value) => { this.rates[name] += (this.rates[name] ? PACE : 1) * (value - this.rates[name]); };
       blend('frames', 1 / seconds);
       blend('steps', (step - this.step) / seconds);
@@ -118,20 +118,21 @@ export class Live {
   }
 
   release() {
-    this.gain = 1;
+    this.gain = Math.max(1, this.gain / 8);  // of the last drag: the next may be of a lighter part
     this.asked = null;
     if (this.isPulling) this.send({do: 'pull', forces: []});
     this.isPulling = false;
   }
 
   /** Angstrom by which a force has to move a joint in each step to bring it `way` further until the
-   * next frame. A force acts in many steps, so that it goes with their number squared; where bars
-   * and damping hold the joint back, more and more, up to the number itself. */
+   * next frame. A force acts in many steps, so that it goes with their number squared. Bars and
+   * damping hold a joint back, nobody here knows how much: the gain is doubled while too little
+   * comes of it, and halved where more than was asked for does, forth or back. */
   effort(way, moved) {
     const along = (v) => v.reduce((sum, x, c) => sum + x * way[c], 0);
     const share = this.asked ? along(moved) / Math.max(along(this.asked), 1e-12) : 1;
-    if (share < 0.5) this.gain = Math.min(1.3 * this.gain, this.steps);
-    if (share > 1) this.gain = Math.max(this.gain / 1.5, 1);
+    if (Math.abs(share) > 1) this.gain = Math.max(this.gain / 2, 1);
+    else if (share < 0.5) this.gain = Math.min(2 * this.gain, this.steps ** 2);
     this.asked = way;
     return way.map((x, c) => (x - moved[c]) * this.gain / this.steps ** 2);
   }

@@ -39,7 +39,12 @@ def make_parser() -> console.Parser:
         "watch", "Follows a run while it goes, over IMD: how fast, how exact.", EPILOG
     )
     add = parser.add_argument
-    add("server", metavar="HOST:PORT", type=server_address, help="of the run; :PORT is on this machine")
+    add(
+        "server",
+        metavar="HOST:PORT",
+        type=server_address,
+        help="of the run; :PORT is on this machine",
+    )
     add("--record", metavar="FILE", help="H5MD trajectory to write of what is seen")
     add("--topology", metavar="PDB", help="names and bonds of its atoms, for --record")
     add("--frames", metavar="N", type=console.whole_number(1), help="leave after so many")

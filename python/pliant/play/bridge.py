@@ -83,6 +83,8 @@ class Bridge:
         headers = request.headers
         if headers.get_all("Host") != [self.host]:
             return _response(http.HTTPStatus.FORBIDDEN, b"expected another Host\n")
+        if getattr(request, "method", "GET") != "GET":  # older websockets know GET alone
+            return _response(http.HTTPStatus.METHOD_NOT_ALLOWED, b"expected GET\n")
         if is_same(request.path, self.path):
             return _response(http.HTTPStatus.OK, self.page, "text/html; charset=utf-8")
         if not is_same(request.path, f"{self.path}live"):
@@ -146,7 +148,7 @@ class Bridge:
 def _said(message: str | bytes) -> dict[str, Any]:
     try:
         said = json.loads(message)
-    except ValueError:
+    except (ValueError, RecursionError):
         said = None
     if not isinstance(said, dict):
         raise InputError("expected a JSON object")
@@ -156,15 +158,17 @@ def _said(message: str | bytes) -> dict[str, Any]:
 def _forces(rows: Any, atoms: int) -> tuple[np.ndarray, np.ndarray]:
     """Atoms (n) and forces (n, 3) of rows [atom, x, y, z]."""
     is_list = isinstance(rows, list) and all(isinstance(row, list) for row in rows)
-    if not is_list or not all(len(row) == 4 and _is_force(*row, atoms) for row in rows):
+    if not is_list or not all(_is_force(row, atoms) for row in rows):
         raise InputError("expected forces as rows of atom, x, y, z")
     table = np.array(rows, float).reshape(-1, 4)
     return table[:, 0].astype(int), table[:, 1:]
 
 
-def _is_force(atom: Any, x: Any, y: Any, z: Any, atoms: int) -> bool:
-    numbers = all(type(value) in (int, float) and abs(value) < 1e30 for value in (x, y, z))
-    return numbers and type(atom) is int and 0 <= atom < atoms
+def _is_force(row: list[Any], atoms: int) -> bool:
+    """Whether it is an atom that there is, and three numbers that are finite as 32-bit floats."""
+    if len(row) != 4 or type(row[0]) is not int or not 0 <= row[0] < atoms:
+        return False
+    return all(type(value) in (int, float) and abs(value) < 1e30 for value in row[1:])
 
 
 def _response(status: http.HTTPStatus, body: bytes, kind: str = "text/plain") -> Response:

@@ -73,7 +73,7 @@ def matching_model(given: Path, atoms: int) -> str:
     for model, joints in found:
         if joints == atoms:
             return model
-    counts = " or ".join(str(joints) for _, joints in found)
+    counts = " or ".join(dict.fromkeys(str(joints) for _, joints in found))
     raise InputError(
         f"{given}: has {counts} joints, the run {atoms}: expected the file that the run reads, or "
         "the PDB file that it writes"

@@ -95,6 +95,7 @@ class Upstream:
             self.over = "the run has ended"
         except (Error, OSError, ValueError) as error:  # ValueError: closed by ourselves
             self.over = f"the connection is lost: {error}"
+        self._client.close()  # a run waits at its end until its client has gone
         self._tell(self._news, self._end)
 
     def _take(self, frame: ImdFrame) -> None:
