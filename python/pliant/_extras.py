@@ -14,6 +14,7 @@ if TYPE_CHECKING:
 #: pyproject.toml that brings them.
 _EXTRAS = {
     "MDAnalysis": ("MDAnalysis", "analysis"),
+    "anywidget": ("anywidget", "notebook"),
     "matplotlib": ("matplotlib", "plot"),
     "openmm": ("OpenMM", "openmm"),
     "rdkit": ("RDKit", "rdkit"),

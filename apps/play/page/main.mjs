@@ -13,6 +13,7 @@ import {Resolve} from './panel/resolve.mjs';
 import {Transport} from './panel/transport.mjs';
 import {Wander} from './panel/wander.mjs';
 import {textInside} from './inside.mjs';
+import {Host} from './host.mjs';
 import {Live} from './live.mjs';
 import {Session} from './session.mjs';
 import {Stage} from './stage.mjs';
@@ -107,10 +108,11 @@ function loop(parts) {
 async function given(parts) {
   const block = $('given');
   if (!block) return false;
-  const {name, data, gone, model, live} = JSON.parse(block.textContent);
+  const {name, data, gone, model, live, isInside, known} = JSON.parse(block.textContent);
   if (gone) throw new Error(`${name} was handed out once. Call pliant play again, or drop the file here.`);
   const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
-  await parts.open.openBytes(name, bytes, model);
+  if (isInside) parts.host = new Host(parts);
+  await parts.open.openBytes(name, bytes, model, known);
   if (live) await new Live(parts).start(live);
   return true;
 }

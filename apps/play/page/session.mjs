@@ -55,9 +55,10 @@ export class Session extends EventTarget {
     return reply;
   }
 
-  async openFile(name, bytes, model = 'auto') {
+  /** `known`: positions and bonds that a program knows better than the text of the file. */
+  async openFile(name, bytes, model = 'auto', known = {}) {
     const file = await unzipped(name, bytes);
-    return this.begin({do: 'open', name: file.name, bytes: file.bytes, model});
+    return this.begin({do: 'open', name: file.name, bytes: file.bytes, model, ...known});
   }
 
   openExample(name, model = 'auto') {

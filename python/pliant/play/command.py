@@ -26,7 +26,7 @@ In the page: drag a joint to pull it, drag beside it to turn the picture; "?" te
 With --connect the page shows a run that goes on elsewhere (pliant run --imd): its atoms as they
 move, its residual and sweeps; a drag pulls at the run's atoms. FILE is the one that the run reads,
 or the PDB file that it writes. The page gets the newest frame when it has drawn the last, so that
-no slow screen holds the run up. The command ends when the page has been told that the run has ended.
+no slow screen holds the run up. The command ends when the page knows that the run has ended.
 
 exit codes: 0 done, 1 FILE cannot be read or is not the run's, nobody listens there, the connection
 is lost, or the package was built without the page; 2 bad option

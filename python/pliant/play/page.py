@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import base64
 import json
+from collections.abc import Mapping
 from pathlib import Path
 
 from pliant._core import Error, FileError, InputError
@@ -39,14 +40,14 @@ def with_connection(page: bytes, address: str) -> bytes:
     return page.replace(policy, policy + f"; connect-src {address}".encode("ascii"), 1)
 
 
-def with_block(page: bytes, facts: dict[str, str | bool]) -> bytes:
+def with_block(page: bytes, facts: Mapping[str, object]) -> bytes:
     """The page with `facts` as a block of data, which its policy takes for no script."""
     text = json.dumps(facts).replace("<", "\\u003c")
     block = f'<script type="application/json" id="given">{text}</script>'
     return page.replace(PLACE, block.encode("ascii"), 1)
 
 
-def with_file(page: bytes, name: str, data: bytes, **facts: str | bool) -> bytes:
+def with_file(page: bytes, name: str, data: bytes, **facts: object) -> bytes:
     """The page with a file inside, which it opens; `facts` tell how."""
     file = {"name": name, "data": base64.b64encode(data).decode("ascii")}
     return with_block(page, {**file, **facts})

@@ -93,10 +93,10 @@ export class Open {
     return this.openBytes(file.name, new Uint8Array(await file.arrayBuffer()));
   }
 
-  async openBytes(name, bytes, model = $('model').value || 'auto') {
+  async openBytes(name, bytes, model = $('model').value || 'auto', known = {}) {
     say('');
     if (isHdf5(bytes)) return this.openTrajectory(name, bytes);
-    return this.waiting(name, () => this.session.openFile(name, bytes, model));
+    return this.waiting(name, () => this.session.openFile(name, bytes, model, known));
   }
 
   async openTrajectory(name, bytes) {
