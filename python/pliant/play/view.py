@@ -86,7 +86,7 @@ def given_of(source: Any) -> Given:
     if isinstance(source, Structure):
         return _of_structure(source)
     if isinstance(source, Graph):
-        return Given("graph.xml", source.text.encode(), np.array(source.positions))
+        return Given("graph.xml", source.text().encode(), np.array(source.positions))
     if isinstance(getattr(source, "path", None), (str, os.PathLike)):
         return given_of(source.path)
     if hasattr(source, "atoms") and hasattr(source, "universe"):
@@ -106,4 +106,6 @@ def _of_structure(structure: Structure) -> Given:
         data = file.read_bytes()
     bonds = np.column_stack([structure.bonds, structure.bond_orders])
     known = {"positions": structure.positions.ravel().tolist(), "bonds": bonds.ravel().tolist()}
-    return Given(f"{structure.title or 'structure'}.pdb", data, np.array(structure.positions), known)
+    return Given(
+        f"{structure.title or 'structure'}.pdb", data, np.array(structure.positions), known
+    )
