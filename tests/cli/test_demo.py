@@ -15,7 +15,9 @@ def test_the_ensemble_and_what_moves_are_there(pliant, tmp_path):
     ended = pliant("demo", "-o", tmp_path / "first", "--frames", "40")
     assert ended.code == 0, ended.err
     found = LINE.findall(ended.out)
-    universe = MDAnalysis.Universe(tmp_path / "first/ensemble.pdb", tmp_path / "first/ensemble.h5md")
+    universe = MDAnalysis.Universe(
+        tmp_path / "first/ensemble.pdb", tmp_path / "first/ensemble.h5md"
+    )
     assert universe.trajectory.n_frames == 40
     residues = [f"{one.resname}{one.resid}" for one in universe.residues]
     assert [name for name, _, _ in found] == residues
@@ -33,9 +35,7 @@ def test_without_analysis_it_says_what_is_left_out(tmp_path):
         "from pliant.demo import main\n"
         f"sys.exit(main(['--frames', '4', '-o', {str(tmp_path)!r}]))\n"
     )
-    done = subprocess.run(
-        [sys.executable, "-c", code], capture_output=True, text=True, check=False
-    )
+    done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, check=False)
     assert done.returncode == 0, done.stderr
     assert len(LINE.findall(done.stdout)) == 20
     assert re.search(r"left out: .*pip install 'pliant\[analysis\]'", done.stdout)
