@@ -54,11 +54,15 @@ void write_topology(const SampleSettings& settings, const MolecularModel& model,
                      recorded_bonds(model.structure), options);
 }
 
+SdfMolecule sdf_molecule(const Structure& structure) {
+  return {structure.title, structure.charges, structure.isotopes, structure.radicals};
+}
+
 SampleSummary sample_to_file(const SampleSettings& settings, const MolecularModel& model,
                              const Log& log) {
   NetworkNodes nodes = nodes_of(model);
   FrameOutput recorder(settings.output, model.framework, header_of(settings, model, nodes),
-                       settings.record, model.structure.charges);
+                       settings.record, sdf_molecule(model.structure));
   write_topology(settings, model, log);
   ProgressBar progress(settings.sample.frames, "frames", settings.quiet);
   SampleOptions options = settings.sample;

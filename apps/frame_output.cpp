@@ -32,10 +32,11 @@ void check_record_options(const std::string& output, const H5mdOptions& options)
 
 FrameOutput::FrameOutput(const std::string& output, const Framework& framework,
                          const H5mdHeader& header, const H5mdOptions& options,
-                         std::vector<std::int8_t> charges) {
+                         SdfMolecule molecule) {
   if (is_sdf_name(output)) {
-    sdf_.emplace(output, framework.atoms(), header.bonds, std::move(charges),
-                 SdfRecorder::Options{fs::path(output).stem().string(), options.overwrite});
+    if (molecule.title.empty()) molecule.title = fs::path(output).stem().string();
+    sdf_.emplace(output, framework.atoms(), header.bonds, std::move(molecule),
+                 SdfRecorder::Options{options.overwrite});
     return;
   }
   if (!is_pdb_name(output)) {

@@ -25,10 +25,11 @@ void check_record_options(const std::string& output, const H5mdOptions& options)
 /// Records frames in the format that the name asks for.
 class FrameOutput {
  public:
-  /// A PDB file takes names and bonds only; an SDF file elements, bonds and `charges` (N), formal,
-  /// empty where there are none. Throws as the recorders do.
+  /// A PDB file takes names and bonds only; an SDF file elements, bonds and what
+  /// `molecule` says; its title is the name of the file where it has none. Throws as the recorders
+  /// do.
   FrameOutput(const std::string& output, const Framework& framework, const H5mdHeader& header,
-              const H5mdOptions& options, std::vector<std::int8_t> charges = {});
+              const H5mdOptions& options, SdfMolecule molecule = {});
 
   void record(const Frame& frame);
   /// The run of the frames ends in this state. Only H5MD can keep it.

@@ -19,6 +19,7 @@ INCLUDED = {
     "src/pliant/stream/README.md": "inside/live.md",
     "apps/play/README.md": "inside/play.md",
     "apps/play/wasm/README.md": "inside/wasm.md",
+    "python/wheel/README.md": "inside/wheel.md",
     "src/pliant/README.md": "inside/structure.md",
     "data/README.md": "inside/data.md",
     "CONTRIBUTING.md": "inside/contributing.md",

@@ -184,11 +184,12 @@ nb::tuple structure_state(const Structure& structure) {
                         structure.format, state_of(structure.atoms), packed(structure.positions),
                         packed(numbers_of(structure.bonds)), packed(structure.charges),
                         packed(ends), structure.model, structure.model_count,
-                        packed(structure.b_factors), structure.assemblies);
+                        packed(structure.b_factors), structure.assemblies,
+                        packed(structure.isotopes), packed(structure.radicals));
 }
 
 Structure structure_from(const nb::tuple& state) {
-  check_state(state, 13);
+  check_state(state, 15);
   Structure structure;
   structure.title = text_from(state[1]);
   structure.source = text_from(state[2]);
@@ -207,6 +208,8 @@ Structure structure_from(const nb::tuple& state) {
   if (!structure.b_factors.empty() && structure.b_factors.size() != structure.size())
     throw InputError("a pickle that is damaged");
   structure.assemblies = nb::cast<std::vector<std::string>>(state[12]);
+  structure.isotopes = unpacked<std::uint16_t>(state[13]);
+  structure.radicals = unpacked<std::uint8_t>(state[14]);
   return structure;
 }
 

@@ -107,6 +107,7 @@ from pliant.adapters import (
     from_rdkit,
     to_mdanalysis,
 )
+from pliant.play.view import view
 
 if TYPE_CHECKING:
     from pliant.analyse import analyse
@@ -213,6 +214,7 @@ __all__ = [
     "samplers",
     "techniques",
     "to_mdanalysis",
+    "view",
     "write_test_set",
     "write_topology_pdb",
 ]

@@ -14,10 +14,12 @@ if TYPE_CHECKING:
 #: pyproject.toml that brings them.
 _EXTRAS = {
     "MDAnalysis": ("MDAnalysis", "analysis"),
+    "anywidget": ("anywidget", "notebook"),
     "matplotlib": ("matplotlib", "plot"),
     "openmm": ("OpenMM", "openmm"),
     "rdkit": ("RDKit", "rdkit"),
     "scipy": ("SciPy", "lab"),
+    "websockets": ("websockets", "play"),
 }
 
 

@@ -1,26 +1,16 @@
 # SPDX-License-Identifier: MIT
-# What the library is built with as WebAssembly. Headers of the system that know no system lie below
-# PLIANT_WASM_HEADERS, apart from those of its C library; PLIANT_WASM_PUGIXML holds pugixml's
-# source, ZIG_LIB_DIR the libraries of zig. apps/play/build_wasm.sh makes these folders.
+# What the library is built with as WebAssembly. PLIANT_HEADERS holds header-only libraries,
+# PLIANT_PUGIXML pugixml's source, ZIG_LIB_DIR the libraries of zig. apps/play/build_wasm.sh makes
+# these folders.
 set(CMAKE_POSITION_INDEPENDENT_CODE OFF)
 # Counts of 64 bits index memory of 32.
 target_compile_options(pliant_flags INTERFACE -Wno-shorten-64-to-32)
 set(PLIANT_LANES_X86 OFF CACHE INTERNAL "Levels of instructions of x86")
-set(GEMMI_INCLUDE_DIR ${PLIANT_WASM_HEADERS})
-set(PEGTL_INCLUDE_DIR ${PLIANT_WASM_HEADERS})
-
-function(pliant_headers_alone target)
-  add_library(${target} INTERFACE IMPORTED GLOBAL)
-  target_include_directories(${target} SYSTEM INTERFACE ${ARGN})
-endfunction()
-pliant_headers_alone(Eigen3::Eigen ${PLIANT_WASM_HEADERS}/eigen3)
-pliant_headers_alone(nlohmann_json::nlohmann_json ${PLIANT_WASM_HEADERS})
-pliant_headers_alone(fmt::fmt ${PLIANT_WASM_HEADERS})
-target_compile_definitions(fmt::fmt INTERFACE FMT_HEADER_ONLY)
+include(PliantHeaders)
 add_library(Threads::Threads INTERFACE IMPORTED GLOBAL)
 
-add_library(pliant_pugixml STATIC ${PLIANT_WASM_PUGIXML}/pugixml.cpp)
-target_include_directories(pliant_pugixml SYSTEM PUBLIC ${PLIANT_WASM_PUGIXML})
+add_library(pliant_pugixml STATIC ${PLIANT_PUGIXML}/pugixml.cpp)
+target_include_directories(pliant_pugixml SYSTEM PUBLIC ${PLIANT_PUGIXML})
 add_library(pugixml::pugixml ALIAS pliant_pugixml)
 
 # libc++, libc++abi and the unwinder from the sources of zig: it would build them without exceptions.

@@ -104,3 +104,23 @@ def test_what_cannot_turn_is_told(pliant, tmp_path):
     ended = pliant("sample", "caffeine.sdf", "-o", "out.sdf", "--frames", 2)
     assert ended.code == 0
     assert "warning: no bond can rotate and no ring has another form" in ended.err
+
+
+@pytest.mark.parametrize("version", ["V2000", "V3000"])
+def test_isotopes_radicals_charges_and_name_are_kept(pliant, tmp_path, version):
+    smiles = "[13CH3]C([2H])([O])CC[NH3+]"
+    made = Chem.AddHs(Chem.MolFromSmiles(smiles))
+    AllChem.EmbedMolecule(made, randomSeed=3)
+    made.SetProp("_Name", "labelled amine")
+    block = Chem.MolToMolBlock(made) if version == "V2000" else Chem.MolToV3KMolBlock(made)
+    (tmp_path / "in.sdf").write_text(block + "$$$$\n")
+    ended = pliant("sample", tmp_path / "in.sdf", "--frames", "3", "-o", tmp_path / "out.sdf")
+    assert ended.code == 0, ended.err
+    records = list(Chem.SDMolSupplier(str(tmp_path / "out.sdf"), removeHs=False))
+    assert len(records) == 3
+    for record in records:
+        assert record.GetProp("_Name") == "labelled amine"
+        for what in ("GetIsotope", "GetNumRadicalElectrons", "GetFormalCharge", "GetSymbol"):
+            assert [getattr(atom, what)() for atom in record.GetAtoms()] == [
+                getattr(atom, what)() for atom in made.GetAtoms()
+            ], what

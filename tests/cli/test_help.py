@@ -27,6 +27,7 @@ PAGES = {
     "pliant-convert": ["convert", "--help"],
     "pliant-path": ["path", "--help"],
     "pliant-watch": ["watch", "--help"],
+    "pliant-demo": ["demo", "--help"],
     "pliant-play": ["play", "--help"],
     "pliant-recover": ["recover", "--help"],
     "pliant-experiment": ["experiment", "--help"],

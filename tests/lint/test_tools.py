@@ -39,4 +39,6 @@ def test_python_passes_ruff():
 
 
 def test_scripts_pass_shellcheck():
-    passes(tool("shellcheck"), "dev", ".ci/run", "apps/play/build_wasm.sh")
+    folders = ("apps/play", "python/wheel", "src/cmake")
+    scripts = [str(path) for folder in folders for path in sorted((ROOT / folder).glob("*.sh"))]
+    passes(tool("shellcheck"), "--external-sources", "dev", ".ci/run", *scripts)

@@ -19,7 +19,7 @@ except ModuleNotFoundError:  # Python 3.10
 
 ROOT = Path(__file__).parents[2]
 CAFFEINE = ROOT / "data" / "molecules" / "caffeine.sdf"
-EXTRAS = ("MDAnalysis", "matplotlib", "openmm", "rdkit", "rich", "scipy")
+EXTRAS = ("MDAnalysis", "anywidget", "matplotlib", "openmm", "rdkit", "rich", "scipy", "websockets")
 
 # Modules of these names are not found, as if they were not installed.
 HIDE = """
@@ -85,6 +85,8 @@ assert not set(sys.modules) & set({EXTRAS!r})
          'pliant.analysis needs MDAnalysis: pip install "pliant[analysis]"'),
         ("pliant.to_mdanalysis(pliant.read_text('1\\n\\nO 0 0 0\\n', 'xyz'))", "MDAnalysis",
          'pliant.to_mdanalysis needs MDAnalysis: pip install "pliant[analysis]"'),
+        ("pliant.view('x')", "anywidget",
+         'pliant.view needs anywidget: pip install "pliant[notebook]"'),
         ("pliant.from_openmm(None, None)", "openmm",
          'pliant.from_openmm needs OpenMM: pip install "pliant[openmm]"'),
         ("pliant.constraints_from_openmm(None)", "openmm",
@@ -121,6 +123,7 @@ def commands():
          "lab"),
         ("bench", ["scaling"], "scipy", "SciPy", "lab"),
         ("bench", ["stress"], "openmm", "OpenMM", "lab"),
+        ("play", ["--connect", ":8888", str(CAFFEINE)], "websockets", "websockets", "play"),
         ("experiment", ["report", "."], "matplotlib", "matplotlib", "plot"),
     ]  # fmt: skip
 

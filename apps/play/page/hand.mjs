@@ -185,9 +185,9 @@ export class Hand {
     const way = less(held.target, now).map((x) => x * share);
     const most = FARTHEST[this.strength] * this.view.unit * (share === 1 ? 4 : 1);
     const scale = Math.min(1, most / Math.max(length(way), 1e-12));
-    const coasting = this.session.coasting(held.joint);
+    const effort = this.session.effort(held.joint, way.map((x) => x * scale));
     const factor = mass / (PER_FORCE * timestep * timestep);
-    return [held.joint, ...way.map((x, c) => (x * scale - coasting[c]) * factor)];
+    return [held.joint, ...effort.map((x) => x * factor)];
   }
 
   /** Called for each frame shown: begins a step where one is due. */
@@ -215,6 +215,8 @@ export class Hand {
     const target = this.view.orbit.unproject(screen.x + dx, screen.y + dy, screen.depth);
     const push = this.forceOn({joint, target}, 1);
     if (this.onPush) return this.onPush([push]);
-    return this.session.pull([push]);
+    const step = await this.session.pull([push]);
+    if (this.session.live) this.session.tell('released');
+    return step;
   }
 }

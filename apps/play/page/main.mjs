@@ -13,6 +13,8 @@ import {Resolve} from './panel/resolve.mjs';
 import {Transport} from './panel/transport.mjs';
 import {Wander} from './panel/wander.mjs';
 import {textInside} from './inside.mjs';
+import {Host} from './host.mjs';
+import {Live} from './live.mjs';
 import {Session} from './session.mjs';
 import {Stage} from './stage.mjs';
 import {View} from './view/scene.mjs';
@@ -84,7 +86,7 @@ function watchSize(view) {
 const costs = [];
 
 function loop(parts) {
-  const {view, stage, hand, transport, resolution, wander, plots} = parts;
+  const {view, session, stage, hand, transport, resolution, wander, plots} = parts;
   const frame = (now) => {
     const began = performance.now();
     hand.frame();
@@ -94,6 +96,7 @@ function loop(parts) {
     stage.tick(now);
     plots.tick(now);
     if (view.stale) view.draw();
+    session.live?.tick(now);
     costs.push(performance.now() - began);
     if (costs.length > 100) costs.shift();
     requestAnimationFrame(frame);
@@ -101,13 +104,16 @@ function loop(parts) {
   requestAnimationFrame(frame);
 }
 
-/** A file that `pliant play FILE` has put into the page. */
-async function given(open) {
+/** A file that `pliant play FILE` has put into the page, and the run that it belongs to. */
+async function given(parts) {
   const block = $('given');
   if (!block) return false;
-  const {name, data, gone} = JSON.parse(block.textContent);
+  const {name, data, gone, model, live, isInside, known} = JSON.parse(block.textContent);
   if (gone) throw new Error(`${name} was handed out once. Call pliant play again, or drop the file here.`);
-  await open.openBytes(name, Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0)));
+  const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+  if (isInside) parts.host = new Host(parts);
+  await parts.open.openBytes(name, bytes, model, known);
+  if (live) await new Live(parts).start(live);
   return true;
 }
 
@@ -120,7 +126,7 @@ async function begin() {
   const files = JSON.parse(await textInside('examples-inside'));
   for (const part of [parts.resolve, parts.open, parts.compare]) part.fill(facts, files);
   $('title').textContent = 'Open a file, drop one here, or choose an example';
-  const hasFile = await guarded(() => given(parts.open));
+  const hasFile = await guarded(() => given(parts));
   const told = $('message-text').textContent;
   if (!hasFile) await parts.open.openExample(FIRST);
   if (told) say(told);

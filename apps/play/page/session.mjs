@@ -29,6 +29,7 @@ export class Session extends EventTarget {
     this.source = null;  // what was opened, to open it again with another model
     this.strokes = [];  // numbers of pulls of each drag or push, for undo
     this.queue = Promise.resolve();
+    this.live = null;  // the run that is shown, in place of the solver
   }
 
   tell(name, detail) {
@@ -54,9 +55,10 @@ export class Session extends EventTarget {
     return reply;
   }
 
-  async openFile(name, bytes, model = 'auto') {
+  /** `known`: positions and bonds that a program knows better than the text of the file. */
+  async openFile(name, bytes, model = 'auto', known = {}) {
     const file = await unzipped(name, bytes);
-    return this.begin({do: 'open', name: file.name, bytes: file.bytes, model});
+    return this.begin({do: 'open', name: file.name, bytes: file.bytes, model, ...known});
   }
 
   openExample(name, model = 'auto') {
@@ -97,6 +99,7 @@ export class Session extends EventTarget {
 
   /** One step; `forces` as [[joint, x, y, z], ...], kJ/(mol Angstrom). */
   async pull(forces, isNewStroke = true) {
+    if (this.live) return this.live.pull(forces);
     const step = await this.ask('pull', {forces, pins: [...this.pins]});
     if (isNewStroke || !this.strokes.length) this.strokes.push(0);
     this.strokes[this.strokes.length - 1] += 1;
@@ -110,11 +113,14 @@ export class Session extends EventTarget {
     return shown;
   }
 
-  /** Angstrom that a joint goes by itself in the next step: Verlet keeps what it did in the last. */
-  coasting(joint) {
-    const share = 1 - (this.settings.damping ?? 0);
+  /** Angstrom by which a force has to move a joint to bring it `way` further: against its velocity,
+   * since Verlet goes on as in the last step. */
+  effort(joint, way) {
     const [now, before] = [this.positions, this.before ?? this.positions];
-    return [0, 1, 2].map((c) => share * (now[3 * joint + c] - before[3 * joint + c]));
+    const moved = [0, 1, 2].map((c) => now[3 * joint + c] - before[3 * joint + c]);
+    if (this.live) return this.live.effort(way, moved);
+    const share = 1 - (this.settings.damping ?? 0);
+    return way.map((x, c) => x - share * moved[c]);
   }
 
   stand(step, forces = []) {
@@ -149,8 +155,9 @@ export class Session extends EventTarget {
   }
 
   togglePin(joint) {
+    if (this.live) return this.tell('error', new Error('A run is pinned where it is started: pliant run --pin.'));
     if (!this.pins.delete(joint)) this.pins.add(joint);
-    this.tell('pins', this.pins);
+    return this.tell('pins', this.pins);
   }
 
   clearPins() {

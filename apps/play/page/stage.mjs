@@ -75,7 +75,8 @@ export class Stage extends EventTarget {
 
   /** One step of the walker. */
   take(step) {
-    this.at = null;
+    const isSeen = this.at === null || !this.session.live;  // a run goes on while its past is looked at
+    if (isSeen) this.at = null;
     const frame = {
       positions: step.positions, broken: step.broken, step: step.step, sweeps: step.sweeps,
       projections: step.projections, residual: step.residual, converged: step.converged,
@@ -83,7 +84,7 @@ export class Stage extends EventTarget {
     this.remember(frame);
     if (this.recording && !this.frames.add(frame)) this.stopFull();
     this.residuals = step.residuals ?? null;
-    this.paint(frame);
+    if (isSeen) this.paint(frame);
     this.last = step;
     this.tell('stepped', step);
     this.tell('changed');

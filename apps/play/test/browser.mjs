@@ -41,19 +41,25 @@ export function sharedPage() {
   return shared ??= openPage({viewport: SMALL});
 }
 
-/** A page that is ready, with what it asked the network for and what it complained about. */
-export async function openPage({viewport = WIDE, theme = 'light', address, ...more} = {}) {
+/** A tab at an address, with what it asked the network for and what it complained about. */
+export async function openTab(address, {viewport = WIDE, theme = 'light', wait = 3 * WAIT, ...more} = {}) {
   const context = await (await launch()).newContext({viewport, colorScheme: theme, acceptDownloads: true, ...more});
-  context.setDefaultTimeout(WAIT);
+  context.setDefaultTimeout(wait);
   const page = await context.newPage();
   page.requests = [];
   page.complaints = [];
   page.on('request', (request) => page.requests.push(request.url()));
   page.on('pageerror', (error) => page.complaints.push(String(error)));
   page.on('console', (message) => message.type() === 'error' && page.complaints.push(message.text()));
+  await page.goto(address);
+  return page;
+}
+
+/** A page that is ready. */
+export async function openPage({address, ...more} = {}) {
   const file = join(built, 'pliant.html');
   if (!address && !existsSync(file)) throw new Error(`${file} is missing: ./dev play builds it`);
-  await page.goto(address ?? pathToFileURL(file).href);
+  const page = await openTab(address ?? pathToFileURL(file).href, {wait: WAIT, ...more});
   await page.evaluate(() => window.pliant.then((parts) => { window.P = parts; }));
   page.firstTitle = await page.textContent('#title');
   return page;
@@ -91,15 +97,17 @@ export function seenJoint(page, skip = 0) {
   }, skip);
 }
 
-/** Drags a joint by the mouse; waits for so many steps of the solver on the way. */
-export async function drag(page, joint, dx, dy, {steps = 6} = {}) {
-  const from = await placeOf(page, joint);
-  await page.mouse.move(from.x, from.y);
-  await page.mouse.down();
+/** Drags a joint by the mouse; waits for so many steps of the solver on the way. `corner`: of the
+ * frame that the page is in, in the tab whose mouse it is. */
+export async function drag(page, joint, dx, dy, {steps = 6, mouse = page.mouse, corner = {x: 0, y: 0}} = {}) {
+  const place = await placeOf(page, joint);
+  const from = {x: corner.x + place.x, y: corner.y + place.y};
+  await mouse.move(from.x, from.y);
+  await mouse.down();
   const before = await page.evaluate(() => P.stage.history.length);
-  for (let k = 1; k <= 4; ++k) await page.mouse.move(from.x + dx * k / 4, from.y + dy * k / 4);
+  for (let k = 1; k <= 4; ++k) await mouse.move(from.x + dx * k / 4, from.y + dy * k / 4);
   await page.waitForFunction((wanted) => P.stage.history.length >= wanted, before + steps);
-  return {release: () => page.mouse.up()};
+  return {release: () => mouse.up()};
 }
 
 /** What a click on a choice of the save menu hands to the browser: {name, bytes}. */

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/base/error.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/model/residue_nodes.hpp"
 #include "pliant/model/rigidity.hpp"
@@ -50,13 +51,35 @@ ModelKind kind_of(const std::string& model, const Structure& structure) {
   return choose(models(), "model", model).kind;
 }
 
-Document open_molecule(const SourceText& source, const std::string& model, const Log& log) {
+void put_known(Structure& read, const Known& known) {
+  if (known.positions.size() != read.size())
+    throw InputError(read.source + ": has " + std::to_string(read.size()) + " atoms, positions " +
+                     std::to_string(known.positions.size()));
+  for (const Bond& bond : known.bonds)
+    if (bond.a >= bond.b || bond.b >= read.size())
+      throw InputError(read.source + ": bond of atoms " + std::to_string(bond.a) + " and " +
+                       std::to_string(bond.b) + " of " + std::to_string(read.size()));
+  read.positions = known.positions;
+  read.bonds = known.bonds;
+}
+
+Structure read_bonded(const SourceText& source, const Known& known, const Log& log) {
   ReadOptions reading;
   reading.log = log;
   Structure read = read_structure(source, reading);
+  if (!known.positions.empty()) {
+    put_known(read, known);
+    return read;
+  }
   BondOptions bonding;
   bonding.log = log;
   perceive_bonds(read, bonding);
+  return read;
+}
+
+Document open_molecule(const SourceText& source, const std::string& model, const Known& known,
+                       const Log& log) {
+  const Structure read = read_bonded(source, known, log);
   ModelOptions options;
   options.kind = kind_of(model, read);
   options.log = log;
@@ -82,7 +105,8 @@ Document open_molecule(const SourceText& source, const std::string& model, const
 
 }  // namespace
 
-Document open_file(const std::string& name, std::string_view bytes, const std::string& model) {
+Document open_file(const std::string& name, std::string_view bytes, const std::string& model,
+                   const Known& known) {
   std::vector<std::string> warnings;
   const Log log{[&](Severity severity, std::string_view text) {
     if (severity == Severity::warning) warnings.emplace_back(text);
@@ -90,7 +114,7 @@ Document open_file(const std::string& name, std::string_view bytes, const std::s
   const std::string text = expanded(name, bytes);
   const SourceText source{name, without_byte_order_mark(text)};
   Document document =
-      ends_with_xml(name) ? open_graph(source, log) : open_molecule(source, model, log);
+      ends_with_xml(name) ? open_graph(source, log) : open_molecule(source, model, known, log);
   document.warnings = std::move(warnings);
   return document;
 }

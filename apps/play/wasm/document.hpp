@@ -32,10 +32,17 @@ struct Document {
   bool has_residues = false;  ///< of a polymer
 };
 
+/// What a program knows better than the text of a molecule: each digit of the positions, and bonds.
+struct Known {
+  std::vector<Vec3> positions;  ///< (N) Angstrom; none: those of the file
+  std::vector<Bond> bonds;      ///< in place of perceived ones, where there are positions
+};
+
 /// Reads a file, whose compression the page has undone, and builds its model: a name in models(),
 /// or "auto" for the one that fits. A graph XML file has no model. Throws as the readers and
-/// build_model().
-Document open_file(const std::string& name, std::string_view bytes, const std::string& model);
+/// build_model(), and InputError if `known` is of other atoms.
+Document open_file(const std::string& name, std::string_view bytes, const std::string& model,
+                   const Known& known = {});
 
 /// x, y, z of each.
 std::span<const double> numbers_of(std::span<const Vec3> positions);

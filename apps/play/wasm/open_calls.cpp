@@ -82,6 +82,19 @@ Document graph_document(std::string title, Framework framework, std::vector<Vec3
           {}};
 }
 
+/// `positions` x, y, z of each atom, `bonds` a, b, order of each, sorted by (a, b).
+Known known_of(const Json& fields) {
+  Known known;
+  const auto numbers = fields.value("positions", std::vector<double>());
+  for (std::size_t k = 0; k + 2 < numbers.size(); k += 3)
+    known.positions.push_back({numbers[k], numbers[k + 1], numbers[k + 2]});
+  const auto bonds = fields.value("bonds", std::vector<std::uint32_t>());
+  for (std::size_t k = 0; k + 2 < bonds.size(); k += 3)
+    known.bonds.push_back(
+        {bonds[k], bonds[k + 1], BondOrigin::file, static_cast<std::uint8_t>(bonds[k + 2])});
+  return known;
+}
+
 }  // namespace
 
 Reply boot(const Request&) {
@@ -98,7 +111,7 @@ Reply boot(const Request&) {
 
 Reply open(const Request& request) {
   return begin_session(open_file(request.fields.value("name", "file"), request.bytes,
-                                 request.fields.value("model", "auto")));
+                                 request.fields.value("model", "auto"), known_of(request.fields)));
 }
 
 Reply example(const Request& request) {

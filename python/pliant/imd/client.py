@@ -125,6 +125,10 @@ class Client:
         """
         self.pull(np.empty(0, np.int32), np.empty((0, 3)))
 
+    def set_timeout(self, seconds: float | None) -> None:
+        """How long to wait for the server's next byte from now on; None: for ever."""
+        self._socket.settimeout(seconds)
+
     def pause(self) -> None:
         """The run waits. Frames under way still come."""
         if not self._is_paused:

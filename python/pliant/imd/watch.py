@@ -13,6 +13,7 @@ from pathlib import Path
 from pliant import console
 from pliant._core import Frame, H5mdRecorder, InputError, OptionError, Structure, read
 from pliant._output_names import check_trajectory_name, is_pdb_name
+from pliant.imd.address import server_address
 from pliant.imd.client import Client, ImdFrame
 
 USUAL_PORT = 8888
@@ -39,7 +40,8 @@ def make_parser() -> console.Parser:
         "watch", "Follows a live run over IMD: how fast it is, how exact.", EPILOG
     )
     add = parser.add_argument
-    add("server", metavar="HOST:PORT", type=_address, help="where it runs; :PORT: on this machine")
+    add("server", metavar="HOST:PORT", type=server_address,
+        help="where it runs; :PORT: on this machine")  # fmt: skip
     add("--record", metavar="FILE", help="record what arrives in this H5MD trajectory")
     add("--topology", metavar="PDB", help="names and bonds of its atoms, for --record")
     add("--frames", metavar="N", type=console.whole_number(1), help="leave after this many frames")
@@ -106,13 +108,6 @@ class _Screen:
         )
         end = "\x1b[K" if is_terminal else "\n"
         print(("\r" if is_terminal else "") + text, end=end, file=sys.stderr, flush=True)
-
-
-def _address(text: str) -> tuple[str, int]:
-    host, _, port = text.rpartition(":")
-    if not port.isascii() or not port.isdigit() or not 1 <= int(port) <= 65535:
-        raise argparse.ArgumentTypeError(f"expected HOST:PORT, found '{text}'")
-    return host or "127.0.0.1", int(port)
 
 
 def _watch(arguments: argparse.Namespace) -> int:

@@ -9,7 +9,10 @@ from collections.abc import Sequence
 from pathlib import Path
 
 from pliant import console
+from pliant._core import OptionError
+from pliant.imd.address import server_address
 from pliant.play import page
+from pliant.play.connect import connect
 from pliant.play.server import PageServer
 
 EPILOG = """\
@@ -21,12 +24,20 @@ is opened as a file, and you can drop files on it.
 In the page: drag an atom to pull it, drag the background to rotate the view; "?" explains the
 rest.
 
-exit codes: 0 done, 1 FILE cannot be read, or the package was built without the page; 2 bad option
+With --connect the page shows a live run (pliant run --imd): its atoms as they move, its residual
+(how far the worst bar is off) and sweeps; a drag pulls at the atoms of the run. FILE is the
+molecule that the run reads, or the PDB file that it writes. A slow page skips frames and never
+slows the run down. The command ends when the run has ended.
+
+exit codes: 0 done, 1 FILE cannot be read or is not the run's, nobody listens there, the connection
+is lost, or the package was built without the page; 2 bad option
 
 examples:
   pliant play
   pliant play protein.pdb
   pliant play caffeine.sdf --no-open
+  pliant run protein.pdb --steps 1000000 --imd &
+  pliant play --connect localhost:8888 protein.pdb
 """
 
 
@@ -42,11 +53,9 @@ def make_parser() -> console.Parser:
     add = parser.add_argument
     add("file", metavar="FILE", nargs="?",
         help="PDB, mmCIF, XYZ, SDF, graph XML or H5MD file to open in it")  # fmt: skip
-    add(
-        "--no-open",
-        action="store_true",
-        help="print the address of the page, do not open a browser",
-    )
+    add("--connect", metavar="HOST:PORT", type=server_address,
+        help="show a live run (pliant run --imd), and pull at it; :PORT: on this machine")  # fmt: skip
+    add("--no-open", action="store_true", help="print the address of the page, open no browser")
     return parser
 
 
@@ -57,6 +66,8 @@ def main(words: Sequence[str] | None = None) -> int:
 
 
 def _play(arguments: argparse.Namespace) -> int:
+    if arguments.connect:
+        return _connect(arguments)
     file = page.page_file()
     if arguments.file is None:
         _show(file.as_uri(), arguments.no_open)
@@ -68,6 +79,13 @@ def _play(arguments: argparse.Namespace) -> int:
         _show(server.address, arguments.no_open)
         _serve(server)
     return console.EXIT_OK
+
+
+def _connect(arguments: argparse.Namespace) -> int:
+    if arguments.file is None:
+        raise OptionError("--connect: expected FILE too, the one that the run reads")
+    host, port = arguments.connect
+    return connect(host, port, Path(arguments.file), lambda at: _show(at, arguments.no_open))
 
 
 def _show(address: str, no_open: bool) -> None:

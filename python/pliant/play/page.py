@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import base64
 import json
+from collections.abc import Mapping
 from pathlib import Path
 
 from pliant._core import Error, FileError, InputError
@@ -33,16 +34,23 @@ def read_given(path: Path) -> bytes:
         raise FileError(f"{path}: cannot be read: {error.strerror}") from None
 
 
-def with_block(page: bytes, facts: dict[str, str | bool]) -> bytes:
+def with_connection(page: bytes, address: str) -> bytes:
+    """The page whose policy lets it ask for this one address, and for nothing else as before."""
+    policy = b"default-src 'none'"
+    return page.replace(policy, policy + f"; connect-src {address}".encode("ascii"), 1)
+
+
+def with_block(page: bytes, facts: Mapping[str, object]) -> bytes:
     """The page with `facts` as a block of data, which its policy takes for no script."""
     text = json.dumps(facts).replace("<", "\\u003c")
     block = f'<script type="application/json" id="given">{text}</script>'
     return page.replace(PLACE, block.encode("ascii"), 1)
 
 
-def with_file(page: bytes, name: str, data: bytes) -> bytes:
-    """The page with a file inside, which it opens."""
-    return with_block(page, {"name": name, "data": base64.b64encode(data).decode("ascii")})
+def with_file(page: bytes, name: str, data: bytes, **facts: object) -> bytes:
+    """The page with a file inside, which it opens; `facts` tell how."""
+    file = {"name": name, "data": base64.b64encode(data).decode("ascii")}
+    return with_block(page, {**file, **facts})
 
 
 def without_file(page: bytes, name: str) -> bytes:

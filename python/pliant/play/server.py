@@ -10,6 +10,24 @@ from typing import Any
 
 SLOWEST = 10.0  #: seconds that a client may take for its request
 
+#: Nobody keeps the page, frames it, or learns its address.
+HEADERS = {
+    "Cache-Control": "no-store",
+    "Referrer-Policy": "no-referrer",
+    "X-Content-Type-Options": "nosniff",
+    "X-Frame-Options": "DENY",
+}
+
+
+def secret_path() -> str:
+    """A path that nobody can guess."""
+    return f"/{secrets.token_urlsafe(24)}/"
+
+
+def is_same(given: str, expected: str) -> bool:
+    """Compares in a time that tells nothing of where they differ."""
+    return secrets.compare_digest(given.encode(), expected.encode())
+
 
 class PageServer(HTTPServer):
     """Serves on 127.0.0.1, at `path` alone: the first page once, then the second.
@@ -21,7 +39,7 @@ class PageServer(HTTPServer):
     def __init__(self, first: bytes, then: bytes) -> None:
         super().__init__(("127.0.0.1", 0), _Handler)
         self.pages = [first, then]
-        self.path = f"/{secrets.token_urlsafe(24)}/"
+        self.path = secret_path()
 
     @property
     def host(self) -> str:
@@ -51,7 +69,7 @@ class _Handler(BaseHTTPRequestHandler):
         """The page, or an error."""
         if self.headers.get("Host") != self.server.host:
             self._answer(HTTPStatus.FORBIDDEN, b"expected another Host\n", "text/plain")
-        elif not secrets.compare_digest(self.path.encode(), self.server.path.encode()):
+        elif not is_same(self.path, self.server.path):
             self._answer(HTTPStatus.NOT_FOUND, b"nothing is here\n", "text/plain")
         else:
             self._answer(HTTPStatus.OK, self.server.next_page(), "text/html; charset=utf-8")
@@ -61,10 +79,7 @@ class _Handler(BaseHTTPRequestHandler):
         headers = {
             "Content-Type": kind,
             "Content-Length": str(len(body)),
-            "Cache-Control": "no-store",
-            "Referrer-Policy": "no-referrer",
-            "X-Content-Type-Options": "nosniff",
-            "X-Frame-Options": "DENY",
+            **HEADERS,
         }
         for name, value in headers.items():
             self.send_header(name, value)

@@ -38,6 +38,8 @@ class Copier {
     to_.origin.push_back(atom);
     to_.structure.atoms.serials.push_back(from_.atoms.serials[atom]);
     if (!from_.charges.empty()) to_.structure.charges.push_back(from_.charges[atom]);
+    if (!from_.isotopes.empty()) to_.structure.isotopes.push_back(from_.isotopes[atom]);
+    if (!from_.radicals.empty()) to_.structure.radicals.push_back(from_.radicals[atom]);
     if (!from_.b_factors.empty()) to_.structure.b_factors.push_back(from_.b_factors[atom]);
   }
 
@@ -47,6 +49,8 @@ class Copier {
     to_.origin.push_back(no_atom);
     to_.structure.atoms.serials.push_back(0);
     if (!from_.charges.empty()) to_.structure.charges.push_back(0);
+    if (!from_.isotopes.empty()) to_.structure.isotopes.push_back(0);
+    if (!from_.radicals.empty()) to_.structure.radicals.push_back(0);
     if (!from_.b_factors.empty()) to_.structure.b_factors.push_back(from_.b_factors[atom.parent]);
     if (atom.is_bonded) to_.structure.bonds.push_back({parent, self, BondOrigin::residue, 1});
   }

@@ -12,7 +12,7 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t most_of_v2000 = 999;
-constexpr std::size_t charges_a_line = 8;
+constexpr std::size_t pairs_a_line = 8;
 constexpr double least_place = -9999.99995, most_place = 99999.99995;
 
 template <class... Values>
@@ -40,13 +40,15 @@ int order_of(const RecordedBond& bond) { return bond.order == 0 ? 1 : bond.order
 class SdfRecorder::Writer {
  public:
   Writer(const std::filesystem::path& path, std::shared_ptr<const AtomTable> atoms,
-         std::vector<RecordedBond> bonds, std::vector<std::int8_t> charges, const Options& options)
+         std::vector<RecordedBond> bonds, SdfMolecule molecule, const Options& options)
       : atoms_(std::move(atoms)),
         bonds_(std::move(bonds)),
-        charges_(std::move(charges)),
-        title_(one_line(options.title)),
+        molecule_(std::move(molecule)),
+        title_(one_line(molecule_.title)),
         file_(path, options.overwrite) {
-    charges_.resize(atoms_->size(), 0);
+    molecule_.charges.resize(atoms_->size(), 0);
+    molecule_.isotopes.resize(atoms_->size(), 0);
+    molecule_.radicals.resize(atoms_->size(), 0);
   }
 
   void record(const Frame& frame) {
@@ -83,18 +85,21 @@ class SdfRecorder::Writer {
              x[k].z, symbol_of(atoms_->elements[k]).c_str());
     for (const RecordedBond& bond : bonds_)
       append(text_, "%3u%3u%3d  0\n", bond.a + 1, bond.b + 1, order_of(bond));
-    add_charges();
+    add_pairs("CHG", molecule_.charges);
+    add_pairs("RAD", molecule_.radicals);
+    add_pairs("ISO", molecule_.isotopes);
   }
 
-  void add_charges() {
-    std::vector<std::size_t> charged;
-    for (std::size_t k = 0; k < charges_.size(); ++k)
-      if (charges_[k] != 0) charged.push_back(k);
-    for (std::size_t first = 0; first < charged.size(); first += charges_a_line) {
-      const std::size_t count = std::min(charges_a_line, charged.size() - first);
-      append(text_, "M  CHG%3zu", count);
+  template <class Value>
+  void add_pairs(const char* name, const std::vector<Value>& values) {
+    std::vector<std::size_t> told;
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (values[k] != 0) told.push_back(k);
+    for (std::size_t first = 0; first < told.size(); first += pairs_a_line) {
+      const std::size_t count = std::min(pairs_a_line, told.size() - first);
+      append(text_, "M  %s%3zu", name, count);
       for (std::size_t k = first; k < first + count; ++k)
-        append(text_, " %3zu %3d", charged[k] + 1, int{charges_[charged[k]]});
+        append(text_, " %3zu %3d", told[k] + 1, int{values[told[k]]});
       text_ += '\n';
     }
   }
@@ -106,7 +111,9 @@ class SdfRecorder::Writer {
     for (std::size_t k = 0; k < x.size(); ++k) {
       append(text_, "M  V30 %zu %s %.4f %.4f %.4f 0", k + 1, symbol_of(atoms_->elements[k]).c_str(),
              x[k].x, x[k].y, x[k].z);
-      if (charges_[k] != 0) append(text_, " CHG=%d", int{charges_[k]});
+      add_word(" CHG=%d", molecule_.charges[k]);
+      add_word(" RAD=%d", molecule_.radicals[k]);
+      add_word(" MASS=%d", molecule_.isotopes[k]);
       text_ += '\n';
     }
     text_ += "M  V30 END ATOM\nM  V30 BEGIN BOND\n";
@@ -116,9 +123,13 @@ class SdfRecorder::Writer {
     text_ += "M  V30 END BOND\nM  V30 END CTAB\n";
   }
 
+  void add_word(const char* format, int value) {
+    if (value != 0) append(text_, format, value);
+  }
+
   std::shared_ptr<const AtomTable> atoms_;
   std::vector<RecordedBond> bonds_;
-  std::vector<std::int8_t> charges_;
+  SdfMolecule molecule_;
   std::string title_, text_;
   OutputFile file_;
   std::int64_t records_ = 0;
@@ -136,10 +147,10 @@ std::shared_ptr<const AtomTable> checked(std::shared_ptr<const AtomTable> atoms)
 }  // namespace
 
 SdfRecorder::SdfRecorder(const std::filesystem::path& path, std::shared_ptr<const AtomTable> atoms,
-                         std::vector<RecordedBond> bonds, std::vector<std::int8_t> charges,
+                         std::vector<RecordedBond> bonds, SdfMolecule molecule,
                          const Options& options)
     : writer_(std::make_unique<Writer>(path, checked(std::move(atoms)), std::move(bonds),
-                                       std::move(charges), options)) {}
+                                       std::move(molecule), options)) {}
 SdfRecorder::~SdfRecorder() = default;
 SdfRecorder::SdfRecorder(SdfRecorder&&) noexcept = default;
 SdfRecorder& SdfRecorder::operator=(SdfRecorder&&) noexcept = default;

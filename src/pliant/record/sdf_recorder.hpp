@@ -17,21 +17,26 @@
 
 namespace pliant {
 
+/// What an SDF file says of a molecule beside elements and bonds. Each row has N numbers, or none.
+struct SdfMolecule {
+  std::string title = "";               ///< first line of each record
+  std::vector<std::int8_t> charges;     ///< formal
+  std::vector<std::uint16_t> isotopes;  ///< mass numbers; 0: the natural mixture
+  std::vector<std::uint8_t> radicals;   ///< 1 singlet, 2 doublet, 3 triplet; 0: none
+};
+
 /// Writes each frame as a record, with its number as the data item "frame", to a file beside its
 /// final name, which it takes when it is closed with at least one record. Positions in Angstrom to
 /// 0.0001. Bonds of no known order are written as single bonds.
 class SdfRecorder {
  public:
   struct Options {
-    std::string title = "";  ///< first line of each record
     bool overwrite = false;
   };
 
-  /// `charges` (N) formal; empty: none. Throws FileError as H5mdRecorder does, InputError without
-  /// atoms.
+  /// Throws FileError as H5mdRecorder does, InputError without atoms.
   SdfRecorder(const std::filesystem::path& path, std::shared_ptr<const AtomTable> atoms,
-              std::vector<RecordedBond> bonds, std::vector<std::int8_t> charges,
-              const Options& options);
+              std::vector<RecordedBond> bonds, SdfMolecule molecule, const Options& options);
   ~SdfRecorder();
   SdfRecorder(SdfRecorder&&) noexcept;
   SdfRecorder& operator=(SdfRecorder&&) noexcept;

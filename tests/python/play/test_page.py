@@ -43,10 +43,11 @@ def node(script, *words, timeout):
         capture_output=True,
         text=True,
         timeout=timeout,
+        env={**os.environ, "PLIANT_COMMAND": str(COMMAND)},
     )
 
 
-@pytest.mark.parametrize("tests", ["open", "hand"])
+@pytest.mark.parametrize("tests", ["open", "hand", "live"])
 def test_a_person_opens_and_pulls(tests):
     done = node("run.mjs", tests, timeout=150)
     assert done.returncode == 0, done.stdout[-4000:]

@@ -89,13 +89,14 @@ export class Open {
   }
 
   async openBlob(file) {
+    if (this.session.live) throw new Error('This page shows a run: pliant play opens files.');
     return this.openBytes(file.name, new Uint8Array(await file.arrayBuffer()));
   }
 
-  async openBytes(name, bytes, model = $('model').value || 'auto') {
+  async openBytes(name, bytes, model = $('model').value || 'auto', known = {}) {
     say('');
     if (isHdf5(bytes)) return this.openTrajectory(name, bytes);
-    return this.waiting(name, () => this.session.openFile(name, bytes, model));
+    return this.waiting(name, () => this.session.openFile(name, bytes, model, known));
   }
 
   async openTrajectory(name, bytes) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // What the last step was, in numbers; what is open; what is under the pointer.
+import {showRates} from '../live.mjs';
 import {$, element, shortNumber, units} from './dom.mjs';
 
 function verdict(step) {
@@ -44,9 +45,16 @@ export class Readout {
     const worst = step.worst ?? -1;
     $('out-residual').title = worst >= 0 ? this.session.model?.barName(worst) ?? '' : '';
     $('out-time').textContent = step.seconds === undefined ? '–' : `${(step.seconds * 1000).toFixed(2)} ms`;
-    const [text, kind] = this.stage.isReplay ? ['Replay', ''] : verdict(step);
+    if (this.session.live) showRates(this.session.live.rates);
+    const [text, kind] = this.state(step);
     $('out-verdict').textContent = text;
     $('out-verdict').className = kind;
+  }
+
+  state(step) {
+    const {live} = this.session;
+    if (live) return [live.state.text, live.state.kind];
+    return this.stage.isReplay ? ['Replay', ''] : verdict(step);
   }
 
   pins() {

@@ -29,7 +29,7 @@ export class Transport {
     $('save').onchange = () => this.chosen();
     stage.on('changed', () => this.refresh());
     stage.on('full', () => say('The recording is full (768 MB) and has stopped: save it, or undo.', true));
-    session.on('step', () => this.play(false));
+    session.on('step', () => session.live || this.play(false));
   }
 
   record(isOn) {
@@ -110,6 +110,7 @@ export class Transport {
   }
 
   async saveForces(stem) {
+    if (this.session.live) throw new Error('A run keeps its forces itself, in OUT.forces: pliant run --record-forces.');
     if (this.stage.isReplay) throw new Error('A trajectory from a file was made without this page: it has no forces.');
     download([await this.session.forces()], `${stem}.forces.txt`, 'text/plain');
   }

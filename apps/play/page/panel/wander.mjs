@@ -12,8 +12,8 @@ export class Wander {
   }
 
   toggle(isOn) {
-    if (isOn && (!this.stage.model || this.stage.isReplay)) {
-      say('Open a structure first: a trajectory from a file does not wander.', true);
+    if (isOn && (!this.stage.model || this.stage.isReplay || this.session.live)) {
+      say('Open a structure first: neither a trajectory from a file nor a run wanders here.', true);
       return;
     }
     this.isOn = isOn;

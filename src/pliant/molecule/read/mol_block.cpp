@@ -9,9 +9,27 @@
 
 namespace pliant {
 
+namespace {
+
+/// Of a row that is empty until an atom has a value.
+template <class Value>
+void set_value(std::vector<Value>& row, std::size_t atom, std::int64_t value) {
+  if (value == 0 && row.empty()) return;
+  row.resize(std::max(row.size(), atom + 1), 0);
+  row[atom] = static_cast<Value>(value);
+}
+
+/// "D" and "T" are hydrogen by mass number.
+std::int64_t isotope_of_symbol(std::string_view symbol) {
+  return symbol == "D" ? 2 : symbol == "T" ? 3 : 0;
+}
+
+}  // namespace
+
 void MolBlock::add_atom(std::string_view symbol, Vec3 position, std::int64_t serial,
                         std::size_t line) {
-  const std::uint8_t element = element_number(symbol);
+  const std::int64_t isotope = isotope_of_symbol(symbol);
+  const std::uint8_t element = element_number(isotope == 0 ? symbol : "H");
   if (element == 0)
     remarks_.warn("unknown symbol", line, [&] {
       return "atom symbol " + quoted(symbol) + " is not an element: taken as unknown";
@@ -23,14 +41,31 @@ void MolBlock::add_atom(std::string_view symbol, Vec3 position, std::int64_t ser
   atoms.residue_of.push_back(0);
   atoms.serials.push_back(serial);
   structure_.positions.push_back(position);
+  set_isotope(size() - 1, isotope, line);
 }
 
 void MolBlock::set_charge(std::size_t atom, std::int64_t charge, std::size_t line) {
   if (charge < -15 || charge > 15)
     fail(remarks_.place(line), "charge " + std::to_string(charge) + " is not from -15 to 15");
-  if (charge == 0 && structure_.charges.empty()) return;
-  structure_.charges.resize(std::max(structure_.charges.size(), atom + 1), 0);
-  structure_.charges[atom] = static_cast<std::int8_t>(charge);
+  set_value(structure_.charges, atom, charge);
+}
+
+void MolBlock::set_isotope(std::size_t atom, std::int64_t mass, std::size_t line) {
+  constexpr std::int64_t most = 400;
+  if (mass < 0 || mass > most)
+    fail(remarks_.place(line), "isotope " + std::to_string(mass) + " is not from 0 to 400");
+  set_value(structure_.isotopes, atom, mass);
+}
+
+void MolBlock::set_radical(std::size_t atom, std::int64_t multiplicity, std::size_t line) {
+  if (multiplicity < 0 || multiplicity > 3)
+    fail(remarks_.place(line), "radical " + std::to_string(multiplicity) + " is not from 0 to 3");
+  set_value(structure_.radicals, atom, multiplicity);
+}
+
+void MolBlock::clear_charges_and_radicals() {
+  structure_.charges.clear();
+  structure_.radicals.clear();
 }
 
 void MolBlock::add_bond(std::size_t a, std::size_t b, std::int64_t type, std::size_t line) {
@@ -69,6 +104,8 @@ Structure MolBlock::take() {
       });
   }
   if (!structure_.charges.empty()) structure_.charges.resize(structure_.size(), 0);
+  if (!structure_.isotopes.empty()) structure_.isotopes.resize(structure_.size(), 0);
+  if (!structure_.radicals.empty()) structure_.radicals.resize(structure_.size(), 0);
   const auto& positions = structure_.positions;
   const bool flat =
       std::all_of(positions.begin(), positions.end(), [](Vec3 p) { return p.z == 0; });

@@ -21,7 +21,14 @@ class MolBlock {
   /// `symbol` names an element exactly; anything else ("*", "R#", "A") is warned of and unknown.
   void add_atom(std::string_view symbol, Vec3 position, std::int64_t serial, std::size_t line);
   void set_charge(std::size_t atom, std::int64_t charge, std::size_t line);
-  void clear_charges() { structure_.charges.clear(); }
+  /// By mass number, as "13" of carbon-13; 0: the natural mixture.
+  void set_isotope(std::size_t atom, std::int64_t mass, std::size_t line);
+  /// 1 singlet, 2 doublet, 3 triplet; 0: none.
+  void set_radical(std::size_t atom, std::int64_t multiplicity, std::size_t line);
+  /// What the property block says takes the place of what atom lines say.
+  void clear_charges_and_radicals();
+  void clear_isotopes() { structure_.isotopes.clear(); }
+  std::uint8_t element(std::size_t atom) const { return structure_.atoms.elements[atom]; }
 
   /// A bond of atoms by index, by the type of the format: 1, 2, 3, 4 aromatic, 0 and 5 to 9 of an
   /// order not known; 10 (a hydrogen bond) is warned of and left out. Refuses other types.

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <optional>
 #include <string>
+#include <utility>
 
+#include "pliant/base/elements.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/molecule/read/fixed_columns.hpp"
 #include "pliant/molecule/read/reading.hpp"
@@ -34,10 +37,23 @@ double coordinate(std::string_view line, const CoordinateColumns& field, const P
                           of_total("atom", atom, total) + ": " + std::string(field.name));
 }
 
-/// The charge that the atom line's code stands for: 1 is 3+, 7 is 3-.
-std::int64_t charge_of_code(std::string_view line) {
+/// What the atom line's code stands for: 1 is a charge of 3+, 7 of 3-, 4 a doublet radical.
+void take_charge_code(std::string_view line, std::size_t atom, std::size_t number,
+                      MolBlock& block) {
   const auto code = parse_integer(columns(line, 37, 39));
-  return code && *code >= 1 && *code <= 7 && *code != 4 ? 4 - *code : 0;
+  if (!code || *code < 1 || *code > 7) return;
+  if (*code == 4) block.set_radical(atom, 2, number);
+  if (*code != 4) block.set_charge(atom, 4 - *code, number);
+}
+
+/// The atom line's difference, from -3 to 4, to the mass number of the element.
+void take_mass_difference(std::string_view line, std::size_t atom, std::size_t number,
+                          MolBlock& block) {
+  const auto difference = parse_integer(columns(line, 35, 36));
+  if (!difference || *difference == 0 || *difference < -3 || *difference > 4) return;
+  if (block.element(atom) == 0) return;
+  const auto mass = std::lround(element_mass(block.element(atom)));
+  block.set_isotope(atom, mass + *difference, number);
 }
 
 void read_atom(const Lines& lines, std::size_t index, std::size_t total, MolBlock& block) {
@@ -50,7 +66,8 @@ void read_atom(const Lines& lines, std::size_t index, std::size_t total, MolBloc
   if (symbol.empty())
     fail(place, of_total("atom", index, total) + ": symbol (columns 32-34) is blank");
   block.add_atom(symbol, position, static_cast<std::int64_t>(index + 1), lines.number());
-  block.set_charge(index, charge_of_code(line), lines.number());
+  take_charge_code(line, index, lines.number(), block);
+  take_mass_difference(line, index, lines.number(), block);
 }
 
 /// A whole number in three columns of a bond line.
@@ -78,31 +95,50 @@ void read_bond(const Lines& lines, std::size_t index, std::size_t total, MolBloc
   block.add_bond(atoms[0], atoms[1], type, lines.number());
 }
 
-/// "M  CHGnn8 aaa vvv ...": pairs of atom and charge.
-void read_charges(const Lines& lines, MolBlock& block) {
+/// A line of the property block that has pairs of an atom and a value.
+struct Property {
+  std::string_view begin;
+  std::string_view value;  ///< in words
+  void (MolBlock::*set)(std::size_t, std::int64_t, std::size_t);
+};
+
+constexpr std::array properties{
+    Property{"M  CHG", "charge", &MolBlock::set_charge},
+    Property{"M  RAD", "radical", &MolBlock::set_radical},
+    Property{"M  ISO", "isotope", &MolBlock::set_isotope},
+};
+
+/// "M  CHGnn8 aaa vvv ...": pairs of atom and value.
+void read_pairs(const Lines& lines, const Property& property, MolBlock& block) {
   const auto count = parse_integer(columns(lines.line(), 7, 9));
   for (std::int64_t k = 0; count && k < std::min<std::int64_t>(*count, 8); ++k) {
     const auto first = static_cast<std::size_t>(10 + 8 * k);
     const auto atom = parse_integer(columns(lines.line(), first, first + 3));
-    const auto charge = parse_integer(columns(lines.line(), first + 4, first + 7));
-    if (!atom || !charge || *atom < 1 || static_cast<std::size_t>(*atom) > block.size())
+    const auto value = parse_integer(columns(lines.line(), first + 4, first + 7));
+    if (!atom || !value || *atom < 1 || static_cast<std::size_t>(*atom) > block.size())
       fail(block.remarks().place(lines.number()),
-           "M  CHG pair " + std::to_string(k + 1) + " is not an atom from 1 to " +
-               std::to_string(block.size()) +
-               " and its charge: " + quoted(columns(lines.line(), first, first + 7)));
-    block.set_charge(static_cast<std::size_t>(*atom - 1), *charge, lines.number());
+           std::string(property.begin) + " pair " + std::to_string(k + 1) +
+               " is not an atom from 1 to " + std::to_string(block.size()) + " and its " +
+               std::string(property.value) + ": " +
+               quoted(columns(lines.line(), first, first + 7)));
+    (block.*property.set)(static_cast<std::size_t>(*atom - 1), *value, lines.number());
   }
 }
 
-/// Reads to M  END. The first M  CHG takes the place of all charges of the atom lines.
+/// Reads to M  END. The first M  CHG or M  RAD takes the place of all charges of the atom lines,
+/// the first M  ISO that of their mass differences.
 void read_properties(Lines& lines, MolBlock& block) {
-  bool charges_cleared = false;
+  bool charges_cleared = false, isotopes_cleared = false;
   while (lines.next() && !ends_record(lines.line())) {
     if (lines.line().starts_with("M  END")) return;
-    if (!lines.line().starts_with("M  CHG")) continue;
-    if (!charges_cleared) block.clear_charges();
-    charges_cleared = true;
-    read_charges(lines, block);
+    const auto property =
+        std::find_if(properties.begin(), properties.end(),
+                     [&](const Property& one) { return lines.line().starts_with(one.begin); });
+    if (property == properties.end()) continue;
+    const bool is_isotope = property->value == "isotope";
+    if (is_isotope && !std::exchange(isotopes_cleared, true)) block.clear_isotopes();
+    if (!is_isotope && !std::exchange(charges_cleared, true)) block.clear_charges_and_radicals();
+    read_pairs(lines, *property, block);
   }
   block.remarks().warn("no end", lines.number(), [] { return "no M  END line: taken as ended"; });
 }

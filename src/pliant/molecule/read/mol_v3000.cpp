@@ -35,7 +35,11 @@ class V3000Reader {
   bool next_logical_line();
   void take();
   void take_counts();
+  using Setter = void (MolBlock::*)(std::size_t, std::int64_t, std::size_t);
+
   void take_atom();
+  /// Of the words of an atom the one KEY=VALUE.
+  void take_value(std::string_view key, std::string_view name, Setter set);
   void take_bond();
   std::size_t atom_of_word(std::size_t k);
   std::int64_t number_of_word(std::size_t k, std::string_view what);
@@ -103,11 +107,17 @@ void V3000Reader::take_atom() {
   if (!atom_of_index_.emplace(index, block_.size()).second)
     fail_here("atom index " + std::to_string(index) + " is given twice");
   block_.add_atom(words_[1], position, index, line_);
+  take_value("CHG=", "charge", &MolBlock::set_charge);
+  take_value("RAD=", "radical", &MolBlock::set_radical);
+  take_value("MASS=", "isotope", &MolBlock::set_isotope);
+}
+
+void V3000Reader::take_value(std::string_view key, std::string_view name, Setter set) {
   for (std::string_view word : words_) {
-    if (!word.starts_with("CHG=")) continue;
-    const auto charge = parse_integer(word.substr(4));
-    if (!charge) fail_here("charge " + quoted(word) + " is not a whole number");
-    block_.set_charge(block_.size() - 1, *charge, line_);
+    if (!word.starts_with(key)) continue;
+    const auto value = parse_integer(word.substr(key.size()));
+    if (!value) fail_here(std::string(name) + " " + quoted(word) + " is not a whole number");
+    (block_.*set)(block_.size() - 1, *value, line_);
   }
 }
 

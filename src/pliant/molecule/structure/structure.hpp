@@ -39,9 +39,11 @@ struct Structure {
   std::string source;  ///< name of the file it was read from
   std::string format;  ///< "pdb", "mmcif", "xyz", "sdf"
   AtomTable atoms;
-  std::vector<Vec3> positions;       ///< (N) Angstrom
-  std::vector<Bond> bonds;           ///< sorted by (a, b), each pair once
-  std::vector<std::int8_t> charges;  ///< (N) formal charges that the file gives; empty: none
+  std::vector<Vec3> positions;          ///< (N) Angstrom
+  std::vector<Bond> bonds;              ///< sorted by (a, b), each pair once
+  std::vector<std::int8_t> charges;     ///< (N) formal charges that the file gives; empty: none
+  std::vector<std::uint16_t> isotopes;  ///< (N) mass numbers that the file gives, 0 else; or empty
+  std::vector<std::uint8_t> radicals;   ///< (N) 1 singlet, 2 doublet, 3 triplet, 0 none; or empty
   std::vector<float> b_factors;  ///< (N) Angstrom^2, or a confidence; empty: the format has none
   std::vector<bool> chain_end;   ///< (R) the chain ends after this residue (TER); empty: not known
   std::size_t model = 1;         ///< which model or frame this is, from 1

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+// A run that goes on elsewhere, of `pliant play --connect`: its frames are shown, drags pull at it.
+// The page asks for a frame once it has drawn the last, and is given the newest one.
+import {$, say} from './panel/dom.mjs';
+
+const NUMBERS = 6;  // 64-bit floats before the positions: see python/pliant/play/bridge.py
+const SILENT = 2000;  // ms without a frame after which the page says so
+const PACE = 0.1;  // share of the newest in frames and steps a second
+const CLOSED = {4000: 'Another page shows the run now.'};
+
+/** Step, time, residual and so on, and positions in Angstrom, of a message of the bridge. */
+function unpacked(data) {
+  const [step, time, residual, , sweeps, missed] = new Float64Array(data, 0, NUMBERS);
+  const positions = Float64Array.from(new Float32Array(data, 8 * NUMBERS));
+  return {step, time, residual, sweeps: sweeps || 0, converged: !(missed > 0), projections: 0, positions};
+}
+
+export class Live {
+  constructor({session, stage, hand, look}) {
+    Object.assign(this, {session, stage, hand});
+    look.allow('residual', false);  // a run tells of its worst bar alone
+    this.state = {text: 'Connecting', kind: ''};
+    this.steps = 1;  // of the run, between the last two frames
+    this.gain = 1;
+    this.rates = {frames: 0, steps: 0};
+    this.waiting = [];
+    this.isPulling = false;
+    session.on('released', () => this.release());
+  }
+
+  /** Opens the connection; a promise of the first frame. */
+  start(address) {
+    this.session.live = this;
+    document.body.classList.add('live');
+    this.socket = new WebSocket(address);
+    this.socket.binaryType = 'arraybuffer';
+    this.socket.onmessage = ({data}) => this.take(data);
+    this.socket.onclose = ({code, reason}) => this.stop(CLOSED[code] ??
+      `The connection to pliant play is lost${reason ? `: ${reason}` : ''}.`);
+    return this.next();
+  }
+
+  next() {
+    return new Promise((done) => { this.waiting.push(done); });
+  }
+
+  send(said) {
+    if (this.socket.readyState === WebSocket.OPEN) this.socket.send(JSON.stringify(said));
+  }
+
+  /** Once a frame of the screen, after it was drawn. */
+  tick(now) {
+    if (this.isOver || this.socket.readyState !== WebSocket.OPEN) return;
+    if (!this.isAsked) {
+      this.isAsked = true;
+      this.askedAt = now;
+      this.send({do: 'next'});
+    }
+    if (now - this.askedAt > SILENT) this.tell('Waiting for the run', '');
+  }
+
+  take(data) {
+    if (typeof data === 'string') return this.end(JSON.parse(data));
+    this.isAsked = false;
+    const frame = unpacked(data);
+    if (frame.positions.length !== this.session.positions.length)
+      return this.stop(`The run has ${frame.positions.length / 3} joints, the file ${this.session.positions.length / 3}.`);
+    this.measure(frame);
+    this.state = frame.converged ? {text: 'Live', kind: 'good'} : {text: 'Live, not converged', kind: 'bad'};
+    this.session.stand(frame);
+    for (const done of this.waiting.splice(0)) done();
+    return undefined;
+  }
+
+  /** How many frames and steps a second there are, and how many steps a frame. */
+  measure({step, time}) {
+    const now = performance.now();
+    const seconds = (now - (this.cameAt ?? now)) / 1000;
+    if (seconds > 0 && step >= this.step) {
+      this.steps += 0.4 * (Math.max(1, step - this.step) - this.steps);
+      const blend = (name, value) => { this.rates[name] += (this.rates[name] ? PACE : 1) * (value - this.rates[name]); };
+      blend('frames', 1 / seconds);
+      blend('steps', (step - this.step) / seconds);
+    }
+    [this.cameAt, this.step] = [now, step];
+    if (time > 0 && step > 0) this.session.settings.timestep = time / step;
+  }
+
+  end({over, ended}) {
+    this.stop(ended ? 'The run has ended. What was recorded can be replayed and saved.'
+      : `${over[0].toUpperCase()}${over.slice(1)}.`, ended);
+  }
+
+  /** No more frames; the first reason counts. */
+  stop(text, hasEnded = false) {
+    if (this.isOver) return;
+    this.isOver = true;
+    this.hand.release();
+    this.hand.isReplay = true;
+    for (const done of this.waiting.splice(0)) done();
+    this.tell(hasEnded ? 'The run has ended' : 'Connection lost', hasEnded ? '' : 'bad');
+    say(text, hasEnded);
+    this.socket.close();
+  }
+
+  tell(text, kind) {
+    if (this.state.text === text) return;
+    this.state = {text, kind};
+    this.stage.tell('changed');
+  }
+
+  /** These forces act until others come; a promise of the next frame. */
+  pull(forces) {
+    if (this.stage.at !== null) this.stage.live();
+    this.isPulling = forces.length > 0;
+    this.send({do: 'pull', forces});
+    return this.next();
+  }
+
+  release() {
+    this.gain = Math.max(1, this.gain / 8);  // of the last drag: the next may be of a lighter part
+    this.asked = null;
+    if (this.isPulling) this.send({do: 'pull', forces: []});
+    this.isPulling = false;
+  }
+
+  /** Angstrom by which a force has to move a joint in each step to bring it `way` further until the
+   * next frame. A force acts in many steps, so that it goes with their number squared. Bars and
+   * damping hold a joint back, nobody here knows how much: the gain is doubled while too little
+   * comes of it, and halved where more than was asked for does, forth or back. */
+  effort(way, moved) {
+    const along = (v) => v.reduce((sum, x, c) => sum + x * way[c], 0);
+    const share = this.asked ? along(moved) / Math.max(along(this.asked), 1e-12) : 1;
+    if (Math.abs(share) > 1) this.gain = Math.max(this.gain / 2, 1);
+    else if (share < 0.5) this.gain = Math.min(2 * this.gain, this.steps ** 2);
+    this.asked = way;
+    return way.map((x, c) => (x - moved[c]) * this.gain / this.steps ** 2);
+  }
+}
+
+/** Numbers of the status line that a run has and the page's own solver has not. */
+export function showRates({frames, steps}) {
+  $('out-rate').textContent = frames.toFixed(0);
+  $('out-pace').textContent = Number(steps.toPrecision(3)).toLocaleString('en');
+}

@@ -1,0 +1,177 @@
+# SPDX-License-Identifier: MIT
+"""Between a run (IMD) and the page (WebSocket), on this machine alone."""
+
+from __future__ import annotations
+
+import asyncio
+import http
+import json
+import math
+import socket
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+from websockets.asyncio.server import ServerConnection, serve
+from websockets.datastructures import Headers
+from websockets.exceptions import ConnectionClosed
+from websockets.http11 import Request, Response
+
+from pliant._core import InputError, OptionError
+from pliant.imd.client import ImdFrame
+from pliant.play.server import HEADERS, is_same, secret_path
+from pliant.play.upstream import Upstream
+
+HOST = "127.0.0.1"
+MOST_BYTES = 1 << 16  #: of a message of the page
+TAKEN_OVER, REFUSED = 4000, 1008  #: codes with which a WebSocket is closed
+
+#: Numbers before the positions of a frame, as page/live.mjs reads them; not a number: not sent.
+FIELDS = ("total_energy", "potential_energy", "bonds_energy", "coulomb_energy")
+
+
+def packed(frame: ImdFrame) -> bytes:
+    """Step, time and FIELDS as 64-bit floats, positions (N, 3) as 32-bit ones, little endian."""
+    energies = frame.energies or {}
+    first = [math.nan if value is None else value for value in (frame.step, frame.time)]
+    numbers = first + [energies.get(name, math.nan) for name in FIELDS]
+    return np.array(numbers, "<f8").tobytes() + np.asarray(frame.positions, "<f4").tobytes()
+
+
+class Bridge:
+    """Serves a page at one address, and gives it the frames of a run at another.
+
+    Both begin with a path that cannot be guessed. One page at a time is given frames: the last one
+    that came. It asks for each; it then gets the newest there is.
+
+    Parameters
+    ----------
+    upstream : Upstream
+        The run.
+    make_page : function
+        Gives the page for the address of its WebSocket.
+    """
+
+    def __init__(self, upstream: Upstream, make_page: Callable[[str], bytes]) -> None:
+        self.upstream = upstream
+        self.listener = socket.create_server((HOST, 0))
+        self.host = f"{HOST}:{self.listener.getsockname()[1]}"
+        self.path = secret_path()
+        self.page = make_page(f"ws://{self.host}{self.path}live")
+        self.talked: ServerConnection | None = None
+        self.done = asyncio.Event()
+
+    @property
+    def address(self) -> str:
+        """Where the page is."""
+        return f"http://{self.host}{self.path}"
+
+    async def run(self, show: Callable[[str], None], tell_end: Callable[[str], None]) -> None:
+        """Until a page has been told how the run ended."""
+        self.upstream.start()
+        async with serve(
+            self._talk, sock=self.listener, process_request=self._admit, compression=None,
+            max_size=MOST_BYTES, server_header="pliant", open_timeout=10,
+        ):  # fmt: skip
+            show(self.address)
+            await self.upstream.end()
+            tell_end(self.upstream.over)
+            await self.done.wait()
+
+    def _admit(self, _: ServerConnection, request: Request) -> Response | None:
+        """The page, an error, or None: a WebSocket may be opened."""
+        headers = request.headers
+        if headers.get_all("Host") != [self.host]:
+            return _response(http.HTTPStatus.FORBIDDEN, b"expected another Host\n")
+        if getattr(request, "method", "GET") != "GET":  # older websockets know GET alone
+            return _response(http.HTTPStatus.METHOD_NOT_ALLOWED, b"expected GET\n")
+        if is_same(request.path, self.path):
+            return _response(http.HTTPStatus.OK, self.page, "text/html; charset=utf-8")
+        if not is_same(request.path, f"{self.path}live"):
+            return _response(http.HTTPStatus.NOT_FOUND, b"nothing is here\n")
+        if headers.get_all("Origin") != [f"http://{self.host}"]:
+            return _response(http.HTTPStatus.FORBIDDEN, b"expected another Origin\n")
+        return None
+
+    async def _talk(self, page: ServerConnection) -> None:
+        """To one page, until it goes or another comes."""
+        before, self.talked = self.talked, page
+        closing = before and asyncio.create_task(before.close(TAKEN_OVER, "taken over"))
+        asked = asyncio.Event()
+        sending = asyncio.create_task(self._send(page, asked))
+        try:
+            async for message in page:
+                await self._take(message, asked)
+        except ConnectionClosed:
+            pass
+        except (InputError, OptionError) as error:
+            await page.close(REFUSED, str(error)[:120])
+        finally:
+            sending.cancel()
+            await self._leave(page)
+            if closing:
+                await closing
+
+    async def _leave(self, page: ServerConnection) -> None:
+        """What nobody holds any more is pulled no more."""
+        if self.talked is page:
+            self.talked = None
+            await self.upstream.release()
+
+    async def _send(self, page: ServerConnection, asked: asyncio.Event) -> None:
+        """A frame each time that one was asked for; at the end, why no more come."""
+        seen = 0
+        while True:
+            await asked.wait()
+            asked.clear()
+            newest = await self.upstream.newer(seen)
+            if newest is None:
+                break
+            seen = newest[0]
+            await page.send(packed(newest[1]))
+        why = {"over": self.upstream.over, "ended": self.upstream.has_ended}
+        await page.send(json.dumps(why))
+        self.done.set()
+
+    async def _take(self, message: str | bytes, asked: asyncio.Event) -> None:
+        """Raises InputError or OptionError for what no page of ours says."""
+        said = _said(message)
+        if said.get("do") == "next":
+            asked.set()
+        elif said.get("do") == "pull":
+            atoms, forces = _forces(said.get("forces"), self.upstream.atoms)
+            await self.upstream.pull(atoms, forces)
+        else:
+            raise InputError("expected next or pull")
+
+
+def _said(message: str | bytes) -> dict[str, Any]:
+    try:
+        said = json.loads(message)
+    except (ValueError, RecursionError):
+        said = None
+    if not isinstance(said, dict):
+        raise InputError("expected a JSON object")
+    return said
+
+
+def _forces(rows: Any, atoms: int) -> tuple[np.ndarray, np.ndarray]:
+    """Atoms (n) and forces (n, 3) of rows [atom, x, y, z]."""
+    is_list = isinstance(rows, list) and all(isinstance(row, list) for row in rows)
+    if not is_list or not all(_is_force(row, atoms) for row in rows):
+        raise InputError("expected forces as rows of atom, x, y, z")
+    table = np.array(rows, float).reshape(-1, 4)
+    return table[:, 0].astype(int), table[:, 1:]
+
+
+def _is_force(row: list[Any], atoms: int) -> bool:
+    """Whether it is an atom that there is, and three numbers that are finite as 32-bit floats."""
+    if len(row) != 4 or type(row[0]) is not int or not 0 <= row[0] < atoms:
+        return False
+    return all(type(value) in (int, float) and abs(value) < 1e30 for value in row[1:])
+
+
+def _response(status: http.HTTPStatus, body: bytes, kind: str = "text/plain") -> Response:
+    headers = Headers({"Content-Type": kind, "Content-Length": str(len(body)), **HEADERS})
+    headers["Connection"] = "close"
+    return Response(status.value, status.phrase, headers, body)

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+"""The page as a widget of a notebook: what anywidget needs, and what comes back from the page."""
+
+from __future__ import annotations
+
+import gzip
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import numpy as np
+import traitlets
+from numpy.typing import NDArray
+
+
+class PlayView(anywidget.AnyWidget):
+    """A molecule to be pulled at in a notebook; ``pliant.view`` makes it.
+
+    Attributes
+    ----------
+    positions : (N, 3) float64
+        Where the joints are, Angstrom: after a drag, while it wanders, in the frame that is shown.
+        A trait: ``view.observe(function, "positions")`` hears of each change.
+    names : list of str
+        Of the joints, once the page has opened them: "A:SER1:CA".
+    model : str
+        What holds them, once the page has chosen: a name in ``models()``, "" for a graph.
+    """
+
+    _esm = Path(__file__).with_name("widget.mjs")
+    height = traitlets.Int(560).tag(sync=True)
+    positions = traitlets.Any()
+    names = traitlets.List(traitlets.Unicode())
+    model = traitlets.Unicode()
+
+    def __init__(self, page: bytes, start: NDArray[np.float64], height: int) -> None:
+        super().__init__(height=height, positions=start)
+        self._page = gzip.compress(page, compresslevel=1)
+        self.on_msg(self._take)
+
+    def _take(self, _: object, said: Any, buffers: list[Any]) -> None:
+        """What a cell that shows the page says."""
+        tell = said.get("tell")
+        if tell == "ready":
+            self.send({"tell": "page"}, buffers=[self._page])
+        elif tell == "opened":
+            self.names, self.model = said["names"], said["model"]
+        elif tell == "moved":
+            self.positions = np.frombuffer(buffers[0], "<f8").reshape(-1, 3).copy()
+
+    def __repr__(self) -> str:
+        return f"<PlayView of {len(self.positions)} joints>"
