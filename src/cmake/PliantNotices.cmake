@@ -12,6 +12,7 @@ set(pliant_third_party
   "PEGTL|BSL-1.0 AND MIT|https://github.com/taocpp/PEGTL|tao-pegtl-dev"
   "ZLIB|Zlib|https://zlib.net|zlib1g-dev"
   "fmt|MIT|https://fmt.dev|libfmt-dev"
+  "libcxx|Apache-2.0 WITH LLVM-exception|https://libcxx.llvm.org|"
   "nanobind|BSD-3-Clause|https://nanobind.readthedocs.io|"
   "nlohmann_json|MIT|https://json.nlohmann.me|nlohmann-json3-dev"
   "pugixml|MIT|https://pugixml.org|libpugixml-dev")
@@ -25,6 +26,10 @@ function(pliant_find_license name package out)
   endif()
   if(NOT found AND name STREQUAL "nanobind")
     file(GLOB found ${nanobind_DIR}/../../nanobind-*.dist-info/licenses/LICENSE)
+  endif()
+  if(NOT found AND name STREQUAL "libcxx")  # libc++, libc++abi and libunwind share it
+    file(GLOB found
+      ${PROJECT_SOURCE_DIR}/.venv/lib/python*/site-packages/ziglang/lib/libcxx/LICENSE.TXT)
   endif()
   set(${out} "${found}" PARENT_SCOPE)
 endfunction()

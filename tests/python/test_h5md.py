@@ -142,10 +142,12 @@ def test_pickles_and_runs_in_several_processes(universe):
     serial = RMSF(universe.atoms).run().results.rmsf
     from MDAnalysis.analysis.rms import RMSD
 
+    assert len(serial) == 10
+    if not hasattr(RMSD, "get_supported_backends"):
+        pytest.skip("MDAnalysis has one process before 2.8")
     one = RMSD(universe).run().results.rmsd
     two = RMSD(universe).run(backend="multiprocessing", n_workers=2).results.rmsd
     assert np.array_equal(one, two)
-    assert len(serial) == 10
 
 
 def test_writes_what_mdanalysis_reads_back(universe, tmp_path):

@@ -12,7 +12,13 @@ import MDAnalysis
 import MDAnalysisTests
 
 # MDAnalysis warns of what PDB files leave out.
-pytestmark = pytest.mark.filterwarnings("ignore")
+pytestmark = [
+    pytest.mark.filterwarnings("ignore"),
+    pytest.mark.skipif(
+        not hasattr(MDAnalysis.core.selection, "WaterSelection"),
+        reason="this MDAnalysis selects no water",
+    ),
+]
 
 MDA = Path(MDAnalysisTests.__file__).parent / "data"
 

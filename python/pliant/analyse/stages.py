@@ -25,6 +25,7 @@ from pliant.analysis import (
     read_record,
 )
 from pliant.analysis.flexibility import STILL
+from pliant.analysis.frames import HAS_BACKENDS
 from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.stored import StoredPositions
 
@@ -95,7 +96,9 @@ class Runner:
         self._frames = np.arange(len(study.frames)) if study.held else study.frames
         self._backend = {}
         workers = min(study.options.workers, len(self._frames))
-        if workers > 1:
+        if workers > 1 and not HAS_BACKENDS:
+            study.notes.append("one process: MDAnalysis runs analyses in several from 2.8 on")
+        elif workers > 1:
             self._backend = {"backend": "multiprocessing", "n_workers": workers}
 
     def run(self, analysis: FrameAnalysis, stride: int = 1) -> Results:

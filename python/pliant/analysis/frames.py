@@ -20,6 +20,9 @@ try:
 except ImportError:  # MDAnalysis < 2.8 runs serially only
     ResultsGroup = None
 
+#: whether analyses can run in several processes
+HAS_BACKENDS = ResultsGroup is not None
+
 
 #: Weights of n atoms: equal (None, "none"), masses ("mass"), or (n,) numbers.
 Weights = npt.ArrayLike | None
