@@ -23,17 +23,19 @@ struct CountedFrame : Frame {
 };
 
 /// Which files have an observable.
-bool always(const Framework&, bool) { return true; }
-bool of_limits_or_sterics(const Framework& framework, bool) { return !framework.has_bars_only(); }
-bool of_limits(const Framework& framework, bool) { return !framework.limits().empty(); }
-bool of_samples(const Framework&, bool is_sample) { return is_sample; }
+using O = FrameOrigin;
+bool always(const Framework&, O) { return true; }
+bool of_limits_or_sterics(const Framework& framework, O) { return !framework.has_bars_only(); }
+bool of_limits(const Framework& framework, O) { return !framework.limits().empty(); }
+bool of_samples(const Framework&, O origin) { return origin.is_sample; }
+bool of_walkers(const Framework&, O origin) { return origin.several_walkers; }
 
 /// One row an observable. MDAnalysis takes numbers with one value a frame only, no vectors.
 struct Observable {
   const char* name;
   const char* unit;  // "" for none
   NumberKind kind;
-  bool (*is_of)(const Framework& framework, bool is_sample);
+  bool (*is_of)(const Framework& framework, FrameOrigin origin);
   void (*add)(const CountedFrame& frame, Series& series);
 };
 
@@ -64,6 +66,7 @@ constexpr Observable observables[] = {
      [](const F& f, Series& s) { s.add(f.contacts.broken); }},
     {"contacts_off", "", integer, of_limits, [](const F& f, Series& s) { s.add(f.contacts.off); }},
     {"redraws", "", integer, of_samples, [](const F& f, Series& s) { s.add(f.redraws); }},
+    {"walker", "", integer, of_walkers, [](const F& f, Series& s) { s.add(f.walker); }},
 };
 
 std::string group_of(const Observable& observable) {
@@ -137,9 +140,9 @@ std::string states_path() { return std::string(h5md::contact_states) + "/value";
 }  // namespace
 
 FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options,
-                         bool is_sample)
+                         const FrameOrigin& origin)
     : single_(options.single),
-      rows_(rows_that([&](const Observable& one) { return one.is_of(framework, is_sample); })),
+      rows_(rows_that([&](const Observable& one) { return one.is_of(framework, origin); })),
       contacts_(framework.limits()) {
   make_positions(file, framework.joint_count(), options);
   make_observables(file);

@@ -16,12 +16,18 @@ namespace pliant {
 /// leaves is less, and what a bond of hydrogen shrugs off is more.
 inline constexpr double held_within = 0.1;
 
+/// What decides which series a file has, besides its framework.
+struct FrameOrigin {
+  bool is_sample = false;
+  bool several_walkers = false;
+};
+
 /// All series of a file. Frames wait in memory between add() and write().
 class FrameSeries {
  public:
   /// Makes empty series in the HDF5 file `file` (hid_t). Throws FileError.
   FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options,
-              bool is_sample);
+              const FrameOrigin& origin);
 
   /// Opens the series of a file, to go on after its first `frames` frames. Throws FileError.
   FrameSeries(std::int64_t file, const Framework& framework, std::uint64_t frames);
