@@ -23,6 +23,7 @@ constexpr Command commands[] = {
     {"run", "push a molecule, resolve its bars, write an H5MD trajectory", command_run},
     {"sample", "an ensemble of what a molecule can do, written to an H5MD trajectory",
      command_sample},
+    {"ensemble", "many walkers or frames in shards, on all cores or many machines", nullptr},
     {"path", "move a molecule from one structure to another of it", nullptr},
     {"play", "pull at a molecule by hand, on a page in the browser", nullptr},
     {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},

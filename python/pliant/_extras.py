@@ -14,6 +14,9 @@ if TYPE_CHECKING:
 #: pyproject.toml that brings them.
 _EXTRAS = {
     "MDAnalysis": ("MDAnalysis", "analysis"),
+    "dask": ("Dask", "ensemble"),
+    "dask_jobqueue": ("dask-jobqueue", "ensemble"),
+    "distributed": ("dask.distributed", "ensemble"),
     "matplotlib": ("matplotlib", "plot"),
     "openmm": ("OpenMM", "openmm"),
     "rdkit": ("RDKit", "rdkit"),

@@ -56,13 +56,15 @@ class FrameSeries {
   void make_observables(std::int64_t file);
   void make_contact_states(std::int64_t file);
   void add_positions(std::span<const Vec3> positions);
+  void add_coordinate(double coordinate);
+  double as_recorded(double coordinate) const;
 
   bool single_;
+  double unit_ = 0.0;  ///< positions are whole multiples of it (Angstrom); 0: they are as they are
   std::vector<std::size_t> rows_;  ///< of the table of observables, that this file has
   LimitCounter contacts_;
   std::size_t frame_bytes_ = 0;
   std::uint64_t waiting_frames_ = 0;
-  std::vector<float> singles_;       // scratch of add_positions
   std::vector<Series> positions_;    // value, time, step
   std::vector<Series> observables_;  // (rows)
   std::optional<Series> states_;     // of contacts; none without limits, and in files before 0.3.0

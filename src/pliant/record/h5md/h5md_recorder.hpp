@@ -21,9 +21,12 @@ namespace pliant {
 
 /// How to record.
 struct H5mdOptions {
-  bool single = false;         ///< positions as 32-bit floats: half the size, 1e-7 relative
-  bool compress = false;       ///< shuffle and gzip 1: about 0.8 of the size, ten times the time
-  bool overwrite = false;      ///< replace an existing file once the new one has a frame
+  bool single = false;     ///< positions as 32-bit floats: half the size, 1e-7 relative
+  bool compress = false;   ///< shuffle and gzip 1: about 0.8 of the size, ten times the time
+  double precision = 0.0;  ///< positions are rounded by half of this at most (Angstrom), which
+                           ///< makes them compress well, and compressed; 0: as they are. What is
+                           ///< told of a frame, and the checkpoint, are of before the rounding
+  bool overwrite = false;  ///< replace an existing file once the new one has a frame
   double flush_seconds = 1.0;  ///< frames are committed to the file this often (s); 0: each frame;
                                ///< infinity: the first and the last only, so that the same frames
                                ///< give the same bytes, however long they took
@@ -118,7 +121,8 @@ class H5mdRecorder {
 
   /// Adds one frame. Throws InputError when the number of positions is not that of the joints,
   /// when a position (naming the joint) or the time is not finite, or when the step does not
-  /// increase (of the same walker, where there are several); FileError when it cannot be written, or the recorder is closed.
+  /// increase (of the same walker, where there are several); FileError when it cannot be written,
+  /// or the recorder is closed.
   void record(const Frame& frame);
 
   /// The run of the frames ends in this state: commits both, so that it can go on from there. Only

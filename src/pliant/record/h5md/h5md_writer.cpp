@@ -179,10 +179,7 @@ void H5mdWriter::check_frame(const Frame& frame) const {
   if (frame.positions.size() != joint_count_)
     throw InputError(where() + " has " + std::to_string(frame.positions.size()) +
                      " positions for " + std::to_string(joint_count_) + " joints");
-  if (frames_ > 0 && frame.walker < last_walker_)
-    throw InputError(where() + " of walker " + std::to_string(frame.walker) +
-                     " comes after those of walker " + std::to_string(last_walker_));
-  if (frames_ > 0 && frame.walker == last_walker_ && frame.step <= last_step_)
+  if (frames_ > 0 && frame.walker <= last_walker_ && frame.step <= last_step_)
     throw InputError(where() + " comes after that of step " + std::to_string(last_step_));
   if (!std::isfinite(frame.time)) throw InputError(where() + " has a time that is not finite");
   const double most = series_->is_single() ? double(std::numeric_limits<float>::max())
