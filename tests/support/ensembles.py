@@ -51,8 +51,7 @@ def same_bits(folder, whole, **names):
     """Whether the shards have, together, the bits of one file."""
     ours, theirs = frames_of(shards_of(folder), **names), frames_of([whole], **names)
     return all(
-        a.dtype == b.dtype and a.tobytes() == b.tobytes()
-        for a, b in zip(ours, theirs, strict=True)
+        a.dtype == b.dtype and a.tobytes() == b.tobytes() for a, b in zip(ours, theirs, strict=True)
     )
 
 

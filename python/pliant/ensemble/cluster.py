@@ -58,7 +58,7 @@ def _client_of_scheduler(address: str) -> Any:
     from distributed import Client
 
     try:
-        return Client(address, timeout="30s", set_as_default=False)
+        return Client(address, timeout="10s", set_as_default=False)
     except (OSError, ValueError) as error:
         raise OptionError(f"--scheduler {address}: {error}") from None
 

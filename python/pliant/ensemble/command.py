@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The subcommand ``pliant ensemble``: an ensemble in shards, on the cores of one machine or many."""
+"""The subcommand ``pliant ensemble``: an ensemble in shards, on the cores of one or more machines."""
 
 from __future__ import annotations
 
@@ -207,7 +207,9 @@ def _verify(options: argparse.Namespace) -> int:
         print_json(result.as_json())
     elif not options.quiet:
         plan = result.plan
-        print(f"shards          {result.shards} of {plan.shard_count} are whole, as the manifest has")
+        print(
+            f"shards          {result.shards} of {plan.shard_count} are whole, as the manifest has"
+        )
         print(f"frames          {result.frames}, each once, {result.bytes / 1e6:.1f} MB")
     for problem in result.problems:
         print(f"pliant ensemble: error: {printable(problem)}", file=sys.stderr)
@@ -216,4 +218,3 @@ def _verify(options: argparse.Namespace) -> int:
 
 if __name__ == "__main__":
     sys.exit(main())
-

@@ -69,9 +69,7 @@ def file_options(options: Options) -> Iterable[tuple[str, list[str], int]]:
 
 def words_of(options: Options) -> list[str]:
     """The options as a command line has them."""
-    return [
-        word for name, times in options.items() for words in times for word in (name, *words)
-    ]
+    return [word for name, times in options.items() for words in times for word in (name, *words)]
 
 
 def text_of(name: str, options: Options) -> str:

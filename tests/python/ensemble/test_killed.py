@@ -40,7 +40,7 @@ def test_workers_killed_at_random(tmp_path, whole):
     folder = tmp_path / "many"
     client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 2)
     assert kill_workers(client, folder, kills=3, first=2, gap=6, seed=1) == 3
-    out, err = client.communicate(timeout=250)
+    _, err = client.communicate(timeout=250)
     assert client.returncode == 0, err
     expect_all(folder, whole)
 

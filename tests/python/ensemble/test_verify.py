@@ -67,7 +67,10 @@ def test_a_frame_twice_or_missing(copy, change):
             walkers["value"][5:10] = 4
             steps[:] = range(len(steps))
     assert len(problems(copy)) == 1
-    wanted = {"twice": "expected each frame once, in order", "missing": "1 of 4 walkers are missing"}
+    wanted = {
+        "twice": "expected each frame once, in order",
+        "missing": "1 of 4 walkers are missing",
+    }
     assert wanted[change] in problems(copy)[0]
 
 
