@@ -7,7 +7,8 @@ import contextlib
 import importlib
 import logging
 import os
-from collections.abc import Iterator
+import threading
+from collections.abc import Callable, Iterator
 from typing import Any
 
 from pliant._core import InputError, OptionError
@@ -27,6 +28,8 @@ _QUEUES = {
 #: Workers that die with a shard before it is given up: a machine that fails takes many along.
 _DEATHS = 20
 
+_REGROW_SECONDS = 5
+
 
 def usual_workers() -> int:
     """As many as this process may use cores."""
@@ -40,6 +43,7 @@ def open_client(workers: int | None, scheduler: str | None, cluster: str | None)
     import dask
 
     dask.config.set({"distributed.scheduler.allowed-failures": _DEATHS})
+    dask.config.set({"distributed.deploy.lost-worker-timeout": f"{2 * _REGROW_SECONDS} s"})
     # Lost workers are told by what they did not bring, not by pages of stack traces.
     for name in ("distributed", "distributed.worker", "distributed.nanny"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
@@ -49,9 +53,31 @@ def open_client(workers: int | None, scheduler: str | None, cluster: str | None)
         return
     from distributed import Client
 
-    made = _jobs(cluster, workers) if cluster else _local(workers or usual_workers())
-    with made as place, Client(place, set_as_default=False) as client:
+    made, grow = _jobs(cluster, workers) if cluster else _local(workers or usual_workers())
+    with made as place, Client(place, set_as_default=False) as client, _regrown(grow):
         yield client
+
+
+@contextlib.contextmanager
+def _regrown(grow: Callable[[], None]) -> Iterator[None]:
+    """Asks for the full number of workers again and again.
+
+    A worker that dies at work is replaced by Dask, but one that dies while it starts is not: with
+    the last of them, everything would wait for ever.
+    """
+    ended = threading.Event()
+
+    def watch() -> None:
+        while not ended.wait(_REGROW_SECONDS):
+            grow()
+
+    watcher = threading.Thread(target=watch, daemon=True)
+    watcher.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        watcher.join()
 
 
 def _client_of_scheduler(address: str) -> Any:
@@ -63,10 +89,10 @@ def _client_of_scheduler(address: str) -> Any:
         raise OptionError(f"--scheduler {address}: {error}") from None
 
 
-def _local(workers: int) -> Any:
+def _local(workers: int) -> tuple[Any, Callable[[], None]]:
     from distributed import LocalCluster
 
-    return LocalCluster(
+    cluster = LocalCluster(
         n_workers=workers,
         threads_per_worker=1,
         processes=True,
@@ -74,9 +100,10 @@ def _local(workers: int) -> Any:
         dashboard_address="127.0.0.1:0",
         silence_logs=logging.CRITICAL,
     )
+    return cluster, lambda: cluster.scale(workers)
 
 
-def _jobs(path: str, jobs: int | None) -> Any:
+def _jobs(path: str, jobs: int | None) -> tuple[Any, Callable[[], None]]:
     need("--cluster", "dask_jobqueue")
     settings = _settings(path)
     queue = settings.pop("queue_system", None)
@@ -92,7 +119,7 @@ def _jobs(path: str, jobs: int | None) -> Any:
     except (TypeError, ValueError) as error:
         raise InputError(f"{path}: {error}") from None
     cluster.scale(jobs=count)
-    return cluster
+    return cluster, lambda: cluster.scale(jobs=count)
 
 
 def _settings(path: str) -> dict[str, Any]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The subcommand ``pliant ensemble``: an ensemble in shards, on the cores of one or more machines."""
+"""The subcommand ``pliant ensemble``: an ensemble in shards, on the cores of many machines."""
 
 from __future__ import annotations
 

@@ -61,7 +61,7 @@ class Half:
         self.frames += len(d)
         self.shift += d.sum(axis=0)
         if self.outer is not None:
-            flat = d.reshape(len(d), -1)
+            flat = d.reshape(len(d), 3 * self.units)
             self.outer += flat.T @ flat
 
     def add_walkers(self, a: np.ndarray, b: np.ndarray) -> None:

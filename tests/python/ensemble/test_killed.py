@@ -2,6 +2,7 @@
 """Nothing is lost or counted twice, whoever is killed in the midst of it."""
 
 import signal
+import time
 
 import pytest
 from ensembles import (
@@ -14,6 +15,7 @@ from ensembles import (
     shards_of,
     start,
     wait_for_shards,
+    workers_of,
 )
 
 RUN = ("--steps", 300, "--every", 100)
@@ -40,6 +42,19 @@ def test_workers_killed_at_random(tmp_path, whole):
     folder = tmp_path / "many"
     client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 2)
     assert kill_workers(client, folder, kills=3, first=2, gap=6, seed=1) == 3
+    _, err = client.communicate(timeout=250)
+    assert client.returncode == 0, err
+    expect_all(folder, whole)
+
+
+def test_all_workers_killed_while_they_start(tmp_path, whole):
+    folder = tmp_path / "many"
+    client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 2)
+    wait_for_shards(client, folder, 2)
+    for _ in range(4):  # those that come in their place, too, before they can do anything
+        for worker in workers_of(client):
+            worker.kill()
+        time.sleep(0.2)
     _, err = client.communicate(timeout=250)
     assert client.returncode == 0, err
     expect_all(folder, whole)
