@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import asyncio
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 
 from pliant import console
-from pliant._core import InputError, build_model, read, read_graph_xml
+from pliant._core import InputError, PliantWarning, build_model, read, read_graph_xml
 from pliant._extras import need
 from pliant.play import page
 from pliant.play.upstream import Upstream
@@ -60,10 +61,16 @@ async def _serve(
 
 
 def matching_model(given: Path, atoms: int) -> str:
-    """The model with which a file has as many joints as a run.
+    """The model with which a file has as many joints as a run; the page tells what it warns of.
 
     Raises InputError if none has.
     """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", PliantWarning)
+        return _matching_model(given, atoms)
+
+
+def _matching_model(given: Path, atoms: int) -> str:
     if given.name.endswith(".xml"):
         found = [("bonds", len(read_graph_xml(given).positions))]
     else:
