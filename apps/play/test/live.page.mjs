@@ -95,6 +95,14 @@ test('the past is looked at while the run goes on', async () => {
   assert.equal(await page.evaluate(() => P.stage.at), null);
 });
 
+test('a run that stands still is waited for', async () => {
+  run.child.kill('SIGSTOP');
+  const says = (text) => page.waitForFunction((t) => document.getElementById('out-verdict').textContent === t, text);
+  await says('Waiting for the run');
+  run.child.kill('SIGCONT');
+  await says('Live');
+});
+
 test('another page takes over, and the first one says so', async () => {
   const second = await openPage({address: await play.found, viewport: {width: 640, height: 420}});
   await page.waitForFunction(() => P.session.live.isOver);
