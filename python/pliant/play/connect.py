@@ -9,7 +9,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from pliant import console
-from pliant._core import InputError, PliantWarning, build_model, read, read_graph_xml
+from pliant._core import FileError, InputError, PliantWarning, build_model, read, read_graph_xml
 from pliant._extras import need
 from pliant.play import page
 from pliant.play.upstream import Upstream
@@ -29,12 +29,12 @@ def connect(host: str, port: int, given: Path, show: Callable[[str], None]) -> i
 
     Raises
     ------
-    InputError, FileError, OSError
+    InputError, FileError
         The file cannot be read, is of other atoms, or nobody listens there.
     """
     need("pliant play --connect", "websockets")
     bare, data = page.page_file().read_bytes(), page.read_given(given)
-    upstream = Upstream(host, port)
+    upstream = _reached(host, port)
     try:
         model = matching_model(given, upstream.atoms)
         name = console.printable(given.name)
@@ -50,6 +50,14 @@ def connect(host: str, port: int, given: Path, show: Callable[[str], None]) -> i
     finally:
         upstream.close()
     return console.EXIT_OK if upstream.has_ended else console.EXIT_FAILED
+
+
+def _reached(host: str, port: int) -> Upstream:
+    try:
+        return Upstream(host, port)
+    except OSError as error:
+        wanted = "expected a run that listens there (pliant run --imd) and sends frames"
+        raise FileError(f"{host}:{port}: {wanted}: {error.strerror or error}") from None
 
 
 async def _serve(

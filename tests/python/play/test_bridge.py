@@ -285,7 +285,10 @@ def test_nobody_listens_and_nothing_is_given(tmp_path, capsys):
     with socket.create_server(("127.0.0.1", 0)) as listener:
         port = listener.getsockname()[1]
     assert command.main(["--connect", f":{port}", str(PEPTIDE)]) == 1
-    assert "Connection refused" in capsys.readouterr().err
+    assert capsys.readouterr().err == (
+        f"pliant play: error: 127.0.0.1:{port}: expected a run that listens there (pliant run "
+        "--imd) and sends frames: Connection refused\n"
+    )
     assert command.main(["--connect", ":8888"]) == 2
     said = "pliant play: error: --connect: expected FILE too, the one that the run reads\n"
     assert capsys.readouterr().err == said
