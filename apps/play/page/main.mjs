@@ -128,8 +128,10 @@ async function begin() {
   $('title').textContent = 'Open a file, drop one here, or choose an example';
   const hasFile = await guarded(() => given(parts));
   const told = $('message-text').textContent;
-  if (!hasFile) await parts.open.openExample(FIRST);
-  if (told) say(told);
+  if (!hasFile) {
+    await parts.open.openExample(FIRST);
+    if (told) say(told);
+  }
   return {...parts, costs, facts};
 }
 

@@ -69,14 +69,15 @@ class Bridge:
     async def run(self, show: Callable[[str], None], tell_end: Callable[[str], None]) -> None:
         """Until a page has been told how the run ended."""
         self.upstream.start()
-        async with serve(
+        server = await serve(
             self._talk, sock=self.listener, process_request=self._admit, compression=None,
-            max_size=MOST_BYTES, server_header="pliant", open_timeout=10,
-        ):  # fmt: skip
-            show(self.address)
-            await self.upstream.end()
-            tell_end(self.upstream.over)
-            await self.done.wait()
+            max_size=MOST_BYTES, server_header="pliant", close_timeout=2,
+        )  # fmt: skip
+        show(self.address)
+        await self.upstream.end()
+        tell_end(self.upstream.over)
+        await self.done.wait()
+        server.close()  # without waiting: browsers keep connections that say nothing
 
     def _admit(self, _: ServerConnection, request: Request) -> Response | None:
         """The page, an error, or None: a WebSocket may be opened."""
@@ -130,8 +131,11 @@ class Bridge:
             seen = newest[0]
             await page.send(packed(newest[1]))
         why = {"over": self.upstream.over, "ended": self.upstream.has_ended}
-        await page.send(json.dumps(why))
-        self.done.set()
+        try:
+            await page.send(json.dumps(why))
+            await page.close()
+        finally:  # a page that closes first ends this task
+            self.done.set()
 
     async def _take(self, message: str | bytes, asked: asyncio.Event) -> None:
         """Raises InputError or OptionError for what no page of ours says."""

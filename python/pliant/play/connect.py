@@ -4,11 +4,12 @@
 from __future__ import annotations
 
 import asyncio
+import warnings
 from collections.abc import Callable
 from pathlib import Path
 
 from pliant import console
-from pliant._core import InputError, build_model, read, read_graph_xml
+from pliant._core import FileError, InputError, PliantWarning, build_model, read, read_graph_xml
 from pliant._extras import need
 from pliant.play import page
 from pliant.play.upstream import Upstream
@@ -28,12 +29,12 @@ def connect(host: str, port: int, given: Path, show: Callable[[str], None]) -> i
 
     Raises
     ------
-    InputError, FileError, OSError
+    InputError, FileError
         The file cannot be read, is of other atoms, or nobody listens there.
     """
     need("pliant play --connect", "websockets")
     bare, data = page.page_file().read_bytes(), page.read_given(given)
-    upstream = Upstream(host, port)
+    upstream = _reached(host, port)
     try:
         model = matching_model(given, upstream.atoms)
         name = console.printable(given.name)
@@ -51,6 +52,14 @@ def connect(host: str, port: int, given: Path, show: Callable[[str], None]) -> i
     return console.EXIT_OK if upstream.has_ended else console.EXIT_FAILED
 
 
+def _reached(host: str, port: int) -> Upstream:
+    try:
+        return Upstream(host, port)
+    except OSError as error:
+        wanted = "expected a run that listens there (pliant run --imd) and sends frames"
+        raise FileError(f"{host}:{port}: {wanted}: {error.strerror or error}") from None
+
+
 async def _serve(
     upstream: Upstream, make_page: Callable[[str], bytes], show: Callable[[str], None]
 ) -> None:
@@ -60,10 +69,16 @@ async def _serve(
 
 
 def matching_model(given: Path, atoms: int) -> str:
-    """The model with which a file has as many joints as a run.
+    """The model with which a file has as many joints as a run; the page tells what it warns of.
 
     Raises InputError if none has.
     """
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore", PliantWarning)
+        return _matching_model(given, atoms)
+
+
+def _matching_model(given: Path, atoms: int) -> str:
     if given.name.endswith(".xml"):
         found = [("bonds", len(read_graph_xml(given).positions))]
     else:

@@ -177,8 +177,9 @@ def test_who_comes_from_elsewhere_gets_no_frame(tmp_path):
             with pytest.raises(InvalidStatus) as refused, served.talk(**options):
                 pass
             assert refused.value.response.status_code == status
-        with pytest.raises(InvalidStatus) as refused:  # no program but a browser says an origin
-            sync_client.connect(served.address.replace("http:", "ws:") + "live")
+        live = served.address.replace("http:", "ws:") + "live"
+        with pytest.raises(InvalidStatus) as refused, sync_client.connect(live):
+            pass  # what says no origin is no browser
         assert refused.value.response.status_code == 403
         with served.talk() as talk:
             assert len(asked(talk)) == 3
@@ -284,7 +285,10 @@ def test_nobody_listens_and_nothing_is_given(tmp_path, capsys):
     with socket.create_server(("127.0.0.1", 0)) as listener:
         port = listener.getsockname()[1]
     assert command.main(["--connect", f":{port}", str(PEPTIDE)]) == 1
-    assert "Connection refused" in capsys.readouterr().err
+    assert capsys.readouterr().err == (
+        f"pliant play: error: 127.0.0.1:{port}: expected a run that listens there (pliant run "
+        "--imd) and sends frames: Connection refused\n"
+    )
     assert command.main(["--connect", ":8888"]) == 2
     said = "pliant play: error: --connect: expected FILE too, the one that the run reads\n"
     assert capsys.readouterr().err == said

@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+"""The page in Debian's Firefox, where that and Xvfb are there: one drag, the same bits."""
+
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+from firefox import BINARY, Firefox
+from wasm_solver import ROOT
+
+BUILT = Path(os.environ.get("PLIANT_PLAY", ROOT / "build/play")) / "pliant.html"
+COMMAND = Path(os.environ.get("PLIANT_COMMAND", Path(sys.executable).parent / "pliant"))
+CAFFEINE = ROOT / "data/molecules/caffeine.sdf"
+
+#: Where a joint is seen that nothing hides, in CSS pixels of the window.
+SEEN = """(() => {
+  const box = document.getElementById('canvas').getBoundingClientRect();
+  for (let j = 0; j < P.session.model.joints; ++j) {
+    const {x, y} = P.view.orbit.project([...P.session.positions.subarray(3 * j, 3 * j + 3)]);
+    if (P.view.pick(x, y)?.joint === j)
+      return {x: Math.round(box.left + x), y: Math.round(box.top + y)};
+  }
+})()"""
+
+STEPS = """new Promise((done) => {
+  const look = () => P.stage.history.length >= 6 ? done(true) : setTimeout(look, 20);
+  look();
+})"""
+
+
+def dragged(firefox):
+    """Opens the page, drags a joint of caffeine: forces as text, positions, model, complaints."""
+    firefox.open(BUILT.as_uri())
+    assert firefox.tell("window.pliant.then((parts) => { window.P = parts; return !!parts; })")
+    seen = firefox.tell(SEEN)
+    move = {"type": "pointerMove", "x": seen["x"], "y": seen["y"]}
+    firefox.mouse(move, {"type": "pointerDown", "button": 0})
+    aside = {"type": "pointerMove", "x": seen["x"] + 60, "y": seen["y"] - 40, "duration": 200}
+    firefox.mouse(aside)
+    firefox.tell(STEPS)
+    firefox.mouse({"type": "pointerUp", "button": 0})
+    return firefox.tell(
+        "P.session.forces().then((text) => ({text, positions: [...P.session.positions],"
+        " model: P.stage.model.model, residual: P.stage.last.residual}))"
+    )
+
+
+@pytest.mark.long
+def test_a_drag_in_firefox_has_the_bits_of_the_library(tmp_path):
+    if not (BINARY and shutil.which("Xvfb") and BUILT.is_file()):
+        pytest.skip("firefox-esr, xvfb or the page is not there: apt-get install, ./dev play")
+    pytest.importorskip("websockets")
+    (tmp_path / "profile").mkdir()
+    with Firefox(tmp_path / "profile") as firefox:
+        session = dragged(firefox)
+    assert session["residual"] <= 1e-6
+    forces, out = tmp_path / "session.forces.txt", tmp_path / "replayed.h5md"
+    forces.write_text(session["text"])
+    words = ["run", CAFFEINE, "--forces", forces, "--model", session["model"], "-o", out]
+    subprocess.run([COMMAND, *map(str, words)], check=True, capture_output=True)
+    with h5py.File(out) as found:
+        frames = found["particles/trajectory/position/value"][:]
+    assert len(frames) >= 6
+    assert np.array_equal(frames[-1].ravel(), session["positions"])
+    assert not np.array_equal(frames[-1], frames[0])
