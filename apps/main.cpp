@@ -15,7 +15,8 @@ namespace pliant::app {
 namespace {
 
 constexpr Command commands[] = {
-    {"demo", "make a first ensemble, of a helix that comes with Pliant, and say what moves", nullptr},
+    {"demo", "make a first ensemble, of a helix that comes with Pliant, and say what moves",
+     nullptr},
     {"info", "list what is in a molecule file, what was guessed and what is missing", command_info},
     {"contacts", "list hydrogen bonds, salt bridges and hydrophobic contacts of a molecule",
      command_contacts},
