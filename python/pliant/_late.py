@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 def import_after(package: str, module: str) -> None:
     """Import `module` right after `package`, or now if `package` is there already."""
-    if sys.modules.get(package) is not None:  # None: hidden
+    if package in sys.modules:
         importlib.import_module(module)
     else:
         sys.meta_path.insert(0, _Finder(package, module))
