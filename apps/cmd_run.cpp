@@ -25,7 +25,7 @@ std::vector<std::string> outputs_of(const RunSettings& settings) {
   if (settings.topology != "none") outputs.push_back(settings.topology);
   const std::int64_t first = settings.first_walker;
   for (std::int64_t walker = first; walker < first + settings.walkers; ++walker) {
-    outputs.push_back(output_of(settings, walker));
+    if (!settings.one_file || walker == first) outputs.push_back(output_of(settings, walker));
     if (!settings.record_forces.empty())
       outputs.push_back(of_walker(settings, settings.record_forces, walker));
   }

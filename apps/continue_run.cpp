@@ -145,7 +145,15 @@ class ContinuedRun {
     H5mdOptions options = record_options();
     options.single = is_set("record/single");
     options.compress = is_set("record/compress");
+    options.precision = recorded_precision();
     return std::make_shared<H5mdRecorder>(file, pattern_.framework, header, options);
+  }
+
+  double recorded_precision() const {
+    for (const auto& [name, value] : pattern_.parameters)
+      if (name == "record/precision" && std::holds_alternative<double>(value))
+        return std::get<double>(value);
+    return 0.0;
   }
 
   bool is_set(const std::string& path) const {

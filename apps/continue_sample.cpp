@@ -39,7 +39,8 @@ constexpr RecordedOption recorded_options[] = {{"input", "input/file"},
                                                {"--sampler", "sample/sampler"},
                                                {"--temperature", "sample/temperature"},
                                                {"--single", "record/single"},
-                                               {"--compress", "record/compress"}};
+                                               {"--compress", "record/compress"},
+                                               {"--precision", "record/precision"}};
 
 constexpr const char* options_of_a_new_sample[] = {"--format", "--topology", "--overwrite"};
 

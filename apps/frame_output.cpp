@@ -21,10 +21,19 @@ bool is_sdf_name(const std::string& output) {
   return extension == ".sdf" || extension == ".sd";
 }
 
+void add_precision_option(CommandLine& line, H5mdOptions& options) {
+  line.add_real(
+      "--precision", options.precision, Range::zero_to_one,
+      "round positions, by half of this at most (Angstrom), and compress them; residuals\n"
+      "and what is converged are of before the rounding",
+      "as they are");
+}
+
 void check_record_options(const std::string& output, const H5mdOptions& options) {
   if (!is_pdb_name(output) && !is_sdf_name(output)) return;
   for (const auto& [is_given, name] :
-       {std::pair(options.single, "--single"), std::pair(options.compress, "--compress")})
+       {std::pair(options.single, "--single"), std::pair(options.compress, "--compress"),
+        std::pair(options.precision > 0.0, "--precision")})
     if (is_given)
       throw OptionError(std::string(name) + ": goes with H5MD, not with the " +
                         (is_pdb_name(output) ? "PDB" : "SDF") + " file " + output);

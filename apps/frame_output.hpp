@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "command_line.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/record/pdb_recorder.hpp"
 #include "pliant/record/sdf_recorder.hpp"
@@ -18,6 +19,9 @@ bool is_pdb_name(const std::string& output);
 
 /// Whether the name is one of SDF (.sdf, .sd).
 bool is_sdf_name(const std::string& output);
+
+/// --precision, which several subcommands have.
+void add_precision_option(CommandLine& line, H5mdOptions& options);
 
 /// Throws OptionError if options of H5MD are given for another file.
 void check_record_options(const std::string& output, const H5mdOptions& options);

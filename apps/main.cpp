@@ -25,6 +25,7 @@ constexpr Command commands[] = {
     {"run", "push a molecule and restore its bonds, step by step; steer it; follow it live",
      command_run},
     {"sample", "make an ensemble of a protein, or conformers of a small molecule", command_sample},
+    {"ensemble", "many walkers or frames in shards, on all cores or many machines", nullptr},
     {"path", "find a path from one structure of a molecule to another", nullptr},
     {"play", "pull at a molecule by hand, on a page in the browser", nullptr},
     {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},

@@ -16,6 +16,7 @@ namespace {
 /// Of the walkers that were begun: each shows at least its start, or has no more to do.
 std::vector<std::string> outputs_of(const RunSettings& settings,
                                     const std::vector<RunSummary>& summaries) {
+  if (settings.one_file) return {settings.output};
   std::vector<std::string> outputs;
   for (std::size_t k = 0; k < summaries.size(); ++k)
     if (summaries[k].frames > 0 || !summaries[k].stopped_by_caller)

@@ -34,7 +34,8 @@ constexpr RecordedOption recorded_options[] = {{"input", "input/file"},
                                                {"--pull", "guide/pull"},
                                                {"--pair-distance", "guide/pair_distance"},
                                                {"--single", "record/single"},
-                                               {"--compress", "record/compress"}};
+                                               {"--compress", "record/compress"},
+                                               {"--precision", "record/precision"}};
 
 /// Options of a new file.
 constexpr const char* options_of_a_new_run[] = {"--format", "--topology", "--overwrite",

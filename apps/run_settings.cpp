@@ -77,6 +77,7 @@ void add_output_options(CommandLine& line, RunSettings& settings) {
                 "wait for the disk at each commit, so that frames survive a power cut");
   line.add_flag("--single", settings.record.single, "positions as 32-bit floats");
   line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
+  add_precision_option(line, settings.record);
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
 }
@@ -148,6 +149,14 @@ void take_shard(const CommandLine& line, RunSettings& settings) {
   settings.walkers = *last - *first + 1;
 }
 
+void check_one_file(RunSettings& settings) {
+  if (!is_ensemble(settings))
+    throw OptionError("--one-file: is for several walkers; give --walkers or --shard");
+  if (!settings.go_on.empty())
+    throw OptionError("--one-file: such a run cannot go on; run the shard again");
+  settings.record.flush_seconds = std::numeric_limits<double>::infinity();
+}
+
 void check_record_forces(const RunSettings& settings) {
   if (settings.record_forces.empty() || !settings.forces.empty()) return;
   if (settings.run.perturb != "force")
@@ -184,6 +193,9 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
                    "independent copies, each with its own output");
   line.add_text("--shard", settings.shard, "FIRST..LAST",
                 "run only these walkers, such as 800..899");
+  line.add_flag("--one-file", settings.one_file,
+                "one trajectory for all walkers, one after another; the observable walker tells\n"
+                "them apart. Their frames wait in memory until they end");
   line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the walkers",
                    "all cores");
   add_technique_options(line, settings);
@@ -197,6 +209,7 @@ void number_walkers(const CommandLine& line, RunSettings& settings) {
   check_guide(line, settings.guide, is_ensemble(settings));
   if (line.was_given("--shard")) take_shard(line, settings);
   check_imd(line, settings.imd, is_ensemble(settings));
+  if (settings.one_file) check_one_file(settings);
 }
 
 void name_outputs(const CommandLine& line, RunSettings& settings) {
@@ -233,6 +246,7 @@ std::string of_walker(const RunSettings& settings, const std::string& name, std:
 }
 
 std::string output_of(const RunSettings& settings, std::int64_t walker) {
+  if (settings.one_file) return settings.output;
   return of_walker(settings, settings.output, walker);
 }
 
@@ -244,6 +258,7 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
   if (!settings.events.empty())
     for (auto& [path, value] : values)
       if (path == "run/perturb") value = std::string(events_perturbation);
+  if (settings.one_file) values.emplace_back("run/walkers", settings.walkers);
   values.insert(values.end(),
                 {{"input/file", fs::path(settings.molecule.file).filename().string()},
                  {"input/model", settings.molecule.model},
@@ -256,7 +271,8 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
                  {"run/ordering", fs::path(settings.ordering).filename().string()},
                  {"run/forces", fs::path(settings.forces).filename().string()},
                  {"record/single", settings.record.single},
-                 {"record/compress", settings.record.compress}});
+                 {"record/compress", settings.record.compress},
+                 {"record/precision", settings.record.precision}});
   for (const auto& more : {parameters_of(settings.molecule.kind), parameters_of(settings.guide)})
     values.insert(values.end(), more.begin(), more.end());
   return values;

@@ -30,6 +30,7 @@ struct RunSettings {
   std::string shard;  ///< "FIRST..LAST", walkers by number, in place of `walkers`; or ""
   std::int64_t first_walker = 0;
   std::int64_t walkers = 1;  ///< from the first one on
+  bool one_file = false;     ///< their frames, one walker after another, go into one trajectory
   std::int64_t threads = 0;  ///< 0: as many as there are cores
   bool json = false;
   bool quiet = false;
@@ -53,7 +54,7 @@ void complete(const CommandLine& line, RunSettings& settings, const Molecule& mo
 bool is_ensemble(const RunSettings& settings);
 
 /// The outputs of walkers [first_walker, first_walker + walkers): `name` itself if there is but one
-/// walker, and no shard was asked for.
+/// walker, and no shard was asked for, and the trajectory's name if there is one for all.
 std::string of_walker(const RunSettings& settings, const std::string& name, std::int64_t walker);
 std::string output_of(const RunSettings& settings, std::int64_t walker);
 

@@ -17,6 +17,7 @@
 #include "pliant/run/replay_events.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "recorded_header.hpp"
+#include "walker_sequence.hpp"
 
 namespace pliant::app {
 namespace {
@@ -24,6 +25,8 @@ namespace {
 H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std::int64_t walker) {
   H5mdHeader header = molecule_header(molecule.structure);
   header.parameters = parameters_of(settings, molecule.framework, walker);
+  header.several_walkers = settings.one_file;
+  if (settings.one_file) return header;  // a run of several goes on from no one file
   header.inputs =
       recorded_inputs(settings.run.replay, settings.run.guide,
                       settings.run.technique.ordering.get(), settings.run.replay_counts);
@@ -39,6 +42,7 @@ struct Shared {
   ProgressBar& progress;
   std::vector<Vec3>& last;
   LiveRun* live;  ///< null: nobody looks
+  std::unique_ptr<WalkerSequence> sequence = {};  ///< of --one-file; else null
   std::mutex showing = {};
   std::int64_t steps_done = 0;  ///< under the mutex
 
@@ -47,6 +51,12 @@ struct Shared {
     progress.show(steps_done += steps);
   }
 };
+
+FrameOutput output_for(const Shared& shared, std::int64_t walker) {
+  const RunSettings& settings = shared.settings;
+  return {output_of(settings, walker), shared.molecule.framework,
+          header_of(settings, shared.molecule, walker), settings.record};
+}
 
 /// One sidecar serves all walkers.
 void write_sidecar(const Shared& shared) {
@@ -90,30 +100,36 @@ std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t w
 /// The outputs of a walker.
 struct RecordedWalker {
   Shared& shared;
-  FrameOutput recorder;
+  std::int64_t walker;
+  std::optional<FrameOutput> recorder;  ///< none where there is one file for all
+  KeptFrames kept = {};
   std::optional<ForceRecorder> forces;
   std::int64_t last_step = 0;
 
-  RecordedWalker(Shared& shared_things, std::int64_t walker)
-      : shared(shared_things),
-        recorder(output_of(shared.settings, walker), shared.molecule.framework,
-                 header_of(shared.settings, shared.molecule, walker), shared.settings.record),
-        forces(force_recorder(shared, walker)) {}
+  RecordedWalker(Shared& shared_things, std::int64_t number)
+      : shared(shared_things), walker(number), forces(force_recorder(shared, walker)) {
+    if (!shared.sequence) recorder.emplace(output_for(shared, walker));
+  }
 
   bool keeps_forces() const {
     return !shared.settings.imd.keeps_forces_if_pulled || shared.live->was_pulled();
   }
 
   bool record(const Frame& frame) {
-    recorder.record(frame);
+    recorder ? recorder->record(frame) : kept.add(frame);
     shared.add_steps(frame.step - last_step);
     last_step = frame.step;
     return interrupted() || (shared.live != nullptr && shared.live->was_killed());
   }
 
-  void close(const State& state) {
-    recorder.end_run(state);
-    recorder.close();
+  /// One file for all holds whole walkers only.
+  void close(const RunSummary& summary, const State& state) {
+    if (recorder) {
+      recorder->end_run(state);
+      recorder->close();
+    } else if (!summary.stopped_by_caller) {
+      shared.sequence->end(walker, std::move(kept));
+    }
     if (forces && keeps_forces()) forces->publish();
   }
 };
@@ -125,8 +141,8 @@ Watchers recorded(Shared& shared, std::int64_t walker) {
   watchers.observers = {[outputs](const Frame& frame) { return outputs->record(frame); }};
   if (outputs->forces)
     watchers.on_push = [outputs](const Push& push) { outputs->forces->record(push); };
-  watchers.on_end = [outputs, &shared](const RunSummary&, const State& state) {
-    outputs->close(state);
+  watchers.on_end = [outputs, &shared](const RunSummary& summary, const State& state) {
+    outputs->close(summary, state);
     if (!is_ensemble(shared.settings)) shared.last = state.positions;
   };
   if (walker == shared.settings.first_walker) watchers.log = shared.log;
@@ -158,6 +174,9 @@ std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule&
   ProgressBar progress(settings.walkers * settings.run.steps, "steps", settings.quiet);
   Shared shared{settings, molecule, log, progress, last, live};
   if (!settings.events.empty()) return {replay(shared)};
+  if (settings.one_file)
+    shared.sequence = std::make_unique<WalkerSequence>(output_for(shared, settings.first_walker),
+                                                       settings.first_walker);
   const auto first = static_cast<std::uint64_t>(settings.first_walker);
   EnsembleOptions options{settings.run,
                           {first, first + static_cast<std::uint64_t>(settings.walkers)},
@@ -165,9 +184,11 @@ std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule&
   options.run.resolve.should_stop = [live] {
     return interrupted() || (live != nullptr && live->was_killed());
   };
-  return run_ensemble(
+  std::vector<RunSummary> summaries = run_ensemble(
       molecule.framework, State(molecule.structure.positions), options,
       [&](std::uint64_t walker) { return recorded(shared, static_cast<std::int64_t>(walker)); });
+  if (shared.sequence) shared.sequence->close();
+  return summaries;
 }
 
 }  // namespace pliant::app

@@ -51,8 +51,8 @@ std::vector<NamedParameter> parameters_from(const nb::dict& values) {
 
 void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
                    const Framework& framework, const Structure* structure,
-                   const nb::dict& parameters, bool single, bool compress, bool overwrite,
-                   double flush_seconds, bool durable, const RunOptions* run) {
+                   const nb::dict& parameters, bool single, bool compress, double precision,
+                   bool overwrite, double flush_seconds, bool durable, const RunOptions* run) {
   H5mdHeader header = header_of(structure);
   header.parameters = parameters_from(parameters);
   if (run != nullptr)
@@ -60,6 +60,7 @@ void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
         recorded_inputs(run->replay, run->guide, run->technique.ordering.get(), run->replay_counts);
   const H5mdOptions options{.single = single,
                             .compress = compress,
+                            .precision = precision,
                             .overwrite = overwrite,
                             .flush_seconds = flush_seconds,
                             .durable = durable,
@@ -104,6 +105,8 @@ single : bool
     Positions as 32-bit floats.
 compress : bool
     Shuffle and gzip positions.
+precision : float
+    Round positions, by half of this at most (Angstrom), and compress them; 0: as they are.
 overwrite : bool
     Replace an existing file.
 flush_seconds : float
@@ -131,8 +134,8 @@ void bind_record(nb::module_& module) {
   nb::class_<LockedRecorder>(module, "H5mdRecorder", recorder_doc)
       .def("__init__", &make_recorder, "path"_a, "framework"_a, nb::kw_only(),
            "structure"_a = nb::none(), "parameters"_a = nb::dict(), "single"_a = false,
-           "compress"_a = false, "overwrite"_a = false, "flush_seconds"_a = 1.0,
-           "durable"_a = false, "run"_a = nb::none())
+           "compress"_a = false, "precision"_a = 0.0, "overwrite"_a = false,
+           "flush_seconds"_a = 1.0, "durable"_a = false, "run"_a = nb::none())
       .def("record", &record, "frame"_a,
            "Adds a frame, which must come after the last one and have finite positions and time.\n"
            "Raises FileError once the recorder is closed.")

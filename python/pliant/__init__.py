@@ -231,6 +231,7 @@ del _name
 
 # MDAnalysis.Universe("out.h5md") has names and bonds wherever both are imported.
 import_after("MDAnalysis", "pliant.h5md_parser")
+import_after("MDAnalysis", "pliant.ensemble.reader")
 
 show_in_notebooks()
 keep_old_names()

@@ -15,6 +15,9 @@ if TYPE_CHECKING:
 _EXTRAS = {
     "MDAnalysis": ("MDAnalysis", "analysis"),
     "anywidget": ("anywidget", "notebook"),
+    "dask": ("Dask", "ensemble"),
+    "dask_jobqueue": ("dask-jobqueue", "ensemble"),
+    "distributed": ("dask.distributed", "ensemble"),
     "matplotlib": ("matplotlib", "plot"),
     "openmm": ("OpenMM", "openmm"),
     "rdkit": ("RDKit", "rdkit"),

@@ -12,7 +12,7 @@ import numpy as np
 
 import pliant
 from pliant import console
-from pliant._extras import MissingPackageError
+from pliant._extras import MissingPackageError, need
 
 EPILOG = """\
 The molecule is a helix of 20 residues that the package brings along. What is written:
@@ -71,7 +71,7 @@ def _demo(arguments: argparse.Namespace) -> int:
     )
     print(ensemble)
     print("\n".join(_flexibility(structure, ensemble)))
-    _report(output, folder, arguments.overwrite)
+    _report(output, folder)
     print("\nYour own molecule:  pliant sample protein.pdb -o ensemble.h5md")
     return console.EXIT_OK
 
@@ -99,12 +99,14 @@ def _flexibility(structure: pliant.Structure, ensemble: pliant.SampledEnsemble) 
         yield f"  {residue:<8}{moved:5.2f} ± {off:.2f}  {bar}"
 
 
-def _report(ensemble: Path, folder: Path, overwrite: bool) -> None:
+def _report(ensemble: Path, folder: Path) -> None:
     words = [str(ensemble), "-o", str(folder)]
     _show(f"pliant analyse {' '.join(words)}")
     try:
-        from pliant.analyse import command
-
-        command.main(words)
+        need("the report", "MDAnalysis", "matplotlib", "scipy", extra="analysis")
     except MissingPackageError as missing:
         print(f"left out: {missing}")
+        return
+    from pliant.analyse import command
+
+    command.main(words)

@@ -12,6 +12,7 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
+from pliant._core import OptionError
 from pliant.console import (
     EXIT_OK,
     MOST_PROCESSES,
@@ -40,6 +41,10 @@ examples:
   pliant analyse adk.h5md -o adk-report --select "not name H*"
   pliant analyse adk.h5md --distance "resid 55" "resid 169"
   pliant analyse run.xtc --topology run.pdb --superpose "name CA"
+  pliant analyse many --workers 2          the folder of pliant ensemble
+
+Of an ensemble, which may be larger than memory, it tells the flexibility of residues with errors
+between walkers, collective motions, contacts, and whether half of the walkers tell the same.
 
 MDAnalysis selections: "protein and name CA", "resid 10:50", "not name H*", "index 0:99".
 Exit code: 0 analysed (even if bars are beyond the tolerance: see the verdict, or --json),
@@ -58,7 +63,8 @@ def _parser() -> Parser:
     add(
         "file",
         metavar="FILE",
-        help="trajectory of pliant sample or run (H5MD), or of another program",
+        help="trajectory of pliant sample or run (H5MD), or of another program; or the folder of\n"
+        "an ensemble",
     )
     add(
         "-o", "--output", metavar="DIR",
@@ -113,7 +119,32 @@ def _add_output(add: Callable[..., object]) -> None:
     add("--quiet", action="store_true", help="print nothing but errors")
 
 
+def _is_ensemble(file: str) -> bool:
+    return Path(file).is_dir() or Path(file).suffix == ".pliant"
+
+
+def _analyse_ensemble(options: argparse.Namespace) -> int:
+    from pliant.ensemble.frames import folder_of
+    from pliant.ensemble.report import print_report, report_ensemble
+
+    usual = vars(_parser().parse_args([options.file]))
+    for name in sorted(set(usual) - {"file", "output", "workers", "dpi", "json", "quiet"}):
+        if getattr(options, name) != usual[name]:
+            raise OptionError(f"--{name}: goes with one file, not with an ensemble")
+    folder = folder_of(Path(options.file))
+    output = Path(options.output or f"{folder.absolute().name}-report")
+    with _stages(options.quiet) as on_stage:
+        found = report_ensemble(folder, output, options.workers, options.dpi, on_stage)
+    if options.json:
+        print_json(found)
+    elif not options.quiet:
+        print_report(found)
+    return EXIT_OK
+
+
 def _analyse(options: argparse.Namespace) -> int:
+    if _is_ensemble(options.file):
+        return _analyse_ensemble(options)
     # Imported here, so that --help and errors of usage are immediate.
     from pliant.analyse.suite import analyse
 

@@ -54,7 +54,8 @@ def make_parser() -> console.Parser:
     add("file", metavar="FILE", nargs="?",
         help="PDB, mmCIF, XYZ, SDF, graph XML or H5MD file to open in it")  # fmt: skip
     add("--connect", metavar="HOST:PORT", type=server_address,
-        help="show a live run (pliant run --imd), pull at it; :PORT: on this machine")  # fmt: skip
+        help="show a live run (pliant run --imd) and pull at it;\n"
+        ":PORT: on this machine")  # fmt: skip
     add("--no-open", action="store_true", help="print the address of the page, open no browser")
     return parser
 

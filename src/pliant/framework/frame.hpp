@@ -41,6 +41,7 @@ struct Frame {
   std::span<const Vec3> previous = {};
   std::span<const std::uint8_t> limits_off = {};  ///< (L) 1: this limit is off; empty: none is
   std::int64_t redraws = 0;  ///< of a sample: draws given up before this one was resolved
+  std::int64_t walker = 0;   ///< whose frame it is, where one file holds those of several
 };
 
 }  // namespace pliant

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "pliant/record/h5md/h5md_static.hpp"
@@ -23,17 +24,19 @@ struct CountedFrame : Frame {
 };
 
 /// Which files have an observable.
-bool always(const Framework&, bool) { return true; }
-bool of_limits_or_sterics(const Framework& framework, bool) { return !framework.has_bars_only(); }
-bool of_limits(const Framework& framework, bool) { return !framework.limits().empty(); }
-bool of_samples(const Framework&, bool is_sample) { return is_sample; }
+using O = FrameOrigin;
+bool always(const Framework&, O) { return true; }
+bool of_limits_or_sterics(const Framework& framework, O) { return !framework.has_bars_only(); }
+bool of_limits(const Framework& framework, O) { return !framework.limits().empty(); }
+bool of_samples(const Framework&, O origin) { return origin.is_sample; }
+bool of_walkers(const Framework&, O origin) { return origin.several_walkers; }
 
 /// One row an observable. MDAnalysis takes numbers with one value a frame only, no vectors.
 struct Observable {
   const char* name;
   const char* unit;  // "" for none
   NumberKind kind;
-  bool (*is_of)(const Framework& framework, bool is_sample);
+  bool (*is_of)(const Framework& framework, FrameOrigin origin);
   void (*add)(const CountedFrame& frame, Series& series);
 };
 
@@ -64,6 +67,7 @@ constexpr Observable observables[] = {
      [](const F& f, Series& s) { s.add(f.contacts.broken); }},
     {"contacts_off", "", integer, of_limits, [](const F& f, Series& s) { s.add(f.contacts.off); }},
     {"redraws", "", integer, of_samples, [](const F& f, Series& s) { s.add(f.redraws); }},
+    {"walker", "", integer, of_walkers, [](const F& f, Series& s) { s.add(f.walker); }},
 };
 
 std::string group_of(const Observable& observable) {
@@ -113,6 +117,14 @@ std::size_t number_bytes(std::int64_t file, const std::string& path) {
   return H5Tget_size(type);
 }
 
+constexpr char rounded_to[] = "rounded_to";  // attribute of positions
+
+/// 0 where positions are as they were.
+double recorded_unit(std::int64_t file, const std::string& path) {
+  const Hid dataset = owned(H5Dopen2(file, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);
+  return number_attribute(dataset, rounded_to).value_or(0.0);
+}
+
 // A chunk of positions holds one frame, which is what readers ask for. Small frames share one:
 // every chunk costs its way through a tree.
 std::uint64_t frames_per_chunk(std::size_t frame_bytes, bool compress) {
@@ -120,6 +132,12 @@ std::uint64_t frames_per_chunk(std::size_t frame_bytes, bool compress) {
   // A shared chunk would be compressed anew with each commit and change its place.
   if (compress) return 1;
   return std::clamp<std::uint64_t>(chunk_bytes / frame_bytes, 1, 256);
+}
+
+/// The largest power of two that is not above `precision`: multiples of it are exact in binary, and
+/// end in zeros.
+double rounding_unit(double precision) {
+  return precision > 0.0 ? std::exp2(std::floor(std::log2(precision))) : 0.0;
 }
 
 constexpr const char* position_parts[] = {"/value", "/time", "/step"};
@@ -137,9 +155,10 @@ std::string states_path() { return std::string(h5md::contact_states) + "/value";
 }  // namespace
 
 FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options,
-                         bool is_sample)
+                         const FrameOrigin& origin)
     : single_(options.single),
-      rows_(rows_that([&](const Observable& one) { return one.is_of(framework, is_sample); })),
+      unit_(rounding_unit(options.precision)),
+      rows_(rows_that([&](const Observable& one) { return one.is_of(framework, origin); })),
       contacts_(framework.limits()) {
   make_positions(file, framework.joint_count(), options);
   make_observables(file);
@@ -152,6 +171,7 @@ FrameSeries::FrameSeries(std::int64_t file, const Framework& framework, std::uin
       contacts_(framework.limits()) {
   const std::string group = h5md::position;
   single_ = number_bytes(file, group + "/value") == sizeof(float);
+  unit_ = recorded_unit(file, group + "/value");
   positions_.emplace_back(file, group + "/value", single_ ? H5T_NATIVE_FLOAT : H5T_NATIVE_DOUBLE,
                           frames);
   positions_.emplace_back(file, group + "/time", H5T_NATIVE_DOUBLE, frames);
@@ -175,9 +195,10 @@ void FrameSeries::make_positions(std::int64_t file, std::size_t joint_count,
                                  const H5mdOptions& options) {
   const std::size_t position_bytes = joint_count * 3 * (single_ ? sizeof(float) : sizeof(double));
   count_bytes(joint_count);
+  const bool compress = options.compress || unit_ > 0.0;
   const SeriesLayout layout{.row = {joint_count, 3},
-                            .chunk_rows = frames_per_chunk(position_bytes, options.compress),
-                            .compress = options.compress,
+                            .chunk_rows = frames_per_chunk(position_bytes, compress),
+                            .compress = compress,
                             .fill_with_nan = true};
   const std::string group = h5md::position;
   make_group(file, group);
@@ -186,6 +207,7 @@ void FrameSeries::make_positions(std::int64_t file, std::size_t joint_count,
   positions_.push_back(make_series(file, group + "/time", real));
   positions_.push_back(make_series(file, group + "/step", integer));
   write_text_attribute(positions_[0].dataset(), "unit", "Angstrom");
+  if (unit_ > 0.0) write_real_attribute(positions_[0].dataset(), rounded_to, unit_);
   write_text_attribute(positions_[1].dataset(), "unit", "ps");
 }
 
@@ -234,11 +256,22 @@ void FrameSeries::add(const Frame& frame) {
 }
 
 void FrameSeries::add_positions(std::span<const Vec3> positions) {
-  if (!single_) return positions_[0].add_bytes(std::as_bytes(positions));
-  singles_.clear();
+  if (!single_ && unit_ == 0.0) return positions_[0].add_bytes(std::as_bytes(positions));
   for (const Vec3 p : positions)
-    for (const double x : {p.x, p.y, p.z}) singles_.push_back(static_cast<float>(x));
-  positions_[0].add_bytes(std::as_bytes(std::span(singles_)));
+    for (const double x : {p.x, p.y, p.z}) add_coordinate(as_recorded(x));
+}
+
+/// What a reader finds in its place.
+double FrameSeries::as_recorded(double coordinate) const {
+  const double rounded = unit_ > 0.0 ? unit_ * std::nearbyint(coordinate / unit_) : coordinate;
+  return single_ ? double(static_cast<float>(rounded)) : rounded;
+}
+
+void FrameSeries::add_coordinate(double coordinate) {
+  if (single_)
+    positions_[0].add(static_cast<float>(coordinate));
+  else
+    positions_[0].add(coordinate);
 }
 
 bool FrameSeries::last_is(std::span<const Vec3> positions) const {
@@ -247,7 +280,7 @@ bool FrameSeries::last_is(std::span<const Vec3> positions) const {
   for (std::size_t i = 0; i < there.size(); ++i) {
     const Vec3 p = positions[i / 3];
     const double x = i % 3 == 0 ? p.x : i % 3 == 1 ? p.y : p.z;
-    if (there[i] != (single_ ? double(static_cast<float>(x)) : x)) return false;
+    if (there[i] != as_recorded(x)) return false;
   }
   return true;
 }

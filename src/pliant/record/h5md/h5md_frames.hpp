@@ -16,12 +16,18 @@ namespace pliant {
 /// leaves is less, and what a bond of hydrogen shrugs off is more.
 inline constexpr double held_within = 0.1;
 
+/// What decides which series a file has, besides its framework.
+struct FrameOrigin {
+  bool is_sample = false;
+  bool several_walkers = false;
+};
+
 /// All series of a file. Frames wait in memory between add() and write().
 class FrameSeries {
  public:
   /// Makes empty series in the HDF5 file `file` (hid_t). Throws FileError.
   FrameSeries(std::int64_t file, const Framework& framework, const H5mdOptions& options,
-              bool is_sample);
+              const FrameOrigin& origin);
 
   /// Opens the series of a file, to go on after its first `frames` frames. Throws FileError.
   FrameSeries(std::int64_t file, const Framework& framework, std::uint64_t frames);
@@ -50,13 +56,15 @@ class FrameSeries {
   void make_observables(std::int64_t file);
   void make_contact_states(std::int64_t file);
   void add_positions(std::span<const Vec3> positions);
+  void add_coordinate(double coordinate);
+  double as_recorded(double coordinate) const;
 
   bool single_;
+  double unit_ = 0.0;  ///< positions are whole multiples of it (Angstrom); 0: they are as they are
   std::vector<std::size_t> rows_;  ///< of the table of observables, that this file has
   LimitCounter contacts_;
   std::size_t frame_bytes_ = 0;
   std::uint64_t waiting_frames_ = 0;
-  std::vector<float> singles_;       // scratch of add_positions
   std::vector<Series> positions_;    // value, time, step
   std::vector<Series> observables_;  // (rows)
   std::optional<Series> states_;     // of contacts; none without limits, and in files before 0.3.0

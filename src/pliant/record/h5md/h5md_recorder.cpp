@@ -11,6 +11,9 @@ const H5mdOptions& checked_options(const H5mdOptions& options) {
   if (!(options.flush_seconds >= 0.0))
     throw OptionError("H5mdOptions::flush_seconds = " + std::to_string(options.flush_seconds) +
                       ": must be 0 or more");
+  if (!(options.precision >= 0.0 && options.precision <= 1.0))
+    throw OptionError("H5mdOptions::precision = " + std::to_string(options.precision) +
+                      ": must be from 0 to 1 Angstrom");
   return options;
 }
 

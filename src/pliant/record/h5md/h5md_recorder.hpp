@@ -21,10 +21,15 @@ namespace pliant {
 
 /// How to record.
 struct H5mdOptions {
-  bool single = false;         ///< positions as 32-bit floats: half the size, 1e-7 relative
-  bool compress = false;       ///< shuffle and gzip 1: about 0.8 of the size, ten times the time
-  bool overwrite = false;      ///< replace an existing file once the new one has a frame
-  double flush_seconds = 1.0;  ///< frames are committed to the file this often (s); 0: each frame
+  bool single = false;     ///< positions as 32-bit floats: half the size, 1e-7 relative
+  bool compress = false;   ///< shuffle and gzip 1: about 0.8 of the size, ten times the time
+  double precision = 0.0;  ///< positions are rounded by half of this at most (Angstrom), which
+                           ///< makes them compress well, and compressed; 0: as they are. What is
+                           ///< told of a frame, and the checkpoint, are of before the rounding
+  bool overwrite = false;  ///< replace an existing file once the new one has a frame
+  double flush_seconds = 1.0;  ///< frames are committed to the file this often (s); 0: each frame;
+                               ///< infinity: the first and the last only, so that the same frames
+                               ///< give the same bytes, however long they took
   bool durable = false;        ///< a commit waits for the disk (fsync): it survives a power cut
   Log log = {};                ///< where warnings go
 };
@@ -78,6 +83,8 @@ struct H5mdHeader {
   std::string author = "unknown";
   std::vector<NamedParameter> parameters;  ///< every option of the run; no path twice
   std::optional<RunInputs> inputs = {};    ///< with them a run or sample can go on from the file
+  bool several_walkers = false;  ///< frames are of one walker after another (Frame::walker), the
+                                 ///< steps of each beginning anew; goes without inputs
 };
 
 /// Writes frames to one file, which holds the group /particles/trajectory.
@@ -114,7 +121,8 @@ class H5mdRecorder {
 
   /// Adds one frame. Throws InputError when the number of positions is not that of the joints,
   /// when a position (naming the joint) or the time is not finite, or when the step does not
-  /// increase; FileError when it cannot be written, or the recorder is closed.
+  /// increase (of the same walker, where there are several); FileError when it cannot be written,
+  /// or the recorder is closed.
   void record(const Frame& frame);
 
   /// The run of the frames ends in this state: commits both, so that it can go on from there. Only

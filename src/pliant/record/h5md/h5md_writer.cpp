@@ -123,7 +123,8 @@ void H5mdWriter::create(const Framework& framework, const H5mdHeader& header) {
   const bool is_sample = header.inputs && header.inputs->is_sample();
   if (header.inputs && !is_sample)
     checkpoint_ = std::make_unique<CheckpointWriter>(hdf5_, framework);
-  series_ = std::make_unique<FrameSeries>(hdf5_, framework, options_, is_sample);
+  series_ = std::make_unique<FrameSeries>(hdf5_, framework, options_,
+                                          FrameOrigin{is_sample, header.several_walkers});
   checked(H5Fflush(hdf5_, H5F_SCOPE_GLOBAL), "flush the file");
   file_.write_last(series_->addresses(hdf5_));
 }
@@ -160,12 +161,13 @@ void H5mdWriter::record(const Frame& frame) {
   check_frame(frame);
   series_->add(frame);
   last_step_ = frame.step;
+  last_walker_ = frame.walker;
   ++frames_;
   if (is_checkpoint_due(frame)) return commit_checkpoint(frame);
   const double seconds = seconds_since(last_commit_);
   const bool is_much = series_->waiting_bytes() >= most_waiting_bytes;
   if (!output_.is_published() || seconds >= options_.flush_seconds ||
-      (is_much && seconds >= least_seconds_of_a_commit))
+      (is_much && seconds >= least_seconds_of_a_commit && std::isfinite(options_.flush_seconds)))
     return commit();
   if (is_much) write_to_file([&] { series_->write(); });
 }
@@ -177,7 +179,7 @@ void H5mdWriter::check_frame(const Frame& frame) const {
   if (frame.positions.size() != joint_count_)
     throw InputError(where() + " has " + std::to_string(frame.positions.size()) +
                      " positions for " + std::to_string(joint_count_) + " joints");
-  if (frames_ > 0 && frame.step <= last_step_)
+  if (frames_ > 0 && frame.walker <= last_walker_ && frame.step <= last_step_)
     throw InputError(where() + " comes after that of step " + std::to_string(last_step_));
   if (!std::isfinite(frame.time)) throw InputError(where() + " has a time that is not finite");
   const double most = series_->is_single() ? double(std::numeric_limits<float>::max())

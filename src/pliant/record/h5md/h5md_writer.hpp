@@ -69,6 +69,7 @@ class H5mdWriter {
   std::unique_ptr<CheckpointWriter> checkpoint_;
   std::int64_t frames_ = 0, committed_frames_ = 0;
   std::int64_t last_step_ = std::numeric_limits<std::int64_t>::min();
+  std::int64_t last_walker_ = 0;
   std::int64_t known_to_ = last_step_;  ///< steps to this one were recorded by an earlier run
   Clock::time_point last_commit_ = Clock::now(), last_checkpoint_ = {};
   std::string failure_;  // what all later calls throw

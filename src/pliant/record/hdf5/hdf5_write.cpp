@@ -163,6 +163,10 @@ void write_integer_attribute(std::int64_t object, const char* name, int value) {
   write_attribute(object, name, H5T_STD_I32LE, H5T_NATIVE_INT, scalar_space(), &value);
 }
 
+void write_real_attribute(std::int64_t object, const char* name, double value) {
+  write_attribute(object, name, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, scalar_space(), &value);
+}
+
 std::uint64_t object_address(std::int64_t location, const std::string& path) {
   hobj_ref_t reference;  // which is the address of the object's header
   checked(H5Rcreate(&reference, location, path.c_str(), H5R_OBJECT, -1), "find " + path);

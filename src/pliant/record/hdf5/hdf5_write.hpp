@@ -21,6 +21,8 @@ Hid make_group(std::int64_t location, const std::string& path);
 /// Scalar UTF-8 string of variable length: the only kind that MDAnalysis takes as a unit.
 void write_text_attribute(std::int64_t object, const char* name, const std::string& text);
 void write_integer_attribute(std::int64_t object, const char* name, std::span<const int> values);
+/// Without dimensions.
+void write_real_attribute(std::int64_t object, const char* name, double value);
 /// As write_integer_attribute, but without dimensions.
 void write_integer_attribute(std::int64_t object, const char* name, int value);
 void write_text_attribute(std::int64_t object, const char* name,

@@ -1,0 +1,137 @@
+# SPDX-License-Identifier: MIT
+"""Where the shards are made: processes of this machine, a scheduler of Dask, or jobs of a queue."""
+
+from __future__ import annotations
+
+import contextlib
+import importlib
+import logging
+import os
+import threading
+from collections.abc import Callable, Iterator
+from typing import Any
+
+from pliant._core import InputError, OptionError
+from pliant._extras import need
+
+#: Queues that dask-jobqueue knows, by what a cluster file calls them.
+_QUEUES = {
+    "slurm": "SLURMCluster",
+    "pbs": "PBSCluster",
+    "lsf": "LSFCluster",
+    "sge": "SGECluster",
+    "oar": "OARCluster",
+    "moab": "MoabCluster",
+    "htcondor": "HTCondorCluster",
+}
+
+#: Workers that die with a shard before it is given up: a machine that fails takes many along.
+_DEATHS = 20
+
+_REGROW_SECONDS = 5
+
+
+def usual_workers() -> int:
+    """As many as this process may use cores."""
+    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+
+
+@contextlib.contextmanager
+def open_client(workers: int | None, scheduler: str | None, cluster: str | None) -> Iterator[Any]:
+    """A client of Dask. Raises MissingPackageError, OptionError, InputError."""
+    need("pliant ensemble", "distributed")
+    import dask
+
+    dask.config.set({"distributed.scheduler.allowed-failures": _DEATHS})
+    dask.config.set({"distributed.deploy.lost-worker-timeout": f"{2 * _REGROW_SECONDS} s"})
+    # Lost workers are told by what they did not bring, not by pages of stack traces.
+    for name in ("distributed", "distributed.worker", "distributed.nanny"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)
+    if scheduler:
+        with _client_of_scheduler(scheduler) as client:
+            yield client
+        return
+    from distributed import Client
+
+    made, grow = _jobs(cluster, workers) if cluster else _local(workers or usual_workers())
+    with made as place, Client(place, set_as_default=False) as client, _regrown(grow):
+        yield client
+
+
+@contextlib.contextmanager
+def _regrown(grow: Callable[[], None]) -> Iterator[None]:
+    """Asks for the full number of workers again and again.
+
+    A worker that dies at work is replaced by Dask, but one that dies while it starts is not: with
+    the last of them, everything would wait for ever.
+    """
+    ended = threading.Event()
+
+    def watch() -> None:
+        while not ended.wait(_REGROW_SECONDS):
+            grow()
+
+    watcher = threading.Thread(target=watch, daemon=True)
+    watcher.start()
+    try:
+        yield
+    finally:
+        ended.set()
+        watcher.join()
+
+
+def _client_of_scheduler(address: str) -> Any:
+    from distributed import Client
+
+    try:
+        return Client(address, timeout="10s", set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise OptionError(f"--scheduler {address}: {error}") from None
+
+
+def _local(workers: int) -> tuple[Any, Callable[[], None]]:
+    from distributed import LocalCluster
+
+    cluster = LocalCluster(
+        n_workers=workers,
+        threads_per_worker=1,
+        processes=True,
+        memory_limit=0,  # the commands, which need the memory, are no workers
+        dashboard_address="127.0.0.1:0",
+        silence_logs=logging.CRITICAL,
+    )
+    return cluster, lambda: cluster.scale(workers)
+
+
+def _jobs(path: str, jobs: int | None) -> tuple[Any, Callable[[], None]]:
+    need("--cluster", "dask_jobqueue")
+    settings = _settings(path)
+    queue = settings.pop("queue_system", None)
+    if queue not in _QUEUES:
+        known = ", ".join(_QUEUES)
+        raise InputError(f"{path}: queue_system: expected one of {known}, found {queue!r}")
+    count = settings.pop("jobs", None) if jobs is None else jobs
+    if not isinstance(count, int) or count < 1:
+        raise InputError(f"{path}: jobs: expected a whole number from 1, found {count!r}")
+    made = getattr(importlib.import_module("dask_jobqueue"), _QUEUES[queue])
+    try:
+        cluster = made(**settings)
+    except (TypeError, ValueError) as error:
+        raise InputError(f"{path}: {error}") from None
+    cluster.scale(jobs=count)
+    return cluster, lambda: cluster.scale(jobs=count)
+
+
+def _settings(path: str) -> dict[str, Any]:
+    import yaml  # which Dask needs
+
+    try:
+        with open(path, encoding="utf-8") as file:
+            found = yaml.safe_load(file)
+    except OSError as error:
+        raise InputError(f"{path}: {error.strerror}") from None
+    except (yaml.YAMLError, UnicodeDecodeError) as error:
+        raise InputError(f"{path}: {error}") from None
+    if not isinstance(found, dict):
+        raise InputError(f"{path}: expected settings such as queue_system: slurm")
+    return found

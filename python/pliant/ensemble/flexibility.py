@@ -1,0 +1,197 @@
+# SPDX-License-Identifier: MIT
+"""Flexibility of an ensemble in many files: in two passes, with memory for a few frames."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import dataclass, field
+from multiprocessing import get_context
+from pathlib import Path
+from typing import TypeVar
+
+import numpy as np
+
+from pliant import _hdf5
+from pliant._core import InputError
+from pliant.analyse.names import atom_labels, residue_labels
+from pliant.analysis.agreement import TEN, correlation, rmsip
+from pliant.analysis.recorded_contacts import contacts_of
+from pliant.ensemble.frames import EnsembleFrames
+from pliant.ensemble.sums import Half, Sums, Task, mean_of, sums_of
+
+#: Units of which the matrix of covariances is kept: 3 x 2000 squared takes 288 MB, twice.
+MOST_FOR_MODES = 2000
+_TASKS_A_PROCESS = 4
+
+Result = TypeVar("Result")
+
+
+@dataclass
+class Flexibility:
+    """What the frames of all walkers tell. Lengths in Angstrom; U units."""
+
+    unit: str  #: "residue", by its CA or P, or "atom"
+    labels: list[str]  #: (U,)
+    frames: int
+    walkers: int
+    rmsf: np.ndarray  #: (U,) about the mean of all frames, superposed
+    error: np.ndarray  #: (U,) standard error, from the differences between walkers
+    halves: np.ndarray  #: (2, U) RMSF of walkers of even and of odd numbers
+    correlation: float  #: Pearson's r of the halves
+    variances: np.ndarray  #: (10,) of the principal components, Angstrom^2; empty: not computed
+    total_variance: float
+    modes: np.ndarray  #: (3U, 10) their directions, of length 1
+    rmsip: float | None  #: of the first ten components of the halves
+    max_residual: float  #: of the bars, before any rounding
+    contacts: list[tuple[str, str, float]] = field(default_factory=list)  #: atoms, kind, share held
+
+
+def flexibility(
+    folder: Path, workers: int = 1, on_stage: Callable[[str], None] = lambda name: None
+) -> Flexibility:
+    """Reads the frames of an ensemble twice, over some processes.
+
+    Raises FileError and InputError if there is no ensemble, or it has one walker only.
+    """
+    frames = EnsembleFrames(folder)
+    unit, labels, atoms = _units(folder)
+    first = np.empty((frames.atom_count, 3))
+    frames.read(0, first)
+    on_stage("mean")
+    reference = _mean(frames, atoms, first[atoms], workers)
+    on_stage("fluctuations")
+    sums = _sums(frames, atoms, reference, workers)
+    if min(half.walkers for half in sums.halves) == 0:
+        raise InputError(f"{folder}: one walker: errors and convergence need two")
+    return _result(unit, labels, sums, _contacts(frames, sums))
+
+
+def _units(folder: Path) -> tuple[str, list[str], np.ndarray]:
+    import MDAnalysis
+
+    from pliant.ensemble.plan import PLAN
+
+    atoms = MDAnalysis.Universe(folder / PLAN).atoms
+    if hasattr(atoms, "names") and hasattr(atoms, "resnames"):
+        trace = atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
+        if len(trace) >= 3 and len(set(trace.resindices)) == len(trace):
+            labels = residue_labels(atoms.residues)
+            return "residue", [labels[k] for k in trace.resindices], trace.ix
+    heavy = atoms.select_atoms("not element H") if hasattr(atoms, "elements") else atoms
+    chosen = heavy if len(heavy) >= 3 else atoms
+    every = atom_labels(atoms)
+    return "atom", [every[k] for k in chosen.ix], chosen.ix
+
+
+def _mean(frames: EnsembleFrames, atoms: np.ndarray, start: np.ndarray, workers: int) -> np.ndarray:
+    count, total = 0, np.zeros_like(start)
+    for more, part in _over(mean_of, frames, atoms, start, workers):
+        count += more
+        total += part
+    mean: np.ndarray = total / count
+    return mean
+
+
+def _sums(frames: EnsembleFrames, atoms: np.ndarray, reference: np.ndarray, workers: int) -> Sums:
+    parts = _over(sums_of, frames, atoms, reference, workers)
+    sums = next(parts)
+    for part in parts:
+        sums.add(part)
+    return sums
+
+
+def _over(
+    work: Callable[[Task], Result],
+    frames: EnsembleFrames,
+    atoms: np.ndarray,
+    reference: np.ndarray,
+    workers: int,
+) -> Iterator[Result]:
+    """The results of parts of the shards, in their order."""
+    has_modes = len(atoms) <= MOST_FOR_MODES
+    parts = np.array_split(np.arange(len(frames.paths)), workers * _TASKS_A_PROCESS)
+    tasks = [
+        Task(frames.plan, [frames.paths[k] for k in part], atoms, reference, has_modes)
+        for part in parts
+        if len(part)
+    ]
+    if workers == 1:
+        yield from map(work, tasks)
+        return
+    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
+        yield from pool.map(work, tasks)
+
+
+def _result(
+    unit: str, labels: list[str], sums: Sums, contacts: list[tuple[str, str, float]]
+) -> Flexibility:
+    even, odd = sums.halves
+    halves = np.array([np.sqrt(_moments(even)[0]), np.sqrt(_moments(odd)[0])])
+    both = Half(even.units, even.has_modes)
+    both += even
+    both += odd
+    square, square_error = _moments(both)
+    rmsf = np.sqrt(square)
+    modes = [_principal(half) for half in (even, odd, both)]
+    count = min(TEN, modes[0][1].shape[1])
+    return Flexibility(
+        unit, labels, both.frames, both.walkers, rmsf,
+        np.divide(square_error, 2 * rmsf, out=np.zeros_like(rmsf), where=rmsf > 0),
+        halves, correlation(halves[0], halves[1]), modes[2][0], float(square.sum()), modes[2][1],
+        rmsip(modes[0][1].T, modes[1][1].T, count) if count else None, sums.max_residual, contacts,
+    )  # fmt: skip
+
+
+def _moments(half: Half) -> tuple[np.ndarray, np.ndarray]:
+    """Mean square fluctuation (U,) about the mean of these walkers, and its standard error.
+
+    Of a walker it is m = a - 2 b.c + c.c, with c the mean of b; the error is from m's variance.
+    """
+    count = half.walkers
+    c = half.b / count
+    c_c = (c**2).sum(axis=1)
+    mean = half.a / count - c_c
+    # E[m^2], from the moments of a and b
+    b_c = (half.b * c).sum(axis=1) / count
+    second = (
+        half.aa / count
+        - 4 * (half.ab * c).sum(axis=1) / count
+        + 4 * np.einsum("ui,uij,uj->u", c, half.bb, c) / count
+        + 2 * c_c * (half.a / count - 2 * b_c)
+        + c_c**2
+    )
+    variance = np.maximum(second - mean**2, 0.0)
+    return np.maximum(mean, 0.0), np.sqrt(variance / max(count - 1, 1))
+
+
+def _principal(half: Half) -> tuple[np.ndarray, np.ndarray]:
+    """The largest variances and their directions (3U, 10)."""
+    if half.outer is None:
+        return np.empty(0), np.empty((3 * half.units, 0))
+    from scipy.linalg import eigh
+
+    c = (half.shift / half.frames).reshape(-1)
+    covariance = half.outer / half.frames - np.outer(c, c)
+    size = len(covariance)
+    most = min(TEN, max(1, size - 6))
+    values, vectors = eigh(covariance, subset_by_index=(size - most, size - 1))
+    return np.maximum(values[::-1], 0.0), vectors[:, ::-1]
+
+
+def _contacts(frames: EnsembleFrames, sums: Sums) -> list[tuple[str, str, float]]:
+    if sums.held is None:
+        return []
+    import MDAnalysis
+
+    from pliant.ensemble.plan import PLAN
+
+    names = atom_labels(MDAnalysis.Universe(frames.folder / PLAN).atoms)
+    with _hdf5.open_file(frames.paths[0]) as file:
+        found = contacts_of(file)
+    if found is None or len(found.kinds) != len(sums.held):
+        return []
+    return [
+        (f"{names[a]} – {names[b]}", kind, float(held / len(frames)))
+        for (a, b), kind, held in zip(found.joints, found.kinds, sums.held, strict=True)
+    ]

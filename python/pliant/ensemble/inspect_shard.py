@@ -1,0 +1,96 @@
+# SPDX-License-Identifier: MIT
+"""What a shard's file holds, and whether it is whole: all of its walkers, each frame once."""
+
+from __future__ import annotations
+
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import h5py
+import numpy as np
+
+from pliant import _hdf5
+from pliant._core import InputError
+from pliant.ensemble.plan import Plan, Shard, file_digest
+
+POSITION = "particles/trajectory/position"
+
+
+@dataclass
+class ShardRecord:
+    """A line of the manifest: a shard that is whole."""
+
+    shard: int
+    first: int
+    last: int
+    file: str  #: below the ensemble's folder
+    frames: int
+    left_out: int  #: frames of a sample that could not be resolved
+    unconverged: int  #: frames of a run that are not whole, and say so
+    bytes: int
+    sha256: str
+
+    def as_json(self) -> dict[str, Any]:
+        """For the manifest."""
+        return asdict(self)
+
+
+def inspect_shard(plan: Plan, shard: Shard, path: Path) -> ShardRecord:
+    """The record of a whole shard. Raises InputError saying what is wrong with the file."""
+    with _hdf5.open_file(path) as file:
+        numbers = _frame_numbers(file, plan)
+        left_out = _check_numbers(path, plan, shard, *numbers)
+        frames = len(numbers[0])
+        unconverged = _unconverged(file, frames)
+    return ShardRecord(
+        shard.number, shard.first, shard.last, shard.name, frames, left_out, unconverged,
+        path.stat().st_size, file_digest(path),
+    )  # fmt: skip
+
+
+def _frame_numbers(file: h5py.File, plan: Plan) -> tuple[np.ndarray, np.ndarray]:
+    """Walker and step of each frame; each frame of a sample stands for itself."""
+    value = _hdf5.item(file, f"{POSITION}/value")
+    steps = _integers(file, f"{POSITION}/step")
+    if not isinstance(value, h5py.Dataset) or len(value) != len(steps):
+        raise InputError(f"{file.filename}: expected as many positions as steps")
+    if plan.command == "sample":
+        return steps, np.zeros_like(steps)
+    walkers = _integers(file, "observables/walker/value")
+    if len(walkers) != len(steps):
+        raise InputError(f"{file.filename}: expected as many walkers as steps")
+    return walkers, steps
+
+
+def _integers(file: h5py.File, path: str) -> np.ndarray:
+    found = _hdf5.item(file, path)
+    if not _hdf5.is_array(found, "iu", (None,)):
+        raise InputError(f"{file.filename}: /{path}: expected whole numbers")
+    return np.asarray(_hdf5.read(found), dtype=np.int64)
+
+
+def _check_numbers(
+    path: Path, plan: Plan, shard: Shard, walkers: np.ndarray, steps: np.ndarray
+) -> int:
+    """Raises InputError unless all are there, in order and once; returns frames left out."""
+    order = np.lexsort((steps, walkers))
+    pairs = np.stack([walkers, steps])
+    if not (order == np.arange(len(order))).all() or (np.diff(pairs) == 0).all(axis=0).any():
+        raise InputError(f"{path}: expected each frame once, in order")
+    there = np.unique(walkers)
+    if len(there) and (there[0] < shard.first or there[-1] > shard.last):
+        raise InputError(f"{path}: expected {plan.what} {shard.first} to {shard.last}")
+    missing = shard.size - len(there)
+    if missing and plan.command == "run":
+        raise InputError(f"{path}: {missing} of {shard.size} walkers are missing")
+    if plan.command == "run" and len(set(np.bincount(walkers - shard.first))) > 1:
+        raise InputError(f"{path}: expected as many frames of each walker")
+    return missing
+
+
+def _unconverged(file: h5py.File, frames: int) -> int:
+    converged = _hdf5.item(file, "observables/converged/value")
+    if not isinstance(converged, h5py.Dataset) or converged.shape != (frames,):
+        raise InputError(f"{file.filename}: /observables/converged: expected one value a frame")
+    return int(frames - np.count_nonzero(_hdf5.read(converged)))

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""Makes one shard, wherever there is the package: in a worker of Dask, or in a job of a queue."""
+
+from __future__ import annotations
+
+import contextlib
+import ctypes
+import json
+import os
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import uuid
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from pliant._core import Error, FileError, OptionError
+from pliant.ensemble.inspect_shard import ShardRecord, inspect_shard
+from pliant.ensemble.plan import Plan, Shard
+
+MAKING = "making"  #: folder of what has no name yet; what killed workers leave in it is nothing
+_WITH_FRAMES = (0, 3)  #: exit codes of a command that has written all that it could
+_BAD_OPTION = 2
+_DIE_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
+
+
+class ShardError(Error):
+    """A shard could not be made; another attempt might succeed."""
+
+
+def make_shard(plan: Plan, shard: Shard, folder: str) -> ShardRecord:
+    """Makes a shard, unless it is there and whole, and returns its record.
+
+    The file takes its name when it is whole. Where two make the same shard, the first one's file
+    stays. Raises OptionError if the command takes an option for bad, ShardError if it fails.
+    """
+    target = Path(folder, shard.name)
+    if target.exists():
+        return inspect_shard(plan, shard, target)
+    with _partial_name(Path(folder, MAKING)) as partial:
+        _run(plan.words(shard, str(partial)))
+        inspect_shard(plan, shard, partial)
+        _publish(partial, target)
+    return inspect_shard(plan, shard, target)
+
+
+@contextlib.contextmanager
+def _partial_name(folder: Path) -> Iterator[Path]:
+    folder.mkdir(exist_ok=True)
+    path = folder / f"{uuid.uuid4().hex}.h5md"
+    try:
+        yield path
+    finally:
+        path.unlink(missing_ok=True)
+
+
+def _publish(partial: Path, target: Path) -> None:
+    """On the disk before it has its name; never in place of a file that is there."""
+    with open(partial, "rb") as file:
+        os.fsync(file.fileno())
+    try:
+        os.link(partial, target)
+    except FileExistsError:
+        return
+    except OSError:  # a file system without links
+        partial.rename(target)
+
+
+def command_path() -> str:
+    """The command ``pliant``: that beside this Python, or the one on PATH."""
+    beside = Path(sys.executable).with_name("pliant")
+    found = str(beside) if beside.exists() else shutil.which("pliant")
+    if found is None:
+        raise FileError("pliant: the command is neither beside this Python nor on PATH")
+    return found
+
+
+def _run(words: list[str]) -> dict[str, Any]:
+    """The summary of the command, as JSON."""
+    done = subprocess.run(
+        [command_path(), *words],
+        capture_output=True,
+        text=True,
+        errors="surrogateescape",
+        start_new_session=True,  # Ctrl-C is for the ensemble
+        preexec_fn=_die_with_parent if sys.platform == "linux" else None,
+    )
+    if done.returncode in _WITH_FRAMES:
+        summary: dict[str, Any] = json.loads(done.stdout)
+        return summary
+    why = (done.stderr.strip().splitlines() or [f"ended with {done.returncode}"])[0]
+    why = re.sub(r"^pliant( \w+)?: error: ", "", why)
+    raise (OptionError if done.returncode == _BAD_OPTION else ShardError)(why)
+
+
+def _die_with_parent() -> None:
+    """A worker that is killed takes its command along."""
+    ctypes.CDLL(None).prctl(_DIE_WITH_PARENT, signal.SIGKILL)

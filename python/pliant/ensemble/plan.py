@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: MIT
+"""The plan of an ensemble: what is asked for, kept in its folder, and its division into shards."""
+
+from __future__ import annotations
+
+import hashlib
+import json
+import os
+from collections.abc import Iterator
+from dataclasses import asdict, dataclass, field
+from pathlib import Path
+
+from pliant import _core
+from pliant._core import FileError, InputError, OptionError
+from pliant.ensemble.options import Options, file_options, text_of, words_of
+
+PLAN = "ensemble.pliant"  #: file of the plan; MDAnalysis opens the ensemble by this name
+SHARDS = "shards"  #: folder of the shards
+_FORMAT = 1
+
+USUAL_SHARD = {"run": 128, "sample": 1024}  #: walkers, frames
+
+
+@dataclass(frozen=True)
+class Shard:
+    """Walkers (of ``pliant run``) or frames (of ``pliant sample``) from `first` to `last`."""
+
+    number: int
+    first: int
+    last: int
+
+    @property
+    def size(self) -> int:
+        """Walkers or frames."""
+        return self.last - self.first + 1
+
+    @property
+    def name(self) -> str:
+        """The file's name, below the ensemble's folder."""
+        return f"{SHARDS}/shard-{self.first:09d}-{self.last:09d}.h5md"
+
+
+@dataclass
+class Plan:
+    """What an ensemble is; shards depend on nothing else."""
+
+    command: str  #: "run" or "sample"
+    input: str  #: absolute path
+    count: int  #: walkers of a run, frames of a sample
+    shard_size: int
+    options: Options = field(default_factory=dict)
+    digests: dict[str, str] = field(default_factory=dict)  #: SHA-256 of "input" and option's files
+    version: str = ""  #: of Pliant
+
+    @property
+    def what(self) -> str:
+        """What is counted: "walkers" or "frames"."""
+        return "walkers" if self.command == "run" else "frames"
+
+    @property
+    def shard_count(self) -> int:
+        """How many shards there are in all."""
+        return -(-self.count // self.shard_size)
+
+    def shard(self, number: int) -> Shard:
+        """The shard of that number, from 0."""
+        first = number * self.shard_size
+        return Shard(number, first, min(first + self.shard_size, self.count) - 1)
+
+    def shards(self) -> Iterator[Shard]:
+        """All shards, by their numbers."""
+        return map(self.shard, range(self.shard_count))
+
+    def words(self, shard: Shard, output: str) -> list[str]:
+        """The arguments of the command ``pliant`` that make the shard."""
+        part = (
+            ["--shard", f"{shard.first}..{shard.last}", "--one-file"]
+            if self.command == "run"
+            else ["--first-frame", str(shard.first), "--frames", str(shard.size)]
+        )
+        own = ["--threads", "1", "--topology", "none", "--json", "--output", output]
+        return [self.command, self.input, *words_of(self.options), *part, *own]
+
+
+def make_plan(
+    command: str, input_file: str, count: int, shard_size: int | None, options: Options
+) -> Plan:
+    """A plan with the digests of all files that it names. Raises FileError if one is not there."""
+    digests = {"input": file_digest(input_file)}
+    for name, words, k in file_options(options):
+        if os.path.isfile(words[k]):
+            digests[name] = file_digest(words[k])
+            words[k] = os.path.abspath(words[k])
+    size = shard_size or USUAL_SHARD[command]
+    path = os.path.abspath(input_file)
+    return Plan(command, path, count, size, options, digests, _core.version())
+
+
+def file_digest(path: str | os.PathLike[str]) -> str:
+    """SHA-256 of a file's bytes. Raises FileError."""
+    try:
+        with open(path, "rb") as file:
+            digest = hashlib.sha256()
+            while block := file.read(1 << 20):
+                digest.update(block)
+            return digest.hexdigest()
+    except OSError as error:
+        raise FileError(f"{os.fspath(path)}: {error.strerror}") from None
+
+
+def load_plan(folder: str | os.PathLike[str]) -> Plan:
+    """The plan of a folder. Raises FileError if there is none, InputError if it is not whole."""
+    path = Path(folder, PLAN)
+    try:
+        found = json.loads(path.read_text(encoding="utf-8"))
+        if found.pop("pliant_ensemble") != _FORMAT:
+            raise ValueError("another version of the format")
+        plan = Plan(**found)
+        if plan.command not in USUAL_SHARD or plan.count < 1 or plan.shard_size < 1:
+            raise ValueError("numbers that cannot be")
+        return plan
+    except OSError as error:
+        raise FileError(f"{path}: {error.strerror}: expected the folder of an ensemble") from None
+    except (ValueError, TypeError, KeyError, AttributeError) as error:
+        raise InputError(f"{path}: expected the plan of an ensemble: {error}") from None
+
+
+def settle(folder: Path, plan: Plan, asked_size: int | None) -> Plan:
+    """Writes the plan to the folder, or finds that it is the one there already.
+
+    Raises OptionError naming what differs.
+    """
+    path = folder / PLAN
+    has_shards = any((folder / SHARDS).glob("shard-*"))
+    if path.exists() and has_shards:  # a plan that came to nothing binds nobody
+        there = load_plan(folder)
+        if asked_size is None:
+            plan.shard_size = there.shard_size
+        _expect_same(folder, there, plan)
+        return there
+    if has_shards:
+        raise FileError(f"{folder}: holds shards but no {PLAN}: give another folder")
+    (folder / SHARDS).mkdir(parents=True, exist_ok=True)
+    write_whole(path, json.dumps({"pliant_ensemble": _FORMAT, **asdict(plan)}, indent=1) + "\n")
+    return plan
+
+
+def write_whole(path: Path, text: str) -> None:
+    """Writes a file that is there with all its text, or not at all."""
+    partial = path.with_name(f".{path.name}.{os.getpid()}")
+    with open(partial, "w", encoding="utf-8") as file:
+        file.write(text)
+        file.flush()
+        os.fsync(file.fileno())
+    partial.replace(path)
+
+
+def _expect_same(folder: Path, there: Plan, asked: Plan) -> None:
+    rows = [
+        ("pliant", there.version, asked.version),
+        ("the command", f"pliant {there.command}", f"pliant {asked.command}"),
+        (f"--{asked.what}", str(there.count), str(asked.count)),
+        ("--shard-size", str(there.shard_size), str(asked.shard_size)),
+    ]
+    for name, one, other in rows:
+        if one != other:
+            raise _differs(folder, name, one, other)
+    for name in [*there.options, *asked.options]:
+        if there.options.get(name) != asked.options.get(name):
+            raise _differs(folder, name, text_of(name, there.options), text_of(name, asked.options))
+    for name, digest in there.digests.items():
+        if asked.digests.get(name) != digest:
+            file = there.input if name == "input" else text_of(name, there.options)
+            raise OptionError(f"{folder}: was begun with another content of {name} {file}")
+
+
+def _differs(folder: Path, name: str, one: str, other: str) -> OptionError:
+    return OptionError(f"{folder}: was begun with another {name}: expected {one}, found {other}")

@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""Nothing is lost or counted twice, whoever is killed in the midst of it."""
+
+import signal
+import time
+
+import pytest
+from ensembles import (
+    PEPTIDE,
+    call,
+    counted,
+    kill_workers,
+    made,
+    same_bits,
+    shards_of,
+    start,
+    wait_for_shards,
+    workers_of,
+)
+
+RUN = ("--steps", 300, "--every", 100)
+MANY = ("--walkers", 256, "--shard-size", 8, *RUN)
+
+
+@pytest.fixture(scope="module")
+def whole(tmp_path_factory):
+    """What one process makes of it."""
+    path = tmp_path_factory.mktemp("whole") / "whole.h5md"
+    words = ("--walkers", 256, *RUN, "--one-file", "-o", path)
+    assert call("run", PEPTIDE, *words).returncode == 0
+    return path
+
+
+def expect_all(folder, whole, count=32):
+    found = made("--verify", folder)
+    assert found["shards_whole"] == found["shards"] == count
+    assert counted(folder) == count
+    assert same_bits(folder, whole)
+
+
+def test_workers_killed_at_random(tmp_path, whole):
+    folder = tmp_path / "many"
+    client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 2)
+    assert kill_workers(client, folder, kills=3, first=2, gap=6, seed=1) == 3
+    _, err = client.communicate(timeout=250)
+    assert client.returncode == 0, err
+    expect_all(folder, whole)
+
+
+def test_all_workers_killed_while_they_start(tmp_path, whole):
+    folder = tmp_path / "many"
+    client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 2)
+    wait_for_shards(client, folder, 2)
+    for _ in range(4):  # those that come in their place, too, before they can do anything
+        for worker in workers_of(client):
+            worker.kill()
+        time.sleep(0.2)
+    _, err = client.communicate(timeout=250)
+    assert client.returncode == 0, err
+    expect_all(folder, whole)
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
+def test_the_same_command_goes_on_after_the_death_of_the_first(tmp_path, whole, how):
+    folder = tmp_path / "many"
+    client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 1)
+    wait_for_shards(client, folder, 3)
+    client.send_signal(how)
+    _, err = client.communicate(timeout=100)
+    before = len(shards_of(folder))
+    assert 3 <= before < 32
+    if how == signal.SIGINT:
+        assert (client.returncode, err) == (130, b"pliant ensemble: interrupted\n")
+    result = made(PEPTIDE, "-o", folder, *MANY)
+    assert result["shards_found"] >= before
+    expect_all(folder, whole)
+
+
+def test_two_at_once_in_one_folder(tmp_path):
+    folder = tmp_path / "many"
+    client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 1)
+    wait_for_shards(client, folder, 1)
+    second = call("ensemble", PEPTIDE, "-o", folder, *MANY)
+    client.kill()
+    client.communicate()
+    assert (second.returncode, second.stderr.count("\n")) == (1, 1)
+    assert "another pliant ensemble is at work in it" in second.stderr
+
+
+@pytest.mark.long
+@pytest.mark.timeout(1800)
+def test_ten_thousand_walkers_and_twenty_kills(tmp_path):
+    folder, whole = tmp_path / "many", tmp_path / "whole.h5md"
+    run = ("--steps", 100, "--every", 50)
+    client = start(PEPTIDE, "-o", folder, "--walkers", 10_000, "--shard-size", 50, *run)
+    assert kill_workers(client, folder, kills=20, first=4, gap=9, seed=5) == 20
+    _, err = client.communicate(timeout=1200)
+    assert client.returncode == 0, err
+    words = ("--walkers", 10_000, *run, "--one-file", "-o", whole)
+    assert call("run", PEPTIDE, *words).returncode == 0
+    expect_all(folder, whole, count=200)

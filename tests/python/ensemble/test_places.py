@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: MIT
+"""Where shards are made: a scheduler that is there, jobs of a queue, a job array without Dask."""
+
+import os
+import re
+import shutil
+import stat
+import subprocess
+
+import pytest
+from ensembles import PEPTIDE, call, made, shards_of
+
+WORDS = ("--walkers", 24, "--shard-size", 4, "--steps", 40, "--every", 10)
+
+
+def same_files(folder, other):
+    pairs = list(zip(shards_of(folder), shards_of(other), strict=True))
+    return bool(pairs) and all(a.read_bytes() == b.read_bytes() for a, b in pairs)
+
+
+def test_a_scheduler_that_is_there(ensemble, tmp_path):
+    from distributed import LocalCluster
+
+    with LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=None) as cluster:
+        folder = tmp_path / "many"
+        made(PEPTIDE, "-o", folder, *WORDS, "--scheduler", cluster.scheduler_address)
+    assert same_files(folder, ensemble)
+
+
+def test_a_scheduler_that_is_not_there(tmp_path):
+    words = ("--scheduler", "tcp://127.0.0.1:1")
+    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, *words)
+    assert (ended.returncode, ended.stderr.count("\n")) == (2, 1)
+    assert "--scheduler tcp://127.0.0.1:1: " in ended.stderr
+
+
+def test_a_job_array_of_slurm_needs_no_dask(ensemble, tmp_path):
+    folder, script = tmp_path / "many", tmp_path / "jobs.sh"
+    ended = call("ensemble", PEPTIDE, "-o", folder, *WORDS, "--slurm-script", script)
+    assert ended.returncode == 0, ended.stderr
+    text = script.read_text()
+    assert "#SBATCH --array=0-5\n" in text
+    assert text.isascii()
+    for job in range(6):
+        environment = {**os.environ, "SLURM_ARRAY_TASK_ID": str(job)}
+        subprocess.run(["sh", script], env=environment, check=True, capture_output=True)
+    assert same_files(folder, ensemble)
+    again = made(PEPTIDE, "-o", folder, *WORDS, "--scheduler", "tcp://127.0.0.1:1")
+    assert (again["shards_found"], again["shards_made"]) == (6, 0)
+    assert call("ensemble", "--verify", folder).returncode == 0
+
+
+def test_more_shards_than_an_array_has_jobs(tmp_path):
+    folder, script = tmp_path / "many", tmp_path / "jobs.sh"
+    words = ("--walkers", 2500, "--shard-size", 1, "--slurm-script", script)
+    assert call("ensemble", PEPTIDE, "-o", folder, *words).returncode == 0
+    text = script.read_text()
+    assert "--array=0-999\n" in text
+    # Each job takes every 1000th shard: with a program that only tells them.
+    tell = re.sub(r"\S+ -m pliant.*--only", "echo", text)
+    assert "echo" in tell
+    for job, shards in ((0, [0, 1000, 2000]), (499, [499, 1499, 2499]), (500, [500, 1500])):
+        environment = {"SLURM_ARRAY_TASK_ID": str(job)}
+        told = subprocess.run(
+            ["/bin/sh", "-c", tell], env=environment, check=True, capture_output=True, text=True
+        ).stdout.split()
+        assert [int(number) for number in told] == shards
+
+
+# A queue of Slurm as far as dask-jobqueue sees it: jobs begin at once, on this machine.
+SBATCH = """#!/bin/sh
+(exec setsid sh "$1" > /dev/null 2>&1) &
+echo $! >> "{folder}/jobs"
+echo "Submitted batch job $!"
+"""
+SCANCEL = """#!/bin/sh
+kill -- "-$1" 2> /dev/null
+exit 0
+"""
+
+
+def test_jobs_of_a_queue(ensemble, tmp_path):
+    pytest.importorskip("dask_jobqueue")
+    programs = tmp_path / "bin"
+    programs.mkdir()
+    for name, text in (("sbatch", SBATCH), ("scancel", SCANCEL)):
+        (programs / name).write_text(text.format(folder=tmp_path))
+        (programs / name).chmod(stat.S_IRWXU)
+    settings = tmp_path / "slurm.yaml"
+    settings.write_text("queue_system: slurm\njobs: 2\ncores: 1\nmemory: 1GB\n")
+    environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}"}
+    made(PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", settings, env=environment,
+         cwd=tmp_path)  # fmt: skip
+    assert len((tmp_path / "jobs").read_text().split()) >= 2
+    assert same_files(tmp_path / "many", ensemble)
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("queue_system: bus\n", "queue_system: expected one of slurm, pbs"),
+        ("queue_system: slurm\n", "jobs: expected a whole number from 1"),
+        ("queue_system: slurm\njobs: 2\ncores: 1\n", "memory"),
+        ("[1, 2]\n", "expected settings"),
+        ("a: [\n", "slurm.yaml: "),
+    ],
+)
+def test_a_bad_cluster_file(tmp_path, text, message):
+    path = tmp_path / "slurm.yaml"
+    path.write_text(text)
+    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", path)
+    assert ended.returncode == 1, ended.stderr
+    assert message in ended.stderr
+    shutil.rmtree(tmp_path / "many")

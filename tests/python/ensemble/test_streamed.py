@@ -1,0 +1,142 @@
+# SPDX-License-Identifier: MIT
+"""``pliant analyse DIR`` tells what one who has all frames in memory computes."""
+
+import csv
+import json
+import tracemalloc
+
+import MDAnalysis
+import numpy as np
+import pytest
+from ensembles import PEPTIDE, call, frames_of, made, shards_of
+from MDAnalysis.analysis.align import rotation_matrix
+from pliant.ensemble.flexibility import flexibility
+from pliant.ensemble.plan import load_plan
+from pliant.ensemble.sums import Task, sums_of, superposed
+
+
+@pytest.fixture(scope="module")
+def many(tmp_path_factory):
+    """64 walkers with contacts that may break."""
+    folder = tmp_path_factory.mktemp("streamed") / "many"
+    words = ("--walkers", 64, "--shard-size", 10, "--model", "protein", "--steps", 20)
+    made(PEPTIDE, "-o", folder, *words, "--every", 4, "--perturb", "displacement")
+    return folder
+
+
+def moved_by_mdanalysis(frames, reference):
+    centred = reference - reference.mean(axis=0)
+    moved = []
+    for frame in frames:
+        rotation, _ = rotation_matrix(frame - frame.mean(axis=0), centred)
+        moved.append((frame - frame.mean(axis=0)) @ rotation.T + reference.mean(axis=0))
+    return np.array(moved)
+
+
+@pytest.fixture(scope="module")
+def oracle(many):
+    """All frames at once, superposed by MDAnalysis: walkers, and positions of CA."""
+    trace = MDAnalysis.Universe(many / "ensemble.pliant").select_atoms("name CA").ix
+    positions, _, _, walkers = frames_of(shards_of(many), names=("walker",))
+    mean = moved_by_mdanalysis(positions[:, trace], positions[0, trace]).mean(axis=0)
+    return walkers, moved_by_mdanalysis(positions[:, trace], mean)
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_flexibility_is_that_of_all_frames(many, oracle, workers):
+    walkers, moved = oracle
+    found = flexibility(many, workers)
+    square = ((moved - moved.mean(axis=0)) ** 2).sum(axis=2)
+    assert (found.frames, found.walkers) == (64 * 6, 64)
+    assert found.rmsf == pytest.approx(np.sqrt(square.mean(axis=0)), rel=1e-9)
+    of_walkers = np.array([square[walkers == w].mean(axis=0) for w in range(64)])
+    error = of_walkers.std(axis=0, ddof=1) / 8 / (2 * found.rmsf)
+    assert found.error == pytest.approx(error, rel=1e-7)
+    for half, chosen in zip(found.halves, (walkers % 2 == 0, walkers % 2 == 1), strict=True):
+        part = moved[chosen] - moved[chosen].mean(axis=0)
+        assert half == pytest.approx(np.sqrt((part**2).sum(axis=2).mean(axis=0)), rel=1e-9)
+    assert found.correlation == pytest.approx(np.corrcoef(*found.halves)[0, 1])
+
+
+def test_collective_motions_are_those_of_all_frames(many, oracle):
+    _, moved = oracle
+    found = flexibility(many)
+    covariance = np.cov(moved.reshape(len(moved), -1).T, bias=True)
+    values, vectors = np.linalg.eigh(covariance)
+    assert found.variances == pytest.approx(values[::-1][:10], rel=1e-8)
+    assert found.total_variance == pytest.approx(np.trace(covariance))
+    assert abs((found.modes * vectors[:, ::-1][:, :10]).sum(axis=0)) == pytest.approx(np.ones(10))
+
+
+def test_errors_are_what_drawing_walkers_anew_gives(many, oracle):
+    walkers, moved = oracle
+    square = ((moved - moved.mean(axis=0)) ** 2).sum(axis=2)
+    of_walkers = np.array([square[walkers == w].mean(axis=0) for w in range(64)])
+    draws = np.random.default_rng(1).integers(64, size=(4000, 64))
+    spread = np.sqrt(of_walkers[draws].mean(axis=1)).std(axis=0)
+    assert flexibility(many).error == pytest.approx(spread, rel=0.1)
+
+
+def test_contacts_and_residuals_are_counted(many):
+    names = ("contacts_held", "max_residual")
+    _, _, _, held, residual = frames_of(shards_of(many), names=names)
+    found = flexibility(many)
+    assert sum(share for _, _, share in found.contacts) == pytest.approx(held.mean())
+    assert found.max_residual == residual.max()
+
+
+def test_memory_does_not_grow_with_frames(many):
+    trace = np.arange(20)
+    reference = frames_of(shards_of(many)[:1])[0][0, trace]
+
+    def peak(times):
+        task = Task(load_plan(many), shards_of(many) * times, trace, reference, True)
+        tracemalloc.start()
+        sums_of(task)
+        most = tracemalloc.get_traced_memory()[1]
+        tracemalloc.stop()
+        return most
+
+    peak(1)
+    assert peak(8) < 1.1 * peak(1)
+
+
+def test_mirror_images_are_not_superposed():
+    points = np.random.default_rng(2).normal(size=(12, 3))
+    mirrored = points * [1, 1, -1]
+    assert superposed(mirrored[None], points)[0] != pytest.approx(points, abs=0.1)
+    turned = points @ np.linalg.qr(np.random.default_rng(3).normal(size=(3, 3)))[0]
+    turned *= np.sign(np.linalg.det(np.linalg.lstsq(points, turned, rcond=None)[0]))
+    assert superposed(turned[None] + 5, points)[0] == pytest.approx(points, abs=1e-9)
+
+
+def test_the_command_writes_tables_and_a_figure(many, tmp_path):
+    ended = call("analyse", many, "-o", tmp_path / "r", "--json")
+    assert ended.returncode == 0, ended.stderr
+    result = json.loads(ended.stdout)
+    assert (result["walkers"], result["units"], result["unit"]) == (64, 20, "residue")
+    for path in result["outputs"]["tables"] + result["outputs"]["figures"]:
+        assert (tmp_path / "r" / path).stat().st_size > 0
+    with (tmp_path / "r" / "flexibility.csv").open() as file:
+        rows = list(csv.DictReader(file))
+    assert [row["residue"] for row in rows][:2] == ["SER1", "PRO2"]
+    assert np.mean([float(row["rmsf_angstrom"]) for row in rows]) == result["flexibility_mean"]
+    text = call("analyse", many / "ensemble.pliant", "-o", tmp_path / "s").stdout
+    assert "64 walkers" in text
+    assert "left out        clusters" in text
+
+
+def test_what_goes_with_one_file_is_refused(many, tmp_path):
+    ended = call("analyse", many, "-o", tmp_path / "r", "--superpose", "name CB")
+    assert (ended.returncode, ended.stderr.count("\n")) == (2, 1)
+    assert "--superpose: goes with one file" in ended.stderr
+    ended = call("analyse", tmp_path)
+    assert ended.returncode == 1
+    assert "expected the folder of an ensemble" in ended.stderr
+
+
+def test_one_walker_has_no_error(tmp_path):
+    made(PEPTIDE, "-o", tmp_path / "one", "--walkers", 1, "--steps", 10)
+    ended = call("analyse", tmp_path / "one", "-o", tmp_path / "r")
+    assert ended.returncode == 1
+    assert "one walker: errors and convergence need two" in ended.stderr
