@@ -250,7 +250,7 @@ def test_proteins_go_along_modes(tmp_path):
 
 def test_what_cannot_turn_is_told(tmp_path):
     _, path = molecule("c1ccccc1", tmp_path)
-    with pytest.warns(pliant.PliantWarning, match="all conformers are the start"):
+    with pytest.warns(pliant.PliantWarning, match="all conformers are the same"):
         ensemble = pliant.sample(pliant.read(path), 3)
     assert ensemble.positions[2] == pytest.approx(ensemble.positions[0])
 

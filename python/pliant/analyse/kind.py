@@ -20,21 +20,21 @@ WHITE = 100
 SENTENCES = {
     ENSEMBLE: (
         "An ensemble: frames are independent and show what can move. How often a shape occurs is "
-        "not claimed, and how far frames go on the whole was put in."
+        "not known, and how far frames go overall was an input."
     ),
     PATH: (
         "Not an ensemble: each frame is the one before, pushed and resolved. How far atoms got "
-        "depends on the pushes and on how many there were, so that these fluctuations are no "
-        "property of the molecule. For those of a molecule see pliant sample."
+        "depends on the pushes and on how many there were, so these fluctuations are not a "
+        "property of the molecule. For those, see pliant sample."
     ),
     TRANSITION: (
-        "A path from one structure to another: frames lie in the order of the way, and show that "
-        "it can be gone. They tell nothing of time, of rates, or of how often a shape occurs; "
-        "fluctuations are those of the way, and no property of the molecule. The 3-D view plays it."
+        "A path from one structure to another: the frames are in order, and show that there is a "
+        "way. They say nothing about time, rates, or how often a shape occurs; the fluctuations "
+        "are those of the path, not a property of the molecule. The 3-D view plays it."
     ),
     TRAJECTORY: (
-        "A trajectory of another program: fluctuations are what it gives; errors come from blocks "
-        "of frames that are longer than what the slowest motion remembers."
+        "A trajectory of another program: its fluctuations are taken as they are; errors come from "
+        "blocks of frames that are longer than the correlation time of the slowest motion."
     ),
 }
 

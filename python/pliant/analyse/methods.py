@@ -5,7 +5,7 @@ METHODS = (
     ("Flexibility", "RMSF of each residue's CA (or P; else of its atoms but hydrogens) about the "
      "average, after superposition on it. Errors come from independent blocks of frames: those of "
      "a hundred that pliant sample makes, else stretches of ten correlation lengths. Relative "
-     "variances of few blocks are drawn towards their mean over all residues (Smyth 2004), and "
+     "variances of few blocks are shrunk towards their mean over all residues (Smyth 2004), and "
      "widened by Student's t."),
     ("Converged", "The profiles of the two halves of the frames correlate by 0.95 or more and "
      "differ by 10 % or less."),
@@ -13,9 +13,9 @@ METHODS = (
      "domain is added while it explains 8 % more of the fluctuation by moving rigidly; all must "
      "explain 30 %. Hinges are neighbours of two domains."),
     ("Collectivity", "exp of the entropy of the residues' shares, over their number (Brueschweiler "
-     "1995): 1 where all move alike."),
+     "1995): 1 if all move equally."),
     ("Stereochemistry", "Up to 100 frames, spread over all. Bond angles against the start "
-     "structure; carbons that turned over; centres with three neighbours off their plane; "
+     "structure; inverted carbons; centres with three neighbours off their plane; "
      "phi and psi of residues but glycine and proline in regions that hold 90 % (favoured) and "
      "99.5 % (allowed) of those of 500 crystal structures (Lovell 2003); heavy atoms more than "
      "three bonds apart that are nearer than the outer limits of Ramachandran and Sasisekharan "
@@ -28,7 +28,7 @@ METHODS = (
      "average structure, which is found by iteration. For a residue: root of the mean of its "
      "atoms' squares."),
     ("Torsions", "A bond is rotatable when it is in no ring and both ends have another neighbour. "
-     "Mean and spread are circular; a spread beyond 180° means that all angles are about alike."),
+     "Mean and spread are circular; beyond 180° it means that all angles are equally likely."),
     ("PCA", "Eigenvectors of the covariance of the superposed coordinates. A cosine content near "
      "1 says that the motion along a component looks like a random walk: the run is too short to "
      "have visited its states repeatedly."),

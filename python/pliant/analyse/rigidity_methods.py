@@ -2,14 +2,14 @@
 """How rigidity is counted, and how its page is to be read."""
 
 READING = (
-    "What holds together over a range of cut-offs is to be believed; a cluster is not stiff, and a "
-    "degree of freedom is no amplitude."
+    "Believe what holds together over a range of cut-offs. A cluster is not necessarily stiff, and "
+    "a degree of freedom is not an amplitude."
 )
 
 METHODS = (
     (
         "Count",
-        "Each atom is a body with six freedoms. A bond that may turn takes five of them (a hinge), "
+        "Each atom is a body with six freedoms. A bond that can rotate removes five (a hinge), "
         "one that does not six, a hydrogen bond five, a hydrophobic contact two, unless they "
         "depend on those before: internal degrees of freedom = 6 atoms - independent bars - "
         "6 parts (D. J. Jacobs, M. F. Thorpe, Phys. Rev. Lett. 75 (1995) 4051; D. J. Jacobs, A. J. "
@@ -32,12 +32,12 @@ METHODS = (
     ),
     (
         "Dilution",
-        "Hydrogen bonds go one by one, the weakest first (B. M. Hespenheide, A. J. Rader, M. F. "
-        "Thorpe, L. A. Kuhn, J. Mol. Graph. Model. 21 (2002) 195).",
+        "Hydrogen bonds are removed one by one, weakest first (B. M. Hespenheide, A. J. Rader, M. "
+        "F. Thorpe, L. A. Kuhn, J. Mol. Graph. Model. 21 (2002) 195).",
     ),
     (
         "Not claimed",
-        "The count knows no positions: flat rings and axes that meet by symmetry may move where it "
-        "says rigid. Contacts are there or not; all hangs on which of them count.",
+        "The count ignores positions: flat rings and axes that meet by symmetry may move where it "
+        "says rigid. Contacts are there or not; everything depends on which of them count.",
     ),
 )

@@ -130,7 +130,7 @@ def _lead(facts: RigidityFacts) -> str:
 def _numbers(facts: RigidityFacts) -> list[tuple[str, str, str]]:
     counts = facts.counts
     clustered = int(facts.sizes[: facts.named].sum())
-    hinges = f"of {counts['bonds_that_may_turn']} bonds that may turn are flexible"
+    hinges = f"of {counts['bonds_that_may_turn']} bonds that can rotate are flexible"
     return [
         (f"{counts['degrees_of_freedom']:,}", "", "internal degrees of freedom"),
         (str(facts.named), "", "rigid clusters with a colour"),
@@ -155,7 +155,9 @@ def _sections(facts: RigidityFacts) -> Iterator[str]:
         yield _picture(profile_svg(facts), PROFILE_CAPTION)
         yield _segments(facts)
     if facts.dilution_svg:
-        yield "<h2>As hydrogen bonds go</h2>" + _picture(facts.dilution_svg, DILUTION_CAPTION)
+        yield "<h2>As hydrogen bonds are removed</h2>" + _picture(
+            facts.dilution_svg, DILUTION_CAPTION
+        )
 
 
 def _clusters(facts: RigidityFacts) -> str:
@@ -197,13 +199,13 @@ def _segments(facts: RigidityFacts) -> str:
 
 
 PROFILE_CAPTION = (
-    "Flexibility of each residue (mean of its N-CA and CA-C bonds: 1 turns freely, 0 locked, "
-    "below 0 locked by more bars than it takes), and the cluster of its alpha carbon."
+    "Flexibility of each residue (mean of its N-CA and CA-C bonds: 1 rotates freely, 0 locked, "
+    "below 0 locked by more bars than needed), and the cluster of its alpha carbon."
 )
 
 DILUTION_CAPTION = (
-    "Hydrogen bonds and salt bridges are taken out one by one, the weakest first; one line each "
-    "time that clusters change. What stays longest is the core; where bars come apart are hinges."
+    "Hydrogen bonds and salt bridges are removed one by one, weakest first; one line each "
+    "time that clusters change. What lasts longest is the core; it comes apart at hinges."
 )
 
 

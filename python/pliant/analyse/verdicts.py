@@ -61,7 +61,7 @@ def shape_rows(study: Study) -> list[ShapeRow]:
             f"change of {MOST_ANGLE:g}°", bool(found.angle.max() <= MOST_ANGLE),
         ),
         ShapeRow(
-            "overlaps of heavy atoms", f"{found.overlaps.mean():.2g} new a frame, "
+            "overlaps of heavy atoms", f"{found.overlaps.mean():.2g} new per frame, "
             f"{found.overlap.max():.2f} Å deep at most",
             f"{start['overlaps']:.0f}, {start['overlap']:.2f} Å",
             f"new ones of {MOST_OVERLAP:g} Å", bool(found.overlap.max() <= MOST_OVERLAP),
@@ -70,7 +70,7 @@ def shape_rows(study: Study) -> list[ShapeRow]:
     if len(shape.corners.handed):
         flips = int(np.count_nonzero(found.flips))
         rows.append(ShapeRow(
-            "chirality", f"{flips} frames with a centre turned over", "0", "none", flips == 0
+            "chirality", f"{flips} frames with an inverted centre", "0", "none", flips == 0
         ))  # fmt: skip
     if len(shape.corners.planar):
         worst = float(found.plane.max())
@@ -165,7 +165,7 @@ def _convergence(study: Study) -> Verdict:
         f"Errors come from {found.blocks} blocks."
     )
     if study.kind == ENSEMBLE and len(study.frames) < 200:
-        details += " Fewer than 200 frames are no two whole blocks: errors are rather too large."
+        details += " Fewer than 200 frames do not fill two blocks: errors may be too large."
     if found.converged:
         what = "The halves agree" if study.kind in NO_ENSEMBLES else "The flexibility is converged"
         return Verdict("good", f"{what}.", details)
@@ -202,7 +202,7 @@ def _amplitude(study: Study) -> Verdict | None:
     sentence = f"Amplitude: asked {float(asked):.2f} Å, reached {reached:.2f} Å."
     details = (
         "Mean RMSF after superposition. It is an input: which parts move more than others is a "
-        "result, how far they move on the whole is not."
+        "result, how far they move overall is not."
     )
     kind = "mixed" if reached < LEAST_REACHED * float(asked) else "open"
     return Verdict(kind, sentence, details)

@@ -54,7 +54,7 @@ def test_python_writes_the_page_that_the_command_writes(page, tmp_path):
     with pytest.raises(pliant.FileError, match=r"adk.html: exists; --overwrite replaces it"):
         found.write_page(tmp_path / "adk.html")
     found.write_page(tmp_path / "adk.html", overwrite=True)
-    assert "As hydrogen bonds go" not in (tmp_path / "adk.html").read_text()
+    assert "As hydrogen bonds are removed" not in (tmp_path / "adk.html").read_text()
 
 
 def test_of_a_small_molecule_too(tmp_path):

@@ -114,7 +114,7 @@ FIGURES = (
     ),
     FigureKind(
         "residuals", EXACT, series.residuals, _has("residuals"),
-        "How far the worst bar of each frame, and the bars on the whole, are from their rest "
+        "How far the worst bar of each frame, and the bars overall, are from their rest "
         "lengths: computed anew from the coordinates in the file.",
     ),
     FigureKind(
