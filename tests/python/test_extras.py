@@ -19,7 +19,7 @@ except ModuleNotFoundError:  # Python 3.10
 
 ROOT = Path(__file__).parents[2]
 CAFFEINE = ROOT / "data" / "molecules" / "caffeine.sdf"
-EXTRAS = ("MDAnalysis", "matplotlib", "openmm", "rdkit", "rich", "scipy")
+EXTRAS = ("MDAnalysis", "dask", "distributed", "matplotlib", "openmm", "rdkit", "rich", "scipy")
 
 # Modules of these names are not found, as if they were not installed.
 HIDE = """
@@ -119,6 +119,8 @@ def commands():
         ("bench", ["work-precision", str(CAFFEINE)], "openmm", "OpenMM", "lab"),
         ("bench", ["work-precision", str(CAFFEINE), "-o", "x.png"], "matplotlib", "matplotlib",
          "lab"),
+        ("ensemble", [str(CAFFEINE), "-o", "x", "--walkers", "2"], "distributed",
+         "dask.distributed", "ensemble"),
         ("bench", ["scaling"], "scipy", "SciPy", "lab"),
         ("bench", ["stress"], "openmm", "OpenMM", "lab"),
         ("experiment", ["report", "."], "matplotlib", "matplotlib", "plot"),
