@@ -41,7 +41,7 @@ struct Shared {
   const Log& log;
   ProgressBar& progress;
   std::vector<Vec3>& last;
-  LiveRun* live;  ///< null: nobody looks
+  LiveRun* live;                                  ///< null: nobody looks
   std::unique_ptr<WalkerSequence> sequence = {};  ///< of --one-file; else null
   std::mutex showing = {};
   std::int64_t steps_done = 0;  ///< under the mutex

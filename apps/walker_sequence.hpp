@@ -32,7 +32,8 @@ class KeptFrames {
 /// number of threads. Calls must come one after another.
 class WalkerSequence {
  public:
-  WalkerSequence(FrameOutput output, std::int64_t first) : output_(std::move(output)), next_(first) {}
+  WalkerSequence(FrameOutput output, std::int64_t first)
+      : output_(std::move(output)), next_(first) {}
 
   /// The walker has come to its end. Throws as recorders do.
   void end(std::int64_t walker, KeptFrames frames);

@@ -302,3 +302,9 @@ def positive(path: str, name: str, value: Any, least: float = math.ulp(0.0)) -> 
         return float(value)
     wanted = "a number above 0" if least > 0 else "a number from 0"
     raise InputError(f"{path}: /{name}: expected {wanted}, found {value}")
+
+
+def rounded_to(positions: h5py.Dataset) -> float:
+    """What the coordinates of a dataset are multiples of, in its unit; 0 where it says nothing."""
+    value = attribute(positions, "rounded_to")
+    return float(value) if isinstance(value, (int, float)) and 0 < value < 1 else 0.0

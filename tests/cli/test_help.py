@@ -25,6 +25,7 @@ PAGES = {
     "pliant-representatives": ["representatives", "--help"],
     "pliant-compare": ["compare", "--help"],
     "pliant-convert": ["convert", "--help"],
+    "pliant-ensemble": ["ensemble", "--help"],
     "pliant-path": ["path", "--help"],
     "pliant-watch": ["watch", "--help"],
     "pliant-demo": ["demo", "--help"],

@@ -25,7 +25,8 @@ def test_unknown_command_suggests_the_nearest(pliant):
     assert ended.code == 2
     assert ended.err == (
         'pliant: no command named "inffo" (did you mean "info"?); '
-        "known: demo, info, contacts, rigidity, run, sample, path, play, structgen, forcegen, "
+        "known: demo, info, contacts, rigidity, run, sample, ensemble, path, play, structgen, "
+        "forcegen, "
         "order, techniques, watch, check, analyse, representatives, compare, convert, recover, "
         "experiment, bench\n"
     )

@@ -19,7 +19,10 @@ except ModuleNotFoundError:  # Python 3.10
 
 ROOT = Path(__file__).parents[2]
 CAFFEINE = ROOT / "data" / "molecules" / "caffeine.sdf"
-EXTRAS = ("MDAnalysis", "anywidget", "matplotlib", "openmm", "rdkit", "rich", "scipy", "websockets")
+EXTRAS = (
+    "MDAnalysis", "anywidget", "dask", "distributed", "matplotlib", "openmm", "rdkit", "rich",
+    "scipy", "websockets",
+)  # fmt: skip
 
 # Modules of these names are not found, as if they were not installed.
 HIDE = """
@@ -121,6 +124,8 @@ def commands():
         ("bench", ["work-precision", str(CAFFEINE)], "openmm", "OpenMM", "lab"),
         ("bench", ["work-precision", str(CAFFEINE), "-o", "x.png"], "matplotlib", "matplotlib",
          "lab"),
+        ("ensemble", [str(CAFFEINE), "-o", "x", "--walkers", "2"], "distributed",
+         "dask.distributed", "ensemble"),
         ("bench", ["scaling"], "scipy", "SciPy", "lab"),
         ("bench", ["stress"], "openmm", "OpenMM", "lab"),
         ("play", ["--connect", ":8888", str(CAFFEINE)], "websockets", "websockets", "play"),

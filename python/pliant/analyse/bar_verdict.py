@@ -77,5 +77,10 @@ def _worst(study: Study) -> str:
         f"The worst is off by {scientific(found.max_relative[k])} of its length (tolerance "
         f"{tolerance_text(study)}): bar {name} in {where}. Computed anew from the "
         f"{'double' if residuals.precision == 'float64' else 'single'} precision "
-        "coordinates in the file."
+        f"coordinates in the file{_rounded(residuals.rounded_to)}."
     )
+
+
+def _rounded(unit: float) -> str:
+    """What the file says of coordinates that the run had rounded before they were written."""
+    return f", which are rounded to {scientific(unit)} Å; that much is allowed for" if unit else ""

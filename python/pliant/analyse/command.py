@@ -120,7 +120,7 @@ def _add_output(add: Callable[..., object]) -> None:
 
 
 def _is_ensemble(file: str) -> bool:
-    return Path(file).is_dir() or Path(file).suffix == ".pliant"
+    return Path(file, "ensemble.pliant").exists() or Path(file).suffix == ".pliant"
 
 
 def _analyse_ensemble(options: argparse.Namespace) -> int:

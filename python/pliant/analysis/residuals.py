@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
@@ -55,6 +56,8 @@ class BarResiduals(FrameAnalysis):
     precision : str
         "float64" or "float32": what the residuals were computed from. A 32-bit coordinate of
         50 Angstrom is known to 4e-6 Angstrom only.
+    rounded_to : float
+        What the file says that coordinates were rounded to, Angstrom; 0: they were not.
 
     Raises
     ------
@@ -94,13 +97,18 @@ class BarResiduals(FrameAnalysis):
         self.tolerance, self.tolerance_length = _tolerances(record, tolerance, tolerance_length)
         self._positions = positions or StoredPositions(universe.trajectory)
         self.precision = self._positions.precision
+        self.rounded_to = self._positions.rounded_to
 
     @property
     def accepted(self) -> np.ndarray:
-        """(B,) largest |length - rest| that is within the tolerance, Angstrom."""
+        """(B,) largest |length - rest| that is within the tolerance, Angstrom.
+
+        What rounding may do to a length comes on top, where the file says that it was done.
+        """
+        rounding = math.sqrt(3.0) * self.rounded_to  # half of it at both ends, each axis
         if self.tolerance_length > 0:
-            return np.full(len(self.bars), self.tolerance_length)
-        return self.tolerance * self.rest_lengths
+            return np.full(len(self.bars), self.tolerance_length + rounding)
+        return self.tolerance * self.rest_lengths + rounding
 
     def _prepare(self) -> None:
         for name in ("max_relative", "rms_relative", "max_length"):

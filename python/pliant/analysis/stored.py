@@ -42,6 +42,7 @@ class StoredPositions:
         self._ahead: np.ndarray | None = None
         self._ahead_from = self._last = -1
         self.precision = "float32"  #: of the numbers read: "float64" or "float32"
+        self.rounded_to = 0.0  #: coordinates are multiples of this, Angstrom; 0: as they were
         if isinstance(trajectory, H5MDReader) and isinstance(
             trajectory.filename, (str, os.PathLike)
         ):
@@ -58,6 +59,7 @@ class StoredPositions:
             unit = H5MDReader._unit_translation["length"].get(_hdf5.text(value, "unit"), "Angstrom")
             self._to_angstrom = units.get_conversion_factor("length", unit, "Angstrom")
             self.precision = "float64" if value.dtype.itemsize >= 8 else "float32"
+            self.rounded_to = _hdf5.rounded_to(value) * self._to_angstrom
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_file": None, "_ahead": None}

@@ -49,6 +49,7 @@ class Recording:
     angle_bars: bool  #: bars were made of angles too
     is_ensemble: bool  #: frames of `pliant sample`: each is drawn, none is made of the one before
     single: bool  #: positions are stored as 32-bit floats
+    rounded_to: float  #: coordinates are multiples of this, Angstrom; 0: as they were
     to_angstrom: float
     names: list[str]  #: (N) of the atoms; empty if the file has none
 
@@ -87,7 +88,8 @@ class Recording:
         Each coordinate is off by half a unit in the last place, at both ends, along three axes.
         """
         half_unit = 2.0**-24 if self.single else 2.0**-53
-        return 2.0 * math.sqrt(3.0) * half_unit * float(np.abs(positions).max(initial=0.0))
+        off = max(half_unit * float(np.abs(positions).max(initial=0.0)), self.rounded_to / 2)
+        return 2.0 * math.sqrt(3.0) * off
 
     def positions(self, frames: np.ndarray) -> np.ndarray:
         """(len(frames), N, 3) of ascending frame numbers."""
@@ -184,6 +186,7 @@ def _read(parts: _Parts) -> Recording:
         angle_bars=_has_angle_bars(parts),
         is_ensemble=bool(_scalars(parts, "parameters/sample")),
         single=value.dtype.itemsize < 8,
+        rounded_to=_hdf5.rounded_to(value) * _unit_of(parts, value),
         to_angstrom=_unit_of(parts, value),
         names=_read_names(parts, joints),
     )

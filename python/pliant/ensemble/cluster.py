@@ -39,7 +39,7 @@ def usual_workers() -> int:
 @contextlib.contextmanager
 def open_client(workers: int | None, scheduler: str | None, cluster: str | None) -> Iterator[Any]:
     """A client of Dask. Raises MissingPackageError, OptionError, InputError."""
-    need("pliant ensemble", "distributed")
+    need("pliant ensemble", "dask", "distributed")
     import dask
 
     dask.config.set({"distributed.scheduler.allowed-failures": _DEATHS})

@@ -11,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 from pliant._core import OptionError
+from pliant._extras import need
 from pliant.console import (
     EXIT_FAILED,
     EXIT_OK,
@@ -25,7 +26,7 @@ from pliant.console import (
 from pliant.ensemble.drive import Outcome, alone_in, complete
 from pliant.ensemble.make_shard import make_shard
 from pliant.ensemble.options import parse_options
-from pliant.ensemble.plan import Plan, load_plan, make_plan, settle, write_whole
+from pliant.ensemble.plan import PLAN, Plan, load_plan, make_plan, settle, write_whole
 from pliant.ensemble.slurm_script import slurm_script
 from pliant.ensemble.verify import verify
 
@@ -122,6 +123,8 @@ def _ensemble(
     if options.only is not None:
         _expect_no_more(file, passed_on, "--only")
         return _make_one(folder, options)
+    if options.slurm_script is None and not (folder / PLAN).exists():
+        need("pliant ensemble", "dask", "distributed")  # before anything is made
     plan = settle(folder, _plan(file, options, passed_on), options.shard_size)
     if options.slurm_script is not None:
         return _write_script(plan, folder, options, words)

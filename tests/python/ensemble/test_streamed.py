@@ -132,7 +132,7 @@ def test_what_goes_with_one_file_is_refused(many, tmp_path):
     assert "--superpose: goes with one file" in ended.stderr
     ended = call("analyse", tmp_path)
     assert ended.returncode == 1
-    assert "expected the folder of an ensemble" in ended.stderr
+    assert "is a folder, expected a trajectory file" in ended.stderr
 
 
 def test_one_walker_has_no_error(tmp_path):
