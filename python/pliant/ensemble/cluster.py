@@ -62,8 +62,8 @@ def open_client(workers: int | None, scheduler: str | None, cluster: str | None)
 def _regrown(grow: Callable[[], None]) -> Iterator[None]:
     """Asks for the full number of workers again and again.
 
-    A worker that dies at work is replaced by Dask, but one that dies while it starts is not: with
-    the last of them, everything would wait for ever.
+    Dask replaces a worker that dies at work, but may give up one that cannot start, as while the
+    package is installed anew: with the last of them, everything would wait for ever.
     """
     ended = threading.Event()
 
