@@ -9,15 +9,17 @@ import importlib.util
 import json
 import math
 import os
+import shutil
 import sys
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import Any, NoReturn, TextIO
 
 import numpy as np
 
 from pliant import _progress
-from pliant._core import Error, OptionError
+from pliant._core import Error, FileError, OptionError
 from pliant._extras import MissingPackageError, needed_by
 
 EXIT_OK = 0
@@ -28,6 +30,15 @@ EXIT_INTERRUPTED = 130
 
 MOST_PROCESSES = 1024  #: of ``--workers``
 MOST_DIGITS = 18  #: of a whole number: it fits into 64 bits
+
+
+def command_path() -> str:
+    """Path of the command ``pliant``. Raises FileError where it is not installed."""
+    beside = Path(sys.executable).with_name("pliant")
+    found = str(beside) if beside.exists() else shutil.which("pliant")
+    if found is None:
+        raise FileError("the command pliant is neither beside Python nor on the path")
+    return found
 
 
 class Parser(argparse.ArgumentParser):

@@ -62,10 +62,10 @@ def _demo(arguments: argparse.Namespace) -> int:
     _refuse_to_replace([molecule, output], arguments.overwrite)
     folder.mkdir(parents=True, exist_ok=True)
     shutil.copyfile(MOLECULE, molecule)
-    _show(f"pliant info {molecule}")
+    _show(f'>>> structure = pliant.read("{molecule}")')
     structure = pliant.read(molecule)
     print(structure)
-    _show(f"pliant sample {molecule} --frames {arguments.frames} -o {output}")
+    _show(f'>>> pliant.sample(structure, {arguments.frames}, output="{output}")')
     ensemble = pliant.sample(
         structure, arguments.frames, output=output, overwrite=arguments.overwrite
     )
@@ -76,8 +76,8 @@ def _demo(arguments: argparse.Namespace) -> int:
     return console.EXIT_OK
 
 
-def _show(command: str) -> None:
-    print(f"\n$ {command}", flush=True)
+def _show(call: str) -> None:
+    print(f"\n{call}", flush=True)
 
 
 def _refuse_to_replace(files: Sequence[Path], overwrite: bool) -> None:
@@ -101,7 +101,7 @@ def _flexibility(structure: pliant.Structure, ensemble: pliant.SampledEnsemble) 
 
 def _report(ensemble: Path, folder: Path) -> None:
     words = [str(ensemble), "-o", str(folder)]
-    _show(f"pliant analyse {' '.join(words)}")
+    _show(f"$ pliant analyse {' '.join(words)}")
     try:
         need("the report", "MDAnalysis", "matplotlib", "scipy", extra="analysis")
     except MissingPackageError as missing:

@@ -83,29 +83,10 @@ build_pugixml() {
   "$AR" rcs "$folder/lib/libpugixml.a" "$folder/pugixml/pugixml.o"
 }
 
-# Whose code is in the wheel: licences as they come with the sources.
-write_notices() {
-  local name
-  for name in zlib/README bzip2/LICENSE xz-utils/COPYING hdf5/COPYING; do
-    printf '%s\n\n' "${name%/*}"
-    cat "$folder/src/$name"
-    printf '\n\n'
-  done
-  printf 'pugixml\n\n'
-  cat "$folder/pugixml/LICENSE.md"
-  printf '\n\nLLVM: libc++, libc++abi, libunwind\n\n'
-  cat "$zig/lib/libcxx/LICENSE.TXT"
-  for name in libeigen3 gemmi tao-pegtl libfmt nlohmann-json3 libcli11; do
-    printf '\n\n%s (headers of Debian)\n\n' "$name"
-    cat "/usr/share/doc/$name-dev/copyright"
-  done
-}
-
 mkdir -p "$folder/include" "$folder/lib"
-[ -f "$folder/notices.txt" ] && exit
+[ -f "$folder/whole" ] && exit
 fetch_sources
 for name in zlib bzip2 xz hdf5 pugixml; do
   (build_$name)
 done
-write_notices >"$folder/notices.new"
-mv "$folder/notices.new" "$folder/notices.txt" # last: it says that all is there
+touch "$folder/whole"

@@ -8,7 +8,7 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from multiprocessing import get_context
 from pathlib import Path
-from typing import TypeVar
+from typing import Any, TypeVar
 
 import numpy as np
 
@@ -18,6 +18,7 @@ from pliant.analyse.names import atom_labels, residue_labels
 from pliant.analysis.agreement import TEN, correlation, rmsip
 from pliant.analysis.recorded_contacts import contacts_of
 from pliant.ensemble.frames import EnsembleFrames
+from pliant.ensemble.plan import PLAN
 from pliant.ensemble.sums import Half, Sums, Task, mean_of, sums_of
 
 #: Units of which the matrix of covariances is kept: 3 x 2000 squared takes 288 MB, twice.
@@ -54,8 +55,11 @@ def flexibility(
 
     Raises FileError and InputError if there is no ensemble, or it has one walker only.
     """
+    import MDAnalysis
+
     frames = EnsembleFrames(folder)
-    unit, labels, atoms = _units(folder)
+    all_atoms = MDAnalysis.Universe(folder / PLAN).atoms
+    unit, labels, atoms = _units(all_atoms)
     first = np.empty((frames.atom_count, 3))
     frames.read(0, first)
     on_stage("mean")
@@ -64,15 +68,10 @@ def flexibility(
     sums = _sums(frames, atoms, reference, workers)
     if min(half.walkers for half in sums.halves) == 0:
         raise InputError(f"{folder}: one walker: errors and convergence need two")
-    return _result(unit, labels, sums, _contacts(frames, sums))
+    return _result(unit, labels, sums, _contacts(frames, sums, all_atoms))
 
 
-def _units(folder: Path) -> tuple[str, list[str], np.ndarray]:
-    import MDAnalysis
-
-    from pliant.ensemble.plan import PLAN
-
-    atoms = MDAnalysis.Universe(folder / PLAN).atoms
+def _units(atoms: Any) -> tuple[str, list[str], np.ndarray]:
     if hasattr(atoms, "names") and hasattr(atoms, "resnames"):
         trace = atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
         if len(trace) >= 3 and len(set(trace.resindices)) == len(trace):
@@ -179,14 +178,10 @@ def _principal(half: Half) -> tuple[np.ndarray, np.ndarray]:
     return np.maximum(values[::-1], 0.0), vectors[:, ::-1]
 
 
-def _contacts(frames: EnsembleFrames, sums: Sums) -> list[tuple[str, str, float]]:
+def _contacts(frames: EnsembleFrames, sums: Sums, atoms: Any) -> list[tuple[str, str, float]]:
     if sums.held is None:
         return []
-    import MDAnalysis
-
-    from pliant.ensemble.plan import PLAN
-
-    names = atom_labels(MDAnalysis.Universe(frames.folder / PLAN).atoms)
+    names = atom_labels(atoms)
     with _hdf5.open_file(frames.paths[0]) as file:
         found = contacts_of(file)
     if found is None or len(found.kinds) != len(sums.held):

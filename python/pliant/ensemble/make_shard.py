@@ -8,7 +8,6 @@ import ctypes
 import json
 import os
 import re
-import shutil
 import signal
 import subprocess
 import sys
@@ -17,7 +16,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from pliant._core import Error, FileError, OptionError
+from pliant._core import Error, OptionError
+from pliant.console import command_path
 from pliant.ensemble.inspect_shard import ShardRecord, inspect_shard
 from pliant.ensemble.plan import Plan, Shard
 
@@ -42,8 +42,9 @@ def make_shard(plan: Plan, shard: Shard, folder: str) -> ShardRecord:
         return inspect_shard(plan, shard, target)
     with _partial_name(Path(folder, MAKING)) as partial:
         _run(plan.words(shard, str(partial)))
-        inspect_shard(plan, shard, partial)
-        _publish(partial, target)
+        record = inspect_shard(plan, shard, partial)
+        if _publish(partial, target):
+            return record
     return inspect_shard(plan, shard, target)
 
 
@@ -57,25 +58,17 @@ def _partial_name(folder: Path) -> Iterator[Path]:
         path.unlink(missing_ok=True)
 
 
-def _publish(partial: Path, target: Path) -> None:
-    """On the disk before it has its name; never in place of a file that is there."""
+def _publish(partial: Path, target: Path) -> bool:
+    """On the disk before it has its name; False where there is a file of that name already."""
     with open(partial, "rb") as file:
         os.fsync(file.fileno())
     try:
         os.link(partial, target)
     except FileExistsError:
-        return
+        return False
     except OSError:  # a file system without links
         partial.rename(target)
-
-
-def command_path() -> str:
-    """The command ``pliant``: that beside this Python, or the one on PATH."""
-    beside = Path(sys.executable).with_name("pliant")
-    found = str(beside) if beside.exists() else shutil.which("pliant")
-    if found is None:
-        raise FileError("pliant: the command is neither beside this Python nor on PATH")
-    return found
+    return True
 
 
 def _run(words: list[str]) -> dict[str, Any]:

@@ -5,14 +5,13 @@ from __future__ import annotations
 
 import json
 import os
-import shutil
 import subprocess
 import sys
 import tempfile
 from dataclasses import dataclass
-from pathlib import Path
 
 from pliant._core import FileError
+from pliant.console import command_path
 
 # A process takes over the largest resident size of the one that started it: a small one does.
 STARTER = """\
@@ -36,19 +35,10 @@ class Cost:
     megabytes: float  #: largest resident size
 
 
-def command() -> str:
-    """Path of the command ``pliant``. Raises FileError where it is not installed."""
-    beside = Path(sys.executable).with_name("pliant")
-    found = str(beside) if beside.exists() else shutil.which("pliant")
-    if found is None:
-        raise FileError("the command pliant is neither beside Python nor on the path")
-    return found
-
-
 def cost_of(path: str | os.PathLike[str], frames: int) -> Cost:
     """Of ``pliant sample`` on one thread. Raises FileError with what it said if it fails."""
     with tempfile.TemporaryDirectory() as folder:
-        words = [command(), "sample", os.fspath(path), "-o", os.path.join(folder, "x.h5md"),
+        words = [command_path(), "sample", os.fspath(path), "-o", os.path.join(folder, "x.h5md"),
                  "--frames", str(frames), "--threads", "1", "--quiet"]  # fmt: skip
         done = subprocess.run([sys.executable, "-c", STARTER, *words], capture_output=True,
                               text=True, check=True)  # fmt: skip

@@ -33,7 +33,8 @@ class H5mdReader {
   /// Opens the file. While a recorder writes it, a read that meets a commit half done is repeated
   /// in the file opened anew, which may then have more frames; after two seconds of that it throws
   /// FileError "is being written by ...". Notes how many frames are left out
-  /// when positions, steps and times differ in number; warns when steps do not increase.
+  /// when positions, steps and times differ in number; warns when steps do not increase,
+  /// unless the file holds several walkers.
   explicit H5mdReader(const std::filesystem::path& path, const H5mdReadOptions& options = {});
   ~H5mdReader();
   H5mdReader(H5mdReader&&) noexcept;
