@@ -38,7 +38,7 @@ void check_outputs(const RunSettings& settings) {
   inputs.insert(inputs.end(), {settings.forces, settings.ordering});
   refuse_same_files(inputs, {settings.output});
   check_trajectory_name(settings.output);
-  check_record_options(settings.output, settings.record);
+  check_record_options(settings.output, settings.save, settings.record);
   refuse_same_files(inputs, outputs_of(settings));
 }
 
@@ -112,6 +112,7 @@ int command_run(const Arguments& arguments) {
   const Molecule molecule = load(settings.molecule, messages.log());
   tell_what_is_free(settings.molecule, molecule.structure, messages.log());
   complete(line, settings, molecule);
+  settings.record.saved = saved_joints(settings.save, molecule.framework);
   refuse_to_replace(settings);
   settings.record.log = messages.log();
   watch_for_interrupt();

@@ -12,7 +12,6 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/laboratory/recorded_sample.hpp"
-#include "pliant/record/topology_pdb.hpp"
 #include "pliant/sample/conformer_framework.hpp"
 #include "pliant/sample/samplers.hpp"
 #include "recorded_header.hpp"
@@ -34,7 +33,7 @@ H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model
 void check_outputs(const SampleSettings& settings) {
   refuse_same_files(inputs_of(settings), {settings.output});
   if (!is_sdf_name(settings.output)) check_trajectory_name(settings.output);
-  check_record_options(settings.output, settings.record);
+  check_record_options(settings.output, settings.save, settings.record);
   std::vector<std::string> outputs{settings.output};
   if (settings.topology != "none") outputs.push_back(settings.topology);
   refuse_same_files(inputs_of(settings), outputs);
@@ -45,15 +44,6 @@ void check_outputs(const SampleSettings& settings) {
   }
 }
 
-void write_topology(const SampleSettings& settings, const MolecularModel& model, const Log& log) {
-  if (settings.topology == "none") return;
-  TopologyPdbOptions options;
-  options.overwrite = settings.record.overwrite;
-  options.log = log;
-  write_topology_pdb(settings.topology, model.structure.atoms, model.positions,
-                     recorded_bonds(model.structure), options);
-}
-
 SdfMolecule sdf_molecule(const Structure& structure) {
   return {structure.title, structure.charges, structure.isotopes, structure.radicals};
 }
@@ -61,9 +51,10 @@ SdfMolecule sdf_molecule(const Structure& structure) {
 SampleSummary sample_to_file(const SampleSettings& settings, const MolecularModel& model,
                              const Log& log) {
   NetworkNodes nodes = nodes_of(model);
-  FrameOutput recorder(settings.output, model.framework, header_of(settings, model, nodes),
-                       settings.record, sdf_molecule(model.structure));
-  write_topology(settings, model, log);
+  const H5mdHeader header = header_of(settings, model, nodes);
+  FrameOutput recorder(settings.output, model.framework, header, settings.record,
+                       sdf_molecule(model.structure));
+  write_topology(settings.topology, model.framework, header, model.positions, settings.record);
   ProgressBar progress(settings.sample.frames, "frames", settings.quiet);
   SampleOptions options = settings.sample;
   options.should_stop = interrupted;
@@ -117,6 +108,7 @@ int command_sample(const Arguments& arguments) {
   if (!find_sampler(settings.sample.sampler).has_amplitude)
     model.framework = conformer_framework(model.framework, model.positions);
   choose_amplitude(settings, model, messages.log());
+  settings.record.saved = saved_joints(settings.save, model.framework);
   watch_for_interrupt();
   const SampleSummary summary = sample_to_file(settings, model, messages.log());
   warn_of_amplitude(summary, messages.log());

@@ -40,7 +40,8 @@ constexpr RecordedOption recorded_options[] = {{"input", "input/file"},
                                                {"--temperature", "sample/temperature"},
                                                {"--single", "record/single"},
                                                {"--compress", "record/compress"},
-                                               {"--precision", "record/precision"}};
+                                               {"--precision", "record/precision"},
+                                               {"--save", "record/save"}};
 
 constexpr const char* options_of_a_new_sample[] = {"--format", "--topology", "--overwrite"};
 

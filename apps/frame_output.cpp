@@ -6,10 +6,23 @@
 
 #include "output_files.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/printable.hpp"
+#include "pliant/molecule/selection.hpp"
 
 namespace pliant::app {
 
 namespace fs = std::filesystem;
+
+namespace {
+
+TopologyPdbOptions pdb_options(const H5mdOptions& options) {
+  TopologyPdbOptions pdb;
+  pdb.overwrite = options.overwrite;
+  pdb.log = options.log;
+  return pdb;
+}
+
+}  // namespace
 
 bool is_pdb_name(const std::string& output) {
   const std::string extension = extension_of(output);
@@ -21,7 +34,11 @@ bool is_sdf_name(const std::string& output) {
   return extension == ".sdf" || extension == ".sd";
 }
 
-void add_precision_option(CommandLine& line, H5mdOptions& options) {
+void add_saving_options(CommandLine& line, std::string& save, H5mdOptions& options) {
+  line.add_text(
+      "--save", save, "SELECTION",
+      "record only these atoms, such as \"name CA\" or \"not element H\" (default: all);\n"
+      "all move, but --continue needs all");
   line.add_real(
       "--precision", options.precision, Range::zero_to_one,
       "round positions, by half of this at most (Angstrom), and compress them; residuals\n"
@@ -29,7 +46,10 @@ void add_precision_option(CommandLine& line, H5mdOptions& options) {
       "as they are");
 }
 
-void check_record_options(const std::string& output, const H5mdOptions& options) {
+void check_record_options(const std::string& output, const std::string& save,
+                          const H5mdOptions& options) {
+  if (is_sdf_name(output) && !save.empty())
+    throw OptionError("--save: goes with H5MD and PDB, not with the SDF file " + output);
   if (!is_pdb_name(output) && !is_sdf_name(output)) return;
   for (const auto& [is_given, name] :
        {std::pair(options.single, "--single"), std::pair(options.compress, "--compress"),
@@ -37,6 +57,25 @@ void check_record_options(const std::string& output, const H5mdOptions& options)
     if (is_given)
       throw OptionError(std::string(name) + ": goes with H5MD, not with the " +
                         (is_pdb_name(output) ? "PDB" : "SDF") + " file " + output);
+}
+
+std::vector<Joint> saved_joints(const std::string& save, const Framework& framework) {
+  if (save.empty()) return {};
+  if (!framework.atoms()) throw OptionError("--save: the joints have no names");
+  return select_some_atoms(*framework.atoms(), save, "--save");
+}
+
+void write_topology(const std::string& path, const Framework& framework, const H5mdHeader& header,
+                    std::span<const Vec3> positions, const H5mdOptions& options) {
+  if (path == "none") return;
+  const TopologyPdbOptions pdb = pdb_options(options);
+  if (options.saved.empty())
+    return write_topology_pdb(path, *framework.atoms(), positions, header.bonds, pdb);
+  SavedPart part(framework, options.saved);
+  Frame frame;
+  frame.positions = positions;
+  write_topology_pdb(path, *part.framework().atoms(), part.shown(frame).positions,
+                     part.bonds_of(header.bonds), pdb);
 }
 
 FrameOutput::FrameOutput(const std::string& output, const Framework& framework,
@@ -52,15 +91,18 @@ FrameOutput::FrameOutput(const std::string& output, const Framework& framework,
     h5md_.emplace(output, framework, header, options);
     return;
   }
-  TopologyPdbOptions pdb;
-  pdb.overwrite = options.overwrite;
-  pdb.log = options.log;
-  pdb_.emplace(output, framework.atoms(), header.bonds, pdb);
+  if (options.saved.empty()) {
+    pdb_.emplace(output, framework.atoms(), header.bonds, pdb_options(options));
+    return;
+  }
+  part_.emplace(framework, options.saved);
+  pdb_.emplace(output, part_->framework().atoms(), part_->bonds_of(header.bonds),
+               pdb_options(options));
 }
 
 void FrameOutput::record(const Frame& frame) {
   if (h5md_) h5md_->record(frame);
-  if (pdb_) pdb_->record(frame);
+  if (pdb_) pdb_->record(part_ ? part_->shown(frame) : frame);
   if (sdf_) sdf_->record(frame);
 }
 

@@ -4,11 +4,13 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "command_line.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/saved_part.hpp"
 #include "pliant/record/pdb_recorder.hpp"
 #include "pliant/record/sdf_recorder.hpp"
 
@@ -20,11 +22,19 @@ bool is_pdb_name(const std::string& output);
 /// Whether the name is one of SDF (.sdf, .sd).
 bool is_sdf_name(const std::string& output);
 
-/// --precision, which several subcommands have.
-void add_precision_option(CommandLine& line, H5mdOptions& options);
+/// --save and --precision, which several subcommands have.
+void add_saving_options(CommandLine& line, std::string& save, H5mdOptions& options);
+
+/// The joints that --save names; none: all. Throws OptionError if it names none.
+std::vector<Joint> saved_joints(const std::string& save, const Framework& framework);
+
+/// Writes the names and bonds of what is recorded, at these positions (N, of all joints).
+void write_topology(const std::string& path, const Framework& framework, const H5mdHeader& header,
+                    std::span<const Vec3> positions, const H5mdOptions& options);
 
 /// Throws OptionError if options of H5MD are given for another file.
-void check_record_options(const std::string& output, const H5mdOptions& options);
+void check_record_options(const std::string& output, const std::string& save,
+                          const H5mdOptions& options);
 
 /// Records frames in the format that the name asks for.
 class FrameOutput {
@@ -42,6 +52,7 @@ class FrameOutput {
 
  private:
   std::optional<H5mdRecorder> h5md_;
+  std::optional<SavedPart> part_;  // of a PDB file
   std::optional<PdbRecorder> pdb_;
   std::optional<SdfRecorder> sdf_;
 };

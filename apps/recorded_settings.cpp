@@ -35,7 +35,8 @@ constexpr RecordedOption recorded_options[] = {{"input", "input/file"},
                                                {"--pair-distance", "guide/pair_distance"},
                                                {"--single", "record/single"},
                                                {"--compress", "record/compress"},
-                                               {"--precision", "record/precision"}};
+                                               {"--precision", "record/precision"},
+                                               {"--save", "record/save"}};
 
 /// Options of a new file.
 constexpr const char* options_of_a_new_run[] = {"--format", "--topology", "--overwrite",

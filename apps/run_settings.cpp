@@ -77,7 +77,7 @@ void add_output_options(CommandLine& line, RunSettings& settings) {
                 "wait for the disk at each commit, so that frames survive a power cut");
   line.add_flag("--single", settings.record.single, "positions as 32-bit floats");
   line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
-  add_precision_option(line, settings.record);
+  add_saving_options(line, settings.save, settings.record);
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
 }
@@ -272,6 +272,7 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
                  {"run/forces", fs::path(settings.forces).filename().string()},
                  {"record/single", settings.record.single},
                  {"record/compress", settings.record.compress},
+                 {"record/save", settings.save},
                  {"record/precision", settings.record.precision}});
   for (const auto& more : {parameters_of(settings.molecule.kind), parameters_of(settings.guide)})
     values.insert(values.end(), more.begin(), more.end());

@@ -19,6 +19,7 @@ struct RunSettings {
   RunOptions run;
   GuideSettings guide;
   H5mdOptions record;
+  std::string save;  ///< selection of the atoms to record; "": all
   ImdSettings imd;
   std::string go_on;               ///< trajectory whose run goes on; "": a new run
   std::string output;              ///< "": the input's name with .h5md, in the current folder

@@ -12,7 +12,6 @@
 #include "messages.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/laboratory/recorded_inputs.hpp"
-#include "pliant/record/topology_pdb.hpp"
 #include "pliant/run/ensemble.hpp"
 #include "pliant/run/replay_events.hpp"
 #include "pliant/run/run_fields.hpp"
@@ -60,13 +59,9 @@ FrameOutput output_for(const Shared& shared, std::int64_t walker) {
 
 /// One sidecar serves all walkers.
 void write_sidecar(const Shared& shared) {
-  if (shared.settings.topology == "none") return;
-  TopologyPdbOptions options;
-  options.overwrite = shared.settings.record.overwrite;
-  options.log = shared.log;
   const Structure& structure = shared.molecule.structure;
-  write_topology_pdb(shared.settings.topology, structure.atoms, structure.positions,
-                     recorded_bonds(structure), options);
+  write_topology(shared.settings.topology, shared.molecule.framework, molecule_header(structure),
+                 structure.positions, shared.settings.record);
 }
 
 /// What is not as usual, besides the settings that every force file has.

@@ -72,7 +72,7 @@ void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.add_flag("--overwrite", settings.record.overwrite, "replace existing outputs");
   line.add_flag("--single", settings.record.single, "positions as 32-bit floats");
   line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
-  add_precision_option(line, settings.record);
+  add_saving_options(line, settings.save, settings.record);
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
 }
@@ -185,6 +185,7 @@ std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
                          {"sample/amplitude_reason", settings.chosen_amplitude.reason},
                          {"record/single", settings.record.single},
                          {"record/compress", settings.record.compress},
+                         {"record/save", settings.save},
                          {"record/precision", settings.record.precision}});
   for (NamedParameter& one : parameters_of(molecule.kind)) all.push_back(std::move(one));
   return all;

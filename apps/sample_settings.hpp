@@ -22,6 +22,7 @@ struct SampleSettings {
   AmplitudeChoice chosen_amplitude;  ///< see choose_amplitude()
   std::int64_t threads = 0;          ///< 0: as many as there are cores
   H5mdOptions record;
+  std::string save;      ///< selection of the atoms to record; "": all
   std::string go_on;     ///< trajectory whose sample goes on; "": a new one
   std::string output;    ///< "": the input's name with .h5md, in the current folder
   std::string topology;  ///< sidecar PDB; "": the output's name with .pdb; "none": none

@@ -52,7 +52,8 @@ std::vector<NamedParameter> parameters_from(const nb::dict& values) {
 void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
                    const Framework& framework, const Structure* structure,
                    const nb::dict& parameters, bool single, bool compress, double precision,
-                   bool overwrite, double flush_seconds, bool durable, const RunOptions* run) {
+                   const std::string& save, bool overwrite, double flush_seconds, bool durable,
+                   const RunOptions* run) {
   H5mdHeader header = header_of(structure);
   header.parameters = parameters_from(parameters);
   if (run != nullptr)
@@ -61,6 +62,7 @@ void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
   const H5mdOptions options{.single = single,
                             .compress = compress,
                             .precision = precision,
+                            .saved = saved_joints(save, framework),
                             .overwrite = overwrite,
                             .flush_seconds = flush_seconds,
                             .durable = durable,
@@ -107,6 +109,9 @@ compress : bool
     Shuffle and gzip positions.
 precision : float
     Round positions, by half of this at most (Angstrom), and compress them; 0: as they are.
+save : str
+    Selection of the atoms to record; empty: all. The file then has no others, and no run goes on
+    from it.
 overwrite : bool
     Replace an existing file.
 flush_seconds : float
@@ -134,7 +139,7 @@ void bind_record(nb::module_& module) {
   nb::class_<LockedRecorder>(module, "H5mdRecorder", recorder_doc)
       .def("__init__", &make_recorder, "path"_a, "framework"_a, nb::kw_only(),
            "structure"_a = nb::none(), "parameters"_a = nb::dict(), "single"_a = false,
-           "compress"_a = false, "precision"_a = 0.0, "overwrite"_a = false,
+           "compress"_a = false, "precision"_a = 0.0, "save"_a = "", "overwrite"_a = false,
            "flush_seconds"_a = 1.0, "durable"_a = false, "run"_a = nb::none())
       .def("record", &record, "frame"_a,
            "Adds a frame, which must come after the last one and have finite positions and time.\n"

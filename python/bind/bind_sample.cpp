@@ -49,6 +49,7 @@ MolecularModel model_from(const nb::handle& argument, const std::string& model) 
 struct Output {
   std::optional<std::filesystem::path> path;
   H5mdOptions options;
+  std::string save = {};  ///< selection of the atoms; "": all
 };
 
 Output output_from(const std::optional<std::filesystem::path>& path, bool overwrite, bool single,
@@ -65,7 +66,7 @@ Output output_from(const std::optional<std::filesystem::path>& path, bool overwr
 
 H5mdHeader header_of_sample(const MolecularModel& model, const AmplitudeChoice& amplitude,
                             const NetworkNodes& nodes, const SampleOptions& options,
-                            const H5mdOptions& recording) {
+                            const H5mdOptions& recording, const std::string& save) {
   H5mdHeader header = header_of(&model.structure);
   header.inputs = sample_inputs(model.positions, nodes);
   header.parameters = parameters_of(options);
@@ -76,7 +77,9 @@ H5mdHeader header_of_sample(const MolecularModel& model, const AmplitudeChoice& 
                             {"sample/amplitude_reason", amplitude.reason},
                             {"model/kind", std::string(entry(model.kind).name)},
                             {"record/single", recording.single},
-                            {"record/compress", recording.compress}});
+                            {"record/compress", recording.compress},
+                            {"record/precision", recording.precision},
+                            {"record/save", save}});
   return header;
 }
 
@@ -87,9 +90,10 @@ void fill(SampledEnsemble& out, const SampleOptions& options, const Output& outp
   const NetworkNodes nodes = nodes_of(model.structure);
   std::optional<H5mdRecorder> recorder;
   if (output.path)
-    recorder.emplace(*output.path, model.framework,
-                     header_of_sample(model, out.amplitude, nodes, options, output.options),
-                     output.options);
+    recorder.emplace(
+        *output.path, model.framework,
+        header_of_sample(model, out.amplitude, nodes, options, output.options, output.save),
+        output.options);
   out.summary =
       sample(model.framework, model.positions, nodes, options, [&](const SampledFrame& frame) {
         if (recorder) recorder->record(recorded_frame(frame));
@@ -104,8 +108,9 @@ SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
                             int threads, const std::string& network, const std::string& sampler,
                             std::int64_t first_frame, double temperature, const std::string& model,
                             const std::optional<std::filesystem::path>& path, bool overwrite,
-                            bool single, bool compress) {
-  const Output output = output_from(path, overwrite, single, compress);
+                            bool single, bool compress, double precision, const std::string& save) {
+  Output output = output_from(path, overwrite, single, compress);
+  output.options.precision = precision;
   SampledEnsemble out{model_from(structure, model), {}, {}, {}};
   out.amplitude = amplitude_of(amplitude.value_or(usual_amplitude), out.model.structure);
   InterruptWatch watch("frames", frames);
@@ -129,6 +134,8 @@ SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
                       " has none: how far torsions turn is drawn");
   if (!has_amplitude)
     out.model.framework = conformer_framework(out.model.framework, out.model.positions);
+  output.save = save;
+  output.options.saved = saved_joints(save, out.model.framework);
   {
     const nb::gil_scoped_release no_gil;
     fill(out, options, output, watch);
@@ -203,7 +210,7 @@ model : str
     A name in ``models()``; empty: ``protein`` where there are residues, else ``molecule``.
 output : str or path, optional
     H5MD file to write besides; ``continue_sample`` goes on with it.
-overwrite, single, compress : bool
+overwrite, single, compress, precision, save
     As for ``H5mdRecorder``.
 
 Returns
@@ -324,14 +331,16 @@ void bind_sample(nb::module_& module) {
       "amplitude"_a = nb::none(), "seed"_a = usual.seed, "threads"_a = usual.threads,
       "network"_a = usual.network, "sampler"_a = "auto", "first_frame"_a = usual.first_frame,
       "temperature"_a = usual.temperature, "model"_a = "", "output"_a = nb::none(),
-      "overwrite"_a = false, "single"_a = false, "compress"_a = false,
+      "overwrite"_a = false, "single"_a = false, "compress"_a = false, "precision"_a = 0.0,
+      "save"_a = "",
       nb::sig(
           "def sample(structure: Structure | MolecularModel, frames: int = 200, *, "
           "amplitude: float | str | os.PathLike | None = None, seed: int = 0, threads: int = 1, "
           "network: str = \"shared\", sampler: str = \"auto\", first_frame: int = 0, "
           "temperature: float = 12.552, model: str = \"\", "
           "output: str | os.PathLike[str] | None = None, overwrite: bool = False, "
-          "single: bool = False, compress: bool = False) -> SampledEnsemble"),
+          "single: bool = False, compress: bool = False, precision: float = 0.0, "
+          "save: str = '') -> SampledEnsemble"),
       sample_doc);
   module.def("continue_sample", &continue_from, "path"_a, "frames"_a = nb::none(), nb::kw_only(),
              "threads"_a = usual.threads, "flush_seconds"_a = 1.0, "durable"_a = false,

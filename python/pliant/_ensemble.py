@@ -8,7 +8,8 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy.typing as npt
 
 from pliant import _core
-from pliant._run import JointForce, Observer, Ordering, Sweep, _options, _start
+from pliant._run import JointForce, Ordering, Sweep, _options, _start
+from pliant._run_outputs import Observer
 
 #: Gives the observers of a walker before it begins: recorders, or what is called with frames.
 ObserversOf = Callable[[int], Iterable[Observer | _core.H5mdRecorder]]

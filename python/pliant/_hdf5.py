@@ -308,3 +308,10 @@ def rounded_to(positions: h5py.Dataset) -> float:
     """What the coordinates of a dataset are multiples of, in its unit; 0 where it says nothing."""
     value = attribute(positions, "rounded_to")
     return float(value) if isinstance(value, (int, float)) and 0 < value < 1 else 0.0
+
+
+def joints_of_whole(particles: h5py.Group) -> int | None:
+    """How many atoms the molecule has, of which these particles are some; None: they are all."""
+    found = item(particles, "id")
+    count = None if found is None else plain(attribute(found, "joints_of_whole"))
+    return count if isinstance(count, int) and count > 0 else None

@@ -12,10 +12,18 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant import _core
-from pliant._output_names import check_trajectory_name, is_pdb_name
-
-#: What an observer is: it looks at a frame, and anything true that it returns ends the run.
-Observer = Callable[[_core.Frame], object]
+from pliant._output_names import is_pdb_name
+from pliant._run_outputs import (
+    Observer,
+    Value,
+    force_recorder,
+    parameters_of,
+    recording_of,
+    refuse_options_of_h5md,
+    refuse_to_overwrite,
+    without_h5md,
+    write_topology,
+)
 
 #: A technique of your own: called with (positions, sweep, framework) it makes one sweep.
 Sweep = Callable[[npt.NDArray[np.float64], int, _core.Framework], None]
@@ -25,8 +33,6 @@ JointForce = tuple[int, tuple[float, float, float]]
 
 #: Bars in the sequence of a sweep: (bar, near, is_tree), each (B,), as `order` gives them.
 Ordering = tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
-
-Value = bool | int | float | str
 
 
 def run(
@@ -66,6 +72,8 @@ def run(
     overwrite: bool = False,
     single: bool = False,
     compress: bool = False,
+    precision: float = 0.0,
+    save: str = "",
     flush_seconds: float = 1.0,
     durable: bool = False,
 ) -> _core.RunSummary:
@@ -124,8 +132,8 @@ def run(
         Further values for /parameters of the file, by path.
     overwrite : bool
         Replace existing outputs, but never the file that the structure was read from.
-    single, compress, flush_seconds, durable
-        As for `H5mdRecorder`.
+    single, compress, precision, save, flush_seconds, durable
+        As for `H5mdRecorder`; `save` also holds for the topology.
 
     Returns
     -------
@@ -166,22 +174,25 @@ def run(
         seed=seed,
         walker=walker,
     )
+    recording = recording_of(single, compress, precision, save)
     start = _start(state, structure)
-    _refuse_to_overwrite(structure, output, topology, record_forces)
-    forces = _force_recorder(record_forces, framework, options, overwrite, guide is not None)
+    refuse_to_overwrite(structure, output, topology, record_forces)
+    forces = force_recorder(record_forces, framework, options, overwrite, guide is not None)
     if topology is not None:
-        _write_topology(topology, structure, start, overwrite)
+        write_topology(topology, structure, start, save, overwrite)
     if output is None or is_pdb_name(output):
+        refuse_options_of_h5md(output, save, precision)
         steps_to = partial(_core.run_steps, framework, start, options)
-        return _without_h5md(steps_to, output, structure, overwrite, observers, forces)
+        return without_h5md(steps_to, output, structure, overwrite, observers, forces)
     recorder = _core.H5mdRecorder(
         output,
         framework,
         structure=structure,
-        parameters=_parameters(framework, structure, options, single, compress, built, parameters),
+        parameters=parameters_of(framework, structure, options, recording)
+        | built
+        | dict(parameters or {}),
         overwrite=overwrite,
-        single=single,
-        compress=compress,
+        **recording,
         flush_seconds=flush_seconds,
         durable=durable,
         run=options,
@@ -279,67 +290,6 @@ def _built(
     return chosen.framework(bars, lengths, pin), chosen, values
 
 
-def _without_h5md(
-    steps_to: Callable[..., _core.RunSummary],
-    output: str | os.PathLike[str] | None,
-    structure: _core.Structure | None,
-    overwrite: bool,
-    observers: Iterable[Observer],
-    forces: _core.ForceRecorder | None,
-) -> _core.RunSummary:
-    """A run that writes no frames, or models of a PDB file."""
-    if output is None:
-        return steps_to(list(observers), forces)
-    if structure is None:
-        raise TypeError("run: models of a PDB file need a structure")
-    with _core.PdbRecorder(output, structure, overwrite=overwrite) as models:
-        return steps_to([models, *observers], forces)
-
-
-def _write_topology(
-    path: str | os.PathLike[str],
-    structure: _core.Structure | None,
-    start: _core.State,
-    overwrite: bool,
-) -> None:
-    if structure is None:
-        raise TypeError("run: a topology needs a structure")
-    _core.write_topology_pdb(path, structure, positions=start.positions, overwrite=overwrite)
-
-
-def _refuse_to_overwrite(
-    structure: _core.Structure | None,
-    trajectory: str | os.PathLike[str] | None,
-    *others: str | os.PathLike[str] | None,
-) -> None:
-    if trajectory is not None:
-        check_trajectory_name(trajectory)
-    if structure is None or not os.path.exists(structure.source):
-        return
-    for output in (trajectory, *others):
-        if output and os.path.exists(output) and os.path.samefile(output, structure.source):
-            raise _core.OptionError(f"{os.fspath(output)}: is both input and output")
-
-
-def _force_recorder(
-    path: str | os.PathLike[str] | None,
-    framework: _core.Framework,
-    options: _core.RunOptions,
-    overwrite: bool,
-    guided: bool,
-) -> _core.ForceRecorder | None:
-    if path is None:
-        return None
-    if guided and not options.replay:
-        raise _core.OptionError("record_forces: a guide pushes by no force: give no guide")
-    if not options.replay and options.perturb != "force":
-        raise _core.OptionError(
-            "record_forces: a force file holds one force on one joint a step, which "
-            f'{options.perturb} is not; use perturb="force"'
-        )
-    return _core.ForceRecorder(path, framework, options, overwrite)
-
-
 def _options(
     replay: Sequence[JointForce] | None,
     guide: _core.Guide | None,
@@ -370,18 +320,3 @@ def _start(
     if structure is None:
         raise TypeError("run: a framework has no positions: give state")
     return _core.State(structure.positions)
-
-
-def _parameters(
-    framework: _core.Framework,
-    structure: _core.Structure | None,
-    options: _core.RunOptions,
-    single: bool,
-    compress: bool,
-    built: Mapping[str, Value],
-    more: Mapping[str, Value] | None,
-) -> dict[str, Value]:
-    values: dict[str, Value] = {"record/single": single, "record/compress": compress}
-    if structure is not None and structure.source:
-        values |= {"input/file": Path(structure.source).name, "input/model": structure.model}
-    return values | options.parameters(framework) | dict(built) | dict(more or {})

@@ -118,6 +118,7 @@
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"  // a run in a file, to go on
 #include "pliant/record/h5md/h5md_reader.hpp"             // frames of any H5MD file
 #include "pliant/record/h5md/h5md_recorder.hpp"           // frames to an H5MD file
+#include "pliant/record/h5md/saved_part.hpp"              // some of the joints, to record
 #include "pliant/record/pdb_recorder.hpp"                 // frames as models of a PDB file
 #include "pliant/record/sdf_recorder.hpp"                 // frames as records of an SDF file
 #include "pliant/record/topology_pdb.hpp"                 // names and bonds for other programs

@@ -73,6 +73,11 @@ def opened_study(options: StudyOptions) -> Study:
     study.atoms = _select(universe, options.select, "--select")
     study.fitted, study.fitted_name = _fitted(study)
     choose_frames(study)
+    if stored.joints_of_whole:
+        study.notes.append(
+            f"the file holds {len(universe.atoms)} of the molecule's {stored.joints_of_whole} "
+            "atoms (--save): bars and stereochemistry are looked at among these only"
+        )
     return study
 
 

@@ -188,7 +188,8 @@ def _stereochemistry(study: Study) -> Verdict:
     failed = [f"{row.name} ({row.found})" for row in rows if not row.passed]
     if failed:
         return Verdict("bad", f"Stereochemistry is broken: {', '.join(failed)}.", details)
-    return Verdict("good", "Stereochemistry holds.", details)
+    some = " of the recorded atoms" if study.stored.joints_of_whole else ""
+    return Verdict("good", f"Stereochemistry{some} holds.", details)
 
 
 def _amplitude(study: Study) -> Verdict | None:

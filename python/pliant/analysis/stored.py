@@ -43,6 +43,8 @@ class StoredPositions:
         self._ahead_from = self._last = -1
         self.precision = "float32"  #: of the numbers read: "float64" or "float32"
         self.rounded_to = 0.0  #: coordinates are multiples of this, Angstrom; 0: as they were
+        #: atoms of the molecule, of which the file holds some; None: it holds all
+        self.joints_of_whole: int | None = None
         if isinstance(trajectory, H5MDReader) and isinstance(
             trajectory.filename, (str, os.PathLike)
         ):
@@ -60,6 +62,7 @@ class StoredPositions:
             self._to_angstrom = units.get_conversion_factor("length", unit, "Angstrom")
             self.precision = "float64" if value.dtype.itemsize >= 8 else "float32"
             self.rounded_to = _hdf5.rounded_to(value) * self._to_angstrom
+            self.joints_of_whole = _hdf5.joints_of_whole(group)
 
     def __getstate__(self) -> dict[str, Any]:
         return {**self.__dict__, "_file": None, "_ahead": None}

@@ -169,6 +169,11 @@ class _Parts:
 def _read(parts: _Parts) -> Recording:
     value = parts.positions()
     joints = value.shape[1]
+    if whole := _hdf5.joints_of_whole(value.parent.parent):
+        raise InputError(
+            f"{parts.path}: holds {joints} of the molecule's {whole} atoms (--save): a check by a "
+            "force field needs all of them"
+        )
     frames = _complete_frames(parts, value)
     _hdf5.check_stored(value, frames * joints * 3)
     bars, rest_lengths = _read_bars(parts, joints)

@@ -26,9 +26,7 @@ void warn_of_cut_bonds(std::size_t cut, const Log& log) {
 }  // namespace
 
 Structure select_part(const Structure& structure, std::string_view selection, const Log& log) {
-  const std::vector<std::uint32_t> taken = select_atoms(structure.atoms, selection);
-  if (taken.empty())
-    throw OptionError("select: selection " + quoted(selection, 200) + " names no atom");
+  const std::vector<std::uint32_t> taken = select_some_atoms(structure.atoms, selection, "select");
   std::vector<bool> is_out(structure.size(), true);
   for (std::uint32_t atom : taken) is_out[atom] = false;
   log.note("select: " + std::to_string(taken.size()) + " of " + std::to_string(structure.size()) +

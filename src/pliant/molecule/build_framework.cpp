@@ -177,11 +177,7 @@ class FrameworkBuilder {
       parts_.masses.push_back(element_mass(element));
   }
 
-  void pin() {
-    parts_.pinned = select_atoms(structure_.atoms, options_.pin);
-    if (parts_.pinned.empty())
-      throw OptionError("pin: selection " + quoted(options_.pin, 200) + " names no atom");
-  }
+  void pin() { parts_.pinned = select_some_atoms(structure_.atoms, options_.pin, "pin"); }
 
   const Structure& structure_;
   const BuildOptions& options_;

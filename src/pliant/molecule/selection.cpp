@@ -216,4 +216,13 @@ std::vector<std::uint32_t> select_atoms(const AtomTable& atoms, std::string_view
   return selected;
 }
 
+std::vector<std::uint32_t> select_some_atoms(const AtomTable& atoms, std::string_view selection,
+                                             std::string_view option) {
+  std::vector<std::uint32_t> some = select_atoms(atoms, selection);
+  if (some.empty())
+    throw OptionError(std::string(option) + ": selection " + quoted(selection, 200) +
+                      " names no atom");
+  return some;
+}
+
 }  // namespace pliant

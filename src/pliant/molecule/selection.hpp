@@ -30,4 +30,9 @@ std::vector<SelectionWord> selection_words();
 /// Throws OptionError naming the word and the character (from 1) where it cannot be understood.
 std::vector<std::uint32_t> select_atoms(const AtomTable& atoms, std::string_view selection);
 
+/// The same for an option that must name at least one atom. Throws OptionError, which begins with
+/// `option`, where it names none.
+std::vector<std::uint32_t> select_some_atoms(const AtomTable& atoms, std::string_view selection,
+                                             std::string_view option);
+
 }  // namespace pliant

@@ -77,6 +77,7 @@
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/saved_part.hpp"
 #include "pliant/record/pdb_recorder.hpp"
 #include "pliant/record/sdf_recorder.hpp"
 #include "pliant/record/topology_pdb.hpp"
@@ -248,6 +249,7 @@ const Use uses[] = {
     of("pliant/record/h5md/h5md_reader.hpp", &H5mdReader::frames),
     of("pliant/record/h5md/h5md_recorder.hpp", &H5mdRecorder::flush),
     of("pliant/record/pdb_recorder.hpp", &PdbRecorder::close),
+    of("pliant/record/h5md/saved_part.hpp", &SavedPart::shown),
     of("pliant/record/sdf_recorder.hpp", &SdfRecorder::close),
     of("pliant/record/topology_pdb.hpp", &write_topology_pdb),
     of("pliant/record/xml/graph_xml.hpp", &looks_like_xml),

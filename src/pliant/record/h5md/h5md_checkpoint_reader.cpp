@@ -26,6 +26,9 @@ class CheckpointReader {
       : reader_(path, {.log = log}), file_(open_hdf5(path)) {
     found_.path = path;
     found_.parameters = reader_.parameters();
+    if (has_object(file_, h5md::id))
+      throw InputError(
+          "holds some of the molecule's atoms only (--save), so that its run cannot go on");
     if (!has_object(file_, "/parameters") || !has_object(file_, checkpoint::group) ||
         (!has_object(file_, checkpoint::state) && !has_object(file_, checkpoint::nodes)))
       throw InputError(

@@ -26,7 +26,7 @@ struct CountedFrame : Frame {
 /// Which files have an observable.
 using O = FrameOrigin;
 bool always(const Framework&, O) { return true; }
-bool of_limits_or_sterics(const Framework& framework, O) { return !framework.has_bars_only(); }
+bool of_limits_or_sterics(const Framework&, O origin) { return origin.has_limits_or_sterics; }
 bool of_limits(const Framework& framework, O) { return !framework.limits().empty(); }
 bool of_samples(const Framework&, O origin) { return origin.is_sample; }
 bool of_walkers(const Framework&, O origin) { return origin.several_walkers; }

@@ -20,6 +20,7 @@ inline constexpr double held_within = 0.1;
 struct FrameOrigin {
   bool is_sample = false;
   bool several_walkers = false;
+  bool has_limits_or_sterics = false;  ///< which may be of joints that are not recorded
 };
 
 /// All series of a file. Frames wait in memory between add() and write().

@@ -26,7 +26,11 @@ struct H5mdOptions {
   double precision = 0.0;  ///< positions are rounded by half of this at most (Angstrom), which
                            ///< makes them compress well, and compressed; 0: as they are. What is
                            ///< told of a frame, and the checkpoint, are of before the rounding
-  bool overwrite = false;  ///< replace an existing file once the new one has a frame
+  /// Joints to record, ascending; empty: all. The file is then one of these alone, with the bars,
+  /// bonds and limits among them, without sterics, and no run goes on from it. Observables are of
+  /// all joints, but for counts of contacts.
+  std::vector<Joint> saved = {};
+  bool overwrite = false;      ///< replace an existing file once the new one has a frame
   double flush_seconds = 1.0;  ///< frames are committed to the file this often (s); 0: each frame;
                                ///< infinity: the first and the last only, so that the same frames
                                ///< give the same bytes, however long they took
@@ -112,8 +116,8 @@ class H5mdRecorder {
                const H5mdHeader& header = {}, const H5mdOptions& options = {});
   /// Goes on in a file where read_checkpoint() says that it ends. Frames up to there, which the run
   /// shows again, are not recorded a second time; the last must have the bits that the file has. Of
-  /// the options, `single`, `compress` and `overwrite` are not looked at. Throws FileError when the
-  /// file cannot be written, or is being written, or has been since it was read.
+  /// the options, `single`, `compress`, `saved` and `overwrite` are not looked at. Throws FileError
+  /// when the file cannot be written, or is being written, or has been since it was read.
   explicit H5mdRecorder(const H5mdCheckpoint& from, const H5mdOptions& options = {});
   ~H5mdRecorder();
   H5mdRecorder(H5mdRecorder&&) noexcept;

@@ -13,6 +13,9 @@ namespace pliant {
 namespace h5md {
 inline constexpr char trajectory[] = "/particles/trajectory";
 inline constexpr char position[] = "/particles/trajectory/position";
+/// (N) index of each joint in the molecule, where a file has some of its joints only, whose number
+/// is the attribute joints_of_whole
+inline constexpr char id[] = "/particles/trajectory/id";
 inline constexpr char observables[] = "/observables";
 inline constexpr char bars[] = "/connectivity/bars";
 inline constexpr char bonds[] = "/connectivity/bonds";
@@ -34,5 +37,9 @@ bool is_own_parameter(const std::string& path);
 /// Writes everything but frames and observables into the new HDF5 file `file` (hid_t).
 /// Throws FileError, and OptionError on a parameter's path that is empty or taken.
 void write_static_part(std::int64_t file, const Framework& framework, const H5mdHeader& header);
+
+/// Says which joints of a molecule of `joint_count` joints the file has (H5MD's element id).
+void write_saved_joints(std::int64_t file, const std::vector<std::uint32_t>& joints,
+                        std::size_t joint_count);
 
 }  // namespace pliant

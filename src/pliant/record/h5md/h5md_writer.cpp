@@ -116,15 +116,31 @@ void H5mdWriter::open(Make make) {
   }
 }
 
+void H5mdWriter::write_all(const Framework& framework, const H5mdHeader& header) {
+  write_static_part(hdf5_, framework, header);
+  if (!header.inputs) return;
+  write_inputs(hdf5_, framework, header);
+  if (!header.inputs->is_sample())
+    checkpoint_ = std::make_unique<CheckpointWriter>(hdf5_, framework);
+}
+
+void H5mdWriter::write_part(const Framework& framework, const H5mdHeader& header) {
+  part_.emplace(framework, options_.saved);
+  write_static_part(hdf5_, part_->framework(), part_->header_of(header));
+  write_saved_joints(hdf5_, part_->joints(), framework.joint_count());
+}
+
 void H5mdWriter::create(const Framework& framework, const H5mdHeader& header) {
   hdf5_ = create_hdf5(file_);
-  write_static_part(hdf5_, framework, header);
-  if (header.inputs) write_inputs(hdf5_, framework, header);
   const bool is_sample = header.inputs && header.inputs->is_sample();
-  if (header.inputs && !is_sample)
-    checkpoint_ = std::make_unique<CheckpointWriter>(hdf5_, framework);
-  series_ = std::make_unique<FrameSeries>(hdf5_, framework, options_,
-                                          FrameOrigin{is_sample, header.several_walkers});
+  const FrameOrigin origin{is_sample, header.several_walkers, !framework.has_bars_only()};
+  if (options_.saved.empty()) {
+    write_all(framework, header);
+    series_ = std::make_unique<FrameSeries>(hdf5_, framework, options_, origin);
+  } else {
+    write_part(framework, header);
+    series_ = std::make_unique<FrameSeries>(hdf5_, part_->framework(), options_, origin);
+  }
   checked(H5Fflush(hdf5_, H5F_SCOPE_GLOBAL), "flush the file");
   file_.write_last(series_->addresses(hdf5_));
 }
@@ -159,7 +175,7 @@ void H5mdWriter::record(const Frame& frame) {
   if (!hdf5_) throw FileError(path().string() + ": is closed: no frame can be recorded");
   if (frame.step <= known_to_) return check_known_frame(frame);
   check_frame(frame);
-  series_->add(frame);
+  series_->add(part_ ? part_->shown(frame) : frame);
   last_step_ = frame.step;
   last_walker_ = frame.walker;
   ++frames_;

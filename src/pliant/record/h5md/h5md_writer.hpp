@@ -8,12 +8,14 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "pliant/record/h5md/h5md_checkpoint.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/record/h5md/h5md_frames.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/saved_part.hpp"
 #include "pliant/record/hdf5/committed_file.hpp"
 #include "pliant/record/hdf5/hdf5_session.hpp"
 #include "pliant/text/output_file.hpp"
@@ -44,6 +46,8 @@ class H5mdWriter {
   template <class Make>
   void open(Make make);
   void create(const Framework& framework, const H5mdHeader& header);
+  void write_all(const Framework& framework, const H5mdHeader& header);
+  void write_part(const Framework& framework, const H5mdHeader& header);
   void go_on(const H5mdCheckpoint& from);
   void check_frame(const Frame& frame) const;
   void check_known_frame(const Frame& frame);
@@ -65,6 +69,7 @@ class H5mdWriter {
   OutputFile output_;
   CommittedFile file_;
   Hid hdf5_;
+  std::optional<SavedPart> part_;  ///< none: all joints are recorded
   std::unique_ptr<FrameSeries> series_;
   std::unique_ptr<CheckpointWriter> checkpoint_;
   std::int64_t frames_ = 0, committed_frames_ = 0;

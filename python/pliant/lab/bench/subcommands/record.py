@@ -17,10 +17,14 @@ a time, which is what the file system alone needs. Where a push moves one joint,
 technique auto needs a few microseconds, less than copying the frame, so that nearly all
 of the time goes into writing. Each file is read back to check the number of frames, the
 bits of the last positions, and the bars of some frames. Faults are named, and the exit
-code is then 1."""
+code is then 1.
+
+With --formats it writes the frames of an ensemble as H5MD with each option that makes
+files smaller, as DCD and as XTC: bytes, times to write and read, and errors."""
 EPILOG = """\
 examples:
   pliant bench record
+  pliant bench record --formats
   pliant bench record protein.pdb --perturb displacement --single --folder /scratch
 """
 
@@ -44,6 +48,8 @@ def add_options(parser: console.Parser) -> None:
         help=f"number of rounds, of which the median counts (default {REPEATS})")  # fmt: skip
     add("--single", action="store_true", help="positions as 32-bit floats")
     add("--compress", action="store_true", help="gzip positions")
+    add("--formats", action="store_true",
+        help="compare formats: H5MD with its options, DCD, XTC")  # fmt: skip
     add("--folder", metavar="DIR", default=None,
         help="folder for the files, which are removed (default: a temporary one)")  # fmt: skip
     add("--csv", metavar="FILE", help="write the rows as CSV")
@@ -51,6 +57,24 @@ def add_options(parser: console.Parser) -> None:
 
 def run(arguments: argparse.Namespace) -> int:
     """Measures and tells; returns the exit code."""
+    return _formats(arguments) if arguments.formats else _record(arguments)
+
+
+def _formats(arguments: argparse.Namespace) -> int:
+    from pliant.lab.bench.record_formats import print_formats, record_formats
+    from pliant.lab.bench.rows import write_csv
+
+    with console.progress("files", arguments.quiet or arguments.json) as show:
+        found = record_formats(
+            arguments.file, repeats=arguments.repeats, folder=arguments.folder, progress=show
+        )
+    if arguments.csv:
+        write_csv(found.rows, arguments.csv)
+    console.print_json(found.as_json()) if arguments.json else print_formats(found)
+    return console.EXIT_OK
+
+
+def _record(arguments: argparse.Namespace) -> int:
     from pliant.lab.bench.record import print_report, record
     from pliant.lab.bench.rows import write_csv
 

@@ -1,0 +1,116 @@
+# SPDX-License-Identifier: MIT
+"""What a run writes, and what is refused before it writes."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Callable, Iterable, Mapping
+from pathlib import Path
+from typing import Any
+
+from pliant import _core
+from pliant._output_names import check_trajectory_name
+
+#: What an observer is: it looks at a frame, and anything true that it returns ends the run.
+Observer = Callable[[_core.Frame], object]
+
+Value = bool | int | float | str
+
+
+def without_h5md(
+    steps_to: Callable[..., _core.RunSummary],
+    output: str | os.PathLike[str] | None,
+    structure: _core.Structure | None,
+    overwrite: bool,
+    observers: Iterable[Observer],
+    forces: _core.ForceRecorder | None,
+) -> _core.RunSummary:
+    """A run that writes no frames, or models of a PDB file."""
+    if output is None:
+        return steps_to(list(observers), forces)
+    if structure is None:
+        raise TypeError("run: models of a PDB file need a structure")
+    with _core.PdbRecorder(output, structure, overwrite=overwrite) as models:
+        return steps_to([models, *observers], forces)
+
+
+def write_topology(
+    path: str | os.PathLike[str],
+    structure: _core.Structure | None,
+    start: _core.State,
+    save: str,
+    overwrite: bool,
+) -> None:
+    """Names and bonds of what is recorded, where the run starts."""
+    if structure is None:
+        raise TypeError("run: a topology needs a structure")
+    positions = start.positions
+    if save:
+        positions = positions[_core.select_atoms(structure, save)]
+        with warnings.catch_warnings():  # that bonds lead out of the part is what was asked for
+            warnings.simplefilter("ignore", _core.PliantWarning)
+            structure = structure.select(save)
+    _core.write_topology_pdb(path, structure, positions=positions, overwrite=overwrite)
+
+
+def refuse_options_of_h5md(
+    output: str | os.PathLike[str] | None, save: str, precision: float
+) -> None:
+    """A file of models has no place for them."""
+    for name, given in (("save", save), ("precision", precision)):
+        if given and output is not None:
+            raise _core.OptionError(f"{name}: goes with H5MD, not with {os.fspath(output)}")
+
+
+def refuse_to_overwrite(
+    structure: _core.Structure | None,
+    trajectory: str | os.PathLike[str] | None,
+    *others: str | os.PathLike[str] | None,
+) -> None:
+    """The file that the structure was read from stays."""
+    if trajectory is not None:
+        check_trajectory_name(trajectory)
+    if structure is None or not os.path.exists(structure.source):
+        return
+    for output in (trajectory, *others):
+        if output and os.path.exists(output) and os.path.samefile(output, structure.source):
+            raise _core.OptionError(f"{os.fspath(output)}: is both input and output")
+
+
+def force_recorder(
+    path: str | os.PathLike[str] | None,
+    framework: _core.Framework,
+    options: _core.RunOptions,
+    overwrite: bool,
+    guided: bool,
+) -> _core.ForceRecorder | None:
+    """Writes the push of each step; None where nobody asked for it."""
+    if path is None:
+        return None
+    if guided and not options.replay:
+        raise _core.OptionError("record_forces: a guide pushes by no force: give no guide")
+    if not options.replay and options.perturb != "force":
+        raise _core.OptionError(
+            "record_forces: a force file holds one force on one joint a step, which "
+            f'{options.perturb} is not; use perturb="force"'
+        )
+    return _core.ForceRecorder(path, framework, options, overwrite)
+
+
+def recording_of(single: bool, compress: bool, precision: float, save: str) -> dict[str, Any]:
+    """How frames are recorded: options of H5mdRecorder that its file tells."""
+    return {"single": single, "compress": compress, "precision": precision, "save": save}
+
+
+def parameters_of(
+    framework: _core.Framework,
+    structure: _core.Structure | None,
+    options: _core.RunOptions,
+    recording: Mapping[str, Value],
+) -> dict[str, Value]:
+    """What a file says of its run, by path below /parameters."""
+    values: dict[str, Value] = {f"record/{name}": value for name, value in recording.items()}
+    if structure is not None and structure.source:
+        values |= {"input/file": Path(structure.source).name, "input/model": structure.model}
+    return values | options.parameters(framework)
