@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Exponential and logarithm by sums and products in one fixed order. Those of C libraries differ in
-// their last bits from one library to the next; these give the same bits everywhere.
+// Exponential, logarithm, cosine and its inverse by sums and products in one fixed order. Those of
+// C libraries differ in their last bits from one library to the next; these give the same bits
+// everywhere.
 #pragma once
 
 namespace pliant {
@@ -12,5 +13,13 @@ double exact_bits_exp(double x);
 /// ln x within 1e-15 of itself or of 1, for normal numbers above 0; NaN for anything else.
 /// x = 2^k m, then ln m = 2 artanh((m - 1) / (m + 1)) as a series.
 double exact_bits_log(double x);
+
+/// cos x within 5e-16 for x from -100 to 100; NaN for anything else.
+/// x = k pi/2 + r, then Taylor's series of cosine or sine of r.
+double exact_bits_cos(double x);
+
+/// The angle, 0 to pi, whose cosine is x, within 1e-15; NaN where there is none.
+/// 2 arctan(sqrt((1 - x) / (1 + x))), halved until the series of arctan is short.
+double exact_bits_acos(double x);
 
 }  // namespace pliant

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pliant/base/elementary.hpp"
+
 namespace pliant {
 namespace {
 
@@ -20,12 +22,12 @@ double well(double q) {
 
 double angular_factor(const HydrogenBondGeometry& g) {
   const double bend = square(std::numbers::pi - g.theta);
-  const double c = square(std::cos(g.theta)) * std::exp(-bend * bend * bend);
+  const double c = square(exact_bits_cos(g.theta)) * exact_bits_exp(-bend * bend * bend);
   if (g.donor == Hybridisation::sp2 && g.acceptor == Hybridisation::sp2)
-    return c * square(std::cos(std::max(g.phi, g.gamma)));
+    return c * square(exact_bits_cos(std::max(g.phi, g.gamma)));
   if (g.donor == Hybridisation::sp2) return c * c;
-  if (g.acceptor == Hybridisation::sp2) return c * square(std::cos(g.phi));
-  return c * square(std::cos(g.phi - 109.5 * degree));
+  if (g.acceptor == Hybridisation::sp2) return c * square(exact_bits_cos(g.phi));
+  return c * square(exact_bits_cos(g.phi - 109.5 * degree));
 }
 
 }  // namespace

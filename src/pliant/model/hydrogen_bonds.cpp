@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/model/hydrogen_bonds.hpp"
+#include "pliant/base/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -29,7 +30,7 @@ double angle(Vec3 one, Vec3 at, Vec3 other) {
   const Vec3 u = one - at, v = other - at;
   const double lengths = norm(u) * norm(v);
   if (!(lengths > 0.0)) return 0.0;
-  return std::acos(std::clamp(dot(u, v) / lengths, -1.0, 1.0));
+  return exact_bits_acos(std::clamp(dot(u, v) / lengths, -1.0, 1.0));
 }
 
 class Finder {
@@ -100,7 +101,7 @@ class Finder {
     HydrogenBondGeometry geometry{
         apart, theta, phi, 0.0, polar_.hybridisation(donor), polar_.hybridisation(acceptor)};
     const double alike = std::abs(dot(polar_.plane(donor), polar_.plane(acceptor)));
-    geometry.gamma = pi - std::acos(std::clamp(alike, 0.0, 1.0));
+    geometry.gamma = pi - exact_bits_acos(std::clamp(alike, 0.0, 1.0));
     return hydrogen_bond_energy(geometry);
   }
 

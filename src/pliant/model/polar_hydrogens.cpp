@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "pliant/base/elementary.hpp"
 #include "pliant/base/words.hpp"
 #include "pliant/model/atom_graph.hpp"
 #include "pliant/model/hydrogen_places.hpp"
@@ -239,7 +240,7 @@ class Placer {
       const double straight =
           -dot(unit_vector(at(parent) - hydrogen), unit_vector(at(acceptor) - hydrogen));
       if (straight <= 0.0) continue;
-      sum += straight * straight * std::exp(-(apart - 1.8) * (apart - 1.8) / 0.3);
+      sum += straight * straight * exact_bits_exp(-(apart - 1.8) * (apart - 1.8) / 0.3);
     }
     return sum;
   }

@@ -67,7 +67,7 @@ JointForce held_back(const PushCall& call, const JointForce& push, const State& 
   const double unit = gain(call, push.joint);
   Vec3 moved = by_itself + unit * push.force;
   if (call.framework.is_planar()) moved.z = 0.0;
-  const double length = std::hypot(moved.x, moved.y, moved.z);
+  const double length = norm(moved);
   if (length <= longest) return push;
   return {push.joint, (1.0 / unit) * ((longest / length) * moved - by_itself)};
 }

@@ -28,6 +28,23 @@ TEST(Elementary, LogIsThatOfTheLibraryToRounding) {
     EXPECT_TRUE(std::isnan(exact_bits_log(x))) << x;
 }
 
+TEST(Elementary, CosIsThatOfTheLibraryToRounding) {
+  for (double x = -100.0; x <= 100.0; x += 0.0137)
+    EXPECT_NEAR(exact_bits_cos(x), std::cos(x), 5e-16) << x;
+  EXPECT_EQ(exact_bits_cos(0.0), 1.0);
+  for (double x : {101.0, -1e300, std::numeric_limits<double>::infinity()})
+    EXPECT_TRUE(std::isnan(exact_bits_cos(x))) << x;
+}
+
+TEST(Elementary, AcosIsThatOfTheLibraryToRounding) {
+  for (int k = -100000; k <= 100000; k += 7)
+    EXPECT_NEAR(exact_bits_acos(k * 1e-5), std::acos(k * 1e-5), 1e-15) << k;
+  EXPECT_EQ(exact_bits_acos(1.0), 0.0);
+  EXPECT_EQ(exact_bits_acos(-1.0), std::acos(-1.0));
+  EXPECT_NEAR(exact_bits_acos(1.0 - 1e-15) / std::acos(1.0 - 1e-15), 1.0, 1e-14);
+  EXPECT_TRUE(std::isnan(exact_bits_acos(1.0000001)));
+}
+
 /// Moments of the normal distribution: 0, 1, 0, 3; the bounds are five standard errors.
 TEST(Normal, HasTheMomentsOfTheNormalDistribution) {
   std::vector<double> numbers(200001);

@@ -137,7 +137,10 @@ std::uint64_t frames_per_chunk(std::size_t frame_bytes, bool compress) {
 /// The largest power of two that is not above `precision`: multiples of it are exact in binary, and
 /// end in zeros.
 double rounding_unit(double precision) {
-  return precision > 0.0 ? std::exp2(std::floor(std::log2(precision))) : 0.0;
+  if (!(precision > 0.0)) return 0.0;
+  int exponent = 0;
+  std::frexp(precision, &exponent);
+  return std::ldexp(0.5, exponent);
 }
 
 constexpr const char* position_parts[] = {"/value", "/time", "/step"};
