@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import itertools
 from collections.abc import Callable, Iterable, Sequence
 
 import numpy.typing as npt
 
 from pliant import _core
+from pliant._progress import begin
 from pliant._run import JointForce, Ordering, Sweep, _options, _start
 from pliant._run_outputs import Observer
 
@@ -98,4 +100,18 @@ def run_ensemble(
         displacement=displacement,
         seed=seed,
     )
-    return _core.run_shard(framework, _start(state, None), options, shard, threads, observers_of)
+    bar = begin("walkers begun", shard[1] - shard[0])
+    if bar is None:
+        return _core.run_shard(
+            framework, _start(state, None), options, shard, threads, observers_of
+        )
+    begun = itertools.count(1)
+
+    def counted(walker: int) -> Iterable[Observer | _core.H5mdRecorder]:
+        bar.show(next(begun))
+        return observers_of(walker) if observers_of is not None else ()
+
+    try:
+        return _core.run_shard(framework, _start(state, None), options, shard, threads, counted)
+    finally:
+        bar.close()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Recording some atoms only: what is there is as if all had been recorded."""
 
+import json
 from pathlib import Path
 
 import h5py
@@ -124,3 +125,11 @@ def test_the_report_says_what_it_looked_at(pliant, tmp_path):
     assert "the file holds " in ended.err and "atoms (--save): bars and stereo" in ended.err
     ended = pliant("check", "some.h5md")
     assert ended.code == 1 and "a check by a force field needs all of them" in ended.err
+
+
+def test_a_part_is_compared_as_the_whole_is(pliant, tmp_path):
+    for name, more in (("all", ()), ("some", ("--save", "name CA"))):
+        pliant("sample", PEPTIDE, "--frames", "40", *more, "-o", f"{name}.h5md")
+    ended = [pliant("compare", f"{name}.h5md", "all.h5md", "--json") for name in ("all", "some")]
+    residues = [json.loads(one.out)["residues"] for one in ended]
+    assert residues[0]["rmsf"] == residues[1]["rmsf"]

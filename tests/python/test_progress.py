@@ -165,3 +165,16 @@ def test_commands_of_python_show_bars_in_notebooks(bars, monkeypatch):
         show(2, 4)
     (bar,) = bars
     assert (bar.what, bar.total, bar.shown, bar.closed) == ("jobs", 4, [1, 2], 1)
+
+
+def test_walkers_that_begin_are_shown(monkeypatch, bars):
+    monkeypatch.setattr("pliant._ensemble.begin", _progress.begin)
+    structure = pliant.read(CAFFEINE)
+    seen = []
+    pliant.run_ensemble(
+        structure.framework(), structure.positions, (3, 8), steps=2,
+        observers_of=lambda walker: seen.append(walker) or (),
+    )  # fmt: skip
+    (bar,) = bars
+    assert (bar.what, bar.total, bar.shown, bar.closed) == ("walkers begun", 5, [1, 2, 3, 4, 5], 1)
+    assert sorted(seen) == [3, 4, 5, 6, 7]

@@ -46,6 +46,18 @@ def pairwise_rmsd(positions: np.ndarray) -> np.ndarray:
     return np.asarray(upper + upper.T)
 
 
+def rmsd_to(positions: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """(F, k) RMSD of frames (F, n, 3) from others (k, n, 3), each pair superposed by itself."""
+    atoms = positions.shape[1]
+    ours = positions - positions.mean(axis=1, keepdims=True)
+    theirs = others - others.mean(axis=1, keepdims=True)
+    matrices = np.einsum("fni,knj->fkij", ours, theirs, optimize=True)
+    values = np.linalg.svd(matrices, compute_uv=False)
+    values[..., 2] *= np.sign(np.linalg.det(matrices))
+    squares = np.einsum("fni,fni->f", ours, ours)[:, None] + np.einsum("kni,kni->k", theirs, theirs)
+    return np.asarray(np.sqrt(np.maximum(squares - 2.0 * values.sum(axis=2), 0.0) / atoms))
+
+
 def k_medoids(distances: np.ndarray, count: int) -> Medoids:
     """`count` frames whose mean distance to the frames that they stand for is small.
 

@@ -52,6 +52,7 @@ class Recording:
     rounded_to: float  #: coordinates are multiples of this, Angstrom; 0: as they were
     to_angstrom: float
     names: list[str]  #: (N) of the atoms; empty if the file has none
+    joints_of_whole: int | None = None  #: of the molecule, of which these are some; None: all
 
     @property
     def frame_count(self) -> int:
@@ -169,11 +170,6 @@ class _Parts:
 def _read(parts: _Parts) -> Recording:
     value = parts.positions()
     joints = value.shape[1]
-    if whole := _hdf5.joints_of_whole(value.parent.parent):
-        raise InputError(
-            f"{parts.path}: holds {joints} of the molecule's {whole} atoms (--save): a check by a "
-            "force field needs all of them"
-        )
     frames = _complete_frames(parts, value)
     _hdf5.check_stored(value, frames * joints * 3)
     bars, rest_lengths = _read_bars(parts, joints)
@@ -194,6 +190,7 @@ def _read(parts: _Parts) -> Recording:
         rounded_to=_hdf5.rounded_to(value) * _unit_of(parts, value),
         to_angstrom=_unit_of(parts, value),
         names=_read_names(parts, joints),
+        joints_of_whole=_hdf5.joints_of_whole(value.parent.parent),
     )
 
 

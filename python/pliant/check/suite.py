@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pliant._core import InputError
 from pliant._extras import need
 from pliant.check import contest as side_by_side
 from pliant.check import ours, theirs
@@ -103,6 +104,11 @@ def check(
     if picture is not None:
         need("a picture of pliant.check", "matplotlib")
     recording = read_recording(path)
+    if recording.joints_of_whole is not None:
+        raise InputError(
+            f"{path}: holds {recording.joint_count} of the molecule's {recording.joints_of_whole} "
+            "atoms (--save): a check by a force field needs all of them"
+        )
     with progress("measuring frames", quiet) as show:
         remeasured = remeasure(recording, show)
     sample = take_sample(recording, frames, remeasured.worst_frame(recording.converged))

@@ -12,6 +12,7 @@ import numpy as np
 
 from pliant._core import InputError
 from pliant._extras import need
+from pliant._progress import Stages
 from pliant.analysis import agreement
 from pliant.analysis.agreement import turned_as_one
 from pliant.check.recording import Recording, read_recording
@@ -101,15 +102,20 @@ def compare(
         raise InputError("theirs: expected at least one file")
     recording = read_recording(ours)
     universe = open_universe(ours)
-    residues = _residues(recording, universe, paths, topology, select, frames)
-    atoms, notes = _atoms(recording, universe, paths, topology, select, frames, residues is None)
-    report = ComparisonReport(
-        recording.path, [os.fspath(path) for path in paths], residues, atoms, notes
-    )
-    if pictures is not None:
-        from pliant.compare.picture import draw
+    asked = (paths, topology, select, frames)
+    with Stages("compare", 2 + (pictures is not None)) as on_stage:
+        on_stage("residues")
+        residues = _residues(recording, universe, *asked)
+        on_stage("atoms")
+        atoms, notes = _atoms(recording, universe, *asked, residues is None)
+        report = ComparisonReport(
+            recording.path, [os.fspath(path) for path in paths], residues, atoms, notes
+        )
+        if pictures is not None:
+            from pliant.compare.picture import draw
 
-        report.pictures = draw(report, pathlib.Path(pictures))
+            on_stage("pictures")
+            report.pictures = draw(report, pathlib.Path(pictures))
     return report
 
 

@@ -1,12 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Flexibility of an ensemble in many files: in two passes, with memory for a few frames."""
+"""Flexibility of an ensemble in many files: in three passes, with memory for a few frames."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from concurrent.futures import ProcessPoolExecutor
-from dataclasses import dataclass, field
-from multiprocessing import get_context
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, TypeVar
 
@@ -17,13 +15,14 @@ from pliant._core import InputError
 from pliant.analyse.names import atom_labels, residue_labels
 from pliant.analysis.agreement import TEN, correlation, rmsip
 from pliant.analysis.recorded_contacts import contacts_of
+from pliant.ensemble.clusters import Clusters, clusters
 from pliant.ensemble.frames import EnsembleFrames
+from pliant.ensemble.over_shards import each_part, parts_of
 from pliant.ensemble.plan import PLAN
 from pliant.ensemble.sums import Half, Sums, Task, mean_of, sums_of
 
 #: Units of which the matrix of covariances is kept: 3 x 2000 squared takes 288 MB, twice.
 MOST_FOR_MODES = 2000
-_TASKS_A_PROCESS = 4
 
 Result = TypeVar("Result")
 
@@ -45,13 +44,14 @@ class Flexibility:
     modes: np.ndarray  #: (3U, 10) their directions, of length 1
     rmsip: float | None  #: of the first ten components of the halves
     max_residual: float  #: of the bars, before any rounding
-    contacts: list[tuple[str, str, float]] = field(default_factory=list)  #: atoms, kind, share held
+    contacts: list[tuple[str, str, float]]  #: atoms, kind, share held
+    clusters: Clusters
 
 
 def flexibility(
     folder: Path, workers: int = 1, on_stage: Callable[[str], None] = lambda name: None
 ) -> Flexibility:
-    """Reads the frames of an ensemble twice, over some processes.
+    """Reads the frames of an ensemble three times, over some processes.
 
     Raises FileError and InputError if there is no ensemble, or it has one walker only.
     """
@@ -68,7 +68,9 @@ def flexibility(
     sums = _sums(frames, atoms, reference, workers)
     if min(half.walkers for half in sums.halves) == 0:
         raise InputError(f"{folder}: one walker: errors and convergence need two")
-    return _result(unit, labels, sums, _contacts(frames, sums, all_atoms))
+    on_stage("clusters")
+    groups = clusters(frames, atoms, workers)
+    return _result(unit, labels, sums, _contacts(frames, sums, all_atoms), groups)
 
 
 def _units(atoms: Any) -> tuple[str, list[str], np.ndarray]:
@@ -109,21 +111,19 @@ def _over(
 ) -> Iterator[Result]:
     """The results of parts of the shards, in their order."""
     has_modes = len(atoms) <= MOST_FOR_MODES
-    parts = np.array_split(np.arange(len(frames.paths)), workers * _TASKS_A_PROCESS)
     tasks = [
-        Task(frames.plan, [frames.paths[k] for k in part], atoms, reference, has_modes)
-        for part in parts
-        if len(part)
+        Task(frames.plan, part, atoms, reference, has_modes)
+        for part in parts_of(frames.paths, workers)
     ]
-    if workers == 1:
-        yield from map(work, tasks)
-        return
-    with ProcessPoolExecutor(workers, mp_context=get_context("spawn")) as pool:
-        yield from pool.map(work, tasks)
+    yield from each_part(work, tasks, workers)
 
 
 def _result(
-    unit: str, labels: list[str], sums: Sums, contacts: list[tuple[str, str, float]]
+    unit: str,
+    labels: list[str],
+    sums: Sums,
+    contacts: list[tuple[str, str, float]],
+    groups: Clusters,
 ) -> Flexibility:
     even, odd = sums.halves
     halves = np.array([np.sqrt(_moments(even)[0]), np.sqrt(_moments(odd)[0])])
@@ -139,6 +139,7 @@ def _result(
         np.divide(square_error, 2 * rmsf, out=np.zeros_like(rmsf), where=rmsf > 0),
         halves, correlation(halves[0], halves[1]), modes[2][0], float(square.sum()), modes[2][1],
         rmsip(modes[0][1].T, modes[1][1].T, count) if count else None, sums.max_residual, contacts,
+        groups,
     )  # fmt: skip
 
 

@@ -11,11 +11,14 @@ from typing import Any
 import numpy as np
 
 from pliant._csv_cells import harmless
+from pliant.ensemble.clusters import Clusters
 from pliant.ensemble.flexibility import MOST_FOR_MODES, Flexibility, flexibility
+from pliant.ensemble.plan import PLAN
+from pliant.ensemble.sums import superposed
 
 #: What the report of one file has, and this one has not.
 LEFT_OUT = (
-    "clusters, torsions, stereochemistry, domains and the page: pliant analyse of a shard's file "
+    "torsions, stereochemistry, domains and the page: pliant analyse of a shard's file "
     "has them for its walkers"
 )
 
@@ -35,9 +38,15 @@ def report_ensemble(
         tables.append(_write_modes(found, output))
     if found.contacts:
         tables.append(_write_contacts(found, output))
+    tables.append(_write_clusters(found.clusters, output))
+    models = _write_representatives(folder, found.clusters, output)
     on_stage("figure")
     figure = _draw(found, output / "flexibility.png", dpi)
-    outputs = {"tables": [str(path) for path in tables], "figures": [str(figure)]}
+    outputs = {
+        "tables": [str(path) for path in tables],
+        "figures": [str(figure)],
+        "models": [str(models)],
+    }
     return {**_numbers(folder, found), "outputs": outputs, "left_out": LEFT_OUT}
 
 
@@ -58,6 +67,12 @@ def _numbers(folder: Path, found: Flexibility) -> dict[str, Any]:
         "modes": None if len(found.variances) else f"more than {MOST_FOR_MODES} units",
         "max_residual": found.max_residual,
         "contacts": len(found.contacts),
+        "cluster_shares": found.clusters.shares,
+        "cluster_errors": found.clusters.errors,
+        "cluster_halves_difference_max": float(
+            np.abs(np.diff(found.clusters.halves, axis=0)).max()
+        ),
+        "cluster_frames": found.clusters.frames,
     }
 
 
@@ -81,6 +96,34 @@ def _write_modes(found: Flexibility, folder: Path) -> Path:
 
 def _write_contacts(found: Flexibility, folder: Path) -> Path:
     return _write(folder / "contacts.csv", ["contact", "kind", "share_held"], found.contacts)
+
+
+def _write_clusters(found: Clusters, folder: Path) -> Path:
+    rows = (
+        (k + 1, int(frame), told.get("walker", told["step"]), told["step"], *numbers)
+        for k, (frame, told, *numbers) in enumerate(
+            zip(found.frames, found.told, found.shares, found.errors, *found.halves,
+                found.distances, strict=True)
+        )
+    )  # fmt: skip
+    head = ["cluster", "frame", "walker", "step", "share_of_frames", "standard_error",
+            "share_even_walkers", "share_odd_walkers", "mean_rmsd_angstrom"]  # fmt: skip
+    return _write(folder / "clusters.csv", head, rows)
+
+
+def _write_representatives(ensemble: Path, found: Clusters, folder: Path) -> Path:
+    """The frame of each cluster as a model, superposed on the first."""
+    import MDAnalysis
+
+    from pliant.analyse.multi_model import write_models
+
+    atoms = MDAnalysis.Universe(ensemble / PLAN).atoms
+    moved = superposed(found.positions, found.positions[0])
+    remarks = ["each stands for the frames nearest to it; populations are not claimed"]
+    remarks += [f"model {k + 1}: frame {frame}" for k, frame in enumerate(found.frames)]
+    path = folder / "representatives.pdb"
+    write_models(path, atoms, moved, np.zeros(len(atoms)), remarks)
+    return path
 
 
 def _write(path: Path, head: Sequence[str], rows: Iterable[Sequence[Any]]) -> Path:
@@ -126,7 +169,12 @@ def print_report(numbers: dict[str, Any]) -> None:
         print(f"RMSIP of the halves {numbers['halves_rmsip']:.3f}")
     else:
         print(f"modes           left out: {numbers['modes']}")
+    shares = numbers["cluster_shares"]
+    print(
+        f"clusters        {len(shares)}; the largest has {shares[0]:.0%} of the frames, the halves "
+        f"differ by {numbers['cluster_halves_difference_max']:.0%} at most"
+    )
     print(f"worst residual  {numbers['max_residual']:.2e} of the bar's length")
     print(f"left out        {numbers['left_out']}")
-    for path in (*numbers["outputs"]["tables"], *numbers["outputs"]["figures"]):
+    for path in (path for paths in numbers["outputs"].values() for path in paths):
         print(f"written         {path}")

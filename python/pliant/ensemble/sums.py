@@ -120,7 +120,7 @@ def mean_of(task: Task) -> tuple[int, np.ndarray]:
     count, total = 0, np.zeros_like(task.reference)
     for path in task.paths:
         with _hdf5.open_file(path) as file:
-            for _, frames in _blocks(file, task):
+            for _, frames in blocks(file, task.atoms):
                 count += len(frames)
                 total += superposed(frames, task.reference).sum(axis=0)
     return count, total
@@ -141,7 +141,7 @@ def _add_shard(sums: Sums, file: h5py.File, task: Task) -> None:
     numbers, place = np.unique(walkers, return_inverse=True)
     counts = np.bincount(place)[:, None]
     a, b = np.zeros((len(numbers), len(task.atoms))), np.zeros((len(numbers), len(task.atoms), 3))
-    for rows, frames in _blocks(file, task):
+    for rows, frames in blocks(file, task.atoms):
         d = superposed(frames, task.reference) - task.reference
         np.add.at(a, place[rows], (d**2).sum(axis=2))
         np.add.at(b, place[rows], d)
@@ -171,7 +171,7 @@ def walkers_of(file: h5py.File, plan: Plan) -> np.ndarray:
     return np.asarray(_hdf5.read(found), dtype=np.int64)
 
 
-def _blocks(file: h5py.File, task: Task) -> Iterator[tuple[slice, np.ndarray]]:
+def blocks(file: h5py.File, atoms: np.ndarray) -> Iterator[tuple[slice, np.ndarray]]:
     """Rows and their positions (F, U, 3), a few megabytes at a time."""
     found = _hdf5.item(file, f"{POSITION}/value")
     if not _hdf5.is_array(found, "f", (None, None, 3)):
@@ -179,4 +179,4 @@ def _blocks(file: h5py.File, task: Task) -> Iterator[tuple[slice, np.ndarray]]:
     step = max(1, _BLOCK_BYTES // (24 * max(1, found.shape[1])))
     for begin in range(0, len(found), step):
         rows = slice(begin, min(begin + step, len(found)))
-        yield rows, _hdf5.read(found, rows)[:, task.atoms].astype(np.float64)
+        yield rows, _hdf5.read(found, rows)[:, atoms].astype(np.float64)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from ensembles import PEPTIDE, call, frames_of, made, shards_of
 from MDAnalysis.analysis.align import rotation_matrix
+from pliant.analysis.medoids import k_medoids, pairwise_rmsd
 from pliant.ensemble.flexibility import flexibility
 from pliant.ensemble.plan import load_plan
 from pliant.ensemble.sums import Task, sums_of, superposed
@@ -85,6 +86,28 @@ def test_contacts_and_residuals_are_counted(many):
     assert found.max_residual == residual.max()
 
 
+def test_clusters_are_those_of_all_frames(many, tmp_path):
+    trace = MDAnalysis.Universe(many / "ensemble.pliant").select_atoms("name CA").ix
+    positions, steps, _, walkers = frames_of(shards_of(many), names=("walker",))
+    expected = k_medoids(pairwise_rmsd(positions[:, trace]), 10)
+    found = flexibility(many, 2).clusters
+    assert sorted(found.frames) == sorted(expected.frames)
+    order = [expected.frames.tolist().index(frame) for frame in found.frames]
+    shares = np.bincount(expected.owner, minlength=10) / len(positions)
+    assert found.shares == pytest.approx(shares[order])
+    for k, one in enumerate(order):
+        own = expected.owner == one
+        assert found.distances[k] == pytest.approx(expected.distance[own].mean(), abs=1e-6)
+        of_walkers = np.array([own[walkers == w].mean() for w in range(64)])
+        assert found.errors[k] == pytest.approx(of_walkers.std() / np.sqrt(63))
+        assert found.halves[:, k] == pytest.approx(
+            [of_walkers[::2].mean(), of_walkers[1::2].mean()]
+        )
+        assert found.positions[k].tolist() == positions[found.frames[k]].tolist()
+        assert (found.told[k]["walker"], found.told[k]["step"]) == (
+            walkers[found.frames[k]], steps[found.frames[k]])  # fmt: skip
+
+
 def test_memory_does_not_grow_with_frames(many):
     trace = np.arange(20)
     reference = frames_of(shards_of(many)[:1])[0][0, trace]
@@ -115,7 +138,8 @@ def test_the_command_writes_tables_and_a_figure(many, tmp_path):
     assert ended.returncode == 0, ended.stderr
     result = json.loads(ended.stdout)
     assert (result["walkers"], result["units"], result["unit"]) == (64, 20, "residue")
-    for path in result["outputs"]["tables"] + result["outputs"]["figures"]:
+    assert sum(result["cluster_shares"]) == pytest.approx(1)
+    for path in (path for paths in result["outputs"].values() for path in paths):
         assert (tmp_path / "r" / path).stat().st_size > 0
     with (tmp_path / "r" / "flexibility.csv").open() as file:
         rows = list(csv.DictReader(file))
@@ -123,7 +147,9 @@ def test_the_command_writes_tables_and_a_figure(many, tmp_path):
     assert np.mean([float(row["rmsf_angstrom"]) for row in rows]) == result["flexibility_mean"]
     text = call("analyse", many / "ensemble.pliant", "-o", tmp_path / "s").stdout
     assert "64 walkers" in text
-    assert "left out        clusters" in text
+    assert "left out        torsions" in text and "clusters        10; the largest" in text
+    models = MDAnalysis.Universe(tmp_path / "s" / "representatives.pdb")
+    assert len(models.trajectory) == 10
 
 
 def test_what_goes_with_one_file_is_refused(many, tmp_path):

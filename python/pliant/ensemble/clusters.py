@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""Clusters of an ensemble in many files: a few frames that stand for all, and how many each has."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from pliant import _hdf5
+from pliant.analysis.medoids import k_medoids, pairwise_rmsd, rmsd_to
+from pliant.ensemble.frames import EnsembleFrames
+from pliant.ensemble.over_shards import each_part, parts_of
+from pliant.ensemble.plan import Plan
+from pliant.ensemble.sums import blocks, walkers_of
+
+CLUSTERS = 10
+#: The frames that stand for all are chosen among so many, taken evenly.
+MOST_COMPARED = 1500
+
+
+@dataclass
+class Clusters:
+    """k frames, those that stand for most first, and the frames nearest to each. Angstrom."""
+
+    frames: np.ndarray  #: (k,) numbers in the ensemble
+    positions: np.ndarray  #: (k, N, 3) of all atoms
+    told: list[dict[str, float | int]]  #: (k) step, walker and observables
+    shares: np.ndarray  #: (k,) of all frames, each of which belongs to the nearest
+    errors: np.ndarray  #: (k,) standard errors, from the differences between walkers
+    halves: np.ndarray  #: (2, k) shares of walkers of even and of odd numbers
+    distances: np.ndarray  #: (k,) mean RMSD of its frames from it, superposed
+    compared: int  #: frames among which they were chosen
+
+
+@dataclass
+class _Task:
+    """A part of the shards, for one process."""
+
+    plan: Plan
+    paths: list[Path]
+    atoms: np.ndarray  #: (U,)
+    medoids: np.ndarray  #: (k, U, 3)
+
+
+@dataclass
+class _Counts:
+    """Of walkers of even and of odd numbers. Each walker counts as one."""
+
+    walkers: np.ndarray  #: (2,)
+    shares: np.ndarray  #: (2, k) sums over walkers
+    squares: np.ndarray  #: (k,) of the shares, over walkers
+    frames: np.ndarray  #: (k,)
+    distances: np.ndarray  #: (k,) sums over frames
+
+    def add(self, other: _Counts) -> None:
+        """Those of other shards."""
+        for name, value in vars(other).items():
+            getattr(self, name).__iadd__(value)
+
+
+def clusters(frames: EnsembleFrames, atoms: np.ndarray, workers: int = 1) -> Clusters:
+    """Chooses frames by k-medoids on the RMSD of `atoms`, and deals all frames to the nearest.
+
+    Memory does not grow with the number of frames: the choice is among MOST_COMPARED of them, the
+    rest is read once, over `workers` processes.
+    """
+    numbers = np.unique(np.linspace(0, len(frames) - 1, MOST_COMPARED).astype(np.int64))
+    whole = np.empty((frames.atom_count, 3))
+    compared = np.empty((len(numbers), len(atoms), 3))
+    for place, number in enumerate(numbers):
+        frames.read(int(number), whole)
+        compared[place] = whole[atoms]
+    found = k_medoids(pairwise_rmsd(compared), min(CLUSTERS, len(numbers)))
+    counts = _counts(frames, atoms, compared[found.frames], workers)
+    order = np.argsort(-counts.shares.sum(axis=0), kind="stable")
+    return _result(frames, numbers[found.frames[order]], counts, order, len(numbers))
+
+
+def _result(
+    frames: EnsembleFrames, numbers: np.ndarray, counts: _Counts, order: np.ndarray, compared: int
+) -> Clusters:
+    positions = np.empty((len(numbers), frames.atom_count, 3))
+    told = [frames.read(int(n), positions[k]) for k, n in enumerate(numbers)]
+    walkers = counts.walkers.sum()
+    shares = counts.shares.sum(axis=0) / walkers
+    variance = np.maximum(counts.squares / walkers - shares**2, 0.0)
+    errors = np.sqrt(variance / max(walkers - 1, 1))
+    halves = counts.shares / np.maximum(counts.walkers, 1)[:, None]
+    mean = counts.distances / np.maximum(counts.frames, 1)
+    return Clusters(numbers, positions, told, shares[order], errors[order], halves[:, order],
+                    mean[order], compared)  # fmt: skip
+
+
+def _counts(
+    frames: EnsembleFrames, atoms: np.ndarray, medoids: np.ndarray, workers: int
+) -> _Counts:
+    tasks = [_Task(frames.plan, part, atoms, medoids) for part in parts_of(frames.paths, workers)]
+    parts = each_part(_counts_of, tasks, workers)
+    counts = next(parts)
+    for part in parts:
+        counts.add(part)
+    return counts
+
+
+def _counts_of(task: _Task) -> _Counts:
+    k = len(task.medoids)
+    counts = _Counts(np.zeros(2, dtype=np.int64), np.zeros((2, k)), np.zeros(k),
+                     np.zeros(k, dtype=np.int64), np.zeros(k))  # fmt: skip
+    for path in task.paths:
+        with _hdf5.open_file(path) as file:
+            walkers = walkers_of(file, task.plan)
+            dealt = [rmsd_to(some, task.medoids) for _, some in blocks(file, task.atoms)]
+        counts.add(_of_shard(walkers, np.concatenate(dealt)))
+    return counts
+
+
+def _of_shard(walkers: np.ndarray, distances: np.ndarray) -> _Counts:
+    """Of the frames of whole walkers: (F,) and (F, k)."""
+    k = distances.shape[1]
+    owner = np.argmin(distances, axis=1)
+    nearest = distances[np.arange(len(owner)), owner]
+    numbers, place = np.unique(walkers, return_inverse=True)
+    table = np.zeros((len(numbers), k))
+    np.add.at(table, (place, owner), 1.0)
+    shares = table / table.sum(axis=1, keepdims=True)
+    halves = [numbers % 2 == half for half in range(2)]
+    return _Counts(
+        np.array([np.count_nonzero(half) for half in halves]),
+        np.array([shares[half].sum(axis=0) for half in halves]),
+        (shares**2).sum(axis=0),
+        np.bincount(owner, minlength=k),
+        np.bincount(owner, weights=nearest, minlength=k),
+    )
