@@ -18,6 +18,8 @@ from pliant._core import (
 )
 from pliant.path.found import MolecularPath
 
+__all__ = ["PathEnds", "PathOptions", "PathWalk", "path"]
+
 
 def path(
     start: Structure | str | os.PathLike[str],
