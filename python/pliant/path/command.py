@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pliant import console
-from pliant._core import OptionError
+from pliant._core import OptionError, PathOptions
 from pliant._output_names import check_trajectory_name, is_pdb_name
 
 if TYPE_CHECKING:
@@ -103,11 +103,15 @@ def _path(arguments: argparse.Namespace) -> int:
     from pliant.path import walk
 
     _check_outputs(arguments)
-    path = walk.path(
-        arguments.start, arguments.end, atoms=arguments.atoms, step=arguments.step,
-        both=arguments.both, backtrack=arguments.backtrack, seed=arguments.seed,
-        output=arguments.output, overwrite=arguments.overwrite,
+    options = PathOptions(
+        atoms=arguments.atoms, step=arguments.step, both=arguments.both,
+        backtrack=arguments.backtrack, seed=arguments.seed,
     )  # fmt: skip
+    with console.progress("path") as show:
+        path = walk.find(
+            arguments.start, arguments.end, options, arguments.output, arguments.overwrite,
+            lambda done: show(done, walk.WHOLE),
+        )  # fmt: skip
     if arguments.csv:
         write_table(path, arguments.csv)
     if arguments.json:

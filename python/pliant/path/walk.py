@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import os
 import time
+from collections.abc import Callable
 
 from pliant import _progress
 from pliant._core import (
@@ -18,7 +19,9 @@ from pliant._core import (
 )
 from pliant.path.found import MolecularPath
 
-__all__ = ["PathEnds", "PathOptions", "PathWalk", "path"]
+__all__ = ["PathEnds", "PathOptions", "PathWalk", "find", "path"]
+
+WHOLE = 100  #: of the distance, as bars show it: per cent
 
 
 def path(
@@ -70,19 +73,36 @@ def path(
     if not 0 <= seed < 2**64:
         raise OptionError(f"seed: expected 0 to 2^64 - 1, found {seed}")
     options = PathOptions(atoms=atoms, step=step, both=both, backtrack=backtrack, seed=seed)
+    bar = _progress.begin("path", WHOLE)
+    try:
+        return find(start, end, options, output, overwrite, bar.show if bar else None)
+    finally:
+        if bar is not None:
+            bar.close()
+
+
+def find(
+    start: Structure | str | os.PathLike[str],
+    end: Structure | str | os.PathLike[str],
+    options: PathOptions,
+    output: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
+    show: Callable[[int], None] | None = None,
+) -> MolecularPath:
+    """As `path`; `show` is told how much of the distance is gone, out of WHOLE."""
     begun = time.perf_counter()
     ends = PathEnds(_structure(start), _structure(end), options)
     recorder = None if output is None else _recorder(ends, options, output, overwrite)
     walk = PathWalk(ends, options)
     try:
-        _go(walk)
+        _go(walk, show)
     finally:  # after Ctrl-C what there is of the path is written as well
         if recorder is not None:
             walk.record(recorder)
             recorder.close()
     found = MolecularPath(
-        ends.model, walk.positions(), walk.table(), ends.matched, atoms, len(ends.model.contacts),
-        ends.only_start, ends.only_end, walk.notes, walk.attempts,
+        ends.model, walk.positions(), walk.table(), ends.matched, options.atoms,
+        len(ends.model.contacts), ends.only_start, ends.only_end, walk.notes, walk.attempts,
     )  # fmt: skip
     found.seconds = time.perf_counter() - begun
     return found
@@ -92,17 +112,12 @@ def _structure(given: Structure | str | os.PathLike[str]) -> Structure:
     return given if isinstance(given, Structure) else read(os.fspath(given))
 
 
-def _go(walk: PathWalk) -> None:
-    """To where it ends, with a bar of the percentage of the distance that is gone."""
+def _go(walk: PathWalk, show: Callable[[int], None] | None) -> None:
+    """To where it ends."""
     whole = walk.left
-    bar = _progress.begin("path", 100)
-    try:
-        while walk.advance():
-            if bar is not None:
-                bar.show(max(0, round(100 * (1 - walk.left / whole))))
-    finally:
-        if bar is not None:
-            bar.close()
+    while walk.advance():
+        if show is not None:
+            show(max(0, round(WHOLE * (1 - walk.left / whole))))
 
 
 def _recorder(
