@@ -13,6 +13,7 @@ export class Path {
   constructor(stage, session) {
     Object.assign(this, {stage, session});
     this.isOn = false;
+    this.milliseconds = ASKED;
     $('path-file').onchange = () => this.chosen();
     $('path-stop').onclick = () => this.stop('Stopped');
     stage.on('began', () => this.stop());
@@ -54,7 +55,7 @@ export class Path {
   async go() {
     try {
       while (this.isOn) {
-        const found = await this.session.ask('path_steps', {milliseconds: ASKED});
+        const found = await this.session.ask('path_steps', {milliseconds: this.milliseconds});
         if (this.isOn) this.take(found);
       }
     } catch (error) {
