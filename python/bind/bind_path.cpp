@@ -10,6 +10,7 @@
 #include "interrupt.hpp"
 #include "locked.hpp"
 #include "messages.hpp"
+#include "pliant/base/number.hpp"
 #include "trace.hpp"
 
 namespace pliant::python {
@@ -244,6 +245,11 @@ void bind_walk(nb::module_& module) {
 
 void bind_table(nb::module_& module) {
   nb::class_<PathFrame>(module, "PathFrame", "One step of a path.")
+      .def("__repr__",
+           [](const PathFrame& self) {
+             return "<pliant.PathFrame " + std::to_string(self.step) + ": " +
+                    number_text(self.to_end, 3) + " Angstrom from the end>";
+           })
       .def_ro("step", &PathFrame::step, "From 0.")
       .def_ro("to_end", &PathFrame::to_end,
               "r.m.s. distance of the matched atoms from the end, superposed, Angstrom.")
@@ -260,6 +266,11 @@ void bind_table(nb::module_& module) {
               "These two: \"A:LYS12 NZ - A:ASP54 OD1\"; empty where none are.");
   nb::class_<TightPlace>(module, "TightPlace",
                          "Two atoms too near each other, more than any others in some frames.")
+      .def("__repr__",
+           [](const TightPlace& self) {
+             return "<pliant.TightPlace " + self.atoms + ": " + number_text(self.overlap, 3) +
+                    " Angstrom>";
+           })
       .def_ro("atoms", &TightPlace::atoms, "\"A:LYS12 NZ - A:ASP54 OD1\".")
       .def_ro("overlap", &TightPlace::overlap, "How much nearer than allowed, at most, Angstrom.")
       .def_ro("step", &TightPlace::step, "Where that is.")
