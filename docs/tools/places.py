@@ -16,6 +16,7 @@ INCLUDED = {
     "src/pliant/resolve/README.md": "inside/methods.md",
     "src/pliant/model/README.md": "inside/model.md",
     "src/pliant/sample/README.md": "inside/sampling.md",
+    "src/pliant/path/README.md": "inside/paths.md",
     "src/pliant/stream/README.md": "inside/live.md",
     "apps/play/README.md": "inside/play.md",
     "apps/play/wasm/README.md": "inside/wasm.md",

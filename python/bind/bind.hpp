@@ -25,6 +25,7 @@ void bind_motion(nb::module_& module);
 void bind_network(nb::module_& module);
 void bind_order(nb::module_& module);
 void bind_resolve(nb::module_& module);
+void bind_path(nb::module_& module);
 void bind_perturb(nb::module_& module);
 void bind_record(nb::module_& module);
 void bind_rigidity(nb::module_& module);

@@ -9,26 +9,12 @@
 #include "pliant/base/error.hpp"
 #include "structure.hpp"
 #include "structure_columns.hpp"
+#include "texts.hpp"
 
 namespace pliant::python {
 namespace {
 
 using TextArray = nb::typed<nb::object, nb::str>;
-
-/// Text of a file as a Python string: bytes that are no UTF-8 become U+FFFD.
-nb::object text_object(std::string_view text) {
-  return nb::steal(
-      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "replace"));
-}
-
-/// An array of strings, one for each of `count`.
-template <class TextOf>
-nb::object text_array(std::size_t count, TextOf text_of) {
-  nb::list texts;
-  for (std::size_t i = 0; i < count; ++i) texts.append(text_object(text_of(i)));
-  const nb::object numpy = nb::module_::import_("numpy");
-  return numpy.attr("array")(texts, nb::arg("dtype") = numpy.attr("str_"));
-}
 
 /// A column of the residues, one entry for each atom.
 template <class TextOf>
@@ -37,11 +23,8 @@ nb::object residue_text_array(const Structure& self, TextOf text_of) {
   for (const Residue& residue : self.atoms.residues) texts.push_back(text_object(text_of(residue)));
   nb::list column;
   for (std::uint32_t residue : self.atoms.residue_of) column.append(texts[residue]);
-  const nb::object numpy = nb::module_::import_("numpy");
-  return numpy.attr("array")(column, nb::arg("dtype") = numpy.attr("str_"));
+  return text_array(column);
 }
-
-std::string_view character(const char& c) { return {&c, c == ' ' ? 0U : 1U}; }
 
 std::vector<std::int64_t> residue_ids_of(const Structure& self) {
   std::vector<std::int64_t> ids;
@@ -85,14 +68,6 @@ std::string label_of(const Structure& self, std::int64_t atom) {
   if (atom < 0 || static_cast<std::uint64_t>(atom) >= self.size())
     fail_index("atom", atom, self.size());
   return self.atoms.label(static_cast<std::size_t>(atom));
-}
-
-constexpr const char* text_signature = "-> numpy.typing.NDArray[numpy.str_]";
-
-template <class Getter>
-void def_text(nb::class_<Structure>& structure, const char* name, Getter getter, const char* doc) {
-  const std::string signature = std::string("def ") + name + "(self) " + text_signature;
-  structure.def_prop_ro(name, getter, nb::sig(signature.c_str()), doc);
 }
 
 void bind_atoms(nb::class_<Structure>& structure) {
@@ -160,8 +135,8 @@ void bind_residues(nb::class_<Structure>& structure) {
   def_text(
       structure, "insertion_codes",
       [](const Structure& self) {
-        return residue_text_array(self,
-                                  [](const Residue& r) { return character(r.insertion_code); });
+        return residue_text_array(
+            self, [](const Residue& r) { return insertion_text(r.insertion_code); });
       },
       "(N,) the insertion code of each atom's residue; \"\" for none.");
   def_text(

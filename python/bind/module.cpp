@@ -21,6 +21,7 @@ NB_MODULE(_core, module) {
   bind_guide(module);
   bind_run(module);
   bind_motion(module);
+  bind_path(module);
   bind_ensemble(module);
   bind_laboratory(module);
 }

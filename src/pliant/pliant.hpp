@@ -114,6 +114,15 @@
 #include "pliant/sample/sample_summary.hpp"   // how exact, how far
 #include "pliant/sample/samplers.hpp"         // the table of ways to move
 
+// path: from one structure of a molecule to another
+#include "pliant/path/ends.hpp"          // what stands for what in both
+#include "pliant/path/matching.hpp"      // residues of two structures
+#include "pliant/path/path.hpp"          // the way, step by step or whole
+#include "pliant/path/path_options.hpp"  // what it is asked for
+#include "pliant/path/path_table.hpp"    // what is told of it
+#include "pliant/path/sequence.hpp"      // letters of residues, aligned
+#include "pliant/path/trace.hpp"         // residues by one atom each
+
 // record: trajectories and graphs
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"  // a run in a file, to go on
 #include "pliant/record/h5md/h5md_reader.hpp"             // frames of any H5MD file

@@ -26,6 +26,7 @@ MAY_INCLUDE = {
     "resolve": ("base", "framework", "order", "rigidity"),
     "sample": ("base", "framework", "rigidity", "resolve"),
     "run": ("base", "framework", "order", "resolve", "perturb"),
+    "path": ("base", "framework", "molecule", "model", "resolve", "perturb", "run"),
     "record": ("base", "text", "framework"),
     "stream": ("base", "framework", "perturb"),
     "laboratory": (

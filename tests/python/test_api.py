@@ -88,6 +88,8 @@ def test_everything_public_is_there():
     assert compiled - set(pliant.__all__) == {
         *("ForceRecorder", "run_shard", "run_steps", "version"),
         *("Checkpoint", "check_hdf5_structure", "read_checkpoint", "select_atoms", "writer_of"),
+        *("PathEnds", "PathFrame", "PathOptions", "PathWalk", "TightPlace", "tight_places"),
+        *("ResidueMatch", "Trace", "align", "amino_acid_letters", "match_residues", "trace_of"),
     }
     assert (Path(pliant.__file__).with_name("py.typed")).exists()
 

@@ -14,6 +14,8 @@ pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
 from pliant.path.command import main
 
+from pliant.path import PathEnds, PathOptions, PathWalk
+
 DATA = Path(MDAnalysisTests.__file__).parent / "data"
 OPEN, CLOSED = DATA / "adk_open.pdb", DATA / "adk_closed.pdb"
 
@@ -102,6 +104,29 @@ def test_steps_are_small(closing):
 
 def test_twice_the_same(closing):
     assert np.array_equal(pliant.path(OPEN, CLOSED).positions, closing.positions)
+
+
+def test_a_walk_grows_step_by_step_into_the_path(closing):
+    options = PathOptions()
+    walk = PathWalk(PathEnds(pliant.read(OPEN), pliant.read(CLOSED), options), options)
+    seen = [len(walk)]
+    while walk.advance():
+        assert len(walk) == seen[-1] + 1
+        seen.append(len(walk))
+        assert walk.positions(first=len(walk) - 1).shape == (1, 3341, 3)
+    assert walk.is_over
+    assert not walk.advance()
+    assert np.array_equal(walk.positions(), closing.positions)
+    assert walk.left == closing.reached
+    assert [frame.lost for frame in walk.table()] == [frame.lost for frame in closing.frames]
+    assert repr(closing.frames[0]) == "<pliant.PathFrame 0: 6.91 Angstrom from the end>"
+
+
+def test_options_have_the_ranges_of_the_command():
+    with pytest.raises(pliant.OptionError, match="backtrack: expected 0 to 1000, found 1001"):
+        PathOptions(backtrack=1001)
+    with pytest.raises(TypeError):
+        PathOptions(seed=-1)
 
 
 def test_heavy_atoms_come_near():

@@ -6,6 +6,7 @@ import {$, guarded, say} from './panel/dom.mjs';
 import {Keys} from './panel/keys.mjs';
 import {Look} from './panel/look.mjs';
 import {Open} from './panel/open.mjs';
+import {Path} from './panel/path.mjs';
 import {Plots} from './panel/plots.mjs';
 import {Readout} from './panel/readout.mjs';
 import {Resolution} from './panel/resolution.mjs';
@@ -42,6 +43,7 @@ function makeParts() {
   parts.transport = new Transport(stage, session, view);
   parts.compare = new Compare(stage, session, view);
   parts.wander = new Wander(stage, session, view);
+  parts.path = new Path(stage, session);
   parts.resolution = new Resolution(stage, session, view, hand);
   parts.plots = new Plots(stage);
   parts.keys = new Keys(parts);

@@ -2,6 +2,7 @@
 #include "call.hpp"
 
 #include "open_calls.hpp"
+#include "path_calls.hpp"
 #include "pliant/base/choices.hpp"
 #include "sample_call.hpp"
 #include "step_calls.hpp"
@@ -19,6 +20,8 @@ constexpr CallEntry table[] = {
     {"resolution", resolution},
     {"wander", wander},
     {"sample", sample_frames},
+    {"path", begin_path},
+    {"path_steps", path_steps},
     {"again", again},
     {"undo", undo},
     {"forces", forces},

@@ -77,18 +77,43 @@ Structure read_bonded(const SourceText& source, const Known& known, const Log& l
   return read;
 }
 
-Document open_molecule(const SourceText& source, const std::string& model, const Known& known,
-                       const Log& log) {
-  const Structure read = read_bonded(source, known, log);
+Log log_into(std::vector<std::string>& warnings) {
+  return {[&warnings](Severity severity, std::string_view text) {
+    if (severity == Severity::warning) warnings.emplace_back(text);
+  }};
+}
+
+Document open_molecule(const std::string& name, std::string_view bytes, const std::string& model,
+                       const Known& known, std::vector<std::string>& warnings) {
+  auto read = std::make_shared<const Structure>(read_molecule(name, bytes, known, warnings));
   ModelOptions options;
-  options.kind = kind_of(model, read);
-  options.log = log;
-  MolecularModel built = build_model(read, options);
+  options.kind = kind_of(model, *read);
+  options.log = log_into(warnings);
+  Document document = document_of(build_model(*read, options), name);
+  document.file = std::move(read);
+  return document;
+}
+
+Document open_graph_file(const std::string& name, std::string_view bytes,
+                         std::vector<std::string>& warnings) {
+  const std::string text = expanded(name, bytes);
+  return open_graph({name, without_byte_order_mark(text)}, log_into(warnings));
+}
+
+}  // namespace
+
+Structure read_molecule(const std::string& name, std::string_view bytes, const Known& known,
+                        std::vector<std::string>& warnings) {
+  const std::string text = expanded(name, bytes);
+  return read_bonded({name, without_byte_order_mark(text)}, known, log_into(warnings));
+}
+
+Document document_of(MolecularModel built, const std::string& name) {
   Structure& made = built.structure;
   const Rigidity rigidity = analyse_rigidity(made, built.contacts);
   ResidueNodes nodes = residue_nodes(made);
   const bool has_residues = usual_model(made) == ModelKind::protein;
-  return {made.title.empty() ? std::string(source.name) : made.title,
+  return {made.title.empty() ? name : made.title,
           "molecule",
           std::string(entry(built.kind).name),
           std::move(built.framework),
@@ -103,18 +128,11 @@ Document open_molecule(const SourceText& source, const std::string& model, const
           has_residues};
 }
 
-}  // namespace
-
 Document open_file(const std::string& name, std::string_view bytes, const std::string& model,
                    const Known& known) {
   std::vector<std::string> warnings;
-  const Log log{[&](Severity severity, std::string_view text) {
-    if (severity == Severity::warning) warnings.emplace_back(text);
-  }};
-  const std::string text = expanded(name, bytes);
-  const SourceText source{name, without_byte_order_mark(text)};
-  Document document =
-      ends_with_xml(name) ? open_graph(source, log) : open_molecule(source, model, known, log);
+  Document document = ends_with_xml(name) ? open_graph_file(name, bytes, warnings)
+                                          : open_molecule(name, bytes, model, known, warnings);
   document.warnings = std::move(warnings);
   return document;
 }

@@ -3,14 +3,16 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/model/contact_list.hpp"
+#include "pliant/model/model.hpp"
 #include "pliant/molecule/structure/structure.hpp"
+#include "pliant/path/path.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "reply.hpp"
 
@@ -30,6 +32,9 @@ struct Document {
   std::vector<std::string> warnings;
   NetworkNodes nodes = {};    ///< of an elastic network; of a graph none
   bool has_residues = false;  ///< of a polymer
+  std::shared_ptr<const Structure> file =
+      nullptr;                               ///< the molecule as it was read; null of a graph
+  std::shared_ptr<PathWalk> path = nullptr;  ///< that is being found; null: none is
 };
 
 /// What a program knows better than the text of a molecule: each digit of the positions, and bonds.
@@ -37,6 +42,14 @@ struct Known {
   std::vector<Vec3> positions;  ///< (N) Angstrom; none: those of the file
   std::vector<Bond> bonds;      ///< in place of perceived ones, where there are positions
 };
+
+/// A molecule of a file, with its bonds; what is said on the way is added to `warnings`. Throws as
+/// open_file().
+Structure read_molecule(const std::string& name, std::string_view bytes, const Known& known,
+                        std::vector<std::string>& warnings);
+
+/// A model, to be shown. `name` where it has no title.
+Document document_of(MolecularModel built, const std::string& name);
 
 /// Reads a file, whose compression the page has undone, and builds its model: a name in models(),
 /// or "auto" for the one that fits. A graph XML file has no model. Throws as the readers and

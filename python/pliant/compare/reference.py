@@ -13,12 +13,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant import _core
-from pliant._core import InputError, PliantWarning
+from pliant._core import InputError, PliantWarning, Trace, match_residues, trace_of
 from pliant.analysis.traces import joined_along
 from pliant.check.sample import choose_frames
-from pliant.compare.matching import match
 from pliant.compare.pairing import choose, open_theirs
-from pliant.compare.traces import Trace, trace_of_atoms, trace_of_structure
+from pliant.compare.traces import trace_of_atoms
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe
@@ -87,12 +86,12 @@ def _models(ours: Trace, path: str | os.PathLike[str], select: str, frames: int 
     first = _read(path, 1)
     chosen = choose_frames(first.model_count, frames)
     found = []
-    notes: tuple[str, ...] = ()
+    notes: list[str] = []
     for model in chosen:
         structure = first if model == 0 else _read(path, int(model) + 1)
         part = structure if select == "all" else structure.select(select)
-        trace = trace_of_structure(part)
-        matched = match(ours, trace, name)
+        trace = trace_of(part)
+        matched = match_residues(ours, trace, name)
         notes = notes or matched.notes
         atoms = trace.atoms[matched.theirs]
         found.append((matched.ours, np.asarray(part.positions)[atoms]))
@@ -123,7 +122,7 @@ def _trajectory(
     theirs, _ = open_theirs(path, topology, universe)
     atoms = choose(theirs, select, path)
     trace = trace_of_atoms(atoms)
-    matched = match(ours, trace, os.fspath(path))
+    matched = match_residues(ours, trace, os.fspath(path))
     used = atoms[trace.atoms[matched.theirs]]
     steps = choose_frames(len(theirs.trajectory), frames).tolist()
     positions = np.array(

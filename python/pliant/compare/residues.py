@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from pliant._core import Trace
 from pliant.analysis import agreement as alike
 from pliant.analysis.agreement import TEN, Figure, Modes
 from pliant.analysis.collective import moving_stretches, participation
@@ -19,7 +20,6 @@ from pliant.compare.residue_report import (
     Stretch,
     Subspaces,
 )
-from pliant.compare.traces import Trace
 
 WHITE = 100  #: numbers of frames of `pliant sample` are white within blocks of so many
 LEAST_FRAMES = 4  #: for errors and for halves

@@ -1,11 +1,8 @@
 # SPDX-License-Identifier: MIT
 """A way from one structure to another, each frame whole: ``pliant path``, ``pliant.path``.
 
-At each step the other structure is superposed on the molecule, whose residues are asked to go
-towards it by a fixed r.m.s. distance; technique ``froda`` then makes bars whole, keeps atoms apart
-and holds the contacts that both structures have. Those of one alone are let go (targeting: S. Wells
-et al., Phys. Biol. 2 (2005) S127; D. W. Farrell, K. Speranskiy, M. F. Thorpe, Proteins 78 (2010)
-2908).
+The library finds it (``PathWalk``, src/pliant/path/path.hpp), by targeting: S. Wells et al., Phys.
+Biol. 2 (2005) S127; D. W. Farrell, K. Speranskiy, M. F. Thorpe, Proteins 78 (2010) 2908.
 """
 
 from typing import TYPE_CHECKING
@@ -14,8 +11,18 @@ from pliant._callable_package import make_callable
 
 if TYPE_CHECKING:
     from pliant.path.found import MolecularPath, PathFrame
-    from pliant.path.walk import path
+    from pliant.path.walk import PathEnds, PathOptions, PathWalk, path
 
-__all__ = ["MolecularPath", "PathFrame", "path"]
+__all__ = ["MolecularPath", "PathEnds", "PathFrame", "PathOptions", "PathWalk", "path"]
 
-make_callable(__name__, {"path": "walk", "MolecularPath": "found", "PathFrame": "found"})
+make_callable(
+    __name__,
+    {
+        "path": "walk",
+        "MolecularPath": "found",
+        "PathFrame": "found",
+        "PathEnds": "walk",
+        "PathOptions": "walk",
+        "PathWalk": "walk",
+    },
+)

@@ -8,20 +8,26 @@ import csv
 import os
 import sys
 from collections.abc import Sequence
-from dataclasses import asdict
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pliant import console
-from pliant._core import OptionError
+from pliant._core import OptionError, PathOptions
 from pliant._output_names import check_trajectory_name, is_pdb_name
 
 if TYPE_CHECKING:
-    from pliant.path.found import MolecularPath
+    from pliant.path.found import MolecularPath, PathFrame, TightPlace
 
 EXIT_SHORT = 3  #: the end was not reached
 
 ATTEMPTS = 10  #: of --backtrack without a number
+
+#: what is told of a frame and of a tight place, in this order
+FRAME = (
+    *("step", "to_end", "from_start", "lost", "made", "max_residual", "held_off", "overlap"),
+    "tightest",
+)
+PLACE = ("atoms", "overlap", "step", "frames")
 
 EPILOG = """\
 Residues are matched by chain and number, else by sequence. Hydrogen bonds, salt bridges and
@@ -44,9 +50,13 @@ examples:
 """
 
 
+def _row(of: PathFrame | TightPlace, names: Sequence[str]) -> dict[str, Any]:
+    return {name: getattr(of, name) for name in names}
+
+
 def write_table(path: MolecularPath, file: str | os.PathLike[str]) -> None:
     """One line a frame, as CSV."""
-    rows = [asdict(frame) for frame in path.frames]
+    rows = [_row(frame, FRAME) for frame in path.frames]
     with Path(file).open("w", newline="", encoding="utf-8") as stream:
         writer = csv.DictWriter(stream, list(rows[0]))
         writer.writeheader()
@@ -93,11 +103,15 @@ def _path(arguments: argparse.Namespace) -> int:
     from pliant.path import walk
 
     _check_outputs(arguments)
-    path = walk.path(
-        arguments.start, arguments.end, atoms=arguments.atoms, step=arguments.step,
-        both=arguments.both, backtrack=arguments.backtrack, seed=arguments.seed,
-        output=arguments.output, overwrite=arguments.overwrite,
+    options = PathOptions(
+        atoms=arguments.atoms, step=arguments.step, both=arguments.both,
+        backtrack=arguments.backtrack, seed=arguments.seed,
     )  # fmt: skip
+    with console.progress("path") as show:
+        path = walk.find(
+            arguments.start, arguments.end, options, arguments.output, arguments.overwrite,
+            lambda done: show(done, walk.WHOLE),
+        )  # fmt: skip
     if arguments.csv:
         write_table(path, arguments.csv)
     if arguments.json:
@@ -133,10 +147,10 @@ def _facts(path: MolecularPath, output: str) -> dict[str, Any]:
         "contacts_of_end": path.only_end,
         "worst_residual": max(frame.max_residual for frame in path.frames),
         "attempts": path.attempts,
-        "tightest": [asdict(place) for place in path.tight_places()],
+        "tightest": [_row(place, PLACE) for place in path.tight_places()],
         "seconds": path.seconds,
         "notes": path.notes,
-        "frames": [asdict(frame) for frame in path.frames],
+        "frames": [_row(frame, FRAME) for frame in path.frames],
     }
 
 

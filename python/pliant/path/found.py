@@ -7,37 +7,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pliant._core import MolecularModel
+from pliant._core import MolecularModel, PathFrame, PathOptions, TightPlace, tight_places
 from pliant._display import Displayed, Facts
 
-#: r.m.s. distance over matched atoms at which the end is reached, Angstrom: bonds and angles of the
-#: start keep heavy atoms further off
-ARRIVED = {"CA": 0.5, "heavy": 1.0}
-
-
-@dataclass
-class PathFrame:
-    """One step of a path."""
-
-    step: int
-    to_end: float  #: r.m.s. distance of the matched atoms from the end, superposed, Angstrom
-    from_start: float  #: the same from the start
-    lost: int  #: contacts that only the start has, and that are broken here
-    made: int  #: contacts that only the end has, and that are there
-    max_residual: float  #: worst bar, share of its length
-    held_off: float  #: furthest that a contact that both have is outside its interval, Angstrom
-    overlap: float  #: how much nearer than allowed two atoms are at most, Angstrom
-    tightest: str  #: these two: "A:LYS12 NZ - A:ASP54 OD1"; empty where none are
-
-
-@dataclass
-class TightPlace:
-    """Two atoms that are too near each other, more than any others in some frames."""
-
-    atoms: str  #: "A:LYS12 NZ - A:ASP54 OD1"
-    overlap: float  #: how much nearer than allowed, at most, Angstrom
-    step: int  #: where that is
-    frames: int  #: of which these two are the tightest
+__all__ = ["MolecularPath", "PathFrame", "TightPlace"]
 
 
 @dataclass
@@ -64,7 +37,7 @@ class MolecularPath(Displayed):
     @property
     def arrived(self) -> bool:
         """Whether the last frame is at the end: CA within 0.5 Angstrom, heavy atoms within 1."""
-        return self.reached <= ARRIVED[self.atoms]
+        return self.reached <= PathOptions(atoms=self.atoms).arrived_within
 
     def facts(self) -> Facts:
         """How far it came, and what is in its way."""
@@ -81,10 +54,4 @@ class MolecularPath(Displayed):
 
     def tight_places(self, count: int = 3) -> list[TightPlace]:
         """Pairs of atoms that are the nearest of a frame, the most overlapping first."""
-        found: dict[str, TightPlace] = {}
-        for frame in (frame for frame in self.frames if frame.tightest):
-            one = found.setdefault(frame.tightest, TightPlace(frame.tightest, 0.0, 0, 0))
-            one.frames += 1
-            if frame.overlap > one.overlap:
-                one.overlap, one.step = frame.overlap, frame.step
-        return sorted(found.values(), key=lambda one: -one.overlap)[:count]
+        return tight_places(self.frames, count)

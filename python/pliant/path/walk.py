@@ -1,45 +1,27 @@
 # SPDX-License-Identifier: MIT
-"""A path: what is moved, how it goes on where it sticks, and what is kept and written of it."""
+"""A path: found by the library, shown as it comes nearer, written once it has ended."""
 
 from __future__ import annotations
 
 import os
 import time
-from dataclasses import dataclass
+from collections.abc import Callable
 
-import numpy as np
+from pliant import _progress
+from pliant._core import (
+    H5mdRecorder,
+    OptionError,
+    PathEnds,
+    PathOptions,
+    PathWalk,
+    Structure,
+    read,
+)
+from pliant.path.found import MolecularPath
 
-from pliant._core import Frame, H5mdRecorder, OptionError, Structure, read
-from pliant.path.backtrack import go
-from pliant.path.ends import Ends
-from pliant.path.found import ARRIVED, MolecularPath
-from pliant.path.march import begin
-from pliant.path.meeting import meet
-from pliant.path.table import Table
-from pliant.path.walker import Walker, kept
+__all__ = ["PathEnds", "PathOptions", "PathWalk", "find", "path"]
 
-MOST_ATTEMPTS = 1000  #: that backtrack may ask for
-
-
-@dataclass(frozen=True)
-class _Asked:
-    """Options of path(), checked."""
-
-    atoms: str
-    step: float
-    both: bool
-    backtrack: int
-    seed: int
-
-    def __post_init__(self) -> None:
-        if self.atoms not in ("CA", "heavy"):
-            raise OptionError(f'atoms: expected "CA" or "heavy", found "{self.atoms}"')
-        if not 0.0 < self.step <= 2.0:
-            raise OptionError(f"step: expected above 0, at most 2 Angstrom, found {self.step}")
-        if not 0 <= self.backtrack <= MOST_ATTEMPTS:
-            raise OptionError(f"backtrack: expected 0 to {MOST_ATTEMPTS}, found {self.backtrack}")
-        if not 0 <= self.seed < 2**64:
-            raise OptionError(f"seed: expected 0 to 2^64 - 1, found {self.seed}")
+WHOLE = 100  #: of the distance, as bars show it: per cent
 
 
 def path(
@@ -88,25 +70,40 @@ def path(
     FileError
         The output exists or cannot be written.
     """
-    asked = _Asked(atoms, step, both, backtrack, seed)
-    begun = time.perf_counter()
-    ends = Ends(_structure(start), _structure(end), atoms)
-    recorder = None if output is None else _recorder(ends, asked, output, overwrite)
-    found = MolecularPath(
-        ends.start.model, np.empty(0), [], ends.matched, atoms, len(ends.start.model.contacts),
-        len(ends.only_start), ends.only_end, list(ends.notes),
-    )  # fmt: skip
-    course = _Course(ends, asked)
+    if not 0 <= seed < 2**64:
+        raise OptionError(f"seed: expected 0 to 2^64 - 1, found {seed}")
+    options = PathOptions(atoms=atoms, step=step, both=both, backtrack=backtrack, seed=seed)
+    bar = _progress.begin("path", WHOLE)
     try:
-        found.attempts = course.run()
+        return find(start, end, options, output, overwrite, bar.show if bar else None)
+    finally:
+        if bar is not None:
+            bar.close()
+
+
+def find(
+    start: Structure | str | os.PathLike[str],
+    end: Structure | str | os.PathLike[str],
+    options: PathOptions,
+    output: str | os.PathLike[str] | None = None,
+    overwrite: bool = False,
+    show: Callable[[int], None] | None = None,
+) -> MolecularPath:
+    """As `path`; `show` is told how much of the distance is gone, out of WHOLE."""
+    begun = time.perf_counter()
+    ends = PathEnds(_structure(start), _structure(end), options)
+    recorder = None if output is None else _recorder(ends, options, output, overwrite)
+    walk = PathWalk(ends, options)
+    try:
+        _go(walk, show)
     finally:  # after Ctrl-C what there is of the path is written as well
-        frames = course.frames()
         if recorder is not None:
-            _write(frames, recorder)
-    found.notes += course.notes + course.way.notes
-    found.positions = np.array([frame.positions for frame in frames])
-    table = Table(ends)
-    found.frames = [table.row(frame) for frame in frames]
+            walk.record(recorder)
+            recorder.close()
+    found = MolecularPath(
+        ends.model, walk.positions(), walk.table(), ends.matched, options.atoms,
+        len(ends.model.contacts), ends.only_start, ends.only_end, walk.notes, walk.attempts,
+    )  # fmt: skip
     found.seconds = time.perf_counter() - begun
     return found
 
@@ -115,52 +112,26 @@ def _structure(given: Structure | str | os.PathLike[str]) -> Structure:
     return given if isinstance(given, Structure) else read(os.fspath(given))
 
 
-def _write(frames: list[Frame], recorder: H5mdRecorder) -> None:
-    for frame in frames:
-        recorder.record(frame)
-    recorder.close()
-
-
-class _Course:
-    """The way of the molecule of the start."""
-
-    def __init__(self, ends: Ends, asked: _Asked) -> None:
-        self._ends, self._asked = ends, asked
-        self._walker = Walker(ends.start)
-        self.way = begin(self._walker, ends.goal)
-        self.notes: list[str] = []
-
-    def run(self) -> int:
-        """To where it ends; how often it went back."""
-        asked, goals = self._asked, [self._ends.goal]
-        if asked.both:
-            self.way, meeting = meet(self._ends, self._walker, asked.step)
-            goals = meeting.goals
-            self.notes.append(meeting.told())
-        near = ARRIVED[asked.atoms]
-        self.way, attempts = go(
-            self._walker, self.way, goals, asked.step, asked.backtrack, asked.seed, near
-        )
-        return attempts
-
-    def frames(self) -> list[Frame]:
-        """Numbered from the start."""
-        return [kept(frame, number) for number, frame in enumerate(self.way.frames)]
+def _go(walk: PathWalk, show: Callable[[int], None] | None) -> None:
+    """To where it ends."""
+    whole = walk.left
+    while walk.advance():
+        if show is not None:
+            show(max(0, round(WHOLE * (1 - walk.left / whole))))
 
 
 def _recorder(
-    ends: Ends, asked: _Asked, output: str | os.PathLike[str], overwrite: bool
+    ends: PathEnds, options: PathOptions, output: str | os.PathLike[str], overwrite: bool
 ) -> H5mdRecorder:
-    model = ends.start.model
-    parameters = {
+    parameters: dict[str, str | float | int] = {
         "path/end": os.path.basename(ends.source_of_end),
-        "path/atoms": asked.atoms,
-        "path/step": asked.step,
-        "path/both": int(asked.both),
-        "path/backtrack": asked.backtrack,
-        "path/seed": asked.seed,
+        "path/atoms": options.atoms,
+        "path/step": options.step,
+        "path/both": int(options.both),
+        "path/backtrack": options.backtrack,
+        "path/seed": options.seed,
     }
     return H5mdRecorder(
-        output, model.framework, structure=model.structure, parameters=parameters,
+        output, ends.model.framework, structure=ends.model.structure, parameters=parameters,
         overwrite=overwrite,
     )  # fmt: skip

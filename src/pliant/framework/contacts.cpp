@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <tuple>
 
@@ -31,6 +32,20 @@ std::vector<std::vector<Joint>> neighbours_by_bonds(const Framework& framework) 
   return neighbours;
 }
 
+/// By a, then b: counted into place by a, and sorted among the few of one a.
+std::vector<Contact> by_joints(const std::vector<Contact>& pairs, std::size_t joint_count) {
+  std::vector<std::size_t> end(joint_count + 1, 0);
+  for (const Contact& pair : pairs) ++end[pair.a + 1];
+  std::partial_sum(end.begin(), end.end(), end.begin());
+  std::vector<Contact> sorted(pairs.size());
+  std::size_t first = 0;
+  for (const Contact& pair : pairs) sorted[end[pair.a]++] = pair;
+  for (std::size_t joint = 0; joint < joint_count; first = end[joint++])
+    std::sort(sorted.begin() + std::ptrdiff_t(first), sorted.begin() + std::ptrdiff_t(end[joint]),
+              [](const Contact& one, const Contact& other) { return one.b < other.b; });
+  return sorted;
+}
+
 bool comes_before(const OwnDistance& own, Ends ends) {
   return std::tie(own.a, own.b) < std::tie(ends.first, ends.second);
 }
@@ -38,9 +53,14 @@ bool comes_before(const OwnDistance& own, Ends ends) {
 }  // namespace
 
 ContactRules::ContactRules(const Framework& framework)
-    : sterics_(*framework.sterics()), largest_(sterics_.largest()), own_(sterics_.own) {
-  for (OwnDistance& own : own_)
+    : sterics_(*framework.sterics()),
+      largest_(sterics_.largest()),
+      own_(sterics_.own),
+      has_own_(framework.joint_count(), 0) {
+  for (OwnDistance& own : own_) {
     if (own.a > own.b) std::swap(own.a, own.b);
+    has_own_[own.a] = 1;
+  }
   std::sort(own_.begin(), own_.end(), [](const OwnDistance& one, const OwnDistance& other) {
     return comes_before(one, {other.a, other.b});
   });
@@ -73,7 +93,7 @@ void ContactRules::exclude_within(const Framework& framework) {
 }
 
 double ContactRules::of(Joint a, Joint b) const {
-  if (!own_.empty()) {
+  if (has_own_[a] != 0) {
     const auto own = std::lower_bound(own_.begin(), own_.end(), Ends{a, b}, comes_before);
     if (own != own_.end() && own->a == a && own->b == b) return own->least;
   }
@@ -116,15 +136,16 @@ void Contacts::make_list(std::span<const Vec3> positions) {
   ++lists_made_;
   if (rules_.largest() == 0.0) return;
   const double skin = slack * skin_;
+  const auto reaches = [skin](double least, double squared) {
+    return least > 0.0 && squared <= (least + skin) * (least + skin);
+  };
   CellList(positions, rules_.largest() + skin)
       .for_each_pair([&](std::uint32_t a, std::uint32_t b, double squared) {
+        if (!reaches(rules_.at_most(a, b), squared)) return;
         const double least = rules_.of(a, b);
-        if (least > 0.0 && squared <= (least + skin) * (least + skin))
-          near_.push_back({a, b, least});
+        if (reaches(least, squared)) near_.push_back({a, b, least});
       });
-  std::sort(near_.begin(), near_.end(), [](const Contact& one, const Contact& other) {
-    return std::tie(one.a, one.b) < std::tie(other.a, other.b);
-  });
+  near_ = by_joints(near_, positions.size());
 }
 
 std::vector<OwnDistance> own_distances(const Framework& framework,

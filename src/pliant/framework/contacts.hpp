@@ -24,6 +24,10 @@ class ContactRules {
   explicit ContactRules(const Framework& framework);
 
   double largest() const { return largest_; }  ///< of any pair; 0: nothing ever touches
+  /// No less than of(a, b), and quick to tell.
+  double at_most(Joint a, Joint b) const {
+    return has_own_[a] != 0 ? largest_ : sterics_.of_kinds(a, b);
+  }
   /// Of joints a < b (Angstrom); 0 if they may come as near as they like.
   double of(Joint a, Joint b) const;
   /// The joints above `joint` that are so few bonds away that the two never touch, ascending.
@@ -36,9 +40,10 @@ class ContactRules {
 
   const Sterics& sterics_;
   double largest_;
-  std::vector<OwnDistance> own_;    ///< a < b, sorted
-  std::vector<std::size_t> first_;  ///< (N + 1) into excluded_
-  std::vector<Joint> excluded_;     ///< joints above a joint that never touch it, ascending
+  std::vector<OwnDistance> own_;       ///< a < b, sorted
+  std::vector<std::uint8_t> has_own_;  ///< (N) 1: it is the a of one of these
+  std::vector<std::size_t> first_;     ///< (N + 1) into excluded_
+  std::vector<Joint> excluded_;        ///< joints above a joint that never touch it, ascending
 };
 
 /// Knows which pairs of joints may touch. Which of them a caller sees does not depend on the skin

@@ -67,6 +67,13 @@
 #include "pliant/order/ordering.hpp"
 #include "pliant/order/ordering_file.hpp"
 #include "pliant/order/traversal.hpp"
+#include "pliant/path/ends.hpp"
+#include "pliant/path/matching.hpp"
+#include "pliant/path/path.hpp"
+#include "pliant/path/path_options.hpp"
+#include "pliant/path/path_table.hpp"
+#include "pliant/path/sequence.hpp"
+#include "pliant/path/trace.hpp"
 #include "pliant/perturb/force_events.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/perturb/guide.hpp"
@@ -231,6 +238,13 @@ const Use uses[] = {
     of("pliant/resolve/resolve.hpp", &Resolver::check_arguments),
     of("pliant/resolve/techniques.hpp", &techniques),
     of("pliant/resolve/walkers.hpp", &WalkerResolver::level),
+    of("pliant/path/ends.hpp", &match_ends),
+    of("pliant/path/matching.hpp", &match_residues),
+    of("pliant/path/path.hpp", &find_path),
+    of("pliant/path/path_options.hpp", &find_path_atoms),
+    of("pliant/path/path_table.hpp", &tight_places),
+    of("pliant/path/sequence.hpp", &align),
+    of("pliant/path/trace.hpp", &trace_of),
     of("pliant/perturb/force_events.hpp", &write_force_events),
     of("pliant/perturb/force_file.hpp", &write_force_file),
     of("pliant/perturb/guide.hpp", &pushers_of),

@@ -58,7 +58,7 @@ export class Transport {
 
   async undo() {
     this.play(false);
-    if (this.stage.isReplay) return say('A trajectory from a file has nothing to undo.', true);
+    if (this.stage.isReplay) return say('What is replayed has nothing to undo.', true);
     const steps = await this.session.undo();
     if (!steps) say('There is nothing to undo.', true);
     return undefined;
@@ -111,7 +111,7 @@ export class Transport {
 
   async saveForces(stem) {
     if (this.session.live) throw new Error('A run keeps its forces itself, in OUT.forces: pliant run --record-forces.');
-    if (this.stage.isReplay) throw new Error('A trajectory from a file was made without this page: it has no forces.');
+    if (this.stage.isReplay) throw new Error('What is replayed was made without forces of this page.');
     download([await this.session.forces()], `${stem}.forces.txt`, 'text/plain');
   }
 

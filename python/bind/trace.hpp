@@ -1,0 +1,11 @@
+// SPDX-License-Identifier: MIT
+// Traces of residues, their sequences, and how those of two structures are matched.
+#pragma once
+
+#include "bind.hpp"
+
+namespace pliant::python {
+
+void bind_trace(nb::module_& module);
+
+}  // namespace pliant::python

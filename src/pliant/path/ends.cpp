@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/path/ends.hpp"
+
+#include <utility>
+
+#include "pliant/base/error.hpp"
+#include "pliant/path/matching.hpp"
+#include "pliant/path/shared_contacts.hpp"
+
+namespace pliant {
+namespace {
+
+using Indices = std::vector<std::uint32_t>;
+constexpr std::uint32_t none = ~std::uint32_t{0};
+
+/// What is matched in one of the two structures.
+struct MatchedSide {
+  Indices traced;    ///< (M) the atom of each matched residue
+  Indices residues;  ///< (M)
+  Indices asked;     ///< (K) atoms
+};
+
+Vec3 middle_of(const std::vector<Vec3>& positions, const Indices& atoms) {
+  Vec3 sum;
+  for (std::uint32_t atom : atoms) sum += positions[atom];
+  return (1.0 / double(atoms.size())) * sum;
+}
+
+std::uint32_t nearest_to(Vec3 place, const std::vector<Vec3>& positions, const Indices& traced) {
+  std::uint32_t nearest = 0;
+  for (std::uint32_t k = 1; k < traced.size(); ++k)
+    if (norm_squared(positions[traced[k]] - place) <
+        norm_squared(positions[traced[nearest]] - place))
+      nearest = k;
+  return nearest;
+}
+
+/// (N) the matched residue that each atom goes with: its own, else the nearest.
+Indices leaders(const MolecularModel& model, const MatchedSide& side) {
+  const AtomTable& atoms = model.structure.atoms;
+  std::vector<Indices> members(atoms.residues.size());
+  for (std::uint32_t atom = 0; atom < atoms.size(); ++atom)
+    members[atoms.residue_of[atom]].push_back(atom);
+  Indices number(atoms.residues.size(), none), leader(atoms.size(), none);
+  for (std::uint32_t k = 0; k < side.residues.size(); ++k) number[side.residues[k]] = k;
+  for (std::size_t residue = 0; residue < members.size(); ++residue) {
+    if (members[residue].empty()) continue;
+    if (number[residue] == none)
+      number[residue] =
+          nearest_to(middle_of(model.positions, members[residue]), model.positions, side.traced);
+    for (std::uint32_t atom : members[residue]) leader[atom] = number[residue];
+  }
+  return leader;
+}
+
+MolecularModel model_with(const Structure& structure, std::vector<MolecularContact> contacts) {
+  ModelOptions options;
+  options.contacts = std::move(contacts);
+  return build_model(structure, options);
+}
+
+PathSide side_of(MolecularModel model, const MatchedSide& side) {
+  Indices leader = leaders(model, side);
+  return {std::move(model), side.asked, std::move(leader)};
+}
+
+/// Contacts of theirs between atoms of ours, as far as we have those.
+std::vector<MolecularContact> as_ours(const std::vector<MolecularContact>& contacts,
+                                      const MatchedAtoms& theirs, const MatchedAtoms& ours) {
+  std::vector<MolecularContact> found;
+  for (MolecularContact contact : contacts) {
+    const auto a = ours.atom_of(*theirs.name_of(contact.a));
+    const auto b = ours.atom_of(*theirs.name_of(contact.b));
+    if (!a || !b) continue;
+    contact.a = *a;
+    contact.b = *b;
+    found.push_back(contact);
+  }
+  return found;
+}
+
+/// Matches a start with an end.
+class EndsMatcher {
+ public:
+  EndsMatcher(const Structure& start, const Structure& end, const PathOptions& options)
+      : options_(options), whole_(build(start)), goal_(build(end)) {}
+
+  PathEnds match(const Structure& start, const Structure& end) {
+    std::vector<std::string> notes = match_traces();
+    if (options_.atoms == PathAtoms::heavy) ask_heavy();
+    const Structure &here = whole_.structure, &there = goal_.structure;
+    const ResiduePairing all = with_ligands(here, there, {ours_.residues, theirs_.residues});
+    const MatchedAtoms ours(here, all.ours), theirs(there, all.theirs);
+    SharedContacts contacts = share_contacts(whole_.contacts, ours, goal_.contacts, theirs);
+    PathEnds found{.start = side_of(model_with(start, std::move(contacts.ours)), ours_),
+                   .end = std::nullopt,
+                   .goal = {},
+                   .matched = ours_.residues.size(),
+                   .end_contacts = contacts.only_theirs.size(),
+                   .to_lose = std::move(contacts.only_ours),
+                   .to_make = as_ours(contacts.only_theirs, theirs, ours),
+                   .source_of_end = there.source,
+                   .notes = std::move(notes)};
+    for (std::uint32_t atom : theirs_.asked) found.goal.push_back(goal_.positions[atom]);
+    if (options_.both) found.end = side_of(model_with(end, std::move(contacts.theirs)), theirs_);
+    return found;
+  }
+
+ private:
+  MolecularModel build(const Structure& structure) const {
+    ModelOptions options;
+    options.log = options_.log;
+    return build_model(structure, options);
+  }
+
+  /// How.
+  std::vector<std::string> match_traces() {
+    const Trace ours = trace_of(whole_.structure), theirs = trace_of(goal_.structure);
+    if (ours.size() == 0)
+      throw InputError(whole_.structure.source + ": has no residues of proteins or nucleic acids");
+    ResidueMatch match = match_residues(ours, theirs, goal_.structure.source);
+    take(ours, match.ours, whole_.structure, ours_);
+    take(theirs, match.theirs, goal_.structure, theirs_);
+    return std::move(match.notes);
+  }
+
+  static void take(const Trace& trace, const Indices& residues, const Structure& structure,
+                   MatchedSide& side) {
+    for (std::uint32_t residue : residues) {
+      side.traced.push_back(trace[residue].atom);
+      side.residues.push_back(structure.atoms.residue_of[trace[residue].atom]);
+    }
+    side.asked = side.traced;
+  }
+
+  /// Atoms of both that have the same name in residues that go together, but no hydrogens.
+  void ask_heavy() {
+    const Structure& structure = whole_.structure;
+    const MatchedAtoms here(structure, ours_.residues);
+    const MatchedAtoms there(goal_.structure, theirs_.residues);
+    ours_.asked.clear();
+    theirs_.asked.clear();
+    for (std::uint32_t atom = 0; atom < structure.size(); ++atom) {
+      const auto name = here.name_of(atom);
+      if (!name || structure.atoms.elements[atom] <= 1) continue;
+      const auto other = there.atom_of(*name);
+      if (!other) continue;
+      ours_.asked.push_back(atom);
+      theirs_.asked.push_back(*other);
+    }
+  }
+
+  const PathOptions& options_;
+  MolecularModel whole_, goal_;
+  MatchedSide ours_, theirs_;
+};
+
+}  // namespace
+
+PathEnds match_ends(const Structure& start, const Structure& end, const PathOptions& options) {
+  check(options);
+  return EndsMatcher(start, end, options).match(start, end);
+}
+
+}  // namespace pliant

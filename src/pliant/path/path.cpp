@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/path/path.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "pliant/path/detour.hpp"
+#include "pliant/path/meeting.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr double timestep = 0.01;  // ps a step, as files of Motion have it; a path has no time
+
+}  // namespace
+
+/// First both ends, if so asked; then the march of the start; then detours, each with a march.
+struct PathWalk::Plan {
+  std::shared_ptr<const PathEnds> ends;
+  PathOptions options;
+  PathWalker walker;
+  Way best;   ///< the first, or a better one that began with a detour
+  Way other;  ///< that began with the last detour
+  std::vector<std::vector<Vec3>> goals;
+  std::vector<std::string> notes;
+  std::optional<Meeting> meeting;
+  std::optional<Detour> detour;
+  std::optional<March> march;
+  std::int64_t attempts = 0;
+  bool is_over = false;
+
+  Plan(std::shared_ptr<const PathEnds> given, const PathOptions& asked)
+      : ends(std::move(given)),
+        options(asked),
+        walker(ends->start, options.should_stop),
+        goals{ends->goal} {
+    best.add(walker.now(), walker.apart(ends->goal));
+    if (options.both) {
+      meeting.emplace(*ends, walker, best, options);
+    } else {
+      march.emplace(walker, best, goals, options.step);
+    }
+  }
+  Plan(const Plan&) = delete;
+  Plan& operator=(const Plan&) = delete;
+
+  void advance() {
+    if (meeting) {
+      if (!meeting->advance()) end_meeting();
+    } else if (detour) {
+      if (!detour->advance()) end_detour();
+    } else if (!march->advance()) {
+      end_march();
+    }
+  }
+
+ private:
+  void end_meeting() {
+    notes.push_back(meeting->told());
+    goals = meeting->goals();
+    meeting.reset();
+    march.emplace(walker, best, goals, options.step);
+  }
+
+  void end_detour() {
+    other = std::move(detour->way());
+    detour.reset();
+    const auto apart = [&](const std::vector<Vec3>& goal) { return walker.apart(goal); };
+    const auto nearest =
+        std::min_element(goals.begin(), goals.end(),
+                         [&](const auto& a, const auto& b) { return apart(a) < apart(b); });
+    march.emplace(walker, other, std::vector(nearest, goals.end()), options.step);
+  }
+
+  void end_march() {
+    march.reset();
+    if (attempts > 0 && other.left.back() < best.left.back() - least_gain) best = std::move(other);
+    if (best.left.back() <= arrived_within(options.atoms) || attempts >= options.backtrack) {
+      walker.put(best.places.back());
+      is_over = true;
+      return;
+    }
+    ++attempts;
+    detour.emplace(walker, best, goals.back(), std::uint64_t(attempts), options.seed);
+  }
+};
+
+PathWalk::PathWalk(std::shared_ptr<const PathEnds> ends, const PathOptions& options) {
+  check(options);
+  plan_ = std::make_unique<Plan>(std::move(ends), options);
+}
+
+PathWalk::~PathWalk() = default;
+PathWalk::PathWalk(PathWalk&&) noexcept = default;
+
+bool PathWalk::advance() {
+  if (!plan_->is_over) plan_->advance();
+  return !plan_->is_over;
+}
+
+bool PathWalk::is_over() const { return plan_->is_over; }
+std::size_t PathWalk::frame_count() const { return plan_->best.places.size(); }
+
+Frame PathWalk::frame(std::size_t number) const {
+  const PathPlace& place = *plan_->best.places[number];
+  Frame frame;
+  frame.step = std::int64_t(number);
+  frame.time = double(number) * timestep;
+  frame.positions = place.positions;
+  frame.sweeps = place.sweeps;
+  frame.projections = place.projections;
+  frame.max_residual = place.max_residual;
+  frame.rms_residual = place.rms_residual;
+  frame.max_limit = place.max_limit;
+  frame.max_overlap = place.max_overlap;
+  return frame;
+}
+
+double PathWalk::left() const { return plan_->best.left.back(); }
+std::int64_t PathWalk::attempts() const { return plan_->attempts; }
+
+std::vector<std::string> PathWalk::notes() const {
+  std::vector<std::string> all = plan_->ends->notes;
+  all.insert(all.end(), plan_->notes.begin(), plan_->notes.end());
+  const std::vector<std::string>& of_way = plan_->best.notes;
+  all.insert(all.end(), of_way.begin(), of_way.end());
+  return all;
+}
+
+const std::shared_ptr<const PathEnds>& PathWalk::ends() const { return plan_->ends; }
+const PathOptions& PathWalk::options() const { return plan_->options; }
+
+std::vector<PathFrame> table_of(const PathWalk& walk) {
+  PathTable table(*walk.ends());
+  std::vector<PathFrame> rows;
+  for (std::size_t k = 0; k < walk.frame_count(); ++k) {
+    const Frame frame = walk.frame(k);
+    rows.push_back(table.row(frame.step, frame.positions, frame.max_residual));
+  }
+  return rows;
+}
+
+MolecularPath found_by(const PathWalk& walk) {
+  MolecularPath found{walk.ends(), {}, table_of(walk), walk.notes(), walk.attempts(), false};
+  for (std::size_t k = 0; k < walk.frame_count(); ++k) {
+    const auto positions = walk.frame(k).positions;
+    found.positions.emplace_back(positions.begin(), positions.end());
+  }
+  found.has_arrived = found.frames.back().to_end <= arrived_within(walk.options().atoms);
+  return found;
+}
+
+MolecularPath find_path(const Structure& start, const Structure& end, const PathOptions& options) {
+  PathWalk walk(std::make_shared<const PathEnds>(match_ends(start, end, options)), options);
+  while (!(options.should_stop && options.should_stop()) && walk.advance()) {
+  }
+  return found_by(walk);
+}
+
+}  // namespace pliant

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/path/path.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "pliant/base/error.hpp"
+#include "pliant/base/superposition.hpp"
+#include "pliant/framework/residual.hpp"
+#include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/read/read.hpp"
+#include "support/error_text.hpp"
+
+namespace pliant::path_test {
+
+using ::testing::Each;
+using ::testing::HasSubstr;
+using ::testing::Lt;
+using ::testing::SizeIs;
+
+/// A helix of 20 residues.
+Structure helix() {
+  Structure structure = read_structure(PLIANT_SOURCE_DIR "/data/molecules/peptide_20.pdb");
+  perceive_bonds(structure);
+  return structure;
+}
+
+std::size_t atom_of(const Structure& s, std::uint32_t residue, const std::string& name) {
+  for (std::size_t atom = 0; atom < s.size(); ++atom)
+    if (s.atoms.residue_of[atom] == residue && s.atoms.names[atom] == name) return atom;
+  throw std::runtime_error("no atom " + name);
+}
+
+/// The same with what follows a residue (from 0) turned about its bond N-CA.
+Structure bent(Structure s, std::uint32_t residue, double degrees) {
+  const Vec3 n = s.positions[atom_of(s, residue, "N")], ca = s.positions[atom_of(s, residue, "CA")];
+  const Rotation turn =
+      turn_about((1.0 / distance(n, ca)) * (ca - n), std::tan(degrees / 360.0 * std::numbers::pi));
+  for (std::size_t atom = 0; atom < s.size(); ++atom) {
+    const std::string& name = s.atoms.names[atom];
+    const bool stays = name == "N" || name == "H" || name == "CA" || name == "HA";
+    if (s.atoms.residue_of[atom] > residue || (s.atoms.residue_of[atom] == residue && !stays))
+      s.positions[atom] = n + turn(s.positions[atom] - n);
+  }
+  return s;
+}
+
+/// r.m.s. distance of the alpha carbons of a frame from those of a structure, superposed.
+double apart(const MolecularPath& path, const std::vector<Vec3>& frame, const Structure& end) {
+  std::vector<Vec3> here, there;
+  const AtomTable& atoms = path.ends->start.model.structure.atoms;
+  for (std::size_t atom = 0; atom < atoms.size(); ++atom)
+    if (atoms.names[atom] == "CA") here.push_back(frame[atom]);
+  for (std::size_t atom = 0; atom < end.size(); ++atom)
+    if (end.atoms.names[atom] == "CA") there.push_back(end.positions[atom]);
+  const RigidMotion onto = superposition(here, there);
+  double sum = 0.0;
+  for (std::size_t k = 0; k < here.size(); ++k) sum += norm_squared(onto(here[k]) - there[k]);
+  return std::sqrt(sum / double(here.size()));
+}
+
+double worst_bar(const MolecularPath& path) {
+  double worst = 0.0;
+  for (const std::vector<Vec3>& frame : path.positions)
+    worst = std::max(worst, measure(path.ends->start.model.framework, frame).max_relative);
+  return worst;
+}
+
+TEST(Path, ArrivesWithEveryBarWhole) {
+  const Structure start = helix(), end = bent(start, 9, 60.0);
+  const MolecularPath path = find_path(start, end);
+  EXPECT_TRUE(path.has_arrived);
+  EXPECT_GT(path.frames.size(), 5U);
+  EXPECT_GT(path.frames.front().to_end, 2.0);
+  EXPECT_NEAR(path.frames.front().from_start, 0.0, 1e-9);
+  EXPECT_NEAR(apart(path, path.positions.back(), end), path.frames.back().to_end, 1e-6);
+  EXPECT_LT(path.frames.back().to_end, 0.5);
+  EXPECT_LT(worst_bar(path), 1e-10);
+  EXPECT_EQ(path.ends->matched, 20U);
+}
+
+TEST(Path, HoldsTheContactsOfBothAndLosesThoseOfTheStart) {
+  const Structure start = helix();
+  const MolecularPath path = find_path(start, bent(start, 9, 60.0));
+  EXPECT_FALSE(path.ends->start.model.contacts.empty());
+  EXPECT_FALSE(path.ends->to_lose.empty());
+  EXPECT_EQ(path.frames.front().lost, 0);
+  EXPECT_GT(path.frames.back().lost, 0);
+  for (const PathFrame& frame : path.frames) {
+    EXPECT_LT(frame.held_off, 0.011) << frame.step;
+    EXPECT_LT(frame.overlap, 0.11) << frame.step;
+  }
+}
+
+TEST(Path, TheSameAgainHasTheSameBits) {
+  const Structure start = helix(), end = bent(start, 9, 60.0);
+  for (const PathOptions& options :
+       {PathOptions{}, PathOptions{.both = true}, PathOptions{.atoms = PathAtoms::heavy}})
+    EXPECT_EQ(find_path(start, end, options).positions, find_path(start, end, options).positions);
+}
+
+TEST(Path, BothEndsMeet) {
+  const Structure start = helix(), end = bent(start, 9, 60.0);
+  const MolecularPath path = find_path(start, end, {.both = true});
+  EXPECT_TRUE(path.has_arrived);
+  EXPECT_THAT(path.notes, SizeIs(2));
+  EXPECT_THAT(path.notes.back(), HasSubstr("the two ends met, 0."));
+  EXPECT_LT(worst_bar(path), 1e-10);
+}
+
+TEST(Path, TheSameStructureIsNoWay) {
+  for (const bool both : {false, true}) {
+    const MolecularPath path = find_path(helix(), helix(), {.both = both});
+    EXPECT_TRUE(path.has_arrived);
+    EXPECT_THAT(path.frames, SizeIs(1));
+  }
+}
+
+TEST(Path, WhatIsStuckGoesBackAndKeepsWhatIsBest) {
+  const Structure start = helix();
+  Structure mirror = start;  // which no motion reaches
+  for (Vec3& x : mirror.positions) x.x = -x.x;
+  const MolecularPath straight = find_path(start, mirror);
+  const MolecularPath again = find_path(start, mirror, {.backtrack = 2, .seed = 1});
+  EXPECT_FALSE(straight.has_arrived);
+  EXPECT_EQ(straight.attempts, 0);
+  EXPECT_EQ(again.attempts, 2);
+  EXPECT_LE(again.frames.back().to_end, straight.frames.back().to_end);
+  EXPECT_LT(worst_bar(again), 1e-10);
+}
+
+TEST(PathWalk, GrowsStepByStepIntoTheSamePath) {
+  const Structure start = helix(), end = bent(start, 9, 60.0);
+  const auto ends = std::make_shared<const PathEnds>(match_ends(start, end));
+  PathWalk walk(ends, {});
+  EXPECT_EQ(walk.frame_count(), 1U);
+  std::size_t before = 1;
+  while (walk.advance()) {
+    EXPECT_LE(walk.frame_count(), before + 1);
+    before = walk.frame_count();
+  }
+  EXPECT_TRUE(walk.is_over());
+  EXPECT_FALSE(walk.advance());
+  EXPECT_EQ(found_by(walk).positions, find_path(start, end).positions);
+  EXPECT_EQ(walk.frame(3).step, 3);
+  EXPECT_DOUBLE_EQ(walk.frame(3).time, 0.03);
+}
+
+/// The steps in which it is stopped leave nothing behind.
+TEST(PathWalk, GoesOnAfterItWasStopped) {
+  const Structure start = helix(), end = bent(start, 9, 60.0);
+  for (const bool both : {false, true}) {
+    int asked = 0;
+    PathOptions options{.both = both};
+    const auto ends = std::make_shared<const PathEnds>(match_ends(start, end, options));
+    options.should_stop = [&asked] { return ++asked % 7 == 0; };
+    PathWalk walk(ends, options);
+    while (walk.advance()) {
+    }
+    EXPECT_GT(asked, 14);
+    const MolecularPath stopped = found_by(walk);
+    EXPECT_TRUE(stopped.has_arrived);
+    EXPECT_LT(worst_bar(stopped), 1e-10);
+  }
+}
+
+TEST(PathWalk, EndsAtOnceWhereItIsStoppedFromOutside) {
+  const Structure start = helix();
+  const MolecularPath path =
+      find_path(start, bent(start, 9, 60.0), {.should_stop = [] { return true; }});
+  EXPECT_THAT(path.frames, SizeIs(1));
+  EXPECT_FALSE(path.has_arrived);
+}
+
+TEST(PathTable, TightPlacesAreThoseThatOverlapMost) {
+  std::vector<PathFrame> frames(5);
+  const std::vector<std::pair<double, const char*>> rows{
+      {0.1, "A"}, {0.3, "B"}, {0.0, ""}, {0.2, "A"}, {0.05, "C"}};
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    frames[k].step = std::int64_t(k);
+    frames[k].overlap = rows[k].first;
+    frames[k].tightest = rows[k].second;
+  }
+  const std::vector<TightPlace> places = tight_places(frames, 2);
+  ASSERT_EQ(places.size(), 2U);
+  EXPECT_EQ(places[0].atoms, "B");
+  EXPECT_EQ(places[1].atoms, "A");
+  EXPECT_EQ(places[1].overlap, 0.2);
+  EXPECT_EQ(places[1].step, 3);
+  EXPECT_EQ(places[1].frames, 2);
+}
+
+TEST(PathOptions, OutOfRangeAreRefused) {
+  const auto told = [](PathOptions options) {
+    return test::error_text<OptionError>([&] { check(options); });
+  };
+  EXPECT_EQ(told({.step = 0.0}), "step: expected above 0, at most 2 Angstrom, found 0");
+  EXPECT_EQ(told({.step = 2.5}), "step: expected above 0, at most 2 Angstrom, found 2.5");
+  EXPECT_EQ(told({.backtrack = -1}), "backtrack: expected 0 to 1000, found -1");
+  EXPECT_EQ(test::error_text<OptionError>([] { find_path_atoms("all"); }),
+            "atoms: expected \"CA\" or \"heavy\", found \"all\"");
+}
+
+TEST(PathEnds, AnotherMoleculeIsRefused) {
+  Structure drug = read_structure(PLIANT_SOURCE_DIR "/data/molecules/caffeine.sdf");
+  EXPECT_THAT(test::error_text<InputError>([&] { match_ends(drug, helix()); }),
+              HasSubstr("has no residues of proteins or nucleic acids"));
+  EXPECT_THAT(test::error_text<InputError>([&] { match_ends(helix(), drug); }),
+              HasSubstr("is it the same molecule"));
+}
+
+TEST(PathEnds, HeavyAtomsAreThoseOfTheSameName) {
+  const PathEnds ends = match_ends(helix(), helix(), {.atoms = PathAtoms::heavy});
+  const Structure& structure = ends.start.model.structure;
+  EXPECT_GT(ends.start.asked.size(), 100U);
+  for (std::size_t k = 0; k < ends.goal.size(); ++k) {
+    EXPECT_GT(structure.atoms.elements[ends.start.asked[k]], 1);
+    EXPECT_EQ(ends.goal[k], structure.positions[ends.start.asked[k]]);
+  }
+  EXPECT_THAT(ends.start.leader, Each(Lt(20U)));
+}
+
+}  // namespace pliant::path_test
