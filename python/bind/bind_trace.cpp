@@ -15,13 +15,13 @@ using Texts = std::vector<std::string>;
 PolymerKind kind_from(const std::string& atom) {
   for (PolymerKind kind : {PolymerKind::amino, PolymerKind::nucleic})
     if (atom == trace_atom(kind)) return kind;
-  throw InputError("kinds: expected \"CA\" or \"P\", found " + quoted(atom));
+  throw InputError("kinds: expected \"CA\" or \"P\", found " + pliant::quoted(atom));
 }
 
 char code_from(const std::string& code) {
   const std::string_view found = trimmed(code);
   if (found.size() > 1)
-    throw InputError("codes: expected one character or none, found " + quoted(code));
+    throw InputError("codes: expected one character or none, found " + pliant::quoted(code));
   return found.empty() ? ' ' : found[0];
 }
 
