@@ -54,7 +54,7 @@ def test_a_person_opens_and_pulls(tests):
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("tests", ["page", "record", "resolve"])
+@pytest.mark.parametrize("tests", ["bits", "page", "record", "resolve"])
 def test_a_person_does_all_else(tests):
     done = node("run.mjs", tests, timeout=300)
     assert done.returncode == 0, done.stdout[-4000:]
