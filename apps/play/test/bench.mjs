@@ -8,6 +8,7 @@ import {readFileSync} from 'node:fs';
 import {openPage, quit, settle} from './browser.mjs';
 
 const STEPS = 40;
+const [FRAME, PLOTS] = [1000 / 60, 90];  // ms between frames of a usual screen, and between plots
 const APART = 90;  // Angstrom between two copies
 
 /** So many copies of the ATOM lines, each a chain of its own letter, beside each other. */
@@ -28,13 +29,14 @@ function copies(text, count) {
 }
 
 /** What the page does for one frame after the other, ms each: `step` takes a step's reply, `frame` is
- * the rest of JavaScript, in which `draw` gives the picture to the driver; `solver` is the call in the
+ * the rest of JavaScript, in which `draw` gives the picture to the driver and `plots` are drawn, each
+ * 90 ms: here, where painting takes longer, with each frame; `solver` is the call in the
  * worker, copies included; `shown` is from one frame of the screen to the next, painting included. */
 function drag(page) {
   return page.evaluate(async (steps) => {
     const {session, stage, hand, view, costs} = P;
     stage.recording = false;
-    const took = {step: [], draw: [], solver: [], shown: []};
+    const took = {step: [], draw: [], plots: [], solver: [], shown: []};
     const timed = (object, name, list) => {
       const own = object[name];
       object[name] = function timedOnly(...words) {
@@ -52,7 +54,8 @@ function drag(page) {
       if (what === 'pull') took.solver.push(reply.took);
       return reply;
     };
-    const undo = [timed(session, 'stand', took.step), timed(view, 'draw', took.draw), () => { client.ask = ask; }];
+    const undo = [timed(session, 'stand', took.step), timed(view, 'draw', took.draw),
+      timed(P.plots, 'tick', took.plots), () => { client.ask = ask; }];
     const joint = Math.floor(session.model.joints / 2);
     hand.grasp(joint, view.orbit.project(hand.positionOf(joint)));
     hand.held.target = hand.positionOf(joint).map((x, c) => x + [3, 2, 0][c] * view.unit);
@@ -75,10 +78,12 @@ function drag(page) {
 async function measure(page, title, technique) {
   await page.evaluate((wanted) => P.session.change({technique: wanted}), technique);
   const found = await drag(page);
-  const {step, frame, draw, solver, shown} = found;
+  const {step, frame, draw, plots, solver, shown} = found;
+  const rest = frame - plots - draw;
+  const script = step + frame - plots + plots * FRAME / PLOTS;
   const cell = (value) => value.toFixed(1).padStart(8);
   console.log(`${title.padEnd(24)}${technique.padEnd(8)}${String(found.joints).padStart(7)}${String(found.bars).padStart(8)}` +
-    [step + frame, step, frame - draw, draw, solver, step + frame + solver, shown].map(cell).join(''));
+    [script, step, rest, draw, plots, solver, script + solver, shown].map(cell).join(''));
 }
 
 async function open(page, name, text, model) {
@@ -92,7 +97,7 @@ page.setDefaultTimeout(600000);
 const [pdb, ...sizes] = process.argv.slice(2);
 const text = pdb && readFileSync(pdb, 'utf8');
 const isAsked = (joints) => !sizes.length || sizes.includes(String(joints));
-console.log(`${''.padEnd(32)} joints    bars  script    step    rest    draw  solver     all   shown`);
+console.log(`${''.padEnd(32)} joints    bars  script    step    rest    draw   plots  solver     all   shown`);
 for (const [count, joints] of text ? [[1, 3341], [3, 10000], [30, 100000]] : []) {
   if (!isAsked(joints)) continue;
   await open(page, 'copies.pdb', copies(text, count), 'bonds');

@@ -133,6 +133,28 @@ def test_pliant_run_replays_the_session_to_the_same_bits(session):
     assert np.array_equal(replayed(peptide, folder, facts["model"]), frames)
 
 
+#: Of the page's file alone: contacts step by step, limits, sterics, and where a run would go on.
+NOT_OF_THE_PAGE = ("connectivity/contact_states", "connectivity/limits", "observables/contacts_",
+                   "parameters/limit", "parameters/sterics", "parameters/checkpoint")  # fmt: skip
+
+
+def test_the_h5md_says_of_itself_what_that_of_pliant_run_says(session):
+    h5py = pytest.importorskip("h5py")
+    folder, facts = session
+    replayed(ROOT / "data/molecules/peptide_20.pdb", folder, facts["model"])
+    rows = []
+    with h5py.File(folder / "replayed.h5md") as run, h5py.File(folder / "session.h5md") as page:
+        run.visititems(lambda path, item: rows.append(path) if hasattr(item, "shape") else None)
+        expected = [path for path in rows if not path.startswith(NOT_OF_THE_PAGE)]
+        assert len(expected) > 60
+        for path in expected:
+            if path != "parameters/run/forces":  # the page replays no file
+                assert np.array_equal(page[path][()], run[path][()]), path
+                assert dict(page[path].attrs).get("unit") == dict(run[path].attrs).get("unit")
+        assert page["parameters/run/technique_used"].asstr()[()] == "froda"
+        assert page["parameters/run/perturb"].asstr()[()] == "events"
+
+
 @pytest.mark.long
 def test_a_protein_of_3341_atoms(tmp_path):
     data = pytest.importorskip("MDAnalysisTests.datafiles")
