@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs followed and steered over IMD, by programs that are not ours."""
 
+import re
 import shutil
 import socket
 import struct
@@ -139,6 +140,10 @@ def test_vmd_drags_atoms_and_the_session_is_repeated_bit_by_bit(tmp_path):
         "--technique",
         "bfs_cycle",
         "--mass-weighted",
+        "--seed",
+        "12345",
+        "--force",
+        "30",
     )
     with served_run(COMMAND, tmp_path, *options) as run:
         vmd = VmdLike(run.port)
@@ -154,6 +159,10 @@ def test_vmd_drags_atoms_and_the_session_is_repeated_bit_by_bit(tmp_path):
         for _ in range(100):
             energies, last = vmd.read()
         vmd.drag([], np.empty((0, 3)))
+        while energies[8] > 0.0:  # frames that were under way
+            energies, _ = vmd.read()
+        for _ in range(10):
+            vmd.read()
         vmd.send(KILL)
         with pytest.raises(EOFError):
             while True:
@@ -165,7 +174,11 @@ def test_vmd_drags_atoms_and_the_session_is_repeated_bit_by_bit(tmp_path):
     assert "3 packets of forces" in out
     assert last[3, 2] > first[3, 2] + 5.0
     forces = tmp_path / "run.forces"
-    assert forces.read_text().startswith("pliant-forces 2\n")
+    text = forces.read_text()
+    assert text.startswith("pliant-forces 2\n")
+    # Steps that nobody pulls in are counted, and made again from the seed.
+    alone = [int(count) for count in re.findall(r"^wander (\d+)$", text, re.MULTILINE)]
+    assert alone and alone[-1] >= 9, alone
     subprocess.run(
         [COMMAND, "run", MOLECULES / "peptide_20.pdb", "-o", "again.h5md", "--forces", forces],
         cwd=tmp_path, check=True, capture_output=True,
@@ -179,7 +192,8 @@ def test_vmd_drags_atoms_and_the_session_is_repeated_bit_by_bit(tmp_path):
 def test_nobody_who_looks_changes_a_run(tmp_path):
     with served_run(COMMAND, tmp_path, "--steps", "300", "--every", "7", "--imd-wait") as run:
         with Client(port=run.port) as client:
-            client.read()
+            for _ in client:  # to the end: a run that waits would wait for the next client
+                pass
         assert run.end()[0] == 0
     subprocess.run(
         [COMMAND, "run", MOLECULES / "peptide_20.pdb", "-o", "alone.h5md", "--steps", "300",
