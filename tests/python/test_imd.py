@@ -129,23 +129,9 @@ def test_another_topology_is_noticed(universe):
 
 
 def test_vmd_drags_atoms_and_the_session_is_repeated_bit_by_bit(tmp_path):
-    options = (
-        "--steps",
-        "100000",
-        "--imd-version",
-        "2",
-        "--imd-wait",
-        "--damping",
-        "0.1",
-        "--technique",
-        "bfs_cycle",
-        "--mass-weighted",
-        "--seed",
-        "12345",
-        "--force",
-        "30",
-    )
-    with served_run(COMMAND, tmp_path, *options) as run:
+    timing = ("--steps", "100000", "--damping", "0.1", "--force", "30", "--seed", "12345")
+    options = ("--imd-version", "2", "--imd-wait", "--technique", "bfs_cycle", "--mass-weighted")
+    with served_run(COMMAND, tmp_path, *timing, *options) as run:
         vmd = VmdLike(run.port)
         (step, *_), first = vmd.read()
         assert step == 0
