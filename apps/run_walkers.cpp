@@ -64,13 +64,15 @@ void write_sidecar(const Shared& shared) {
                  structure.positions, shared.settings.record);
 }
 
-/// What is not as usual, besides the settings that every force file has.
-std::vector<std::pair<std::string, std::string>> settings_of(const RunOptions& run) {
-  constexpr std::array not_of_them{"steps",        "every",    "perturb",   "force",
-                                   "displacement", "timestep", "tolerance", "tolerance_length",
-                                   "max_sweeps"};
+/// What is not as usual, besides the settings that every force file has. Where all pushes are
+/// listed, what makes them is of no matter.
+std::vector<std::pair<std::string, std::string>> settings_of(const RunOptions& run,
+                                                             bool are_listed) {
+  constexpr std::array not_of_them{
+      "steps", "every", "displacement", "timestep", "tolerance", "tolerance_length", "max_sweeps"};
   std::vector<std::pair<std::string, std::string>> settings;
   for (const RunField& field : run_fields()) {
+    if (are_listed && (field.name == "perturb" || field.name == "force")) continue;
     const std::string text = run_field_text(run, field);
     if (std::ranges::find(not_of_them, field.name) == not_of_them.end() &&
         text != run_field_text(RunOptions(), field))
@@ -86,10 +88,13 @@ std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t w
   ForceFile forces;
   forces.set(settings.run.perturb_options, settings.run.resolve.tolerance,
              settings.run.resolve.max_sweeps);
-  forces.settings = settings_of(settings.run);
-  return std::optional<ForceRecorder>(std::in_place,
-                                      of_walker(settings, settings.record_forces, walker),
-                                      settings.record.overwrite, shared.molecule.framework, forces);
+  // Of a run that may go on for days without anybody's pull.
+  const bool counts_random =
+      settings.imd.keeps_forces_if_pulled && replayed_steps(settings.run) == 0;
+  forces.settings = settings_of(settings.run, !counts_random);
+  return std::optional<ForceRecorder>(
+      std::in_place, of_walker(settings, settings.record_forces, walker), settings.record.overwrite,
+      shared.molecule.framework, forces, counts_random);
 }
 
 /// The outputs of a walker.

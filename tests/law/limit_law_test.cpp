@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "law/technique_cases.hpp"
@@ -266,6 +267,34 @@ RC_GTEST_PROP(Contacts, AreThoseOfBruteForce, ()) {
     for (Vec3& at : x) at += 0.2 * draws.uniform() * draws.direction();
     const ResidualSummary found = measure(framework, x, {}, {}, &contacts);
     RC_ASSERT(found.max_overlap == std::max(0.0, largest_overlap(framework, x)));
+  }
+}
+
+/// Of few joints that move far, of many, and of all, the pairs are listed anew in other ways.
+RC_GTEST_PROP(Contacts, AreThereHoweverManyJointsMove, ()) {
+  RandomSequence draws({*rc::gen::arbitrary<std::uint64_t>(), Domain::generate});
+  const std::size_t joints = *rc::gen::element<std::size_t>(20, 400);
+  const double share = *rc::gen::element(0.02, 0.4, 1.0);
+  FrameworkParts parts;
+  parts.joint_count = joints;
+  auto sterics = std::make_shared<Sterics>();
+  sterics->kind_count = 1;
+  sterics->kinds.assign(joints, 0);
+  sterics->least = {0.8};
+  parts.sterics = std::move(sterics);
+  const Framework framework(std::move(parts));
+  std::vector<Vec3> x;
+  for (std::size_t k = 0; k < joints; ++k) x.push_back(6.0 * draws.uniform() * draws.direction());
+  Contacts contacts(framework, 0.5);
+  for (int step = 0; step < 8; ++step) {
+    for (Vec3& at : x)
+      if (draws.uniform() < share) at += 0.6 * draws.uniform() * draws.direction();
+    const ResidualSummary found = measure(framework, x, {}, {}, &contacts);
+    RC_ASSERT(found.max_overlap == std::max(0.0, largest_overlap(framework, x)));
+    for (const Contact& pair : contacts.near()) RC_ASSERT(pair.a < pair.b && pair.least == 0.8);
+    RC_ASSERT(std::ranges::adjacent_find(contacts.near(), [](Contact one, Contact next) {
+                return std::pair(one.a, one.b) >= std::pair(next.a, next.b);
+              }) == contacts.near().end());
   }
 }
 

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs followed and steered over IMD, by programs that are not ours."""
 
+import re
 import shutil
 import socket
 import struct
@@ -128,19 +129,9 @@ def test_another_topology_is_noticed(universe):
 
 
 def test_vmd_drags_atoms_and_the_session_is_repeated_bit_by_bit(tmp_path):
-    options = (
-        "--steps",
-        "100000",
-        "--imd-version",
-        "2",
-        "--imd-wait",
-        "--damping",
-        "0.1",
-        "--technique",
-        "bfs_cycle",
-        "--mass-weighted",
-    )
-    with served_run(COMMAND, tmp_path, *options) as run:
+    timing = ("--steps", "100000", "--damping", "0.1", "--force", "30", "--seed", "12345")
+    options = ("--imd-version", "2", "--imd-wait", "--technique", "bfs_cycle", "--mass-weighted")
+    with served_run(COMMAND, tmp_path, *timing, *options) as run:
         vmd = VmdLike(run.port)
         (step, *_), first = vmd.read()
         assert step == 0
@@ -154,6 +145,10 @@ def test_vmd_drags_atoms_and_the_session_is_repeated_bit_by_bit(tmp_path):
         for _ in range(100):
             energies, last = vmd.read()
         vmd.drag([], np.empty((0, 3)))
+        while energies[8] > 0.0:  # frames that were under way
+            energies, _ = vmd.read()
+        for _ in range(10):
+            vmd.read()
         vmd.send(KILL)
         with pytest.raises(EOFError):
             while True:
@@ -165,7 +160,11 @@ def test_vmd_drags_atoms_and_the_session_is_repeated_bit_by_bit(tmp_path):
     assert "3 packets of forces" in out
     assert last[3, 2] > first[3, 2] + 5.0
     forces = tmp_path / "run.forces"
-    assert forces.read_text().startswith("pliant-forces 2\n")
+    text = forces.read_text()
+    assert text.startswith("pliant-forces 2\n")
+    # Steps that nobody pulls in are counted, and made again from the seed.
+    alone = [int(count) for count in re.findall(r"^wander (\d+)$", text, re.MULTILINE)]
+    assert alone and alone[-1] >= 9, alone
     subprocess.run(
         [COMMAND, "run", MOLECULES / "peptide_20.pdb", "-o", "again.h5md", "--forces", forces],
         cwd=tmp_path, check=True, capture_output=True,

@@ -154,6 +154,11 @@ export class Session extends EventTarget {
     return (await this.ask('forces', {})).text;
   }
 
+  /** What a file of the session says besides its frames. */
+  recorded() {
+    return this.ask('recorded', {name: this.fileName});
+  }
+
   togglePin(joint) {
     if (this.live) return this.tell('error', new Error('A run is pinned where it is started: pliant run --pin.'));
     if (!this.pins.delete(joint)) this.pins.add(joint);

@@ -6,6 +6,9 @@ import {Fluctuation, superpose} from './record/superpose.mjs';
 import {jointLook, vanDerWaals} from './view/colours.mjs';
 import {STYLES} from './view/scene.mjs';
 
+/** What is held of a step; an H5MD file has it, and the bars that were broken are shown again. */
+const KEPT = ['positions', 'broken', 'step', 'sweeps', 'projections', 'residual', 'rms', 'converged',
+  'stopCode', 'limit', 'overlap', 'root', 'force'];
 const FADE = 0.86;  // of the red of a broken bar, per frame shown
 const MANY = 30000;  // joints; from here on RMSD is taken every eighth step
 const LIVE_LOOK = 200;  // ms between two looks at colours that change by themselves
@@ -49,7 +52,7 @@ export class Stage extends EventTarget {
     this.view.open(model, positions);
     this.look();
     this.mark();
-    this.frames.add({positions: positions.slice(), step: 0, sweeps: 0, projections: 0, residual: 0, converged: true});
+    this.frames.add({sweeps: 0, projections: 0, residual: 0, converged: true, ...model.start, positions: positions.slice(), step: 0});
     this.tell('began', model);
     this.tell('changed');
   }
@@ -77,10 +80,7 @@ export class Stage extends EventTarget {
   take(step) {
     const isSeen = this.at === null || !this.session.live;  // a run goes on while its past is looked at
     if (isSeen) this.at = null;
-    const frame = {
-      positions: step.positions, broken: step.broken, step: step.step, sweeps: step.sweeps,
-      projections: step.projections, residual: step.residual, converged: step.converged,
-    };
+    const frame = Object.fromEntries(KEPT.map((name) => [name, step[name]]));
     this.remember(frame);
     if (this.recording && !this.frames.add(frame)) this.stopFull();
     this.residuals = step.residuals ?? null;

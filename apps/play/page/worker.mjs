@@ -15,7 +15,10 @@ async function boot({wasm}) {
 function ask({bytes, ...fields}) {
   if (!solver) throw new Error('the solver has not been started');
   try {
-    return solver.call(fields, bytes);
+    const began = performance.now();
+    const reply = solver.call(fields, bytes);
+    if (fields.timed) reply.took = performance.now() - began;
+    return reply;
   } catch (error) {
     if (!(error instanceof WebAssembly.RuntimeError || error instanceof RangeError)) throw error;
     solver = null;

@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 // What a frame costs while a joint is dragged: JavaScript of the page, and the solver in its worker.
-// node apps/play/test/bench.mjs [PDB]. Trees of 10^4 and 10^5 joints by `blocks`, and copies of a
-// protein beside each other, bonds by `blocks`, where a PDB file is given. Medians, ms; drawing itself
-// is the graphics processor's and is not in it.
+// node apps/play/test/bench.mjs [PDB [JOINTS...]]. Trees of 10^4 and 10^5 joints by `blocks`, and,
+// where a PDB file is given, copies of the protein beside each other: bonds by `blocks`, the model of a
+// protein by `froda`. Medians, ms. `script` is all JavaScript of the page, `all` that and the solver;
+// painting is the graphics processor's, and is in `shown` alone.
 import {readFileSync} from 'node:fs';
 import {openPage, quit, settle} from './browser.mjs';
 
 const STEPS = 40;
+const [FRAME, PLOTS] = [1000 / 60, 90];  // ms between frames of a usual screen, and between plots
 const APART = 90;  // Angstrom between two copies
 
 /** So many copies of the ATOM lines, each a chain of its own letter, beside each other. */
@@ -26,36 +28,62 @@ function copies(text, count) {
   return `${parts.join('\n')}\nEND\n`;
 }
 
-async function measure(page, title) {
-  const found = await page.evaluate(async (steps) => {
+/** What the page does for one frame after the other, ms each: `step` takes a step's reply, `frame` is
+ * the rest of JavaScript, in which `draw` gives the picture to the driver and `plots` are drawn, each
+ * 90 ms: here, where painting takes longer, with each frame; `solver` is the call in the
+ * worker, copies included; `shown` is from one frame of the screen to the next, painting included. */
+function drag(page) {
+  return page.evaluate(async (steps) => {
     const {session, stage, hand, view, costs} = P;
-    await session.change({technique: 'blocks'});
     stage.recording = false;
-    const took = [];
-    const own = session.stand;
-    session.stand = function stand(...words) {
-      const began = performance.now();
-      const reply = own.apply(this, words);
-      took.push(performance.now() - began);
+    const took = {step: [], draw: [], plots: [], solver: [], shown: []};
+    const timed = (object, name, list) => {
+      const own = object[name];
+      object[name] = function timedOnly(...words) {
+        const began = performance.now();
+        const result = own.apply(this, words);
+        list.push(performance.now() - began);
+        return result;
+      };
+      return () => { object[name] = own; };
+    };
+    const {client} = session;
+    const ask = client.ask;
+    client.ask = async function timedAsk(what, request, transfer) {
+      const reply = await ask.call(this, what, {...request, timed: true}, transfer);
+      if (what === 'pull') took.solver.push(reply.took);
       return reply;
     };
+    const undo = [timed(session, 'stand', took.step), timed(view, 'draw', took.draw),
+      timed(P.plots, 'tick', took.plots), () => { client.ask = ask; }];
     const joint = Math.floor(session.model.joints / 2);
     hand.grasp(joint, view.orbit.project(hand.positionOf(joint)));
     hand.held.target = hand.positionOf(joint).map((x, c) => x + [3, 2, 0][c] * view.unit);
     hand.held.hasMoved = true;
     costs.length = 0;
-    const solver = [];
-    session.on('step', (step) => solver.push(step.seconds * 1000));
-    while (took.length < steps) await new Promise(requestAnimationFrame);
+    let last = null;
+    while (took.step.length < steps) {
+      const now = await new Promise(requestAnimationFrame);
+      if (last !== null) took.shown.push(now - last);
+      last = now;
+    }
     hand.release();
-    session.stand = own;
-    const median = (list) => [...list].sort((a, b) => a - b)[Math.floor(list.length / 2)];
-    return {joints: session.model.joints, bars: session.model.bars.length / 2, step: median(took),
-      loop: median(costs), solver: median(solver), frames: costs.length};
+    for (const back of undo) back();
+    const middle = (list) => [...list].sort((x, y) => x - y)[Math.floor(list.length / 2)] ?? 0;
+    const medians = Object.fromEntries(Object.entries({...took, frame: costs}).map(([name, list]) => [name, middle(list)]));
+    return {joints: session.model.joints, bars: session.model.bars.length / 2, residual: stage.last.residual, ...medians};
   }, STEPS);
-  const script = found.step + found.loop;
-  console.log(`${title.padEnd(22)} ${found.joints} joints ${found.bars} bars: script ${script.toFixed(2)} ` +
-    `(step ${found.step.toFixed(2)}, frame ${found.loop.toFixed(2)}), solver ${found.solver.toFixed(2)} ms`);
+}
+
+async function measure(page, title, technique) {
+  await page.evaluate((wanted) => P.session.change({technique: wanted}), technique);
+  const found = await drag(page);
+  const {step, frame, draw, plots, solver, shown} = found;
+  const rest = frame - plots - draw;
+  const script = step + frame - plots + plots * FRAME / PLOTS;
+  const cell = (value) => value.toFixed(1).padStart(8);
+  console.log(`${title.padEnd(24)}${technique.padEnd(8)}${String(found.joints).padStart(7)}${String(found.bars).padStart(8)}` +
+    [script, step, rest, draw, plots, solver, script + solver, shown].map(cell).join(''));
 }
 
 async function open(page, name, text, model) {
@@ -65,15 +93,20 @@ async function open(page, name, text, model) {
 }
 
 const page = await openPage({viewport: {width: 480, height: 400}});
-page.setDefaultTimeout(300000);
-const [pdb] = process.argv.slice(2);
+page.setDefaultTimeout(600000);
+const [pdb, ...sizes] = process.argv.slice(2);
 const text = pdb && readFileSync(pdb, 'utf8');
-for (const count of text ? [1, 3, 30] : []) {
+const isAsked = (joints) => !sizes.length || sizes.includes(String(joints));
+console.log(`${''.padEnd(32)} joints    bars  script    step    rest    draw   plots  solver     all   shown`);
+for (const [count, joints] of text ? [[1, 3341], [3, 10000], [30, 100000]] : []) {
+  if (!isAsked(joints)) continue;
   await open(page, 'copies.pdb', copies(text, count), 'bonds');
-  await measure(page, `${count} of a protein`);
+  await measure(page, `bonds of ${count} protein${count > 1 ? 's' : ''}`, 'blocks');
+  await open(page, 'copies.pdb', copies(text, count), 'protein');
+  await measure(page, `model of ${count} protein${count > 1 ? 's' : ''}`, 'froda');
 }
-for (const joints of [10000, 100000]) {
+for (const joints of [10000, 100000].filter(isAsked)) {
   await page.evaluate((wanted) => P.session.generate({class: 'tree', joints: wanted, seed: 1}), joints);
-  await measure(page, 'tree');
+  await measure(page, 'tree', 'blocks');
 }
 await quit();

@@ -59,6 +59,19 @@ test('nothing sticks out at 1366 x 768 or on a phone', async () => {
   await page.setViewportSize({width: 1000, height: 600});
 });
 
+test('there is room to scrub at every width, with the panel open', async () => {
+  for (const width of [390, 640, 901, 940, 1100, 1366]) {
+    await page.setViewportSize({width, height: 620});
+    await settle(page);
+    const {scrub, over} = await page.evaluate(() => {
+      const bar = document.querySelector('.transport');
+      return {scrub: document.getElementById('scrub').clientWidth, over: bar.scrollWidth - bar.clientWidth};
+    });
+    assert.ok(scrub >= 150 && over <= 0, `${width}: ${scrub}, ${over}`);
+  }
+  await page.setViewportSize({width: 1000, height: 600});
+});
+
 test('the policy lets no request out and no foreign script in', async () => {
   const failures = await page.evaluate(async () => {
     const tried = [];

@@ -4,6 +4,7 @@
 #include "open_calls.hpp"
 #include "path_calls.hpp"
 #include "pliant/base/choices.hpp"
+#include "recorded_call.hpp"
 #include "sample_call.hpp"
 #include "step_calls.hpp"
 
@@ -26,6 +27,7 @@ constexpr CallEntry table[] = {
     {"undo", undo},
     {"forces", forces},
     {"state", state},
+    {"recorded", recorded},
 };
 
 Reply failure(std::string_view message) {

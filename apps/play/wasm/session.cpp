@@ -156,7 +156,9 @@ Session& session() {
 Reply begin_session(Document document) {
   auto fresh = std::make_unique<Session>(std::move(document));
   open_session = std::move(fresh);
-  return describe(open_session->document(), open_session->state().positions);
+  Reply reply = describe(open_session->document(), open_session->state().positions);
+  reply.fields["start"] = fields_of(open_session->frame());
+  return reply;
 }
 
 std::vector<float> residuals_of(const Framework& framework, std::span<const Vec3> positions) {

@@ -28,6 +28,9 @@ class Session {
   const State& state() const { return walk_->state(); }
   const Framework& framework() const { return walk_->framework(); }
 
+  /// Where the walker stands, measured.
+  Frame frame() { return walk_->frame(); }
+
   /// Throws OptionError; all is then as before.
   void set(const RunOptions& options);
   void pin(std::vector<Joint> joints);
@@ -71,6 +74,9 @@ class Session {
   std::size_t most_befores_;
   std::vector<std::unique_ptr<SteeredWalk>> crowd_;
 };
+
+/// What a reply tells of a frame, without its positions.
+Json fields_of(const Frame& frame);
 
 /// The session that is open. Throws OptionError if there is none.
 Session& session();

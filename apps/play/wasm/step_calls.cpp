@@ -37,6 +37,8 @@ void take_pins(const Json& fields) {
   session().pin(std::move(joints));
 }
 
+}  // namespace
+
 Json fields_of(const Frame& frame) {
   return {{"step", frame.step},
           {"time", frame.time},
@@ -46,9 +48,14 @@ Json fields_of(const Frame& frame) {
           {"rms", frame.rms_residual},
           {"converged", frame.stop == Stop::converged},
           {"stop", name(frame.stop)},
+          {"stopCode", static_cast<int>(frame.stop)},
+          {"root", frame.root_joint},
+          {"force", {frame.force.x, frame.force.y, frame.force.z}},
           {"limit", frame.max_limit},
           {"overlap", frame.max_overlap}};
 }
+
+namespace {
 
 Reply reply_of(const StepReport& report) {
   Reply reply;

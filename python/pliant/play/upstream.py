@@ -14,8 +14,8 @@ from numpy.typing import ArrayLike
 from pliant._core import Error, InputError
 from pliant.imd.client import Client, ImdFrame
 
-FRAMES = 60  #: that are asked for a second: no screen shows more
-LOOK = 0.25  #: seconds between two looks at how fast the run is
+FRAMES = 30  #: that are asked for a second: a drag is fluent, and the run hardly feels it
+FIRST_LOOK, LOOK = 0.02, 0.25  #: seconds between two looks at how fast the run is
 HANDSHAKE = 10.0  #: seconds that a server may take for its first frame
 
 
@@ -124,18 +124,22 @@ def _first(client: Client) -> ImdFrame:
 
 
 class _Rate:
-    """One step in how many to ask for, by how many steps a second a run takes."""
+    """One step in how many to ask for, by how many steps a second a run takes.
+
+    The first look comes soon: until then a run sends all that it can, which slows it down.
+    """
 
     def __init__(self) -> None:
-        self._every = 0
+        self._every, self._look = 0, FIRST_LOOK
         self._since = time.monotonic()
         self._step: int | None = None
 
     def wanted(self, frame: ImdFrame) -> int:
         """0: as before."""
         now = time.monotonic()
-        if frame.step is None or (self._step is not None and now - self._since < LOOK):
+        if frame.step is None or (self._step is not None and now - self._since < self._look):
             return 0
+        self._look = min(2 * self._look, LOOK)
         steps = frame.step - (frame.step if self._step is None else self._step)
         every = max(1, round(steps / (now - self._since) / FRAMES))
         self._since, self._step = now, frame.step

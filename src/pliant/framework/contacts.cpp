@@ -19,6 +19,13 @@ using Ends = std::pair<Joint, Joint>;
 // A list reaches a little further than it must, so that rounding never hides a pair.
 constexpr double slack = 1.0 + 1e-9;
 
+/// A joint that has gone further than this share of the skin is listed anew as soon as any must be.
+constexpr double renewed_share = 0.3;
+/// Up to so many are compared with all joints one by one: faster than sorting all into cells.
+constexpr std::size_t few = 128;
+/// Where more than one joint in so many must be listed anew, all are.
+constexpr std::size_t one_in = 2;
+
 std::vector<std::vector<Joint>> neighbours_by_bonds(const Framework& framework) {
   std::vector<std::vector<Joint>> neighbours(framework.joint_count());
   const auto join = [&](Joint a, Joint b) {
@@ -48,6 +55,10 @@ std::vector<Contact> by_joints(const std::vector<Contact>& pairs, std::size_t jo
 
 bool comes_before(const OwnDistance& own, Ends ends) {
   return std::tie(own.a, own.b) < std::tie(ends.first, ends.second);
+}
+
+bool comes_first(const Contact& one, const Contact& other) {
+  return std::tie(one.a, one.b) < std::tie(other.a, other.b);
 }
 
 }  // namespace
@@ -117,12 +128,14 @@ bool Contacts::update(std::span<const Vec3> positions) {
         return std::abs(x.x) <= furthest && std::abs(x.y) <= furthest && std::abs(x.z) <= furthest;
       }))
     return false;
-  if (is_out_of_date(positions)) make_list(positions);
+  if (!made_ || listed_at_.size() != positions.size())
+    make_list(positions);
+  else if (is_out_of_date(positions))
+    renew_list(positions);
   return true;
 }
 
 bool Contacts::is_out_of_date(std::span<const Vec3> positions) const {
-  if (!made_ || listed_at_.size() != positions.size()) return true;
   const double most = 0.25 * skin_ * skin_;
   for (std::size_t i = 0; i < positions.size(); ++i)
     if (!(norm_squared(positions[i] - listed_at_[i]) <= most)) return true;
@@ -135,17 +148,64 @@ void Contacts::make_list(std::span<const Vec3> positions) {
   made_ = true;
   ++lists_made_;
   if (rules_.largest() == 0.0) return;
+  CellList(positions, rules_.largest() + slack * skin_)
+      .for_each_pair([&](auto a, auto b, double squared) { list(a, b, squared); });
+  near_ = by_joints(near_, positions.size());
+}
+
+void Contacts::list(std::uint32_t a, std::uint32_t b, double squared) {
   const double skin = slack * skin_;
-  const auto reaches = [skin](double least, double squared) {
+  const auto reaches = [&](double least) {
     return least > 0.0 && squared <= (least + skin) * (least + skin);
   };
-  CellList(positions, rules_.largest() + skin)
-      .for_each_pair([&](std::uint32_t a, std::uint32_t b, double squared) {
-        if (!reaches(rules_.at_most(a, b), squared)) return;
-        const double least = rules_.of(a, b);
-        if (reaches(least, squared)) near_.push_back({a, b, least});
-      });
-  near_ = by_joints(near_, positions.size());
+  if (!reaches(rules_.at_most(a, b))) return;
+  const double least = rules_.of(a, b);
+  if (reaches(least)) near_.push_back({a, b, least});
+}
+
+void Contacts::choose_renewed(std::span<const Vec3> positions) {
+  const double least = renewed_share * skin_ * renewed_share * skin_;
+  renewed_.clear();
+  is_renewed_.assign(positions.size(), 0);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    if (norm_squared(positions[i] - listed_at_[i]) <= least) continue;
+    is_renewed_[i] = 1;
+    renewed_.push_back(static_cast<Joint>(i));
+  }
+}
+
+/// Of few joints the pairs are found anew, and those of all others kept: two that are not listed
+/// were further apart than it takes, each where it was looked at last.
+void Contacts::renew_list(std::span<const Vec3> positions) {
+  if (rules_.largest() == 0.0) return;
+  choose_renewed(positions);
+  if (renewed_.size() > positions.size() / one_in) return make_list(positions);
+  ++lists_made_;
+  for (Joint joint : renewed_) listed_at_[joint] = positions[joint];
+  std::erase_if(
+      near_, [&](const Contact& pair) { return (is_renewed_[pair.a] | is_renewed_[pair.b]) != 0; });
+  const auto kept = static_cast<std::ptrdiff_t>(near_.size());
+  for_each_pair_of_renewed([&](auto a, auto b, double squared) { list(a, b, squared); });
+  std::sort(near_.begin() + kept, near_.end(), comes_first);
+  std::inplace_merge(near_.begin(), near_.begin() + kept, near_.end(), comes_first);
+}
+
+template <class Visit>
+void Contacts::for_each_pair_of_renewed(const Visit& visit) const {
+  const double cutoff = rules_.largest() + slack * skin_;
+  if (renewed_.size() > few) {
+    CellList(listed_at_, cutoff).for_each_pair([&](auto a, auto b, double squared) {
+      if ((is_renewed_[a] | is_renewed_[b]) != 0) visit(a, b, squared);
+    });
+    return;
+  }
+  for (Joint joint : renewed_)
+    for (Joint other = 0; other < listed_at_.size(); ++other) {
+      const double squared = norm_squared(listed_at_[other] - listed_at_[joint]);
+      if (!(squared <= cutoff * cutoff) || other == joint) continue;
+      if (is_renewed_[other] == 0 || joint < other)
+        visit(std::min(joint, other), std::max(joint, other), squared);
+    }
 }
 
 std::vector<OwnDistance> own_distances(const Framework& framework,

@@ -51,8 +51,8 @@ class ContactRules {
 class Contacts {
  public:
   /// The framework must have sterics, and outlive this. `skin` (Angstrom, above 0, up to 1e5) is
-  /// how much further than least distances the list reaches: it is made anew when a joint has
-  /// moved by more than half of it.
+  /// how much further than least distances the list reaches: when a joint has moved by more than
+  /// half of it, the pairs of all that have come a good part of that way are listed anew.
   explicit Contacts(const Framework& framework, double skin = 1.0);
 
   /// Makes the list right for `positions` (N). False if one of them is not finite or above 1e300.
@@ -66,12 +66,19 @@ class Contacts {
  private:
   bool is_out_of_date(std::span<const Vec3> positions) const;
   void make_list(std::span<const Vec3> positions);
+  void renew_list(std::span<const Vec3> positions);
+  void choose_renewed(std::span<const Vec3> positions);
+  template <class Visit>
+  void for_each_pair_of_renewed(const Visit& visit) const;
+  void list(std::uint32_t a, std::uint32_t b, double squared);
 
   ContactRules rules_;
   double skin_;
   bool made_ = false;
   std::int64_t lists_made_ = 0;
-  std::vector<Vec3> listed_at_;  ///< (N) positions of the list
+  std::vector<Vec3> listed_at_;           ///< (N) where each joint was when its pairs were listed
+  std::vector<std::uint8_t> is_renewed_;  ///< (N) within renew_list()
+  std::vector<Joint> renewed_;
   std::vector<Contact> near_;
 };
 

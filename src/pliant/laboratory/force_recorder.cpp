@@ -7,10 +7,19 @@
 namespace pliant {
 
 ForceRecorder::ForceRecorder(const std::filesystem::path& path, bool overwrite,
-                             const Framework& framework, ForceFile settings)
-    : framework_(framework), forces_(std::move(settings)), file_(path, overwrite) {}
+                             const Framework& framework, ForceFile settings,
+                             bool only_counts_random)
+    : framework_(framework),
+      forces_(std::move(settings)),
+      file_(path, overwrite),
+      only_counts_random_(only_counts_random) {}
 
 void ForceRecorder::record(const Push& push) {
+  if (only_counts_random_ && push.forces.size() == 1) {
+    if (forces_.counts.empty() || forces_.counts.back() >= 0) forces_.counts.push_back(0);
+    --forces_.counts.back();
+    return;
+  }
   const std::size_t before = forces_.pushes.size();
   forces_.pushes.insert(forces_.pushes.end(), push.forces.begin(), push.forces.end());
   if (push.forces.empty() && push.root_joint != no_joint)

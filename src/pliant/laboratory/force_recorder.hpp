@@ -14,9 +14,11 @@ namespace pliant {
 /// joint and 0.
 class ForceRecorder {
  public:
-  /// `settings` without pushes; the framework must outlive it. Throws FileError as OutputFile does.
+  /// `settings` without pushes; the framework must outlive it. `only_counts_random`: a push of one
+  /// force is the perturbation's, which the settings describe; such steps are counted, and take no
+  /// memory however many there are. Throws FileError as OutputFile does.
   ForceRecorder(const std::filesystem::path& path, bool overwrite, const Framework& framework,
-                ForceFile settings);
+                ForceFile settings, bool only_counts_random = false);
 
   void record(const Push& push);
   /// Gives the file its name. Throws as OutputFile and write_force_file do.
@@ -26,6 +28,7 @@ class ForceRecorder {
   const Framework& framework_;
   ForceFile forces_;
   OutputFile file_;
+  bool only_counts_random_;
 };
 
 }  // namespace pliant

@@ -113,6 +113,10 @@ std::vector<ForceEvent> events_of(const ForceFile& forces) {
   for (const auto& [name, value] : forces.settings) events.push_back({SetOption{name, value}});
   auto next = forces.pushes.begin();
   for (const std::int64_t count : forces.counts) {
+    if (count < 0) {
+      events.push_back({WanderSteps{-count}});
+      continue;
+    }
     events.push_back({PullStep{{next, next + count}}});
     next += count;
   }

@@ -28,8 +28,9 @@ struct ForceFile {
   std::optional<double> tolerance;         ///< relative
   std::optional<double> tolerance_length;  ///< Angstrom
   std::optional<std::int64_t> max_sweeps;
-  std::vector<JointForce> pushes;         ///< one a step; or, to be written as events:
-  std::vector<std::int64_t> counts = {};  ///< (S) so many in each step
+  std::vector<JointForce> pushes;  ///< one a step; or, to be written as events:
+  /// (S) so many in each step; -n: n steps of the perturbation that the settings name, by itself.
+  std::vector<std::int64_t> counts = {};
   /// Options of a run, by name, besides those above; with counts alone.
   std::vector<std::pair<std::string, std::string>> settings = {};
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/run/replay_events.hpp"
 
+#include <algorithm>
+
 #include "pliant/base/error.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "pliant/run/steered_walk.hpp"
@@ -14,6 +16,33 @@ RunOptions beginning(const ReplayOptions& options) {
   run.log = options.log;
   return run;
 }
+
+/// Frames of a file are judged by one tolerance: the loosest of any step.
+class LoosestTolerance {
+ public:
+  void note(const Tolerance& one) {
+    if (one.length > 0.0)
+      length_ = std::max(length_, one.length);
+    else
+      relative_ = std::max(relative_, one.relative);
+    loosest_.limit = std::max(loosest_.limit, one.limit);
+    loosest_.overlap = std::max(loosest_.overlap, one.overlap);
+  }
+
+  /// Where steps had both kinds, as a length.
+  Tolerance of(const Framework& framework) const {
+    Tolerance all = loosest_;
+    all.relative = relative_;
+    double longest = 0.0;
+    for (double rest : framework.rest_lengths()) longest = std::max(longest, rest);
+    if (length_ > 0.0) all.length = std::max(length_, relative_ * longest);
+    return all;
+  }
+
+ private:
+  double relative_ = 0.0, length_ = 0.0;
+  Tolerance loosest_;
+};
 
 class Replaying {
  public:
@@ -107,6 +136,21 @@ RunSummary replay_events(const Framework& framework, State& state,
   const RunSummary summary = replaying.run(events);
   state = replaying.state();
   return summary;
+}
+
+RunOptions options_after(RunOptions options, std::span<const ForceEvent> events,
+                         const Framework& framework) {
+  LoosestTolerance loosest;
+  loosest.note(options.resolve.tolerance);  // of the start
+  for (const ForceEvent& event : events) {
+    if (const auto* set = std::get_if<SetOption>(&event.what))
+      set_run_field(options, set->name, set->value);
+    else
+      loosest.note(options.resolve.tolerance);
+  }
+  options.resolve.tolerance = loosest.of(framework);
+  options.steps = steps_of(events);
+  return options;
 }
 
 }  // namespace pliant

@@ -33,4 +33,9 @@ RunSummary replay_events(const Framework& framework, State& state,
                          std::span<const ForceEvent> events, const ReplayOptions& options,
                          const std::vector<Observer>& observers);
 
+/// Options as a file records them of a run that these events make of `options`: the settings after
+/// the last event, as many steps, and the loosest tolerance of any, by which all frames are judged.
+RunOptions options_after(RunOptions options, std::span<const ForceEvent> events,
+                         const Framework& framework);
+
 }  // namespace pliant

@@ -67,7 +67,8 @@ bool ImdServer::wait_for_knock() {
 
 void ImdServer::follow(Peer peer) {
   if (!peer.socket) return;
-  ImdSession session(std::move(peer), format_, joint_count_, exchange_, options_.patience);
+  ImdSession session(std::move(peer), format_, joint_count_, exchange_, options_.patience,
+                     &listener_.socket);
   try {
     while (session.step()) continue;
   } catch (const Error& error) {

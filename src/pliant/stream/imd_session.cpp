@@ -14,11 +14,12 @@
 namespace pliant {
 
 ImdSession::ImdSession(Peer peer, const ImdFormat& format, std::size_t joint_count,
-                       ImdExchange& exchange, const ImdPatience& patience)
+                       ImdExchange& exchange, const ImdPatience& patience, const Descriptor* others)
     : peer_(std::move(peer)),
       format_(format),
       exchange_(exchange),
       patience_(patience),
+      others_(others),
       reader_(format, joint_count),
       greeting_(imd_greeting(format)) {}
 
@@ -32,12 +33,15 @@ bool ImdSession::step() {
   fill();
   const bool has_more = sent_ < out_->size();
   const auto events = static_cast<short>(has_more ? POLLIN | POLLOUT : POLLIN);
-  std::array<pollfd, 2> waits{
-      {{exchange_.woken().get(), POLLIN, 0}, {peer_.socket.get(), events, 0}}};
+  const int others = gives_way() ? others_->get() : -1;  // which poll() passes over
+  std::array<pollfd, 3> waits{
+      {{exchange_.woken().get(), POLLIN, 0}, {peer_.socket.get(), events, 0}, {others, POLLIN, 0}}};
   if (poll(waits.data(), waits.size(), milliseconds_left()) < 0 && errno != EINTR) return false;
   if (waits[0].revents != 0) sleep_again(exchange_.woken());
   if ((waits[1].revents & (POLLIN | POLLHUP | POLLERR)) != 0 && !receive()) return false;
   if ((waits[1].revents & POLLOUT) != 0 && !send()) return false;
+  if (waits[2].revents != 0 && gives_way())
+    throw InputError("did not say GO in time, and another client waits");
   return !is_late() || expire();
 }
 
@@ -60,13 +64,18 @@ void ImdSession::fill() {
 }
 
 ImdSession::Clock::time_point ImdSession::deadline() const {
-  if (phase_ == Phase::greeting) return since_ + patience_.go;
+  if (phase_ == Phase::greeting) return since_ + patience_.go_alone;
   if (phase_ >= Phase::flushing) return since_ + patience_.finish;
   return reader_.is_within_packet() ? since_ + patience_.packet : Clock::time_point::max();
 }
 
+bool ImdSession::gives_way() const {
+  return phase_ == Phase::greeting && others_ != nullptr && Clock::now() >= since_ + patience_.go;
+}
+
 int ImdSession::milliseconds_left() const {
-  const auto end = deadline();
+  auto end = deadline();
+  if (phase_ == Phase::greeting && !gives_way()) end = std::min(end, since_ + patience_.go);
   if (end == Clock::time_point::max()) return -1;
   const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
   return static_cast<int>(std::max<std::int64_t>(left, 0));

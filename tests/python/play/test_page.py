@@ -28,7 +28,8 @@ def _missing():
         return "node is not installed"
     if not Path(CHROMIUM).is_file():
         return f"{CHROMIUM} is not installed"
-    for file in (BUILT / "pliant.html", BUILT / "node_modules/playwright-core/package.json"):
+    packages = ROOT / "build/play/node_modules"
+    for file in (BUILT / "pliant.html", packages / "playwright-core/package.json"):
         if not file.is_file():
             return f"{file} is missing: ./dev play makes it"
     return ""
@@ -47,17 +48,17 @@ def node(script, *words, timeout):
     )
 
 
-@pytest.mark.parametrize("tests", ["open", "hand", "live"])
-def test_a_person_opens_and_pulls(tests):
-    done = node("run.mjs", tests, timeout=150)
-    assert done.returncode == 0, done.stdout[-4000:]
+# --- all that a person does -----------------------------------------------------------------------
 
 
 @pytest.mark.long
-@pytest.mark.parametrize("tests", ["page", "record", "resolve"])
-def test_a_person_does_all_else(tests):
+@pytest.mark.parametrize("tests", ["open", "hand", "live", "bits", "page", "record", "resolve"])
+def test_what_a_person_does(tests):
     done = node("run.mjs", tests, timeout=300)
     assert done.returncode == 0, done.stdout[-4000:]
+
+
+# --- a short one: two drags, and the files that they leave ----------------------------------------
 
 
 @pytest.fixture(scope="module")
@@ -131,6 +132,28 @@ def test_pliant_run_replays_the_session_to_the_same_bits(session):
         frames = found["particles/trajectory/position/value"][:]
     peptide = ROOT / "data/molecules/peptide_20.pdb"
     assert np.array_equal(replayed(peptide, folder, facts["model"]), frames)
+
+
+#: Of the page's file alone: contacts step by step, limits, sterics, and where a run would go on.
+NOT_OF_THE_PAGE = ("connectivity/contact_states", "connectivity/limits", "observables/contacts_",
+                   "parameters/limit", "parameters/sterics", "parameters/checkpoint")  # fmt: skip
+
+
+def test_the_h5md_says_of_itself_what_that_of_pliant_run_says(session):
+    h5py = pytest.importorskip("h5py")
+    folder, facts = session
+    replayed(ROOT / "data/molecules/peptide_20.pdb", folder, facts["model"])
+    rows = []
+    with h5py.File(folder / "replayed.h5md") as run, h5py.File(folder / "session.h5md") as page:
+        run.visititems(lambda path, item: rows.append(path) if hasattr(item, "shape") else None)
+        expected = [path for path in rows if not path.startswith(NOT_OF_THE_PAGE)]
+        assert len(expected) > 60
+        for path in expected:
+            if path != "parameters/run/forces":  # the page replays no file
+                assert np.array_equal(page[path][()], run[path][()]), path
+                assert dict(page[path].attrs).get("unit") == dict(run[path].attrs).get("unit")
+        assert page["parameters/run/technique_used"].asstr()[()] == "froda"
+        assert page["parameters/run/perturb"].asstr()[()] == "events"
 
 
 @pytest.mark.long

@@ -234,3 +234,28 @@ def test_frames_of_a_sample_are_those_of_the_library(solver, path):
     native = pliant.sample(structure, 3, seed=5, first_frame=2)
     assert [frame["positions"]["sha1"] for frame in made] == [sha1(x) for x in native.positions]
     assert solver.ask("state") == stands
+
+
+@pytest.mark.parametrize(
+    ("path", "options"),
+    [(CAFFEINE, ["--model", "bonds"]), (ROOT / "data/mechanisms/four_bar.xml", [])],
+)
+def test_a_session_tells_the_parameters_that_pliant_run_records(solver, tmp_path, path, options):
+    solver.open(path)
+    drag(solver, 2, joint=1, force=(30.0, 1.0, 0.0))
+    solver.ask("settings", technique="newton", tolerance_length=1e-4, seed=7)
+    drag(solver, 3, joint=2, force=(30.0, 1.0, 0.0))
+    told = solver.ask("recorded", name=path.name)["parameters"]
+    replayed(path, solver.ask("forces")["text"], tmp_path, *options)
+    types = {"int64": np.int64, "float64": np.float64, "bool": np.bool_, "text": bytes}
+    with h5py.File(tmp_path / "out.h5md") as file:
+        rows = []
+        file.visititems(lambda name, item: rows.append(name) if item.parent.parent.name ==
+                        "/parameters" and item.shape == () else None)  # fmt: skip
+        expected = {row.removeprefix("parameters/"): file[row][()] for row in rows}
+    found = {name: (types[kind], value) for name, kind, value in told}
+    assert set(found) == set(expected)
+    for name, (kind, value) in found.items():
+        if name != "run/forces":  # a session replays no file
+            text = value.encode() if isinstance(value, str) else value
+            assert (text, kind) == (expected[name], type(expected[name])), name

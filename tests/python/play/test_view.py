@@ -152,7 +152,8 @@ def missing():
     for program in ("node", CHROMIUM):
         if not shutil.which(program):
             return f"{program} is not installed"
-    for file in (BUILT / "pliant.html", BUILT / "node_modules/playwright-core/package.json"):
+    packages = ROOT / "build/play/node_modules"
+    for file in (BUILT / "pliant.html", packages / "playwright-core/package.json"):
         if not file.is_file():
             return f"{file} is missing: ./dev play makes it"
     for package in ("anywidget", "ipykernel", "jupyterlab"):

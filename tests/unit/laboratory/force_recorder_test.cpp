@@ -63,6 +63,18 @@ TEST_F(ForceRecords, HoldAllForcesOfAStep) {
   EXPECT_EQ(std::get<PullStep>(back[1].what).forces[1].joint, 0u);
 }
 
+TEST_F(ForceRecords, CountStepsOfTheirPerturbationIfAsked) {
+  ForceRecorder recorder(path_, false, framework_, {}, true);
+  Push alone;
+  alone.forces = {{0, {1.0, 2.0, 3.0}}};
+  Push pulled;
+  pulled.forces = {{0, {1.0, 2.0, 3.0}}, {1, {0.0, 0.0, 9.0}}};
+  for (const Push* push : {&alone, &alone, &pulled, &alone, &alone, &alone}) recorder.record(*push);
+  recorder.publish();
+  EXPECT_EQ(read_bytes(path_),
+            "pliant-forces 2\nwander 2\nforce 0 1 2 3\nforce 1 0 0 9\nstep\nwander 3\n");
+}
+
 TEST_F(ForceRecords, LeaveNothingBehindUnlessPublished) {
   { ForceRecorder recorder(path_, false, framework_, {}); }
   EXPECT_TRUE(fs::is_empty(folder_.path()));

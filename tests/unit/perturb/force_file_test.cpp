@@ -149,14 +149,14 @@ TEST(ForceFile, WithCountsIsWrittenAsEvents) {
   file.timestep = 0.01;
   file.settings = {{"technique", "blocks"}};
   file.pushes = {{0, {1, 2, 3}}, {1, {4, 5, 6}}, {5, {0, 0, -1}}};
-  file.counts = {2, 0, 1};
+  file.counts = {2, 0, -70, 1};
   const std::string text = write_force_file(file, butane());
   EXPECT_EQ(text,
             "pliant-forces 2\nset timestep 0.01\nset technique blocks\nforce C1 1 2 3\n"
-            "force C2 4 5 6\nstep\nstep\nforce 5 0 0 -1\nstep\n");
+            "force C2 4 5 6\nstep\nstep\nwander 70\nforce 5 0 0 -1\nstep\n");
   const std::vector<ForceEvent> events = parse_force_events(text, "f.txt", butane());
   EXPECT_EQ(write_force_events(events, butane()), text);
-  EXPECT_EQ(steps_of(events), 3);
+  EXPECT_EQ(steps_of(events), 73);
 }
 
 TEST(ForceFile, IsReadBackToTheSameBits) {

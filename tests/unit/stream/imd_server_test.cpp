@@ -102,6 +102,27 @@ TEST_F(ImdServers, ServeOneClientAfterAnother) {
   EXPECT_EQ(server_->close().clients, 3);
 }
 
+/// The first client would be waited for long; the second is served when it has not said GO.
+TEST_F(ImdServers, LeaveAClientThatNeverSaysGoForTheNext) {
+  ImdOptions options = on_any_port();
+  options.wait = true;
+  options.patience.go = std::chrono::milliseconds(20);
+  options.patience.go_alone = std::chrono::hours(1);
+  serve(options);
+  std::jthread walker([this] { run(1'000'000'000); });
+  const Descriptor silent = test::connect_to(server_->port());
+  const Bytes greeting = imd_greeting({3, false});
+  EXPECT_EQ(test::receive(silent, greeting.size()), greeting);
+  const Descriptor client = follow();
+  EXPECT_EQ(step_of(test::receive(client, size_of_frame())), 0);
+  EXPECT_TRUE(test::receive(silent, 1).empty()) << "it has been left";
+  test::send_all(client, packet(ImdType::kill));
+  walker.join();
+  const ImdSummary served = server_->close();
+  EXPECT_EQ(served.clients, 1);
+  EXPECT_EQ(served.refused, 1);
+}
+
 TEST_F(ImdServers, NeverWaitForAClientThatDoesNotRead) {
   ImdOptions options = on_any_port();
   options.patience.finish = std::chrono::milliseconds(20);

@@ -29,8 +29,9 @@ class ImdSessions : public testing::Test {
     exchange_ = std::make_unique<ImdExchange>(ImdExchange::Options{waits, 1, {}}, steering_);
     auto [mine, other] = test::socket_pair();
     client_ = std::move(other);
-    session_ = std::make_unique<ImdSession>(Peer{std::move(mine), "test"},
-                                            ImdFormat{version, false}, atoms, *exchange_, patience);
+    session_ =
+        std::make_unique<ImdSession>(Peer{std::move(mine), "test"}, ImdFormat{version, false},
+                                     atoms, *exchange_, patience, &others_);
     greeting_ = imd_greeting({version, false});
   }
 
@@ -55,6 +56,7 @@ class ImdSessions : public testing::Test {
   std::shared_ptr<Steering> steering_ = std::make_shared<Steering>();
   std::unique_ptr<ImdExchange> exchange_;
   Descriptor client_;
+  const Descriptor others_ = make_wake();  ///< can be read from once it has been woken
   std::unique_ptr<ImdSession> session_;
   Bytes greeting_;
 };
@@ -221,17 +223,32 @@ TEST_F(ImdSessions, AreOverForWhatNoClientDoes) {
 
 TEST_F(ImdSessions, AreOverForSilence) {
   ImdPatience short_of_it;
-  short_of_it.go = short_of_it.packet = Milliseconds(5);
+  short_of_it.go = short_of_it.go_alone = short_of_it.packet = Milliseconds(5);
   begin(3, false, short_of_it);
   EXPECT_EQ(refusal({}), "did not say GO in time");
-  begin(3, false, {Milliseconds(60'000), Milliseconds(5), {}});
+  ImdPatience for_packets;
+  for_packets.packet = Milliseconds(5);
+  begin(3, false, for_packets);
   follow();
   EXPECT_EQ(refusal(bytes_of("00000006")), "stopped in the middle of a packet");
-  begin(3, false, {Milliseconds(60'000), Milliseconds(5), {}});
+  begin(3, false, for_packets);
   follow();
   Bytes forces = test::forces(1, {1}, {1, 2, 3});
   forces.pop_back();
   EXPECT_EQ(refusal(forces), "stopped in the middle of a packet");
+}
+
+TEST_F(ImdSessions, GiveWayToOthersOnlyIfTheyDoNotSayGo) {
+  const ImdPatience at_once{Milliseconds(0), Milliseconds(60'000), Milliseconds(60'000), {}};
+  begin(3, false, at_once);
+  wake(others_);
+  EXPECT_EQ(refusal({}), "did not say GO in time, and another client waits");
+  begin(3, false, at_once);
+  follow();
+  for (int k = 0; k < 5; ++k) {
+    send(packet(ImdType::rate, 1));  // else a step would wait
+    EXPECT_TRUE(session_->step());
+  }
 }
 
 }  // namespace imd_session_test

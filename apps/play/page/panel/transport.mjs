@@ -105,7 +105,9 @@ export class Transport {
     if (kind === 'pdb')
       return download(pdbText(stage.model, stage.frames.list), `${stem}.pdb`, 'chemical/x-pdb');
     const timestep = session.settings.timestep || 0.01;
-    const bytes = await h5mdBytes(stage.model, stage.frames.list, timestep);
+    const isOwn = !session.live && !stage.isReplay;
+    const recorded = isOwn ? await session.recorded() : null;
+    const bytes = await h5mdBytes(stage.model, stage.frames.list, timestep, recorded);
     return download([bytes], `${stem}.h5md`, 'application/x-hdf5');
   }
 

@@ -9,16 +9,19 @@ const worker = () => (starting ??= workerInside('hdf5-worker'));
 
 export const isHdf5 = (bytes) => SIGNATURE.every((byte, k) => bytes[k] === byte);
 
-/** Bytes of an H5MD file of these frames. Throws Error if HDF5 does. */
-export async function h5mdBytes(model, frames, timestep) {
+/** Bytes of an H5MD file of these frames. `recorded`: what the solver says of its session besides
+ * them, or null where the frames are not its. Throws Error if HDF5 does. */
+export async function h5mdBytes(model, frames, timestep, recorded) {
   const labels = Array.from({length: model.joints}, (_, joint) => model.nameOf(joint));
   const labelSize = labels.reduce((most, text) => Math.max(most, new TextEncoder().encode(text).length), 1);
-  const {joints, elements, bars, bonds, mass, rest} = model;
-  const plain = frames.map(({positions, step, sweeps, projections, residual, converged}, k) =>
-    ({positions, step: step ?? k, sweeps, projections, residual, converged}));
+  const {joints, elements, bars, bonds, rest, residue} = model;
+  const {mass} = recorded ?? model;
+  const pinned = new Uint8Array(joints);
+  for (const joint of model.pinned ?? []) pinned[joint] = 1;
+  const plain = frames.map(({broken, ...frame}, k) => ({...frame, step: frame.step ?? k}));
   const reply = await (await worker()).ask('write', {
     version: PLIANT_VERSION, frames: plain, timestep, labels, labelSize, joints, elements, bars,
-    bonds, mass, rest,
+    bonds, mass, rest, residue, pinned, recorded,
   });
   return reply.bytes;
 }

@@ -63,22 +63,82 @@ function writeParticles(file, ask) {
   attribute(box, 'boundary', ['none', 'none', 'none'], [3]);
   writePositions(file, ask);
   dataset(file, 'particles/trajectory/species', ask.elements, [ask.joints], '<B');
-  if (ask.mass) dataset(file, 'particles/trajectory/mass', ask.mass, [ask.joints], '<d', 'u');
+  if (ask.mass?.length) dataset(file, 'particles/trajectory/mass', ask.mass, [ask.joints], '<d', 'u');
 }
 
-const COUNTS = ['sweeps', 'projections'];
+const NOWHERE = -1;  // root joint of the start
+const FORCE = 'kJ mol-1 Angstrom-1';
 
-function writeObservables(file, {frames, timestep}) {
+/** Of all steps; and of those of the page's own solver, which a run that is followed tells less of. */
+const OBSERVABLES = {
+  sweeps: {of: (f) => f.sweeps, type: '<q'},
+  projections: {of: (f) => f.projections, type: '<q'},
+  max_residual: {of: (f) => f.residual},
+  converged: {of: (f) => (f.converged === false ? 0 : 1), type: '<B'},
+};
+const OF_THE_SOLVER = {
+  rms_residual: {of: (f) => f.rms},
+  stop: {of: (f) => f.stopCode, type: '<B'},
+  root_joint: {of: (f) => f.root ?? NOWHERE, type: '<q'},
+  force_x: {of: (f) => f.force?.[0], unit: FORCE},
+  force_y: {of: (f) => f.force?.[1], unit: FORCE},
+  force_z: {of: (f) => f.force?.[2], unit: FORCE},
+};
+const OF_LIMITS = {
+  max_limit: {of: (f) => f.limit, unit: 'Angstrom'},
+  max_overlap: {of: (f) => f.overlap, unit: 'Angstrom'},
+};
+
+function numbersOf(list, type) {
+  if (type === '<q') return BigInt64Array.from(list, (value) => BigInt(value ?? 0));
+  return (type === '<B' ? Uint8Array : Float64Array).from(list, (value) => value ?? 0);
+}
+
+function writeObservables(file, {frames, timestep, recorded}) {
   file.create_group('observables');
   const rows = {
-    max_residual: [Float64Array.from(frames, (f) => f.residual ?? 0), '<d'],
-    converged: [Uint8Array.from(frames, (f) => (f.converged === false ? 0 : 1)), '<B'],
+    ...OBSERVABLES, ...(recorded ? OF_THE_SOLVER : {}), ...(recorded && !recorded.barsOnly ? OF_LIMITS : {}),
   };
-  for (const name of COUNTS) rows[name] = [BigInt64Array.from(frames, (f) => BigInt(f[name] ?? 0)), '<q'];
-  for (const [name, [data, type]] of Object.entries(rows)) {
-    dataset(file, `observables/${name}/value`, data, [frames.length], type);
+  for (const [name, {of, type = '<d', unit}] of Object.entries(rows)) {
+    dataset(file, `observables/${name}/value`, numbersOf(frames.map(of), type), [frames.length], type, unit);
     writeTimes(file, `observables/${name}`, frames, timestep);
   }
+}
+
+/** How a parameter is kept; a text of any length. */
+const SCALARS = {
+  int64: (value) => ({data: BigInt64Array.of(BigInt(value)), dtype: '<q'}),
+  float64: (value) => ({data: Float64Array.of(value), dtype: '<d'}),
+  bool: (value) => ({data: Uint8Array.of(value ? 1 : 0), dtype: '<B'}),
+  text: (value) => ({data: [value], dtype: 'S'}),
+};
+
+/** Rows of path, type and value, as `pliant run` would record them. */
+function writeParameters(file, rows) {
+  const groups = new Set(rows.map(([path]) => path.split('/')[0]));
+  for (const name of groups) file.get(`parameters/${name}`) ?? file.create_group(`parameters/${name}`);
+  for (const [path, type, value] of rows) {
+    const [group, name] = path.split('/');
+    file.get(`parameters/${group}`).create_dataset({name, shape: [], ...SCALARS[type](value)});
+  }
+}
+
+const encoder = new TextEncoder();
+
+function writeTexts(topology, name, data) {
+  const size = data.reduce((most, text) => Math.max(most, encoder.encode(text).length), 1);
+  topology.create_dataset({name, data, shape: [data.length], dtype: `S${size}`});
+}
+
+/** Atoms, residues and where bonds are from. */
+function writeAtoms(topology, {recorded, residue}) {
+  const {texts, integers, bondOrigins, bondOrders} = recorded;
+  const numbers = (name, data, dtype) => topology.create_dataset({name, data, shape: [data.length], dtype});
+  for (const [name, data] of Object.entries(texts)) writeTexts(topology, name, data);
+  for (const [name, data] of Object.entries(integers)) numbers(name, numbersOf(data, '<q'), '<q');
+  numbers('residue_of', Uint32Array.from(residue), '<I');
+  numbers('bond_origin', bondOrigins, '<B');
+  numbers('bond_order', bondOrders, '<B');
 }
 
 function writeFramework(file, ask) {
@@ -88,9 +148,15 @@ function writeFramework(file, ask) {
   file.create_group('parameters');
   file.create_group('parameters/framework');
   if (ask.rest) dataset(file, 'parameters/framework/rest_length', ask.rest, [ask.rest.length], '<d', 'Angstrom');
+  dataset(file, 'parameters/framework/pinned', ask.pinned, [ask.joints], '<B');
   const topology = file.create_group('parameters/topology');
   topology.create_dataset({name: 'atomic_number', data: ask.elements, shape: [ask.joints], dtype: '<B'});
   topology.create_dataset({name: 'label', data: ask.labels, shape: [ask.joints], dtype: `S${ask.labelSize}`});
+}
+
+function writeRecorded(file, ask) {
+  writeParameters(file, ask.recorded.parameters);
+  writeAtoms(file.get('parameters/topology'), ask);
 }
 
 function write(FS, ask) {
@@ -101,6 +167,7 @@ function write(FS, ask) {
     writeParticles(file, ask);
     writeObservables(file, ask);
     writeFramework(file, ask);
+    if (ask.recorded) writeRecorded(file, ask);
   } finally {
     file.close();
   }
