@@ -14,6 +14,7 @@
 #include "output_files.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/molecule/selection.hpp"
 #include "print_run.hpp"
 #include "run_walkers.hpp"
 
@@ -112,7 +113,7 @@ int command_run(const Arguments& arguments) {
   const Molecule molecule = load(settings.molecule, messages.log());
   tell_what_is_free(settings.molecule, molecule.structure, messages.log());
   complete(line, settings, molecule);
-  settings.record.saved = saved_joints(settings.save, molecule.framework);
+  settings.record.saved = select_joints(molecule.framework, settings.save, "--save");
   refuse_to_replace(settings);
   settings.record.log = messages.log();
   watch_for_interrupt();

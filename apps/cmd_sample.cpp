@@ -12,6 +12,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/laboratory/recorded_sample.hpp"
+#include "pliant/molecule/selection.hpp"
 #include "pliant/sample/conformer_framework.hpp"
 #include "pliant/sample/samplers.hpp"
 #include "recorded_header.hpp"
@@ -108,7 +109,7 @@ int command_sample(const Arguments& arguments) {
   if (!find_sampler(settings.sample.sampler).has_amplitude)
     model.framework = conformer_framework(model.framework, model.positions);
   choose_amplitude(settings, model, messages.log());
-  settings.record.saved = saved_joints(settings.save, model.framework);
+  settings.record.saved = select_joints(model.framework, settings.save, "--save");
   watch_for_interrupt();
   const SampleSummary summary = sample_to_file(settings, model, messages.log());
   warn_of_amplitude(summary, messages.log());

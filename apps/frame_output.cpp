@@ -7,7 +7,6 @@
 #include "output_files.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
-#include "pliant/molecule/selection.hpp"
 
 namespace pliant::app {
 
@@ -57,12 +56,6 @@ void check_record_options(const std::string& output, const std::string& save,
     if (is_given)
       throw OptionError(std::string(name) + ": goes with H5MD, not with the " +
                         (is_pdb_name(output) ? "PDB" : "SDF") + " file " + output);
-}
-
-std::vector<Joint> saved_joints(const std::string& save, const Framework& framework) {
-  if (save.empty()) return {};
-  if (!framework.atoms()) throw OptionError("--save: the joints have no names");
-  return select_some_atoms(*framework.atoms(), save, "--save");
 }
 
 void write_topology(const std::string& path, const Framework& framework, const H5mdHeader& header,

@@ -25,9 +25,6 @@ bool is_sdf_name(const std::string& output);
 /// --save and --precision, which several subcommands have.
 void add_saving_options(CommandLine& line, std::string& save, H5mdOptions& options);
 
-/// The joints that --save names; none: all. Throws OptionError if it names none.
-std::vector<Joint> saved_joints(const std::string& save, const Framework& framework);
-
 /// Writes the names and bonds of what is recorded, at these positions (N, of all joints).
 void write_topology(const std::string& path, const Framework& framework, const H5mdHeader& header,
                     std::span<const Vec3> positions, const H5mdOptions& options);

@@ -9,6 +9,7 @@
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/laboratory/recorded_inputs.hpp"
+#include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/run/run.hpp"
 #include "recorded_bonds.hpp"
@@ -62,7 +63,7 @@ void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
   const H5mdOptions options{.single = single,
                             .compress = compress,
                             .precision = precision,
-                            .saved = saved_joints(save, framework),
+                            .saved = select_joints(framework, save, "save"),
                             .overwrite = overwrite,
                             .flush_seconds = flush_seconds,
                             .durable = durable,

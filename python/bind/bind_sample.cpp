@@ -12,6 +12,7 @@
 #include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
+#include "pliant/molecule/selection.hpp"
 #include "pliant/sample/conformer_framework.hpp"
 #include "pliant/sample/sample.hpp"
 #include "pliant/sample/samplers.hpp"
@@ -53,15 +54,17 @@ struct Output {
 };
 
 Output output_from(const std::optional<std::filesystem::path>& path, bool overwrite, bool single,
-                   bool compress) {
+                   bool compress, double precision, const std::string& save) {
   if (path && path->extension() != ".h5md" && path->extension() != ".h5")
     throw OptionError("output: " + path->string() +
                       ": expected a name that ends in .h5md; pliant.convert writes other formats");
   return {path,
           {.single = single,
            .compress = compress,
+           .precision = precision,
            .overwrite = overwrite,
-           .log = unraisable_python_log()}};
+           .log = unraisable_python_log()},
+          save};
 }
 
 H5mdHeader header_of_sample(const MolecularModel& model, const AmplitudeChoice& amplitude,
@@ -109,8 +112,7 @@ SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
                             std::int64_t first_frame, double temperature, const std::string& model,
                             const std::optional<std::filesystem::path>& path, bool overwrite,
                             bool single, bool compress, double precision, const std::string& save) {
-  Output output = output_from(path, overwrite, single, compress);
-  output.options.precision = precision;
+  Output output = output_from(path, overwrite, single, compress, precision, save);
   SampledEnsemble out{model_from(structure, model), {}, {}, {}};
   out.amplitude = amplitude_of(amplitude.value_or(usual_amplitude), out.model.structure);
   InterruptWatch watch("frames", frames);
@@ -134,8 +136,7 @@ SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
                       " has none: how far torsions turn is drawn");
   if (!has_amplitude)
     out.model.framework = conformer_framework(out.model.framework, out.model.positions);
-  output.save = save;
-  output.options.saved = saved_joints(save, out.model.framework);
+  output.options.saved = select_joints(out.model.framework, save, "save");
   {
     const nb::gil_scoped_release no_gil;
     fill(out, options, output, watch);

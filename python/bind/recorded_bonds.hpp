@@ -2,13 +2,10 @@
 // What recorders take of a structure.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "pliant/base/elements.hpp"
-#include "pliant/base/error.hpp"
 #include "pliant/base/version.hpp"
-#include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 
@@ -32,13 +29,6 @@ inline H5mdHeader header_of(const Structure* structure) {
   for (std::uint8_t element : structure->atoms.elements)
     header.masses.push_back(element_mass(element));
   return header;
-}
-
-/// The joints that `save` names; none: all. Throws OptionError if it names none.
-inline std::vector<Joint> saved_joints(const std::string& save, const Framework& framework) {
-  if (save.empty()) return {};
-  if (!framework.atoms()) throw OptionError("save: the joints have no names");
-  return select_some_atoms(*framework.atoms(), save, "save");
 }
 
 }  // namespace pliant::python

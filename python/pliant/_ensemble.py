@@ -101,17 +101,16 @@ def run_ensemble(
         seed=seed,
     )
     bar = begin("walkers begun", shard[1] - shard[0])
-    if bar is None:
-        return _core.run_shard(
-            framework, _start(state, None), options, shard, threads, observers_of
-        )
     begun = itertools.count(1)
 
     def counted(walker: int) -> Iterable[Observer | _core.H5mdRecorder]:
-        bar.show(next(begun))
+        if bar is not None:
+            bar.show(next(begun))
         return observers_of(walker) if observers_of is not None else ()
 
+    watched = observers_of if bar is None else counted
     try:
-        return _core.run_shard(framework, _start(state, None), options, shard, threads, counted)
+        return _core.run_shard(framework, _start(state, None), options, shard, threads, watched)
     finally:
-        bar.close()
+        if bar is not None:
+            bar.close()

@@ -16,6 +16,7 @@ TECHNIQUES = [row.name for row in pliant.techniques()]
 
 
 def opened(path, model):
+    """Framework and start, as the library makes them of a file."""
     if path.suffix == ".xml":
         graph = pliant.read_graph_xml(str(path))
         return graph.framework, graph.positions
@@ -49,4 +50,5 @@ def main(steps, model, *files):
     print(json.dumps({"settings": SETTINGS, "rows": rows}))
 
 
-main(*sys.argv[1:])
+if __name__ == "__main__":
+    main(*sys.argv[1:])

@@ -38,10 +38,8 @@ def pairwise_rmsd(positions: np.ndarray) -> np.ndarray:
         last = min(first + rows, frames)
         products = columns[:, 3 * first : 3 * last].T @ columns[:, 3 * first :]
         matrices = products.reshape(last - first, 3, -1, 3).transpose(0, 2, 1, 3)
-        values = np.linalg.svd(matrices, compute_uv=False)
-        values[..., 2] *= np.sign(np.linalg.det(matrices))
-        squared = squares[first:last, None] + squares[first:] - 2.0 * values.sum(axis=2)
-        found[first:last, first:] = np.sqrt(np.maximum(squared, 0.0) / atoms)
+        both = squares[first:last, None] + squares[first:]
+        found[first:last, first:] = _rmsd(matrices, both, atoms)
     upper = np.triu(found, 1)
     return np.asarray(upper + upper.T)
 
@@ -52,9 +50,14 @@ def rmsd_to(positions: np.ndarray, others: np.ndarray) -> np.ndarray:
     ours = positions - positions.mean(axis=1, keepdims=True)
     theirs = others - others.mean(axis=1, keepdims=True)
     matrices = np.einsum("fni,knj->fkij", ours, theirs, optimize=True)
+    squares = np.einsum("fni,fni->f", ours, ours)[:, None] + np.einsum("kni,kni->k", theirs, theirs)
+    return _rmsd(matrices, squares, atoms)
+
+
+def _rmsd(matrices: np.ndarray, squares: np.ndarray, atoms: int) -> np.ndarray:
+    """(F, k) of the matrices x^T y (F, k, 3, 3) and |x|^2 + |y|^2 (F, k) of centred frames."""
     values = np.linalg.svd(matrices, compute_uv=False)
     values[..., 2] *= np.sign(np.linalg.det(matrices))
-    squares = np.einsum("fni,fni->f", ours, ours)[:, None] + np.einsum("kni,kni->k", theirs, theirs)
     return np.asarray(np.sqrt(np.maximum(squares - 2.0 * values.sum(axis=2), 0.0) / atoms))
 
 

@@ -46,6 +46,7 @@ class Flexibility:
     max_residual: float  #: of the bars, before any rounding
     contacts: list[tuple[str, str, float]]  #: atoms, kind, share held
     clusters: Clusters
+    atoms: Any  #: of MDAnalysis, those of each frame
 
 
 def flexibility(
@@ -70,7 +71,7 @@ def flexibility(
         raise InputError(f"{folder}: one walker: errors and convergence need two")
     on_stage("clusters")
     groups = clusters(frames, atoms, workers)
-    return _result(unit, labels, sums, _contacts(frames, sums, all_atoms), groups)
+    return _result(unit, labels, sums, _contacts(frames, sums, all_atoms), groups, all_atoms)
 
 
 def _units(atoms: Any) -> tuple[str, list[str], np.ndarray]:
@@ -124,6 +125,7 @@ def _result(
     sums: Sums,
     contacts: list[tuple[str, str, float]],
     groups: Clusters,
+    atoms: Any,
 ) -> Flexibility:
     even, odd = sums.halves
     halves = np.array([np.sqrt(_moments(even)[0]), np.sqrt(_moments(odd)[0])])
@@ -139,7 +141,7 @@ def _result(
         np.divide(square_error, 2 * rmsf, out=np.zeros_like(rmsf), where=rmsf > 0),
         halves, correlation(halves[0], halves[1]), modes[2][0], float(square.sum()), modes[2][1],
         rmsip(modes[0][1].T, modes[1][1].T, count) if count else None, sums.max_residual, contacts,
-        groups,
+        groups, atoms,
     )  # fmt: skip
 
 

@@ -13,7 +13,6 @@ import numpy as np
 from pliant._csv_cells import harmless
 from pliant.ensemble.clusters import Clusters
 from pliant.ensemble.flexibility import MOST_FOR_MODES, Flexibility, flexibility
-from pliant.ensemble.plan import PLAN
 from pliant.ensemble.sums import superposed
 
 #: What the report of one file has, and this one has not.
@@ -39,7 +38,7 @@ def report_ensemble(
     if found.contacts:
         tables.append(_write_contacts(found, output))
     tables.append(_write_clusters(found.clusters, output))
-    models = _write_representatives(folder, found.clusters, output)
+    models = _write_representatives(found, output)
     on_stage("figure")
     figure = _draw(found, output / "flexibility.png", dpi)
     outputs = {
@@ -111,18 +110,16 @@ def _write_clusters(found: Clusters, folder: Path) -> Path:
     return _write(folder / "clusters.csv", head, rows)
 
 
-def _write_representatives(ensemble: Path, found: Clusters, folder: Path) -> Path:
+def _write_representatives(found: Flexibility, folder: Path) -> Path:
     """The frame of each cluster as a model, superposed on the first."""
-    import MDAnalysis
-
     from pliant.analyse.multi_model import write_models
 
-    atoms = MDAnalysis.Universe(ensemble / PLAN).atoms
-    moved = superposed(found.positions, found.positions[0])
+    chosen = found.clusters
+    moved = superposed(chosen.positions, chosen.positions[0])
     remarks = ["each stands for the frames nearest to it; populations are not claimed"]
-    remarks += [f"model {k + 1}: frame {frame}" for k, frame in enumerate(found.frames)]
+    remarks += [f"model {k + 1}: frame {frame}" for k, frame in enumerate(chosen.frames)]
     path = folder / "representatives.pdb"
-    write_models(path, atoms, moved, np.zeros(len(atoms)), remarks)
+    write_models(path, found.atoms, moved, np.zeros(len(found.atoms)), remarks)
     return path
 
 

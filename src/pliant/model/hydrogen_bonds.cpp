@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/model/hydrogen_bonds.hpp"
-#include "pliant/base/elementary.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <optional>
 #include <tuple>
 
+#include "pliant/base/elementary.hpp"
 #include "pliant/model/atom_graph.hpp"
 #include "pliant/model/hydrogen_bond_energy.hpp"
 #include "pliant/model/near_atoms.hpp"

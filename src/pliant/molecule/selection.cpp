@@ -225,4 +225,11 @@ std::vector<std::uint32_t> select_some_atoms(const AtomTable& atoms, std::string
   return some;
 }
 
+std::vector<Joint> select_joints(const Framework& framework, std::string_view selection,
+                                 std::string_view option) {
+  if (selection.empty()) return {};
+  if (!framework.atoms()) throw OptionError(std::string(option) + ": the joints have no names");
+  return select_some_atoms(*framework.atoms(), selection, option);
+}
+
 }  // namespace pliant

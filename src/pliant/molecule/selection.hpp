@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "pliant/framework/atom_table.hpp"
+#include "pliant/framework/framework.hpp"
 
 namespace pliant {
 
@@ -34,5 +34,10 @@ std::vector<std::uint32_t> select_atoms(const AtomTable& atoms, std::string_view
 /// `option`, where it names none.
 std::vector<std::uint32_t> select_some_atoms(const AtomTable& atoms, std::string_view selection,
                                              std::string_view option);
+
+/// The joints that an option names; none where it is empty. Throws OptionError, which begins with
+/// `option`, where the joints have no names, or it names none.
+std::vector<Joint> select_joints(const Framework& framework, std::string_view selection,
+                                 std::string_view option);
 
 }  // namespace pliant

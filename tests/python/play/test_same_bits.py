@@ -5,6 +5,7 @@ from pathlib import Path
 
 import pytest
 from MDAnalysisTests import datafiles
+from native_bits import opened as opened_natively
 from wasm_solver import ROOT, sha1
 
 import pliant
@@ -14,19 +15,8 @@ MECHANISMS = ROOT / "data" / "mechanisms"
 ALL = [row.name for row in pliant.techniques() if not row.forests_only]
 
 
-def native(path, model):
-    """Framework and start, as the library makes them of a file."""
-    if path.suffix == ".xml":
-        graph = pliant.read_graph_xml(str(path))
-        return graph.framework, graph.positions
-    structure = pliant.read(str(path))
-    structure.perceive_bonds()
-    built = pliant.build_model(structure, model)
-    return built.framework, built.positions
-
-
 def assert_same_walk(solver, path, model, techniques, steps, **options):
-    framework, positions = native(path, model)
+    framework, positions = opened_natively(path, model)
     for technique in techniques:
         opened = solver.open(path, model)
         assert opened["rest"]["sha1"] == sha1(framework.rest_lengths)
@@ -120,5 +110,5 @@ def test_what_is_wrong_with_a_file_is_told_in_the_same_words(solver, tmp_path, n
         )
         return
     with pytest.raises(pliant.Error) as expected:
-        native(path, "bonds")
+        opened_natively(path, "bonds")
     assert str(told.value) == str(expected.value).replace(str(tmp_path) + "/", "")
