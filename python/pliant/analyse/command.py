@@ -198,7 +198,7 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
     for name, one in summary["verdicts"].items():
         print(f"{name:<16}{one['text']}")
     rows = (
-        ("flexibility", "flexibility_mean", "{:.3f} Angstrom, mean RMSF"),
+        ("flexibility", "flexibility_mean", "{:.3f} Angstrom, mean RMSF{error}"),
         ("domains", "domains", "{}"),
         ("worst residual", "max_residual", "{:.2e} of the bar's length"),
         ("sweeps per step", "sweeps_mean", "{:.1f} on average"),
@@ -206,9 +206,11 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
         ("gyration", "radius_of_gyration_mean", "{:.3f} Angstrom, mean radius"),
         ("torsions", "rotatable_bonds", "{} rotatable bonds"),
     )
+    error = summary.get("flexibility_error_mean")
+    of_each = "" if error is None else f"; standard error of each {error:.3f} on average"
     for label, key, text in rows:
         if key in summary:
-            print(f"{label:<16}{text.format(summary[key])}")
+            print(f"{label:<16}{text.format(summary[key], error=of_each)}")
     print(f"report          {printable_name(summary['outputs']['report'])}")
 
 
