@@ -45,6 +45,7 @@ std::vector<NamedParameter> of_input(const Document& document, const std::string
                                      {"record/single", false},
                                      {"record/compress", false},
                                      {"record/precision", 0.0},
+                                     {"record/save", none},
                                      {"guide/rock", std::int64_t{0}},
                                      {"guide/rock_amplitude", 1.0},
                                      {"guide/period", guide.period},
