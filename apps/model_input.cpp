@@ -26,6 +26,12 @@ void add_model_options(CommandLine& line, ModelSettings& settings) {
                 "drop the contacts of residues with a confidence (pLDDT) below 50");
 }
 
+void add_torsion_option(CommandLine& line, ModelSettings& settings) {
+  line.add_flag("--free-torsions", settings.free_torsions,
+                "do not pull side chains towards staggered torsions, nor phi and psi back to the\n"
+                "usual regions of the Ramachandran plot");
+}
+
 void check(const ModelSettings& settings) {
   const ModelSettings usual;
   const ModelEntry* model = nullptr;
@@ -38,6 +44,7 @@ void check(const ModelSettings& settings) {
     refuse(settings.keep_waters, "--keep-waters", expected);
     refuse(settings.fill_side_chains, "--fill-side-chains", expected);
     refuse(settings.all_hydrogens, "--all-hydrogens", expected);
+    refuse(settings.free_torsions, "--free-torsions", expected);
     refuse(!settings.protonate.empty(), "--protonate", expected);
   }
   if (model == nullptr || !model->has_contacts) {
@@ -56,6 +63,7 @@ std::vector<NamedParameter> parameters_of(const ModelSettings& settings) {
           {"model/keep_waters", settings.keep_waters},
           {"model/fill_side_chains", settings.fill_side_chains},
           {"model/all_hydrogens", settings.all_hydrogens},
+          {"model/free_torsions", settings.free_torsions},
           {"model/protonate", forms},
           {"model/floppy", settings.floppy},
           {"model/contacts", std::filesystem::path(settings.contacts).filename().string()}};
@@ -68,6 +76,7 @@ ModelOptions model_options_of(const ModelSettings& settings, const Log& log) {
   options.prepare.fill_side_chains = settings.fill_side_chains;
   options.prepare.all_hydrogens = settings.all_hydrogens;
   options.prepare.protonate = settings.protonate;
+  options.torsions = !settings.free_torsions;
   options.prepare.floppy_below = settings.floppy ? disordered_below : 0.0;
   options.hydrogen_bonds.cutoff = settings.hbond_cutoff;
   options.contacts_file = settings.contacts;

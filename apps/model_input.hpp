@@ -15,12 +15,16 @@ struct ModelSettings {
   std::string name;  ///< of a row of models(); "": none was asked for
   double hbond_cutoff = -1.0;
   bool keep_waters = false, fill_side_chains = false, all_hydrogens = false, floppy = false;
+  bool free_torsions = false;
   std::vector<std::string> protonate;
   std::string contacts;  ///< file to read them from; "": found
 };
 
 /// Options of preparation, and which contacts there are.
 void add_model_options(CommandLine& line, ModelSettings& settings);
+
+/// The option of commands that move a molecule.
+void add_torsion_option(CommandLine& line, ModelSettings& settings);
 
 /// Throws OptionError if an option was given that the model, or no model at all, does not know.
 void check(const ModelSettings& settings);

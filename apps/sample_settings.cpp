@@ -30,6 +30,7 @@ void add_molecule_group(CommandLine& line, SampleSettings& settings) {
   line.add_choice("--model", settings.model, kinds,
                   "what holds it together; auto: protein if there are residues, else molecule");
   add_model_options(line, settings.molecule.kind);
+  add_torsion_option(line, settings.molecule.kind);
 }
 
 void add_sample_group(CommandLine& line, SampleSettings& settings) {

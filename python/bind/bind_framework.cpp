@@ -14,6 +14,7 @@ namespace pliant::python {
 
 void bind_examples(nb::module_& module);
 void bind_sterics(nb::module_& module);
+void bind_torsion_preferences(nb::module_& module);
 void bind_residual(nb::module_& module);
 
 namespace {
@@ -50,7 +51,8 @@ void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray&
                     std::optional<std::int64_t> joint_count, const OptionalArray& positions,
                     const OptionalArray& masses, const OptionalArray& pinned,
                     std::optional<std::vector<std::string>> names, const Structure* structure,
-                    bool planar, const nb::object& limits, const Sterics* sterics) {
+                    bool planar, const nb::object& limits, const Sterics* sterics,
+                    const TorsionPreferences* torsion_preferences) {
   std::optional<std::vector<Vec3>> start;
   if (positions) start = positions_from(*positions);
   FrameworkParts parts;
@@ -72,6 +74,8 @@ void make_framework(Framework* self, const ArrayLike& bars, const OptionalArray&
   parts.planar = planar;
   if (!limits.is_none()) parts.limits = limits_from(limits);
   if (sterics != nullptr) parts.sterics = std::make_shared<const Sterics>(*sterics);
+  if (torsion_preferences != nullptr)
+    parts.torsion_preferences = std::make_shared<const TorsionPreferences>(*torsion_preferences);
   const nb::gil_scoped_release no_gil;
   new (self) Framework(std::move(parts));
 }
@@ -152,6 +156,8 @@ limits : sequence of (a, b, least, most[, kind[, energy[, group]]]), optional
     one group, from 0, stand for one thing together.
 sterics : Sterics, optional
     How near joints may come that no bar joins.
+torsion_preferences : TorsionPreferences, optional
+    Torsions that are usual.
 
 Raises
 ------
@@ -194,7 +200,14 @@ void bind_limits_of_framework(nb::class_<Framework>& framework) {
           [](const Framework& self) {
             return self.sterics() == nullptr ? std::nullopt : std::optional(*self.sterics());
           },
-          "How near joints may come: a copy; None if they may come as near as they like.");
+          "How near joints may come: a copy; None if they may come as near as they like.")
+      .def_prop_ro(
+          "torsion_preferences",
+          [](const Framework& self) {
+            const TorsionPreferences* const at = self.torsion_preferences();
+            return at == nullptr ? std::nullopt : std::optional(*at);
+          },
+          "Torsions that are usual: a copy; None if there are none.");
 }
 
 void bind_framework_class(nb::module_& module) {
@@ -204,7 +217,7 @@ void bind_framework_class(nb::module_& module) {
            "joint_count"_a = nb::none(), nb::kw_only(), "positions"_a = nb::none(),
            "masses"_a = nb::none(), "pinned"_a = nb::none(), "names"_a = nb::none(),
            "structure"_a = nb::none(), "planar"_a = false, "limits"_a = nb::none(),
-           "sterics"_a = nb::none())
+           "sterics"_a = nb::none(), "torsion_preferences"_a = nb::none())
       .def_prop_ro("joint_count", &Framework::joint_count, "Number N of joints.")
       .def_prop_ro("bar_count", &Framework::bar_count, "Number B of bars.")
       .def_prop_ro("bars", &bars_view, "(B, 2) uint32, read-only view: the joints of each bar.")
@@ -296,6 +309,7 @@ void bind_state(nb::module_& module) {
 void bind_framework(nb::module_& module) {
   bind_graph_facts(module);
   bind_sterics(module);
+  bind_torsion_preferences(module);
   bind_framework_class(module);
   bind_state(module);
   bind_residual(module);

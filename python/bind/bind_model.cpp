@@ -42,13 +42,14 @@ nb::object contacts_of(const Structure& structure, double hbond_cutoff) {
 MolecularModel model_of(const Structure& structure, const std::string& model, bool keep_waters,
                         std::vector<std::string> protonate, double floppy_below,
                         double hbond_cutoff, const nb::object& contacts, const std::string& pin,
-                        bool fill_side_chains, bool all_hydrogens) {
+                        bool fill_side_chains, bool all_hydrogens, bool free_torsions) {
   ModelOptions options;
   options.kind = choose(models(), "model", model).kind;
   options.prepare = prepare_options(keep_waters, std::move(protonate), floppy_below,
                                     fill_side_chains, all_hydrogens);
   options.hydrogen_bonds.cutoff = hbond_cutoff;
   options.pin = pin;
+  options.torsions = !free_torsions;
   options.log = python_log();
   if (!contacts.is_none()) options.contacts = contacts_from(contacts);
   const nb::gil_scoped_release no_gil;
@@ -129,6 +130,9 @@ pin : str
     Selection of atoms that never move.
 fill_side_chains, all_hydrogens : bool
     As in ``prepare``.
+free_torsions : bool
+    Do not pull side chains towards staggered torsions (the rotamers of Lovell et al., Proteins 40
+    (2000) 389), nor phi and psi back to the usual regions of the Ramachandran plot.
 
 Raises
 ------
@@ -198,13 +202,13 @@ void bind_model(nb::module_& module) {
              "keep_waters"_a = false, "protonate"_a = std::vector<std::string>{},
              "floppy_below"_a = 0.0, "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
              "contacts"_a = nb::none(), "pin"_a = "", "fill_side_chains"_a = false,
-             "all_hydrogens"_a = false,
+             "all_hydrogens"_a = false, "free_torsions"_a = false,
              nb::sig("def build_model(structure: Structure, model: str = \"protein\", *, "
                      "keep_waters: bool = False, protonate: collections.abc.Sequence[str] = (), "
                      "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
                      "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
-                     "fill_side_chains: bool = False, all_hydrogens: bool = False) -> "
-                     "MolecularModel"),
+                     "fill_side_chains: bool = False, all_hydrogens: bool = False, "
+                     "free_torsions: bool = False) -> MolecularModel"),
              build_doc);
 }
 

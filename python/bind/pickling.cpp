@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "pickling.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -12,7 +14,7 @@
 namespace pliant::python {
 namespace {
 
-constexpr int layout = 1;  ///< of what __getstate__ gives
+constexpr int layout = 2;  ///< of what __getstate__ gives
 
 /// Throws InputError unless the state begins with the layout and has so many parts.
 void check_state(const nb::tuple& state, std::size_t parts) {
@@ -106,6 +108,42 @@ std::shared_ptr<const Sterics> sterics_from(nb::handle state) {
   return sterics;
 }
 
+nb::tuple state_of(const TorsionPreferences& preferences) {
+  std::vector<std::uint32_t> staggered, backbone;
+  std::vector<double> free, reach;
+  for (const StaggeredTorsion& at : preferences.staggered) {
+    staggered.insert(staggered.end(), at.joints.begin(), at.joints.end());
+    free.push_back(at.free);
+  }
+  for (const BackboneTorsions& at : preferences.backbone) {
+    backbone.insert(backbone.end(), at.joints.begin(), at.joints.end());
+    reach.push_back(at.reach);
+  }
+  return nb::make_tuple(packed(staggered), packed(free), packed(backbone), packed(reach));
+}
+
+/// The joints of the rows of a table, `size` of them each.
+template <std::size_t size>
+std::array<std::uint32_t, size> row_at(const std::vector<std::uint32_t>& joints, std::size_t row) {
+  if (joints.size() < size * (row + 1)) throw InputError("a pickle that is damaged");
+  std::array<std::uint32_t, size> at{};
+  std::copy_n(joints.begin() + std::ptrdiff_t(size * row), size, at.begin());
+  return at;
+}
+
+std::shared_ptr<const TorsionPreferences> torsion_preferences_from(nb::handle state) {
+  if (state.is_none()) return nullptr;
+  const auto parts = nb::cast<nb::tuple>(state);
+  auto made = std::make_shared<TorsionPreferences>();
+  const auto staggered = unpacked<std::uint32_t>(parts[0]),
+             backbone = unpacked<std::uint32_t>(parts[2]);
+  for (const double free : unpacked<double>(parts[1]))
+    made->staggered.push_back({row_at<4>(staggered, made->staggered.size()), free});
+  for (const double reach : unpacked<double>(parts[3]))
+    made->backbone.push_back({row_at<5>(backbone, made->backbone.size()), reach});
+  return made;
+}
+
 /// A mass whose inverse is this very number: one of those next to 1 / inverse.
 double mass_of(double inverse) {
   const double near = 1.0 / inverse;
@@ -128,17 +166,18 @@ std::vector<Joint> joints_of_bars(const Framework& framework) {
 }
 
 nb::tuple framework_state(const Framework& framework) {
-  nb::object atoms = nb::none(), sterics = nb::none();
+  nb::object atoms = nb::none(), sterics = nb::none(), torsions = nb::none();
   if (framework.atoms()) atoms = state_of(*framework.atoms());
   if (framework.sterics()) sterics = state_of(*framework.sterics());
+  if (framework.torsion_preferences()) torsions = state_of(*framework.torsion_preferences());
   return nb::make_tuple(layout, framework.joint_count(), packed(joints_of_bars(framework)),
                         packed(framework.rest_lengths()), packed(framework.inverse_masses()), atoms,
                         packed(framework.drawn()), framework.is_planar(),
-                        limits_to_python(framework), sterics);
+                        limits_to_python(framework), sterics, torsions);
 }
 
 FrameworkParts parts_from(const nb::tuple& state) {
-  check_state(state, 10);
+  check_state(state, 11);
   FrameworkParts parts;
   parts.joint_count = nb::cast<std::size_t>(state[1]);
   const auto joints = unpacked<Joint>(state[2]);
@@ -156,6 +195,7 @@ FrameworkParts parts_from(const nb::tuple& state) {
   parts.planar = nb::cast<bool>(state[7]);
   parts.limits = limits_from(state[8]);
   parts.sterics = sterics_from(state[9]);
+  parts.torsion_preferences = torsion_preferences_from(state[10]);
   return parts;
 }
 

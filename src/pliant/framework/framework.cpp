@@ -31,6 +31,7 @@ Framework::Framework(FrameworkParts parts)
       drawn_(std::move(parts.drawn)),
       limits_(std::move(parts.limits)),
       sterics_(std::move(parts.sterics)),
+      torsion_preferences_(std::move(parts.torsion_preferences)),
       planar_(parts.planar) {
   check_counts();
   take_masses(parts.masses, parts.pinned);
@@ -159,6 +160,7 @@ void Framework::check_limits() const {
                      " limits, but fewer than 2^31 can be held");
   for (std::size_t k = 0; k < limits_.size(); ++k) check_limit(k);
   if (sterics_) check(*sterics_, joint_count_);
+  if (torsion_preferences_) check(*torsion_preferences_, joint_count_);
 }
 
 void Framework::check_limit(std::size_t index) const {
@@ -216,7 +218,8 @@ FrameworkParts Framework::parts() const {
                        .drawn = drawn_,
                        .planar = planar_,
                        .limits = limits_,
-                       .sterics = sterics_};
+                       .sterics = sterics_,
+                       .torsion_preferences = torsion_preferences_};
   for (Joint joint = 0; joint < joint_count_; ++joint) {
     if (is_pinned(joint)) parts.pinned.push_back(joint);
     parts.masses.push_back(is_pinned(joint) ? 1.0 : 1.0 / inverse_masses_[joint]);

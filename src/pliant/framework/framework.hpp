@@ -15,6 +15,7 @@
 #include "pliant/framework/atom_table.hpp"
 #include "pliant/framework/limits.hpp"
 #include "pliant/framework/sterics.hpp"
+#include "pliant/framework/torsion_preferences.hpp"
 
 namespace pliant {
 
@@ -41,6 +42,7 @@ struct FrameworkParts {
   bool planar = false;             ///< pushes leave the z of every joint as it is
   std::vector<Limit> limits = {};  ///< (L) distances held to intervals; of no pair that has a bar
   std::shared_ptr<const Sterics> sterics = {};  ///< how near joints may come; null: any
+  std::shared_ptr<const TorsionPreferences> torsion_preferences = {};  ///< null: none
 };
 
 /// A joint reached over a bar.
@@ -59,7 +61,7 @@ class Framework {
   /// range, two bars of one pair with different lengths; a mass out of range; columns that differ
   /// in length; drawn positions that break a bar; a limit that joins unknown joints, a joint to
   /// itself or a pair that has a bar, or whose interval is empty or out of range; sterics that
-  /// check() refuses.
+  /// or torsion preferences that check() refuses.
   explicit Framework(FrameworkParts parts);
 
   std::size_t joint_count() const { return joint_count_; }
@@ -79,6 +81,8 @@ class Framework {
   std::span<const LimitIndex> limits_at(Joint joint) const;
   /// How near joints may come; null: any.
   const Sterics* sterics() const { return sterics_.get(); }
+  /// Torsions that are usual; null: none.
+  const TorsionPreferences* torsion_preferences() const { return torsion_preferences_.get(); }
   /// Whether there is nothing but bars.
   bool has_bars_only() const { return limits_.empty() && sterics_ == nullptr; }
   /// Whether it is a linkage of the plane: nothing pushes a joint along z.
@@ -125,6 +129,7 @@ class Framework {
   std::vector<std::uint32_t> first_limit_;  ///< (N + 1), or none where there are no limits
   std::vector<LimitIndex> limits_at_;
   std::shared_ptr<const Sterics> sterics_;
+  std::shared_ptr<const TorsionPreferences> torsion_preferences_;
   std::size_t pinned_count_ = 0;
   std::size_t merged_bar_count_ = 0;
   bool planar_ = false;

@@ -11,6 +11,7 @@
 #include "pliant/model/contact_file.hpp"
 #include "pliant/model/residue_chemistry.hpp"
 #include "pliant/model/steric_table.hpp"
+#include "pliant/model/torsions_of_residues.hpp"
 
 namespace pliant {
 namespace {
@@ -63,6 +64,7 @@ class ModelBuilder {
     building_.log = options_.log;
     if (entry_.has_contacts) take_contacts();
     if (entry_.has_sterics && options_.sterics) take_sterics();
+    if (entry_.has_sterics && options_.torsions) take_torsions();
     Framework framework = build_framework(ready_.structure, building_);
     std::vector<Vec3> positions = ready_.structure.positions;
     return {options_.kind,
@@ -121,6 +123,15 @@ class ModelBuilder {
       tell("sterics: " + std::to_string(sterics.own.size()) +
            " pairs are nearer than usual and keep their own distance");
     building_.sterics = std::make_shared<const Sterics>(std::move(sterics));
+  }
+
+  void take_torsions() {
+    TorsionPreferences torsions = torsions_of_residues(ready_.structure);
+    if (torsions.staggered.empty() && torsions.backbone.empty()) return;
+    tell("torsions: " + std::to_string(torsions.staggered.size()) +
+         " of side chains are kept near staggered, phi and psi of " +
+         std::to_string(torsions.backbone.size()) + " residues in the usual regions");
+    building_.torsion_preferences = std::make_shared<const TorsionPreferences>(std::move(torsions));
   }
 
   const ModelOptions& options_;

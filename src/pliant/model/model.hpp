@@ -45,7 +45,8 @@ struct ModelOptions {
   PrepareOptions prepare = {};
   HydrogenBondOptions hydrogen_bonds = {};
   TetherOptions tethers = {};
-  bool sterics = true;  ///< whether models that have sterics get them
+  bool sterics = true;   ///< whether models that have sterics get them
+  bool torsions = true;  ///< whether these get torsion preferences
   /// Contacts in place of those that would be found; atoms of the prepared structure.
   std::optional<std::vector<MolecularContact>> contacts = std::nullopt;
   std::string contacts_file =

@@ -46,6 +46,7 @@ class FrameworkBuilder {
     if (!options_.pin.empty()) pin();
     parts_.limits = options_.limits;
     parts_.sterics = options_.sterics;
+    parts_.torsion_preferences = options_.torsion_preferences;
     if (from_radii_ > 0)
       options_.log.note("rest lengths of " + std::to_string(from_radii_) + " of " +
                         std::to_string(parts_.bars.size()) +

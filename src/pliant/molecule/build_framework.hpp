@@ -53,6 +53,7 @@ struct BuildOptions {
   std::vector<StatedBar> stated = {};           ///< in addition to `bars`; no pair twice
   std::vector<Limit> limits = {};               ///< joints are atoms
   std::shared_ptr<const Sterics> sterics = {};  ///< null: none
+  std::shared_ptr<const TorsionPreferences> torsion_preferences = {};  ///< null: none
   std::string stated_in = "";  ///< the file that states these three, for messages; "": none
 };
 

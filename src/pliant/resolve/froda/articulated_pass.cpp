@@ -62,22 +62,24 @@ void ArticulatedPass::add_rows(std::span<const Vec3> x, std::span<const ContactR
   }
 }
 
-void ArticulatedPass::go_inward() {
+void ArticulatedPass::go_inward(std::span<const TurnSpring> springs) {
   const auto bodies = plan_.bodies();
   for (std::size_t k = bodies.size(); k-- > 0;)
-    if (bodies[k].parent >= 0) pass_on(bodies[k], k);
+    if (bodies[k].parent >= 0) pass_on(bodies[k], k, springs);
 }
 
 /// Takes the turns of a body out of its inertia and force, and adds what is left to its parent's.
-void ArticulatedPass::pass_on(const PlanBody& body, std::size_t index) {
+void ArticulatedPass::pass_on(const PlanBody& body, std::size_t index,
+                              std::span<const TurnSpring> springs) {
   Inertia& m = inertia_[index];
   Twist& p = force_[index];
   const auto own = turns_of(body);
   for (std::size_t t = own.size(); t-- > 0;) {
     Turn& turn = own[t];
     turn.u = froda::product(m, turn.s);
-    turn.inverse = 1.0 / (froda::dot(turn.s, turn.u) + damping_);
-    turn.force = froda::dot(turn.s, p);
+    const TurnSpring spring = springs.empty() ? TurnSpring{} : springs[body.first_turn + t];
+    turn.inverse = 1.0 / (froda::dot(turn.s, turn.u) + damping_ + spring.weight);
+    turn.force = froda::dot(turn.s, p) + spring.force;
     add_scaled(-turn.force * turn.inverse, turn.u, p);
     add_direction(-turn.inverse, turn.u, m);
   }
@@ -87,12 +89,13 @@ void ArticulatedPass::pass_on(const PlanBody& body, std::size_t index) {
   add_scaled(1.0, p, force_[parent]);
 }
 
-void ArticulatedPass::push_inward(std::vector<Twist>& forces) {
+void ArticulatedPass::push_inward(std::vector<Twist>& forces, std::span<const double> of_turns) {
   const auto bodies = plan_.bodies();
   for (std::size_t k = bodies.size(); k-- > 0;) {
     if (bodies[k].parent < 0) continue;
-    carry(static_cast<std::uint32_t>(k), forces[k],
-          [&](std::uint32_t turn, double force) { turns_[turn].force = force; });
+    carry(
+        static_cast<std::uint32_t>(k), forces[k],
+        [&](std::uint32_t turn, double force) { turns_[turn].force = force; }, of_turns);
     add_scaled(1.0, forces[k], forces[std::size_t(bodies[k].parent)]);
   }
 }

@@ -10,6 +10,7 @@
 
 #include "pliant/resolve/froda/body_kernels.hpp"
 #include "pliant/resolve/froda/body_plan.hpp"
+#include "pliant/resolve/froda/turn_springs.hpp"
 
 namespace pliant {
 
@@ -36,7 +37,7 @@ class ArticulatedPass {
   struct Turn {
     Twist s{}, u{};
     double inverse = 0.0;  ///< 1 / (s . u + damping)
-    double force = 0.0;    ///< s . p, going inward
+    double force = 0.0;    ///< s . p and the spring, going inward
   };
 
   /// The plan outlives it. `damping` (Angstrom^2) is added to what a turn moves; `square_unit`: of
@@ -48,20 +49,24 @@ class ArticulatedPass {
   void gather(std::span<const Vec3> x, std::span<const Vec3> targets);
   /// Adds each row as a directional mass of `factor` times its weight on each of its two bodies.
   void add_rows(std::span<const Vec3> x, std::span<const ContactRow> rows, double factor);
-  /// Takes turns out of inertias and forces, from the last body to the roots.
-  void go_inward();
-  /// Does to other forces of bodies what go_inward() did to those that were gathered.
-  void push_inward(std::vector<Twist>& forces);
+  /// Takes turns out of inertias and forces, from the last body to the roots. `springs` (turns)
+  /// pull at them; empty: none do.
+  void go_inward(std::span<const TurnSpring> springs = {});
+  /// Does to other forces, of bodies and (empty: none) of turns, what go_inward() did to those that
+  /// were gathered.
+  void push_inward(std::vector<Twist>& forces, std::span<const double> of_turns = {});
   /// How bodies move under `forces`, which have gone inward last.
   void go_outward(const std::vector<Twist>& forces, BodyMotions& out) const;
 
-  /// Takes the turns of a body out of a force on it alone, and calls note(turn, its force).
+  /// Takes the turns of a body, on which `of_turns` pull (turns; empty: nothing), out of a force on
+  /// it alone, and calls note(turn, its force).
   template <class Note>
-  void carry(std::uint32_t body, Twist& force, const Note& note) const {
+  void carry(std::uint32_t body, Twist& force, const Note& note,
+             std::span<const double> of_turns = {}) const {
     const PlanBody& of = plan_.bodies()[body];
     for (std::uint32_t t = of.first_turn + of.turns(); t-- > of.first_turn;) {
       const Turn& turn = turns_[t];
-      const double along = froda::dot(turn.s, force);
+      const double along = froda::dot(turn.s, force) + (of_turns.empty() ? 0.0 : of_turns[t]);
       froda::add_scaled(-along * turn.inverse, turn.u, force);
       note(t, along);
     }
@@ -81,7 +86,7 @@ class ArticulatedPass {
     return {turns_.data() + body.first_turn, body.turns()};
   }
   void set_turns(std::span<const Vec3> x);
-  void pass_on(const PlanBody& body, std::size_t index);
+  void pass_on(const PlanBody& body, std::size_t index, std::span<const TurnSpring> springs);
 
   const BodyPlan& plan_;
   double damping_, square_unit_;

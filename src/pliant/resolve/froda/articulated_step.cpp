@@ -28,9 +28,11 @@ void add_to_scaled(const BodyMotions& x, double factor, BodyMotions& y) {
     y.angles[t] = x.angles[t] + factor * y.angles[t];
 }
 
-double product(const std::vector<Twist>& forces, const BodyMotions& motions) {
+double product(const std::vector<Twist>& forces, const std::vector<double>& of_turns,
+               const BodyMotions& motions) {
   double sum = 0.0;
   for (std::size_t k = 0; k < forces.size(); ++k) sum += froda::dot(forces[k], motions.twists[k]);
+  for (std::size_t t = 0; t < of_turns.size(); ++t) sum += of_turns[t] * motions.angles[t];
   return sum;
 }
 
@@ -49,7 +51,7 @@ void ArticulatedStep::step(std::span<Vec3> x, const StepRequest& request) {
   if (refined) plain_ = pass_.inertias();
   pass_.add_rows(x, request.rows, majorant);
   if (refined) left_ = pass_.forces();
-  pass_.go_inward();
+  pass_.go_inward(request.springs);
   pass_.go_outward(pass_.forces(), motions_);
   if (refined) refine(x, request);
   if (closing_) closing_->correct(pass_, x, motions_);
@@ -57,29 +59,41 @@ void ArticulatedStep::step(std::span<Vec3> x, const StepRequest& request) {
 }
 
 /// Conjugate gradients for the rows as they are, preconditioned by the majorant; begins with its
-/// step. Vectors over torsions are kept as twists and forces of bodies: q . f = sum v . p.
+/// step. Vectors over torsions are kept as twists and forces of bodies, with what is of turns alone
+/// beside them: q . f = sum v . p + sum q tau.
 void ArticulatedStep::refine(std::span<const Vec3> x, const StepRequest& request) {
   direction_ = motions_;
   sum_.twists.assign(motions_.twists.size(), Twist{});
   sum_.angles.assign(motions_.angles.size(), 0.0);
-  double before = product(left_, motions_);
+  left_of_turns_.assign(motions_.angles.size(), 0.0);
+  for (std::size_t t = 0; t < request.springs.size(); ++t)
+    left_of_turns_[t] = request.springs[t].force;
+  double before = product(left_, left_of_turns_, motions_);
   for (int turn = 0;; ++turn) {
-    const double step = before / (apply_matrix(x, request.rows) + tiny);
+    const double step = before / (apply_matrix(x, request) + tiny);
     add_motions(step, direction_, sum_);
     if (turn + 1 >= request.conjugate_gradients) break;
     for (std::size_t k = 0; k < left_.size(); ++k) froda::add_scaled(-step, image_[k], left_[k]);
+    for (std::size_t t = 0; t < left_of_turns_.size(); ++t)
+      left_of_turns_[t] -= step * resistance(request, t) * direction_.angles[t];
     room_ = left_;
-    pass_.push_inward(room_);
+    pass_.push_inward(room_, left_of_turns_);
     pass_.go_outward(room_, motions_);
-    const double now = product(left_, motions_), ratio = now / (before + tiny);
+    const double now = product(left_, left_of_turns_, motions_), ratio = now / (before + tiny);
     before = now;
     add_to_scaled(motions_, ratio, direction_);
   }
   motions_ = sum_;
 }
 
-/// image_ = (H + sum w g g^T) direction_; the product of both.
-double ArticulatedStep::apply_matrix(std::span<const Vec3> x, std::span<const ContactRow> rows) {
+/// How much a turn resists by itself: damping and springs.
+double ArticulatedStep::resistance(const StepRequest& request, std::size_t turn) const {
+  return pass_.damping() + (request.springs.empty() ? 0.0 : request.springs[turn].weight);
+}
+
+/// image_ = (H + sum w g g^T) direction_ but for what turns resist by themselves; the product of
+/// both with it.
+double ArticulatedStep::apply_matrix(std::span<const Vec3> x, const StepRequest& request) {
   const auto body_at = plan_.body_at();
   image_.resize(plain_.size());
   double sum = 0.0;
@@ -87,8 +101,9 @@ double ArticulatedStep::apply_matrix(std::span<const Vec3> x, std::span<const Co
     image_[k] = froda::product(plain_[k], direction_.twists[k]);
     sum += froda::dot(image_[k], direction_.twists[k]);
   }
-  for (double angle : direction_.angles) sum += pass_.damping() * angle * angle;
-  for (const ContactRow& row : rows) {
+  for (std::size_t t = 0; t < direction_.angles.size(); ++t)
+    sum += resistance(request, t) * direction_.angles[t] * direction_.angles[t];
+  for (const ContactRow& row : request.rows) {
     const std::uint32_t i = body_at[row.i], j = body_at[row.j];
     const double apart = dot(row.along, froda::velocity(direction_.twists[i], x[row.i]) -
                                             froda::velocity(direction_.twists[j], x[row.j]));

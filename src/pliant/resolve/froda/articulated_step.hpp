@@ -25,8 +25,9 @@ namespace pliant {
 struct StepRequest {
   std::span<const Vec3> targets = {};  ///< (places) where each should come to; empty: stay
   std::span<const ContactRow> rows = {};
-  double bound = 1.0;           ///< Angstrom: no body goes further
-  int conjugate_gradients = 0;  ///< products inside the step
+  std::span<const TurnSpring> springs = {};  ///< (turns) what pulls at them; empty: nothing
+  double bound = 1.0;                        ///< Angstrom: no body goes further
+  int conjugate_gradients = 0;               ///< products inside the step
 };
 
 class ArticulatedStep {
@@ -48,7 +49,8 @@ class ArticulatedStep {
   };
 
   void refine(std::span<const Vec3> x, const StepRequest& request);
-  double apply_matrix(std::span<const Vec3> x, std::span<const ContactRow> rows);
+  double apply_matrix(std::span<const Vec3> x, const StepRequest& request);
+  double resistance(const StepRequest& request, std::size_t turn) const;
   double share_of(std::span<const Vec3> x, double bound) const;
   void move(std::span<Vec3> x, double share);
   Motion motion_of(const PlanBody& body, std::size_t index, std::span<const Vec3> x,
@@ -62,6 +64,7 @@ class ArticulatedStep {
   // of conjugate gradients
   std::vector<Inertia> plain_;
   std::vector<Twist> left_, room_, image_;
+  std::vector<double> left_of_turns_;
   BodyMotions direction_, sum_;
 };
 

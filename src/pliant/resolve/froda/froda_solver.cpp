@@ -16,7 +16,8 @@ constexpr double largest_closing = 0.3;  // of a joint: more is no rounding off,
 
 constexpr double pull_weight = 10.0;
 constexpr double last_weight = 100.0;
-constexpr int last_pulls = 3;  // blind, then as many with contacts
+constexpr double spring_weight = 60.0;  // Angstrom^2: of torsion preferences
+constexpr int last_pulls = 3;           // blind, then as many with contacts
 constexpr int careful_pulls = 5;
 constexpr int most_closings = 12;
 /// A step gains if it takes more than a twentieth off. Without gain for so many steps it is over;
@@ -39,7 +40,11 @@ Aim aim_of(const Limit& limit) {
 }  // namespace
 
 FrodaSolver::FrodaSolver(const Framework& framework, const BodyPlan& plan, double unit)
-    : framework_(framework), plan_(plan), unit_(unit), step_(plan, unit) {
+    : framework_(framework),
+      plan_(plan),
+      unit_(unit),
+      step_(plan, unit),
+      springs_(framework, plan) {
   if (framework.sterics() != nullptr) pairs_ = std::make_unique<NearPairs>(framework, plan);
 }
 
@@ -91,7 +96,7 @@ void FrodaSolver::pull_to(double share, int steps, bool sees_contacts,
   for (int k = 0; k < steps; ++k) {
     rows_.clear();
     if (sees_contacts) find_rows(pull_weight);
-    step(target_, pull_bound, options.is_careful ? options.conjugate_gradients : 0);
+    step(target_, pull_bound, options.is_careful ? options.conjugate_gradients : 0, sees_contacts);
   }
 }
 
@@ -107,7 +112,7 @@ bool FrodaSolver::push_apart(const FrodaOptions& options, FrodaOutcome& outcome)
     least = std::min(least, here);
     if (since >= (least <= std::min(options.limit, options.overlap) ? patience : long_patience))
       break;
-    step({}, last_bound, options.is_careful ? options.conjugate_gradients : 0);
+    step({}, last_bound, options.is_careful ? options.conjugate_gradients : 0, true);
   }
   return finish(options, outcome);
 }
@@ -128,7 +133,7 @@ double FrodaSolver::close_loops() {
   before_ = x_;
   rows_.clear();
   for (int k = 0; k < most_closings && widest_gap() > widest_closed * unit_; ++k)
-    step({}, last_bound, 0);
+    step({}, last_bound, 0, false);
   double furthest = 0.0;
   for (std::size_t k = 0; k < x_.size(); ++k)
     furthest = std::max(furthest, norm_squared(x_[k] - before_[k]));
@@ -179,8 +184,11 @@ void FrodaSolver::find_steric_rows(double weight, Violation& worst) {
   }
 }
 
-void FrodaSolver::step(std::span<const Vec3> targets, double bound, int conjugate_gradients) {
-  step_.step(x_, {targets, rows_, bound * unit_, conjugate_gradients});
+void FrodaSolver::step(std::span<const Vec3> targets, double bound, int conjugate_gradients,
+                       bool has_springs) {
+  std::span<const TurnSpring> springs;
+  if (has_springs && !springs_.empty()) springs = springs_.at(x_, spring_weight);
+  step_.step(x_, {targets, rows_, springs, bound * unit_, conjugate_gradients});
   ++steps_;
 }
 

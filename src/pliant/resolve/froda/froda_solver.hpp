@@ -66,7 +66,7 @@ class FrodaSolver {
   Violation find_rows(double weight);
   void find_limit_rows(double weight, Violation& worst);
   void find_steric_rows(double weight, Violation& worst);
-  void step(std::span<const Vec3> targets, double bound, int conjugate_gradients);
+  void step(std::span<const Vec3> targets, double bound, int conjugate_gradients, bool has_springs);
 
   const Framework& framework_;
   const BodyPlan& plan_;
@@ -77,6 +77,7 @@ class FrodaSolver {
   Vec3 origin_;
   std::vector<Vec3> x_, start_, push_, target_, before_;  ///< of places, from the origin
   std::vector<ContactRow> rows_;
+  TurnSprings springs_;
   int steps_ = 0;
 };
 

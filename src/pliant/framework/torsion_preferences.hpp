@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+// Torsion preferences: turns about bonds that cost little while they are usual. They pull, and
+// never decide whether a frame is whole.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "pliant/base/vec3.hpp"
+
+namespace pliant {
+
+/// The torsion of joints 0-1-2-3 about a bond of two tetrahedral atoms: usual within `free` of 60,
+/// 180 and 300 degrees.
+struct StaggeredTorsion {
+  std::array<std::uint32_t, 4> joints{};
+  double free = 0.0;  ///< radians, up to pi / 3: the whole circle
+};
+
+/// phi (joints 0-1-2-3) and psi (1-2-3-4) of a residue: usual in regions as large as those of
+/// backbone_reach() times `reach`.
+struct BackboneTorsions {
+  std::array<std::uint32_t, 5> joints{};
+  double reach = 1.0;
+};
+
+struct TorsionPreferences {
+  std::vector<StaggeredTorsion> staggered = {};
+  std::vector<BackboneTorsions> backbone = {};
+};
+
+/// Throws InputError naming what is wrong: a joint that does not exist or comes twice, `free` out
+/// of range, a reach that is not finite and above 0.
+void check(const TorsionPreferences& preferences, std::size_t joint_count);
+
+/// The cosine of the torsion a-b-c-d; 1 where three lie on a line.
+double cosine_of_torsion(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+
+/// The torsion a-b-c-d, radians, from -pi to pi; 0 where three lie on a line. The same bits
+/// everywhere.
+double torsion_angle(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
+
+/// How far a torsion is from the nearest of 60, 180 and 300 degrees; radians, signed.
+double off_staggered(double torsion);
+
+/// By how much phi and psi are outside the regions of the Ramachandran plot where residues other
+/// than glycine and proline lie (the 99 % contours of Lovell et al., Proteins 50 (2003) 437, drawn
+/// as ellipses): 1 at the edge of the nearest, below 1 inside.
+double backbone_reach(double phi, double psi);
+
+/// How phi and psi would have to turn to come to the edge of the nearest region of that reach;
+/// nothing where they are in one. Radians.
+struct BackboneTurn {
+  double phi = 0.0, psi = 0.0;
+};
+BackboneTurn backbone_turn(double phi, double psi, double reach);
+
+}  // namespace pliant
