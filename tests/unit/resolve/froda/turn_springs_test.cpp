@@ -18,10 +18,11 @@ namespace turn_springs_test {
 
 constexpr double degrees = std::numbers::pi / 180.0;
 
-/// Four joints of a chain with bars for bonds and angles, whose one torsion is `torsion` degrees.
+/// Four joints of a chain with bars for bonds and angles, its ends far out as those of long side
+/// chains, whose one torsion is `torsion` degrees.
 std::vector<Vec3> chain(double torsion) {
   const double c = std::cos(torsion * degrees), s = std::sin(torsion * degrees);
-  return {{-0.5, 1.4, 0}, {0, 0, 0}, {1.5, 0, 0}, {2.0, 1.4 * c, 1.4 * s}};
+  return {{-0.5, 8.0, 0}, {0, 0, 0}, {1.5, 0, 0}, {2.0, 8.0 * c, 8.0 * s}};
 }
 
 Framework framework_of(const std::vector<Vec3>& drawn, double free, bool is_reversed) {
