@@ -21,6 +21,7 @@ _ATOMS = (
 )
 _LIMITS = ("least", "most", "kind", "energy", "group")
 _STERICS = ("kind", "least", "own", "own_least", "bonds_apart")
+_TORSIONS = ("staggered", "free", "backbone", "reach")
 
 #: Datasets that readers take together.
 TOGETHER = (
@@ -29,6 +30,7 @@ TOGETHER = (
     ("connectivity/bonds", "parameters/topology/bond_origin", "parameters/topology/bond_order"),
     ("connectivity/limits", *(f"parameters/limit/{name}" for name in _LIMITS)),
     tuple(f"parameters/sterics/{name}" for name in _STERICS),
+    tuple(f"parameters/torsion_preferences/{name}" for name in _TORSIONS),
 )
 
 

@@ -41,6 +41,7 @@ STATIC = {
     "parameters/framework": ("rest_length", "pinned", "planar"),
     "parameters/limit": ("least", "most", "kind", "energy", "group"),
     "parameters/sterics": ("kind", "least", "own", "own_least", "unit", "bonds", "bonds_apart"),
+    "parameters/torsion_preferences": ("staggered", "free", "backbone", "reach"),
     "parameters/topology": (
         *("atom_name", "element", "atomic_number", "atom_serial", "residue_of", "residue_name"),
         *("residue_number", "insertion_code", "chain", "bond_origin", "bond_order"),

@@ -136,3 +136,11 @@ def test_workers_give_the_bits_of_this_process(structure):
 def test_what_is_no_pickle_of_ours_is_refused(kind, state):
     with pytest.raises((ValueError, TypeError)):
         kind.__new__(kind).__setstate__(state)
+
+
+def test_torsion_preferences_travel(structure):
+    framework = pliant.build_model(structure).framework
+    here, there = framework.torsion_preferences, sent(framework).torsion_preferences
+    assert here.staggered and here.backbone
+    assert here.staggered == there.staggered
+    assert here.backbone == there.backbone

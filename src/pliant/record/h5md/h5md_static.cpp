@@ -117,6 +117,24 @@ void write_sterics(std::int64_t file, const Sterics& sterics) {
   write_parameter(file, group + "/bonds_apart", std::int64_t{sterics.excluded_bonds});
 }
 
+void write_torsion_preferences(std::int64_t file, const TorsionPreferences& preferences) {
+  std::vector<std::uint32_t> staggered, backbone;
+  std::vector<double> free, reach;
+  for (const StaggeredTorsion& at : preferences.staggered) {
+    staggered.insert(staggered.end(), at.joints.begin(), at.joints.end());
+    free.push_back(at.free);
+  }
+  for (const BackboneTorsions& at : preferences.backbone) {
+    backbone.insert(backbone.end(), at.joints.begin(), at.joints.end());
+    reach.push_back(at.reach);
+  }
+  const std::string group = h5md::torsion_preferences;
+  write_table(file, group + "/staggered", free.size(), 4, staggered);
+  write_text_attribute(write_numbers(file, group + "/free", free), "unit", "radian");
+  write_table(file, group + "/backbone", reach.size(), 5, backbone);
+  write_numbers(file, group + "/reach", reach);
+}
+
 void write_bonds(std::int64_t file, const H5mdHeader& header) {
   std::vector<Bar> pairs;
   std::vector<std::uint8_t> origins, orders;
@@ -177,7 +195,9 @@ void check_parameters(const std::vector<NamedParameter>& parameters) {
       refuse_parameter(path, "must be a path below /parameters, such as run/seed");
     if (is_own_parameter(path))
       refuse_parameter(
-          path, "the groups framework, limit, sterics, topology and checkpoint are the file's own");
+          path,
+          "the groups framework, limit, sterics, torsion_preferences, topology and checkpoint are "
+          "the file's own");
     if (!paths.insert(path).second) refuse_parameter(path, "is given twice");
     const double* number = std::get_if<double>(&value);
     if (number != nullptr && std::isnan(*number)) refuse_parameter(path, "is not a number");
@@ -192,8 +212,8 @@ void write_parameters(std::int64_t file, const std::vector<NamedParameter>& para
 
 bool is_own_parameter(const std::string& path) {
   return path.starts_with("framework/") || path.starts_with("limit/") ||
-         path.starts_with("sterics/") || path.starts_with("topology/") ||
-         path.starts_with("checkpoint/");
+         path.starts_with("sterics/") || path.starts_with("torsion_preferences/") ||
+         path.starts_with("topology/") || path.starts_with("checkpoint/");
 }
 
 void write_static_part(std::int64_t file, const Framework& framework, const H5mdHeader& header) {
@@ -204,6 +224,8 @@ void write_static_part(std::int64_t file, const Framework& framework, const H5md
   write_framework(file, framework);
   if (!framework.limits().empty()) write_limits(file, framework);
   if (framework.sterics() != nullptr) write_sterics(file, *framework.sterics());
+  if (framework.torsion_preferences() != nullptr)
+    write_torsion_preferences(file, *framework.torsion_preferences());
   write_bonds(file, header);
   if (framework.atoms()) write_atoms(file, *framework.atoms());
   write_parameters(file, header.parameters);

@@ -25,6 +25,8 @@ inline constexpr char contact_states[] = "/connectivity/contact_states";
 inline constexpr char limit[] = "/parameters/limit";  // least, most, kind, energy, group
 /// kind, least, own, own_least, unit, bonds_apart, bonds
 inline constexpr char sterics[] = "/parameters/sterics";
+/// staggered (S, 4) joints, free (S) radians, backbone (B, 5) joints, reach (B)
+inline constexpr char torsion_preferences[] = "/parameters/torsion_preferences";
 inline constexpr int schema = 2;                                // of /h5md/creator; none is 1
 inline constexpr char framework[] = "/parameters/framework";    // rest_length, pinned, planar
 inline constexpr char checkpoint[] = "/parameters/checkpoint";  // see h5md_checkpoint.hpp

@@ -2,6 +2,7 @@
 // The part of an H5MD file that does not depend on time, as it is read.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -27,6 +28,7 @@ class StaticReader {
   bool planar() const;  ///< whether it is a linkage of the plane
   std::vector<Limit> limits() const;
   std::shared_ptr<const Sterics> sterics() const;  ///< null where the file has none
+  std::shared_ptr<const TorsionPreferences> torsion_preferences() const;  ///< null: none
   int schema() const;
   std::vector<RecordedBond> bonds() const;
   std::vector<std::string> bond_origin_names() const;
@@ -39,6 +41,8 @@ class StaticReader {
                                      std::int64_t most) const;
   std::vector<std::string> texts(const std::string& path, std::size_t count) const;
   std::vector<Bar> pairs(const std::string& path) const;
+  template <std::size_t columns>
+  std::vector<std::array<std::uint32_t, columns>> joints(const std::string& path) const;
   std::vector<Residue> residues() const;
 
   std::int64_t file_;

@@ -204,6 +204,13 @@ Hid write_table(std::int64_t location, const std::string& path, std::size_t rows
   return write_dataset(location, path, H5T_IEEE_F64LE, H5T_NATIVE_DOUBLE, space, values.data());
 }
 
+Hid write_table(std::int64_t location, const std::string& path, std::size_t rows,
+                std::size_t columns, std::span<const std::uint32_t> values) {
+  const hsize_t extents[] = {rows, columns};
+  const Hid space = owned(H5Screate_simple(2, extents, nullptr), H5Sclose, "make a dataspace");
+  return write_dataset(location, path, H5T_STD_U32LE, H5T_NATIVE_UINT32, space, values.data());
+}
+
 void rewrite_integer(std::int64_t location, const std::string& path, std::int64_t value) {
   const Hid dataset =
       owned(H5Dopen2(location, path.c_str(), H5P_DEFAULT), H5Dclose, "open " + path);

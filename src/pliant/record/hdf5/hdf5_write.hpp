@@ -41,6 +41,8 @@ Hid write_numbers(std::int64_t location, const std::string& path,
 /// (rows, columns) little-endian numbers, row by row.
 Hid write_table(std::int64_t location, const std::string& path, std::size_t rows,
                 std::size_t columns, std::span<const double> values);
+Hid write_table(std::int64_t location, const std::string& path, std::size_t rows,
+                std::size_t columns, std::span<const std::uint32_t> values);
 /// (n, 2) joints.
 Hid write_pairs(std::int64_t location, const std::string& path, std::span<const Bar> pairs);
 /// (n) truth values, in the enumeration {FALSE, TRUE} that h5py reads as bool.
