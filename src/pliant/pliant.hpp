@@ -46,6 +46,7 @@
 #include "pliant/model/steric_table.hpp"          // least distances of atoms
 #include "pliant/model/survey.hpp"                // what there is and what is missing
 #include "pliant/model/tethers.hpp"               // hydrophobic tethers, metals
+#include "pliant/model/torsions_of_residues.hpp"  // rotamers, the Ramachandran plot
 
 // rigidity: what is rigid, by its graph alone
 #include "pliant/rigidity/pebble_game.hpp"     // bars that count, one by one
@@ -65,6 +66,7 @@
 #include "pliant/framework/limits.hpp"           // distances held to intervals
 #include "pliant/framework/residual.hpp"         // length errors, violations and tolerances
 #include "pliant/framework/sterics.hpp"          // how near joints may come
+#include "pliant/framework/torsion_preferences.hpp"  // turns about bonds that are usual
 
 // examples: frameworks of which everything is known
 #include "pliant/examples/examples.hpp"  // the table of them

@@ -32,6 +32,7 @@
 #include "pliant/framework/limits.hpp"
 #include "pliant/framework/residual.hpp"
 #include "pliant/framework/sterics.hpp"
+#include "pliant/framework/torsion_preferences.hpp"
 #include "pliant/generate/fundamental_cycles.hpp"
 #include "pliant/generate/random_graphs.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
@@ -57,6 +58,7 @@
 #include "pliant/model/steric_table.hpp"
 #include "pliant/model/survey.hpp"
 #include "pliant/model/tethers.hpp"
+#include "pliant/model/torsions_of_residues.hpp"
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
@@ -209,6 +211,7 @@ const Use uses[] = {
     of("pliant/model/steric_table.hpp", &molecular_sterics),
     of("pliant/model/survey.hpp", &survey),
     of("pliant/model/tethers.hpp", &hydrophobic_tethers),
+    of("pliant/model/torsions_of_residues.hpp", &torsions_of_residues),
     of("pliant/framework/atom_table.hpp", overload<void(const AtomTable&)>(&check)),
     of("pliant/framework/check_positions.hpp", &check_positions),
     of("pliant/framework/contacts.hpp", &Contacts::update),
@@ -222,6 +225,7 @@ const Use uses[] = {
     of("pliant/framework/limits.hpp", &limit_kinds),
     of("pliant/framework/residual.hpp", &measure),
     of("pliant/framework/sterics.hpp", overload<void(const Sterics&, std::size_t)>(&check)),
+    of("pliant/framework/torsion_preferences.hpp", &torsion_angle),
     of("pliant/examples/examples.hpp", &examples),
     of("pliant/generate/fundamental_cycles.hpp", &fundamental_cycles),
     of("pliant/generate/random_graphs.hpp", &generate),

@@ -171,12 +171,13 @@ class Ladder:
 
 def cost_rows(subject: Subject, path: Path, small: Path, frames: int) -> list[Row]:
     """Of the open kinase and of ubiquitin."""
-    drawn = subject.ensemble()
-    each = (drawn.seconds - subject.seconds_of_one()) / max(frames - 1, 1)
+    polar = Subject(path, frames, polar_hydrogens=True)
     large, whole = cost_of(path, frames), cost_of(small, frames)
-    name, atoms = "AdK, open to closed", f"{len(subject.model.structure)} atoms"
+    name, each = "AdK, open to closed", "ms of a core a frame"
+    atoms, fewer = (f"{len(s.model.structure)} atoms" for s in (subject, polar))
     figures = (
-        (name, "ms of a core a frame", 1e3 * each, atoms),
+        (name, f"{each}, polar hydrogens", 1e3 * polar.seconds_a_frame(), fewer),
+        (name, each, 1e3 * subject.seconds_a_frame(), atoms),
         (name, "MB, whole command", large.megabytes, f"{frames} frames"),
         ("ubiquitin", f"s, whole command, {frames} frames", whole.seconds,
          f"{whole.core_seconds:.2f} s of a core, {whole.megabytes:.0f} MB"),

@@ -14,7 +14,7 @@ import pliant
 from pliant.lab.validity.peers import Network, drawn_frames, network_of
 from pliant.lab.validity.references import read_quietly
 from pliant.lab.validity.stereochemistry import Checker, Stereochemistry
-from pliant.lab.validity.trace import Trace, amino_part, trace_of
+from pliant.lab.validity.trace import Trace, amino_part, heavy_part, trace_of
 
 AMPLITUDE = 1.4
 FAR = 2.8
@@ -35,10 +35,13 @@ class Drawn:
 class Subject:
     """The residues of a file that are amino acids. Nothing is random but by its seed."""
 
-    def __init__(self, path: str | os.PathLike[str], frames: int) -> None:
+    def __init__(
+        self, path: str | os.PathLike[str], frames: int, *, polar_hydrogens: bool = False
+    ) -> None:
+        part = amino_part(read_quietly(path))
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", pliant.PliantWarning)  # of chain breaks
-            self.model = pliant.build_model(amino_part(read_quietly(path)))
+            self.model = pliant.build_model(heavy_part(part) if polar_hydrogens else part)
         self.path = os.fspath(path)
         self.trace: Trace = trace_of(self.model.structure)
         self.checker = Checker(self.model)
@@ -84,6 +87,10 @@ class Subject:
             self.network("anm"), self.trace, start, owner, self._frames, self.ensemble().rmsf
         )
         return self.checker.look(frames)
+
+    def seconds_a_frame(self) -> float:
+        """Processor time of a frame, without what comes before frames."""
+        return (self.ensemble().seconds - self.seconds_of_one()) / max(self._frames - 1, 1)
 
     def seconds_of_one(self) -> float:
         """Processor time of what comes before frames, and one frame."""

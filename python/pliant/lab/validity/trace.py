@@ -30,6 +30,11 @@ def trace_of(structure: Structure) -> Trace:
     return Trace(atoms, "".join(letters), structure.positions[atoms])
 
 
+def heavy_part(structure: Structure) -> Structure:
+    """A copy without hydrogens: a model places polar ones by rule."""
+    return _atoms_of(structure, np.flatnonzero(np.asarray(structure.elements) != 1))
+
+
 def amino_part(structure: Structure) -> Structure:
     """A copy of the residues that have N, CA and C: no waters, ions or ligands.
 
