@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "pickling.hpp"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -109,39 +107,17 @@ std::shared_ptr<const Sterics> sterics_from(nb::handle state) {
 }
 
 nb::tuple state_of(const TorsionPreferences& preferences) {
-  std::vector<std::uint32_t> staggered, backbone;
-  std::vector<double> free, reach;
-  for (const StaggeredTorsion& at : preferences.staggered) {
-    staggered.insert(staggered.end(), at.joints.begin(), at.joints.end());
-    free.push_back(at.free);
-  }
-  for (const BackboneTorsions& at : preferences.backbone) {
-    backbone.insert(backbone.end(), at.joints.begin(), at.joints.end());
-    reach.push_back(at.reach);
-  }
-  return nb::make_tuple(packed(staggered), packed(free), packed(backbone), packed(reach));
-}
-
-/// The joints of the rows of a table, `size` of them each.
-template <std::size_t size>
-std::array<std::uint32_t, size> row_at(const std::vector<std::uint32_t>& joints, std::size_t row) {
-  if (joints.size() < size * (row + 1)) throw InputError("a pickle that is damaged");
-  std::array<std::uint32_t, size> at{};
-  std::copy_n(joints.begin() + std::ptrdiff_t(size * row), size, at.begin());
-  return at;
+  const TorsionColumns columns = columns_of(preferences);
+  return nb::make_tuple(packed(columns.staggered), packed(columns.free), packed(columns.backbone),
+                        packed(columns.reach));
 }
 
 std::shared_ptr<const TorsionPreferences> torsion_preferences_from(nb::handle state) {
   if (state.is_none()) return nullptr;
   const auto parts = nb::cast<nb::tuple>(state);
-  auto made = std::make_shared<TorsionPreferences>();
-  const auto staggered = unpacked<std::uint32_t>(parts[0]),
-             backbone = unpacked<std::uint32_t>(parts[2]);
-  for (const double free : unpacked<double>(parts[1]))
-    made->staggered.push_back({row_at<4>(staggered, made->staggered.size()), free});
-  for (const double reach : unpacked<double>(parts[3]))
-    made->backbone.push_back({row_at<5>(backbone, made->backbone.size()), reach});
-  return made;
+  return std::make_shared<const TorsionPreferences>(
+      torsion_preferences_of({unpacked<std::uint32_t>(parts[0]), unpacked<double>(parts[1]),
+                              unpacked<std::uint32_t>(parts[2]), unpacked<double>(parts[3])}));
 }
 
 /// A mass whose inverse is this very number: one of those next to 1 / inverse.

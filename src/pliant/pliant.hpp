@@ -53,19 +53,19 @@
 #include "pliant/rigidity/rigid_clusters.hpp"  // what comes of them
 
 // framework: joints, bars and what is known of them
-#include "pliant/framework/atom_table.hpp"       // names of joints
-#include "pliant/framework/check_positions.hpp"  // can these positions carry the framework?
-#include "pliant/framework/contacts.hpp"         // pairs of joints near each other now
-#include "pliant/framework/disturbed.hpp"        // what a resolve has to look at
-#include "pliant/framework/feasibility.hpp"      // bars that cannot hold together
-#include "pliant/framework/frame.hpp"            // what a step shows
-#include "pliant/framework/framework.hpp"        // Framework, State
-#include "pliant/framework/graph.hpp"            // components, cycles, bridges, blocks
-#include "pliant/framework/joint_names.hpp"      // how text files speak of joints
-#include "pliant/framework/limit_counts.hpp"     // how many of them hold
-#include "pliant/framework/limits.hpp"           // distances held to intervals
-#include "pliant/framework/residual.hpp"         // length errors, violations and tolerances
-#include "pliant/framework/sterics.hpp"          // how near joints may come
+#include "pliant/framework/atom_table.hpp"           // names of joints
+#include "pliant/framework/check_positions.hpp"      // can these positions carry the framework?
+#include "pliant/framework/contacts.hpp"             // pairs of joints near each other now
+#include "pliant/framework/disturbed.hpp"            // what a resolve has to look at
+#include "pliant/framework/feasibility.hpp"          // bars that cannot hold together
+#include "pliant/framework/frame.hpp"                // what a step shows
+#include "pliant/framework/framework.hpp"            // Framework, State
+#include "pliant/framework/graph.hpp"                // components, cycles, bridges, blocks
+#include "pliant/framework/joint_names.hpp"          // how text files speak of joints
+#include "pliant/framework/limit_counts.hpp"         // how many of them hold
+#include "pliant/framework/limits.hpp"               // distances held to intervals
+#include "pliant/framework/residual.hpp"             // length errors, violations and tolerances
+#include "pliant/framework/sterics.hpp"              // how near joints may come
 #include "pliant/framework/torsion_preferences.hpp"  // turns about bonds that are usual
 
 // examples: frameworks of which everything is known

@@ -63,7 +63,45 @@ void check_joints(std::span<const std::uint32_t> joints, std::size_t joint_count
                      " and its neighbours are not all different");
 }
 
+/// The joints of a row.
+template <std::size_t size>
+std::array<std::uint32_t, size> row_at(const std::vector<std::uint32_t>& joints, std::size_t row) {
+  std::array<std::uint32_t, size> at{};
+  for (std::size_t k = 0; k < size; ++k) at[k] = joints[size * row + k];
+  return at;
+}
+
+void check_rows(std::size_t joints, std::size_t rows, std::size_t size) {
+  if (joints != rows * size)
+    throw InputError("torsion preferences: " + std::to_string(joints) + " joints for " +
+                     std::to_string(rows) + " rows of " + std::to_string(size));
+}
+
 }  // namespace
+
+TorsionColumns columns_of(const TorsionPreferences& preferences) {
+  TorsionColumns columns;
+  for (const auto& [joints, free] : preferences.staggered) {
+    columns.staggered.insert(columns.staggered.end(), joints.begin(), joints.end());
+    columns.free.push_back(free);
+  }
+  for (const auto& [joints, reach] : preferences.backbone) {
+    columns.backbone.insert(columns.backbone.end(), joints.begin(), joints.end());
+    columns.reach.push_back(reach);
+  }
+  return columns;
+}
+
+TorsionPreferences torsion_preferences_of(const TorsionColumns& columns) {
+  check_rows(columns.staggered.size(), columns.free.size(), 4);
+  check_rows(columns.backbone.size(), columns.reach.size(), 5);
+  TorsionPreferences made;
+  for (std::size_t k = 0; k < columns.free.size(); ++k)
+    made.staggered.push_back({row_at<4>(columns.staggered, k), columns.free[k]});
+  for (std::size_t k = 0; k < columns.reach.size(); ++k)
+    made.backbone.push_back({row_at<5>(columns.backbone, k), columns.reach[k]});
+  return made;
+}
 
 void check(const TorsionPreferences& preferences, std::size_t joint_count) {
   for (const StaggeredTorsion& at : preferences.staggered) {

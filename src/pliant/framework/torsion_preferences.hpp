@@ -31,6 +31,17 @@ struct TorsionPreferences {
   std::vector<BackboneTorsions> backbone = {};
 };
 
+/// The same as columns, for files.
+struct TorsionColumns {
+  std::vector<std::uint32_t> staggered = {};  ///< (S * 4) joints
+  std::vector<double> free = {};              ///< (S) radians
+  std::vector<std::uint32_t> backbone = {};   ///< (B * 5) joints
+  std::vector<double> reach = {};             ///< (B)
+};
+TorsionColumns columns_of(const TorsionPreferences& preferences);
+/// Throws InputError where columns differ in length.
+TorsionPreferences torsion_preferences_of(const TorsionColumns& columns);
+
 /// Throws InputError naming what is wrong: a joint that does not exist or comes twice, `free` out
 /// of range, a reach that is not finite and above 0.
 void check(const TorsionPreferences& preferences, std::size_t joint_count);

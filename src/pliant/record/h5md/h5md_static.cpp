@@ -118,21 +118,12 @@ void write_sterics(std::int64_t file, const Sterics& sterics) {
 }
 
 void write_torsion_preferences(std::int64_t file, const TorsionPreferences& preferences) {
-  std::vector<std::uint32_t> staggered, backbone;
-  std::vector<double> free, reach;
-  for (const StaggeredTorsion& at : preferences.staggered) {
-    staggered.insert(staggered.end(), at.joints.begin(), at.joints.end());
-    free.push_back(at.free);
-  }
-  for (const BackboneTorsions& at : preferences.backbone) {
-    backbone.insert(backbone.end(), at.joints.begin(), at.joints.end());
-    reach.push_back(at.reach);
-  }
+  const TorsionColumns columns = columns_of(preferences);
   const std::string group = h5md::torsion_preferences;
-  write_table(file, group + "/staggered", free.size(), 4, staggered);
-  write_text_attribute(write_numbers(file, group + "/free", free), "unit", "radian");
-  write_table(file, group + "/backbone", reach.size(), 5, backbone);
-  write_numbers(file, group + "/reach", reach);
+  write_table(file, group + "/staggered", columns.free.size(), 4, columns.staggered);
+  write_text_attribute(write_numbers(file, group + "/free", columns.free), "unit", "radian");
+  write_table(file, group + "/backbone", columns.reach.size(), 5, columns.backbone);
+  write_numbers(file, group + "/reach", columns.reach);
 }
 
 void write_bonds(std::int64_t file, const H5mdHeader& header) {

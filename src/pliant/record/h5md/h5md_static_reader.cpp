@@ -152,34 +152,26 @@ std::shared_ptr<const Sterics> StaticReader::sterics() const {
   return sterics;
 }
 
-template <std::size_t columns>
-std::vector<std::array<std::uint32_t, columns>> StaticReader::joints(
-    const std::string& path) const {
+std::vector<std::uint32_t> StaticReader::joints(const std::string& path,
+                                                std::size_t columns) const {
   const Hdf5Dataset dataset(file_, path);
   if (dataset.extents().size() != 2 || dataset.extents()[1] != columns)
     throw InputError(path + " has shape " + dataset.shape() + "; expected (torsions, " +
                      std::to_string(columns) + ")");
-  const auto flat =
+  const auto all =
       integers(path, dataset.integers().size(), 0, static_cast<std::int64_t>(joint_count_) - 1);
-  std::vector<std::array<std::uint32_t, columns>> rows(flat.size() / columns);
-  for (std::size_t k = 0; k < flat.size(); ++k)
-    rows[k / columns][k % columns] = static_cast<std::uint32_t>(flat[k]);
-  return rows;
+  return {all.begin(), all.end()};
 }
 
 std::shared_ptr<const TorsionPreferences> StaticReader::torsion_preferences() const {
   const std::string group = h5md::torsion_preferences;
   if (!has_object(file_, group + "/staggered")) return nullptr;
-  auto found = std::make_shared<TorsionPreferences>();
-  const auto staggered = joints<4>(group + "/staggered");
-  const auto free = reals(group + "/free", staggered.size());
-  for (std::size_t k = 0; k < staggered.size(); ++k)
-    found->staggered.push_back({staggered[k], free[k]});
-  const auto backbone = joints<5>(group + "/backbone");
-  const auto reach = reals(group + "/reach", backbone.size());
-  for (std::size_t k = 0; k < backbone.size(); ++k)
-    found->backbone.push_back({backbone[k], reach[k]});
-  return found;
+  TorsionColumns columns;
+  columns.staggered = joints(group + "/staggered", 4);
+  columns.free = reals(group + "/free", columns.staggered.size() / 4);
+  columns.backbone = joints(group + "/backbone", 5);
+  columns.reach = reals(group + "/reach", columns.backbone.size() / 5);
+  return std::make_shared<const TorsionPreferences>(torsion_preferences_of(columns));
 }
 
 /// Files of other programs have none either: they are read as the first.

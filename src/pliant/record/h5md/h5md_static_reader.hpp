@@ -2,7 +2,6 @@
 // The part of an H5MD file that does not depend on time, as it is read.
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -41,8 +40,7 @@ class StaticReader {
                                      std::int64_t most) const;
   std::vector<std::string> texts(const std::string& path, std::size_t count) const;
   std::vector<Bar> pairs(const std::string& path) const;
-  template <std::size_t columns>
-  std::vector<std::array<std::uint32_t, columns>> joints(const std::string& path) const;
+  std::vector<std::uint32_t> joints(const std::string& path, std::size_t columns) const;
   std::vector<Residue> residues() const;
 
   std::int64_t file_;

@@ -197,7 +197,8 @@ TEST(H5mdRecorder, RefusesBadOptionsBeforeItTouchesTheFile) {
   EXPECT_EQ(message(with("", 1.0), {}),
             "parameter \"\": must be a path below /parameters, such as run/seed");
   EXPECT_EQ(message(with("topology/x", 1.0), {}),
-            "parameter \"topology/x\": the groups framework, limit, sterics, topology and "
+            "parameter \"topology/x\": the groups framework, limit, sterics, torsion_preferences, "
+            "topology and "
             "checkpoint are the "
             "file's own");
   EXPECT_EQ(message(with("x", std::numeric_limits<double>::quiet_NaN()), {}),
