@@ -19,6 +19,7 @@ namespace {
 struct Conformations {
   std::vector<std::string> rotors, rings, amines, amides;
   std::size_t loop_bodies = 0;
+  bool are_loops_drawn = true;
 };
 
 /// None of a sampler that goes along modes.
@@ -29,7 +30,7 @@ std::optional<Conformations> conformations_of(const SampleSettings& settings,
   const auto plan = conformer_plan(framework, system.start);
   if (!plan) return std::nullopt;
   const TorsionMoves moves(framework, *plan, system.start);
-  Conformations found{{}, {}, {}, {}, moves.loop_bodies().size()};
+  Conformations found{{}, {}, {}, {}, moves.loop_bodies(), moves.bent() == nullptr};
   for (const Rotor& rotor : moves.rotors())
     found.rotors.push_back(framework.label(Bar{rotor.a, rotor.b}));
   for (const FlexibleRing& ring : moves.rings()) {
@@ -59,7 +60,8 @@ void print_conformations(const Conformations& found) {
   if (!found.amides.empty())
     fmt::print("amides          {}: {} cis or trans\n", found.amides.size(), listed(found.amides));
   if (found.loop_bodies > 0)
-    fmt::print("flexible loops  of {} rigid units, bent at random\n", found.loop_bodies);
+    fmt::print("flexible loops  of {} rigid units, {}\n", found.loop_bodies,
+               found.are_loops_drawn ? "drawn and closed" : "bent at random");
   fmt::print("                conformers show what is possible; how often is not claimed\n");
 }
 

@@ -168,6 +168,15 @@ bool BondChemistry::is_ester(Joint c, Joint o) const {
                       [&](const Link& bond) { return is_hydrogen(bond.node); });
 }
 
+bool BondChemistry::donates(Joint atom) const {
+  const auto bonds = bonds_at(atom);
+  const bool is_polar = accepts(atom);
+  return (is_polar || is_hydrogen(atom)) &&
+         std::any_of(bonds.begin(), bonds.end(), [&](const Link& bond) {
+           return is_polar ? is_hydrogen(bond.node) : accepts(bond.node);
+         });
+}
+
 bool BondChemistry::is_amine(Joint atom) const {
   return element(atom) == 7 && bonds_at(atom).size() == 3 && is_tetrahedral(atom) &&
          !is_in_ring_of_three(atom) && !is_beside_acyl(atom);

@@ -24,6 +24,9 @@ class BondChemistry {
   bool is_hydrogen(Joint atom) const { return element(atom) == 1; }
   bool is_oxygen(Joint atom) const { return element(atom) == 8; }
   bool is_nitrogen(Joint atom) const { return element(atom) == 7; }
+  /// Of a hydrogen bond: hydrogen of N or O, or what bears it; and O or N.
+  bool donates(Joint atom) const;
+  bool accepts(Joint atom) const { return is_oxygen(atom) || is_nitrogen(atom); }
   /// Nitrogen that makes a tertiary amide with one of its neighbours.
   bool is_acylated(Joint nitrogen) const;
   /// Carbon with three bonds in a plane, at which oxygen or sulphur ends.

@@ -6,8 +6,7 @@
 namespace pliant {
 namespace {
 
-constexpr double flat_ring = 0.1;        // Angstrom: a ring so near a plane has no other form
-constexpr std::size_t largest_ring = 6;  // larger ones bend by their torsions
+constexpr double flat_ring = 0.1;  // Angstrom: a ring so near a plane has no other form
 
 Vec3 centre_of(const SimpleRing& ring, std::span<const Vec3> x) {
   Vec3 sum{};
@@ -44,7 +43,7 @@ std::vector<SimpleRing> puckered_rings(const BondChemistry& chemistry,
 std::vector<Bar> ring_angles(const SimpleRing& ring, const BondChemistry& chemistry) {
   std::vector<Bar> pairs;
   const std::size_t n = ring.size();
-  if (n > largest_ring) return pairs;
+  if (n > largest_small_ring) return pairs;
   for (std::size_t k = 0; k < n; ++k)
     for (Joint side : {ring[(k + 1) % n], ring[(k + n - 1) % n]})
       for (const Link& bond : chemistry.bonds_at(ring[k]))

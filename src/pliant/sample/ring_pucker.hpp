@@ -9,6 +9,9 @@
 
 namespace pliant {
 
+/// Atoms: larger rings change by their torsions (loop_draws.hpp).
+constexpr std::size_t largest_small_ring = 6;
+
 /// Rings that share no bond with another and do not lie in a plane (0.1 Angstrom) at `start` (N).
 std::vector<SimpleRing> puckered_rings(const BondChemistry& chemistry, std::span<const Vec3> start);
 

@@ -11,8 +11,7 @@
 namespace pliant {
 namespace {
 
-constexpr double whole = 1e-9;     // share of a bar's length
-constexpr double loop_push = 3.0;  // Angstrom: how far a typical joint of a loop is asked to go
+constexpr double whole = 1e-9;  // share of a bar's length
 
 Vec3 unit(Vec3 v) { return (1.0 / norm(v)) * v; }
 
@@ -99,34 +98,31 @@ TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
                            std::span<const Vec3> start)
     : framework_(framework), plan_(plan), start_(start) {
   const BondChemistry chemistry(framework, start);
-  find_loops();
-  find_rotors(chemistry);
+  find_loops(chemistry);
   find_rings(chemistry);
   find_amines(chemistry);
   find_amides(chemistry);
 }
 
-/// Bodies on the way from both ends of a cut to where the ways meet.
-void TorsionMoves::find_loops() {
-  const auto bodies = plan_.bodies();
-  is_in_loop_.assign(bodies.size(), false);
-  for (const LoopCut& cut : plan_.cuts()) {
-    std::int64_t one = plan_.body_at()[cut.copy], other = plan_.body_at()[cut.joint];
-    while (one != other) {
-      std::int64_t& later = one > other ? one : other;  // a parent comes before
-      is_in_loop_[std::size_t(later)] = true;
-      later = bodies[std::size_t(later)].parent;
-    }
-  }
-  for (std::uint32_t k = 0; k < bodies.size(); ++k)
-    if (is_in_loop_[k]) loop_bodies_.push_back(k);
+/// Loops whose joints are all hinges are drawn, others bent.
+void TorsionMoves::find_loops(const BondChemistry& chemistry) {
+  const std::vector<bool> is_in_loop = bodies_in_loops(plan_);
+  loop_bodies_ = std::count(is_in_loop.begin(), is_in_loop.end(), true);
+  find_rotors(chemistry, is_in_loop);
+  LoopPlan loops = plan_loops(framework_, plan_, chemistry, is_in_loop, is_rotor_);
+  if (!loops.hinges.empty())
+    drawn_.emplace(plan_, std::move(loops));
+  else if (loop_bodies_ > 0)
+    bent_.emplace(plan_, is_in_loop);
 }
 
 /// A hinge outside of loops turns all bodies that hang on its own, first to last in the plan.
-void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
+void TorsionMoves::find_rotors(const BondChemistry& chemistry,
+                               const std::vector<bool>& is_in_loop) {
   const auto bodies = plan_.bodies();
+  is_rotor_.assign(bodies.size(), false);
   for (std::uint32_t k = 0; k < bodies.size(); ++k) {
-    if (bodies[k].turns() != 1 || is_in_loop_[k]) continue;
+    if (bodies[k].turns() != 1 || is_in_loop[k]) continue;
     Rotor rotor{plan_.joint_at()[bodies[k].a], plan_.joint_at()[bodies[k].b], 0, 0, {}, {}};
     // Bodies that hang on this one follow it: the plan goes depth first.
     for (std::uint32_t m = k; m == k || (m < bodies.size() && bodies[m].parent >= std::int64_t{k});
@@ -140,6 +136,7 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
       rotor.beyond_b = chemistry.reference(rotor.b, rotor.a);
       rotor.kind = turn_of(chemistry, rotor.a, rotor.b);
     }
+    is_rotor_[k] = true;
     rotors_.push_back(std::move(rotor));
   }
 }
@@ -147,6 +144,7 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
 void TorsionMoves::find_rings(const BondChemistry& chemistry) {
   if (framework_.atoms() == nullptr) return;
   for (SimpleRing& atoms : puckered_rings(chemistry, start_)) {
+    if (atoms.size() > largest_small_ring && drawn_) continue;
     std::vector<Vec3> positions;
     std::vector<bool> is_flat;
     for (Joint atom : atoms) {
@@ -261,40 +259,6 @@ void TorsionMoves::turn(const Rotor& rotor, TorsionDraw how, RandomSequence& dra
     const Vec3 r = x[joint] - origin;
     x[joint] = turned(origin, r, axis, by);
   }
-}
-
-/// By a field of strain and one of bending, d = a (u.r) w + b (u'.r)(v'.r) w', r from the middle of
-/// the loops in units of their size: neighbours go nearly alike. What hangs on a loop goes with the
-/// middle of the unit that it hangs on.
-void TorsionMoves::push_loops(RandomSequence& draws, std::span<Vec3> targets) const {
-  if (loop_bodies_.empty()) return;
-  const auto bodies = plan_.bodies();
-  std::vector<Vec3> middle(bodies.size()), push(bodies.size());
-  for (std::size_t k = 0; k < bodies.size(); ++k) middle[k] = middle_of(bodies[k], targets);
-  Vec3 centre{};
-  for (std::uint32_t k : loop_bodies_) centre += (1.0 / double(loop_bodies_.size())) * middle[k];
-  double size = 0.0;
-  for (std::uint32_t k : loop_bodies_) size += norm_squared(middle[k] - centre);
-  size = std::sqrt(size / double(loop_bodies_.size())) + 1e-6;
-  const Vec3 u = draws.direction(), w = draws.direction(), u2 = draws.direction(),
-             v2 = draws.direction(), w2 = draws.direction();
-  const double strain = loop_push * (2.0 * draws.uniform() - 1.0),
-               bend = loop_push * (2.0 * draws.uniform() - 1.0);
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const Vec3 r = (1.0 / size) * (middle[k] - centre);
-    if (is_in_loop_[k])
-      push[k] = (strain * dot(u, r)) * w + (bend * dot(u2, r) * dot(v2, r)) * w2;
-    else if (bodies[k].parent >= 0)
-      push[k] = push[std::size_t(bodies[k].parent)];
-    for (Slot place = bodies[k].first; place < bodies[k].last; ++place)
-      if (is_own(place)) targets[plan_.joint_at()[place]] += push[k];
-  }
-}
-
-Vec3 TorsionMoves::middle_of(const PlanBody& body, std::span<const Vec3> x) const {
-  Vec3 sum{};
-  for (Slot place = body.first; place < body.last; ++place) sum += x[plan_.joint_at()[place]];
-  return (1.0 / double(std::max<Slot>(body.last - body.first, 1))) * sum;
 }
 
 }  // namespace pliant
