@@ -19,6 +19,9 @@ MOLECULES = {
     "muscone": "C[C@@H]1CCCCCCCCCCCCC(=O)C1",
     "cyclic peptide": "O=C1CNC(=O)[C@H](C)NC(=O)CNC(=O)[C@@H](C)NC(=O)CNC(=O)[C@H](CO)N1",
     "paracyclophane": "C1CCCCc2ccc(CCCCC1)cc2",
+    "cis decalol": "O[C@H]1CC[C@H]2CCCC[C@H]2C1",
+    "testosterone": "C[C@]12CC[C@H]3[C@H]([C@@H]1CC[C@@H]2O)CCC4=CC(=O)CC[C@]34C",
+    "tropine": "CN1[C@H]2CC[C@@H]1C[C@H](O)C2",
     "charged": "C[NH2+]CCC(=O)[O-]",
     "crotonoyl proline": "C/C=C/C(=O)N1CCC[C@H]1C(=O)O",
     "Z butenyl": "C/C=C\\CN(C)C(=O)[C@@H](C)O",
@@ -198,6 +201,59 @@ def test_rings_of_six_take_both_chairs(tmp_path):
     assert len(chairs) > 15
     assert np.all(np.diff(np.sign(chairs), axis=1) != 0)
     assert set(np.sign(chairs[:, 0])) == {1.0, -1.0}
+
+
+def chairs_of(made, positions):
+    """(frames, rings of six) 1 and -1: the two chairs, 0: none."""
+    signs = []
+    for ring in made.GetRingInfo().AtomRings():
+        first = ring.index(min(ring))
+        ring = ring[first:] + ring[:first]
+        ring = ring if ring[1] < ring[-1] else ring[:1] + ring[:0:-1]
+        four = [[ring[(k + m) % 6] for m in range(4)] for k in range(6)]
+        conformers = [with_positions(made, x).GetConformer() for x in positions]
+        found = np.array(
+            [[rdMolTransforms.GetDihedralDeg(c, *at) for at in four] for c in conformers]
+        )
+        alternates = np.all(np.diff(np.sign(found), axis=1) != 0, axis=1)
+        signs.append(
+            np.where(alternates & (np.abs(found).min(axis=1) > 20), np.sign(found[:, 0]), 0)
+        )
+    return np.array(signs, dtype=int).T
+
+
+def test_cis_decalin_turns_over_as_a_whole(tmp_path):
+    """Both rings at once: one chair alone cannot turn over."""
+    made, path = molecule("C1CC[C@H]2CCCC[C@H]2C1", tmp_path)
+    chairs = chairs_of(made, pliant.sample(pliant.read(path), 100).positions)
+    both = {tuple(row) for row in chairs if np.all(row != 0)}
+    assert len(both) == 2
+    one, other = both
+    assert np.all(np.array(one) == -np.array(other))
+
+
+def test_trans_decalin_keeps_its_chairs(tmp_path):
+    """It has boats, but no second pair of chairs."""
+    made, path = molecule("C1CC[C@@H]2CCCC[C@H]2C1", tmp_path)
+    chairs = chairs_of(made, pliant.sample(pliant.read(path), 100).positions)
+    assert len({tuple(row) for row in chairs if np.all(row != 0)}) == 1
+    assert np.sum(np.all(chairs != 0, axis=1)) > 30
+    assert np.any(chairs == 0)
+
+
+def test_bridged_rings_take_chairs_and_boats(tmp_path):
+    made, path = molecule("C1CC2CCCC(C1)C2", tmp_path)
+    chairs = chairs_of(made, pliant.sample(pliant.read(path), 100).positions)
+    assert {int(n) for n in np.sum(chairs != 0, axis=1)} >= {1, 2}
+
+
+def test_rigid_rings_are_those_of_one_form(tmp_path):
+    _, path = molecule("CCCC1CC2CCC1C2", tmp_path)
+    ensemble = pliant.sample(pliant.read(path), 20)
+    ring = [3, 4, 5, 6, 7, 8, 9]
+    apart = ensemble.positions[:, ring][:, :, None] - ensemble.positions[:, ring][:, None]
+    lengths = np.linalg.norm(apart, axis=-1)
+    assert np.abs(lengths - lengths[0]).max() < 1e-9
 
 
 def heavy_conformers(made, positions):

@@ -45,6 +45,9 @@ class BondChemistry {
   Joint reference(Joint atom, Joint except) const;
   /// Rings of five atoms or more, by their lowest atom.
   std::vector<SimpleRing> simple_rings() const;
+  /// Bonds of each set of rings that share bonds.
+  std::vector<std::vector<Bar>> ring_blocks() const;
+  bool is_bonded(Joint a, Joint b) const;
   /// Atoms that are reached from `atom` without passing `walls`, itself left out.
   std::vector<Joint> beyond(Joint atom, const std::vector<Joint>& walls) const;
   bool is_in_ring(Joint atom) const { return is_in_ring_[atom]; }
@@ -66,7 +69,7 @@ class BondChemistry {
   std::uint8_t element(Joint atom) const;
   bool is_in_ring_of_three(Joint atom) const;
   bool is_beside_acyl(Joint atom) const;
-  SimpleRing in_order(const std::vector<std::uint32_t>& edges) const;
+  static SimpleRing in_order(const std::vector<Bar>& edges);
 
   const Framework& framework_;
   std::span<const Vec3> start_;

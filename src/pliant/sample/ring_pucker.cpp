@@ -40,6 +40,13 @@ std::vector<SimpleRing> puckered_rings(const BondChemistry& chemistry,
   return rings;
 }
 
+void sort_pairs(std::vector<Bar>& pairs) {
+  const auto before = [](Bar x, Bar y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
+  const auto is_same = [](Bar x, Bar y) { return x.a == y.a && x.b == y.b; };
+  std::sort(pairs.begin(), pairs.end(), before);
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), is_same), pairs.end());
+}
+
 std::vector<Bar> ring_angles(const SimpleRing& ring, const BondChemistry& chemistry) {
   std::vector<Bar> pairs;
   const std::size_t n = ring.size();
@@ -49,10 +56,7 @@ std::vector<Bar> ring_angles(const SimpleRing& ring, const BondChemistry& chemis
       for (const Link& bond : chemistry.bonds_at(ring[k]))
         if (bond.node != side)
           pairs.push_back({std::min(side, bond.node), std::max(side, bond.node)});
-  const auto before = [](Bar x, Bar y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
-  const auto is_same = [](Bar x, Bar y) { return x.a == y.a && x.b == y.b; };
-  std::sort(pairs.begin(), pairs.end(), before);
-  pairs.erase(std::unique(pairs.begin(), pairs.end(), is_same), pairs.end());
+  sort_pairs(pairs);
   return pairs;
 }
 

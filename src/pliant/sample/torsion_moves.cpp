@@ -5,9 +5,6 @@
 #include <array>
 #include <cmath>
 
-#include "pliant/base/superposition.hpp"
-#include "pliant/sample/ring_pucker.hpp"
-
 namespace pliant {
 namespace {
 
@@ -28,17 +25,6 @@ std::optional<Turn> torsion(Vec3 i, Vec3 a, Vec3 b, Vec3 j) {
   const double lengths = norm(from) * norm(to);
   if (!(lengths > 1e-6)) return std::nullopt;
   return Turn{dot(from, to) / lengths, dot(cross(from, to), axis) / lengths};
-}
-
-/// Three vectors of length 1 at right angles.
-struct Axes {
-  Vec3 x, y, z;
-};
-
-/// By two bonds from one atom.
-Axes axes_of(Vec3 one, Vec3 other) {
-  const Vec3 x = unit(one + other), z = unit(cross(one, other));
-  return {x, cross(z, x), z};
 }
 
 /// To a usual torsion from where it is; where three atoms lie on a line there is none.
@@ -73,24 +59,6 @@ void turn_over(const AmideTurn& amide, std::span<Vec3> x) {
   for (Joint joint : amide.turning) {
     const Vec3 r = x[joint] - origin;
     x[joint] = origin - r + (2.0 * dot(axis, r)) * axis;
-  }
-}
-
-void take_form(const FlexibleRing& ring, const RingForm& form, std::span<Vec3> x) {
-  const std::size_t n = ring.atoms.size();
-  std::vector<Vec3> old(n), now(n);
-  for (std::size_t k = 0; k < n; ++k) old[k] = x[ring.atoms[k]];
-  const RigidMotion onto = superposition(form.positions, old);
-  for (std::size_t k = 0; k < n; ++k) now[k] = onto(form.positions[k]);
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t before = (k + n - 1) % n, after = (k + 1) % n;
-    const Axes was = axes_of(old[before] - old[k], old[after] - old[k]);
-    const Axes is = axes_of(now[before] - now[k], now[after] - now[k]);
-    for (Joint joint : ring.branches[k]) {
-      const Vec3 r = x[joint] - old[k];
-      x[joint] = now[k] + dot(r, was.x) * is.x + dot(r, was.y) * is.y + dot(r, was.z) * is.z;
-    }
-    x[ring.atoms[k]] = now[k];
   }
 }
 
@@ -141,27 +109,20 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry,
   }
 }
 
+/// Those forms that hold bars and angles.
 void TorsionMoves::find_rings(const BondChemistry& chemistry) {
-  if (framework_.atoms() == nullptr) return;
-  for (SimpleRing& atoms : puckered_rings(chemistry, start_)) {
-    if (atoms.size() > largest_small_ring && drawn_) continue;
-    std::vector<Vec3> positions;
-    std::vector<bool> is_flat;
-    for (Joint atom : atoms) {
-      positions.push_back(start_[atom]);
-      is_flat.push_back(chemistry.is_conjugated(atom));
-    }
-    FlexibleRing ring{std::move(atoms), {}, ring_forms(positions, is_flat)};
-    for (Joint atom : ring.atoms) ring.branches.push_back(chemistry.beyond(atom, ring.atoms));
-    const std::vector<Bar> angles = ring_angles(ring.atoms, chemistry);
+  for (FlexibleRing& ring : flexible_rings(framework_, chemistry, start_, !drawn_)) {
     std::vector<RingForm> forms;
     for (RingForm& form : ring.forms) {
       std::vector<Vec3> x(start_.begin(), start_.end());
       if (!forms.empty()) take_form(ring, form, x);
-      if (holds_bars(x) && holds_limits(angles, x)) forms.push_back(std::move(form));
+      if (holds_bars(x) && holds_limits(ring.angles, x)) forms.push_back(std::move(form));
     }
     ring.forms = std::move(forms);
-    if (ring.forms.size() > 1) rings_.push_back(std::move(ring));
+    if (ring.forms.size() > 1)
+      rings_.push_back(std::move(ring));
+    else
+      rigid_rings_.push_back(std::move(ring.atoms));
   }
 }
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Ways in which a small molecule takes another conformation, each exact in every bar:
 // - rotors: what hangs beyond a bond turns about it;
-// - rings that stand alone take another form (ring_forms.hpp): chair, twist-boat, mirror image.
-// What
-//   hangs on an atom is moved rigidly with the two bonds of the ring there, so that all distances
-//   across an atom stay, axial becomes equatorial, and handedness (chirality) is kept;
+// - rings, and systems of small rings that share bonds, take another form (ring_moves.hpp): chair,
+//   twist-boat, mirror image. What hangs on an atom is moved rigidly with the bonds of the ring
+//   there, so that axial becomes equatorial, and handedness (chirality) is kept;
 // - nitrogen of amines inverts: the smallest of what it bears is turned to the other side of the
 //   other two bonds;
 // - tertiary amides turn from cis to trans, where no bar reaches across them;
@@ -25,7 +24,7 @@
 #include "pliant/sample/conformer_framework.hpp"
 #include "pliant/sample/loop_bending.hpp"
 #include "pliant/sample/loop_draws.hpp"
-#include "pliant/sample/ring_forms.hpp"
+#include "pliant/sample/ring_moves.hpp"
 #include "pliant/sample/torsion_draws.hpp"
 
 namespace pliant {
@@ -36,13 +35,6 @@ struct Rotor {
   Joint beyond_a, beyond_b;    ///< the torsion is beyond_a - a - b - beyond_b
   BondTurn kind;               ///< where its torsions usually are
   std::vector<Joint> turning;  ///< joints that move
-};
-
-/// A ring that has several forms, and what hangs on each of its atoms.
-struct FlexibleRing {
-  SimpleRing atoms;
-  std::vector<std::vector<Joint>> branches;
-  std::vector<RingForm> forms;  ///< the first is that of the start
 };
 
 /// Nitrogen that inverts, the two atoms that stay, and what moves, the atom bonded to it first.
@@ -64,6 +56,8 @@ class TorsionMoves {
 
   std::span<const Rotor> rotors() const { return rotors_; }
   std::span<const FlexibleRing> rings() const { return rings_; }
+  /// Rings and ring systems that do not lie in a plane and keep the form of the start.
+  std::span<const std::vector<Joint>> rigid_rings() const { return rigid_rings_; }
   std::span<const Amine> amines() const { return amines_; }
   std::span<const AmideTurn> amides() const { return amides_; }
   /// Rigid units (bodies of the plan) of flexible loops.
@@ -111,13 +105,10 @@ class TorsionMoves {
   std::optional<LoopBending> bent_;
   std::vector<Rotor> rotors_;
   std::vector<FlexibleRing> rings_;
+  std::vector<std::vector<Joint>> rigid_rings_;
   std::vector<Amine> amines_;
   std::vector<AmideTurn> amides_;
 };
-
-/// Gives a ring of x (N) this form, superposed on the one it has, its branches moved as the two
-/// bonds at their atom are.
-void take_form(const FlexibleRing& ring, const RingForm& form, std::span<Vec3> x);
 
 /// Inverts nitrogen in x (N).
 void invert(const Amine& amine, std::span<Vec3> x);
