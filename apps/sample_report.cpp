@@ -17,9 +17,16 @@ namespace {
 
 /// What moves in conformers, by name.
 struct Conformations {
-  std::vector<std::string> rotors, rings, amines, amides;
+  std::vector<std::string> rotors, rings, rigid_rings, amines, amides;
   std::size_t loop_bodies = 0;
+  bool are_loops_drawn = true;
 };
+
+std::string names_of(const Framework& framework, const std::vector<Joint>& atoms) {
+  std::string names;
+  for (Joint atom : atoms) names += (names.empty() ? "" : " ") + framework.label(atom);
+  return names;
+}
 
 /// None of a sampler that goes along modes.
 std::optional<Conformations> conformations_of(const SampleSettings& settings,
@@ -29,14 +36,15 @@ std::optional<Conformations> conformations_of(const SampleSettings& settings,
   const auto plan = conformer_plan(framework, system.start);
   if (!plan) return std::nullopt;
   const TorsionMoves moves(framework, *plan, system.start);
-  Conformations found{{}, {}, {}, {}, moves.loop_bodies().size()};
+  Conformations found{{}, {}, {}, {}, {}, moves.loop_bodies(), moves.bent() == nullptr};
   for (const Rotor& rotor : moves.rotors())
     found.rotors.push_back(framework.label(Bar{rotor.a, rotor.b}));
   for (const FlexibleRing& ring : moves.rings()) {
-    std::string names;
-    for (Joint atom : ring.atoms) names += (names.empty() ? "" : " ") + framework.label(atom);
-    found.rings.push_back(names + " (" + std::to_string(ring.forms.size()) + " forms)");
+    const std::string forms = std::to_string(ring.forms.size());
+    found.rings.push_back(names_of(framework, ring.atoms) + " (" + forms + " forms)");
   }
+  for (const std::vector<Joint>& ring : moves.rigid_rings())
+    found.rigid_rings.push_back(names_of(framework, ring));
   for (const Amine& amine : moves.amines()) found.amines.push_back(framework.label(amine.nitrogen));
   for (const AmideTurn& amide : moves.amides())
     found.amides.push_back(framework.label(Bar{amide.carbon, amide.nitrogen}));
@@ -54,12 +62,15 @@ void print_conformations(const Conformations& found) {
              listed(found.rotors));
   fmt::print("rings           {}{}{}\n", found.rings.size(), found.rings.empty() ? "" : ": ",
              listed(found.rings));
+  if (!found.rigid_rings.empty())
+    fmt::print("rigid rings     {}: {}\n", found.rigid_rings.size(), listed(found.rigid_rings));
   if (!found.amines.empty())
     fmt::print("amines          {}: {} inverts\n", found.amines.size(), listed(found.amines));
   if (!found.amides.empty())
     fmt::print("amides          {}: {} cis or trans\n", found.amides.size(), listed(found.amides));
   if (found.loop_bodies > 0)
-    fmt::print("flexible loops  of {} rigid units, bent at random\n", found.loop_bodies);
+    fmt::print("flexible loops  of {} rigid units, {}\n", found.loop_bodies,
+               found.are_loops_drawn ? "drawn and closed" : "bent at random");
   fmt::print("                conformers show what is possible; how often is not claimed\n");
 }
 
@@ -142,6 +153,7 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"amplitude_reason", settings.chosen_amplitude.reason},
                   {"rotors", moving.rotors},
                   {"rings", moving.rings},
+                  {"rigid_rings", moving.rigid_rings},
                   {"amines", moving.amines},
                   {"amides", moving.amides},
                   {"loop_units", moving.loop_bodies},

@@ -74,6 +74,28 @@ def test_what_moves_is_named_in_json(pliant, drug):
     assert told["loop_units"] == 0
 
 
+def named(pliant, tmp_path, smiles):
+    made = Chem.AddHs(Chem.MolFromSmiles(smiles))
+    AllChem.EmbedMolecule(made, randomSeed=7)
+    Chem.MolToMolFile(made, str(tmp_path / "rings.sdf"))
+    ended = pliant("sample", "rings.sdf", "-o", "out.sdf", "--frames", 2, "--json", "--overwrite")
+    return json.loads(ended.out)
+
+
+def test_rings_are_named_by_what_they_can_do(pliant, tmp_path):
+    fused = named(pliant, tmp_path, "C1CC[C@H]2CCCC[C@H]2C1")
+    assert [one.count("C(") for one in fused["rings"]] == [10]
+    assert fused["rigid_rings"] == []
+    bridged = named(pliant, tmp_path, "C1CC2CCC1C2")
+    assert bridged["rings"] == []
+    assert bridged["rigid_rings"] == ["C(1) C(2) C(3) C(4) C(5) C(6) C(7)"]
+    large = named(pliant, tmp_path, "C1CCCCCCCCC1")
+    assert large["rings"] == large["rigid_rings"] == []
+    assert large["loop_units"] > 0
+    table = pliant("sample", "rings.sdf", "-o", "out.sdf", "--frames", 2, "--overwrite").out
+    assert "rigid units, drawn and closed" in table
+
+
 def test_goes_on_with_the_same_bits(pliant, drug, tmp_path):
     pliant("sample", drug, "-o", "whole.h5md", "--frames", 9)
     pliant("sample", drug, "-o", "part.h5md", "--frames", 4)

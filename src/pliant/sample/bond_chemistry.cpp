@@ -63,26 +63,36 @@ Joint BondChemistry::reference(Joint atom, Joint except) const {
   return found;
 }
 
+std::vector<std::vector<Bar>> BondChemistry::ring_blocks() const {
+  const Blocks blocks = find_blocks(bonds_);
+  std::vector<std::vector<Bar>> of_block(blocks.count);
+  for (std::uint32_t edge = 0; edge < edges_.size(); ++edge)
+    if (!blocks.is_bridge[edge]) of_block[blocks.of_edge[edge]].push_back(edges_[edge]);
+  std::erase_if(of_block, [](const std::vector<Bar>& edges) { return edges.empty(); });
+  return of_block;
+}
+
 /// A block that has as many bonds as atoms is a ring alone.
 std::vector<SimpleRing> BondChemistry::simple_rings() const {
-  const Blocks blocks = find_blocks(bonds_);
-  std::vector<std::vector<std::uint32_t>> of_block(blocks.count);
-  for (std::uint32_t edge = 0; edge < edges_.size(); ++edge)
-    if (!blocks.is_bridge[edge]) of_block[blocks.of_edge[edge]].push_back(edge);
   std::vector<SimpleRing> rings;
-  for (const auto& edges : of_block)
+  for (const std::vector<Bar>& edges : ring_blocks())
     if (edges.size() >= smallest_ring)
       if (SimpleRing ring = in_order(edges); !ring.empty()) rings.push_back(std::move(ring));
   std::sort(rings.begin(), rings.end());
   return rings;
 }
 
+bool BondChemistry::is_bonded(Joint a, Joint b) const {
+  const auto bonds = bonds_at(a);
+  return std::any_of(bonds.begin(), bonds.end(), [&](const Link& bond) { return bond.node == b; });
+}
+
 /// Round the ring from its lowest atom; empty if it is none.
-SimpleRing BondChemistry::in_order(const std::vector<std::uint32_t>& edges) const {
+SimpleRing BondChemistry::in_order(const std::vector<Bar>& edges) {
   std::vector<std::pair<Joint, Joint>> steps;
-  for (std::uint32_t edge : edges) {
-    steps.emplace_back(edges_[edge].a, edges_[edge].b);
-    steps.emplace_back(edges_[edge].b, edges_[edge].a);
+  for (const Bar& edge : edges) {
+    steps.emplace_back(edge.a, edge.b);
+    steps.emplace_back(edge.b, edge.a);
   }
   std::sort(steps.begin(), steps.end());
   for (std::size_t k = 0; k < steps.size(); ++k)
@@ -166,6 +176,15 @@ bool BondChemistry::is_ester(Joint c, Joint o) const {
   return is_acyl(c) && element(o) == 8 && bonds.size() == 2 &&
          std::none_of(bonds.begin(), bonds.end(),
                       [&](const Link& bond) { return is_hydrogen(bond.node); });
+}
+
+bool BondChemistry::donates(Joint atom) const {
+  const auto bonds = bonds_at(atom);
+  const bool is_polar = accepts(atom);
+  return (is_polar || is_hydrogen(atom)) &&
+         std::any_of(bonds.begin(), bonds.end(), [&](const Link& bond) {
+           return is_polar ? is_hydrogen(bond.node) : accepts(bond.node);
+         });
 }
 
 bool BondChemistry::is_amine(Joint atom) const {

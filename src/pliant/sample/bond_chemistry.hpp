@@ -24,6 +24,9 @@ class BondChemistry {
   bool is_hydrogen(Joint atom) const { return element(atom) == 1; }
   bool is_oxygen(Joint atom) const { return element(atom) == 8; }
   bool is_nitrogen(Joint atom) const { return element(atom) == 7; }
+  /// Of a hydrogen bond: hydrogen of N or O, or what bears it; and O or N.
+  bool donates(Joint atom) const;
+  bool accepts(Joint atom) const { return is_oxygen(atom) || is_nitrogen(atom); }
   /// Nitrogen that makes a tertiary amide with one of its neighbours.
   bool is_acylated(Joint nitrogen) const;
   /// Carbon with three bonds in a plane, at which oxygen or sulphur ends.
@@ -42,6 +45,9 @@ class BondChemistry {
   Joint reference(Joint atom, Joint except) const;
   /// Rings of five atoms or more, by their lowest atom.
   std::vector<SimpleRing> simple_rings() const;
+  /// Bonds of each set of rings that share bonds.
+  std::vector<std::vector<Bar>> ring_blocks() const;
+  bool is_bonded(Joint a, Joint b) const;
   /// Atoms that are reached from `atom` without passing `walls`, itself left out.
   std::vector<Joint> beyond(Joint atom, const std::vector<Joint>& walls) const;
   bool is_in_ring(Joint atom) const { return is_in_ring_[atom]; }
@@ -63,7 +69,7 @@ class BondChemistry {
   std::uint8_t element(Joint atom) const;
   bool is_in_ring_of_three(Joint atom) const;
   bool is_beside_acyl(Joint atom) const;
-  SimpleRing in_order(const std::vector<std::uint32_t>& edges) const;
+  static SimpleRing in_order(const std::vector<Bar>& edges);
 
   const Framework& framework_;
   std::span<const Vec3> start_;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <utility>
 
-#include "pliant/sample/ring_pucker.hpp"
+#include "pliant/sample/ring_moves.hpp"
 
 namespace pliant {
 namespace {
@@ -105,12 +105,10 @@ std::vector<Amide> tertiary_amides(const Framework& framework, const BondChemist
 
 Framework conformer_framework(const Framework& framework, std::span<const Vec3> start) {
   const BondChemistry chemistry(framework, start);
-  std::vector<Bar> across, angles;
+  std::vector<Bar> across;
   for (const Amide& amide : tertiary_amides(framework, chemistry))
     for (Bar pair : pairs_across(amide, chemistry)) across.push_back(pair);
-  if (framework.atoms() != nullptr)
-    for (const SimpleRing& ring : puckered_rings(chemistry, start))
-      for (Bar pair : ring_angles(ring, chemistry)) angles.push_back(pair);
+  const std::vector<Bar> angles = soft_pairs(framework, chemistry, start);
   FrameworkParts parts = framework.parts();
   parts.bars.clear();
   parts.rest_lengths.clear();
@@ -141,10 +139,9 @@ std::optional<BodyPlan> conformer_plan(const Framework& framework, std::span<con
     const std::vector<Bar> pairs = pairs_across(amide, chemistry);
     if (!pairs.empty() && !has_bar_of(framework, pairs)) added.push_back(longest_of(pairs, start));
   }
-  if (framework.atoms() != nullptr && !framework.limits().empty())
-    for (const SimpleRing& ring : puckered_rings(chemistry, start))
-      for (Bar pair : limited(framework, ring_angles(ring, chemistry)))
-        if (!is_among(pair, added)) added.push_back(pair);
+  if (!framework.limits().empty())
+    for (Bar pair : limited(framework, soft_pairs(framework, chemistry, start)))
+      if (!is_among(pair, added)) added.push_back(pair);
   for (Bar bar : added) {
     parts.bars.push_back(bar);
     parts.rest_lengths.push_back(distance(start[bar.a], start[bar.b]));

@@ -6,17 +6,13 @@
 #include <cmath>
 
 #include "pliant/base/superposition.hpp"
-#include "pliant/resolve/units/dense_solve.hpp"
+#include "pliant/sample/distance_fit.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr double least_difference = 0.15;       // Angstrom, r.m.s.
 constexpr double least_difference_five = 0.08;  // envelopes 36 degrees apart differ by 0.11
-constexpr int most_steps = 60;
-constexpr double closed = 1e-13;  // of a squared distance
-// The twelve equations depend on each other where boats are flexible: a little is added.
-constexpr double damping = 1e-9;
 
 /// Steps towards distances that need not be met; larger damping leaves more as it is.
 constexpr int relaxing_steps = 8;
@@ -25,15 +21,9 @@ constexpr double relaxing = 0.05;
 constexpr double relaxing_five = 1.0;
 constexpr double pucker_of_five = 0.4;  // Angstrom, that of cyclopentane and proline
 
-/// A distance in a ring.
-struct RingDistance {
-  std::size_t i, j;
-  double square;
-};
-
 /// Across one, up to `most` bonds.
-std::vector<RingDistance> distances_of(std::span<const Vec3> ring, std::size_t most) {
-  std::vector<RingDistance> all;
+std::vector<WantedDistance> distances_of(std::span<const Vec3> ring, std::size_t most) {
+  std::vector<WantedDistance> all;
   for (std::size_t step = 1; step <= most; ++step)
     for (std::size_t i = 0; i < ring.size(); ++i) {
       const std::size_t j = (i + step) % ring.size();
@@ -56,46 +46,9 @@ std::vector<Vec3> hexagon(const std::array<double, 6>& heights) {
   return x;
 }
 
-/// A step of Gauss-Newton of least change; the worst share by which a squared distance was off.
-double approach(const std::vector<RingDistance>& wanted, double damped, std::vector<Vec3>& x) {
-  const std::size_t n = wanted.size();
-  std::vector<double> off(n), product(n * n, 0.0);
-  double worst = 0.0, largest = 0.0;
-  for (std::size_t a = 0; a < n; ++a) {
-    off[a] = norm_squared(x[wanted[a].i] - x[wanted[a].j]) - wanted[a].square;
-    worst = std::max(worst, std::abs(off[a]) / wanted[a].square);
-  }
-  for (std::size_t a = 0; a < n; ++a)
-    for (std::size_t b = 0; b <= a; ++b) {
-      const auto& [i, j, one] = wanted[a];
-      const auto& [k, l, other] = wanted[b];
-      const double shared =
-          (i == k ? 1.0 : 0.0) + (j == l ? 1.0 : 0.0) - (i == l ? 1.0 : 0.0) - (j == k ? 1.0 : 0.0);
-      product[a * n + b] = 4.0 * shared * dot(x[i] - x[j], x[k] - x[l]);
-      largest = std::max(largest, product[a * n + b]);
-    }
-  for (std::size_t a = 0; a < n; ++a) product[a * n + a] += damped * largest;
-  if (!solve_positive(product, off, 0.0)) return HUGE_VAL;
-  const std::vector<Vec3> old = x;
-  for (std::size_t a = 0; a < n; ++a) {
-    const Vec3 along = (2.0 * off[a]) * (old[wanted[a].i] - old[wanted[a].j]);
-    x[wanted[a].i] += -1.0 * along;
-    x[wanted[a].j] += along;
-  }
-  return worst;
-}
-
-/// Until all distances are met.
-bool meet(const std::vector<RingDistance>& wanted, std::vector<Vec3>& x) {
-  double worst = HUGE_VAL;
-  for (int step = 0; step < most_steps && worst > closed; ++step)
-    worst = approach(wanted, damping, x);
-  return worst <= closed;
-}
-
 /// Meets the bonds and comes near to the angles.
 bool relax(std::span<const Vec3> ring, std::vector<Vec3>& x) {
-  const std::vector<RingDistance> all = distances_of(ring, 2);
+  const std::vector<WantedDistance> all = distances_of(ring, 2);
   if (ring.size() == 5) approach(all, relaxing_five, x);
   if (ring.size() == 6)
     for (int step = 0; step < relaxing_steps; ++step) approach(all, relaxing, x);
@@ -103,16 +56,6 @@ bool relax(std::span<const Vec3> ring, std::vector<Vec3>& x) {
 }
 
 double torsion_sign(Vec3 a, Vec3 b, Vec3 c, Vec3 d) { return dot(cross(b - a, c - b), d - c); }
-
-bool is_chair(std::span<const Vec3> x) {
-  if (x.size() != 6) return false;
-  std::array<double, 6> signs{};
-  for (std::size_t k = 0; k < 6; ++k)
-    signs[k] = torsion_sign(x[k], x[(k + 1) % 6], x[(k + 2) % 6], x[(k + 3) % 6]);
-  for (std::size_t k = 0; k < 6; ++k)
-    if (!(signs[k] * signs[(k + 1) % 6] < 0.0)) return false;
-  return true;
-}
 
 void add_if_new(std::vector<Vec3> x, std::vector<RingForm>& forms) {
   for (const RingForm& known : forms) {
@@ -193,13 +136,23 @@ void add_mirrored(std::vector<RingForm>& forms) {
 
 }  // namespace
 
+bool is_chair(std::span<const Vec3> x) {
+  if (x.size() != 6) return false;
+  std::array<double, 6> signs{};
+  for (std::size_t k = 0; k < 6; ++k)
+    signs[k] = torsion_sign(x[k], x[(k + 1) % 6], x[(k + 2) % 6], x[(k + 3) % 6]);
+  for (std::size_t k = 0; k < 6; ++k)
+    if (!(signs[k] * signs[(k + 1) % 6] < 0.0)) return false;
+  return true;
+}
+
 std::vector<RingForm> ring_forms(std::span<const Vec3> ring, const std::vector<bool>& is_flat) {
   std::vector<RingForm> forms{{{ring.begin(), ring.end()}, is_chair(ring)}};
   std::vector<std::vector<Vec3>> seeds;
   if (ring.size() == 5) seeds = pentagons();
   if (ring.size() == 6) seeds = hexagons();
   if (ring.size() == 6) {
-    const std::vector<RingDistance> wanted = distances_of(ring, 2);
+    const std::vector<WantedDistance> wanted = distances_of(ring, 2);
     for (std::vector<Vec3> x : seeds)
       if (meet(wanted, x) && keeps_flat(ring, is_flat, x)) add_if_new(std::move(x), forms);
   }

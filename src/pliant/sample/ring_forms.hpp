@@ -16,6 +16,9 @@ struct RingForm {
   bool is_chair = false;        ///< torsions of both signs in turn, all round a ring of six
 };
 
+/// Whether it is a ring of six with torsions of both signs in turn.
+bool is_chair(std::span<const Vec3> ring);
+
 /// Forms of a ring of n atoms in order (n from 5, Angstrom); the ring itself is the first. First
 /// those that have its distances across one and two bonds: the mirror image, and of six atoms what
 /// Gauss-Newton steps reach from an even chair and the six twist-boats. Then, of five atoms from

@@ -6,8 +6,7 @@
 namespace pliant {
 namespace {
 
-constexpr double flat_ring = 0.1;        // Angstrom: a ring so near a plane has no other form
-constexpr std::size_t largest_ring = 6;  // larger ones bend by their torsions
+constexpr double flat_ring = 0.1;  // Angstrom: a ring so near a plane has no other form
 
 Vec3 centre_of(const SimpleRing& ring, std::span<const Vec3> x) {
   Vec3 sum{};
@@ -41,19 +40,23 @@ std::vector<SimpleRing> puckered_rings(const BondChemistry& chemistry,
   return rings;
 }
 
+void sort_pairs(std::vector<Bar>& pairs) {
+  const auto before = [](Bar x, Bar y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
+  const auto is_same = [](Bar x, Bar y) { return x.a == y.a && x.b == y.b; };
+  std::sort(pairs.begin(), pairs.end(), before);
+  pairs.erase(std::unique(pairs.begin(), pairs.end(), is_same), pairs.end());
+}
+
 std::vector<Bar> ring_angles(const SimpleRing& ring, const BondChemistry& chemistry) {
   std::vector<Bar> pairs;
   const std::size_t n = ring.size();
-  if (n > largest_ring) return pairs;
+  if (n > largest_small_ring) return pairs;
   for (std::size_t k = 0; k < n; ++k)
     for (Joint side : {ring[(k + 1) % n], ring[(k + n - 1) % n]})
       for (const Link& bond : chemistry.bonds_at(ring[k]))
         if (bond.node != side)
           pairs.push_back({std::min(side, bond.node), std::max(side, bond.node)});
-  const auto before = [](Bar x, Bar y) { return x.a != y.a ? x.a < y.a : x.b < y.b; };
-  const auto is_same = [](Bar x, Bar y) { return x.a == y.a && x.b == y.b; };
-  std::sort(pairs.begin(), pairs.end(), before);
-  pairs.erase(std::unique(pairs.begin(), pairs.end(), is_same), pairs.end());
+  sort_pairs(pairs);
   return pairs;
 }
 

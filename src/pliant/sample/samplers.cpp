@@ -9,11 +9,11 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/elementary.hpp"
 #include "pliant/base/random.hpp"
-#include "pliant/framework/contacts.hpp"
 #include "pliant/resolve/froda/body_plan.hpp"
 #include "pliant/sample/amplitudes.hpp"
 #include "pliant/sample/mode_displacement.hpp"
 #include "pliant/sample/sample.hpp"
+#include "pliant/sample/small_sterics.hpp"
 #include "pliant/sample/torsion_moves.hpp"
 
 namespace pliant {
@@ -134,44 +134,16 @@ class WalkSampler final : public Sampler {
   double length_;
 };
 
-/// Finds how deep joints overlap in small molecules, pair by pair.
-class SmallSterics {
- public:
-  explicit SmallSterics(const Framework& framework) {
-    if (framework.sterics() == nullptr || framework.joint_count() > most_joints) return;
-    const ContactRules rules(framework);
-    for (Joint a = 0; a < framework.joint_count(); ++a)
-      for (Joint b = a + 1; b < framework.joint_count(); ++b)
-        if (const double least = rules.of(a, b); least > 0.0) pairs_.push_back({a, b, least});
-  }
-
-  /// Sum of squares, Angstrom^2.
-  double overlap(std::span<const Vec3> x) const {
-    double sum = 0.0;
-    for (const Contact& pair : pairs_) {
-      const double square = norm_squared(x[pair.a] - x[pair.b]);
-      if (square >= pair.least * pair.least) continue;
-      const double depth = pair.least - std::sqrt(square);
-      sum += depth * depth;
-    }
-    return sum;
-  }
-
- private:
-  static constexpr std::size_t most_joints = 300;
-  std::vector<Contact> pairs_;
-};
-
 /// Of so many draws the one that overlaps least is resolved: torsions stay where they were drawn.
 constexpr int draws_a_conformer = 20;
 constexpr double little_overlap = 0.1;  // Angstrom^2: resolving takes it away
 
-/// Flexible loops are bent so often.
+/// Flexible loops that cannot be drawn are bent so often.
 constexpr int loop_steps = 12;
 
-/// Conformers: torsions drawn, rings inverted or not, loops pushed. With `mixed` the torsions of
-/// three of four frames are those that are usual, of the fourth any: starts of one conformer each
-/// miss what the other finds.
+/// Conformers: torsions drawn, rings given a form, loops drawn and closed. With `mixed` the
+/// torsions of three of four frames are those that are usual, of the fourth any: starts of one
+/// conformer each miss what the other finds.
 template <bool is_mixed, TorsionDraw other>
 class TorsionsSampler final : public Sampler {
  public:
@@ -184,7 +156,7 @@ class TorsionsSampler final : public Sampler {
           "no bond can rotate and no ring has another form: all conformers are the same");
   }
 
-  int steps_a_frame() const override { return moves_.loop_bodies().empty() ? 1 : loop_steps; }
+  int steps_a_frame() const override { return moves_.bent() != nullptr ? loop_steps : 1; }
 
   void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
            std::span<const Vec3>, FrameRequest& request) const override {
@@ -197,7 +169,7 @@ class TorsionsSampler final : public Sampler {
       draw(draws, is_usual ? TorsionDraw::preferred : other, request);
     }
     request.targets = request.from;
-    moves_.push_loops(draws, request.targets);
+    if (moves_.bent() != nullptr) moves_.bent()->push(draws, request.targets);
   }
 
  private:
@@ -206,6 +178,7 @@ class TorsionsSampler final : public Sampler {
     moves_.draw_rings(draws, request.from);
     moves_.draw_amines(draws, request.from);
     moves_.draw_amides(draws, request.from);
+    moves_.draw_loops(draws, how, request.from);
     const std::vector<Vec3> start = request.from;
     double least = HUGE_VAL;
     for (int k = 0; k < draws_a_conformer && least > little_overlap; ++k) {
@@ -233,7 +206,7 @@ constexpr SamplerEntry table[] = {
     {"dilute", "the same, with contacts off by chance: 1 - exp(-|E| / T) are on",
      make<DiluteSampler>},
     {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>},
-    {"torsions", "conformers of small molecules: torsions, forms of rings, large rings bent",
+    {"torsions", "conformers of small molecules: torsions, forms of rings, large rings closed",
      make<TorsionsSampler<true, TorsionDraw::uniform>>, false},
     {"torsions_uniform", "the same, every torsion from the whole circle",
      make<TorsionsSampler<false, TorsionDraw::uniform>>, false},

@@ -26,10 +26,8 @@ constexpr BondTurnEntry table[] = {
     {BondTurn::near_plane, "near_plane", at(0, 1, 5, 6, 7, 11), within_12},
     {BondTurn::off_plane, "off_plane", at(1, 2, 3, 4, 5, 7, 8, 9, 10, 11), within_12},
     {BondTurn::flat_primary, "flat_primary", at(3, 9), within_25},
-    {BondTurn::flat_branched, "flat_branched", at(2, 4, 8, 10), within_20}};
-
-/// By an angle whose half has the tangent t.
-Turn of_half_tangent(double t) { return {(1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)}; }
+    {BondTurn::flat_branched, "flat_branched", at(2, 4, 8, 10), within_20},
+    {BondTurn::beside_acyl, "beside_acyl", at(3, 6, 9), within_20}};
 
 BondTurn from_flat(const BondChemistry& chemistry, Joint to) {
   if (chemistry.bonds_at(to).size() != 4) return BondTurn::any;
@@ -79,9 +77,37 @@ BondTurn turn_of(const BondChemistry& chemistry, Joint a, Joint b) {
   return both ? BondTurn::staggered : BondTurn::any;
 }
 
+BondTurn turn_in_loop(const BondChemistry& chemistry, Joint a, Joint b) {
+  const BondTurn kind = turn_of(chemistry, a, b);
+  if (kind == BondTurn::ester) return kind;
+  const auto is_acylated = [&](Joint at) {
+    return (chemistry.is_oxygen(at) || chemistry.is_nitrogen(at)) && chemistry.is_conjugated(at);
+  };
+  if ((is_acylated(a) && chemistry.bonds_at(b).size() == 4) ||
+      (is_acylated(b) && chemistry.bonds_at(a).size() == 4))
+    return BondTurn::beside_acyl;
+  return kind;
+}
+
 Turn operator*(Turn one, Turn other) {
   return {one.cosine * other.cosine - one.sine * other.sine,
           one.sine * other.cosine + one.cosine * other.sine};
+}
+
+Turn of_half_tangent(double t) { return {(1.0 - t * t) / (1.0 + t * t), 2.0 * t / (1.0 + t * t)}; }
+
+Turn nearest_usual(Turn torsion, BondTurn kind) {
+  if (kind == BondTurn::any) return torsion;
+  const std::uint16_t multiples = entry(kind).multiples;
+  Turn turn, nearest = torsion;
+  double most = -2.0;
+  for (int k = 0; k < 12; ++k, turn = turn * by_30) {
+    const double cosine = turn.cosine * torsion.cosine + turn.sine * torsion.sine;
+    if ((multiples >> k & 1) == 0 || cosine <= most) continue;
+    most = cosine;
+    nearest = turn;
+  }
+  return nearest;
 }
 
 Turn drawn_angle(RandomSequence& draws) {
@@ -101,6 +127,11 @@ Turn drawn_usual(RandomSequence& draws, BondTurn kind) {
   for (int k = 0; k < 12; ++k, turn = turn * by_30)
     if ((multiples >> k & 1) != 0 && left-- == 0) break;
   return turn * drawn_jitter(draws, kind);
+}
+
+Turn drawn_in_loop(RandomSequence& draws, BondTurn kind) {
+  if (kind != BondTurn::staggered || draws.below(4) != 0) return drawn_usual(draws, kind);
+  return Turn{-1.0, 0.0} * drawn_jitter(draws, kind);
 }
 
 }  // namespace pliant

@@ -29,6 +29,7 @@ enum class BondTurn : std::uint8_t {
   off_plane,      ///< aryl - N with neighbours on both sides: all but 0 and 180
   flat_primary,   ///< flat - CH2R: 90, 270
   flat_branched,  ///< aryl - CHR2: 60, 120, 240, 300, hydrogen near the plane
+  beside_acyl,    ///< O or N of ester or amide - sp3: 90, 180, 270
 };
 
 /// One row of the table of kinds.
@@ -43,6 +44,8 @@ const BondTurnEntry& entry(BondTurn kind);
 
 /// What the bond a - b is like.
 BondTurn turn_of(const BondChemistry& chemistry, Joint a, Joint b);
+/// The same in a large ring, where O and N of esters and amides are told apart.
+BondTurn turn_in_loop(const BondChemistry& chemistry, Joint a, Joint b);
 
 /// cos and sin of an angle.
 struct Turn {
@@ -57,7 +60,13 @@ inline Turn back(Turn turn) { return {turn.cosine, -turn.sine}; }
 Turn drawn_angle(RandomSequence& draws);
 /// An angle about 0, within what the kind allows.
 Turn drawn_jitter(RandomSequence& draws, BondTurn kind);
+/// By an angle whose half has the tangent t.
+Turn of_half_tangent(double t);
+/// The usual torsion of a kind that is nearest to one; itself if there is none.
+Turn nearest_usual(Turn torsion, BondTurn kind);
 /// A usual torsion of a kind, which must not be `ester`.
 Turn drawn_usual(RandomSequence& draws, BondTurn kind);
+/// The same in a large ring: of torsions between sp3 atoms half are 180 degrees.
+Turn drawn_in_loop(RandomSequence& draws, BondTurn kind);
 
 }  // namespace pliant

@@ -5,14 +5,10 @@
 #include <array>
 #include <cmath>
 
-#include "pliant/base/superposition.hpp"
-#include "pliant/sample/ring_pucker.hpp"
-
 namespace pliant {
 namespace {
 
-constexpr double whole = 1e-9;     // share of a bar's length
-constexpr double loop_push = 3.0;  // Angstrom: how far a typical joint of a loop is asked to go
+constexpr double whole = 1e-9;  // share of a bar's length
 
 Vec3 unit(Vec3 v) { return (1.0 / norm(v)) * v; }
 
@@ -29,17 +25,6 @@ std::optional<Turn> torsion(Vec3 i, Vec3 a, Vec3 b, Vec3 j) {
   const double lengths = norm(from) * norm(to);
   if (!(lengths > 1e-6)) return std::nullopt;
   return Turn{dot(from, to) / lengths, dot(cross(from, to), axis) / lengths};
-}
-
-/// Three vectors of length 1 at right angles.
-struct Axes {
-  Vec3 x, y, z;
-};
-
-/// By two bonds from one atom.
-Axes axes_of(Vec3 one, Vec3 other) {
-  const Vec3 x = unit(one + other), z = unit(cross(one, other));
-  return {x, cross(z, x), z};
 }
 
 /// To a usual torsion from where it is; where three atoms lie on a line there is none.
@@ -77,56 +62,35 @@ void turn_over(const AmideTurn& amide, std::span<Vec3> x) {
   }
 }
 
-void take_form(const FlexibleRing& ring, const RingForm& form, std::span<Vec3> x) {
-  const std::size_t n = ring.atoms.size();
-  std::vector<Vec3> old(n), now(n);
-  for (std::size_t k = 0; k < n; ++k) old[k] = x[ring.atoms[k]];
-  const RigidMotion onto = superposition(form.positions, old);
-  for (std::size_t k = 0; k < n; ++k) now[k] = onto(form.positions[k]);
-  for (std::size_t k = 0; k < n; ++k) {
-    const std::size_t before = (k + n - 1) % n, after = (k + 1) % n;
-    const Axes was = axes_of(old[before] - old[k], old[after] - old[k]);
-    const Axes is = axes_of(now[before] - now[k], now[after] - now[k]);
-    for (Joint joint : ring.branches[k]) {
-      const Vec3 r = x[joint] - old[k];
-      x[joint] = now[k] + dot(r, was.x) * is.x + dot(r, was.y) * is.y + dot(r, was.z) * is.z;
-    }
-    x[ring.atoms[k]] = now[k];
-  }
-}
-
 TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
                            std::span<const Vec3> start)
     : framework_(framework), plan_(plan), start_(start) {
   const BondChemistry chemistry(framework, start);
-  find_loops();
-  find_rotors(chemistry);
+  find_loops(chemistry);
   find_rings(chemistry);
   find_amines(chemistry);
   find_amides(chemistry);
 }
 
-/// Bodies on the way from both ends of a cut to where the ways meet.
-void TorsionMoves::find_loops() {
-  const auto bodies = plan_.bodies();
-  is_in_loop_.assign(bodies.size(), false);
-  for (const LoopCut& cut : plan_.cuts()) {
-    std::int64_t one = plan_.body_at()[cut.copy], other = plan_.body_at()[cut.joint];
-    while (one != other) {
-      std::int64_t& later = one > other ? one : other;  // a parent comes before
-      is_in_loop_[std::size_t(later)] = true;
-      later = bodies[std::size_t(later)].parent;
-    }
-  }
-  for (std::uint32_t k = 0; k < bodies.size(); ++k)
-    if (is_in_loop_[k]) loop_bodies_.push_back(k);
+/// Loops whose joints are all hinges are drawn, others bent.
+void TorsionMoves::find_loops(const BondChemistry& chemistry) {
+  const std::vector<bool> is_in_loop = bodies_in_loops(plan_);
+  loop_bodies_ = std::count(is_in_loop.begin(), is_in_loop.end(), true);
+  find_rotors(chemistry, is_in_loop);
+  LoopPlan loops = plan_loops(framework_, plan_, chemistry, is_in_loop, is_rotor_);
+  if (!loops.hinges.empty())
+    drawn_.emplace(plan_, std::move(loops));
+  else if (loop_bodies_ > 0)
+    bent_.emplace(plan_, is_in_loop);
 }
 
 /// A hinge outside of loops turns all bodies that hang on its own, first to last in the plan.
-void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
+void TorsionMoves::find_rotors(const BondChemistry& chemistry,
+                               const std::vector<bool>& is_in_loop) {
   const auto bodies = plan_.bodies();
+  is_rotor_.assign(bodies.size(), false);
   for (std::uint32_t k = 0; k < bodies.size(); ++k) {
-    if (bodies[k].turns() != 1 || is_in_loop_[k]) continue;
+    if (bodies[k].turns() != 1 || is_in_loop[k]) continue;
     Rotor rotor{plan_.joint_at()[bodies[k].a], plan_.joint_at()[bodies[k].b], 0, 0, {}, {}};
     // Bodies that hang on this one follow it: the plan goes depth first.
     for (std::uint32_t m = k; m == k || (m < bodies.size() && bodies[m].parent >= std::int64_t{k});
@@ -140,30 +104,25 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry) {
       rotor.beyond_b = chemistry.reference(rotor.b, rotor.a);
       rotor.kind = turn_of(chemistry, rotor.a, rotor.b);
     }
+    is_rotor_[k] = true;
     rotors_.push_back(std::move(rotor));
   }
 }
 
+/// Those forms that hold bars and angles.
 void TorsionMoves::find_rings(const BondChemistry& chemistry) {
-  if (framework_.atoms() == nullptr) return;
-  for (SimpleRing& atoms : puckered_rings(chemistry, start_)) {
-    std::vector<Vec3> positions;
-    std::vector<bool> is_flat;
-    for (Joint atom : atoms) {
-      positions.push_back(start_[atom]);
-      is_flat.push_back(chemistry.is_conjugated(atom));
-    }
-    FlexibleRing ring{std::move(atoms), {}, ring_forms(positions, is_flat)};
-    for (Joint atom : ring.atoms) ring.branches.push_back(chemistry.beyond(atom, ring.atoms));
-    const std::vector<Bar> angles = ring_angles(ring.atoms, chemistry);
+  for (FlexibleRing& ring : flexible_rings(framework_, chemistry, start_, !drawn_)) {
     std::vector<RingForm> forms;
     for (RingForm& form : ring.forms) {
       std::vector<Vec3> x(start_.begin(), start_.end());
       if (!forms.empty()) take_form(ring, form, x);
-      if (holds_bars(x) && holds_limits(angles, x)) forms.push_back(std::move(form));
+      if (holds_bars(x) && holds_limits(ring.angles, x)) forms.push_back(std::move(form));
     }
     ring.forms = std::move(forms);
-    if (ring.forms.size() > 1) rings_.push_back(std::move(ring));
+    if (ring.forms.size() > 1)
+      rings_.push_back(std::move(ring));
+    else
+      rigid_rings_.push_back(std::move(ring.atoms));
   }
 }
 
@@ -261,40 +220,6 @@ void TorsionMoves::turn(const Rotor& rotor, TorsionDraw how, RandomSequence& dra
     const Vec3 r = x[joint] - origin;
     x[joint] = turned(origin, r, axis, by);
   }
-}
-
-/// By a field of strain and one of bending, d = a (u.r) w + b (u'.r)(v'.r) w', r from the middle of
-/// the loops in units of their size: neighbours go nearly alike. What hangs on a loop goes with the
-/// middle of the unit that it hangs on.
-void TorsionMoves::push_loops(RandomSequence& draws, std::span<Vec3> targets) const {
-  if (loop_bodies_.empty()) return;
-  const auto bodies = plan_.bodies();
-  std::vector<Vec3> middle(bodies.size()), push(bodies.size());
-  for (std::size_t k = 0; k < bodies.size(); ++k) middle[k] = middle_of(bodies[k], targets);
-  Vec3 centre{};
-  for (std::uint32_t k : loop_bodies_) centre += (1.0 / double(loop_bodies_.size())) * middle[k];
-  double size = 0.0;
-  for (std::uint32_t k : loop_bodies_) size += norm_squared(middle[k] - centre);
-  size = std::sqrt(size / double(loop_bodies_.size())) + 1e-6;
-  const Vec3 u = draws.direction(), w = draws.direction(), u2 = draws.direction(),
-             v2 = draws.direction(), w2 = draws.direction();
-  const double strain = loop_push * (2.0 * draws.uniform() - 1.0),
-               bend = loop_push * (2.0 * draws.uniform() - 1.0);
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
-    const Vec3 r = (1.0 / size) * (middle[k] - centre);
-    if (is_in_loop_[k])
-      push[k] = (strain * dot(u, r)) * w + (bend * dot(u2, r) * dot(v2, r)) * w2;
-    else if (bodies[k].parent >= 0)
-      push[k] = push[std::size_t(bodies[k].parent)];
-    for (Slot place = bodies[k].first; place < bodies[k].last; ++place)
-      if (is_own(place)) targets[plan_.joint_at()[place]] += push[k];
-  }
-}
-
-Vec3 TorsionMoves::middle_of(const PlanBody& body, std::span<const Vec3> x) const {
-  Vec3 sum{};
-  for (Slot place = body.first; place < body.last; ++place) sum += x[plan_.joint_at()[place]];
-  return (1.0 / double(std::max<Slot>(body.last - body.first, 1))) * sum;
 }
 
 }  // namespace pliant

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // Ways in which a small molecule takes another conformation, each exact in every bar:
 // - rotors: what hangs beyond a bond turns about it;
-// - rings that stand alone take another form (ring_forms.hpp): chair, twist-boat, mirror image.
-// What
-//   hangs on an atom is moved rigidly with the two bonds of the ring there, so that all distances
-//   across an atom stay, axial becomes equatorial, and handedness (chirality) is kept;
+// - rings, and systems of small rings that share bonds, take another form (ring_moves.hpp): chair,
+//   twist-boat, mirror image. What hangs on an atom is moved rigidly with the bonds of the ring
+//   there, so that axial becomes equatorial, and handedness (chirality) is kept;
 // - nitrogen of amines inverts: the smallest of what it bears is turned to the other side of the
 //   other two bonds;
 // - tertiary amides turn from cis to trans, where no bar reaches across them;
-// - flexible loops (rings of seven and more) are bent at random, step by step.
+// - flexible loops (rings of seven and more) get new torsions and are closed (loop_draws.hpp);
+// those
+//   of which nothing is known but bodies are bent at random, step by step (loop_bending.hpp).
 #pragma once
 
 #include <optional>
@@ -21,7 +22,9 @@
 #include "pliant/resolve/froda/body_plan.hpp"
 #include "pliant/sample/bond_chemistry.hpp"
 #include "pliant/sample/conformer_framework.hpp"
-#include "pliant/sample/ring_forms.hpp"
+#include "pliant/sample/loop_bending.hpp"
+#include "pliant/sample/loop_draws.hpp"
+#include "pliant/sample/ring_moves.hpp"
 #include "pliant/sample/torsion_draws.hpp"
 
 namespace pliant {
@@ -32,13 +35,6 @@ struct Rotor {
   Joint beyond_a, beyond_b;    ///< the torsion is beyond_a - a - b - beyond_b
   BondTurn kind;               ///< where its torsions usually are
   std::vector<Joint> turning;  ///< joints that move
-};
-
-/// A ring that has several forms, and what hangs on each of its atoms.
-struct FlexibleRing {
-  SimpleRing atoms;
-  std::vector<std::vector<Joint>> branches;
-  std::vector<RingForm> forms;  ///< the first is that of the start
 };
 
 /// Nitrogen that inverts, the two atoms that stay, and what moves, the atom bonded to it first.
@@ -60,13 +56,15 @@ class TorsionMoves {
 
   std::span<const Rotor> rotors() const { return rotors_; }
   std::span<const FlexibleRing> rings() const { return rings_; }
+  /// Rings and ring systems that do not lie in a plane and keep the form of the start.
+  std::span<const std::vector<Joint>> rigid_rings() const { return rigid_rings_; }
   std::span<const Amine> amines() const { return amines_; }
   std::span<const AmideTurn> amides() const { return amides_; }
   /// Rigid units (bodies of the plan) of flexible loops.
-  std::span<const std::uint32_t> loop_bodies() const { return loop_bodies_; }
+  std::size_t loop_bodies() const { return loop_bodies_; }
   bool empty() const {
     return rotors_.empty() && rings_.empty() && amines_.empty() && amides_.empty() &&
-           loop_bodies_.empty();
+           loop_bodies_ == 0;
   }
 
   /// Gives each ring of `x` (N, Angstrom) one of its forms, by chance: of three draws two take a
@@ -79,12 +77,16 @@ class TorsionMoves {
   /// Draws all torsions of `x`.
   void turn_rotors(RandomSequence& draws, TorsionDraw how, std::span<Vec3> x) const;
 
-  /// Bends joints of flexible loops, and what hangs on them, some way at random: a target only.
-  void push_loops(RandomSequence& draws, std::span<Vec3> targets) const;
+  /// Gives flexible loops of `x` another form, if they can be drawn.
+  void draw_loops(RandomSequence& draws, TorsionDraw how, std::span<Vec3> x) const {
+    if (drawn_) drawn_->draw(draws, how, x);
+  }
+  /// Null: flexible loops are drawn, or there are none.
+  const LoopBending* bent() const { return bent_ ? &*bent_ : nullptr; }
 
  private:
-  void find_rotors(const BondChemistry& chemistry);
-  void find_loops();
+  void find_loops(const BondChemistry& chemistry);
+  void find_rotors(const BondChemistry& chemistry, const std::vector<bool>& is_in_loop);
   void find_rings(const BondChemistry& chemistry);
   void find_amines(const BondChemistry& chemistry);
   void find_amides(const BondChemistry& chemistry);
@@ -92,23 +94,21 @@ class TorsionMoves {
   bool is_own(Slot place) const { return plan_.place_of(plan_.joint_at()[place]) == place; }
   bool holds_bars(std::span<const Vec3> x) const;
   bool holds_limits(std::span<const Bar> pairs, std::span<const Vec3> x) const;
-  Vec3 middle_of(const PlanBody& body, std::span<const Vec3> x) const;
   void turn(const Rotor& rotor, TorsionDraw how, RandomSequence& draws, std::span<Vec3> x) const;
 
   const Framework& framework_;
   const BodyPlan& plan_;
   std::span<const Vec3> start_;
-  std::vector<bool> is_in_loop_;            ///< of each body
-  std::vector<std::uint32_t> loop_bodies_;  ///< bodies of flexible loops
+  std::size_t loop_bodies_ = 0;
+  std::vector<bool> is_rotor_;  ///< of each body
+  std::optional<LoopDraws> drawn_;
+  std::optional<LoopBending> bent_;
   std::vector<Rotor> rotors_;
   std::vector<FlexibleRing> rings_;
+  std::vector<std::vector<Joint>> rigid_rings_;
   std::vector<Amine> amines_;
   std::vector<AmideTurn> amides_;
 };
-
-/// Gives a ring of x (N) this form, superposed on the one it has, its branches moved as the two
-/// bonds at their atom are.
-void take_form(const FlexibleRing& ring, const RingForm& form, std::span<Vec3> x);
 
 /// Inverts nitrogen in x (N).
 void invert(const Amine& amine, std::span<Vec3> x);
