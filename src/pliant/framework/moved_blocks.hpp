@@ -4,8 +4,8 @@
 #pragma once
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
-#include <cstring>
 #include <span>
 #include <vector>
 
@@ -27,9 +27,9 @@ class MovedChunks {
     bool has_any = is_new;
     for (std::size_t chunk = 0; chunk < has_moved_.size(); ++chunk) {
       const std::size_t first = chunk * joints_each;
-      const std::size_t bytes = std::min(joints_each, at_.size() - first) * sizeof(Vec3);
-      if (!is_new && std::memcmp(&at_[first], &positions[first], bytes) == 0) continue;
-      std::memcpy(&at_[first], &positions[first], bytes);
+      const auto now = positions.subspan(first, std::min(joints_each, at_.size() - first));
+      if (!is_new && have_same_bits(now, &at_[first])) continue;
+      std::copy(now.begin(), now.end(), at_.begin() + std::ptrdiff_t(first));
       has_moved_[chunk] = 1;
       has_any = true;
     }
@@ -39,6 +39,18 @@ class MovedChunks {
   bool has_moved(std::uint32_t chunk) const { return has_moved_[chunk] != 0; }
 
  private:
+  /// Without a branch for each number, which is many times faster than memcmp() of WebAssembly.
+  static bool have_same_bits(std::span<const Vec3> one, const Vec3* other) {
+    const auto differ = [](double a, double b) {
+      return std::bit_cast<std::uint64_t>(a) ^ std::bit_cast<std::uint64_t>(b);
+    };
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < one.size(); ++k)
+      bits |= differ(one[k].x, other[k].x) | differ(one[k].y, other[k].y) |
+              differ(one[k].z, other[k].z);
+    return bits == 0;
+  }
+
   std::vector<Vec3> at_;
   std::vector<std::uint8_t> has_moved_;
 };

@@ -57,8 +57,7 @@ FrodaOutcome FrodaSolver::resolve(std::span<const Vec3> start, std::span<const V
   steps_ = 0;
   visits_ = 0;
   is_looked_at_ = false;
-  begin(start, target);
-  choose_trees(options.is_careful);
+  begin(start, target, options.is_careful);
   pull(options);
   FrodaOutcome outcome;
   outcome.is_whole = push_apart(options, outcome);
@@ -69,26 +68,23 @@ FrodaOutcome FrodaSolver::resolve(std::span<const Vec3> start, std::span<const V
   return outcome;
 }
 
-void FrodaSolver::begin(std::span<const Vec3> start, std::span<const Vec3> target) {
+void FrodaSolver::begin(std::span<const Vec3> start, std::span<const Vec3> target,
+                        bool is_careful) {
   origin_ = {};
   for (Vec3 x : start) origin_ += (1.0 / double(start.size())) * x;
   const auto joint_at = plan_.joint_at();
   start_.resize(joint_at.size());
   push_.resize(joint_at.size());
+  working_.clear();
+  if (is_careful) working_.add_all();  // conjugate gradients go over all
   for (std::size_t k = 0; k < joint_at.size(); ++k) {
     start_[k] = start[joint_at[k]] - origin_;
     push_[k] = target[joint_at[k]] - start[joint_at[k]];
+    // Trees that the push moves; contacts add others.
+    if (norm_squared(push_[k]) != 0.0) working_.add(plan_.tree_of(plan_.body_at()[k]));
   }
   x_ = start_;
   target_.resize(x_.size());
-}
-
-/// Those that the push moves; contacts add others. Conjugate gradients go over all.
-void FrodaSolver::choose_trees(bool is_careful) {
-  working_.clear();
-  if (is_careful) return working_.add_all();
-  for (std::size_t k = 0; k < push_.size(); ++k)
-    if (norm_squared(push_[k]) != 0.0) working_.add(plan_.tree_of(plan_.body_at()[k]));
 }
 
 /// Towards targets on the way, at most a leg apart.
@@ -121,14 +117,24 @@ bool FrodaSolver::pull_blindly(const FrodaOptions& options) {
 double FrodaSolver::pull_to(double share, int steps, bool sees_contacts,
                             const FrodaOptions& options) {
   double moved = 0.0;
-  for (std::size_t k = 0; k < x_.size(); ++k) target_[k] = start_[k] + share * push_[k];
+  std::size_t bodies = 0;  // that have targets
   for (int k = 0; k < steps; ++k) {
     is_looked_at_ = false;
     rows_.clear();
     if (sees_contacts) find_rows(pull_weight);
+    bodies = set_targets(share, bodies);
     moved = step(target_, pull_bound, options.is_careful ? options.conjugate_gradients : 0);
   }
   return moved;
+}
+
+/// Of working bodies from the `first` on, to which contacts add some; how many there are now.
+std::size_t FrodaSolver::set_targets(double share, std::size_t first) {
+  const auto working = working_.bodies();
+  for (const std::uint32_t body : working.subspan(first))
+    for (Slot at = plan_.bodies()[body].first; at < plan_.bodies()[body].last; ++at)
+      target_[at] = start_[at] + share * push_[at];
+  return working.size();
 }
 
 /// Contacts alone, until all hold or nothing is gained any more.

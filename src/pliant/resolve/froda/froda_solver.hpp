@@ -59,10 +59,10 @@ class FrodaSolver {
     double limit = 0.0, overlap = 0.0;
   };
 
-  void choose_trees(bool is_careful);
-  void begin(std::span<const Vec3> start, std::span<const Vec3> target);
+  void begin(std::span<const Vec3> start, std::span<const Vec3> target, bool is_careful);
   void pull(const FrodaOptions& options);
   bool pull_blindly(const FrodaOptions& options);
+  std::size_t set_targets(double share, std::size_t first);
   double pull_to(double share, int steps, bool sees_contacts, const FrodaOptions& options);
   bool push_apart(const FrodaOptions& options, FrodaOutcome& outcome);
   bool finish(const FrodaOptions& options, FrodaOutcome& outcome);
