@@ -122,12 +122,15 @@ Contacts::Contacts(const Framework& framework, double skin) : rules_(framework),
     throw OptionError("skin = " + number_text(skin) + ": must be above 0, up to 1e5 Angstrom");
 }
 
-bool Contacts::update(std::span<const Vec3> positions) {
+bool can_be_listed(std::span<const Vec3> positions) {
   constexpr double furthest = 1e300;
-  if (!std::all_of(positions.begin(), positions.end(), [](Vec3 x) {
-        return std::abs(x.x) <= furthest && std::abs(x.y) <= furthest && std::abs(x.z) <= furthest;
-      }))
-    return false;
+  return std::all_of(positions.begin(), positions.end(), [](Vec3 x) {
+    return std::abs(x.x) <= furthest && std::abs(x.y) <= furthest && std::abs(x.z) <= furthest;
+  });
+}
+
+bool Contacts::update(std::span<const Vec3> positions) {
+  if (!can_be_listed(positions)) return false;
   if (!made_ || listed_at_.size() != positions.size())
     make_list(positions);
   else if (is_out_of_date(positions))

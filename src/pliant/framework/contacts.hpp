@@ -46,6 +46,9 @@ class ContactRules {
   std::vector<Joint> excluded_;        ///< joints above a joint that never touch it, ascending
 };
 
+/// Whether Contacts takes these positions: finite, and at most 1e300.
+bool can_be_listed(std::span<const Vec3> positions);
+
 /// Knows which pairs of joints may touch. Which of them a caller sees does not depend on the skin
 /// nor on when the list was made: only how much is looked at does.
 class Contacts {
@@ -55,7 +58,7 @@ class Contacts {
   /// half of it, the pairs of all that have come a good part of that way are listed anew.
   explicit Contacts(const Framework& framework, double skin = 1.0);
 
-  /// Makes the list right for `positions` (N). False if one of them is not finite or above 1e300.
+  /// Makes the list right for `positions` (N). False unless can_be_listed().
   bool update(std::span<const Vec3> positions);
 
   /// All pairs that may overlap, and others near; by a, then b.

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "pliant/base/error.hpp"
+#include "pliant/framework/kept_measure.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/method/mass_centre.hpp"
 #include "pliant/resolve/method/method.hpp"
@@ -42,14 +43,15 @@ struct Resolver::Plan {
   std::unique_ptr<Method> method;
   MovedJoints moved;  ///< by the last resolve, and where they were before
   std::vector<std::uint8_t> limits_off;
-  std::unique_ptr<Contacts> contacts;  ///< null: no sterics
+  std::unique_ptr<KeptMeasure> kept;  ///< null: bars alone
 
   Plan(const Framework& framework_, const Technique& technique_, const ResolveOptions& options_)
       : framework(framework_), options(options_), technique(technique_) {
     method = entry_of(technique).make(framework, technique, options);
     if (framework.has_bars_only() && shifts_to_mass_centre(technique_used(framework, technique)))
       method = keep_mass_centre(framework, std::move(method));
-    if (framework.sterics() != nullptr) contacts = std::make_unique<Contacts>(framework);
+    if (!framework.has_bars_only())
+      kept = std::make_unique<KeptMeasure>(framework, options.tolerance);
     moved.note_all({});
   }
 
@@ -88,7 +90,8 @@ struct Resolver::Plan {
 
   ResidualSummary look(std::span<const Vec3> positions, const Disturbed& disturbed) const {
     if (!moved.holds_all()) return measure_near(positions, disturbed);
-    return measure(framework, positions, options.tolerance, limits_off, contacts.get());
+    if (kept) return kept->measure(positions, limits_off);
+    return measure(framework, positions, options.tolerance);
   }
 
   /// Of the bars at joints that were disturbed or moved; rms_relative is -1.
@@ -165,7 +168,7 @@ ResolveSummary Resolver::resolve(std::span<Vec3> positions, const Disturbed& dis
   const bool is_near = plan_->begin(positions, disturbed);
   summary.stop = plan_->method->resolve(
       {positions, disturbed, plan_->key(step), reference, is_near ? &plan_->moved : nullptr,
-       plan_->limits_off, plan_->moved.before()},
+       plan_->limits_off, plan_->moved.before(), plan_->kept.get()},
       summary);
   plan_->finish(positions, disturbed, summary);
   summary.seconds = std::chrono::duration<double>(Clock::now() - start).count();

@@ -3,14 +3,17 @@
 
 #include <array>
 #include <cmath>
+#include <ranges>
 
 namespace pliant {
 
 using froda::add_direction;
 using froda::add_scaled;
 
-ArticulatedPass::ArticulatedPass(const BodyPlan& plan, double damping, double square_unit)
+ArticulatedPass::ArticulatedPass(const BodyPlan& plan, const WorkingTrees& working, double damping,
+                                 double square_unit)
     : plan_(plan),
+      working_(working),
       damping_(damping),
       square_unit_(square_unit),
       inertia_(plan.bodies().size()),
@@ -19,7 +22,7 @@ ArticulatedPass::ArticulatedPass(const BodyPlan& plan, double damping, double sq
 
 void ArticulatedPass::gather(std::span<const Vec3> x, std::span<const Vec3> targets) {
   const auto bodies = plan_.bodies();
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
+  for (const std::uint32_t k : working_.bodies()) {
     froda::PointSums sums;
     Vec3 pull, moment;
     for (Slot at = bodies[k].first; at < bodies[k].last; ++at) {
@@ -37,7 +40,8 @@ void ArticulatedPass::gather(std::span<const Vec3> x, std::span<const Vec3> targ
 
 void ArticulatedPass::set_turns(std::span<const Vec3> x) {
   constexpr std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
-  for (const PlanBody& body : plan_.bodies()) {
+  for (const std::uint32_t k : working_.bodies()) {
+    const PlanBody& body = plan_.bodies()[k];
     const auto own = turns_of(body);
     if (own.size() == 1) {
       const Vec3 along = x[body.b] - x[body.a];
@@ -64,7 +68,7 @@ void ArticulatedPass::add_rows(std::span<const Vec3> x, std::span<const ContactR
 
 void ArticulatedPass::go_inward(std::span<const TurnSpring> springs) {
   const auto bodies = plan_.bodies();
-  for (std::size_t k = bodies.size(); k-- > 0;)
+  for (const std::uint32_t k : std::views::reverse(working_.bodies()))
     if (bodies[k].parent >= 0) pass_on(bodies[k], k, springs);
 }
 
@@ -91,21 +95,21 @@ void ArticulatedPass::pass_on(const PlanBody& body, std::size_t index,
 
 void ArticulatedPass::push_inward(std::vector<Twist>& forces, std::span<const double> of_turns) {
   const auto bodies = plan_.bodies();
-  for (std::size_t k = bodies.size(); k-- > 0;) {
+  for (const std::uint32_t k : std::views::reverse(working_.bodies())) {
     if (bodies[k].parent < 0) continue;
     carry(
-        static_cast<std::uint32_t>(k), forces[k],
-        [&](std::uint32_t turn, double force) { turns_[turn].force = force; }, of_turns);
+        k, forces[k], [&](std::uint32_t turn, double force) { turns_[turn].force = force; },
+        of_turns);
     add_scaled(1.0, forces[k], forces[std::size_t(bodies[k].parent)]);
   }
 }
 
 void ArticulatedPass::go_outward(const std::vector<Twist>& forces, BodyMotions& out) const {
   const auto bodies = plan_.bodies();
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
+  for (const std::uint32_t k : working_.bodies()) {
     const PlanBody& body = bodies[k];
     if (body.parent < 0) {
-      out.twists[k] = answer_of_root(static_cast<std::uint32_t>(k), forces[k]);
+      out.twists[k] = answer_of_root(k, forces[k]);
       continue;
     }
     Twist v = out.twists[std::size_t(body.parent)];

@@ -11,6 +11,7 @@
 #include "pliant/resolve/froda/body_kernels.hpp"
 #include "pliant/resolve/froda/body_plan.hpp"
 #include "pliant/resolve/froda/turn_springs.hpp"
+#include "pliant/resolve/froda/working_trees.hpp"
 
 namespace pliant {
 
@@ -40,9 +41,10 @@ class ArticulatedPass {
     double force = 0.0;    ///< s . p and the spring, going inward
   };
 
-  /// The plan outlives it. `damping` (Angstrom^2) is added to what a turn moves; `square_unit`: of
-  /// lengths, Angstrom^2.
-  ArticulatedPass(const BodyPlan& plan, double damping, double square_unit);
+  /// Plan and trees outlive it; bodies of other trees are left out of all below. `damping`
+  /// (Angstrom^2) is added to what a turn moves; `square_unit`: of lengths, Angstrom^2.
+  ArticulatedPass(const BodyPlan& plan, const WorkingTrees& working, double damping,
+                  double square_unit);
 
   /// Inertias of the bodies at `x` (places, near the origin), the forces that pull them to
   /// `targets` (places; empty: none), and their turns.
@@ -89,6 +91,7 @@ class ArticulatedPass {
   void pass_on(const PlanBody& body, std::size_t index, std::span<const TurnSpring> springs);
 
   const BodyPlan& plan_;
+  const WorkingTrees& working_;
   double damping_, square_unit_;
   std::vector<Inertia> inertia_;
   std::vector<Twist> force_;

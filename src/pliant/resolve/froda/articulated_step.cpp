@@ -38,14 +38,15 @@ double product(const std::vector<Twist>& forces, const std::vector<double>& of_t
 
 }  // namespace
 
-ArticulatedStep::ArticulatedStep(const BodyPlan& plan, double unit)
+ArticulatedStep::ArticulatedStep(const BodyPlan& plan, const WorkingTrees& working, double unit)
     : plan_(plan),
-      pass_(plan, damping * unit * unit, unit * unit),
-      closing_(plan.cuts().empty() ? nullptr : std::make_unique<CutClosing>(plan)),
+      working_(working),
+      pass_(plan, working, damping * unit * unit, unit * unit),
+      closing_(plan.cuts().empty() ? nullptr : std::make_unique<CutClosing>(plan, working)),
       motions_{std::vector<Twist>(plan.bodies().size()), std::vector<double>(plan.turn_count())},
       motion_(plan.bodies().size()) {}
 
-void ArticulatedStep::step(std::span<Vec3> x, const StepRequest& request) {
+double ArticulatedStep::step(std::span<Vec3> x, const StepRequest& request) {
   pass_.gather(x, request.targets);
   const bool refined = request.conjugate_gradients > 0 && !request.rows.empty();
   if (refined) plain_ = pass_.inertias();
@@ -55,7 +56,9 @@ void ArticulatedStep::step(std::span<Vec3> x, const StepRequest& request) {
   pass_.go_outward(pass_.forces(), motions_);
   if (refined) refine(x, request);
   if (closing_) closing_->correct(pass_, x, motions_);
-  move(x, share_of(x, request.bound));
+  const Share share = share_of(x, request.bound);
+  move(x, share.of_step);
+  return share.furthest;
 }
 
 /// Conjugate gradients for the rows as they are, preconditioned by the majorant; begins with its
@@ -116,27 +119,30 @@ double ArticulatedStep::apply_matrix(std::span<const Vec3> x, const StepRequest&
 }
 
 /// How much of the step leaves each body within the bound and each turn below half a radian.
-double ArticulatedStep::share_of(std::span<const Vec3> x, double bound) const {
+ArticulatedStep::Share ArticulatedStep::share_of(std::span<const Vec3> x, double bound) const {
   double furthest = 0.0, widest = 0.0;
   const auto bodies = plan_.bodies();
-  for (std::size_t k = 0; k < bodies.size(); ++k) {
+  for (const std::uint32_t k : working_.bodies()) {
+    if (bodies[k].parent < 0) widest = std::max(widest, norm_squared(upper_of(motions_.twists[k])));
+    for (std::uint32_t t = 0; t < bodies[k].turns(); ++t) {
+      const double angle = motions_.angles[bodies[k].first_turn + t];
+      widest = std::max(widest, angle * angle);
+    }
     if (bodies[k].first == bodies[k].last) continue;
     for (Slot at : {bodies[k].first, bodies[k].last - 1})
       furthest = std::max(furthest, norm_squared(froda::velocity(motions_.twists[k], x[at])));
-    if (bodies[k].parent < 0) widest = std::max(widest, norm_squared(upper_of(motions_.twists[k])));
   }
-  for (double angle : motions_.angles) widest = std::max(widest, angle * angle);
   double share = 1.0;
   if (furthest > bound * bound) share = bound / std::sqrt(furthest);
   if (widest > largest_turn * largest_turn)
     share = std::min(share, largest_turn / std::sqrt(widest));
-  return share;
+  return {share, share * std::sqrt(furthest)};
 }
 
 void ArticulatedStep::move(std::span<Vec3> x, double share) {
   const auto bodies = plan_.bodies();
-  for (std::size_t k = 0; k < bodies.size(); ++k) motion_[k] = motion_of(bodies[k], k, x, share);
-  for (std::size_t k = 0; k < bodies.size(); ++k)
+  for (const std::uint32_t k : working_.bodies()) motion_[k] = motion_of(bodies[k], k, x, share);
+  for (const std::uint32_t k : working_.bodies())
     for (Slot at = bodies[k].first; at < bodies[k].last; ++at) x[at] = motion_[k](x[at]);
 }
 

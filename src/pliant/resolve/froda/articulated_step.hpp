@@ -32,13 +32,14 @@ struct StepRequest {
 
 class ArticulatedStep {
  public:
-  /// The plan outlives it. Ten times the square of `unit` (Angstrom) is added to what a turn moves:
-  /// damping.
-  explicit ArticulatedStep(const BodyPlan& plan, double unit = 1.0);
+  /// Plan and trees outlive it: it moves these trees alone. Ten times the square of `unit`
+  /// (Angstrom) is added to what a turn moves: damping.
+  ArticulatedStep(const BodyPlan& plan, const WorkingTrees& working, double unit = 1.0);
 
   /// Moves `x` (places, Angstrom, near the origin): bodies turn about their hinges, whose shapes
-  /// stay as they are to rounding.
-  void step(std::span<Vec3> x, const StepRequest& request);
+  /// stay as they are to rounding. How far the one that goes furthest goes, to first order
+  /// (Angstrom).
+  double step(std::span<Vec3> x, const StepRequest& request);
 
  private:
   struct Motion {
@@ -48,15 +49,21 @@ class ArticulatedStep {
     }
   };
 
+  /// How much of a step is taken, and how far it then moves some body (Angstrom).
+  struct Share {
+    double of_step, furthest;
+  };
+
   void refine(std::span<const Vec3> x, const StepRequest& request);
   double apply_matrix(std::span<const Vec3> x, const StepRequest& request);
   double resistance(const StepRequest& request, std::size_t turn) const;
-  double share_of(std::span<const Vec3> x, double bound) const;
+  Share share_of(std::span<const Vec3> x, double bound) const;
   void move(std::span<Vec3> x, double share);
   Motion motion_of(const PlanBody& body, std::size_t index, std::span<const Vec3> x,
                    double share) const;
 
   const BodyPlan& plan_;
+  const WorkingTrees& working_;
   ArticulatedPass pass_;
   std::unique_ptr<CutClosing> closing_;  ///< null: no loops
   BodyMotions motions_;

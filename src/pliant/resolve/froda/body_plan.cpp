@@ -41,11 +41,19 @@ class BodyPlanner {
 
   BodyPlan run() {
     for (UnitNode unit = 0; unit < set_.size(); ++unit)
-      if (body_of_[unit] == unset) plan_component(middle_of_longest_path(unit));
+      if (body_of_[unit] == unset) add_tree(middle_of_longest_path(unit));
     return std::move(plan_);
   }
 
  private:
+  void add_tree(UnitNode root) {
+    const auto first = static_cast<std::uint32_t>(plan_.bodies_.size());
+    plan_component(root);
+    const auto last = static_cast<std::uint32_t>(plan_.bodies_.size());
+    plan_.tree_of_.resize(last, static_cast<std::uint32_t>(plan_.trees_.size()));
+    plan_.trees_.push_back({first, last});
+  }
+
   /// Breadth first over units and connections; order_ is filled, from_ says whence.
   void search(UnitNode root) {
     ++search_;

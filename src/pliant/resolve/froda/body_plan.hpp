@@ -24,6 +24,11 @@ struct PlanBody {
   std::uint32_t turns() const { return parent < 0 ? 0 : (a == b ? 3 : 1); }
 };
 
+/// Bodies [first, last) that hang together, their root first.
+struct BodyTree {
+  std::uint32_t first = 0, last = 0;
+};
+
 /// Where a loop of bodies was cut: two places of one joint, which must come to lie together.
 struct LoopCut {
   Slot copy, joint;
@@ -38,6 +43,8 @@ class BodyPlan {
   static std::optional<BodyPlan> make(const Framework& framework);
 
   std::span<const PlanBody> bodies() const { return bodies_; }
+  std::span<const BodyTree> trees() const { return trees_; }
+  std::uint32_t tree_of(std::uint32_t body) const { return tree_of_[body]; }
   std::size_t turn_count() const { return turn_count_; }
   std::size_t place_count() const { return joint_at_.size(); }
   std::span<const Joint> joint_at() const { return joint_at_; }  ///< of each place, copies too
@@ -50,6 +57,8 @@ class BodyPlan {
   friend class BodyPlanner;
 
   std::vector<PlanBody> bodies_;
+  std::vector<BodyTree> trees_;
+  std::vector<std::uint32_t> tree_of_;  ///< of each body
   std::size_t turn_count_ = 0;
   std::vector<Joint> joint_at_;
   std::vector<Slot> place_of_;

@@ -13,9 +13,12 @@ double of_axis(Vec3 x, std::size_t axis) { return axis == 0 ? x.x : (axis == 1 ?
 
 }  // namespace
 
-CutClosing::CutClosing(const BodyPlan& plan) : plan_(plan), roots_(plan.cuts().size()) {}
+CutClosing::CutClosing(const BodyPlan& plan, const WorkingTrees& working)
+    : plan_(plan), working_(working) {}
 
 void CutClosing::correct(ArticulatedPass& pass, std::span<const Vec3> x, BodyMotions& motions) {
+  choose_cuts();
+  if (cuts_.empty()) return;
   shares_.clear();
   first_.assign(1, 0);
   for (std::size_t cut = 0; cut < roots_.size(); ++cut) climb(pass, x, cut);
@@ -24,10 +27,17 @@ void CutClosing::correct(ArticulatedPass& pass, std::span<const Vec3> x, BodyMot
   if (solve_positive(products_, factors_, 0.0)) apply(pass, x, motions);
 }
 
+void CutClosing::choose_cuts() {
+  cuts_.clear();
+  for (const LoopCut& cut : plan_.cuts())
+    if (working_.holds(plan_.tree_of(plan_.body_at()[cut.copy]))) cuts_.push_back(cut);
+  roots_.resize(cuts_.size());
+}
+
 /// From both places of a cut to where their ways meet, and on to the root. Parents come first, so
 /// that of two bodies the later one goes.
 void CutClosing::climb(const ArticulatedPass& pass, std::span<const Vec3> x, std::size_t cut) {
-  const auto [copy, joint] = plan_.cuts()[cut];
+  const auto [copy, joint] = cuts_[cut];
   const auto bodies = plan_.bodies();
   std::array<Twist, 3> forces, others;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -113,7 +123,7 @@ std::array<CutClosing::Three, 3> CutClosing::product(
 void CutClosing::set_gaps(std::span<const Vec3> x, const BodyMotions& motions) {
   const auto body_at = plan_.body_at();
   factors_.clear();
-  for (const auto [copy, joint] : plan_.cuts()) {
+  for (const auto [copy, joint] : cuts_) {
     const Vec3 left = (x[copy] + froda::velocity(motions.twists[body_at[copy]], x[copy])) -
                       (x[joint] + froda::velocity(motions.twists[body_at[joint]], x[joint]));
     for (std::size_t k = 0; k < 3; ++k) factors_.push_back(of_axis(left, k));
@@ -125,7 +135,7 @@ void CutClosing::apply(ArticulatedPass& pass, std::span<const Vec3> x, BodyMotio
   const auto body_at = plan_.body_at();
   forces_.assign(motions.twists.size(), Twist{});
   for (std::size_t cut = 0; cut < roots_.size(); ++cut) {
-    const auto [copy, joint] = plan_.cuts()[cut];
+    const auto [copy, joint] = cuts_[cut];
     const Vec3 force{factors_[3 * cut], factors_[3 * cut + 1], factors_[3 * cut + 2]};
     froda::add_scaled(1.0, twist_of(cross(x[copy], force), force), forces_[body_at[copy]]);
     froda::add_scaled(-1.0, twist_of(cross(x[joint], force), force), forces_[body_at[joint]]);

@@ -21,8 +21,8 @@ namespace pliant {
 
 class CutClosing {
  public:
-  /// The plan outlives it.
-  explicit CutClosing(const BodyPlan& plan);
+  /// Plan and trees outlive it: it closes the cuts of these trees alone.
+  CutClosing(const BodyPlan& plan, const WorkingTrees& working);
 
   /// Corrects `motions`, which `pass` (gone inward at `x`) gave. Changes nothing if the equations
   /// cannot be solved.
@@ -41,6 +41,7 @@ class CutClosing {
     std::array<Twist, 3> forces, answers;  ///< what arrives there, and how it moves
   };
 
+  void choose_cuts();
   void climb(const ArticulatedPass& pass, std::span<const Vec3> x, std::size_t cut);
   void take_turns(const ArticulatedPass& pass, std::uint32_t body, std::array<Twist, 3>& forces);
   void multiply(const ArticulatedPass& pass);
@@ -50,6 +51,8 @@ class CutClosing {
   void apply(ArticulatedPass& pass, std::span<const Vec3> x, BodyMotions& motions);
 
   const BodyPlan& plan_;
+  const WorkingTrees& working_;
+  std::vector<LoopCut> cuts_;       ///< of working trees
   std::vector<Share> shares_;       ///< of each cut, turns descending
   std::vector<std::size_t> first_;  ///< (cuts + 1) into shares_
   std::vector<Root> roots_;         ///< of each cut

@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/kept_measure.hpp"
 #include "pliant/resolve/blocks/ring_sweeps.hpp"
 #include "pliant/resolve/froda/froda_solver.hpp"
 #include "pliant/resolve/units/units.hpp"
@@ -38,26 +38,29 @@ Tolerance for_start(Tolerance tolerance) {
   return tolerance;
 }
 
+bool has_whole_bars(const ResidualSummary& found, const Tolerance& tolerance) {
+  if (tolerance.length > 0.0) return found.max_length <= tolerance.length;
+  return found.max_relative <= tolerance.relative;
+}
+
 class Froda final : public Method {
  public:
   Froda(const Framework& framework, const Technique& technique, const ResolveOptions& options)
       : framework_(framework), technique_(technique), options_(options), plan_(plan_of(framework)) {
     if (plan_) solver_ = std::make_unique<FrodaSolver>(framework, *plan_, unit_of(framework));
-    if (framework.sterics() != nullptr) contacts_ = std::make_unique<Contacts>(framework);
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
     if (!solver_) return leave_to_sweeps(call, summary);
-    const ResidualSummary now = look(call);
-    if (!now.finite) return Stop::not_finite;
-    if (now.within) return Stop::converged;
+    look_at_reference(call);
+    if (const auto stop = look_at_push(call)) return *stop;
     target_.assign(call.positions.begin(), call.positions.end());
     if (!find_start(call, summary)) return leave_to_sweeps(call, summary);
     const FrodaOutcome outcome =
         solver_->resolve(start_, target_, call.positions, options_of_solver(), call.limits_off);
     note(outcome.steps, summary);
     if (technique_.mass_weighted) keep_centre_of_mass(call.positions);
-    if (look(call).within) return Stop::converged;
+    if (measure_of(call).measure(call.positions, call.limits_off).within) return Stop::converged;
     if (summary.sweeps >= options_.max_sweeps) return Stop::max_sweeps;
     if (options_.should_stop && options_.should_stop()) return Stop::stopped_by_caller;
     return leave_to_sweeps(call, summary);
@@ -74,25 +77,46 @@ class Froda final : public Method {
     return options;
   }
 
-  ResidualSummary look(const ResolveCall& call) {
-    return measure(framework_, call.positions, options_.tolerance, call.limits_off,
-                   contacts_.get());
+  KeptMeasure& measure_of(const ResolveCall& call) {
+    if (call.measure != nullptr) return *call.measure;
+    if (!own_measure_) own_measure_ = std::make_unique<KeptMeasure>(framework_, options_.tolerance);
+    return *own_measure_;
+  }
+
+  /// Before the push is looked at: most often it is what was measured last.
+  void look_at_reference(const ResolveCall& call) {
+    starts_at_reference_ = call.reference.size() == call.positions.size();
+    if (!starts_at_reference_) return;
+    const ResidualSummary found =
+        measure_of(call).measure_bars_and_limits(call.reference, call.limits_off);
+    starts_at_reference_ = found.finite && has_whole_bars(found, for_start(options_.tolerance));
+  }
+
+  /// Why there is nothing to resolve. Near joints are not looked for where a bar is broken already.
+  std::optional<Stop> look_at_push(const ResolveCall& call) {
+    KeptMeasure& kept = measure_of(call);
+    ResidualSummary now = kept.measure_bars_and_limits(call.positions, call.limits_off);
+    if (now.finite && now.within) now = kept.measure(call.positions, call.limits_off);
+    if (!now.finite || !can_be_listed(call.positions)) return Stop::not_finite;
+    if (now.within) return Stop::converged;
+    return std::nullopt;
   }
 
   /// Where all bars are whole; the positions are left as they are.
   bool find_start(const ResolveCall& call, ResolveSummary& summary) {
-    const Tolerance tolerance = for_start(options_.tolerance);
-    if (call.reference.size() == call.positions.size() &&
-        is_whole(framework_, call.reference, tolerance)) {
+    if (starts_at_reference_) {
       start_.assign(call.reference.begin(), call.reference.end());
       return true;
     }
     start_ = target_;
-    if (!units_) units_ = make_units_nearest(framework_, technique_, options_with(tolerance));
+    if (!units_)
+      units_ =
+          make_units_nearest(framework_, technique_, options_with(for_start(options_.tolerance)));
     ResolveCall alone = call;
     alone.positions = start_;
     alone.disturbed = {call.disturbed.root};
     alone.moved = nullptr;
+    alone.measure = nullptr;
     return units_->resolve(alone, summary) == Stop::converged &&
            is_whole(framework_, start_, options_.tolerance);
   }
@@ -129,8 +153,9 @@ class Froda final : public Method {
   Technique technique_;
   ResolveOptions options_;
   std::optional<BodyPlan> plan_;
-  std::unique_ptr<FrodaSolver> solver_;  ///< null: left to sweeps
-  std::unique_ptr<Contacts> contacts_;   ///< null: no sterics
+  std::unique_ptr<FrodaSolver> solver_;       ///< null: left to sweeps
+  std::unique_ptr<KeptMeasure> own_measure_;  ///< of calls that bring none
+  bool starts_at_reference_ = false;          ///< where bars are whole
   std::unique_ptr<Method> units_, sweeps_;
   std::vector<Vec3> start_, target_;
 };

@@ -9,6 +9,9 @@ namespace {
 
 // Angstrom
 constexpr double pull_bound = 1.5;
+/// A first step that moves no body further has carried nothing through anything: contacts alone
+/// then mend what it broke.
+constexpr double small_move = 0.1;
 constexpr double last_bound = 0.5;
 constexpr double margin = 0.01;  // steps aim inside limits, so that they end there
 constexpr double widest_closed = 1e-12;
@@ -18,6 +21,9 @@ constexpr double pull_weight = 10.0;
 constexpr double last_weight = 100.0;
 constexpr double spring_weight = 60.0;  // Angstrom^2: of torsion preferences
 constexpr int last_pulls = 3;           // blind, then as many with contacts
+/// Blind pulls of a small push end when one goes no further than this share of the first.
+constexpr double settled_share = 0.5;
+constexpr double most_legs = 1e4;  // however far the push
 constexpr int careful_pulls = 5;
 constexpr int most_closings = 12;
 /// A step gains if it takes more than a twentieth off. Without gain for so many steps it is over;
@@ -43,7 +49,8 @@ FrodaSolver::FrodaSolver(const Framework& framework, const BodyPlan& plan, doubl
     : framework_(framework),
       plan_(plan),
       unit_(unit),
-      step_(plan, unit),
+      working_(plan),
+      step_(plan, working_, unit),
       springs_(framework, plan) {
   if (framework.sterics() != nullptr) pairs_ = std::make_unique<NearPairs>(framework, plan);
 }
@@ -52,26 +59,35 @@ FrodaOutcome FrodaSolver::resolve(std::span<const Vec3> start, std::span<const V
                                   std::span<Vec3> out, const FrodaOptions& options,
                                   LimitsOff limits_off) {
   limits_off_ = limits_off;
+  goal_ = options.goal;
   steps_ = 0;
-  begin(start, target);
+  visits_ = 0;
+  is_looked_at_ = false;
+  begin(start, target, options.is_careful);
   pull(options);
   FrodaOutcome outcome;
   outcome.is_whole = push_apart(options, outcome);
   outcome.steps = steps_;
+  outcome.visits = visits_;
   for (Joint joint = 0; joint < out.size(); ++joint)
     out[joint] = x_[plan_.place_of(joint)] + origin_;
   return outcome;
 }
 
-void FrodaSolver::begin(std::span<const Vec3> start, std::span<const Vec3> target) {
+void FrodaSolver::begin(std::span<const Vec3> start, std::span<const Vec3> target,
+                        bool is_careful) {
   origin_ = {};
   for (Vec3 x : start) origin_ += (1.0 / double(start.size())) * x;
   const auto joint_at = plan_.joint_at();
   start_.resize(joint_at.size());
   push_.resize(joint_at.size());
+  working_.clear();
+  if (is_careful) working_.add_all();  // conjugate gradients go over all
   for (std::size_t k = 0; k < joint_at.size(); ++k) {
     start_[k] = start[joint_at[k]] - origin_;
     push_[k] = target[joint_at[k]] - start[joint_at[k]];
+    // Trees that the push moves; contacts add others.
+    if (norm_squared(push_[k]) != 0.0) working_.add(plan_.tree_of(plan_.body_at()[k]));
   }
   x_ = start_;
   target_.resize(x_.size());
@@ -81,23 +97,51 @@ void FrodaSolver::begin(std::span<const Vec3> start, std::span<const Vec3> targe
 void FrodaSolver::pull(const FrodaOptions& options) {
   double furthest = 0.0;
   for (Vec3 push : push_) furthest = std::max(furthest, norm_squared(push));
-  const int legs =
-      std::max(1, static_cast<int>(std::ceil(std::sqrt(furthest) / (options.leg * unit_))));
+  const double wanted = std::ceil(std::sqrt(furthest) / (options.leg * unit_));
+  const int legs = static_cast<int>(std::clamp(wanted, 1.0, most_legs));
   for (int leg = 1; leg < legs; ++leg) pull_to(double(leg) / legs, 1, options.is_careful, options);
-  if (options.is_careful) return pull_to(1.0, careful_pulls, true, options);
-  pull_to(1.0, last_pulls, false, options);
+  if (options.is_careful) {
+    pull_to(1.0, careful_pulls, true, options);
+    return;
+  }
+  if (pull_blindly(options) && legs == 1) return;
   find_rows(pull_weight);
   if (!rows_.empty()) pull_to(1.0, last_pulls, true, options);
 }
 
-void FrodaSolver::pull_to(double share, int steps, bool sees_contacts,
-                          const FrodaOptions& options) {
-  for (std::size_t k = 0; k < x_.size(); ++k) target_[k] = start_[k] + share * push_[k];
+/// All blind pulls. True if the push is so small that contacts need none of their own.
+bool FrodaSolver::pull_blindly(const FrodaOptions& options) {
+  const double first = pull_to(1.0, 1, false, options);
+  const bool is_small = first <= small_move * unit_;
+  double moved = first;
+  for (int k = 1; k < last_pulls && !(is_small && moved <= settled_share * first); ++k)
+    moved = pull_to(1.0, 1, false, options);
+  return is_small;
+}
+
+/// How far the last of the steps moved the body that went furthest (Angstrom).
+double FrodaSolver::pull_to(double share, int steps, bool sees_contacts,
+                            const FrodaOptions& options) {
+  double moved = 0.0;
+  std::size_t bodies = 0;  // that have targets
   for (int k = 0; k < steps; ++k) {
+    is_looked_at_ = false;
     rows_.clear();
     if (sees_contacts) find_rows(pull_weight);
-    step(target_, pull_bound, options.is_careful ? options.conjugate_gradients : 0, sees_contacts);
+    bodies = set_targets(share, bodies);
+    moved = step(target_, pull_bound, options.is_careful ? options.conjugate_gradients : 0,
+                 sees_contacts);
   }
+  return moved;
+}
+
+/// Of working bodies from the `first` on, to which contacts add some; how many there are now.
+std::size_t FrodaSolver::set_targets(double share, std::size_t first) {
+  const auto working = working_.bodies();
+  for (const std::uint32_t body : working.subspan(first))
+    for (Slot at = plan_.bodies()[body].first; at < plan_.bodies()[body].last; ++at)
+      target_[at] = start_[at] + share * push_[at];
+  return working.size();
 }
 
 /// Contacts alone, until all hold or nothing is gained any more.
@@ -130,7 +174,9 @@ bool FrodaSolver::finish(const FrodaOptions& options, FrodaOutcome& outcome) {
 /// Closes the loops that were cut; how far a joint went (Angstrom).
 double FrodaSolver::close_loops() {
   if (plan_.cuts().empty()) return 0.0;
+  if (widest_gap() <= widest_closed * unit_) return 0.0;
   before_ = x_;
+  is_looked_at_ = false;
   rows_.clear();
   for (int k = 0; k < most_closings && widest_gap() > widest_closed * unit_; ++k)
     step({}, last_bound, 0, false);
@@ -148,11 +194,26 @@ double FrodaSolver::widest_gap() const {
 }
 
 FrodaSolver::Violation FrodaSolver::find_rows(double weight) {
+  if (is_looked_at_) {
+    for (ContactRow& row : rows_) row.weight = weight;
+    return worst_;
+  }
   rows_.clear();
-  Violation worst;
-  find_limit_rows(weight, worst);
-  if (pairs_) find_steric_rows(weight, worst);
-  return worst;
+  worst_ = {};
+  find_limit_rows(weight, worst_);
+  if (pairs_) find_steric_rows(weight, worst_);
+  is_looked_at_ = true;
+  return worst_;
+}
+
+/// Steps aim a little inside limits. Where nothing moves, a contact that holds is left as it is.
+void FrodaSolver::add_row(const ContactRow& row, double broken) {
+  const std::uint32_t one = plan_.tree_of(plan_.body_at()[row.i]);
+  const std::uint32_t other = plan_.tree_of(plan_.body_at()[row.j]);
+  if (!(broken > goal_) && !working_.holds(one) && !working_.holds(other)) return;
+  rows_.push_back(row);
+  working_.add(one);
+  working_.add(other);
 }
 
 void FrodaSolver::find_limit_rows(double weight, Violation& worst) {
@@ -165,9 +226,10 @@ void FrodaSolver::find_limit_rows(double weight, Violation& worst) {
     const double square = norm_squared(apart);
     if (square <= aim.most * aim.most && square >= aim.least * aim.least) continue;
     const double length = std::sqrt(square);
-    worst.limit = std::max(worst.limit, std::abs(excess(limits[k], length)));
+    const double broken = std::abs(excess(limits[k], length));
+    worst.limit = std::max(worst.limit, broken);
     const double gap = (length > aim.most ? aim.most : aim.least) - length;
-    rows_.push_back({i, j, (1.0 / (length + tiny)) * apart, gap, weight});
+    add_row({i, j, (1.0 / (length + tiny)) * apart, gap, weight}, broken);
   }
 }
 
@@ -179,17 +241,20 @@ void FrodaSolver::find_steric_rows(double weight, Violation& worst) {
     const double square = norm_squared(apart);
     if (square >= aim * aim) continue;
     const double length = std::sqrt(square);
-    worst.overlap = std::max(worst.overlap, pair.least - length);
-    rows_.push_back({pair.i, pair.j, (1.0 / (length + tiny)) * apart, aim - length, weight});
+    const double broken = pair.least - length;
+    worst.overlap = std::max(worst.overlap, broken);
+    add_row({pair.i, pair.j, (1.0 / (length + tiny)) * apart, aim - length, weight}, broken);
   }
 }
 
-void FrodaSolver::step(std::span<const Vec3> targets, double bound, int conjugate_gradients,
-                       bool has_springs) {
+double FrodaSolver::step(std::span<const Vec3> targets, double bound, int conjugate_gradients,
+                         bool has_springs) {
   std::span<const TurnSpring> springs;
   if (has_springs && !springs_.empty()) springs = springs_.at(x_, spring_weight);
-  step_.step(x_, {targets, rows_, springs, bound * unit_, conjugate_gradients});
   ++steps_;
+  visits_ += static_cast<std::int64_t>(working_.bodies().size());
+  is_looked_at_ = false;
+  return step_.step(x_, {targets, rows_, springs, bound * unit_, conjugate_gradients});
 }
 
 }  // namespace pliant

@@ -11,6 +11,7 @@
 #include "pliant/framework/limits.hpp"
 #include "pliant/resolve/froda/articulated_step.hpp"
 #include "pliant/resolve/froda/near_pairs.hpp"
+#include "pliant/resolve/froda/working_trees.hpp"
 
 namespace pliant {
 
@@ -35,6 +36,8 @@ struct FrodaOutcome {
   double max_overlap = 0.0;  ///< largest overlap (Angstrom)
   double max_closing = 0.0;  ///< largest move of a joint by the steps that closed loops (Angstrom)
   int steps = 0;
+  /// Over all steps: bodies that were looked at. Not those of molecules that nothing touched.
+  std::int64_t visits = 0;
 };
 
 /// Not for two threads at once.
@@ -56,29 +59,38 @@ class FrodaSolver {
     double limit = 0.0, overlap = 0.0;
   };
 
-  void begin(std::span<const Vec3> start, std::span<const Vec3> target);
+  void begin(std::span<const Vec3> start, std::span<const Vec3> target, bool is_careful);
   void pull(const FrodaOptions& options);
-  void pull_to(double share, int steps, bool sees_contacts, const FrodaOptions& options);
+  bool pull_blindly(const FrodaOptions& options);
+  std::size_t set_targets(double share, std::size_t first);
+  double pull_to(double share, int steps, bool sees_contacts, const FrodaOptions& options);
   bool push_apart(const FrodaOptions& options, FrodaOutcome& outcome);
   bool finish(const FrodaOptions& options, FrodaOutcome& outcome);
   double close_loops();
   double widest_gap() const;
   Violation find_rows(double weight);
+  void add_row(const ContactRow& row, double broken);
   void find_limit_rows(double weight, Violation& worst);
   void find_steric_rows(double weight, Violation& worst);
-  void step(std::span<const Vec3> targets, double bound, int conjugate_gradients, bool has_springs);
+  double step(std::span<const Vec3> targets, double bound, int conjugate_gradients,
+              bool has_springs);
 
   const Framework& framework_;
   const BodyPlan& plan_;
   double unit_;
+  WorkingTrees working_;
   ArticulatedStep step_;
   std::unique_ptr<NearPairs> pairs_;  ///< null: no sterics
   LimitsOff limits_off_;
+  double goal_ = 0.0;
   Vec3 origin_;
   std::vector<Vec3> x_, start_, push_, target_, before_;  ///< of places, from the origin
   std::vector<ContactRow> rows_;
   TurnSprings springs_;
+  bool is_looked_at_ = false;  ///< rows_ and worst_ are those of x_
+  Violation worst_;
   int steps_ = 0;
+  std::int64_t visits_ = 0;
 };
 
 }  // namespace pliant

@@ -11,6 +11,7 @@
 
 namespace pliant {
 
+class KeptMeasure;
 class MovedJoints;
 
 /// One resolve: the positions to move, what was disturbed, and the key of its random draws.
@@ -24,6 +25,9 @@ struct ResolveCall {
   MovedJoints* moved = nullptr;
   LimitsOff limits_off = {};          ///< (L) 1: this limit is switched off; empty: none is
   std::span<const Vec3> pushed = {};  ///< (N) positions as they came; empty: `moved` notes them
+  /// Measures by the tolerance of the method's options, and remembers from call to call. Null:
+  /// there are bars alone.
+  KeptMeasure* measure = nullptr;
 };
 
 class Method {

@@ -91,6 +91,55 @@ TEST(FrodaSolver, OneTorsionGoesWhereItFitsBest) {
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(distance(out[k], target[k]), 0.0, 1e-6) << k;
 }
 
+/// So many copies of a molecule side by side, 60 Angstrom apart, of which no joints touch.
+Molecule copies_of(const Molecule& one, std::size_t count) {
+  const FrameworkParts parts = test::parts_of(one.framework);
+  const auto joints = static_cast<Joint>(parts.joint_count);
+  FrameworkParts all;
+  std::vector<Vec3> start;
+  for (std::size_t k = 0; k < count; ++k) {
+    const auto first = static_cast<Joint>(k * joints);
+    for (Bar bar : parts.bars) all.bars.push_back({first + bar.a, first + bar.b});
+    for (double rest : parts.rest_lengths) all.rest_lengths.push_back(rest);
+    for (Vec3 x : parts.drawn) all.drawn.push_back(x);
+    for (Vec3 x : one.start) start.push_back(x + Vec3{60.0 * double(k), 0, 0});
+  }
+  all.joint_count = count * joints;
+  auto sterics = std::make_shared<Sterics>();
+  sterics->kind_count = 1;
+  sterics->kinds.assign(all.joint_count, 0);
+  sterics->least = {1.9};
+  all.sterics = sterics;
+  sterics->own = own_distances(Framework(all), start);
+  return {Framework(all), start};
+}
+
+/// What a push of one joint of one molecule takes: bodies that steps looked at.
+FrodaOutcome outcome_of_drag(const Molecule& m, Joint joint) {
+  const auto plan = BodyPlan::make(m.framework);
+  FrodaSolver solver(m.framework, *plan);
+  std::vector<Vec3> target = m.start, out = m.start;
+  target[joint] += Vec3{0.2, 0.1, 0.3};
+  const FrodaOutcome outcome = solver.resolve(m.start, target, out);
+  EXPECT_GT(distance(out[joint], m.start[joint]), 1e-3);
+  for (std::size_t k = m.start.size() / 2; k < m.start.size(); ++k)
+    EXPECT_NEAR(distance(out[k], m.start[k]), 0.0, 1e-12) << k;
+  return outcome;
+}
+
+/// Molecules that nothing touches cost no step of a drag anything, however many they are.
+TEST(FrodaSolver, ADragLooksAtTheMoleculeThatIsDraggedAlone) {
+  const Molecule one = molecule("cyclic_hexapeptide.pdb");
+  const Joint joint = 20;
+  const std::size_t many = 10'000 / one.framework.joint_count() + 1;
+  const FrodaOutcome few = outcome_of_drag(copies_of(one, 2), joint);
+  const FrodaOutcome all = outcome_of_drag(copies_of(one, many), joint);
+  EXPECT_TRUE(all.is_whole);
+  EXPECT_EQ(few.steps, all.steps);
+  EXPECT_EQ(few.visits, all.visits);
+  EXPECT_LE(all.visits, all.steps * std::int64_t(one.framework.joint_count()));
+}
+
 std::shared_ptr<Sterics> spheres(std::size_t joints, double least) {
   auto sterics = std::make_shared<Sterics>();
   sterics->kind_count = 1;
@@ -161,6 +210,19 @@ TEST(NearPairs, AreThoseOfALookAtAllPairs) {
       expect_all_found(list, m.framework, *plan, x);
     }
   }
+}
+
+/// A small push needs no pull with contacts, which would hold it back, and few without.
+TEST(FrodaSolver, ASmallPushTakesFewSteps) {
+  const Molecule m = copies_of(molecule("peptide_20.pdb"), 1);
+  const auto plan = BodyPlan::make(m.framework);
+  FrodaSolver solver(m.framework, *plan);
+  std::vector<Vec3> out = m.start;
+  const auto steps_of = [&](double size) {
+    return solver.resolve(m.start, test::shake(m.framework, m.start, size, 4), out).steps;
+  };
+  EXPECT_LE(steps_of(0.05), 4);
+  EXPECT_GE(steps_of(0.5), 3);
 }
 
 /// The technique, from any push and without being told where bars were whole.
