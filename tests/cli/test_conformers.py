@@ -89,6 +89,9 @@ def test_rings_are_named_by_what_they_can_do(pliant, tmp_path):
     bridged = named(pliant, tmp_path, "C1CC2CCC1C2")
     assert bridged["rings"] == []
     assert bridged["rigid_rings"] == ["C(1) C(2) C(3) C(4) C(5) C(6) C(7)"]
+    seven = named(pliant, tmp_path, "O=C1CN=Cc2ccccc2N1")
+    assert seven["rings"] == []
+    assert [one.count("(") for one in seven["rigid_rings"]] == [11]
     large = named(pliant, tmp_path, "C1CCCCCCCCC1")
     assert large["rings"] == large["rigid_rings"] == []
     assert large["loop_units"] > 0

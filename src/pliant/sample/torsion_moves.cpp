@@ -68,6 +68,7 @@ TorsionMoves::TorsionMoves(const Framework& framework, const BodyPlan& plan,
   const BondChemistry chemistry(framework, start);
   find_loops(chemistry);
   find_rings(chemistry);
+  find_rigid_systems(chemistry);
   find_amines(chemistry);
   find_amides(chemistry);
 }
@@ -124,6 +125,38 @@ void TorsionMoves::find_rings(const BondChemistry& chemistry) {
     else
       rigid_rings_.push_back(std::move(ring.atoms));
   }
+}
+
+/// Other rings that share bonds, in one body as a whole.
+void TorsionMoves::find_rigid_systems(const BondChemistry& chemistry) {
+  if (framework_.atoms() == nullptr) return;
+  for (const std::vector<Bar>& bonds : chemistry.ring_blocks()) {
+    std::vector<Joint> atoms;
+    for (const Bar& bond : bonds) atoms.insert(atoms.end(), {bond.a, bond.b});
+    std::sort(atoms.begin(), atoms.end());
+    atoms.erase(std::unique(atoms.begin(), atoms.end()), atoms.end());
+    const bool is_known =
+        std::any_of(rings_.begin(), rings_.end(),
+                    [&](const FlexibleRing& ring) { return ring.atoms == atoms; }) ||
+        std::find(rigid_rings_.begin(), rigid_rings_.end(), atoms) != rigid_rings_.end();
+    const bool is_flat = std::none_of(atoms.begin(), atoms.end(),
+                                      [&](Joint atom) { return chemistry.is_tetrahedral(atom); });
+    if (bonds.size() > atoms.size() && !is_known && !is_flat && is_in_one_body(atoms))
+      rigid_rings_.push_back(std::move(atoms));
+  }
+}
+
+bool TorsionMoves::is_in_one_body(std::span<const Joint> atoms) const {
+  const auto joint_at = plan_.joint_at();
+  const auto holds = [&](const PlanBody& body, Joint atom) {
+    const auto own = joint_at.subspan(body.first, body.last - body.first);
+    return std::find(own.begin(), own.end(), atom) != own.end() ||
+           (body.parent >= 0 && (joint_at[body.a] == atom || joint_at[body.b] == atom));
+  };
+  const auto bodies = plan_.bodies();
+  return std::any_of(bodies.begin(), bodies.end(), [&](const PlanBody& body) {
+    return std::all_of(atoms.begin(), atoms.end(), [&](Joint atom) { return holds(body, atom); });
+  });
 }
 
 /// Limits of other pairs are for resolving to keep.

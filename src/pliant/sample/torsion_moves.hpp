@@ -88,6 +88,8 @@ class TorsionMoves {
   void find_loops(const BondChemistry& chemistry);
   void find_rotors(const BondChemistry& chemistry, const std::vector<bool>& is_in_loop);
   void find_rings(const BondChemistry& chemistry);
+  void find_rigid_systems(const BondChemistry& chemistry);
+  bool is_in_one_body(std::span<const Joint> atoms) const;
   void find_amines(const BondChemistry& chemistry);
   void find_amides(const BondChemistry& chemistry);
   /// Whether it is the joint's own place, and not a copy at a cut.
