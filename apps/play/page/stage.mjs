@@ -10,7 +10,6 @@ import {STYLES} from './view/scene.mjs';
 const KEPT = ['positions', 'broken', 'step', 'sweeps', 'projections', 'residual', 'rms', 'converged',
   'stopCode', 'limit', 'overlap', 'root', 'force'];
 const FADE = 0.86;  // of the red of a broken bar, per frame shown
-const SEEN = 1e-5;  // share of a bar's length by which it must be off to be red
 const MANY = 30000;  // joints; from here on RMSD is taken every eighth step
 const LIVE_LOOK = 200;  // ms between two looks at colours that change by themselves
 
@@ -46,7 +45,6 @@ export class Stage extends EventTarget {
     this.history = [];
     this.at = null;
     this.strain = new Float32Array(model.bars.length / 2);
-    this.lit = [];  // numbers of bars that are red; null: not known
     this.fading = false;
     this.residuals = null;
     this.sites = model.trace.filter((joint) => joint >= 0);
@@ -122,7 +120,6 @@ export class Stage extends EventTarget {
     if (broken && this.showStrain) {
       this.strain.set(broken);
       this.view.setStrain(this.strain);
-      this.lit = null;
       this.fading = true;
     }
   }
@@ -150,23 +147,14 @@ export class Stage extends EventTarget {
   }
 
   fade() {
-    this.lit ??= this.findLit();
-    for (const bar of this.lit) this.strain[bar] *= FADE;
-    this.lit = this.lit.filter((bar) => this.isSeen(bar));
-    this.fading = this.lit.length > 0;
+    let most = 0;
+    for (let k = 0; k < this.strain.length; ++k) {
+      const value = (this.strain[k] *= FADE);
+      if (value > most || -value > most) most = Math.abs(value);
+    }
+    this.fading = most > 1e-5;
     if (!this.fading) this.strain.fill(0);
     this.view.setStrain(this.strain);
-  }
-
-  isSeen(bar) {
-    return this.strain[bar] > SEEN || this.strain[bar] < -SEEN;
-  }
-
-  /** A push breaks few bars: the others need not fade. */
-  findLit() {
-    const lit = [];
-    for (let bar = 0; bar < this.strain.length; ++bar) if (this.isSeen(bar)) lit.push(bar);
-    return lit;
   }
 
   /** Colours and sizes of joints. */

@@ -118,7 +118,6 @@ export class Resolution {
   forget() {
     this.film = null;
     this.stage.holdsStrain = false;
-    this.stage.lit = null;
     this.view.setLit({bar: -1, near: -1, far: -1});
     $('resolution-skip').disabled = true;
     this.stage.mark();
