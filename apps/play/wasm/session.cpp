@@ -31,6 +31,7 @@ WanderSteps* last_wander(std::vector<ForceEvent>& events) {
 
 Session::Session(Document document)
     : document_(std::move(document)),
+      residuals_(document_.framework),
       walk_(std::make_unique<SteeredWalk>(document_.framework, State(document_.positions))),
       options_(std::make_shared<const RunOptions>(walk_->options())),
       pinned_(std::make_shared<const std::vector<Joint>>()) {
@@ -159,16 +160,6 @@ Reply begin_session(Document document) {
   Reply reply = describe(open_session->document(), open_session->state().positions);
   reply.fields["start"] = fields_of(open_session->frame());
   return reply;
-}
-
-std::vector<float> residuals_of(const Framework& framework, std::span<const Vec3> positions) {
-  std::vector<float> out(framework.bar_count());
-  for (std::size_t k = 0; k < out.size(); ++k) {
-    const Bar bar = framework.bars()[k];
-    const double rest = framework.rest_lengths()[k];
-    out[k] = static_cast<float>(residual(positions[bar.a], positions[bar.b], rest) / rest);
-  }
-  return out;
 }
 
 }  // namespace pliant::play

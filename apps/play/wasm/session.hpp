@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "document.hpp"
+#include "kept_residuals.hpp"
 #include "pliant/perturb/force_events.hpp"
 #include "pliant/run/steered_walk.hpp"
 
@@ -27,6 +28,8 @@ class Session {
   const RunOptions& options() const { return walk_->options(); }
   const State& state() const { return walk_->state(); }
   const Framework& framework() const { return walk_->framework(); }
+  /// Of bars, where the caller looks.
+  KeptResiduals& residuals() { return residuals_; }
 
   /// Where the walker stands, measured.
   Frame frame() { return walk_->frame(); }
@@ -66,6 +69,7 @@ class Session {
   StepReport report(Done done, const std::function<Frame()>& step);
 
   Document document_;
+  KeptResiduals residuals_;
   std::unique_ptr<SteeredWalk> walk_;
   std::shared_ptr<const RunOptions> options_;
   std::shared_ptr<const std::vector<Joint>> pinned_;
@@ -82,8 +86,5 @@ Json fields_of(const Frame& frame);
 Session& session();
 /// Opens another one in place of it, and replies as the call `open`.
 Reply begin_session(Document document);
-
-/// Signed (length - rest) / rest of each bar (M).
-std::vector<float> residuals_of(const Framework& framework, std::span<const Vec3> positions);
 
 }  // namespace pliant::play

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "step_calls.hpp"
 
-#include <algorithm>
-#include <cmath>
 #include <cstdio>
 
 #include "pliant/base/error.hpp"
@@ -68,14 +66,13 @@ Reply reply_of(const StepReport& report) {
 /// With what each bar has left, and had before it was resolved: (length - rest) / rest.
 Reply with_bars(const StepReport& report) {
   Reply reply = reply_of(report);
-  const Framework& framework = session().framework();
-  const std::vector<float> residuals = residuals_of(framework, report.frame.positions);
-  const auto larger = [](float a, float b) { return std::abs(a) < std::abs(b); };
-  reply.fields["worst"] =
-      std::max_element(residuals.begin(), residuals.end(), larger) - residuals.begin();
+  KeptResiduals& residuals = session().residuals();
+  residuals.look(report.pushed);  // first: it is the last step but for what was pushed
+  reply.add("broken", residuals.all());
+  residuals.look(report.frame.positions);
+  reply.fields["worst"] = residuals.worst();
   reply.fields["residualsAre"] = "(length - rest) / rest";
-  reply.add("residuals", std::span<const float>(residuals));
-  reply.add("broken", std::span<const float>(residuals_of(framework, report.pushed)));
+  reply.add("residuals", residuals.all());
   return reply;
 }
 
