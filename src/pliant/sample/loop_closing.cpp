@@ -11,14 +11,14 @@ namespace {
 // and where torsions are off what is usual (sine).
 constexpr double gap_weight = 20.0, overlap_weight = 3.0, bond_weight = 0.3;
 constexpr double torsion_weight = 3.0, ester_weight = 10.0;
-constexpr double damping = 0.05;
+constexpr double loop_damping = 0.05;
 constexpr double largest_turn = 0.35;  // radians, of a step
 constexpr int relaxing_steps = 40;
 constexpr double still = 1e-3;  // radians: nothing turns any more
 /// Angstrom, H..O: nearer than the one it is bonded, and from the other on it is drawn near.
 constexpr double bonded = 2.0, bond_reach = 3.5;
 constexpr int closing_steps = 30;
-constexpr double closed = 1e-13;  // Angstrom
+constexpr double widest_gap = 1e-13;  // Angstrom
 /// Two joints of a cut keep their distance, so that one of their six rows says nothing new.
 constexpr double redundant = 1e-11;
 
@@ -162,7 +162,7 @@ double LoopClosing::turn_all() {
 
 void LoopClosing::relax(TorsionDraw how) {
   for (int step = 0; step < relaxing_steps; ++step) {
-    equations_.begin(x_, damping);
+    equations_.begin(x_, loop_damping);
     add_gaps(gap_weight);
     add_torsions(how);
     add_pairs();
@@ -173,7 +173,7 @@ void LoopClosing::relax(TorsionDraw how) {
 bool LoopClosing::close() {
   for (int step = 0; step < closing_steps; ++step) {
     equations_.begin(x_, 0.0);
-    if (add_gaps(1.0) < closed) return true;
+    if (add_gaps(1.0) < widest_gap) return true;
     equations_.add_damping(redundant);
     turn_all();
   }
