@@ -63,7 +63,6 @@ std::vector<NamedParameter> parameters_of(const ModelSettings& settings) {
           {"model/keep_waters", settings.keep_waters},
           {"model/fill_side_chains", settings.fill_side_chains},
           {"model/all_hydrogens", settings.all_hydrogens},
-          {"model/free_torsions", settings.free_torsions},
           {"model/protonate", forms},
           {"model/floppy", settings.floppy},
           {"model/contacts", std::filesystem::path(settings.contacts).filename().string()}};
@@ -76,7 +75,7 @@ ModelOptions model_options_of(const ModelSettings& settings, const Log& log) {
   options.prepare.fill_side_chains = settings.fill_side_chains;
   options.prepare.all_hydrogens = settings.all_hydrogens;
   options.prepare.protonate = settings.protonate;
-  options.torsions = !settings.free_torsions;
+  options.torsions = settings.has_torsions && !settings.free_torsions;
   options.prepare.floppy_below = settings.floppy ? disordered_below : 0.0;
   options.hydrogen_bonds.cutoff = settings.hbond_cutoff;
   options.contacts_file = settings.contacts;

@@ -15,6 +15,7 @@ struct ModelSettings {
   std::string name;  ///< of a row of models(); "": none was asked for
   double hbond_cutoff = -1.0;
   bool keep_waters = false, fill_side_chains = false, all_hydrogens = false, floppy = false;
+  bool has_torsions = false;  ///< whether the command heeds torsion preferences
   bool free_torsions = false;
   std::vector<std::string> protonate;
   std::string contacts;  ///< file to read them from; "": found
@@ -23,7 +24,7 @@ struct ModelSettings {
 /// Options of preparation, and which contacts there are.
 void add_model_options(CommandLine& line, ModelSettings& settings);
 
-/// The option of commands that move a molecule.
+/// The option of the command that heeds torsion preferences.
 void add_torsion_option(CommandLine& line, ModelSettings& settings);
 
 /// Throws OptionError if an option was given that the model, or no model at all, does not know.

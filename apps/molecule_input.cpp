@@ -113,7 +113,6 @@ void add_molecule_options(CommandLine& line, MoleculeOptions& options) {
   line.add_text("--pin", options.pin, "SELECTION",
                 "atoms that never move, such as \"chainID A and name CA\"");
   add_model_options(line, options.kind);
-  add_torsion_option(line, options.kind);
 }
 
 Structure read(const MoleculeOptions& options, const Log& log) {

@@ -30,6 +30,7 @@ void add_molecule_group(CommandLine& line, SampleSettings& settings) {
   line.add_choice("--model", settings.model, kinds,
                   "what holds it together; auto: protein if there are residues, else molecule");
   add_model_options(line, settings.molecule.kind);
+  settings.molecule.kind.has_torsions = true;
   add_torsion_option(line, settings.molecule.kind);
 }
 
@@ -187,7 +188,8 @@ std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
                          {"record/single", settings.record.single},
                          {"record/compress", settings.record.compress},
                          {"record/save", settings.save},
-                         {"record/precision", settings.record.precision}});
+                         {"record/precision", settings.record.precision},
+                         {"model/free_torsions", molecule.kind.free_torsions}});
   for (NamedParameter& one : parameters_of(molecule.kind)) all.push_back(std::move(one));
   return all;
 }

@@ -131,7 +131,8 @@ pin : str
 fill_side_chains, all_hydrogens : bool
     As in ``prepare``.
 free_torsions : bool
-    Do not pull side chains towards staggered torsions (the rotamers of Lovell et al., Proteins 40
+    When it is sampled, do not pull side chains towards staggered torsions (the rotamers of Lovell
+    et al., Proteins 40
     (2000) 389), nor phi and psi back to the usual regions of the Ramachandran plot.
 
 Raises

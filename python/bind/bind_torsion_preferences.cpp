@@ -43,7 +43,7 @@ std::vector<BackboneRow> backbone_of(const TorsionPreferences& self) {
 
 constexpr const char* preferences_doc = R"(Torsions that pull back to where they are usual.
 
-Technique ``froda`` and the samplers know them. They pull, and never decide whether a frame is whole.
+``sample`` heeds them. They pull, and never decide whether a frame is whole.
 
 Parameters
 ----------

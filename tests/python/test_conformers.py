@@ -295,7 +295,7 @@ def test_large_rings_have_staggered_torsions(tmp_path):
     off = np.abs((found % 120) - 60)
     assert np.mean(off > 40) < 0.2
     anti = np.mean(np.abs(found) > 150)
-    assert 0.3 < anti < 0.8
+    assert 0.25 < anti < 0.8
 
 
 def test_esters_of_large_rings_stay_planar(tmp_path):

@@ -59,7 +59,6 @@ std::vector<NamedParameter> of_input(const Document& document, const std::string
                                {"model/keep_waters", usual.prepare.keep_waters},
                                {"model/fill_side_chains", usual.prepare.fill_side_chains},
                                {"model/all_hydrogens", usual.prepare.all_hydrogens},
-                               {"model/free_torsions", !usual.torsions},
                                {"model/protonate", none},
                                {"model/floppy", usual.prepare.floppy_below > 0.0},
                                {"model/contacts", none}});

@@ -129,8 +129,8 @@ class ModelBuilder {
     TorsionPreferences torsions = torsions_of_residues(ready_.structure);
     if (torsions.staggered.empty() && torsions.backbone.empty()) return;
     tell("torsions: " + std::to_string(torsions.staggered.size()) +
-         " of side chains are kept near staggered, phi and psi of " +
-         std::to_string(torsions.backbone.size()) + " residues in the usual regions");
+         " of side chains prefer to be staggered, phi and psi of " +
+         std::to_string(torsions.backbone.size()) + " residues the usual regions");
     building_.torsion_preferences = std::make_shared<const TorsionPreferences>(std::move(torsions));
   }
 

@@ -46,7 +46,7 @@ struct ModelOptions {
   HydrogenBondOptions hydrogen_bonds = {};
   TetherOptions tethers = {};
   bool sterics = true;   ///< whether models that have sterics get them
-  bool torsions = true;  ///< whether these get torsion preferences
+  bool torsions = true;  ///< whether these get torsion preferences, which sample() heeds
   /// Contacts in place of those that would be found; atoms of the prepared structure.
   std::optional<std::vector<MolecularContact>> contacts = std::nullopt;
   std::string contacts_file =

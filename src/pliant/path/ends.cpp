@@ -55,6 +55,7 @@ Indices leaders(const MolecularModel& model, const MatchedSide& side) {
 
 MolecularModel model_with(const Structure& structure, std::vector<MolecularContact> contacts) {
   ModelOptions options;
+  options.torsions = false;  // those of the end may be others
   options.contacts = std::move(contacts);
   return build_model(structure, options);
 }
@@ -109,6 +110,7 @@ class EndsMatcher {
  private:
   MolecularModel build(const Structure& structure) const {
     ModelOptions options;
+    options.torsions = false;
     options.log = options_.log;
     return build_model(structure, options);
   }

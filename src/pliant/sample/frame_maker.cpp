@@ -15,8 +15,14 @@ constexpr int most_redraws = 20;
 /// Bars are whole to rounding by how units move: more is an error, and no frame (share of length).
 constexpr double most_residual = 1e-9;
 
-FrodaOptions careful() {
+FrodaOptions blind() {
   FrodaOptions options;
+  options.has_torsion_preferences = true;
+  return options;
+}
+
+FrodaOptions careful() {
+  FrodaOptions options = blind();
   options.is_careful = true;
   return options;
 }
@@ -93,7 +99,7 @@ bool FrameMaker::make_step(std::int64_t number, int step, std::span<const Vec3> 
     const std::span<const Vec3> from = request_.from.empty() ? now : request_.from;
     if (resolve(from, careful(), out)) return true;
     out.is_rescued = true;
-    if (resolve(from, {}, out) || resolve(from, patient(), out)) return true;
+    if (resolve(from, blind(), out) || resolve(from, patient(), out)) return true;
   }
   return false;
 }

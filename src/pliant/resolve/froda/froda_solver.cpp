@@ -130,7 +130,7 @@ double FrodaSolver::pull_to(double share, int steps, bool sees_contacts,
     if (sees_contacts) find_rows(pull_weight);
     bodies = set_targets(share, bodies);
     moved = step(target_, pull_bound, options.is_careful ? options.conjugate_gradients : 0,
-                 sees_contacts);
+                 sees_contacts && options.has_torsion_preferences);
   }
   return moved;
 }
@@ -156,7 +156,8 @@ bool FrodaSolver::push_apart(const FrodaOptions& options, FrodaOutcome& outcome)
     least = std::min(least, here);
     if (since >= (least <= std::min(options.limit, options.overlap) ? patience : long_patience))
       break;
-    step({}, last_bound, options.is_careful ? options.conjugate_gradients : 0, true);
+    step({}, last_bound, options.is_careful ? options.conjugate_gradients : 0,
+         options.has_torsion_preferences);
   }
   return finish(options, outcome);
 }

@@ -26,6 +26,9 @@ struct FrodaOptions {
   int conjugate_gradients = 2;  ///< of careful steps
   double leg = 2.0;             ///< Angstrom: targets on the way are no further apart
   int last_steps = 60;          ///< that contacts alone get
+  /// Torsion preferences pull, in steps that see contacts. For frames that are made from one start:
+  /// in a run, whose steps add up, they would hold back what is pushed on and on.
+  bool has_torsion_preferences = false;
 };
 
 struct FrodaOutcome {

@@ -81,6 +81,7 @@ TEST(TurnSprings, PullAnEclipsedTorsionBack) {
         std::vector<Vec3> out(4);
         FrodaOptions options;
         options.is_careful = true;
+        options.has_torsion_preferences = true;
         const FrodaOutcome outcome = solver.resolve(start, chain(pushed), out, options);
         EXPECT_TRUE(outcome.is_whole);
         EXPECT_LT(measure(framework, out).max_relative, 1e-12);
