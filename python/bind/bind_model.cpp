@@ -132,8 +132,8 @@ fill_side_chains, all_hydrogens : bool
     As in ``prepare``.
 free_torsions : bool
     When it is sampled, do not pull side chains towards staggered torsions (the rotamers of Lovell
-    et al., Proteins 40
-    (2000) 389), nor phi and psi back to the usual regions of the Ramachandran plot.
+    et al., Proteins 40 (2000) 389), nor phi and psi back to the usual regions of the Ramachandran
+    plot.
 
 Raises
 ------

@@ -26,6 +26,7 @@ COMMON = ["--amplitude", "0.4", "--topology", "none", "--quiet"]
         ["--sampler", "dilute", "--seed", 18446744073709551615],
         ["--sampler", "walk"],
         ["--network", "gnm"],
+        ["--free-torsions"],
     ],
 )
 def test_two_parts_are_the_whole(pliant, tmp_path, options):
@@ -34,6 +35,16 @@ def test_two_parts_are_the_whole(pliant, tmp_path, options):
     ended = pliant("sample", "--continue", "part.h5md", "--frames", 9, "--threads", 2, "--quiet")
     assert (ended.code, ended.err) == (0, "")
     assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
+
+
+def test_free_torsions_have_no_preferences(pliant, tmp_path):
+    for name, options in (("held", []), ("free", ["--free-torsions"])):
+        pliant("sample", PEPTIDE, "-o", f"{name}.h5md", "--frames", 2, *COMMON, *options)
+        with h5py.File(tmp_path / f"{name}.h5md") as file:
+            assert ("torsion_preferences" in file["parameters"]) is (name == "held")
+    ended = pliant("sample", PEPTIDE, "--model", "angles", "--free-torsions")
+    assert ended.code == 2
+    assert "--free-torsions: goes with --model molecule or --model protein" in ended.err
 
 
 def test_it_needs_no_other_file_and_says_what_it_added(pliant, tmp_path):

@@ -96,10 +96,7 @@ KeptMeasure::Part KeptMeasure::part_of_bars(std::span<const Vec3> positions, std
     if (!(error <= tolerance_.of(rests[k]))) part.within = false;
     if (!std::isfinite(error)) part.finite = false;
     if (error > part.most_length) part.most_length = error;
-    if (relative > part.most) {
-      part.most = relative;
-      part.worst = static_cast<std::uint32_t>(k);
-    }
+    part.take(relative, k);
   }
   return part;
 }
@@ -115,10 +112,7 @@ KeptMeasure::Part KeptMeasure::part_of_limits(std::span<const Vec3> positions,
     const double outside = std::abs(excess(limit, length));
     if (!std::isfinite(length)) part.finite = false;
     if (!(outside <= tolerance_.limit)) part.within = false;
-    if (outside > part.most) {
-      part.most = outside;
-      part.worst = static_cast<std::uint32_t>(k);
-    }
+    part.take(outside, k);
   }
   return part;
 }
@@ -130,10 +124,7 @@ KeptMeasure::Part KeptMeasure::part_of_overlaps(std::span<const Vec3> positions,
   for (std::size_t k = overlaps_.first(block); k < overlaps_.last(block); ++k) {
     const double overlap = near[k].least - distance(positions[near[k].a], positions[near[k].b]);
     if (overlap > tolerance_.overlap) part.within = false;
-    if (overlap > part.most) {
-      part.most = overlap;
-      part.worst = static_cast<std::uint32_t>(k);
-    }
+    part.take(overlap, k);
   }
   return part;
 }

@@ -33,6 +33,12 @@ class KeptMeasure {
     double most = 0.0, most_length = 0.0;
     std::uint32_t worst = 0;
     bool within = true, finite = true;
+
+    void take(double value, std::size_t index) {
+      if (!(value > most)) return;
+      most = value;
+      worst = static_cast<std::uint32_t>(index);
+    }
   };
 
   void look(std::span<const Vec3> positions);

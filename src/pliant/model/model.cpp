@@ -130,7 +130,7 @@ class ModelBuilder {
     if (torsions.staggered.empty() && torsions.backbone.empty()) return;
     tell("torsions: " + std::to_string(torsions.staggered.size()) +
          " of side chains prefer to be staggered, phi and psi of " +
-         std::to_string(torsions.backbone.size()) + " residues the usual regions");
+         std::to_string(torsions.backbone.size()) + " residues prefer the usual regions");
     building_.torsion_preferences = std::make_shared<const TorsionPreferences>(std::move(torsions));
   }
 
