@@ -13,6 +13,7 @@ from typing import Any
 
 from pliant._core import InputError, OptionError
 from pliant._extras import need
+from pliant.console import warn
 
 #: Queues that dask-jobqueue knows, by what a cluster file calls them.
 _QUEUES = {
@@ -28,7 +29,15 @@ _QUEUES = {
 #: Workers that die with a shard before it is given up: a machine that fails takes many along.
 _DEATHS = 20
 
-_REGROW_SECONDS = 5
+_REGROW_SECONDS = 5.0
+
+#: Without a worker for so long, the user is told: jobs wait in a queue, or die before they begin.
+_IDLE_SECONDS = 60.0
+
+_WHY_NO_WORKER = (
+    "jobs wait in their queue, or end before they begin (their logs say why). "
+    "Ctrl-C stops; the same command goes on from the shards that are there"
+)
 
 
 def usual_workers() -> int:
@@ -43,33 +52,39 @@ def open_client(workers: int | None, scheduler: str | None, cluster: str | None)
     import dask
 
     dask.config.set({"distributed.scheduler.allowed-failures": _DEATHS})
-    dask.config.set({"distributed.deploy.lost-worker-timeout": f"{2 * _REGROW_SECONDS} s"})
+    dask.config.set({"distributed.deploy.lost-worker-timeout": f"{2 * _REGROW_SECONDS:.0f} s"})
     # Lost workers are told by what they did not bring, not by pages of stack traces.
     for name in ("distributed", "distributed.worker", "distributed.nanny"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     if scheduler:
-        with _client_of_scheduler(scheduler) as client:
+        with _client_of_scheduler(scheduler) as client, _watched(client, lambda: None):
             yield client
         return
     from distributed import Client
 
     made, grow = _jobs(cluster, workers) if cluster else _local(workers or usual_workers())
-    with made as place, Client(place, set_as_default=False) as client, _regrown(grow):
+    with made as place, Client(place, set_as_default=False) as client, _watched(client, grow):
         yield client
 
 
 @contextlib.contextmanager
-def _regrown(grow: Callable[[], None]) -> Iterator[None]:
-    """Asks for the full number of workers again and again.
+def _watched(client: Any, grow: Callable[[], None]) -> Iterator[None]:
+    """Asks for the full number of workers again and again, and warns where there are none.
 
     Dask replaces a worker that dies at work, but may give up one that cannot start, as while the
-    package is installed anew: with the last of them, everything would wait for ever.
+    package is installed anew: with the last of them, everything would wait for ever. A job of a
+    queue that dies before it reaches the scheduler looks like one that waits in the queue.
     """
     ended = threading.Event()
 
     def watch() -> None:
+        idle = 0.0
         while not ended.wait(_REGROW_SECONDS):
             grow()
+            lonely = not client.scheduler_info()["workers"]
+            before, idle = idle, idle + _REGROW_SECONDS if lonely else 0.0
+            if before < _IDLE_SECONDS <= idle:
+                warn(f"no worker for {idle:.0f} s: {_WHY_NO_WORKER}")
 
     watcher = threading.Thread(target=watch, daemon=True)
     watcher.start()

@@ -6,6 +6,7 @@ import re
 import shutil
 import stat
 import subprocess
+import time
 
 import pytest
 from ensembles import PEPTIDE, call, made, shards_of
@@ -25,6 +26,22 @@ def test_a_scheduler_that_is_there(ensemble, tmp_path):
         folder = tmp_path / "many"
         made(PEPTIDE, "-o", folder, *WORDS, "--scheduler", cluster.scheduler_address)
     assert same_files(folder, ensemble)
+
+
+def test_no_worker_is_told_once(capfd, monkeypatch):
+    from distributed import LocalCluster
+    from pliant.ensemble import cluster as places
+
+    monkeypatch.setattr(places, "_REGROW_SECONDS", 0.1)
+    monkeypatch.setattr(places, "_IDLE_SECONDS", 0.3)
+    with (
+        LocalCluster(n_workers=0, dashboard_address=None) as cluster,
+        places.open_client(None, cluster.scheduler_address, None),
+    ):
+        time.sleep(1.5)
+    told = [line for line in capfd.readouterr().err.splitlines() if "no worker for" in line]
+    assert len(told) == 1
+    assert "jobs wait in their queue, or end before they begin" in told[0]
 
 
 def test_a_scheduler_that_is_not_there(tmp_path):
@@ -67,9 +84,11 @@ def test_more_shards_than_an_array_has_jobs(tmp_path):
         assert [int(number) for number in told] == shards
 
 
-# A queue of Slurm as far as dask-jobqueue sees it: jobs begin at once, on this machine.
+# A queue of Slurm as far as dask-jobqueue sees it: jobs begin at once, on this machine. The script
+# is copied, as Slurm does: dask-jobqueue removes it as soon as it is submitted.
 SBATCH = """#!/bin/sh
-(exec setsid sh "$1" > /dev/null 2>&1) &
+script=$(mktemp "{folder}/script.XXXXXX") && cp "$1" "$script"
+(exec setsid sh "$script" > /dev/null 2>&1) &
 echo $! >> "{folder}/jobs"
 echo "Submitted batch job $!"
 """
