@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/base/elementary.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -18,8 +19,18 @@ constexpr int log_terms = 12;
 constexpr double half_pi_high = 1.57079632673412561417e+00;
 constexpr double half_pi_low = 6.07710050650619224932e-11;
 constexpr double largest_angle = 100.0;
-constexpr int cos_terms = 18;     // powers of the series
-constexpr int arctan_terms = 14;  // of t up to 0.2
+constexpr int cos_terms = 18;  // powers of the series
+// Of t up to 1/16, the highest power first: that of t^15 is below 6e-20.
+constexpr double arctan_series[] = {1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3, 1.0};
+constexpr double arctan_of_eighths[] = {0.0,
+                                        0.12435499454676143503,
+                                        0.24497866312686415417,
+                                        0.3587706702705722204,
+                                        0.46364760900080611621,
+                                        0.55859931534356243597,
+                                        0.6435011087932843868,
+                                        0.71882999962162450542,
+                                        0.78539816339744830962};
 
 double cos_series(double r) {
   double sum = 1.0;
@@ -33,13 +44,14 @@ double sin_series(double r) {
   return r * sum;
 }
 
-/// Of t from 0 to 1.
+/// Of t from 0 to 1: arctan t = arctan c + arctan((t - c) / (1 + t c)), c the nearest eighth.
 double arctan(double t) {
-  for (int half = 0; half < 2; ++half) t = t / (1.0 + std::sqrt(1.0 + t * t));
-  const double square = t * t;
+  const int eighth = static_cast<int>(8.0 * t + 0.5);
+  const double c = 0.125 * eighth;
+  const double r = (t - c) / (1.0 + t * c), square = r * r;
   double sum = 0.0;
-  for (int n = arctan_terms; n >= 0; --n) sum = 1.0 / (2 * n + 1) - sum * square;
-  return 4.0 * t * sum;
+  for (const double term : arctan_series) sum = term - sum * square;
+  return arctan_of_eighths[eighth] + r * sum;
 }
 
 }  // namespace
@@ -86,10 +98,18 @@ double exact_bits_cos(double x) {
   }
 }
 
+double exact_bits_atan2(double y, double x) {
+  const double up = std::abs(y), along = std::abs(x);
+  const double low = std::min(up, along), high = std::max(up, along);
+  double angle = high > 0.0 ? arctan(low / high) : 0.0;
+  if (up > along) angle = 0.5 * std::numbers::pi - angle;
+  if (x < 0.0) angle = std::numbers::pi - angle;
+  return y < 0.0 ? -angle : angle;
+}
+
 double exact_bits_acos(double x) {
   if (!(std::abs(x) <= 1.0)) return std::numeric_limits<double>::quiet_NaN();
-  if (x < 0.0) return std::numbers::pi - exact_bits_acos(-x);
-  return 2.0 * arctan(std::sqrt((1.0 - x) / (1.0 + x)));
+  return exact_bits_atan2(std::sqrt((1.0 - x) * (1.0 + x)), x);
 }
 
 }  // namespace pliant

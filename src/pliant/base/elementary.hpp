@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Exponential, logarithm, cosine and its inverse by sums and products in one fixed order. Those of
+// Exponential, logarithm, cosine and arctangent by sums and products in one fixed order. Those of
 // C libraries differ in their last bits from one library to the next; these give the same bits
 // everywhere.
 #pragma once
@@ -18,8 +18,12 @@ double exact_bits_log(double x);
 /// x = k pi/2 + r, then Taylor's series of cosine or sine of r.
 double exact_bits_cos(double x);
 
+/// The angle of the point (x, y), -pi to pi, within 1e-15; 0 at the origin. Both are finite.
+/// arctan of the nearest eighth by a table, of what is left by its series.
+double exact_bits_atan2(double y, double x);
+
 /// The angle, 0 to pi, whose cosine is x, within 1e-15; NaN where there is none.
-/// 2 arctan(sqrt((1 - x) / (1 + x))), halved until the series of arctan is short.
+/// That of the point (x, sqrt(1 - x^2)).
 double exact_bits_acos(double x);
 
 }  // namespace pliant

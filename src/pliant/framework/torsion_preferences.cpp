@@ -16,20 +16,34 @@ namespace {
 
 constexpr double pi = std::numbers::pi, radians = pi / 180.0;
 
-/// A region of the plot: degrees; the long axis points to (along_phi, along_psi), a unit vector.
+/// An ellipse of the plot. Its long axis points to (along_phi, along_psi), a unit vector.
 struct Region {
-  double phi, psi, along_phi, along_psi, half_long, half_short;
+  double phi, psi;  ///< centre, radians
+  double along_phi, along_psi;
+  double per_long, per_short;  ///< one by half the axes, radians^-1
 };
 
-constexpr Region regions[] = {{-110.0, 142.0, 1.0, 0.0, 61.0, 46.0},     // beta, polyproline
-                              {-120.0, -168.0, 1.0, 0.0, 52.0, 24.0},    // beta, psi past 180
-                              {-85.0, -22.0, -0.64, 0.768, 62.0, 31.0},  // alpha
-                              {-115.0, -30.0, 0.0, 1.0, 45.0, 36.0},     // alpha, phi further on
-                              {-116.0, 55.0, 0.0, 1.0, 48.0, 36.0},      // between alpha and beta
-                              {64.0, 25.0, -0.39, 0.921, 50.0, 21.0}};   // left-handed alpha
+/// Of degrees.
+constexpr Region region(double phi, double psi, double along_phi, double along_psi,
+                        double half_long, double half_short) {
+  return {phi * radians,
+          psi * radians,
+          along_phi,
+          along_psi,
+          1.0 / (half_long * radians),
+          1.0 / (half_short * radians)};
+}
+
+constexpr Region regions[] = {region(-110.0, 142.0, 1.0, 0.0, 61.0, 46.0),     // beta, polyproline
+                              region(-120.0, -168.0, 1.0, 0.0, 52.0, 24.0),    // beta, psi past 180
+                              region(-85.0, -22.0, -0.64, 0.768, 62.0, 31.0),  // alpha
+                              region(-115.0, -30.0, 0.0, 1.0, 45.0, 36.0),  // alpha, phi further on
+                              region(-116.0, 55.0, 0.0, 1.0, 48.0, 36.0),  // between alpha and beta
+                              region(64.0, 25.0, -0.39, 0.921, 50.0, 21.0)};  // left-handed alpha
 
 struct InRegion {
-  double reach, phi, psi;  ///< phi and psi from the centre, radians
+  double square;    ///< of the reach
+  double phi, psi;  ///< from the centre, radians
 };
 
 double around(double angle) {
@@ -38,17 +52,16 @@ double around(double angle) {
 }
 
 InRegion in_region(const Region& region, double phi, double psi) {
-  const double x = around(phi - region.phi * radians), y = around(psi - region.psi * radians);
-  const double along = (x * region.along_phi + y * region.along_psi) / (region.half_long * radians);
-  const double across =
-      (x * region.along_psi - y * region.along_phi) / (region.half_short * radians);
-  return {std::sqrt(along * along + across * across), x, y};
+  const double x = around(phi - region.phi), y = around(psi - region.psi);
+  const double along = (x * region.along_phi + y * region.along_psi) * region.per_long;
+  const double across = (x * region.along_psi - y * region.along_phi) * region.per_short;
+  return {along * along + across * across, x, y};
 }
 
 InRegion nearest_region(double phi, double psi) {
   InRegion nearest{HUGE_VAL, 0.0, 0.0};
   for (const Region& region : regions)
-    if (const InRegion place = in_region(region, phi, psi); place.reach < nearest.reach)
+    if (const InRegion place = in_region(region, phi, psi); place.square < nearest.square)
       nearest = place;
   return nearest;
 }
@@ -116,15 +129,10 @@ void check(const TorsionPreferences& preferences, std::size_t joint_count) {
   }
 }
 
-double cosine_of_torsion(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-  const Vec3 one = cross(b - a, c - b), other = cross(c - b, d - c);
-  const double square = norm_squared(one) * norm_squared(other);
-  return square > 0.0 ? std::clamp(dot(one, other) / std::sqrt(square), -1.0, 1.0) : 1.0;
-}
-
 double torsion_angle(Vec3 a, Vec3 b, Vec3 c, Vec3 d) {
-  const double angle = exact_bits_acos(cosine_of_torsion(a, b, c, d));
-  return dot(b - a, cross(c - b, d - c)) < 0.0 ? -angle : angle;
+  const Vec3 axis = c - b;
+  const Vec3 one = cross(b - a, axis), other = cross(axis, d - c);
+  return exact_bits_atan2(norm(axis) * dot(b - a, other), dot(one, other));
 }
 
 double off_staggered(double torsion) {
@@ -133,12 +141,12 @@ double off_staggered(double torsion) {
   return torsion > -2.0 * pi / 3.0 ? torsion + pi / 3.0 : torsion + pi;
 }
 
-double backbone_reach(double phi, double psi) { return nearest_region(phi, psi).reach; }
+double backbone_reach(double phi, double psi) { return std::sqrt(nearest_region(phi, psi).square); }
 
 BackboneTurn backbone_turn(double phi, double psi, double reach) {
   const InRegion at = nearest_region(phi, psi);
-  if (at.reach <= reach) return {};
-  const double back = reach / at.reach - 1.0;
+  if (at.square <= reach * reach) return {};
+  const double back = reach / std::sqrt(at.square) - 1.0;
   return {back * at.phi, back * at.psi};
 }
 

@@ -46,9 +46,6 @@ TorsionPreferences torsion_preferences_of(const TorsionColumns& columns);
 /// of range, a reach that is not finite and above 0.
 void check(const TorsionPreferences& preferences, std::size_t joint_count);
 
-/// The cosine of the torsion a-b-c-d; 1 where three lie on a line.
-double cosine_of_torsion(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
-
 /// The torsion a-b-c-d, radians, from -pi to pi; 0 where three lie on a line. The same bits
 /// everywhere.
 double torsion_angle(Vec3 a, Vec3 b, Vec3 c, Vec3 d);

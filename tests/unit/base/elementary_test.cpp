@@ -36,6 +36,17 @@ TEST(Elementary, CosIsThatOfTheLibraryToRounding) {
     EXPECT_TRUE(std::isnan(exact_bits_cos(x))) << x;
 }
 
+TEST(Elementary, Atan2IsThatOfTheLibraryToRounding) {
+  for (double angle = -3.14159; angle < 3.1416; angle += 1.7e-5) {
+    const double y = 3.7 * std::sin(angle), x = 3.7 * std::cos(angle);
+    EXPECT_NEAR(exact_bits_atan2(y, x), std::atan2(y, x), 1e-15) << angle;
+  }
+  for (double small : {1e-300, 1e-20, 1e-9, 1e-3})
+    EXPECT_NEAR(exact_bits_atan2(small, 2.0) / std::atan2(small, 2.0), 1.0, 1e-15) << small;
+  for (double y : {-2.0, 0.0, 2.0})
+    for (double x : {-2.0, 0.0, 2.0}) EXPECT_EQ(exact_bits_atan2(y, x), std::atan2(y, x));
+}
+
 TEST(Elementary, AcosIsThatOfTheLibraryToRounding) {
   for (int k = -100000; k <= 100000; k += 7)
     EXPECT_NEAR(exact_bits_acos(k * 1e-5), std::acos(k * 1e-5), 1e-15) << k;

@@ -6,8 +6,6 @@
 #include <cstdint>
 #include <unordered_map>
 
-#include "pliant/base/elementary.hpp"
-
 namespace pliant {
 namespace {
 
@@ -20,13 +18,6 @@ std::array<Slot, size> places_of(const BodyPlan& plan, const std::array<Joint, s
   std::array<Slot, size> places;
   for (std::size_t k = 0; k < size; ++k) places[k] = plan.place_of(joints[k]);
   return places;
-}
-
-/// Whether a torsion is no further from staggered than the angle whose triple has the cosine
-/// `least`: the cosine of thrice the torsion is that of thrice how far it is off, with the other
-/// sign. No inverse cosine is needed.
-bool is_free(double cosine, double least) {
-  return cosine * (3.0 - 4.0 * cosine * cosine) >= least;
 }
 
 /// The bodies that hang on one bond, by its joints.
@@ -74,7 +65,7 @@ TurnSprings::TurnSprings(const Framework& framework, const BodyPlan& plan) {
   };
   for (const auto& [at, free] : wanted->staggered)
     if (const Hinge hinge = hinge_of(at[0], at[1], at[2], at[3]); hinge.sign != 0.0)
-      staggered_.push_back({places_of(plan, at), hinge, free, exact_bits_cos(3.0 * free)});
+      staggered_.push_back({places_of(plan, at), hinge, free});
   for (const auto& [at, reach] : wanted->backbone) {
     const Hinge phi = hinge_of(at[0], at[1], at[2], at[3]),
                 psi = hinge_of(at[1], at[2], at[3], at[4]);
@@ -93,7 +84,6 @@ std::span<const TurnSpring> TurnSprings::at(std::span<const Vec3> x, double weig
 
 void TurnSprings::pull(const Staggered& at, std::span<const Vec3> x, double weight) {
   const auto& p = at.places;
-  if (is_free(cosine_of_torsion(x[p[0]], x[p[1]], x[p[2]], x[p[3]]), at.least)) return;
   const double off = off_staggered(torsion_angle(x[p[0]], x[p[1]], x[p[2]], x[p[3]]));
   if (std::abs(off) > at.free) pull(at.hinge, (off > 0.0 ? at.free : -at.free) - off, weight);
 }

@@ -39,7 +39,6 @@ class TurnSprings {
     std::array<Slot, 4> places;
     Hinge hinge;
     double free;
-    double least;  ///< cosine of 3 free
   };
   struct Backbone {
     std::array<Slot, 5> places;
