@@ -99,12 +99,13 @@ double exact_bits_cos(double x) {
 }
 
 double exact_bits_atan2(double y, double x) {
+  constexpr double right = 0.5 * std::numbers::pi;
+  constexpr double from[] = {0.0, right, std::numbers::pi, right}, sign[] = {1.0, -1.0, -1.0, 1.0};
   const double up = std::abs(y), along = std::abs(x);
   const double low = std::min(up, along), high = std::max(up, along);
-  double angle = high > 0.0 ? arctan(low / high) : 0.0;
-  if (up > along) angle = 0.5 * std::numbers::pi - angle;
-  if (x < 0.0) angle = std::numbers::pi - angle;
-  return y < 0.0 ? -angle : angle;
+  const int octant = static_cast<int>(up > along) + 2 * static_cast<int>(x < 0.0);
+  const double angle = high > 0.0 ? arctan(low / high) : 0.0;
+  return std::copysign(from[octant] + sign[octant] * angle, y);
 }
 
 double exact_bits_acos(double x) {

@@ -117,11 +117,11 @@ void NearPairs::sort_into_cells(std::span<const Vec3> x) {
   for (std::size_t c = 1; c < first_in_cell_.size(); ++c)
     first_in_cell_[c] += first_in_cell_[c - 1];
   next_.assign(first_in_cell_.begin(), first_in_cell_.end() - 1);
-  for (auto* values : {&x_, &y_, &z_}) values->resize(listed.size());
+  for (auto* values : {&x_, &y_, &z_}) values->resize(listed.size() + points_beyond);
   slot_.resize(listed.size());
   kind_at_.resize(listed.size());
   renewed_at_.resize(listed.size());
-  squares_.resize(listed.size());
+  squares_.resize(listed.size() + points_beyond);
   hits_.resize(listed.size() + hits_beyond);
   for (std::size_t k = 0; k < listed.size(); ++k) {
     const std::uint32_t slot = next_[cell_of_[k]]++;
@@ -174,41 +174,46 @@ void NearPairs::add_run(std::uint32_t row, std::uint32_t low, std::uint32_t high
 void NearPairs::compare(std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t k = first; k < last; ++k) {
     runs_[0].from = k + 1;
-    const float* reaches = rules_.square_reaches(kind_at_[k]);
-    const std::size_t hits = find_hits(k);
-    for (std::size_t h = 0; h < hits; ++h)
-      if (squares_[hits_[h]] < reaches[kind_at_[hits_[h]]]) take(slot_[k], slot_[hits_[h]]);
+    take_hits(k, [](std::uint32_t) { return true; });
   }
 }
 
 /// The renewed ones of [first, last) with all; of two renewed ones the lower takes both.
 void NearPairs::compare_renewed(std::uint32_t first, std::uint32_t last) {
-  for (std::uint32_t k = first; k < last; ++k) {
-    if (renewed_at_[k] == 0) continue;
-    const float* reaches = rules_.square_reaches(kind_at_[k]);
-    const std::size_t hits = find_hits(k);
-    for (std::size_t h = 0; h < hits; ++h) {
-      const std::uint32_t m = hits_[h];
-      if (!(squares_[m] < reaches[kind_at_[m]])) continue;
-      if (renewed_at_[m] == 0 || slot_[k] < slot_[m]) take(slot_[k], slot_[m]);
-    }
+  for (std::uint32_t k = first; k < last; ++k)
+    if (renewed_at_[k] != 0)
+      take_hits(k, [&](std::uint32_t m) { return renewed_at_[m] == 0 || slot_[k] < slot_[m]; });
+}
+
+/// Lists those of the runs that may come too near to the k-th of the sorted places.
+template <class IsWanted>
+void NearPairs::take_hits(std::uint32_t k, const IsWanted& is_wanted) {
+  const NearPoints points{x_.data(), y_.data(), z_.data()};
+  const std::size_t hits =
+      find_near_hits_(points, {runs_.data(), run_count_}, k, rules_.widest(kind_at_[k]),
+                      squares_.data(), hits_.data());
+  const Slot own = slot_[k];
+  for (std::size_t h = 0, count = keep_free_hits(k, hits); h < count; ++h) {
+    if (!is_wanted(hits_[h])) continue;
+    const Slot other = slot_[hits_[h]];
+    const Slot i = std::min(own, other), j = std::max(own, other);
+    if (const double least = rules_.least(i, j); least > 0.0) unsorted_.push_back({i, j, least});
   }
 }
 
-/// Which of the runs are near the k-th of the sorted places; how many.
-std::size_t NearPairs::find_hits(std::uint32_t k) {
-  const NearPoints points{x_.data(), y_.data(), z_.data()};
-  const float widest = rules_.widest(kind_at_[k]);
-  std::size_t hits = 0;
-  for (std::size_t r = 0; r < run_count_; ++r)
-    hits += find_near_hits(points, runs_[r], k, widest, squares_.data(), hits_.data() + hits);
-  return hits;
-}
-
-void NearPairs::take(Slot one, Slot other) {
-  const Slot i = std::min(one, other), j = std::max(one, other);
-  const double least = i == j ? 0.0 : rules_.least(i, j);
-  if (least > 0.0) unsorted_.push_back({i, j, least});
+/// Of the hits of a sorted place those that are not excluded and near for their kinds; how many.
+std::size_t NearPairs::keep_free_hits(std::uint32_t k, std::size_t hits) {
+  const Slot own = slot_[k];
+  const NeighbourMask& excluded = rules_.excluded_near(own);
+  const float* const reaches = rules_.square_reaches(kind_at_[k]);
+  std::size_t count = 0;
+  for (std::size_t h = 0; h < hits; ++h) {
+    const std::uint32_t m = hits_[h];
+    const bool is_near = squares_[m] < reaches[kind_at_[m]];
+    hits_[count] = m;
+    count += static_cast<std::size_t>(is_near & !excluded.has(own, slot_[m]));
+  }
+  return count;
 }
 
 /// What was found, by i, then j: two passes of counting.

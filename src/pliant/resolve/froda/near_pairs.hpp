@@ -46,11 +46,13 @@ class NearPairs {
   void add_run(std::uint32_t row, std::uint32_t low, std::uint32_t high);
   void compare(std::uint32_t first, std::uint32_t last);
   void compare_renewed(std::uint32_t first, std::uint32_t last);
-  std::size_t find_hits(std::uint32_t k);
-  void take(Slot one, Slot other);
+  template <class IsWanted>
+  void take_hits(std::uint32_t k, const IsWanted& is_wanted);
+  std::size_t keep_free_hits(std::uint32_t k, std::size_t hits);
   void sort_pairs();
 
   NearRules rules_;
+  FindNearHits find_near_hits_ = near_hits_finders().back();
   double skin_;
   std::size_t places_;
   std::int64_t lists_made_ = 0;

@@ -5,24 +5,31 @@
 #include <utility>
 
 namespace pliant {
-namespace {
-
-constexpr Slot bits = 64;
-
-}  // namespace
-
 NearRules::NearRules(const Framework& framework, const BodyPlan& plan, double skin)
     : plan_(plan),
       rules_(framework),
       sterics_(*framework.sterics()),
-      near_excluded_(plan.place_count(), 0),
+      excluded_near_(plan.place_count()),
       kind_(plan.place_count(), 0),
       kinds_(sterics_.kind_count) {
   for (Slot place = 0; place < plan.place_count(); ++place)
     if (plan.place_of(plan.joint_at()[place]) == place) listed_.push_back(place);
   for (Slot place : listed_) kind_[place] = sterics_.kinds[plan.joint_at()[place]];
   exclude();
+  exclude_within_bodies();
   set_reaches(skin);
+}
+
+void NearRules::set_excluded(Slot low, Slot high, bool is_excluded) {
+  excluded_near_[low].set(low, high, is_excluded);
+  excluded_near_[high].set(high, low, is_excluded);
+}
+
+void NearRules::exclude_within_bodies() {
+  for (const PlanBody& body : plan_.bodies())
+    for (Slot low = body.first; low < body.last; ++low)
+      for (Slot high = low; high < body.last && high - low <= NeighbourMask::reach; ++high)
+        set_excluded(low, high, true);
 }
 
 /// Pairs that are few bonds apart: a bit each where their places are near, else as pairs with
@@ -41,8 +48,8 @@ void NearRules::exclude() {
     const Joint joint = plan_.joint_at()[place];
     for (Joint other : rules_.excluded_above(joint)) {
       const auto [low, high] = pair_of(joint, other);
-      if (high - low <= bits) {
-        near_excluded_[low] |= std::uint64_t{1} << (high - low - 1);
+      if (high - low <= NeighbourMask::reach) {
+        set_excluded(low, high, true);
       } else {
         found.push_back({low, {high, 0.0}});
       }
@@ -50,7 +57,7 @@ void NearRules::exclude() {
   }
   for (const OwnDistance& own : sterics_.own) {
     const auto [low, high] = pair_of(own.a, own.b);
-    if (high - low <= bits) near_excluded_[low] &= ~(std::uint64_t{1} << (high - low - 1));
+    if (high - low <= NeighbourMask::reach) set_excluded(low, high, false);
   }
   special_ = Grouped<Special>(plan_.place_count(), [&](const auto& put) {
     for (const auto& [low, special] : found) put(low, special);
@@ -76,7 +83,6 @@ void NearRules::set_reaches(double skin) {
 double NearRules::least(Slot i, Slot j) const {
   const auto body_at = plan_.body_at();
   if (body_at[i] == body_at[j]) return 0.0;
-  if (j - i <= bits && (near_excluded_[i] >> (j - i - 1) & 1) != 0) return 0.0;
   for (const Special& special : special_.at(i))
     if (special.other == j) return special.least;
   const auto& units = sterics_.units;

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <random>
 #include <vector>
 
@@ -32,20 +33,23 @@ float square_of(const Points& points, std::uint32_t a, std::uint32_t b) {
 }
 
 TEST(NearHits, AreThoseOfEachDistanceInRunsOfAnyLength) {
-  const Points points = random_points(40);
+  const Points points = random_points(40 + points_beyond);
   const float widest = 25.0F;
-  for (std::uint32_t from = 0; from < 8; ++from)
-    for (std::uint32_t to = from; to <= 40; ++to) {
-      std::vector<float> squares(40);
-      std::vector<std::uint32_t> hits(to - from + hits_beyond), expected;
-      const NearPoints arrays{points.x.data(), points.y.data(), points.z.data()};
-      hits.resize(find_near_hits(arrays, {from, to}, 11, widest, squares.data(), hits.data()));
-      for (std::uint32_t m = from; m < to; ++m) {
-        EXPECT_EQ(squares[m], square_of(points, m, 11));
-        if (squares[m] < widest) expected.push_back(m);
+  for (const FindNearHits find : near_hits_finders())
+    for (std::uint32_t from = 0; from < 8; ++from)
+      for (std::uint32_t to = from; to <= 40; ++to) {
+        std::vector<float> squares(40 + points_beyond);
+        const std::array<NearRun, 2> runs{NearRun{from, to}, NearRun{0, from / 2}};
+        std::vector<std::uint32_t> hits(to - from + from / 2 + hits_beyond), expected;
+        const NearPoints arrays{points.x.data(), points.y.data(), points.z.data()};
+        hits.resize(find(arrays, runs, 11, widest, squares.data(), hits.data()));
+        for (const NearRun run : runs)
+          for (std::uint32_t m = run.from; m < run.to; ++m) {
+            EXPECT_EQ(squares[m], square_of(points, m, 11));
+            if (squares[m] < widest) expected.push_back(m);
+          }
+        EXPECT_EQ(hits, expected) << from << " to " << to;
       }
-      EXPECT_EQ(hits, expected) << from << " to " << to;
-    }
 }
 
 }  // namespace near_hits_test
