@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/froda/froda_frame.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant {
+namespace {
+
+// Angstrom
+constexpr double pull_bound = 1.5;
+constexpr double last_bound = 0.5;
+constexpr double margin = 0.01;  // steps aim inside limits, so that they end there
+constexpr double widest_closed = 1e-12;
+constexpr double largest_closing = 0.3;  // of a joint: more is no rounding off, but another place
+
+constexpr double pull_weight = 10.0;
+constexpr double last_weight = 100.0;
+constexpr double spring_weight = 60.0;  // Angstrom^2: of torsion preferences
+constexpr double most_legs = 1e4;       // however far the push
+constexpr int careful_pulls = 5;
+constexpr int most_closings = 12;
+/// A step gains if it takes more than a twentieth off. Without gain for so many steps it is over;
+/// where something is still too near, later.
+constexpr double least_gain = 0.95;
+constexpr int patience = 6, long_patience = 15;
+constexpr double tiny = 1e-9;
+
+/// The interval that a step aims at.
+struct Aim {
+  double least, most;
+};
+
+Aim aim_of(const Limit& limit) {
+  const double least = limit.least > 0.0 ? limit.least + margin : 0.0;
+  const double most = limit.most - margin;
+  return least <= most ? Aim{least, most} : Aim{limit.least, limit.most};
+}
+
+}  // namespace
+
+FrodaFrame::FrodaFrame(const Framework& framework, const BodyPlan& plan, double unit)
+    : framework_(framework),
+      plan_(plan),
+      unit_(unit),
+      working_(plan),
+      springs_(framework, plan),
+      pairs_(framework.sterics() == nullptr ? nullptr
+                                            : std::make_unique<NearPairs>(framework, plan)) {}
+
+void FrodaFrame::begin(std::span<const Vec3> start, std::span<const Vec3> target,
+                       const FrodaOptions& options, LimitsOff limits_off) {
+  options_ = options;
+  limits_off_ = limits_off;
+  steps_ = pulls_ = pushes_ = closings_ = since_gain_ = 0;
+  visits_ = 0;
+  least_ = HUGE_VAL;
+  is_looked_at_ = false;
+  target_share_ = 0.0;
+  bodies_with_targets_ = 0;
+  rows_.clear();
+  origin_ = {};
+  for (Vec3 x : start) origin_ += (1.0 / double(start.size())) * x;
+  const auto joint_at = plan_.joint_at();
+  start_.resize(joint_at.size());
+  push_.resize(joint_at.size());
+  working_.clear();
+  if (options.is_careful) working_.add_all();  // conjugate gradients go over all
+  double furthest = 0.0;
+  for (std::size_t k = 0; k < joint_at.size(); ++k) {
+    start_[k] = start[joint_at[k]] - origin_;
+    push_[k] = target[joint_at[k]] - start[joint_at[k]];
+    const double square = norm_squared(push_[k]);
+    furthest = std::max(furthest, square);
+    // Trees that the push moves; contacts add others.
+    if (square != 0.0) working_.add(plan_.tree_of(plan_.body_at()[k]));
+  }
+  x_ = start_;
+  target_.resize(x_.size());
+  const double wanted = std::ceil(std::sqrt(furthest) / (options.leg * unit_));
+  legs_ = static_cast<int>(std::clamp(wanted, 1.0, most_legs));
+}
+
+bool FrodaFrame::ask_for_careful_pull() {
+  if (pulls_ >= legs_ - 1 + careful_pulls) return false;
+  const int leg = ++pulls_;
+  ask_for_pull(leg < legs_ ? double(leg) / legs_ : 1.0, true);
+  return true;
+}
+
+void FrodaFrame::ask_for_pull(double share, bool sees_contacts) {
+  is_looked_at_ = false;
+  rows_.clear();
+  if (sees_contacts) find_rows(pull_weight);
+  set_targets(share);
+  request_ = {target_, rows_, springs(sees_contacts), pull_bound * unit_,
+              options_.is_careful ? options_.conjugate_gradients : 0};
+}
+
+/// Of working bodies, to which contacts add some.
+void FrodaFrame::set_targets(double share) {
+  const auto working = working_.bodies();
+  if (share != target_share_) bodies_with_targets_ = 0;
+  target_share_ = share;
+  for (const std::uint32_t body : working.subspan(bodies_with_targets_))
+    for (Slot at = plan_.bodies()[body].first; at < plan_.bodies()[body].last; ++at)
+      target_[at] = start_[at] + share * push_[at];
+  bodies_with_targets_ = working.size();
+}
+
+std::span<const TurnSpring> FrodaFrame::springs(bool are_wanted) {
+  if (!are_wanted || !options_.has_torsion_preferences || springs_.empty()) return {};
+  return springs_.at(x_, spring_weight);
+}
+
+bool FrodaFrame::ask_for_contacts() {
+  const Violation worst = find_rows(last_weight);
+  const double here = std::max(worst.limit, worst.overlap);
+  if (here <= options_.goal || pushes_ >= options_.last_steps) return false;
+  ++pushes_;
+  since_gain_ = here < least_gain * least_ ? 0 : since_gain_ + 1;
+  least_ = std::min(least_, here);
+  const bool is_whole = least_ <= std::min(options_.limit, options_.overlap);
+  if (since_gain_ >= (is_whole ? patience : long_patience)) return false;
+  request_ = {{},
+              rows_,
+              springs(true),
+              last_bound * unit_,
+              options_.is_careful ? options_.conjugate_gradients : 0};
+  return true;
+}
+
+bool FrodaFrame::ask_for_closing() {
+  if (closings_ >= most_closings || widest_gap() <= widest_closed * unit_) return false;
+  if (closings_++ == 0) before_ = x_;
+  rows_.clear();
+  request_ = {{}, {}, {}, last_bound * unit_, 0};
+  return true;
+}
+
+void FrodaFrame::note_step() {
+  ++steps_;
+  visits_ += static_cast<std::int64_t>(working_.bodies().size());
+  is_looked_at_ = false;
+}
+
+bool FrodaFrame::has_broken_contacts() {
+  find_rows(pull_weight);
+  return !rows_.empty();
+}
+
+FrodaOutcome FrodaFrame::finish(std::span<Vec3> out) {
+  FrodaOutcome outcome;
+  outcome.max_closing = closings_ > 0 ? closing() : 0.0;
+  const Violation worst = find_rows(last_weight);
+  outcome.max_limit = worst.limit;
+  outcome.max_overlap = worst.overlap;
+  outcome.is_whole = worst.limit <= options_.limit && worst.overlap <= options_.overlap &&
+                     widest_gap() <= 10.0 * widest_closed * unit_ &&
+                     outcome.max_closing <= largest_closing * unit_;
+  outcome.steps = steps_;
+  outcome.visits = visits_;
+  for (Joint joint = 0; joint < out.size(); ++joint)
+    out[joint] = x_[plan_.place_of(joint)] + origin_;
+  return outcome;
+}
+
+/// How far a joint went while loops were closed (Angstrom).
+double FrodaFrame::closing() const {
+  double furthest = 0.0;
+  for (std::size_t k = 0; k < x_.size(); ++k)
+    furthest = std::max(furthest, norm_squared(x_[k] - before_[k]));
+  return std::sqrt(furthest);
+}
+
+double FrodaFrame::widest_gap() const {
+  double widest = 0.0;
+  for (const LoopCut& cut : plan_.cuts())
+    widest = std::max(widest, distance(x_[cut.copy], x_[cut.joint]));
+  return widest;
+}
+
+FrodaFrame::Violation FrodaFrame::find_rows(double weight) {
+  if (is_looked_at_) {
+    for (ContactRow& row : rows_) row.weight = weight;
+    return worst_;
+  }
+  rows_.clear();
+  worst_ = {};
+  find_limit_rows(weight, worst_);
+  if (pairs_) find_steric_rows(weight, worst_);
+  is_looked_at_ = true;
+  return worst_;
+}
+
+/// Steps aim a little inside limits. Where nothing moves, a contact that holds is left as it is.
+void FrodaFrame::add_row(const ContactRow& row, double broken) {
+  const std::uint32_t one = plan_.tree_of(plan_.body_at()[row.i]);
+  const std::uint32_t other = plan_.tree_of(plan_.body_at()[row.j]);
+  if (!(broken > options_.goal) && !working_.holds(one) && !working_.holds(other)) return;
+  rows_.push_back(row);
+  working_.add(one);
+  working_.add(other);
+}
+
+void FrodaFrame::find_limit_rows(double weight, Violation& worst) {
+  const auto limits = framework_.limits();
+  for (LimitIndex k = 0; k < limits.size(); ++k) {
+    if (is_off(limits_off_, k)) continue;
+    const Slot i = plan_.place_of(limits[k].a), j = plan_.place_of(limits[k].b);
+    const Aim aim = aim_of(limits[k]);
+    const Vec3 apart = x_[i] - x_[j];
+    const double square = norm_squared(apart);
+    if (square <= aim.most * aim.most && square >= aim.least * aim.least) continue;
+    const double length = std::sqrt(square);
+    const double broken = std::abs(excess(limits[k], length));
+    worst.limit = std::max(worst.limit, broken);
+    const double gap = (length > aim.most ? aim.most : aim.least) - length;
+    add_row({i, j, (1.0 / (length + tiny)) * apart, gap, weight}, broken);
+  }
+}
+
+void FrodaFrame::find_steric_rows(double weight, Violation& worst) {
+  pairs_->update(x_);
+  for (const NearPair& pair : pairs_->pairs()) {
+    const double aim = pair.least + margin;
+    const Vec3 apart = x_[pair.i] - x_[pair.j];
+    const double square = norm_squared(apart);
+    if (square >= aim * aim) continue;
+    const double length = std::sqrt(square);
+    const double broken = pair.least - length;
+    worst.overlap = std::max(worst.overlap, broken);
+    add_row({pair.i, pair.j, (1.0 / (length + tiny)) * apart, aim - length, weight}, broken);
+  }
+}
+
+}  // namespace pliant
