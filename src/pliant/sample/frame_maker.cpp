@@ -55,7 +55,10 @@ double rms_distance(std::span<const Vec3> one, std::span<const Vec3> other) {
 }  // namespace
 
 FrameMaker::FrameMaker(const Framework& framework, const BodyPlan& plan, const Sampler& sampler)
-    : framework_(framework), sampler_(sampler), solver_(framework, plan) {}
+    : framework_(framework), sampler_(sampler), solver_(framework, plan) {
+  if (!sampler.is_walk() && sampler.steps_a_frame() == 1 && FrodaLanes::can_take(plan))
+    lanes_ = std::make_unique<FrodaLanes>(framework, plan);
+}
 
 void FrameMaker::make(std::int64_t number, std::span<const Vec3> now, std::span<const Vec3> before,
                       MadeFrame& out) {
@@ -70,14 +73,47 @@ void FrameMaker::make(std::int64_t number, std::span<const Vec3> now, std::span<
     before_.swap(now_);
     now_ = out.positions;
   }
-  if (out.is_made) {
-    out.limits_off = request_.limits_off;
-    out.off_target = rms_distance(out.positions, request_.targets);
-    measure_bars(out);
-    out.is_made = out.max_residual <= most_residual;
-  }
+  finish(out);
   if (sampler_.is_walk()) keep_in_place(now, out);
   out.cpu_seconds = thread_seconds() - begun;
+}
+
+void FrameMaker::make_many(std::int64_t first, std::span<const Vec3> now,
+                           std::span<MadeFrame> out) {
+  const double begun = thread_seconds();
+  requests_.resize(out.size());
+  jobs_.clear();
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    out[k] = MadeFrame{};
+    out[k].positions.resize(now.size());
+    FrameRequest& request = requests_[k];
+    sampler_.ask(first + static_cast<std::int64_t>(k), 0, 0, now, now, request);
+    jobs_.push_back({from(request, now), request.targets, out[k].positions, request.limits_off});
+  }
+  lanes_->resolve(jobs_, careful());
+  for (std::size_t k = 0; k < out.size(); ++k) {
+    out[k].outcome = jobs_[k].outcome;
+    out[k].steps = out[k].outcome.steps;
+    std::swap(request_, requests_[k]);
+    out[k].is_made = out[k].outcome.is_whole || rescue(from(request_, now), out[k]) ||
+                     draw_again(first + static_cast<std::int64_t>(k), 0, now, now, out[k]);
+    finish(out[k]);
+  }
+  const double share = (thread_seconds() - begun) / double(out.size());
+  for (MadeFrame& frame : out) frame.cpu_seconds = share;
+}
+
+/// Of a frame that is made: what the last request said, and how whole its bars are.
+void FrameMaker::finish(MadeFrame& out) const {
+  if (!out.is_made) return;
+  out.limits_off = request_.limits_off;
+  out.off_target = rms_distance(out.positions, request_.targets);
+  measure_bars(out);
+  out.is_made = out.max_residual <= most_residual;
+}
+
+std::span<const Vec3> FrameMaker::from(const FrameRequest& request, std::span<const Vec3> now) {
+  return request.from.empty() ? now : std::span<const Vec3>(request.from);
 }
 
 /// A walk's frame lies on the one before: as a whole it would drift away.
@@ -89,19 +125,30 @@ void FrameMaker::keep_in_place(std::span<const Vec3> start, MadeFrame& out) cons
   for (Vec3& x : out.before) x = back(x);
 }
 
-/// The draw itself, by careful steps, else by blind ones, else by many small ones; then drawn
-/// again.
+/// The draw itself, by careful steps, else rescued; then drawn again.
 bool FrameMaker::make_step(std::int64_t number, int step, std::span<const Vec3> now,
                            std::span<const Vec3> before, MadeFrame& out) {
-  for (int attempt = 0; attempt <= most_redraws; ++attempt) {
-    if (attempt > 0) ++out.redraws;
+  sampler_.ask(number, step, 0, now, before, request_);
+  const std::span<const Vec3> start = from(request_, now);
+  return resolve(start, careful(), out) || rescue(start, out) ||
+         draw_again(number, step, now, before, out);
+}
+
+bool FrameMaker::draw_again(std::int64_t number, int step, std::span<const Vec3> now,
+                            std::span<const Vec3> before, MadeFrame& out) {
+  for (int attempt = 1; attempt <= most_redraws; ++attempt) {
+    ++out.redraws;
     sampler_.ask(number, step, attempt, now, before, request_);
-    const std::span<const Vec3> from = request_.from.empty() ? now : request_.from;
-    if (resolve(from, careful(), out)) return true;
-    out.is_rescued = true;
-    if (resolve(from, blind(), out) || resolve(from, patient(), out)) return true;
+    const std::span<const Vec3> start = from(request_, now);
+    if (resolve(start, careful(), out) || rescue(start, out)) return true;
   }
   return false;
+}
+
+/// By blind steps, else by many small ones.
+bool FrameMaker::rescue(std::span<const Vec3> from, MadeFrame& out) {
+  out.is_rescued = true;
+  return resolve(from, blind(), out) || resolve(from, patient(), out);
 }
 
 bool FrameMaker::resolve(std::span<const Vec3> now, const FrodaOptions& options, MadeFrame& out) {

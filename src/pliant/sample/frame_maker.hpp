@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Makes frames one by one: asks a sampler, resolves, and tries again where that fails.
+// Makes frames: asks a sampler, resolves, and tries again where that fails. Independent frames are
+// resolved in SIMD lanes.
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
+#include "pliant/resolve/froda/froda_lanes.hpp"
 #include "pliant/resolve/froda/froda_solver.hpp"
 #include "pliant/sample/samplers.hpp"
 
@@ -36,8 +39,17 @@ class FrameMaker {
   /// Frame `number`, which begins at `now`; `before` is where the step before began.
   void make(std::int64_t number, std::span<const Vec3> now, std::span<const Vec3> before,
             MadeFrame& out);
+  /// Whether it has lanes: frames do not begin at others, and take one step each.
+  bool has_lanes() const { return lanes_ != nullptr; }
+  /// Frames `first` and on, which all begin at `now`: the same as one by one. Has lanes.
+  void make_many(std::int64_t first, std::span<const Vec3> now, std::span<MadeFrame> out);
 
  private:
+  bool draw_again(std::int64_t number, int step, std::span<const Vec3> now,
+                  std::span<const Vec3> before, MadeFrame& out);
+  bool rescue(std::span<const Vec3> from, MadeFrame& out);
+  void finish(MadeFrame& out) const;
+  static std::span<const Vec3> from(const FrameRequest& request, std::span<const Vec3> now);
   bool make_step(std::int64_t number, int step, std::span<const Vec3> now,
                  std::span<const Vec3> before, MadeFrame& out);
   bool resolve(std::span<const Vec3> now, const FrodaOptions& options, MadeFrame& out);
@@ -47,7 +59,10 @@ class FrameMaker {
   const Framework& framework_;
   const Sampler& sampler_;
   FrodaSolver solver_;
+  std::unique_ptr<FrodaLanes> lanes_;  ///< null: frames are made one by one
   FrameRequest request_;
+  std::vector<FrameRequest> requests_;  ///< of many
+  std::vector<FrodaJob> jobs_;
   std::vector<Vec3> now_, before_;
 };
 

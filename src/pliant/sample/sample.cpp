@@ -19,8 +19,8 @@
 namespace pliant {
 namespace {
 
-/// Frames that a thread makes before what was made is shown.
-constexpr std::size_t frames_a_thread = 4;
+/// Frames that a thread makes before what was made is shown; with lanes as many at once.
+constexpr std::size_t frames_a_thread = 4, frames_in_lanes = 16;
 constexpr double start_tolerance = 1e-6;
 
 void check_start(const Framework& framework, std::span<const Vec3> start) {
@@ -58,8 +58,7 @@ class Sampling {
     std::int64_t next = options_.first_frame;
     if (sampler_->is_walk()) next = walk_to(next);
     while (next < last && !summary_.stopped_by_caller) {
-      const auto count = std::min<std::int64_t>(
-          last - next, std::int64_t(makers_.size() == 1 ? 1 : makers_.size() * frames_a_thread));
+      const auto count = std::min(last - next, static_cast<std::int64_t>(batch_size()));
       made_.resize(static_cast<std::size_t>(count));
       make_batch(next);
       for (std::int64_t k = 0; k < count && !summary_.stopped_by_caller; ++k)
@@ -97,9 +96,16 @@ class Sampling {
     return first;
   }
 
+  std::size_t batch_size() const {
+    if (makers_[0]->has_lanes()) return makers_.size() * frames_in_lanes;
+    return makers_.size() == 1 ? 1 : makers_.size() * frames_a_thread;
+  }
+
+  /// Each thread takes what is next, until all are made.
   void make_batch(std::int64_t first) {
+    const std::size_t share = makers_[0]->has_lanes() ? frames_in_lanes : 1;
     if (makers_.size() == 1) {
-      for (std::size_t k = 0; k < made_.size(); ++k) make(*makers_[0], first, k);
+      for (std::size_t k = 0; k < made_.size(); k += share) make(*makers_[0], first, k, share);
       return;
     }
     std::atomic<std::size_t> next{0};
@@ -107,7 +113,8 @@ class Sampling {
     Mutex throwing;
     run_in_threads(makers_.size(), [&](std::size_t thread) {
       try {
-        for (std::size_t k = next++; k < made_.size(); k = next++) make(*makers_[thread], first, k);
+        for (std::size_t k = next.fetch_add(share); k < made_.size(); k = next.fetch_add(share))
+          make(*makers_[thread], first, k, share);
       } catch (...) {
         const std::lock_guard hold(throwing);
         thrown = std::current_exception();
@@ -116,8 +123,14 @@ class Sampling {
     if (thrown) std::rethrow_exception(thrown);
   }
 
-  void make(FrameMaker& maker, std::int64_t first, std::size_t k) {
-    maker.make(first + static_cast<std::int64_t>(k), now_, before_, made_[k]);
+  /// The k-th frame of a batch and as many as a thread takes at once.
+  void make(FrameMaker& maker, std::int64_t first, std::size_t k, std::size_t share) {
+    const std::int64_t number = first + static_cast<std::int64_t>(k);
+    if (maker.has_lanes()) {
+      const auto all = std::span(made_);
+      return maker.make_many(number, now_, all.subspan(k, std::min(share, all.size() - k)));
+    }
+    maker.make(number, now_, before_, made_[k]);
     if (!sampler_->is_walk() || !made_[k].is_made) return;
     before_ = made_[k].before;
     now_ = made_[k].positions;

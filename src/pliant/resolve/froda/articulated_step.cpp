@@ -5,13 +5,10 @@
 #include <cmath>
 
 namespace pliant {
-namespace {
 
-constexpr double largest_turn = 0.5;  // radians
-constexpr double damping = 10.0;
-constexpr double tiny = 1e-30;
-/// Each of the two directional masses of a row, so that their sum is above the row.
-constexpr double majorant = 2.0;
+using froda::damping, froda::largest_turn, froda::majorant, froda::tiny;
+
+namespace {
 
 /// y += factor x.
 void add_motions(double factor, const BodyMotions& x, BodyMotions& y) {
@@ -49,7 +46,6 @@ ArticulatedStep::ArticulatedStep(const BodyPlan& plan, const WorkingTrees& worki
 double ArticulatedStep::step(std::span<Vec3> x, const StepRequest& request) {
   pass_.gather(x, request.targets);
   const bool refined = request.conjugate_gradients > 0 && !request.rows.empty();
-  if (refined) plain_ = pass_.inertias();
   pass_.add_rows(x, request.rows, majorant);
   if (refined) left_ = pass_.forces();
   pass_.go_inward(request.springs);
@@ -97,25 +93,40 @@ double ArticulatedStep::resistance(const StepRequest& request, std::size_t turn)
 /// image_ = (H + sum w g g^T) direction_ but for what turns resist by themselves; the product of
 /// both with it.
 double ArticulatedStep::apply_matrix(std::span<const Vec3> x, const StepRequest& request) {
-  const auto body_at = plan_.body_at();
-  image_.resize(plain_.size());
+  const auto bodies = plan_.bodies();
+  image_.resize(bodies.size());
   double sum = 0.0;
-  for (std::size_t k = 0; k < plain_.size(); ++k) {
-    image_[k] = froda::product(plain_[k], direction_.twists[k]);
+  for (std::size_t k = 0; k < bodies.size(); ++k) {
+    image_[k] = pull_of(bodies[k], direction_.twists[k], x);
     sum += froda::dot(image_[k], direction_.twists[k]);
   }
   for (std::size_t t = 0; t < direction_.angles.size(); ++t)
     sum += resistance(request, t) * direction_.angles[t] * direction_.angles[t];
-  for (const ContactRow& row : request.rows) {
-    const std::uint32_t i = body_at[row.i], j = body_at[row.j];
-    const double apart = dot(row.along, froda::velocity(direction_.twists[i], x[row.i]) -
-                                            froda::velocity(direction_.twists[j], x[row.j]));
-    const double force = row.weight * apart;
-    sum += force * apart;
-    froda::add_scaled(force, row.direction(x[row.i]), image_[i]);
-    froda::add_scaled(-force, row.direction(x[row.j]), image_[j]);
-  }
+  for (const ContactRow& row : request.rows) sum += add_row(row, x);
   return sum;
+}
+
+/// The inertia of a body times a twist, joint by joint: few hang on one body.
+Twist ArticulatedStep::pull_of(const PlanBody& body, const Twist& twist, std::span<const Vec3> x) {
+  Vec3 pull, moment;
+  for (Slot at = body.first; at < body.last; ++at) {
+    const Vec3 v = froda::velocity(twist, x[at]);
+    pull += v;
+    moment += cross(x[at], v);
+  }
+  return twist_of(moment, pull);
+}
+
+/// w g g^T direction_, to image_; its product with direction_.
+double ArticulatedStep::add_row(const ContactRow& row, std::span<const Vec3> x) {
+  const auto body_at = plan_.body_at();
+  const std::uint32_t i = body_at[row.i], j = body_at[row.j];
+  const double apart = dot(row.along, froda::velocity(direction_.twists[i], x[row.i]) -
+                                          froda::velocity(direction_.twists[j], x[row.j]));
+  const double force = row.weight * apart;
+  froda::add_scaled(force, row.direction(x[row.i]), image_[i]);
+  froda::add_scaled(-force, row.direction(x[row.j]), image_[j]);
+  return force * apart;
 }
 
 /// How much of the step leaves each body within the bound and each turn below half a radian.

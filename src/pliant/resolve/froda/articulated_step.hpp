@@ -21,6 +21,17 @@
 
 namespace pliant {
 
+namespace froda {
+
+// Of a step, alone and in lanes.
+inline constexpr double largest_turn = 0.5;  // radians
+inline constexpr double damping = 10.0;
+inline constexpr double tiny = 1e-30;
+/// Of each of the two directional masses of a row, so that their sum is above the row.
+inline constexpr double majorant = 2.0;
+
+}  // namespace froda
+
 /// What a step is asked for.
 struct StepRequest {
   std::span<const Vec3> targets = {};  ///< (places) where each should come to; empty: stay
@@ -56,6 +67,8 @@ class ArticulatedStep {
 
   void refine(std::span<const Vec3> x, const StepRequest& request);
   double apply_matrix(std::span<const Vec3> x, const StepRequest& request);
+  static Twist pull_of(const PlanBody& body, const Twist& twist, std::span<const Vec3> x);
+  double add_row(const ContactRow& row, std::span<const Vec3> x);
   double resistance(const StepRequest& request, std::size_t turn) const;
   Share share_of(std::span<const Vec3> x, double bound) const;
   void move(std::span<Vec3> x, double share);
@@ -69,7 +82,6 @@ class ArticulatedStep {
   BodyMotions motions_;
   std::vector<Motion> motion_;
   // of conjugate gradients
-  std::vector<Inertia> plain_;
   std::vector<Twist> left_, room_, image_;
   std::vector<double> left_of_turns_;
   BodyMotions direction_, sum_;

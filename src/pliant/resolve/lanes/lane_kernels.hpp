@@ -85,6 +85,8 @@ struct LaneResult {
   double off_nearest[lane_count];  ///< Angstrom; of `nearest` alone, -1 where not looked for
 };
 
+struct LaneBodyKernels;  // lane_bodies.hpp
+
 /// The kernels of one level of instructions.
 struct LaneKernels {
   const char* level;  ///< "portable", "v2" (of x86-64: SSE4.2), "v3" (AVX2), "v4" (AVX-512)
@@ -120,6 +122,8 @@ struct LaneKernels {
   LaneResult (*nearest)(const BarPattern& part, const LaneRoom& room,
                         const LaneNearestRoom& nearest_room, std::int64_t most_iterations,
                         LaneVector* x);
+
+  const LaneBodyKernels* bodies;  ///< of technique `froda`
 };
 
 /// All levels that this build holds and this processor knows, the best one first.

@@ -3,6 +3,7 @@
 // functions and the templates of bar_loops.hpp on types of this level: an inline function of
 // another header compiled here could end up in code for every processor.
 #include "pliant/resolve/lanes/lane_bar_newton_kernels.hpp"
+#include "pliant/resolve/lanes/lane_body_kernels.hpp"
 #include "pliant/resolve/lanes/lane_nearest_kernels.hpp"
 
 #define PLIANT_LANE_TEXT_OF(name) #name
@@ -26,6 +27,7 @@ const LaneKernels kernels = {.level = level_name,
                              .look = look,
                              .block_newton = block_newton,
                              .shake = shake,
-                             .nearest = nearest};
+                             .nearest = nearest,
+                             .bodies = &body_kernels};
 
 }  // namespace pliant::PLIANT_LANE_LEVEL

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: MIT
+// Resolves many frames of one framework by careful steps, eight at once in SIMD lanes: a lane whose
+// frame is whole gets the next one. Each frame has the bits that FrodaSolver gives it alone.
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "pliant/resolve/froda/froda_frame.hpp"
+#include "pliant/resolve/froda/lane_step.hpp"
+
+namespace pliant {
+
+/// A frame to be resolved, as FrodaSolver::resolve takes it.
+struct FrodaJob {
+  std::span<const Vec3> start, target;  ///< (N, Angstrom)
+  std::span<Vec3> out;                  ///< (N)
+  LimitsOff limits_off = {};
+  FrodaOutcome outcome = {};
+};
+
+/// Not for two threads at once.
+class FrodaLanes {
+ public:
+  /// Whether frames of this plan are worth lanes: no loops are cut, and eight frames are not too
+  /// much for a processor's cache.
+  static bool can_take(const BodyPlan& plan);
+
+  /// Both outlive it; can_take(plan). Steps are those of a FrodaSolver of unit 1.
+  FrodaLanes(const Framework& framework, const BodyPlan& plan,
+             const LaneKernels& kernels = *lane_levels().front());
+
+  /// `options` are careful.
+  void resolve(std::span<FrodaJob> jobs, const FrodaOptions& options);
+
+ private:
+  struct Lane {
+    std::unique_ptr<FrodaFrame> frame;
+    FrodaJob* job = nullptr;  ///< null: idle
+  };
+
+  bool take_up(Lane& lane, std::span<FrodaJob>& waiting, const FrodaOptions& options);
+  void step_together();
+  void finish_alone(Lane& lane);
+
+  const Framework& framework_;
+  const BodyPlan& plan_;
+  std::array<Lane, lane_count> lanes_;
+  WorkingTrees all_;
+  LaneStep together_;
+  ArticulatedStep alone_;
+};
+
+}  // namespace pliant

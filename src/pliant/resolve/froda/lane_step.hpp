@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The step of an ArticulatedStep for eight frames at once, in SIMD lanes: each frame gets the bits
+// that it has alone. Contacts, which differ from frame to frame, are added one by one.
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "pliant/resolve/froda/articulated_step.hpp"
+#include "pliant/resolve/lanes/lane_bodies.hpp"
+
+namespace pliant {
+
+/// A frame that takes a step: its positions (places) and what the step is asked for.
+struct LaneStepFrame {
+  Vec3* x = nullptr;  ///< null: nobody is in this lane
+  const StepRequest* request = nullptr;
+};
+
+class LaneStep {
+ public:
+  /// The plan outlives it, and has no cut loops. All bodies take part. `kernels`: of a level.
+  LaneStep(const BodyPlan& plan, const LaneKernels& kernels);
+
+  /// One step of each frame, with as many conjugate gradients for all; one frame at least.
+  void step(std::span<const LaneStepFrame, lane_count> frames);
+
+ private:
+  void load(std::span<const LaneStepFrame, lane_count> frames);
+  void add_rows(std::size_t lane, const StepRequest& request, const Vec3* x);
+  void refine();
+  LaneValue apply_matrix();
+  double apply_row(std::size_t lane, const ContactRow& row, const Vec3* x);
+  void move();
+  LaneMoves moves_of(std::vector<LaneTwist>& twists, std::vector<LaneValue>& angles) {
+    return {twists.data(), angles.data()};
+  }
+
+  const BodyPlan& plan_;
+  const LaneKernels& kernels_;
+  std::array<LaneStepFrame, lane_count> frames_;
+  LaneMask refined_ = 0;  ///< which have contacts, and so conjugate gradients
+  int conjugate_gradients_ = 0;
+  std::vector<LaneBody> bodies_;
+  std::vector<LaneInertia> inertia_;
+  std::vector<LaneTurn> turns_;
+  std::vector<LaneSpring> springs_;
+  std::vector<TurnSpring> no_springs_;
+  std::vector<LaneVector> x_, targets_;  ///< of places
+  std::vector<LaneMotion> motion_;
+  std::vector<LaneTwist> forces_, left_, image_, twists_, direction_, sum_;
+  std::vector<LaneValue> left_of_turns_, angles_, direction_angles_, sum_angles_;
+  LaneForest forest_{};
+};
+
+}  // namespace pliant
