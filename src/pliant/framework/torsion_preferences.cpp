@@ -144,8 +144,9 @@ double off_staggered(double torsion) {
 double backbone_reach(double phi, double psi) { return std::sqrt(nearest_region(phi, psi).square); }
 
 BackboneTurn backbone_turn(double phi, double psi, double reach) {
+  for (const Region& region : regions)  // most are in one, and need not know the nearest
+    if (in_region(region, phi, psi).square <= reach * reach) return {};
   const InRegion at = nearest_region(phi, psi);
-  if (at.square <= reach * reach) return {};
   const double back = reach / std::sqrt(at.square) - 1.0;
   return {back * at.phi, back * at.psi};
 }

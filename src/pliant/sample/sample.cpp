@@ -20,7 +20,7 @@ namespace pliant {
 namespace {
 
 /// Frames that a thread makes before what was made is shown; with lanes as many at once.
-constexpr std::size_t frames_a_thread = 4, frames_in_lanes = 16;
+constexpr std::size_t frames_a_thread = 4, frames_in_lanes = 32;
 constexpr double start_tolerance = 1e-6;
 
 void check_start(const Framework& framework, std::span<const Vec3> start) {

@@ -7,7 +7,7 @@ namespace pliant {
 namespace {
 
 /// Bodies of eight frames beyond which lanes wait for memory.
-constexpr std::size_t most_bodies = 20000;
+constexpr std::size_t most_bodies = 4000;
 /// So few frames that are left are faster one by one.
 constexpr std::ptrdiff_t few = 2;
 

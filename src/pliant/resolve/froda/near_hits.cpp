@@ -14,20 +14,14 @@ namespace {
 
 #ifdef PLIANT_HAS_VECTORS
 
-/// The bits of a mask: their places, the lowest first, and how many they are.
+/// The places of the bits of each mask, the lowest first.
 template <class Place, std::size_t width>
-struct MaskBits {
-  alignas(sizeof(Place) * width) std::array<Place, width> places{};
-  std::uint32_t count = 0;
-};
-
-template <class Place, std::size_t width>
-consteval auto bits_of_masks() {
-  std::array<MaskBits<Place, width>, 1U << width> bits{};
-  for (std::uint32_t mask = 0; mask < bits.size(); ++mask)
-    for (std::uint32_t bit = 0; bit < width; ++bit)
-      if ((mask >> bit & 1) != 0) bits[mask].places[bits[mask].count++] = static_cast<Place>(bit);
-  return bits;
+consteval auto places_of_masks() {
+  std::array<std::array<Place, width>, 1U << width> places{};
+  for (std::uint32_t mask = 0; mask < places.size(); ++mask)
+    for (std::uint32_t bit = 0, count = 0; bit < width; ++bit)
+      if ((mask >> bit & 1) != 0) places[mask][count++] = static_cast<Place>(bit);
+  return places;
 }
 
 /// Those of the `width` points from m on that a run has, which ends at `to`.
@@ -36,9 +30,12 @@ std::uint32_t mask_of(std::uint32_t m, std::uint32_t to) {
   return (1U << std::min(to - m, width)) - 1U;
 }
 
+/// How many bits each mask of four has: a hexadecimal digit each.
+constexpr std::uint64_t bits_of_four = 0x4332322132212110;
+
 std::size_t find_by_fours(NearPoints points, std::span<const NearRun> runs, std::uint32_t k,
                           float widest, float* squares, std::uint32_t* hits) {
-  static constexpr auto bits_of = bits_of_masks<std::uint32_t, 4>();
+  static constexpr auto places_of = places_of_masks<std::uint32_t, 4>();
   const __m128 x = _mm_set1_ps(points.x[k]), y = _mm_set1_ps(points.y[k]),
                z = _mm_set1_ps(points.z[k]), most = _mm_set1_ps(widest);
   std::size_t count = 0;
@@ -51,21 +48,23 @@ std::size_t find_by_fours(NearPoints points, std::span<const NearRun> runs, std:
           _mm_add_ps(_mm_add_ps(_mm_mul_ps(dx, dx), _mm_mul_ps(dy, dy)), _mm_mul_ps(dz, dz));
       _mm_storeu_ps(squares + m, square);
       const auto near = static_cast<unsigned>(_mm_movemask_ps(_mm_cmplt_ps(square, most)));
-      const auto& bits = bits_of[near & mask_of<4>(m, run.to)];
-      const __m128i places = _mm_load_si128(reinterpret_cast<const __m128i*>(bits.places.data()));
+      const std::uint32_t mask = near & mask_of<4>(m, run.to);
+      const __m128i places =
+          _mm_loadu_si128(reinterpret_cast<const __m128i*>(places_of[mask].data()));
       _mm_storeu_si128(reinterpret_cast<__m128i*>(hits + count),
                        _mm_add_epi32(places, _mm_set1_epi32(static_cast<int>(m))));
-      count += bits.count;
+      count += bits_of_four >> 4 * mask & 15;
     }
   return count;
 }
 
 /// The same sums for twice as many points at once: the same bits.
-__attribute__((target("avx2"))) std::size_t find_by_eights(NearPoints points,
-                                                           std::span<const NearRun> runs,
-                                                           std::uint32_t k, float widest,
-                                                           float* squares, std::uint32_t* hits) {
-  static constexpr auto bits_of = bits_of_masks<std::uint8_t, 8>();
+__attribute__((target("avx2,popcnt"))) std::size_t find_by_eights(NearPoints points,
+                                                                  std::span<const NearRun> runs,
+                                                                  std::uint32_t k, float widest,
+                                                                  float* squares,
+                                                                  std::uint32_t* hits) {
+  static constexpr auto places_of = places_of_masks<std::uint8_t, 8>();
   const __m256 x = _mm256_set1_ps(points.x[k]), y = _mm256_set1_ps(points.y[k]),
                z = _mm256_set1_ps(points.z[k]), most = _mm256_set1_ps(widest);
   std::size_t count = 0;
@@ -79,12 +78,13 @@ __attribute__((target("avx2"))) std::size_t find_by_eights(NearPoints points,
       _mm256_storeu_ps(squares + m, square);
       const auto near =
           static_cast<unsigned>(_mm256_movemask_ps(_mm256_cmp_ps(square, most, _CMP_LT_OQ)));
-      const auto& bits = bits_of[near & mask_of<8>(m, run.to)];
-      const __m128i places = _mm_loadl_epi64(reinterpret_cast<const __m128i*>(bits.places.data()));
+      const std::uint32_t mask = near & mask_of<8>(m, run.to);
+      const __m128i places =
+          _mm_loadl_epi64(reinterpret_cast<const __m128i*>(places_of[mask].data()));
       _mm256_storeu_si256(
           reinterpret_cast<__m256i*>(hits + count),
           _mm256_add_epi32(_mm256_cvtepu8_epi32(places), _mm256_set1_epi32(static_cast<int>(m))));
-      count += bits.count;
+      count += static_cast<std::size_t>(__builtin_popcount(mask));
     }
   return count;
 }
@@ -113,7 +113,8 @@ std::size_t find_one_by_one(NearPoints points, std::span<const NearRun> runs, st
 std::span<const FindNearHits> near_hits_finders() {
 #ifdef PLIANT_HAS_VECTORS
   static constexpr FindNearHits all[] = {find_by_fours, find_by_eights};
-  static const std::size_t count = __builtin_cpu_supports("avx2") ? 2 : 1;
+  static const std::size_t count =
+      __builtin_cpu_supports("avx2") && __builtin_cpu_supports("popcnt") ? 2 : 1;
 #else
   static constexpr FindNearHits all[] = {find_one_by_one};
   static const std::size_t count = 1;

@@ -24,19 +24,25 @@ NearPairs::NearPairs(const Framework& framework, const BodyPlan& plan, double sk
 
 void NearPairs::update(std::span<const Vec3> x) {
   if (!(rules_.largest() > 0.0)) return;
-  if (!listed_at_.empty() && furthest_from_listed(x) <= 0.5 * skin_) return;
-  const bool is_whole_list = choose_renewed(x);
+  const bool is_first = listed_at_.empty();
+  if (is_first) listed_at_.assign(x.begin(), x.end());
+  if (!is_first && furthest_from_listed(x) <= 0.5 * skin_) return;
+  const bool is_whole_list = choose_renewed(x) || is_first;
   ++lists_made_;
   unsorted_.clear();
-  sort_into_cells(listed_at_);
+  sort_into_cells();
   if (is_whole_list) return make_list();
   renew_list();
 }
 
-double NearPairs::furthest_from_listed(std::span<const Vec3> x) const {
+/// Notes how far each place has gone since its pairs were listed.
+double NearPairs::furthest_from_listed(std::span<const Vec3> x) {
+  square_moves_.resize(x.size());
   double furthest = 0.0;
-  for (Slot place : rules_.listed())
-    furthest = std::max(furthest, norm_squared(x[place] - listed_at_[place]));
+  for (Slot place : rules_.listed()) {
+    square_moves_[place] = norm_squared(x[place] - listed_at_[place]);
+    furthest = std::max(furthest, square_moves_[place]);
+  }
   return std::sqrt(furthest);
 }
 
@@ -45,17 +51,13 @@ bool NearPairs::choose_renewed(std::span<const Vec3> x) {
   const double least = renewed_share * skin_ * renewed_share * skin_;
   const auto listed = rules_.listed();
   is_renewed_.assign(x.size(), 0);
-  std::size_t count = listed.size();
-  if (!listed_at_.empty()) {
-    count = 0;
-    for (Slot place : listed) {
-      if (!(norm_squared(x[place] - listed_at_[place]) > least)) continue;
-      is_renewed_[place] = 1;
-      ++count;
-    }
+  square_moves_.resize(x.size());
+  std::size_t count = 0;
+  for (Slot place : listed) {
+    is_renewed_[place] = square_moves_[place] > least ? 1 : 0;
+    count += is_renewed_[place];
   }
   const bool is_all = double(count) > most_renewed * double(listed.size());
-  listed_at_.resize(x.size());
   for (Slot place : listed)
     if (is_all || is_renewed_[place] != 0) listed_at_[place] = x[place];
   return is_all;
@@ -88,50 +90,69 @@ void NearPairs::renew_list() {
              });
 }
 
-void NearPairs::sort_into_cells(std::span<const Vec3> x) {
+/// Places where they were listed, by cells a little wider than the list reaches.
+void NearPairs::sort_into_cells() {
+  set_cells();
+  first_in_cell_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
+  is_renewed_cell_.assign(first_in_cell_.size(), 0);
   const auto listed = rules_.listed();
-  Vec3 low = x[listed[0]], high = low;
-  for (Slot place : rules_.listed()) {
-    const Vec3 at = x[place];
+  const std::span cells(cell_of_), firsts(first_in_cell_);
+  const std::span of_place(is_renewed_), of_cell(is_renewed_cell_);
+  for (std::size_t k = 0; k < listed.size(); ++k) {
+    ++firsts[cells[k] + 1];
+    of_cell[cells[k]] |= of_place[listed[k]];
+  }
+  for (std::size_t c = 1; c < firsts.size(); ++c) firsts[c] += firsts[c - 1];
+  next_.assign(first_in_cell_.begin(), first_in_cell_.end() - 1);
+  fill_cells();
+}
+
+/// How many cells there are, and in which each place is.
+void NearPairs::set_cells() {
+  const auto listed = rules_.listed();
+  Vec3 low = listed_at_[listed[0]], high = low;
+  for (Slot place : listed) {
+    const Vec3 at = listed_at_[place];
     low = {std::min(low.x, at.x), std::min(low.y, at.y), std::min(low.z, at.z)};
     high = {std::max(high.x, at.x), std::max(high.y, at.y), std::max(high.z, at.z)};
   }
   double side = rules_.largest() + skin_ + list_slack;
   const Vec3 extent = high - low;
-  const auto set_cells = [&] {
+  const auto cell_count = [&] {
     cells_ = {cells_along(extent.x, side), cells_along(extent.y, side),
               cells_along(extent.z, side)};
     return double(cells_[0]) * cells_[1] * cells_[2];
   };
-  while (set_cells() > double(cells_a_place * listed.size() + 64)) side *= 1.25;
+  while (cell_count() > double(cells_a_place * listed.size() + 64)) side *= 1.25;
   cell_of_.resize(listed.size());
-  first_in_cell_.assign(std::size_t(cells_[0]) * cells_[1] * cells_[2] + 1, 0);
+  const double per_side = 1.0 / side;
+  const std::array<std::uint32_t, 3> cells = cells_;
+  const std::span cell_of(cell_of_);
   for (std::size_t k = 0; k < listed.size(); ++k) {
-    const Vec3 at = (1.0 / side) * (x[listed[k]] - low);
-    cell_of_[k] =
-        (static_cast<std::uint32_t>(at.x) * cells_[1] + static_cast<std::uint32_t>(at.y)) *
-            cells_[2] +
-        static_cast<std::uint32_t>(at.z);
-    ++first_in_cell_[cell_of_[k] + 1];
+    const Vec3 at = per_side * (listed_at_[listed[k]] - low);
+    cell_of[k] = (static_cast<std::uint32_t>(at.x) * cells[1] + static_cast<std::uint32_t>(at.y)) *
+                     cells[2] +
+                 static_cast<std::uint32_t>(at.z);
   }
-  for (std::size_t c = 1; c < first_in_cell_.size(); ++c)
-    first_in_cell_[c] += first_in_cell_[c - 1];
-  next_.assign(first_in_cell_.begin(), first_in_cell_.end() - 1);
-  for (auto* values : {&x_, &y_, &z_}) values->resize(listed.size() + points_beyond);
-  slot_.resize(listed.size());
-  kind_at_.resize(listed.size());
-  renewed_at_.resize(listed.size());
-  squares_.resize(listed.size() + points_beyond);
+}
+
+/// Copies places side by side, cell by cell.
+void NearPairs::fill_cells() {
+  const auto listed = rules_.listed();
+  for (auto* values : {&x_, &y_, &z_, &squares_}) values->resize(listed.size() + points_beyond);
+  sorted_at_.resize(listed.size());
   hits_.resize(listed.size() + hits_beyond);
+  const std::span next(next_), cell_of(cell_of_);
+  const std::span x(x_), y(y_), z(z_);
+  const std::span sorted(sorted_at_);
   for (std::size_t k = 0; k < listed.size(); ++k) {
-    const std::uint32_t slot = next_[cell_of_[k]]++;
-    const Vec3 at = x[listed[k]];
-    slot_[slot] = listed[k];
-    kind_at_[slot] = rules_.kind(listed[k]);
-    renewed_at_[slot] = is_renewed_[listed[k]];
-    x_[slot] = static_cast<float>(at.x);
-    y_[slot] = static_cast<float>(at.y);
-    z_[slot] = static_cast<float>(at.z);
+    const std::uint32_t to = next[cell_of[k]]++;
+    const Slot place = listed[k];
+    const Vec3 at = listed_at_[place];
+    sorted[to] = {place, rules_.kind(place), is_renewed_[place]};
+    x[to] = static_cast<float>(at.x);
+    y[to] = static_cast<float>(at.y);
+    z[to] = static_cast<float>(at.z);
   }
 }
 
@@ -154,9 +175,8 @@ void NearPairs::visit_cell(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
 /// Pairs of renewed places of a cell with all in it and around it.
 void NearPairs::visit_renewed(std::uint32_t a, std::uint32_t b, std::uint32_t c) {
   const std::uint32_t cell = (a * cells_[1] + b) * cells_[2] + c;
+  if (is_renewed_cell_[cell] == 0) return;
   const std::uint32_t first = first_in_cell_[cell], last = first_in_cell_[cell + 1];
-  const auto own = renewed_at_.begin();
-  if (std::find(own + first, own + last, 1) == own + last) return;
   run_count_ = 0;
   const std::uint32_t low = c > 0 ? c - 1 : 0, high = std::min(c + 1, cells_[2] - 1);
   for (std::uint32_t x = a > 0 ? a - 1 : 0; x <= std::min(a + 1, cells_[0] - 1); ++x)
@@ -174,15 +194,17 @@ void NearPairs::add_run(std::uint32_t row, std::uint32_t low, std::uint32_t high
 void NearPairs::compare(std::uint32_t first, std::uint32_t last) {
   for (std::uint32_t k = first; k < last; ++k) {
     runs_[0].from = k + 1;
-    take_hits(k, [](std::uint32_t) { return true; });
+    take_hits(k, [](const SortedPlace&) { return true; });
   }
 }
 
 /// The renewed ones of [first, last) with all; of two renewed ones the lower takes both.
 void NearPairs::compare_renewed(std::uint32_t first, std::uint32_t last) {
-  for (std::uint32_t k = first; k < last; ++k)
-    if (renewed_at_[k] != 0)
-      take_hits(k, [&](std::uint32_t m) { return renewed_at_[m] == 0 || slot_[k] < slot_[m]; });
+  for (std::uint32_t k = first; k < last; ++k) {
+    if (sorted_at_[k].is_renewed == 0) continue;
+    const Slot own = sorted_at_[k].place;
+    take_hits(k, [own](const SortedPlace& m) { return m.is_renewed == 0 || own < m.place; });
+  }
 }
 
 /// Lists those of the runs that may come too near to the k-th of the sorted places.
@@ -190,28 +212,31 @@ template <class IsWanted>
 void NearPairs::take_hits(std::uint32_t k, const IsWanted& is_wanted) {
   const NearPoints points{x_.data(), y_.data(), z_.data()};
   const std::size_t hits =
-      find_near_hits_(points, {runs_.data(), run_count_}, k, rules_.widest(kind_at_[k]),
+      find_near_hits_(points, {runs_.data(), run_count_}, k, rules_.widest(sorted_at_[k].kind),
                       squares_.data(), hits_.data());
-  const Slot own = slot_[k];
+  const Slot own = sorted_at_[k].place;
   for (std::size_t h = 0, count = keep_free_hits(k, hits); h < count; ++h) {
-    if (!is_wanted(hits_[h])) continue;
-    const Slot other = slot_[hits_[h]];
-    const Slot i = std::min(own, other), j = std::max(own, other);
+    const SortedPlace& hit = sorted_at_[hits_[h]];
+    if (!is_wanted(hit)) continue;
+    const Slot i = std::min(own, hit.place), j = std::max(own, hit.place);
     if (const double least = rules_.least(i, j); least > 0.0) unsorted_.push_back({i, j, least});
   }
 }
 
 /// Of the hits of a sorted place those that are not excluded and near for their kinds; how many.
-std::size_t NearPairs::keep_free_hits(std::uint32_t k, std::size_t hits) {
-  const Slot own = slot_[k];
-  const NeighbourMask& excluded = rules_.excluded_near(own);
-  const float* const reaches = rules_.square_reaches(kind_at_[k]);
+std::size_t NearPairs::keep_free_hits(std::uint32_t k, std::size_t hit_count) {
+  const SortedPlace own = sorted_at_[k];
+  const NeighbourMask excluded = rules_.excluded_near(own.place);
+  const float *const reaches = rules_.square_reaches(own.kind), *const squares = squares_.data();
+  const SortedPlace* const sorted = sorted_at_.data();
+  std::uint32_t* const hits = hits_.data();
   std::size_t count = 0;
-  for (std::size_t h = 0; h < hits; ++h) {
-    const std::uint32_t m = hits_[h];
-    const bool is_near = squares_[m] < reaches[kind_at_[m]];
-    hits_[count] = m;
-    count += static_cast<std::size_t>(is_near & !excluded.has(own, slot_[m]));
+  for (std::size_t h = 0; h < hit_count; ++h) {
+    const std::uint32_t m = hits[h];
+    const SortedPlace other = sorted[m];
+    const bool is_near = squares[m] < reaches[other.kind];
+    hits[count] = m;
+    count += static_cast<std::size_t>(is_near & !excluded.has(own.place, other.place));
   }
   return count;
 }

@@ -34,11 +34,19 @@ class NearPairs {
   std::int64_t lists_made() const { return lists_made_; }
 
  private:
-  double furthest_from_listed(std::span<const Vec3> x) const;
+  struct SortedPlace {
+    Slot place;
+    std::uint16_t kind;
+    std::uint8_t is_renewed;
+  };
+
+  double furthest_from_listed(std::span<const Vec3> x);
   bool choose_renewed(std::span<const Vec3> x);
   void make_list();
   void renew_list();
-  void sort_into_cells(std::span<const Vec3> x);
+  void sort_into_cells();
+  void set_cells();
+  void fill_cells();
   template <class Visit>
   void visit_cells(const Visit& visit);
   void visit_cell(std::uint32_t x, std::uint32_t y, std::uint32_t z);
@@ -48,7 +56,7 @@ class NearPairs {
   void compare_renewed(std::uint32_t first, std::uint32_t last);
   template <class IsWanted>
   void take_hits(std::uint32_t k, const IsWanted& is_wanted);
-  std::size_t keep_free_hits(std::uint32_t k, std::size_t hits);
+  std::size_t keep_free_hits(std::uint32_t k, std::size_t hit_count);
   void sort_pairs();
 
   NearRules rules_;
@@ -58,13 +66,14 @@ class NearPairs {
   std::int64_t lists_made_ = 0;
   std::vector<Vec3> listed_at_;  ///< where each place was when its pairs were listed
   std::vector<NearPair> pairs_, unsorted_, sorted_, kept_;
+  std::vector<double> square_moves_;      ///< of each place since then
   std::vector<std::uint8_t> is_renewed_;  ///< of each place
   // while a list is made: places sorted into cells
   std::array<std::uint32_t, 3> cells_{};
-  std::vector<std::uint32_t> cell_of_, first_in_cell_, slot_;
+  std::vector<std::uint32_t> cell_of_, first_in_cell_;
   std::vector<float> x_, y_, z_;
-  std::vector<std::uint8_t> renewed_at_;
-  std::vector<std::uint16_t> kind_at_;
+  std::vector<SortedPlace> sorted_at_;
+  std::vector<std::uint8_t> is_renewed_cell_;
   // the candidates of the cell in hand, as runs of sorted places, and which are near the one in
   // hand
   std::array<NearRun, 9> runs_{};

@@ -6,6 +6,8 @@
 #include <cstdint>
 #include <unordered_map>
 
+#include "pliant/base/elementary.hpp"
+
 namespace pliant {
 namespace {
 
@@ -18,6 +20,19 @@ std::array<Slot, size> places_of(const BodyPlan& plan, const std::array<Joint, s
   std::array<Slot, size> places;
   for (std::size_t k = 0; k < size; ++k) places[k] = plan.place_of(joints[k]);
   return places;
+}
+
+double signed_square(double x) { return x * std::abs(x); }
+
+/// Whether a torsion t is no further from staggered than the angle whose triple has the cosine c,
+/// given `least` = c |c|: -cos 3t >= c. For the point (x, y) at t, -cos 3t is x (3 y^2 - x^2) /
+/// |(x, y)|^3; with squares that keep their signs, nothing is divided and no root is taken.
+bool is_free(Vec3 a, Vec3 b, Vec3 c, Vec3 d, double least) {
+  const Vec3 axis = c - b, one = cross(b - a, axis), other = cross(axis, d - c);
+  const double x = dot(one, other), up = dot(b - a, other);
+  const double xx = x * x, yy = norm_squared(axis) * up * up, all = xx + yy;
+  const double triple = x * (3.0 * yy - xx);
+  return signed_square(triple) >= least * (all * all * all);
 }
 
 /// The bodies that hang on one bond, by its joints.
@@ -65,7 +80,8 @@ TurnSprings::TurnSprings(const Framework& framework, const BodyPlan& plan) {
   };
   for (const auto& [at, free] : wanted->staggered)
     if (const Hinge hinge = hinge_of(at[0], at[1], at[2], at[3]); hinge.sign != 0.0)
-      staggered_.push_back({places_of(plan, at), hinge, free});
+      staggered_.push_back(
+          {places_of(plan, at), hinge, free, signed_square(exact_bits_cos(3.0 * free))});
   for (const auto& [at, reach] : wanted->backbone) {
     const Hinge phi = hinge_of(at[0], at[1], at[2], at[3]),
                 psi = hinge_of(at[1], at[2], at[3], at[4]);
@@ -84,6 +100,7 @@ std::span<const TurnSpring> TurnSprings::at(std::span<const Vec3> x, double weig
 
 void TurnSprings::pull(const Staggered& at, std::span<const Vec3> x, double weight) {
   const auto& p = at.places;
+  if (is_free(x[p[0]], x[p[1]], x[p[2]], x[p[3]], at.least)) return;
   const double off = off_staggered(torsion_angle(x[p[0]], x[p[1]], x[p[2]], x[p[3]]));
   if (std::abs(off) > at.free) pull(at.hinge, (off > 0.0 ? at.free : -at.free) - off, weight);
 }

@@ -39,6 +39,7 @@ class TurnSprings {
     std::array<Slot, 4> places;
     Hinge hinge;
     double free;
+    double least;  ///< of -cos 3t of a torsion t that is free, as a square with its sign
   };
   struct Backbone {
     std::array<Slot, 5> places;

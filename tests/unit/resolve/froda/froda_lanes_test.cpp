@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/resolve/froda/froda_lanes.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <numbers>
+
+#include "pliant/framework/contacts.hpp"
+#include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/build_framework.hpp"
+#include "pliant/molecule/read/read.hpp"
+#include "pliant/resolve/froda/froda_solver.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace froda_lanes_test {
+
+struct Molecule {
+  Framework framework;
+  std::vector<Vec3> start;
+};
+
+/// Spheres of 2.2 Angstrom, a limit between the first atom and the last, and torsion preferences
+/// about every third bond that can turn.
+Molecule molecule(const std::string& file) {
+  Structure structure = read_structure(PLIANT_SOURCE_DIR "/data/molecules/" + file);
+  perceive_bonds(structure);
+  BuildOptions options{.bars = BarKind::angles};
+  const Framework bare = build_framework(structure, options);
+  auto sterics =
+      std::make_shared<Sterics>(Sterics{.kind_count = 1,
+                                        .kinds = std::vector<std::uint16_t>(bare.joint_count(), 0),
+                                        .least = {2.2},
+                                        .excluded_bonds = 3});
+  options.sterics = sterics;
+  sterics->own = own_distances(build_framework(structure, options), structure.positions);
+  const auto last = static_cast<Joint>(bare.joint_count() - 1);
+  const double apart = distance(structure.positions.front(), structure.positions.back());
+  options.limits = {{0, last, 0.0, apart + 0.5, LimitKind::given, 0.0, no_limit_group}};
+  auto wanted = std::make_shared<TorsionPreferences>();
+  for (Joint k = 0; k + 4 < bare.joint_count(); k += 3)
+    wanted->staggered.push_back({{k, k + 1, k + 2, k + 3}, 0.1});
+  options.torsion_preferences = wanted;
+  return {build_framework(structure, options), structure.positions};
+}
+
+FrodaOptions careful() {
+  FrodaOptions options;
+  options.is_careful = true;
+  options.has_torsion_preferences = true;
+  return options;
+}
+
+/// What each of some frames is asked for; the third is asked for nothing, and every fourth without
+/// the limit.
+struct Frames {
+  std::vector<std::vector<Vec3>> targets, out;
+  std::vector<std::uint8_t> off{1};
+
+  Frames(const Molecule& m, std::size_t count) : out(count, m.start) {
+    for (std::size_t k = 0; k < count; ++k)
+      targets.push_back(test::shake(m.framework, m.start, k == 2 ? 0.0 : 0.4 * double(k % 5), k));
+  }
+  LimitsOff limits_off(std::size_t k) const { return k % 4 == 3 ? LimitsOff(off) : LimitsOff(); }
+};
+
+void expect_those_of_a_solver(const Molecule& m, const LaneKernels& kernels, std::size_t count) {
+  const auto plan = BodyPlan::make(m.framework);
+  ASSERT_TRUE(plan && FrodaLanes::can_take(*plan));
+  Frames frames(m, count);
+  std::vector<FrodaJob> jobs;
+  for (std::size_t k = 0; k < count; ++k)
+    jobs.push_back({m.start, frames.targets[k], frames.out[k], frames.limits_off(k)});
+  FrodaLanes(m.framework, *plan, kernels).resolve(jobs, careful());
+  FrodaSolver solver(m.framework, *plan);
+  std::vector<Vec3> alone = m.start;
+  for (std::size_t k = 0; k < count; ++k) {
+    const FrodaOutcome outcome =
+        solver.resolve(m.start, frames.targets[k], alone, careful(), frames.limits_off(k));
+    EXPECT_EQ(frames.out[k], alone) << k << " of " << count;
+    EXPECT_EQ(jobs[k].outcome.is_whole, outcome.is_whole) << k;
+    EXPECT_EQ(jobs[k].outcome.steps, outcome.steps) << k;
+    EXPECT_EQ(jobs[k].outcome.max_overlap, outcome.max_overlap) << k;
+    EXPECT_EQ(jobs[k].outcome.max_limit, outcome.max_limit) << k;
+  }
+}
+
+/// To the last bit, on all levels, however many stand side by side.
+TEST(FrodaLanes, AFrameHasTheBitsThatItHasAlone) {
+  for (const LaneKernels* kernels : lane_levels())
+    for (const char* file : {"peptide_20.pdb", "cholesterol.cif", "butane.sdf"})
+      for (const std::size_t count : {1, 2, 3, 8, 21}) {
+        SCOPED_TRACE(std::string(kernels->level) + " " + file);
+        expect_those_of_a_solver(molecule(file), *kernels, count);
+      }
+}
+
+TEST(FrodaLanes, TakeNoCutLoops) {
+  const Molecule ring = molecule("crown_18_6.cif");
+  EXPECT_FALSE(FrodaLanes::can_take(*BodyPlan::make(ring.framework)));
+}
+
+}  // namespace froda_lanes_test
+}  // namespace pliant
