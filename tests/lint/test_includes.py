@@ -40,7 +40,7 @@ MAY_INCLUDE = {
 WINGS = {
     "molecule": ("structure", "read", "bonds"),
     "record": ("hdf5", "h5md", "xml"),
-    "resolve": ("method", "sweeps", "direct", "blocks", "units", "froda", "lanes"),
+    "resolve": ("method", "sweeps", "direct", "blocks", "units", "lanes", "froda"),
 }
 
 # Libraries that stay behind .cpp files, so that users of our headers need not have them.

@@ -11,6 +11,13 @@ constexpr std::size_t most_bodies = 4000;
 /// So few frames that are left are faster one by one.
 constexpr std::ptrdiff_t few = 2;
 
+// Without registers of several numbers, as in WebAssembly, lanes would only move more memory.
+#if defined(__wasm__) && !defined(__wasm_simd128__)
+constexpr bool has_registers = false;
+#else
+constexpr bool has_registers = true;
+#endif
+
 bool asks_for_a_step(FrodaFrame& frame) {
   return frame.ask_for_careful_pull() || frame.ask_for_contacts();
 }
@@ -18,7 +25,7 @@ bool asks_for_a_step(FrodaFrame& frame) {
 }  // namespace
 
 bool FrodaLanes::can_take(const BodyPlan& plan) {
-  return plan.cuts().empty() && plan.bodies().size() <= most_bodies;
+  return has_registers && plan.cuts().empty() && plan.bodies().size() <= most_bodies;
 }
 
 FrodaLanes::FrodaLanes(const Framework& framework, const BodyPlan& plan, const LaneKernels& kernels)
