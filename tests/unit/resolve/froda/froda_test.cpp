@@ -212,6 +212,23 @@ TEST(NearPairs, AreThoseOfALookAtAllPairs) {
   }
 }
 
+/// So many joints move, some out of all cells, that cells are sorted again now and then.
+TEST(NearPairs, AreThoseOfALookAtAllPairsWhileManyMove) {
+  const Molecule m = copies_of(molecule("cyclic_hexapeptide.pdb"), 8);
+  ASSERT_GT(m.start.size(), 2 * NearCells::most_moved);
+  const auto plan = BodyPlan::make(m.framework);
+  NearPairs list(m.framework, *plan);
+  RandomSequence draws({12, Domain::generate});
+  std::vector<Vec3> x;
+  for (Joint joint : plan->joint_at()) x.push_back(m.start[joint]);
+  list.update(x);
+  for (int again = 0; again < 20; ++again) {
+    for (int k = 0; k < 70; ++k) x[draws.below(x.size())] += 0.6 * draws.direction();
+    list.update(x);
+    EXPECT_GT(expect_all_found(list, m.framework, *plan, x), 0u);
+  }
+}
+
 /// A small push needs no pull with contacts, which would hold it back, and few without.
 TEST(FrodaSolver, ASmallPushTakesFewSteps) {
   const Molecule m = copies_of(molecule("peptide_20.pdb"), 1);
