@@ -136,8 +136,10 @@ void LaneStep::refine() {
   std::fill(sum_.begin(), sum_.end(), LaneTwist{});
   std::fill(sum_angles_.begin(), sum_angles_.end(), LaneValue{});
   for (std::size_t t = 0; t < turns; ++t) left_of_turns_[t] = springs_[t].force;
-  kernels.copy(static_cast<LaneMask>(~refined_), values(twists_), twists, values(sum_));
-  kernels.copy(static_cast<LaneMask>(~refined_), angles_.data(), turns, sum_angles_.data());
+  if (refined_ != all_lanes) {
+    first_ = twists_;
+    first_angles_ = angles_;
+  }
   LaneValue before = kernels.product(forest_, moves_of(left_, left_of_turns_), moves);
   for (int turn = 0;; ++turn) {
     const LaneValue step = each(before, apply_matrix(), over);
@@ -157,6 +159,10 @@ void LaneStep::refine() {
   }
   twists_.swap(sum_);
   angles_.swap(sum_angles_);
+  if (refined_ == all_lanes) return;
+  const auto others = static_cast<LaneMask>(~refined_);
+  kernels.copy(others, values(first_), twists, values(twists_));
+  kernels.copy(others, first_angles_.data(), turns, angles_.data());
 }
 
 /// image_ and its product with the direction, lanes that are not refined aside.

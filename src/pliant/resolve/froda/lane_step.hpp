@@ -49,8 +49,8 @@ class LaneStep {
   std::vector<TurnSpring> no_springs_;
   std::vector<LaneVector> x_, targets_;  ///< of places
   std::vector<LaneMotion> motion_;
-  std::vector<LaneTwist> forces_, left_, image_, twists_, direction_, sum_;
-  std::vector<LaneValue> left_of_turns_, angles_, direction_angles_, sum_angles_;
+  std::vector<LaneTwist> forces_, left_, image_, twists_, direction_, sum_, first_;
+  std::vector<LaneValue> left_of_turns_, angles_, direction_angles_, sum_angles_, first_angles_;
   LaneForest forest_{};
 };
 
