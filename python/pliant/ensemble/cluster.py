@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import contextlib
 import importlib
+import importlib.util
 import logging
 import os
 import threading
@@ -93,6 +94,11 @@ def _watched(client: Any, grow: Callable[[], None]) -> Iterator[None]:
     finally:
         ended.set()
         watcher.join()
+
+
+def dashboard_of(client: Any) -> str | None:
+    """Where a browser sees what Dask does; None without Bokeh, which draws it."""
+    return client.dashboard_link if importlib.util.find_spec("bokeh") else None
 
 
 def _client_of_scheduler(address: str) -> Any:

@@ -6,7 +6,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import sys
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -16,6 +16,7 @@ from pliant.console import (
     EXIT_FAILED,
     EXIT_OK,
     Parser,
+    note,
     print_json,
     printable,
     printable_name,
@@ -148,10 +149,14 @@ def _plan(file: str | None, options: argparse.Namespace, passed_on: list[str]) -
 
 
 def _make_all(plan: Plan, folder: Path, options: argparse.Namespace) -> int:
-    def client() -> contextlib.AbstractContextManager[Any]:
-        from pliant.ensemble.cluster import open_client
+    @contextlib.contextmanager
+    def client() -> Iterator[Any]:
+        from pliant.ensemble.cluster import dashboard_of, open_client
 
-        return open_client(options.workers, options.scheduler, options.cluster)
+        with open_client(options.workers, options.scheduler, options.cluster) as opened:
+            if not options.quiet and (link := dashboard_of(opened)):
+                note(f"Dask's dashboard: {link}")
+            yield opened
 
     with progress("shards", options.quiet) as show, alone_in(folder):
         outcome = complete(plan, folder, client, show, options.retries)

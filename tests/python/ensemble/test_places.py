@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Where shards are made: a scheduler that is there, jobs of a queue, a job array without Dask."""
 
+import importlib.util
 import os
 import re
 import shutil
@@ -42,6 +43,21 @@ def test_no_worker_is_told_once(capfd, monkeypatch):
     told = [line for line in capfd.readouterr().err.splitlines() if "no worker for" in line]
     assert len(told) == 1
     assert "jobs wait in their queue, or end before they begin" in told[0]
+
+
+@pytest.mark.parametrize("is_drawn", [False, True])
+def test_the_dashboard_is_told_where_something_draws_it(is_drawn, tmp_path):
+    beside = tmp_path / "packages"
+    beside.mkdir()
+    if is_drawn:  # enough for Dask to look for it, and to say what is missing
+        (beside / "bokeh.py").write_text("__version__ = '0'\n")
+    path = os.pathsep.join([str(beside), os.environ.get("PYTHONPATH", "")])
+    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--workers", 1,
+                 env={**os.environ, "PYTHONPATH": path})  # fmt: skip
+    assert ended.returncode == 0, ended.stderr
+    told = re.findall(r"note: Dask's dashboard: http://127\.0\.0\.1:\d+/status\n", ended.stderr)
+    if is_drawn or importlib.util.find_spec("bokeh") is None:
+        assert len(told) == is_drawn
 
 
 def test_a_scheduler_that_is_not_there(tmp_path):
