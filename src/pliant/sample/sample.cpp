@@ -19,8 +19,16 @@
 namespace pliant {
 namespace {
 
-/// Frames that a thread makes before what was made is shown; with lanes as many at once.
-constexpr std::size_t frames_a_thread = 4, frames_in_lanes = 32;
+/// Frames that a thread makes before what was made is shown.
+constexpr std::size_t frames_a_thread = 4;
+/// With lanes a thread makes so many at once: more fill them better, but a user waits for them all.
+constexpr std::size_t first_in_lanes = 8, most_in_lanes = 32;
+/// Seconds of a batch: below there may be more frames in one, above there are fewer.
+constexpr double short_wait = 0.25, long_wait = 1.0;
+
+double seconds_since(std::chrono::steady_clock::time_point begun) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+}
 constexpr double start_tolerance = 1e-6;
 
 void check_start(const Framework& framework, std::span<const Vec3> start) {
@@ -60,7 +68,9 @@ class Sampling {
     while (next < last && !summary_.stopped_by_caller) {
       const auto count = std::min(last - next, static_cast<std::int64_t>(batch_size()));
       made_.resize(static_cast<std::size_t>(count));
+      const auto begun = std::chrono::steady_clock::now();
       make_batch(next);
+      fit_lanes(seconds_since(begun));
       for (std::int64_t k = 0; k < count && !summary_.stopped_by_caller; ++k)
         show(next + k, made_[static_cast<std::size_t>(k)], observer);
       next += count;
@@ -97,13 +107,19 @@ class Sampling {
   }
 
   std::size_t batch_size() const {
-    if (makers_[0]->has_lanes()) return makers_.size() * frames_in_lanes;
+    if (makers_[0]->has_lanes()) return makers_.size() * in_lanes_;
     return makers_.size() == 1 ? 1 : makers_.size() * frames_a_thread;
+  }
+
+  /// Frames that are hard to resolve take a hundred times as long as others.
+  void fit_lanes(double seconds) {
+    if (seconds < short_wait) in_lanes_ = std::min(2 * in_lanes_, most_in_lanes);
+    if (seconds > long_wait) in_lanes_ = std::max<std::size_t>(in_lanes_ / 2, 1);
   }
 
   /// Each thread takes what is next, until all are made.
   void make_batch(std::int64_t first) {
-    const std::size_t share = makers_[0]->has_lanes() ? frames_in_lanes : 1;
+    const std::size_t share = makers_[0]->has_lanes() ? in_lanes_ : 1;
     if (makers_.size() == 1) {
       for (std::size_t k = 0; k < made_.size(); k += share) make(*makers_[0], first, k, share);
       return;
@@ -189,6 +205,7 @@ class Sampling {
   const SampleOptions& options_;
   std::unique_ptr<Sampler> sampler_;
   std::vector<std::unique_ptr<FrameMaker>> makers_;  ///< one a thread
+  std::size_t in_lanes_ = first_in_lanes;
   std::vector<MadeFrame> made_;
   std::vector<std::size_t> joint_of_node_;
   FluctuationSums sums_;
@@ -226,7 +243,7 @@ SampleSummary sample(const Framework& framework, std::span<const Vec3> start, Ne
   if (!plan) throw OptionError("sample: the framework has pinned joints, or lies in a plane");
   nodes = coarsened(std::move(nodes));
   SampleSummary summary = Sampling(framework, start, nodes, options, *plan).run(observer);
-  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
+  summary.seconds = seconds_since(begun);
   return summary;
 }
 
