@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolves many frames of one framework by careful steps, eight at once in SIMD lanes: a lane whose
-// frame is whole gets the next one. Each frame has the bits that FrodaSolver gives it alone.
+// Resolves many frames of one framework by careful steps, eight at once in SIMD lanes. When a frame
+// is whole, the next one takes its lane. Frames are bit for bit those of a FrodaSolver.
 #pragma once
 
 #include <array>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The step of an ArticulatedStep for eight frames at once, in SIMD lanes: each frame gets the bits
-// that it has alone. Contacts, which differ from frame to frame, are added one by one.
+// The step of an ArticulatedStep for eight frames at once, in SIMD lanes, to the same bits.
+// Contacts, which differ from frame to frame, are added one by one.
 #pragma once
 
 #include <array>

@@ -87,7 +87,7 @@ void expect_those_of_a_solver(const Molecule& m, const LaneKernels& kernels, std
 }
 
 /// To the last bit, on all levels, however many stand side by side.
-TEST(FrodaLanes, AFrameHasTheBitsThatItHasAlone) {
+TEST(FrodaLanes, FramesAreBitForBitThoseOfASolver) {
   for (const LaneKernels* kernels : lane_levels())
     for (const char* file : {"peptide_20.pdb", "cholesterol.cif", "butane.sdf"})
       for (const double least : {1.3, 2.2})  // some frames have no contacts, or all have
