@@ -47,6 +47,7 @@ int main(int count, char** arguments) try {
     pliant::bench::add_molecule_benchmarks(molecule);
     pliant::bench::add_resolve_benchmarks(molecule);
     pliant::bench::add_lane_benchmarks(molecule);
+    pliant::bench::add_froda_benchmarks(molecule);
     pliant::bench::add_angle_benchmarks(load(file, pliant::BarKind::angles));
   }
   benchmark::RunSpecifiedBenchmarks();

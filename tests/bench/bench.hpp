@@ -33,4 +33,7 @@ void add_lane_benchmarks(const SharedMolecule& molecule);
 /// The same for bars across angles too, and techniques that resolve these in one pass or two.
 void add_angle_benchmarks(const SharedMolecule& molecule);
 
+/// Registers frames of technique `froda` alone and in lanes, of the molecule's usual model.
+void add_froda_benchmarks(const SharedMolecule& molecule);
+
 }  // namespace pliant::bench

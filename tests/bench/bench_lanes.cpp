@@ -85,8 +85,8 @@ struct Pieces {
 
   void newton(const LaneKernels& kernels) {
     for (const OutwardStep& step : entries)
-      benchmark::DoNotOptimize(
-          kernels.newton(blocks.hold(step.block, step.near), scratch.room(), positions.data()));
+      benchmark::DoNotOptimize(kernels.block_newton(blocks.hold(step.block, step.near),
+                                                    scratch.room(), positions.data()));
   }
 
   void confirm_whole(const LaneKernels& kernels) {
