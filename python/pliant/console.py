@@ -233,14 +233,19 @@ def _style(cell: str) -> str:
     return {"passed": "green", "failed": "bold red", "skipped": "yellow"}.get(word, "")
 
 
+def _clear() -> str:
+    """Takes a progress bar off the line that is written next, on a terminal."""
+    return "\r\x1b[K" if sys.stderr.isatty() else ""
+
+
 def note(text: str) -> None:
     """Says something beside the result, on stderr."""
-    print(f"note: {printable(text)}", file=sys.stderr)
+    print(f"{_clear()}note: {printable(text)}", file=sys.stderr)
 
 
 def warn(text: str) -> None:
     """Says that something is not as expected, on stderr."""
-    print(f"warning: {printable(text)}", file=sys.stderr)
+    print(f"{_clear()}warning: {printable(text)}", file=sys.stderr)
 
 
 BAR = 24  #: characters of a progress bar

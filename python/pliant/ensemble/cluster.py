@@ -82,8 +82,7 @@ def _watched(client: Any, grow: Callable[[], None]) -> Iterator[None]:
         idle = 0.0
         while not ended.wait(_REGROW_SECONDS):
             grow()
-            lonely = not client.scheduler_info()["workers"]
-            before, idle = idle, idle + _REGROW_SECONDS if lonely else 0.0
+            before, idle = idle, idle + _REGROW_SECONDS if _is_lonely(client) else 0.0
             if before < _IDLE_SECONDS <= idle:
                 warn(f"no worker for {idle:.0f} s: {_WHY_NO_WORKER}")
 
@@ -93,12 +92,24 @@ def _watched(client: Any, grow: Callable[[], None]) -> Iterator[None]:
         yield
     finally:
         ended.set()
-        watcher.join()
+        watcher.join(timeout=_REGROW_SECONDS)  # of a scheduler that hangs no answer comes
+
+
+def _is_lonely(client: Any) -> bool:
+    try:
+        return not client.scheduler_info()["workers"]
+    except Exception:  # whatever a lost scheduler raises: the watch goes on
+        return False
 
 
 def dashboard_of(client: Any) -> str | None:
     """Where a browser sees what Dask does; None without Bokeh, which draws it."""
-    return client.dashboard_link if importlib.util.find_spec("bokeh") else None
+    if importlib.util.find_spec("bokeh") is None:
+        return None
+    try:
+        return client.dashboard_link
+    except (KeyError, OSError):  # a setting for links that names what the environment lacks
+        return None
 
 
 def _client_of_scheduler(address: str) -> Any:

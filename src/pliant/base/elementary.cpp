@@ -104,7 +104,8 @@ double exact_bits_atan2(double y, double x) {
   const double up = std::abs(y), along = std::abs(x);
   const double low = std::min(up, along), high = std::max(up, along);
   const int octant = static_cast<int>(up > along) + 2 * static_cast<int>(x < 0.0);
-  const double angle = high > 0.0 ? arctan(low / high) : 0.0;
+  const bool has_angle = high > 0.0 && high <= std::numeric_limits<double>::max();
+  const double angle = has_angle ? arctan(low / high) : 0.0;
   return std::copysign(from[octant] + sign[octant] * angle, y);
 }
 

@@ -22,14 +22,14 @@ namespace {
 /// Frames that a thread makes before what was made is shown.
 constexpr std::size_t frames_a_thread = 4;
 /// With lanes a thread makes so many at once: more fill them better, but a user waits for them all.
-constexpr std::size_t first_in_lanes = 8, most_in_lanes = 32;
+constexpr std::size_t first_in_lanes = 4, most_in_lanes = 32;
 /// Seconds of a batch: below there may be more frames in one, above there are fewer.
 constexpr double short_wait = 0.25, long_wait = 1.0;
+constexpr double start_tolerance = 1e-6;
 
 double seconds_since(std::chrono::steady_clock::time_point begun) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begun).count();
 }
-constexpr double start_tolerance = 1e-6;
 
 void check_start(const Framework& framework, std::span<const Vec3> start) {
   const Tolerance tolerance{start_tolerance, 0.0, 0.02, 0.02};
@@ -119,7 +119,8 @@ class Sampling {
 
   /// Each thread takes what is next, until all are made.
   void make_batch(std::int64_t first) {
-    const std::size_t share = makers_[0]->has_lanes() ? in_lanes_ : 1;
+    const std::size_t each = (made_.size() + makers_.size() - 1) / makers_.size();
+    const std::size_t share = makers_[0]->has_lanes() ? std::min(each, in_lanes_) : 1;
     if (makers_.size() == 1) {
       for (std::size_t k = 0; k < made_.size(); k += share) make(*makers_[0], first, k, share);
       return;

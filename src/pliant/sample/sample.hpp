@@ -23,12 +23,13 @@ struct SampleOptions {
   std::int64_t first_frame = 0;        ///< frames [first_frame, first_frame + frames) of the run
   double amplitude = usual_amplitude;  ///< mean r.m.s. fluctuation of nodes (Angstrom), 0.01 to 10
   std::uint64_t seed = 0;
-  int threads = 1;                         ///< from 1; changes no result
-  std::string network = "shared";          ///< a name in networks()
-  std::string sampler = "modes";           ///< a name in samplers()
-  double temperature = 12.552;             ///< kJ/mol, T of `dilute`: 3 kcal/mol
-  std::function<bool()> should_stop = {};  ///< asked between frames
-  Log log = {};                            ///< of what would surprise
+  int threads = 1;                 ///< from 1; changes no result
+  std::string network = "shared";  ///< a name in networks()
+  std::string sampler = "modes";   ///< a name in samplers()
+  double temperature = 12.552;     ///< kJ/mol, T of `dilute`: 3 kcal/mol
+  /// Asked between batches of frames, each of which takes up to about a second.
+  std::function<bool()> should_stop = {};
+  Log log = {};  ///< of what would surprise
 };
 
 /// Throws OptionError naming the option, its value and its range.

@@ -78,7 +78,6 @@ class ArticulatedPass {
     return froda::solve6(inertia_[root], force, square_unit_);
   }
 
-  const std::vector<Inertia>& inertias() const { return inertia_; }
   const std::vector<Twist>& forces() const { return force_; }
   const std::vector<Turn>& turns() const { return turns_; }
   double damping() const { return damping_; }

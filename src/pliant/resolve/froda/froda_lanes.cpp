@@ -25,7 +25,8 @@ bool asks_for_a_step(FrodaFrame& frame) {
 }  // namespace
 
 bool FrodaLanes::can_take(const BodyPlan& plan) {
-  return has_registers && plan.cuts().empty() && plan.bodies().size() <= most_bodies;
+  return has_registers && plan.cuts().empty() && !plan.bodies().empty() &&
+         plan.bodies().size() <= most_bodies;
 }
 
 FrodaLanes::FrodaLanes(const Framework& framework, const BodyPlan& plan, const LaneKernels& kernels)

@@ -31,6 +31,9 @@ class FrodaLanes {
   FrodaLanes(const Framework& framework, const BodyPlan& plan,
              const LaneKernels& kernels = *lane_levels().front());
 
+  FrodaLanes(const FrodaLanes&) = delete;  // points to what it holds
+  FrodaLanes& operator=(const FrodaLanes&) = delete;
+
   /// `options` are careful.
   void resolve(std::span<FrodaJob> jobs, const FrodaOptions& options);
 

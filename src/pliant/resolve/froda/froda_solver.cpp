@@ -55,7 +55,7 @@ bool FrodaSolver::pull_blindly() {
     frame_.ask_for_pull(1.0, false);
     moved = step();
     if (k == 0) first = moved;
-    if (first <= small_move * unit_ && k > 0 && moved <= settled_share * first) break;
+    if (first <= small_move * unit_ && moved <= settled_share * first) break;
   }
   return first <= small_move * unit_;
 }

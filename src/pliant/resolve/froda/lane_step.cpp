@@ -81,7 +81,8 @@ void LaneStep::step(std::span<const LaneStepFrame, lane_count> frames) {
   move();
 }
 
-/// Positions, targets, springs and contacts of all frames; nobody's lane has those of another.
+/// Positions, targets, springs and contacts of all frames. An empty lane computes on a copy of some
+/// other frame, and what it finds is thrown away.
 void LaneStep::load(std::span<const LaneStepFrame, lane_count> frames) {
   const auto somebody = std::find_if(frames.begin(), frames.end(),
                                      [](const LaneStepFrame& frame) { return frame.x != nullptr; });
@@ -99,8 +100,11 @@ void LaneStep::load(std::span<const LaneStepFrame, lane_count> frames) {
       targets[lane] = &request.targets.front().x;
       has_targets |= bit;
     }
-    springs[lane] =
-        &(request.springs.empty() ? no_springs_.data() : request.springs.data())->weight;
+    if (!springs_.empty())
+      springs[lane] =
+          &(request.springs.empty() ? std::span<const TurnSpring>(no_springs_) : request.springs)
+               .front()
+               .weight;
     if (frames[lane].x != nullptr && conjugate_gradients_ > 0 && !request.rows.empty())
       refined_ |= bit;
   }
@@ -165,7 +169,7 @@ void LaneStep::refine() {
   kernels.copy(others, first_angles_.data(), turns, angles_.data());
 }
 
-/// image_ and its product with the direction, lanes that are not refined aside.
+/// image_ and its product with the direction. Contacts are added in the lanes that are refined.
 LaneValue LaneStep::apply_matrix() {
   LaneValue sum = kernels_.bodies->apply_matrix(
       forest_, x_.data(), moves_of(direction_, direction_angles_), image_.data());

@@ -20,8 +20,11 @@ struct LaneStepFrame {
 
 class LaneStep {
  public:
-  /// The plan outlives it, and has no cut loops. All bodies take part. `kernels`: of a level.
+  /// The plan outlives it, and has bodies and no cut loops. All bodies take part. `kernels`: of a
+  /// level.
   LaneStep(const BodyPlan& plan, const LaneKernels& kernels);
+  LaneStep(const LaneStep&) = delete;  // points to what it holds
+  LaneStep& operator=(const LaneStep&) = delete;
 
   /// One step of each frame, with as many conjugate gradients for all; one frame at least.
   void step(std::span<const LaneStepFrame, lane_count> frames);

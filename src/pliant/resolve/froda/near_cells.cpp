@@ -112,7 +112,7 @@ void NearCells::add_runs_around(Cell cell) {
                            static_cast<std::uint32_t>(sorted_at_.size())};
 }
 
-/// Of the runs those near the k-th for their kinds that its mask does not have.
+/// The places of the runs that are near the k-th, for their kinds, and not excluded by its mask.
 std::span<const std::uint32_t> NearCells::find_free(std::uint32_t k) {
   const SortedPlace own = sorted_at_[k];
   float* const squares = squares_.data();

@@ -21,6 +21,8 @@ class NearCells {
 
   /// The rules outlive it. `skin` (Angstrom): as that of the rules.
   NearCells(const NearRules& rules, double skin) : rules_(rules), skin_(skin) {}
+  NearCells(const NearCells&) = delete;  // its rules lie beside it
+  NearCells& operator=(const NearCells&) = delete;
 
   /// All places that the rules list, at `at` (places).
   void sort(std::span<const Vec3> at);
@@ -29,8 +31,8 @@ class NearCells {
   /// How many were moved since all were sorted.
   std::size_t moved() const { return sorted_at_.size() - first_moved_; }
 
-  /// Calls found(place, other) for each pair within reach of which the mask of neither has the
-  /// other, each pair once. Nothing was moved.
+  /// Calls found(place, other) once for each pair that is within reach and not excluded by its
+  /// mask. Nothing was moved.
   template <class Found>
   void visit_all(const Found& found);
   /// The same for all pairs of one place.
@@ -63,7 +65,8 @@ class NearCells {
   double per_side_ = 1.0;  ///< of a cell, Angstrom^-1
   Cell cells_{};           ///< along each axis
   std::vector<std::uint32_t> cell_number_, first_in_cell_, next_;
-  // places by cells, then those that were moved; where one was before, nothing is near
+  // Places by cells, then those that were moved. The old entry of a moved place is put far away, so
+  // that nothing finds it.
   std::vector<SortedPlace> sorted_at_;
   std::vector<float> x_, y_, z_;
   std::vector<std::uint32_t> index_of_;  ///< of each place among them
@@ -75,7 +78,8 @@ class NearCells {
   std::vector<std::uint32_t> hits_;
 };
 
-/// Of the cells the nearest: a place that has left them all is near none but those at the edge.
+/// The cell that holds `at`, or the nearest one if it lies outside: a place that has left all cells
+/// is near none but those at the edge.
 inline NearCells::Cell NearCells::cell_of(Vec3 at) const {
   const Vec3 from = per_side_ * (at - low_);
   const auto along = [](double x, std::uint32_t cells) {

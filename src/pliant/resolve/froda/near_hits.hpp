@@ -13,7 +13,8 @@ struct NearRun {
   std::uint32_t from, to;
 };
 
-/// Points to look at, (n) floats each (Angstrom). `points_beyond` more are read, and never found.
+/// Points to look at, (n) floats each (Angstrom). The arrays hold `points_beyond` more, which are
+/// read but never reported.
 struct NearPoints {
   const float *x, *y, *z;
 };

@@ -14,8 +14,9 @@
 
 namespace pliant {
 
-/// Angstrom: a list reaches a little further than it must, for it looks at rounded positions.
-inline constexpr double list_slack = 0.01;
+/// Angstrom: a list reaches further than it must, by the 0.01 within which steps aim at least
+/// distances, and by as much again because it looks at rounded positions.
+inline constexpr double list_slack = 0.02;
 
 /// Which places next to one never touch it: itself, those of its body, and what is few bonds away.
 struct NeighbourMask {

@@ -37,7 +37,7 @@ struct LaneMotion {
   LaneVector rx, ry, rz, shift;
 };
 
-/// What does not change during a step but by gather() and go_inward().
+/// The bodies and what a step keeps of them. During a step only gather() and go_inward() change it.
 struct LaneForest {
   LaneList<LaneBody> bodies;
   std::size_t turn_count;
