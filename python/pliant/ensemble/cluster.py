@@ -107,7 +107,8 @@ def dashboard_of(client: Any) -> str | None:
     if importlib.util.find_spec("bokeh") is None:
         return None
     try:
-        return client.dashboard_link
+        link: str = client.dashboard_link
+        return link
     except (KeyError, OSError):  # a setting for links that names what the environment lacks
         return None
 
