@@ -13,12 +13,6 @@ constexpr std::size_t most_bonds = 64;
 
 using Path = std::vector<std::size_t>;
 
-std::size_t bond_count(const RingSystem& system) {
-  std::size_t ends = 0;
-  for (const auto& at : system.neighbours) ends += at.size();
-  return ends / 2;
-}
-
 /// Cycles of at most six atoms from their lowest atom on, each once.
 void find_rings(const RingSystem& system, Path& path, std::vector<Path>& rings) {
   for (std::size_t next : system.neighbours[path.back()]) {
