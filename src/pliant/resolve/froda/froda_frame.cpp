@@ -89,12 +89,14 @@ bool FrodaFrame::ask_for_careful_pull() {
 }
 
 void FrodaFrame::ask_for_pull(double share, bool sees_contacts) {
-  is_looked_at_ = false;
-  rows_.clear();
-  if (sees_contacts) find_rows(pull_weight);
+  if (sees_contacts) {
+    find_rows(pull_weight);
+  } else {
+    is_looked_at_ = false;
+    rows_.clear();
+  }
   set_targets(share);
-  request_ = {target_, rows_, springs(sees_contacts), pull_bound * unit_,
-              options_.is_careful ? options_.conjugate_gradients : 0};
+  request_ = {target_, rows_, springs(sees_contacts), pull_bound * unit_, conjugate_gradients()};
 }
 
 /// Of working bodies, to which contacts add some.
@@ -122,11 +124,7 @@ bool FrodaFrame::ask_for_contacts() {
   least_ = std::min(least_, here);
   const bool is_whole = least_ <= std::min(options_.limit, options_.overlap);
   if (since_gain_ >= (is_whole ? patience : long_patience)) return false;
-  request_ = {{},
-              rows_,
-              springs(true),
-              last_bound * unit_,
-              options_.is_careful ? options_.conjugate_gradients : 0};
+  request_ = {{}, rows_, springs(true), last_bound * unit_, conjugate_gradients()};
   return true;
 }
 

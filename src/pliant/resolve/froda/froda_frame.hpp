@@ -78,6 +78,7 @@ class FrodaFrame {
     double limit = 0.0, overlap = 0.0;
   };
 
+  int conjugate_gradients() const { return options_.is_careful ? options_.conjugate_gradients : 0; }
   void set_targets(double share);
   double closing() const;
   double widest_gap() const;

@@ -61,8 +61,7 @@ bool FrodaLanes::take_up(Lane& lane, std::span<FrodaJob>& waiting, const FrodaOp
       lane.frame->begin(lane.job->start, lane.job->target, options, lane.job->limits_off);
     }
     if (asks_for_a_step(*lane.frame)) return true;
-    lane.job->outcome = lane.frame->finish(lane.job->out);
-    lane.job = nullptr;
+    leave(lane);
   }
 }
 
@@ -82,6 +81,11 @@ void FrodaLanes::finish_alone(Lane& lane) {
     alone_.step(lane.frame->positions(), lane.frame->request());
     lane.frame->note_step();
   } while (asks_for_a_step(*lane.frame));
+  leave(lane);
+}
+
+/// Of a frame that asks for no more steps.
+void FrodaLanes::leave(Lane& lane) {
   lane.job->outcome = lane.frame->finish(lane.job->out);
   lane.job = nullptr;
 }

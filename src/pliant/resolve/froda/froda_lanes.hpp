@@ -46,6 +46,7 @@ class FrodaLanes {
   bool take_up(Lane& lane, std::span<FrodaJob>& waiting, const FrodaOptions& options);
   void step_together();
   void finish_alone(Lane& lane);
+  static void leave(Lane& lane);
 
   const Framework& framework_;
   const BodyPlan& plan_;

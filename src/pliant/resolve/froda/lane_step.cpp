@@ -133,8 +133,7 @@ void LaneStep::add_rows(std::size_t lane, const StepRequest& request, const Vec3
 void LaneStep::refine() {
   const LaneBodyKernels& kernels = *kernels_.bodies;
   const std::size_t twists = 6 * bodies_.size(), turns = turns_.size();
-  const LaneMoves moves = moves_of(twists_, angles_),
-                  direction = moves_of(direction_, direction_angles_);
+  const LaneMoves moves = moves_of(twists_, angles_);
   direction_ = twists_;
   direction_angles_ = angles_;
   std::fill(sum_.begin(), sum_.end(), LaneTwist{});

@@ -25,7 +25,7 @@ void NearPairs::update(std::span<const Vec3> x) {
   const bool is_first = listed_at_.empty();
   if (is_first) listed_at_.assign(x.begin(), x.end());
   if (furthest_from_listed(x) <= 0.5 * skin_ && !is_first) return;
-  choose_renewed(x);
+  choose_renewed();
   ++lists_made_;
   unsorted_.clear();
   if (is_first || double(renewed_.size()) > most_renewed * double(rules_.listed().size()))
@@ -45,9 +45,9 @@ double NearPairs::furthest_from_listed(std::span<const Vec3> x) {
 }
 
 /// Those that have gone a good part of what they may.
-void NearPairs::choose_renewed(std::span<const Vec3> x) {
+void NearPairs::choose_renewed() {
   const double least = renewed_share * skin_ * renewed_share * skin_;
-  is_renewed_.assign(x.size(), 0);
+  is_renewed_.assign(places_, 0);
   renewed_.clear();
   for (Slot place : rules_.listed()) {
     if (!(square_moves_[place] > least)) continue;

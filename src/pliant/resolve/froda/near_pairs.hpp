@@ -34,7 +34,7 @@ class NearPairs {
 
  private:
   double furthest_from_listed(std::span<const Vec3> x);
-  void choose_renewed(std::span<const Vec3> x);
+  void choose_renewed();
   void make_list(std::span<const Vec3> x);
   void renew_list(std::span<const Vec3> x);
   void take(Slot one, Slot other);

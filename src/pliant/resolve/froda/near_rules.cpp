@@ -5,6 +5,7 @@
 #include <utility>
 
 namespace pliant {
+
 NearRules::NearRules(const Framework& framework, const BodyPlan& plan, double skin)
     : plan_(plan),
       rules_(framework),
