@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// The pliant command: a table of subcommands and what an error ends with.
+#include "commands.hpp"
+
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <string>
 
 #include "command.hpp"
 #include "completion.hpp"
@@ -133,22 +135,21 @@ int fail_with(int code, const char* message) {
 }
 
 }  // namespace
-}  // namespace pliant::app
 
-int main(int argc, char** argv) {
-  using namespace pliant;
+int run_command(int argc, char** argv) {
   // A closed pipe or a full quota is an error of the write that meets it, not the end of the run.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   try {
-    const int code = app::dispatch({argv + 1, argv + argc});
-    if (std::fflush(stdout) != 0) return app::exit_failed;
-    return code;
+    const int code = dispatch({argv + 1, argv + argc});
+    return std::fflush(stdout) == 0 ? code : int{exit_failed};
   } catch (const OptionError& error) {
-    return app::fail_with(app::exit_usage, error.what());
+    return fail_with(exit_usage, error.what());
   } catch (const std::bad_alloc&) {
-    return app::fail_with(app::exit_failed, "out of memory");
+    return fail_with(exit_failed, "out of memory");
   } catch (const std::exception& error) {
-    return app::fail_with(app::exit_failed, error.what());
+    return fail_with(exit_failed, error.what());
   }
 }
+
+}  // namespace pliant::app

@@ -18,6 +18,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
+fs::path own_path;  // empty: that of the executable
+
+/// Empty where the system does not say.
+fs::path own_folder() {
+  if (!own_path.empty()) return own_path.parent_path();
+  std::error_code error;
+  return fs::read_symlink("/proc/self/exe", error).parent_path();
+}
+
 bool is_program(const fs::path& path) {
   std::error_code error;
   return fs::is_regular_file(path, error) && access(path.c_str(), X_OK) == 0;
@@ -51,12 +60,13 @@ int exit_code_of(pid_t child, const std::string& path) {
 
 }  // namespace
 
+void set_own_path(const std::string& path) { own_path = path; }
+
 std::string find_external(const std::string& name) {
   if (name.find('/') != std::string::npos) return "";
   const std::string file = "pliant-" + name;
-  std::error_code error;
-  const fs::path self = fs::read_symlink("/proc/self/exe", error);
-  if (!error && is_program(self.parent_path() / file)) return self.parent_path() / file;
+  const fs::path beside = own_folder();
+  if (!beside.empty() && is_program(beside / file)) return beside / file;
   std::string_view rest = search_path();
   while (!rest.empty()) {
     const std::size_t colon = rest.find(':');

@@ -8,9 +8,12 @@
 
 namespace pliant::app {
 
-/// Path of the program pliant-NAME: beside this executable, else in a folder of PATH; "" if there
-/// is none.
+/// Path of the program pliant-NAME: beside the command, else in a folder of PATH; "" if there is
+/// none.
 std::string find_external(const std::string& name);
+
+/// Where the command is, where that is not the path of this process's executable.
+void set_own_path(const std::string& path);
 
 /// Runs the program at `path` until it ends, with `input` as its standard input; its exit code.
 /// Throws FileError with the system's reason if it cannot be run.

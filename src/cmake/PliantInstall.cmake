@@ -43,7 +43,7 @@ endforeach()
 
 include(PliantNotices)
 set(third_party Eigen3 GEMMI HDF5 PEGTL ZLIB fmt pugixml ${pliant_optional})
-if(TARGET pliant_command)
+if(TARGET pliant_commands)
   list(APPEND third_party CLI11 nlohmann_json)
 endif()
 if(PLIANT_PYTHON)

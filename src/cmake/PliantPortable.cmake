@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # What a wheel is built with, so that it needs no library but the C library of its system:
 # PLIANT_PORTABLE is the folder of static libraries that python/wheel/build_dependencies.sh makes.
-# A wheel has the library twice, in the command and in the extension: each holds what it calls.
+# A wheel has the library once, in the extension, and with it the command (apps/CMakeLists.txt).
 set(CMAKE_CXX_VISIBILITY_PRESET hidden)
 set(CMAKE_VISIBILITY_INLINES_HIDDEN ON)
 add_compile_options(-ffunction-sections -fdata-sections)

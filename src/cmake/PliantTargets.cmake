@@ -9,7 +9,9 @@ target_compile_options(pliant_flags INTERFACE
   # the source rounds twice, so the compiler must not form one by itself. -ffast-math breaks the
   # same promise and is refused in pliant/base/vec3.hpp.
   -ffp-contract=off
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion
+  -Wall -Wextra -Wpedantic -Wconversion -Wno-sign-conversion
+  # Files of one batch see each other's names.
+  $<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>
   # gcc 12 and 13 see an overlap in std::string's operator+ that is none (their bug 105329), and
   # an overflow too where its header is precompiled.
   "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,14>>:\
@@ -60,9 +62,6 @@ set(PLIANT_COMMON_HEADERS
 function(pliant_compile_in_batches target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "" "ALONE")
   set_target_properties(${target} PROPERTIES UNITY_BUILD ${PLIANT_UNITY} UNITY_BUILD_BATCH_SIZE 8)
-  if(PLIANT_UNITY)
-    target_compile_options(${target} PRIVATE -Wno-shadow) # files see each other's names
-  endif()
   set_source_files_properties(${arg_ALONE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON)
 endfunction()
 

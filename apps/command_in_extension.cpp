@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: MIT
+// The command of a wheel lies in the extension pliant._core, so that a wheel has the library once.
+// The script `pliant` (python/wheel/command.py) calls it.
+#include "commands.hpp"
+#include "external.hpp"
+
+extern "C" [[gnu::visibility("default")]] int pliant_command(int argc, char** argv) {
+  pliant::app::set_own_path(argv[0]);
+  return pliant::app::run_command(argc, argv);
+}
