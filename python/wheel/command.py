@@ -6,9 +6,14 @@ So a wheel has the library once. The package itself is not imported: NumPy would
 many a command.
 """
 
+# As a program in C begins: Ctrl-C ends it, unless whoever started it has that ignored.
+import signal
+
+if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
 import ctypes
 import os
-import signal
 import sys
 from importlib.machinery import PathFinder
 
@@ -22,9 +27,6 @@ def _extension() -> str:
 
 
 def _main() -> int:
-    # As a program in C begins: Ctrl-C ends it, unless whoever started it has that ignored.
-    if signal.getsignal(signal.SIGINT) is signal.default_int_handler:
-        signal.signal(signal.SIGINT, signal.SIG_DFL)
     words = [os.path.realpath(__file__), *sys.argv[1:]]
     arguments = (ctypes.c_char_p * len(words))(*map(os.fsencode, words))
     return ctypes.CDLL(_extension()).pliant_command(len(words), arguments)
