@@ -74,7 +74,7 @@ def _overlaps(axes: Axes, rows: list[Row]) -> None:
     axes.set_yticks(places, [_short(row) for row in rows])
     axes.tick_params(axis="y", labelsize=8)
     axes.set(title="known motions", ylim=(-0.7, len(rows) - 0.3),
-             xlabel="share within ten modes (* tuned on)")  # fmt: skip
+             xlabel="cumulative overlap with ten modes (* tuned on)")  # fmt: skip
     axes.legend(frameon=False, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.16))
 
 
