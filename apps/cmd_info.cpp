@@ -271,6 +271,11 @@ int command_info(const Arguments& arguments) {
       "guessed, and what is missing for the model of a protein. Then what the bars (pairs of\n"
       "atoms at a fixed distance) form: components (connected parts), cycles, bridges (bars\n"
       "on no cycle) and blocks (ring systems).");
+  line.set_footer(
+      "Examples:\n"
+      "  pliant info protein.pdb\n"
+      "  pliant info complex.cif --assembly 1 --select \"protein\"\n"
+      "  pliant info drug.sdf --json");
   MoleculeOptions options;
   bool as_json = false;
   add_molecule_options(line, options);

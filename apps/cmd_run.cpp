@@ -115,6 +115,7 @@ int command_run(const Arguments& arguments) {
   complete(line, settings, molecule);
   settings.record.saved = select_joints(molecule.framework, settings.save, "--save");
   refuse_to_replace(settings);
+  if (settings.dry_run) return exit_ok;
   settings.record.log = messages.log();
   watch_for_interrupt();
   std::vector<Vec3> last = molecule.structure.positions;

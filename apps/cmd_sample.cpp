@@ -110,6 +110,7 @@ int command_sample(const Arguments& arguments) {
     model.framework = conformer_framework(model.framework, model.positions);
   choose_amplitude(settings, model, messages.log());
   settings.record.saved = select_joints(model.framework, settings.save, "--save");
+  if (settings.dry_run) return exit_ok;
   watch_for_interrupt();
   const SampleSummary summary = sample_to_file(settings, model, messages.log());
   warn_of_amplitude(summary, messages.log());

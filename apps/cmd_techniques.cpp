@@ -43,6 +43,11 @@ void print_table() {
 
 int command_techniques(const Arguments& arguments) {
   CommandLine line("pliant techniques", "Lists techniques, weightings and perturbations.");
+  line.set_footer(
+      "Examples:\n"
+      "  pliant techniques\n"
+      "  pliant techniques --json\n"
+      "  pliant run molecule.sdf --technique newton");
   bool as_json = false;
   line.start_group("Output");
   line.add_flag("--json", as_json, "print one JSON object");

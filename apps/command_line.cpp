@@ -263,7 +263,7 @@ int CommandLine::parse(const Arguments& arguments) {
   } catch (const CLI::ParseError& error) {
     fmt::print(stderr, "{}: error: {}\n", app.get_name(), error.what());
   }
-  fmt::print(stderr, "{} --help tells more\n", app.get_name());
+  fmt::print(stderr, "see {} --help\n", app.get_name());
   return exit_usage;
 }
 

@@ -231,6 +231,7 @@ int continue_run(const CommandLine& line, RunSettings& settings) {
   // The file of one walker of several goes on as that walker.
   if (!is_ensemble(settings))
     settings.first_walker = static_cast<std::int64_t>(options_of(pattern).resolve.walker);
+  if (settings.dry_run) return exit_ok;
   watch_for_interrupt();
   ProgressBar progress(settings.walkers * pattern.steps / options_of(pattern).every, "frames",
                        settings.quiet);

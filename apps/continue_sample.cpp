@@ -107,6 +107,7 @@ int continue_sample(const CommandLine& line, SampleSettings& settings) {
   settings.chosen_amplitude = {settings.sample.amplitude,
                                recorded_text(from, "sample/amplitude_from"),
                                recorded_text(from, "sample/amplitude_reason")};
+  if (settings.dry_run) return exit_ok;
   settings.record.log = messages.log();
   watch_for_interrupt();
   SampleSummary summary;

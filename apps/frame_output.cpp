@@ -41,7 +41,7 @@ void add_saving_options(CommandLine& line, std::string& save, H5mdOptions& optio
   line.add_real(
       "--precision", options.precision, Range::zero_to_one,
       "round positions, by half of this at most (Angstrom), and compress them; residuals\n"
-      "and what is converged are of before the rounding",
+      "and convergence refer to the positions before rounding",
       "as they are");
 }
 

@@ -94,6 +94,12 @@ Json served_json(const ImdSummary& served) {
           {"imd_forces_taken", served.forces_taken}, {"imd_seconds_waited", served.seconds_waited}};
 }
 
+/// What the count of frames includes; a run that goes on has its start in the file already.
+const char* with_the_start(const RunSettings& settings) {
+  if (!settings.go_on.empty()) return "";
+  return is_ensemble(settings) ? ", with the start of each walker" : ", with the start";
+}
+
 }  // namespace
 
 RunSummary added_up(const std::vector<RunSummary>& summaries) {
@@ -111,8 +117,8 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
                      const std::vector<RunSummary>& summaries) {
   const RunSummary summary = added_up(summaries);
   fmt::print("technique       {}\n", technique_line(settings.run.technique, framework));
-  fmt::print("steps           {}, of which {} frames are recorded{}\n", summary.steps,
-             summary.frames, settings.go_on.empty() ? " (the start is one)" : "");
+  fmt::print("steps           {}; {} frames recorded{}\n", summary.steps, summary.frames,
+             with_the_start(settings));
   fmt::print("sweeps per step {:.1f} on average, {} at most\n", summary.mean_sweeps(),
              summary.max_sweeps);
   fmt::print("worst bar       {} off by {:.2e} of its length, after step {}\n",

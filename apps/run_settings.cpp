@@ -78,6 +78,8 @@ void add_output_options(CommandLine& line, RunSettings& settings) {
   line.add_flag("--single", settings.record.single, "positions as 32-bit floats");
   line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
   add_saving_options(line, settings.save, settings.record);
+  line.add_flag("--dry-run", settings.dry_run,
+                "read the input, check all options, and make nothing");
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
 }

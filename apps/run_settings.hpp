@@ -33,6 +33,7 @@ struct RunSettings {
   std::int64_t walkers = 1;  ///< from the first one on
   bool one_file = false;     ///< their frames, one walker after another, go into one trajectory
   std::int64_t threads = 0;  ///< 0: as many as there are cores
+  bool dry_run = false;
   bool json = false;
   bool quiet = false;
 };

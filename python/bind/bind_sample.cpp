@@ -210,9 +210,13 @@ temperature : float
 model : str
     A name in ``models()``; empty: ``protein`` where there are residues, else ``molecule``.
 output : str or path, optional
-    H5MD file to write besides; ``continue_sample`` goes on with it.
-overwrite, single, compress, precision, save
+    H5MD file to write as well; ``continue_sample`` goes on with it.
+overwrite, single, compress : bool
     As for ``H5mdRecorder``.
+precision : float
+    Angstrom; as for ``H5mdRecorder``.
+save : str
+    Selection of the atoms to record; as for ``H5mdRecorder``.
 
 Returns
 -------

@@ -56,7 +56,7 @@ class Parser(argparse.ArgumentParser):
     def error(self, message: str) -> NoReturn:
         """Prints the one-line error and ends with exit code 2."""
         message = message.removeprefix("argument ")
-        text = f"{self.prog}: error: {printable(message)}\n{self.prog} --help tells more\n"
+        text = f"{self.prog}: error: {printable(message)}\nsee {self.prog} --help\n"
         self.exit(EXIT_USAGE, text)
 
 

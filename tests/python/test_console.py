@@ -42,7 +42,7 @@ def test_a_bad_option_is_one_line_and_exit_code_2(words, error, capsys):
     with pytest.raises(SystemExit) as stopped:
         parser().parse_args(words)
     assert stopped.value.code == 2
-    expected = f"pliant check: error: {error}\npliant check --help tells more\n"
+    expected = f"pliant check: error: {error}\nsee pliant check --help\n"
     assert capsys.readouterr().err == expected
 
 

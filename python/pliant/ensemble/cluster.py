@@ -8,6 +8,8 @@ import importlib
 import importlib.util
 import logging
 import os
+import re
+import shutil
 import threading
 from collections.abc import Callable, Iterator
 from typing import Any
@@ -115,8 +117,10 @@ def dashboard_of(client: Any) -> str | None:
 
 def _client_of_scheduler(address: str) -> Any:
     from distributed import Client
+    from distributed.comm.addressing import get_address_host_port
 
     try:
+        get_address_host_port(address, strict=True)  # a client that fails later leaves a trace
         return Client(address, timeout="10s", set_as_default=False)
     except (OSError, ValueError) as error:
         raise OptionError(f"--scheduler {address}: {error}") from None
@@ -139,20 +143,38 @@ def _local(workers: int) -> tuple[Any, Callable[[], None]]:
 def _jobs(path: str, jobs: int | None) -> tuple[Any, Callable[[], None]]:
     need("--cluster", "dask_jobqueue")
     settings = _settings(path)
-    queue = settings.pop("queue_system", None)
-    if queue not in _QUEUES:
-        known = ", ".join(_QUEUES)
-        raise InputError(f"{path}: queue_system: expected one of {known}, found {queue!r}")
-    count = settings.pop("jobs", None) if jobs is None else jobs
+    kind = _queue(path, settings.pop("queue_system", None))
+    asked = settings.pop("jobs", None)
+    count = asked if jobs is None else jobs
     if not isinstance(count, int) or count < 1:
         raise InputError(f"{path}: jobs: expected a whole number from 1, found {count!r}")
-    made = getattr(importlib.import_module("dask_jobqueue"), _QUEUES[queue])
     try:
-        cluster = made(**settings)
+        cluster = kind(**settings)
     except (TypeError, ValueError) as error:
-        raise InputError(f"{path}: {error}") from None
+        raise InputError(f"{path}: {_first_sentence(error)}") from None
+    _expect_program(path, kind.job_cls.submit_command)
     cluster.scale(jobs=count)
     return cluster, lambda: cluster.scale(jobs=count)
+
+
+def _queue(path: str, name: object) -> Any:
+    """The class of clusters of that queue."""
+    if not isinstance(name, str) or name not in _QUEUES:
+        known = ", ".join(_QUEUES)
+        raise InputError(f"{path}: queue_system: expected one of {known}, found {name!r}")
+    return getattr(importlib.import_module("dask_jobqueue"), _QUEUES[name])
+
+
+def _first_sentence(error: Exception) -> str:
+    """Without the example in Python that dask-jobqueue adds for its own users."""
+    return re.split(r"\. Very likely|, for example:|\n", str(error))[0]
+
+
+def _expect_program(path: str, submit: str) -> None:
+    program = submit.split()[0]
+    if shutil.which(program) is None:
+        raise InputError(f"{path}: queue_system: its program {program} is not on PATH: "
+                         "run this where jobs are submitted")  # fmt: skip
 
 
 def _settings(path: str) -> dict[str, Any]:
@@ -163,6 +185,9 @@ def _settings(path: str) -> dict[str, Any]:
             found = yaml.safe_load(file)
     except OSError as error:
         raise InputError(f"{path}: {error.strerror}") from None
+    except yaml.MarkedYAMLError as error:
+        line = f":{error.problem_mark.line + 1}" if error.problem_mark else ""
+        raise InputError(f"{path}{line}: expected YAML: {error.problem}") from None
     except (yaml.YAMLError, UnicodeDecodeError) as error:
         raise InputError(f"{path}: {error}") from None
     if not isinstance(found, dict):

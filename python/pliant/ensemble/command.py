@@ -10,7 +10,7 @@ from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import Any
 
-from pliant._core import OptionError
+from pliant._core import Error, OptionError
 from pliant._extras import need
 from pliant.console import (
     EXIT_FAILED,
@@ -25,9 +25,18 @@ from pliant.console import (
     whole_number,
 )
 from pliant.ensemble.drive import Outcome, alone_in, complete
-from pliant.ensemble.make_shard import make_shard
+from pliant.ensemble.make_shard import check_options, make_shard
 from pliant.ensemble.options import parse_options
-from pliant.ensemble.plan import PLAN, Plan, load_plan, make_plan, settle, write_whole
+from pliant.ensemble.plan import (
+    PLAN,
+    Plan,
+    load_plan,
+    make_plan,
+    settled,
+    withdraw,
+    write_plan,
+    write_whole,
+)
 from pliant.ensemble.slurm_script import slurm_script
 from pliant.ensemble.verify import verify
 
@@ -98,12 +107,12 @@ def _add_ensemble(add: Callable[..., object]) -> None:
 def _add_places(add: Callable[..., object]) -> None:
     number = whole_number(1, most=100_000)
     add("--workers", type=number, metavar="N", help="processes, or jobs (default: all cores)")
-    add("--scheduler", metavar="ADDRESS", help="a scheduler of Dask that is there already")
+    add("--scheduler", metavar="ADDRESS", help="a Dask scheduler that is already running")
     add("--cluster", metavar="FILE", help="jobs of a queue, as this YAML file says")
     add("--slurm-script", metavar="FILE", help="write a job array for Slurm, and make nothing")
     add(
         "--retries", type=whole_number(0, most=1000), default=3, metavar="N",
-        help="attempts more at a shard that fails (default: 3)",
+        help="further attempts at a shard that fails (default: 3)",
     )  # fmt: skip
 
 
@@ -126,10 +135,22 @@ def _ensemble(
         return _make_one(folder, options)
     if options.slurm_script is None and not (folder / PLAN).exists():
         need("pliant ensemble", "dask", "distributed")  # before anything is made
-    plan = settle(folder, _plan(file, options, passed_on), options.shard_size)
-    if options.slurm_script is not None:
-        return _write_script(plan, folder, options, words)
-    return _make_all(plan, folder, options)
+    _expect_one_place(options)
+    plan = _plan(file, options, passed_on)
+    with alone_in(folder):
+        if options.slurm_script is not None:
+            return _write_script(plan, folder, options, words)
+        return _make_all(plan, folder, options)
+
+
+def _expect_one_place(options: argparse.Namespace) -> None:
+    given = [
+        name
+        for name in ("--scheduler", "--cluster", "--slurm-script")
+        if getattr(options, name[2:].replace("-", "_")) is not None
+    ]
+    if len(given) > 1:
+        raise OptionError(f"{given[0]}: does not go with {given[1]}: expected one place")
 
 
 def _expect_no_more(file: str | None, passed_on: list[str], name: str) -> None:
@@ -158,13 +179,31 @@ def _make_all(plan: Plan, folder: Path, options: argparse.Namespace) -> int:
                 note(f"Dask's dashboard: {link}")
             yield opened
 
-    with progress("shards", options.quiet) as show, alone_in(folder):
-        outcome = complete(plan, folder, client, show, options.retries)
+    with (
+        _planned(plan, folder, options) as agreed,
+        progress("shards", options.quiet) as show,
+    ):
+        outcome = complete(agreed, folder, client, show, options.retries)
     if options.json:
         print_json(outcome.as_json())
     elif not options.quiet:
         _print_outcome(outcome)
     return EXIT_UNCONVERGED if _is_incomplete(outcome) else EXIT_OK
+
+
+@contextlib.contextmanager
+def _planned(plan: Plan, folder: Path, options: argparse.Namespace) -> Iterator[Plan]:
+    """The folder's plan. One that is new goes again if an error comes before its first shard."""
+    there = settled(folder, plan, options.shard_size)
+    if there is not None:
+        yield there
+        return
+    write_plan(folder, plan)
+    try:
+        yield plan
+    except (Error, OSError, KeyboardInterrupt):
+        withdraw(folder)
+        raise
 
 
 def _is_incomplete(outcome: Outcome) -> bool:
@@ -173,7 +212,8 @@ def _is_incomplete(outcome: Outcome) -> bool:
 
 def _print_outcome(outcome: Outcome) -> None:
     plan = outcome.plan
-    print(f"{plan.what:<16}{plan.count}, in {plan.shard_count} shards")
+    shards = "1 shard" if plan.shard_count == 1 else f"{plan.shard_count} shards"
+    print(f"{plan.what:<16}{plan.count}, in {shards}")
     print(f"shards          {outcome.made} made, {outcome.found} there already")
     frames, size = outcome.total("frames"), outcome.total("bytes")
     print(f"frames          {frames}, {size / 1e6:.1f} MB, {size / max(frames, 1):.0f} bytes each")
@@ -200,12 +240,21 @@ def _make_one(folder: Path, options: argparse.Namespace) -> int:
 
 def _write_script(plan: Plan, folder: Path, options: argparse.Namespace, words: list[str]) -> int:
     path = Path(options.slurm_script)
-    place = words.index("--slurm-script") if "--slurm-script" in words else None
-    again = words if place is None else words[:place] + words[place + 2 :]
-    write_whole(path, slurm_script(plan, folder, again))
+    with _planned(plan, folder, options) as agreed:
+        check_options(agreed, str(folder))  # the jobs would all fail, later
+        write_whole(path, slurm_script(agreed, folder, _without_script(words)))
     if not options.quiet:
         print(f"script          {printable_name(path)}: sbatch {printable_name(path)}")
     return EXIT_OK
+
+
+def _without_script(words: list[str]) -> list[str]:
+    """The command that counts the shards once all jobs have ended."""
+    kept = [word for word in words if not word.startswith("--slurm-script=")]
+    if "--slurm-script" in kept:
+        place = kept.index("--slurm-script")
+        del kept[place : place + 2]
+    return kept
 
 
 def _verify(options: argparse.Namespace) -> int:
@@ -214,10 +263,8 @@ def _verify(options: argparse.Namespace) -> int:
     if options.json:
         print_json(result.as_json())
     elif not options.quiet:
-        plan = result.plan
-        print(
-            f"shards          {result.shards} of {plan.shard_count} are whole, as the manifest has"
-        )
+        whole = f"{result.shards} of {result.plan.shard_count}"
+        print(f"shards          {whole} are whole and match the manifest")
         print(f"frames          {result.frames}, each once, {result.bytes / 1e6:.1f} MB")
     for problem in result.problems:
         print(f"pliant ensemble: error: {printable(problem)}", file=sys.stderr)

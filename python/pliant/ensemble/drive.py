@@ -11,7 +11,7 @@ import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import Any
+from typing import Any, TextIO
 
 from pliant._core import Error, FileError, OptionError
 from pliant.ensemble.inspect_shard import ShardRecord
@@ -55,10 +55,18 @@ class Outcome:
         }
 
 
+def _lock_file(folder: Path) -> TextIO:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        return open(folder / ".lock", "w", encoding="utf-8")
+    except OSError as error:
+        raise FileError(f"{folder}: {error.strerror}: expected a folder for the ensemble") from None
+
+
 @contextlib.contextmanager
 def alone_in(folder: Path) -> Iterator[None]:
-    """Raises FileError if another process makes shards of this folder's manifest."""
-    with open(folder / ".lock", "w") as file:
+    """Makes the folder. Raises FileError if that fails, or if another command is at work there."""
+    with _lock_file(folder) as file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:

@@ -21,7 +21,7 @@ from pliant.console import command_path
 from pliant.ensemble.inspect_shard import ShardRecord, inspect_shard
 from pliant.ensemble.plan import Plan, Shard
 
-MAKING = "making"  #: folder of what has no name yet; what killed workers leave in it is nothing
+MAKING = "making"  #: folder of unfinished shards; what killed workers leave there is removed
 _WITH_FRAMES = (0, 3)  #: exit codes of a command that has written all that it could
 _BAD_OPTION = 2
 _DIE_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
@@ -71,8 +71,20 @@ def _publish(partial: Path, target: Path) -> bool:
     return True
 
 
+def check_options(plan: Plan, folder: str) -> None:
+    """Raises as make_shard does where the input or the options are bad; makes nothing."""
+    words = plan.words(plan.shard(0), str(Path(folder, "nothing.h5md")))
+    _call([*words, "--dry-run"])
+
+
 def _run(words: list[str]) -> dict[str, Any]:
     """The summary of the command, as JSON."""
+    summary: dict[str, Any] = json.loads(_call(words))
+    return summary
+
+
+def _call(words: list[str]) -> str:
+    """What the command printed."""
     done = subprocess.run(
         [command_path(), *words],
         capture_output=True,
@@ -82,8 +94,7 @@ def _run(words: list[str]) -> dict[str, Any]:
         preexec_fn=_die_with_parent if sys.platform == "linux" else None,
     )
     if done.returncode in _WITH_FRAMES:
-        summary: dict[str, Any] = json.loads(done.stdout)
-        return summary
+        return done.stdout
     why = (done.stderr.strip().splitlines() or [f"ended with {done.returncode}"])[0]
     why = re.sub(r"^pliant( \w+)?: error: ", "", why)
     raise (OptionError if done.returncode == _BAD_OPTION else ShardError)(why)

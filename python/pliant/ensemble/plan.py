@@ -125,34 +125,52 @@ def load_plan(folder: str | os.PathLike[str]) -> Plan:
         raise InputError(f"{path}: expected the plan of an ensemble: {error}") from None
 
 
-def settle(folder: Path, plan: Plan, asked_size: int | None) -> Plan:
-    """Writes the plan to the folder, or finds that it is the one there already.
+def settled(folder: Path, plan: Plan, asked_size: int | None) -> Plan | None:
+    """The plan of the folder, if there is one and it is that plan; None if there is none yet.
 
-    Raises OptionError naming what differs.
+    A plan binds from the moment that it is written: jobs of a queue may be waiting to make its
+    shards. Raises OptionError naming what differs.
     """
-    path = folder / PLAN
-    has_shards = any((folder / SHARDS).glob("shard-*"))
-    if path.exists() and has_shards:  # a plan that came to nothing binds nobody
-        there = load_plan(folder)
-        if asked_size is None:
-            plan.shard_size = there.shard_size
-        _expect_same(folder, there, plan)
-        return there
-    if has_shards:
-        raise FileError(f"{folder}: holds shards but no {PLAN}: give another folder")
-    (folder / SHARDS).mkdir(parents=True, exist_ok=True)
-    write_whole(path, json.dumps({"pliant_ensemble": _FORMAT, **asdict(plan)}, indent=1) + "\n")
-    return plan
+    if not (folder / PLAN).exists():
+        if has_shards(folder):
+            raise FileError(f"{folder}: holds shards but no {PLAN}: give another folder")
+        return None
+    there = load_plan(folder)
+    if asked_size is None:
+        plan.shard_size = there.shard_size
+    _expect_same(folder, there, plan)
+    return there
+
+
+def write_plan(folder: Path, plan: Plan) -> None:
+    """Writes the plan to its folder. Raises FileError."""
+    text = json.dumps({"pliant_ensemble": _FORMAT, **asdict(plan)}, indent=1) + "\n"
+    (folder / SHARDS).mkdir(exist_ok=True)
+    write_whole(folder / PLAN, text)
+
+
+def withdraw(folder: Path) -> None:
+    """Removes a plan that came to nothing: it binds nobody."""
+    if not has_shards(folder):
+        (folder / PLAN).unlink(missing_ok=True)
+
+
+def has_shards(folder: Path) -> bool:
+    """Whether some shard is there."""
+    return any((folder / SHARDS).glob("shard-*"))
 
 
 def write_whole(path: Path, text: str) -> None:
-    """Writes a file that is there with all its text, or not at all."""
+    """Writes a file that is there with all its text, or not at all. Raises FileError."""
     partial = path.with_name(f".{path.name}.{os.getpid()}")
-    with open(partial, "w", encoding="utf-8") as file:
-        file.write(text)
-        file.flush()
-        os.fsync(file.fileno())
-    partial.replace(path)
+    try:
+        with open(partial, "w", encoding="utf-8") as file:
+            file.write(text)
+            file.flush()
+            os.fsync(file.fileno())
+        partial.replace(path)
+    except OSError as error:
+        raise FileError(f"{path}: {error.strerror}") from None
 
 
 def _expect_same(folder: Path, there: Plan, asked: Plan) -> None:
@@ -175,4 +193,6 @@ def _expect_same(folder: Path, there: Plan, asked: Plan) -> None:
 
 
 def _differs(folder: Path, name: str, one: str, other: str) -> OptionError:
-    return OptionError(f"{folder}: was begun with another {name}: expected {one}, found {other}")
+    anew = "" if has_shards(folder) else "; no shard is made yet: remove the folder to begin anew"
+    text = f"was begun with another {name}: expected {one}, found {other}"
+    return OptionError(f"{folder}: {text}{anew}")

@@ -15,6 +15,8 @@ from pliant.ensemble.inspect_shard import ShardRecord, inspect_shard
 from pliant.ensemble.manifest import Manifest
 from pliant.ensemble.plan import SHARDS, Plan, Shard, load_plan
 
+_REMAKE = "remove it, and the same command makes it again"
+
 
 @dataclass
 class Verification:
@@ -65,23 +67,23 @@ def _look(
 ) -> ShardRecord | str:
     path, expected = folder / shard.name, records.get(shard.number)
     if not path.exists():
-        return f"{path}: is not there"
+        return f"{path}: is not there: the same command makes it"
     try:
         found = inspect_shard(plan, shard, path)
     except Error as error:
-        return str(error)
+        return f"{error}; {_REMAKE}"
     if expected is None:
         return f"{path}: is whole, but not in the manifest: the same command again counts it"
     if found != expected:
         names = [k for k, v in found.as_json().items() if v != expected.as_json()[k]]
-        return f"{path}: is not what the manifest says: {', '.join(names)}"
+        return f"{path}: is not what the manifest says: {', '.join(names)}; {_REMAKE}"
     return found
 
 
 def _strangers(plan: Plan, folder: Path) -> list[str]:
     """Files among the shards whose frames would be there twice."""
     known = {Path(shard.name).name for shard in plan.shards()}
-    names = sorted(path.name for path in (folder / SHARDS).iterdir())
+    names = sorted(path.name for path in (folder / SHARDS).glob("*"))
     return [
         f"{folder / SHARDS / name}: is no shard of this ensemble"
         for name in names

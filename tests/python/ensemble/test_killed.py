@@ -87,6 +87,20 @@ def test_two_at_once_in_one_folder(tmp_path):
     assert "another pliant ensemble is at work in it" in second.stderr
 
 
+def test_a_second_command_leaves_the_plan_of_the_first(tmp_path):
+    """Also before the first shard is whole."""
+    plan = tmp_path / "many" / "ensemble.pliant"
+    client = start(PEPTIDE, "-o", tmp_path / "many", *MANY, "--workers", 1)
+    while not plan.exists() and client.poll() is None:
+        time.sleep(0.02)
+    before = plan.read_bytes()
+    second = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *MANY, "--seed", 7)
+    client.kill()
+    client.communicate()
+    assert second.returncode == 1 and "another pliant ensemble is at work" in second.stderr
+    assert plan.read_bytes() == before
+
+
 @pytest.mark.long
 @pytest.mark.timeout(1800)
 def test_ten_thousand_walkers_and_twenty_kills(tmp_path):

@@ -4,7 +4,6 @@
 import importlib.util
 import os
 import re
-import shutil
 import stat
 import subprocess
 import time
@@ -65,6 +64,59 @@ def test_a_scheduler_that_is_not_there(tmp_path):
     ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, *words)
     assert (ended.returncode, ended.stderr.count("\n")) == (2, 1)
     assert "--scheduler tcp://127.0.0.1:1: " in ended.stderr
+
+
+def test_a_scheduler_without_a_port(tmp_path):
+    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--scheduler", "foo")
+    assert (ended.returncode, ended.stderr.count("\n")) == (2, 1)
+    assert "--scheduler foo: " in ended.stderr
+
+
+def test_two_places_are_refused(tmp_path):
+    words = ("--scheduler", "tcp://127.0.0.1:1", "--cluster", "slurm.yaml")
+    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, *words)
+    assert (ended.returncode, ended.stderr.count("\n")) == (2, 1)
+    assert "--scheduler: does not go with --cluster: expected one place" in ended.stderr
+    assert not (tmp_path / "many").exists()
+
+
+@pytest.mark.parametrize("form", ["{} {}", "{}={}"])
+def test_the_script_names_the_command_without_itself(tmp_path, form):
+    folder, script = tmp_path / "many", tmp_path / "jobs.sh"
+    words = form.format("--slurm-script", script).split()
+    ended = call("ensemble", PEPTIDE, "-o", folder, *WORDS, *words)
+    assert ended.returncode == 0, ended.stderr
+    again = next(line for line in script.read_text().splitlines() if "pliant ensemble" in line)
+    assert "slurm-script" not in again and again.endswith("--steps 40 --every 10")
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "message"),
+    [
+        (("--modle", "protein"), 2, "did you mean --model?"),
+        (("--model", "protein", "--contacts", "none.csv"), 1, "none.csv: "),
+        (("--slurm-script", "no/jobs.sh"), 1, "no/jobs.sh: No such file or directory"),
+    ],
+)
+def test_a_script_whose_jobs_would_fail_is_not_written(tmp_path, words, code, message):
+    script = tmp_path / "jobs.sh"
+    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", "--walkers", 4,
+                 "--slurm-script", script, *words, cwd=tmp_path)  # fmt: skip
+    assert (ended.returncode, ended.stderr.count("\n")) == (code, 1), ended.stderr
+    assert message in ended.stderr
+    assert not script.exists() and not (tmp_path / "many" / "ensemble.pliant").exists()
+
+
+def test_a_plan_binds_before_its_first_shard(tmp_path):
+    """Jobs of a queue may be waiting to make its shards."""
+    words = (PEPTIDE, "-o", tmp_path / "many", *WORDS, "--slurm-script", tmp_path / "jobs.sh")
+    assert call("ensemble", *words).returncode == 0
+    plan = (tmp_path / "many" / "ensemble.pliant").read_bytes()
+    ended = call("ensemble", *words, "--seed", 7)
+    assert ended.returncode == 2
+    assert "found --seed 7; no shard is made yet: remove the folder to begin anew" in ended.stderr
+    assert (tmp_path / "many" / "ensemble.pliant").read_bytes() == plan
+    assert call("ensemble", *words).returncode == 0
 
 
 def test_a_job_array_of_slurm_needs_no_dask(ensemble, tmp_path):
@@ -135,9 +187,21 @@ def test_jobs_of_a_queue(ensemble, tmp_path):
     [
         ("queue_system: bus\n", "queue_system: expected one of slurm, pbs"),
         ("queue_system: slurm\n", "jobs: expected a whole number from 1"),
-        ("queue_system: slurm\njobs: 2\ncores: 1\n", "memory"),
+        ("queue_system: [slurm]\n", "queue_system: expected one of slurm, pbs"),
+        (
+            "queue_system: slurm\njobs: 2\ncores: 1\n",
+            "You must specify how much cores and memory per job you want to use",
+        ),
+        (
+            "queue_system: slurm\njobs: 2\ncores: 1\nmemory: 1GB\nwaltime: 1\n",
+            "Got unexpected keyword argument 'waltime'",
+        ),
+        (
+            "queue_system: slurm\njobs: 2\ncores: 1\nmemory: 1GB\n",
+            "its program sbatch is not on PATH: run this where jobs are submitted",
+        ),
         ("[1, 2]\n", "expected settings"),
-        ("a: [\n", "slurm.yaml: "),
+        ("a: [\n", "slurm.yaml:2: expected YAML: "),
     ],
 )
 def test_a_bad_cluster_file(tmp_path, text, message):
@@ -145,5 +209,5 @@ def test_a_bad_cluster_file(tmp_path, text, message):
     path.write_text(text)
     ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", path)
     assert ended.returncode == 1, ended.stderr
-    assert message in ended.stderr
-    shutil.rmtree(tmp_path / "many")
+    assert message in ended.stderr and ended.stderr.count("\n") == 1, ended.stderr
+    assert not (tmp_path / "many" / "ensemble.pliant").exists()

@@ -46,14 +46,15 @@ def test_a_shard_lost_and_one_too_many(copy):
     shutil.copy(second, copy / "shards" / "shard-000000000-000000007.h5md")
     first.unlink()
     lost, stranger = problems(copy)
-    assert lost.endswith("is not there")
+    assert lost.endswith("is not there: the same command makes it")
     assert stranger.endswith("is no shard of this ensemble")
 
 
 def test_a_shard_in_the_place_of_another(copy):
     first, second, *_ = shards_of(copy)
     shutil.copy(second, first)
-    assert problems(copy) == [f"{first}: expected walkers 0 to 3"]
+    again = "remove it, and the same command makes it again"
+    assert problems(copy) == [f"{first}: expected walkers 0 to 3; {again}"]
 
 
 @pytest.mark.parametrize("change", ["twice", "missing"])
@@ -80,6 +81,11 @@ def test_a_manifest_that_is_none(copy):
     ended = call("ensemble", "--verify", copy)
     assert ended.returncode == 1
     assert "shards.jsonl:7: expected the record of a shard" in ended.stderr
+
+
+def test_no_folder_of_shards(copy):
+    shutil.rmtree(copy / "shards")
+    assert len(problems(copy)) == 6
 
 
 def test_no_ensemble(tmp_path):

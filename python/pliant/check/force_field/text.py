@@ -57,7 +57,7 @@ def lines_of(report: ForceFieldReport) -> list[str]:
         f"force field: {report.residues} residues, {report.atoms} atoms, of which "
         f"{report.placed_hydrogens} hydrogens were placed by rule in each frame; cut-off 16 A, "
         f"CPU platform with deterministic forces, one thread a frame; {report.seconds:.0f} s",
-        "worst force before: kJ/(mol nm) on an atom, median; a minimiser mends torn frames, too: "
-        "what it moves tells how much of a frame is left",
+        "worst force before: kJ/(mol nm) on an atom, median; a minimiser also repairs broken "
+        "frames: how far it moves atoms shows how good the frame was",
     ]
     return lines + report.notes

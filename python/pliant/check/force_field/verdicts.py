@@ -90,8 +90,8 @@ def _energy(report: ForceFieldReport, frames: Sequence[Minimised], steps: int) -
     if report.residues < LEAST_RESIDUES:
         finding.status = SKIPPED
         finding.notes.append(
-            f"energy after {steps} steps is shown and not judged: of {report.residues} residues "
-            "one contact lost weighs more than the limit, which is for proteins"
+            f"energy after {steps} steps is not judged: with only {report.residues} residues, one "
+            "lost contact exceeds the limit, which is meant for proteins"
         )
     elif high:
         finding.notes.append(

@@ -25,7 +25,7 @@ struct H5mdOptions {
   bool compress = false;   ///< shuffle and gzip 1: about 0.8 of the size, ten times the time
   double precision = 0.0;  ///< positions are rounded by half of this at most (Angstrom), which
                            ///< makes them compress well, and compressed; 0: as they are. What is
-                           ///< told of a frame, and the checkpoint, are of before the rounding
+                           ///< told of a frame, and the checkpoint, are those before it
   /// Joints to record, ascending; empty: all. The file is then one of these alone, with the bars,
   /// bonds and limits among them, without sterics, and no run goes on from it. Observables are of
   /// all joints, but for counts of contacts.
