@@ -9,6 +9,8 @@ RUN apt-get update && apt-get install -y --no-install-recommends \
       zlib1g-dev python3 python3-dev python3-venv \
     && rm -rf /var/lib/apt/lists/*
 COPY . /source
+# The sources as published have the page of pliant play inside, a clone has not.
+RUN cd /source && { [ -f python/prebuilt/pliant.html ] || ./dev play; }
 RUN python3 -m venv /opt/pliant && /opt/pliant/bin/pip install --no-cache-dir "/source[all]"
 
 FROM debian:12-slim

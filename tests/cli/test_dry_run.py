@@ -15,7 +15,7 @@ def test_nothing_is_made(pliant, ethanol, tmp_path, command):
 @pytest.mark.parametrize(
     ("command", "words", "code", "message"),
     [
-        ("run", ("--technique", "shaek"), 2, 'did you mean "shake"?'),
+        ("run", ("--technique", "shaek"), 2, 'no choice named "shaek"'),
         ("run", ("--save", "element Q"), 2, "--save"),
         ("sample", ("--model", "protien"), 2, 'did you mean "protein"?'),
         ("run", ("--forces", "none.txt"), 1, "none.txt"),
