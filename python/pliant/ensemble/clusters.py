@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pliant import _hdf5
 from pliant.analysis.medoids import k_medoids, pairwise_rmsd, rmsd_to
 from pliant.ensemble.frames import EnsembleFrames
+from pliant.ensemble.open_shard import open_shard
 from pliant.ensemble.over_shards import each_part, parts_of
 from pliant.ensemble.plan import Plan
 from pliant.ensemble.sums import blocks, walkers_of
@@ -70,7 +70,7 @@ def clusters(frames: EnsembleFrames, atoms: np.ndarray, workers: int = 1) -> Clu
     whole = np.empty((frames.atom_count, 3))
     compared = np.empty((len(numbers), len(atoms), 3))
     for place, number in enumerate(numbers):
-        frames.read(int(number), whole)
+        frames.read_positions(int(number), whole)
         compared[place] = whole[atoms]
     found = k_medoids(pairwise_rmsd(compared), min(CLUSTERS, len(numbers)))
     counts = _counts(frames, atoms, compared[found.frames], workers)
@@ -109,7 +109,7 @@ def _counts_of(task: _Task) -> _Counts:
     counts = _Counts(np.zeros(2, dtype=np.int64), np.zeros((2, k)), np.zeros(k),
                      np.zeros(k, dtype=np.int64), np.zeros(k))  # fmt: skip
     for path in task.paths:
-        with _hdf5.open_file(path) as file:
+        with open_shard(path) as file:
             walkers = walkers_of(file, task.plan)
             dealt = [rmsd_to(some, task.medoids) for _, some in blocks(file, task.atoms)]
         counts.add(_of_shard(walkers, np.concatenate(dealt)))

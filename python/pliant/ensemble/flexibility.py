@@ -10,13 +10,13 @@ from typing import Any, TypeVar
 
 import numpy as np
 
-from pliant import _hdf5
 from pliant._core import InputError
 from pliant.analyse.names import atom_labels, residue_labels
 from pliant.analysis.agreement import TEN, correlation, rmsip
 from pliant.analysis.recorded_contacts import contacts_of
 from pliant.ensemble.clusters import Clusters, clusters
 from pliant.ensemble.frames import EnsembleFrames
+from pliant.ensemble.open_shard import open_shard
 from pliant.ensemble.over_shards import each_part, parts_of
 from pliant.ensemble.plan import PLAN
 from pliant.ensemble.sums import Half, Sums, Task, mean_of, sums_of
@@ -62,7 +62,7 @@ def flexibility(
     all_atoms = MDAnalysis.Universe(folder / PLAN).atoms
     unit, labels, atoms = _units(all_atoms)
     first = np.empty((frames.atom_count, 3))
-    frames.read(0, first)
+    frames.read_positions(0, first)
     on_stage("mean")
     reference = _mean(frames, atoms, first[atoms], workers)
     on_stage("fluctuations")
@@ -185,7 +185,7 @@ def _contacts(frames: EnsembleFrames, sums: Sums, atoms: Any) -> list[tuple[str,
     if sums.held is None:
         return []
     names = atom_labels(atoms)
-    with _hdf5.open_file(frames.paths[0]) as file:
+    with open_shard(frames.paths[0]) as file:
         found = contacts_of(file)
     if found is None or len(found.kinds) != len(sums.held):
         return []
