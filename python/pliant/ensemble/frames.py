@@ -9,10 +9,10 @@ from pathlib import Path
 
 import numpy as np
 
-from pliant._core import InputError, PliantWarning
+from pliant._core import FileError, InputError, PliantWarning
 from pliant.ensemble.manifest import Manifest
-from pliant.ensemble.open_shard import OpenShard
-from pliant.ensemble.plan import load_plan
+from pliant.ensemble.open_shard import MADE_AGAIN, OpenShard
+from pliant.ensemble.plan import SHARDS, Plan, load_plan
 
 #: Shards that are open at once: frames are mostly asked for one after another.
 _OPEN = 4
@@ -21,6 +21,12 @@ _OPEN = 4
 def folder_of(path: Path) -> Path:
     """The folder of an ensemble, of which `path` is this folder or the plan in it."""
     return path if path.is_dir() else path.parent
+
+
+def _why_empty(folder: Path, plan: Plan) -> str:
+    if any((folder / SHARDS).glob("shard-*.h5md")):  # of a job array, or of --only
+        return "no shard is counted yet: run the command of the ensemble once more"
+    return f"none of its {plan.shard_count} shards is whole yet"
 
 
 class EnsembleFrames:
@@ -34,7 +40,7 @@ class EnsembleFrames:
         self.plan = load_plan(folder)
         self.records = Manifest(folder).in_order()
         if not self.records:
-            raise InputError(f"{folder}: no shard is whole yet")
+            raise InputError(f"{folder}: {_why_empty(folder, self.plan)}")
         if len(self.records) < self.plan.shard_count:
             there = f"{len(self.records)} of {self.plan.shard_count}"
             warnings.warn(f"{folder}: {there} shards are there", PliantWarning, stacklevel=3)
@@ -42,6 +48,13 @@ class EnsembleFrames:
         self.paths = [folder / self.plan.shard(record.shard).name for record in self.records]
         self.ends = np.cumsum([record.frames for record in self.records])
         self._open: OrderedDict[int, OpenShard] = OrderedDict()
+
+    def check_all_there(self) -> None:
+        """Raises FileError naming the first shard that was counted and is gone."""
+        gone = [path for path in self.paths if not path.exists()]
+        if gone:
+            others = f"; so are {len(gone) - 1} others" if len(gone) > 1 else ""
+            raise FileError(f"{gone[0]}: {MADE_AGAIN}{others}")
 
     def __len__(self) -> int:
         return int(self.ends[-1])

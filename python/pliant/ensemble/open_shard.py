@@ -17,7 +17,7 @@ _POSITION_BYTES = 1 << 22  #: of a block of positions
 _NUMBERS = 1024  #: of one observable in a block
 
 #: What to do where a shard is not there.
-MADE_AGAIN = "is not there: the pliant ensemble command that made the folder makes it again"
+MADE_AGAIN = "is gone: the same pliant ensemble command makes it again"
 
 
 def open_shard(path: Path) -> h5py.File:

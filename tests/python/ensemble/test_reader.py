@@ -129,3 +129,10 @@ def test_a_shard_that_is_gone_is_an_error_and_no_empty_frame(ensemble, tmp_path)
     with pytest.raises((OSError, pliant.Error), match="shard-000000012"):
         universe.trajectory[65]
     assert universe.trajectory[100].frame == 100
+
+
+def test_a_first_shard_that_is_gone_is_named(ensemble, tmp_path):
+    folder = shutil.copytree(ensemble, tmp_path / "gone")
+    shards_of(folder)[0].unlink()
+    with pytest.raises(OSError, match=r"shard-000000000-000000003\.h5md: is gone: the same"):
+        MDAnalysis.Universe(folder / "ensemble.pliant")
