@@ -130,7 +130,8 @@ def _analyse_ensemble(options: argparse.Namespace) -> int:
     usual = vars(_parser().parse_args([options.file]))
     for name in sorted(set(usual) - {"file", "output", "workers", "dpi", "json", "quiet"}):
         if getattr(options, name) != usual[name]:
-            raise OptionError(f"--{name}: goes with one file, not with an ensemble")
+            option = name.replace("_", "-")
+            raise OptionError(f"--{option}: goes with one file, not with an ensemble")
     folder = folder_of(Path(options.file))
     output = Path(options.output or f"{folder.absolute().name}-report")
     with _stages(options.quiet) as on_stage:

@@ -60,8 +60,10 @@ class _Counts:
             getattr(self, name).__iadd__(value)
 
 
-def clusters(frames: EnsembleFrames, atoms: np.ndarray, workers: int = 1) -> Clusters:
-    """Chooses frames by k-medoids on the RMSD of `atoms`, and deals all frames to the nearest.
+def clusters(
+    frames: EnsembleFrames, atoms: np.ndarray, workers: int = 1, most: int = CLUSTERS
+) -> Clusters:
+    """Chooses `most` frames by k-medoids on the RMSD of `atoms`, and deals all to the nearest.
 
     Memory does not grow with the number of frames: the choice is among MOST_COMPARED of them, the
     rest is read once, over `workers` processes.
@@ -72,7 +74,7 @@ def clusters(frames: EnsembleFrames, atoms: np.ndarray, workers: int = 1) -> Clu
     for place, number in enumerate(numbers):
         frames.read_positions(int(number), whole)
         compared[place] = whole[atoms]
-    found = k_medoids(pairwise_rmsd(compared), min(CLUSTERS, len(numbers)))
+    found = k_medoids(pairwise_rmsd(compared), min(most, len(numbers)))
     counts = _counts(frames, atoms, compared[found.frames], workers)
     order = np.argsort(-counts.shares.sum(axis=0), kind="stable")
     return _result(frames, numbers[found.frames[order]], counts, order, len(numbers))
@@ -96,7 +98,7 @@ def _result(
 def _counts(
     frames: EnsembleFrames, atoms: np.ndarray, medoids: np.ndarray, workers: int
 ) -> _Counts:
-    tasks = [_Task(frames.plan, part, atoms, medoids) for part in parts_of(frames.paths, workers)]
+    tasks = [_Task(frames.plan, part, atoms, medoids) for part in parts_of(frames.paths)]
     parts = each_part(_counts_of, tasks, workers)
     counts = next(parts)
     for part in parts:
