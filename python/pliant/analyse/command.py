@@ -23,6 +23,7 @@ from pliant.console import (
     run_command,
     whole_number,
 )
+from pliant.ensemble.plan import is_ensemble
 
 DESCRIPTION = """\
 Analyses a trajectory and writes figures (PNG), tables (CSV) and one page, report.html, which
@@ -119,10 +120,6 @@ def _add_output(add: Callable[..., object]) -> None:
     add("--quiet", action="store_true", help="print nothing but errors")
 
 
-def _is_ensemble(file: str) -> bool:
-    return Path(file, "ensemble.pliant").exists() or Path(file).suffix == ".pliant"
-
-
 def _analyse_ensemble(options: argparse.Namespace) -> int:
     from pliant.ensemble.frames import folder_of
     from pliant.ensemble.report import print_report, report_ensemble
@@ -144,7 +141,7 @@ def _analyse_ensemble(options: argparse.Namespace) -> int:
 
 
 def _analyse(options: argparse.Namespace) -> int:
-    if _is_ensemble(options.file):
+    if is_ensemble(options.file):
         return _analyse_ensemble(options)
     # Imported here, so that --help and errors of usage are immediate.
     from pliant.analyse.suite import analyse

@@ -73,20 +73,22 @@ class EnsembleFrames:
 
     def read(self, frame: int, into: np.ndarray) -> dict[str, float | int]:
         """Puts positions (N, 3) into an array; returns step, time and observables."""
-        place, row = self.locate(frame)
-        shard = self._shard(place)
-        shard.positions(row, into)
-        return shard.numbers(row)
+        self.read_positions(frame, into)
+        return self.numbers(frame)
 
     def read_positions(self, frame: int, into: np.ndarray) -> None:
         """Puts positions (N, 3) into an array, and looks at nothing else."""
         place, row = self.locate(frame)
         self._shard(place).positions(row, into)
 
+    def numbers(self, frame: int) -> dict[str, float | int]:
+        """Step, time and observables of a frame."""
+        place, row = self.locate(frame)
+        return self._shard(place).numbers(row)
+
     def time_between_frames(self) -> float:
         """Of the first walker (ps); 0 where it has one frame."""
-        shard = self._shard(0)
-        times = [shard.numbers(row)["time"] for row in range(min(2, int(self.ends[0])))]
+        times = [self.numbers(frame)["time"] for frame in range(min(2, int(self.ends[0])))]
         return max(0.0, times[-1] - times[0])
 
     def close(self) -> None:
