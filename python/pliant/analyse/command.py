@@ -44,8 +44,8 @@ examples:
   pliant analyse run.xtc --topology run.pdb --superpose "name CA"
   pliant analyse many --workers 2          the folder of pliant ensemble
 
-Of an ensemble, which may be larger than memory, it tells the flexibility of residues with errors
-between walkers, collective motions, contacts, and whether half of the walkers tell the same.
+For an ensemble, which may be larger than memory, it reports the flexibility of residues with errors
+between walkers, collective motions, contacts, and whether the two halves of the walkers agree.
 
 MDAnalysis selections: "protein and name CA", "resid 10:50", "not name H*", "index 0:99".
 Exit code: 0 analysed (even if bars are beyond the tolerance: see the verdict, or --json),
@@ -198,17 +198,21 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
     rows = (
         ("flexibility", "flexibility_mean", "{:.3f} Angstrom, mean RMSF{error}"),
         ("domains", "domains", "{}"),
-        ("worst residual", "max_residual", "{:.2e} of the bar's length"),
+        ("worst residual", "max_residual", "{:.2e} of the bar's length{rounding}"),
         ("sweeps per step", "sweeps_mean", "{:.1f} on average"),
         ("RMSD", "rmsd_max", "{:.3f} Angstrom at most"),
         ("gyration", "radius_of_gyration_mean", "{:.3f} Angstrom, mean radius"),
         ("torsions", "rotatable_bonds", "{} rotatable bonds"),
     )
     error = summary.get("flexibility_error_mean")
-    of_each = "" if error is None else f"; standard error of each {error:.3f} on average"
+    unit = summary.get("rounded_to", 0.0)
+    more = {
+        "error": "" if error is None else f"; standard error of each {error:.3f} on average",
+        "rounding": f", after rounding to {unit:.1g} Angstrom" if unit else "",
+    }
     for label, key, text in rows:
         if key in summary:
-            print(f"{label:<16}{text.format(summary[key], error=of_each)}")
+            print(f"{label:<16}{text.format(summary[key], **more)}")
     print(f"report          {printable_name(summary['outputs']['report'])}")
 
 

@@ -210,6 +210,8 @@ def _radius_of_gyration(study: Study, runner: Runner) -> None:
 
 def _torsions(study: Study, runner: Runner) -> None:
     bonds = None
+    if not hasattr(study.universe, "bonds") and study.stored.joints_of_whole:
+        raise ValueError("there are no bonds among the recorded atoms")
     if not hasattr(study.universe, "bonds") and study.record and study.record.bars is not None:
         bonds = study.record.bars
         study.notes.append("the file has no bonds: torsions are those of its bars")
