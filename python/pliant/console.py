@@ -94,6 +94,11 @@ def printable_name(path: str | os.PathLike[str]) -> str:
     return '"' + escaped.replace('"', '\\"') + '"'
 
 
+def counted(count: int, what: str) -> str:
+    """ "1 shard", "2 shards"."""
+    return f"{count} {what}" if count == 1 else f"{count} {what}s"
+
+
 def whole_number(least: int, *names: str, most: int | None = None) -> Callable[[str], int | str]:
     """For ``type=``: a whole number from `least` (to `most`), or one of `names` as it is."""
 

@@ -12,6 +12,7 @@ import warnings
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import dataclass
+from typing import TypeAlias
 
 import numpy as np
 
@@ -20,6 +21,8 @@ from pliant._cif_models import write_models
 from pliant._core import InputError, OptionError
 from pliant._extras import need
 from pliant._superposition import Superposition
+from pliant.ensemble.plan import is_ensemble
+from pliant.ensemble.shards_reader import ShardsReader
 
 EPILOG = """\
 The name of OUT says the format: .pdb or .cif (one model per frame), .dcd, .xtc, .trr or .xyz. PDB
@@ -34,7 +37,11 @@ exit codes: 0 done, 1 bad input or file, 2 bad option or missing package
 examples:
   pliant convert out.h5md -o out.xtc
   pliant convert out.h5md -o ca.pdb --select "name CA" --every 10 --superpose
+  pliant convert many -o many.dcd          the folder of pliant ensemble, walker after walker
 """
+
+
+Reader: TypeAlias = "_core.H5mdReader | ShardsReader"
 
 
 @dataclass
@@ -56,11 +63,12 @@ def convert(
     superpose: bool = False,
     overwrite: bool = False,
 ) -> Converted:
-    """Writes the frames of an H5MD file in the format that the name of `output` asks for.
+    """Writes the frames of an H5MD file, or of an ensemble, in the format that `output` asks for.
 
     Parameters
     ----------
     source, output : path
+        An ensemble is a folder of ``pliant ensemble``, or the ``ensemble.pliant`` in it.
         Endings of `output`: .pdb, .ent, .cif, .mmcif, .dcd, .xtc, .trr, .xyz.
     select : str
         Atoms that are written; "": all.
@@ -88,7 +96,7 @@ def convert(
     if write is _write_with_mdanalysis:
         need(f"writing {name}", "MDAnalysis")
     _refuse(source, output, overwrite)
-    reader = _core.H5mdReader(os.fspath(source))
+    reader = ShardsReader(source) if is_ensemble(source) else _core.H5mdReader(os.fspath(source))
     if len(reader) == 0:
         raise InputError(f"{os.fspath(source)}: holds no frame")
     structure = _structure_of(reader)
@@ -108,7 +116,7 @@ def _refuse(
         raise _core.FileError(f"{os.fspath(output)}: exists; --overwrite replaces it")
 
 
-def _structure_of(reader: _core.H5mdReader) -> _core.Structure:
+def _structure_of(reader: Reader) -> _core.Structure:
     """The atoms that were recorded; nameless ones of files that have no names."""
     try:
         return reader.structure(0)
@@ -142,9 +150,7 @@ def _part_of(structure: _core.Structure, select: str) -> _core.Structure:
         return structure.select(select)
 
 
-def _frames(
-    reader: _core.H5mdReader, atoms: np.ndarray, every: int, superpose: bool
-) -> Iterator[_Moment]:
+def _frames(reader: Reader, atoms: np.ndarray, every: int, superpose: bool) -> Iterator[_Moment]:
     fit: Superposition | None = None
     for frame in range(0, len(reader), every):
         positions = np.asarray(reader.positions(frame))[atoms]
@@ -155,7 +161,7 @@ def _frames(
         yield _Moment(positions, reader.step(frame), _time(reader, frame))
 
 
-def _time(reader: _core.H5mdReader, frame: int) -> float:
+def _time(reader: Reader, frame: int) -> float:
     try:
         return reader.time(frame)
     except InputError:  # the file has none
@@ -249,7 +255,11 @@ def make_parser() -> console.Parser:
         "convert", "Writes an H5MD trajectory in a format that other programs read.", EPILOG
     )
     add = parser.add_argument
-    add("file", metavar="IN", help="H5MD trajectory of pliant run or sample")
+    add(
+        "file",
+        metavar="IN",
+        help="H5MD trajectory of pliant run or sample, or the folder of an ensemble",
+    )
     add("-o", "--output", metavar="OUT", required=True, type=_file_name,
         help="file to write; its ending says the format")  # fmt: skip
     add("--select", metavar="WORDS", default="",

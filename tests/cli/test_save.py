@@ -123,8 +123,16 @@ def test_the_report_says_what_it_looked_at(pliant, tmp_path):
     pliant("sample", PEPTIDE, "--frames", "40", "--save", "not element H", "-o", "some.h5md")
     ended = pliant("analyse", "some.h5md", "-o", "report")
     assert "the file holds " in ended.err and "atoms (--save): bars and stereo" in ended.err
+    assert " rotatable bonds\n" in ended.out
     ended = pliant("check", "some.h5md")
     assert ended.code == 1 and "a check by a force field needs all of them" in ended.err
+
+
+def test_atoms_without_bonds_have_no_torsions(pliant):
+    pliant("sample", PEPTIDE, "--frames", "40", "--save", "name CA", "-o", "trace.h5md")
+    ended = pliant("analyse", "trace.h5md", "-o", "report")
+    assert "no torsions: there are no bonds among the recorded atoms" in ended.err
+    assert ended.code == 0 and "rotatable" not in ended.out
 
 
 def test_a_part_is_compared_as_the_whole_is(pliant, tmp_path):

@@ -19,6 +19,8 @@ from pliant.analyse.stages import opened_study
 from pliant.analyse.study import StudyOptions
 from pliant.analysis.medoids import k_medoids, pairwise_rmsd
 from pliant.analysis.superposition import superpose_all
+from pliant.ensemble.frames import folder_of
+from pliant.ensemble.plan import PLAN, is_ensemble
 
 if TYPE_CHECKING:
     from pliant.analyse.study import Study
@@ -71,7 +73,7 @@ def representatives(
     Parameters
     ----------
     path : str or path
-        H5MD file, or any trajectory that MDAnalysis reads.
+        H5MD file, the folder of an ensemble, or any trajectory that MDAnalysis reads.
     count : int
         Frames to choose.
     output : str or path, optional
@@ -95,6 +97,8 @@ def representatives(
     """
     if output is not None and Path(output).exists() and not overwrite:
         raise InputError(f"{os.fspath(output)}: exists; --overwrite replaces it")
+    if is_ensemble(path):
+        path = folder_of(Path(path)) / PLAN
     named = None if topology is None else os.fspath(topology)
     study = opened_study(StudyOptions(os.fspath(path), named, select, superpose))
     study.kind = kind_of(study)

@@ -23,6 +23,7 @@ from pliant.console import (
     run_command,
     whole_number,
 )
+from pliant.ensemble.plan import is_ensemble
 
 DESCRIPTION = """\
 Analyses a trajectory and writes figures (PNG), tables (CSV) and one page, report.html, which
@@ -43,8 +44,8 @@ examples:
   pliant analyse run.xtc --topology run.pdb --superpose "name CA"
   pliant analyse many --workers 2          the folder of pliant ensemble
 
-Of an ensemble, which may be larger than memory, it tells the flexibility of residues with errors
-between walkers, collective motions, contacts, and whether half of the walkers tell the same.
+For an ensemble, which may be larger than memory, it reports the flexibility of residues with errors
+between walkers, collective motions, contacts, and whether the two halves of the walkers agree.
 
 MDAnalysis selections: "protein and name CA", "resid 10:50", "not name H*", "index 0:99".
 Exit code: 0 analysed (even if bars are beyond the tolerance: see the verdict, or --json),
@@ -119,10 +120,6 @@ def _add_output(add: Callable[..., object]) -> None:
     add("--quiet", action="store_true", help="print nothing but errors")
 
 
-def _is_ensemble(file: str) -> bool:
-    return Path(file, "ensemble.pliant").exists() or Path(file).suffix == ".pliant"
-
-
 def _analyse_ensemble(options: argparse.Namespace) -> int:
     from pliant.ensemble.frames import folder_of
     from pliant.ensemble.report import print_report, report_ensemble
@@ -130,7 +127,8 @@ def _analyse_ensemble(options: argparse.Namespace) -> int:
     usual = vars(_parser().parse_args([options.file]))
     for name in sorted(set(usual) - {"file", "output", "workers", "dpi", "json", "quiet"}):
         if getattr(options, name) != usual[name]:
-            raise OptionError(f"--{name}: goes with one file, not with an ensemble")
+            option = name.replace("_", "-")
+            raise OptionError(f"--{option}: goes with one file, not with an ensemble")
     folder = folder_of(Path(options.file))
     output = Path(options.output or f"{folder.absolute().name}-report")
     with _stages(options.quiet) as on_stage:
@@ -143,7 +141,7 @@ def _analyse_ensemble(options: argparse.Namespace) -> int:
 
 
 def _analyse(options: argparse.Namespace) -> int:
-    if _is_ensemble(options.file):
+    if is_ensemble(options.file):
         return _analyse_ensemble(options)
     # Imported here, so that --help and errors of usage are immediate.
     from pliant.analyse.suite import analyse
@@ -200,17 +198,21 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
     rows = (
         ("flexibility", "flexibility_mean", "{:.3f} Angstrom, mean RMSF{error}"),
         ("domains", "domains", "{}"),
-        ("worst residual", "max_residual", "{:.2e} of the bar's length"),
+        ("worst residual", "max_residual", "{:.2e} of the bar's length{rounding}"),
         ("sweeps per step", "sweeps_mean", "{:.1f} on average"),
         ("RMSD", "rmsd_max", "{:.3f} Angstrom at most"),
         ("gyration", "radius_of_gyration_mean", "{:.3f} Angstrom, mean radius"),
         ("torsions", "rotatable_bonds", "{} rotatable bonds"),
     )
     error = summary.get("flexibility_error_mean")
-    of_each = "" if error is None else f"; standard error of each {error:.3f} on average"
+    unit = summary.get("rounded_to", 0.0)
+    more = {
+        "error": "" if error is None else f"; standard error of each {error:.3f} on average",
+        "rounding": f", after rounding to {unit:.1g} Angstrom" if unit else "",
+    }
     for label, key, text in rows:
         if key in summary:
-            print(f"{label:<16}{text.format(summary[key], error=of_each)}")
+            print(f"{label:<16}{text.format(summary[key], **more)}")
     print(f"report          {printable_name(summary['outputs']['report'])}")
 
 

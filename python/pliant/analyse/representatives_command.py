@@ -22,6 +22,7 @@ EPILOG = """\
 examples:
   pliant representatives ensemble.h5md -k 20 -o shapes.pdb
   pliant representatives ensemble.h5md -k 10 -o site.pdb --superpose "name CA and resid 8:14 80:90"
+  pliant representatives many -k 10 -o ten.pdb          the folder of pliant ensemble
   pliant representatives run.xtc --topology run.pdb -k 5 -o five.pdb
 
 Exit code: 0 written, 1 a file cannot be read or written, 2 wrong usage."""
@@ -36,7 +37,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
 def _parser() -> Parser:
     parser = Parser("representatives", DESCRIPTION, EPILOG)
     add = parser.add_argument
-    add("file", metavar="FILE", help="trajectory of pliant sample or run (H5MD), or another one")
+    add(
+        "file",
+        metavar="FILE",
+        help="trajectory of pliant sample or run (H5MD), the folder of an ensemble, or another\n"
+        "program's trajectory",
+    )
     add("-k", dest="count", type=whole_number(1), required=True, metavar="K", help="how many")
     add("-o", "--output", metavar="FILE", required=True, help="PDB file with K models")
     add("--topology", metavar="FILE", help="file of atoms, if FILE holds none (PDB, GRO, PSF ...)")

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -21,6 +22,7 @@ from pliant.analysis import (
     RadiusOfGyration,
     RmsdToStart,
     Rmsf,
+    RunRecord,
     TorsionDistributions,
     read_record,
 )
@@ -28,6 +30,8 @@ from pliant.analysis.flexibility import STILL
 from pliant.analysis.frames import HAS_BACKENDS
 from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.stored import StoredPositions
+from pliant.ensemble.frames import EnsembleFrames, folder_of
+from pliant.ensemble.plan import is_ensemble
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup, Universe
@@ -35,7 +39,6 @@ if TYPE_CHECKING:
 
     from pliant.analyse.study import StudyOptions
     from pliant.analysis.frames import FrameAnalysis
-    from pliant.analysis.record import RunRecord
 
 
 #: the table of coordinates that the PCA makes may be this large
@@ -118,10 +121,18 @@ class Runner:
 
 
 def _record(path: str) -> RunRecord | None:
+    if is_ensemble(path):
+        return _record_of_ensemble(path)
     try:
         return read_record(path)
     except OSError:
         return None
+
+
+def _record_of_ensemble(path: str) -> RunRecord | None:
+    """The options alone, which all shards share: bars and observables would be of one shard."""
+    record = _record(str(EnsembleFrames(folder_of(Path(path))).paths[0]))
+    return None if record is None else RunRecord(path, parameters=record.parameters)
 
 
 def _select(universe: Universe, selection: str, option: str) -> AtomGroup:
@@ -199,6 +210,8 @@ def _radius_of_gyration(study: Study, runner: Runner) -> None:
 
 def _torsions(study: Study, runner: Runner) -> None:
     bonds = None
+    if not hasattr(study.universe, "bonds") and study.stored.joints_of_whole:
+        raise ValueError("there are no bonds among the recorded atoms")
     if not hasattr(study.universe, "bonds") and study.record and study.record.bars is not None:
         bonds = study.record.bars
         study.notes.append("the file has no bonds: torsions are those of its bars")

@@ -52,6 +52,7 @@ def _residual_values(study: Study) -> dict[str, Any]:
         "tolerance": study.residuals.tolerance,
         "tolerance_length": study.residuals.tolerance_length,
         "precision": study.residuals.precision,
+        "rounded_to": study.residuals.rounded_to,
         "max_residual": float(found.max_relative.max()),
         "frames_beyond_tolerance": int(np.count_nonzero(~found.within)),
     }

@@ -25,8 +25,8 @@ def units_of(study: Study) -> Units:
     if len(heavy) == 0:
         heavy = atoms
     if len(set(atoms.resindices)) < 2:
-        return _single_atoms(heavy)
-    trace = _trace(heavy)
+        return single_atoms(heavy)
+    trace = trace_of(heavy)
     of_trace = np.isin(heavy.ix, trace.ix)
     others = ~np.isin(heavy.resindices, trace.resindices)
     chosen = heavy[of_trace | others]
@@ -45,7 +45,7 @@ def units_of(study: Study) -> Units:
     )
 
 
-def _trace(atoms: AtomGroup) -> AtomGroup:
+def trace_of(atoms: AtomGroup) -> AtomGroup:
     """CA of amino acids and P of nucleotides, where each residue has one at most; else nothing."""
     if not hasattr(atoms, "names") or not hasattr(atoms, "resnames"):
         return atoms[:0]
@@ -53,7 +53,19 @@ def _trace(atoms: AtomGroup) -> AtomGroup:
     return trace if len(set(trace.resindices)) == len(trace) else atoms[:0]
 
 
-def _single_atoms(atoms: AtomGroup) -> Units:
+def trace_units(trace: AtomGroup) -> Units:
+    """The residues of a trace, each by its one atom."""
+    residues, owners = trace.universe.residues, trace.resindices
+    labels = residue_labels(residues)
+    return Units(
+        "residue", [labels[k] for k in owners], numbers_of(residues)[owners],
+        chains_of(residues)[owners], owners, trace.ix, np.arange(len(trace)),
+        np.ones(len(trace), dtype=bool),
+    )  # fmt: skip
+
+
+def single_atoms(atoms: AtomGroup) -> Units:
+    """Each atom as a unit."""
     count = len(atoms)
     labels = atom_labels(atoms)
     if len(set(labels)) < count:

@@ -14,6 +14,7 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import InputError
+from pliant.ensemble.plan import refuse_ensemble
 
 ANGSTROM_PER_UNIT = {"Angstrom": 1.0, "A": 1.0, "nm": 10.0, "pm": 0.01}
 BLOCK_BYTES = 32 << 20  #: frames are read in pieces of about this size
@@ -117,6 +118,7 @@ def read_recording(path: str | os.PathLike[str]) -> Recording:
     must have; OSError when the file cannot be read.
     """
     path = os.fspath(path)
+    refuse_ensemble(path)
     if not os.path.exists(path):
         raise InputError(f"{path}: no such file")
     if not h5py.is_hdf5(path):

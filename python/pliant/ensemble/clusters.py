@@ -8,9 +8,9 @@ from pathlib import Path
 
 import numpy as np
 
-from pliant import _hdf5
 from pliant.analysis.medoids import k_medoids, pairwise_rmsd, rmsd_to
 from pliant.ensemble.frames import EnsembleFrames
+from pliant.ensemble.open_shard import open_shard
 from pliant.ensemble.over_shards import each_part, parts_of
 from pliant.ensemble.plan import Plan
 from pliant.ensemble.sums import blocks, walkers_of
@@ -60,8 +60,10 @@ class _Counts:
             getattr(self, name).__iadd__(value)
 
 
-def clusters(frames: EnsembleFrames, atoms: np.ndarray, workers: int = 1) -> Clusters:
-    """Chooses frames by k-medoids on the RMSD of `atoms`, and deals all frames to the nearest.
+def clusters(
+    frames: EnsembleFrames, atoms: np.ndarray, workers: int = 1, most: int = CLUSTERS
+) -> Clusters:
+    """Chooses `most` frames by k-medoids on the RMSD of `atoms`, and deals all to the nearest.
 
     Memory does not grow with the number of frames: the choice is among MOST_COMPARED of them, the
     rest is read once, over `workers` processes.
@@ -70,9 +72,9 @@ def clusters(frames: EnsembleFrames, atoms: np.ndarray, workers: int = 1) -> Clu
     whole = np.empty((frames.atom_count, 3))
     compared = np.empty((len(numbers), len(atoms), 3))
     for place, number in enumerate(numbers):
-        frames.read(int(number), whole)
+        frames.read_positions(int(number), whole)
         compared[place] = whole[atoms]
-    found = k_medoids(pairwise_rmsd(compared), min(CLUSTERS, len(numbers)))
+    found = k_medoids(pairwise_rmsd(compared), min(most, len(numbers)))
     counts = _counts(frames, atoms, compared[found.frames], workers)
     order = np.argsort(-counts.shares.sum(axis=0), kind="stable")
     return _result(frames, numbers[found.frames[order]], counts, order, len(numbers))
@@ -96,7 +98,7 @@ def _result(
 def _counts(
     frames: EnsembleFrames, atoms: np.ndarray, medoids: np.ndarray, workers: int
 ) -> _Counts:
-    tasks = [_Task(frames.plan, part, atoms, medoids) for part in parts_of(frames.paths, workers)]
+    tasks = [_Task(frames.plan, part, atoms, medoids) for part in parts_of(frames.paths)]
     parts = each_part(_counts_of, tasks, workers)
     counts = next(parts)
     for part in parts:
@@ -109,7 +111,7 @@ def _counts_of(task: _Task) -> _Counts:
     counts = _Counts(np.zeros(2, dtype=np.int64), np.zeros((2, k)), np.zeros(k),
                      np.zeros(k, dtype=np.int64), np.zeros(k))  # fmt: skip
     for path in task.paths:
-        with _hdf5.open_file(path) as file:
+        with open_shard(path) as file:
             walkers = walkers_of(file, task.plan)
             dealt = [rmsd_to(some, task.medoids) for _, some in blocks(file, task.atoms)]
         counts.add(_of_shard(walkers, np.concatenate(dealt)))

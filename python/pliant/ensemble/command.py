@@ -16,6 +16,7 @@ from pliant.console import (
     EXIT_FAILED,
     EXIT_OK,
     Parser,
+    counted,
     note,
     print_json,
     printable,
@@ -212,8 +213,7 @@ def _is_incomplete(outcome: Outcome) -> bool:
 
 def _print_outcome(outcome: Outcome) -> None:
     plan = outcome.plan
-    shards = "1 shard" if plan.shard_count == 1 else f"{plan.shard_count} shards"
-    print(f"{plan.what:<16}{plan.count}, in {shards}")
+    print(f"{plan.what:<16}{plan.count}, in {counted(plan.shard_count, 'shard')}")
     print(f"shards          {outcome.made} made, {outcome.found} there already")
     frames, size = outcome.total("frames"), outcome.total("bytes")
     print(f"frames          {frames}, {size / 1e6:.1f} MB, {size / max(frames, 1):.0f} bytes each")

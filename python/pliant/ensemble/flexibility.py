@@ -4,19 +4,22 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TypeVar
 
 import numpy as np
 
-from pliant import _hdf5
 from pliant._core import InputError
-from pliant.analyse.names import atom_labels, residue_labels
+from pliant.analyse.found import Units
+from pliant.analyse.names import atom_labels
+from pliant.analyse.units import single_atoms, trace_of, trace_units
 from pliant.analysis.agreement import TEN, correlation, rmsip
+from pliant.analysis.flexibility import STILL
 from pliant.analysis.recorded_contacts import contacts_of
-from pliant.ensemble.clusters import Clusters, clusters
+from pliant.ensemble.clusters import CLUSTERS, Clusters, clusters
 from pliant.ensemble.frames import EnsembleFrames
+from pliant.ensemble.open_shard import open_shard
 from pliant.ensemble.over_shards import each_part, parts_of
 from pliant.ensemble.plan import PLAN
 from pliant.ensemble.sums import Half, Sums, Task, mean_of, sums_of
@@ -27,26 +30,36 @@ MOST_FOR_MODES = 2000
 Result = TypeVar("Result")
 
 
+def _none() -> np.ndarray:
+    return np.empty(0)
+
+
 @dataclass
 class Flexibility:
     """What the frames of all walkers tell. Lengths in Angstrom; U units."""
 
-    unit: str  #: "residue", by its CA or P, or "atom"
-    labels: list[str]  #: (U,)
+    units: Units  #: residues, by their CA or P, or atoms
+    what: str  #: that is independent: "walkers" of runs, or "frames" of samples
     frames: int
-    walkers: int
+    walkers: int  #: or frames of a sample, each of which counts as a walker
     rmsf: np.ndarray  #: (U,) about the mean of all frames, superposed
     error: np.ndarray  #: (U,) standard error, from the differences between walkers
     halves: np.ndarray  #: (2, U) RMSF of walkers of even and of odd numbers
-    correlation: float  #: Pearson's r of the halves
-    variances: np.ndarray  #: (10,) of the principal components, Angstrom^2; empty: not computed
+    correlation: float  #: Pearson's r of the halves; not a number where they do not vary
     total_variance: float
-    modes: np.ndarray  #: (3U, 10) their directions, of length 1
-    rmsip: float | None  #: of the first ten components of the halves
     max_residual: float  #: of the bars, before any rounding
     contacts: list[tuple[str, str, float]]  #: atoms, kind, share held
-    clusters: Clusters
     atoms: Any  #: of MDAnalysis, those of each frame
+    variances: np.ndarray = field(default_factory=_none)  #: (10,) of the principal components, A^2
+    modes: np.ndarray = field(default_factory=_none)  #: (3U, 10) their directions, of length 1
+    rmsip: float | None = None  #: of the first ten components of the halves
+    why_no_modes: str = ""  #: where there are none
+    clusters: Clusters = field(init=False)
+
+    @property
+    def still(self) -> bool:
+        """Whether nothing moves."""
+        return bool(np.all(self.rmsf < STILL))
 
 
 def flexibility(
@@ -54,36 +67,36 @@ def flexibility(
 ) -> Flexibility:
     """Reads the frames of an ensemble three times, over some processes.
 
-    Raises FileError and InputError if there is no ensemble, or it has one walker only.
+    Raises FileError and InputError if there is no ensemble, a shard is gone, or one walker is all.
     """
     import MDAnalysis
 
     frames = EnsembleFrames(folder)
+    frames.check_all_there()
     all_atoms = MDAnalysis.Universe(folder / PLAN).atoms
-    unit, labels, atoms = _units(all_atoms)
+    units = _units(all_atoms)
+    atoms = units.atoms
     first = np.empty((frames.atom_count, 3))
-    frames.read(0, first)
+    frames.read_positions(0, first)
     on_stage("mean")
     reference = _mean(frames, atoms, first[atoms], workers)
     on_stage("fluctuations")
     sums = _sums(frames, atoms, reference, workers)
+    what = frames.plan.what
     if min(half.walkers for half in sums.halves) == 0:
-        raise InputError(f"{folder}: one walker: errors and convergence need two")
+        raise InputError(f"{folder}: one {what[:-1]}: errors and convergence need two")
+    found = _result(units, what, sums, _contacts(frames, sums, all_atoms), all_atoms)
     on_stage("clusters")
-    groups = clusters(frames, atoms, workers)
-    return _result(unit, labels, sums, _contacts(frames, sums, all_atoms), groups, all_atoms)
+    found.clusters = clusters(frames, atoms, workers, 1 if found.still else CLUSTERS)
+    return found
 
 
-def _units(atoms: Any) -> tuple[str, list[str], np.ndarray]:
-    if hasattr(atoms, "names") and hasattr(atoms, "resnames"):
-        trace = atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
-        if len(trace) >= 3 and len(set(trace.resindices)) == len(trace):
-            labels = residue_labels(atoms.residues)
-            return "residue", [labels[k] for k in trace.resindices], trace.ix
+def _units(atoms: Any) -> Units:
+    trace = trace_of(atoms)
+    if len(trace) >= 3:
+        return trace_units(trace)
     heavy = atoms.select_atoms("not element H") if hasattr(atoms, "elements") else atoms
-    chosen = heavy if len(heavy) >= 3 else atoms
-    every = atom_labels(atoms)
-    return "atom", [every[k] for k in chosen.ix], chosen.ix
+    return single_atoms(heavy if len(heavy) >= 3 else atoms)
 
 
 def _mean(frames: EnsembleFrames, atoms: np.ndarray, start: np.ndarray, workers: int) -> np.ndarray:
@@ -113,19 +126,13 @@ def _over(
     """The results of parts of the shards, in their order."""
     has_modes = len(atoms) <= MOST_FOR_MODES
     tasks = [
-        Task(frames.plan, part, atoms, reference, has_modes)
-        for part in parts_of(frames.paths, workers)
+        Task(frames.plan, part, atoms, reference, has_modes) for part in parts_of(frames.paths)
     ]
     yield from each_part(work, tasks, workers)
 
 
 def _result(
-    unit: str,
-    labels: list[str],
-    sums: Sums,
-    contacts: list[tuple[str, str, float]],
-    groups: Clusters,
-    atoms: Any,
+    units: Units, what: str, sums: Sums, contacts: list[tuple[str, str, float]], atoms: Any
 ) -> Flexibility:
     even, odd = sums.halves
     halves = np.array([np.sqrt(_moments(even)[0]), np.sqrt(_moments(odd)[0])])
@@ -134,15 +141,25 @@ def _result(
     both += odd
     square, square_error = _moments(both)
     rmsf = np.sqrt(square)
-    modes = [_principal(half) for half in (even, odd, both)]
-    count = min(TEN, modes[0][1].shape[1])
-    return Flexibility(
-        unit, labels, both.frames, both.walkers, rmsf,
+    found = Flexibility(
+        units, what, both.frames, both.walkers, rmsf,
         np.divide(square_error, 2 * rmsf, out=np.zeros_like(rmsf), where=rmsf > 0),
-        halves, correlation(halves[0], halves[1]), modes[2][0], float(square.sum()), modes[2][1],
-        rmsip(modes[0][1].T, modes[1][1].T, count) if count else None, sums.max_residual, contacts,
-        groups, atoms,
+        halves, correlation(halves[0], halves[1]), float(square.sum()), sums.max_residual,
+        contacts, atoms,
     )  # fmt: skip
+    if found.still:
+        found.why_no_modes = "nothing moves"
+    elif both.has_modes:
+        _add_modes(found, even, odd, both)
+    else:
+        found.why_no_modes = f"more than {MOST_FOR_MODES} units"
+    return found
+
+
+def _add_modes(found: Flexibility, even: Half, odd: Half, both: Half) -> None:
+    halves = [_principal(half)[1] for half in (even, odd)]
+    found.variances, found.modes = _principal(both)
+    found.rmsip = rmsip(halves[0].T, halves[1].T, min(TEN, halves[0].shape[1]))
 
 
 def _moments(half: Half) -> tuple[np.ndarray, np.ndarray]:
@@ -169,10 +186,9 @@ def _moments(half: Half) -> tuple[np.ndarray, np.ndarray]:
 
 def _principal(half: Half) -> tuple[np.ndarray, np.ndarray]:
     """The largest variances and their directions (3U, 10)."""
-    if half.outer is None:
-        return np.empty(0), np.empty((3 * half.units, 0))
     from scipy.linalg import eigh
 
+    assert half.outer is not None
     c = (half.shift / half.frames).reshape(-1)
     covariance = half.outer / half.frames - np.outer(c, c)
     size = len(covariance)
@@ -185,7 +201,7 @@ def _contacts(frames: EnsembleFrames, sums: Sums, atoms: Any) -> list[tuple[str,
     if sums.held is None:
         return []
     names = atom_labels(atoms)
-    with _hdf5.open_file(frames.paths[0]) as file:
+    with open_shard(frames.paths[0]) as file:
         found = contacts_of(file)
     if found is None or len(found.kinds) != len(sums.held):
         return []

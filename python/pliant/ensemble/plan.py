@@ -108,6 +108,21 @@ def file_digest(path: str | os.PathLike[str]) -> str:
         raise FileError(f"{os.fspath(path)}: {error.strerror}") from None
 
 
+def is_ensemble(path: str | os.PathLike[str]) -> bool:
+    """Whether a path is the folder of an ensemble, or the plan in it."""
+    return Path(path, PLAN).exists() or Path(path).suffix == Path(PLAN).suffix
+
+
+def refuse_ensemble(path: str | os.PathLike[str]) -> None:
+    """Raises InputError that says what to give instead, where one trajectory is wanted."""
+    if is_ensemble(path):
+        shards = (Path(path) if Path(path).is_dir() else Path(path).parent) / SHARDS
+        raise InputError(
+            f"{os.fspath(path)}: is an ensemble: give one of its shards ({shards}/...), or open it "
+            "with MDAnalysis"
+        )
+
+
 def load_plan(folder: str | os.PathLike[str]) -> Plan:
     """The plan of a folder. Raises FileError if there is none, InputError if it is not whole."""
     path = Path(folder, PLAN)

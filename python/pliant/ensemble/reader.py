@@ -13,6 +13,7 @@ from typing import Any
 
 from pliant._extras import needed_by
 from pliant.ensemble.frames import EnsembleFrames, folder_of
+from pliant.ensemble.open_shard import open_shard
 
 with needed_by("pliant.ensemble.reader"):
     from MDAnalysis.coordinates.base import ReaderBase
@@ -29,6 +30,7 @@ class EnsembleParser(TopologyReaderBase):  # type: ignore[misc]  # MDAnalysis ha
     def parse(self, **kwargs: object) -> Any:
         """Return the topology of the ensemble."""
         frames = EnsembleFrames(folder_of(Path(self.filename)))
+        open_shard(frames.paths[0]).close()  # says what to do where it is gone
         with H5MDParser(str(frames.paths[0])) as parser:
             return parser.parse(**kwargs)
 

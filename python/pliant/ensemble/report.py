@@ -11,14 +11,16 @@ from typing import Any
 import numpy as np
 
 from pliant._csv_cells import harmless
-from pliant.ensemble.clusters import Clusters
-from pliant.ensemble.flexibility import MOST_FOR_MODES, Flexibility, flexibility
+from pliant.analysis.flexibility import STILL
+from pliant.console import counted
+from pliant.ensemble.draw import draw_flexibility
+from pliant.ensemble.flexibility import Flexibility, flexibility
 from pliant.ensemble.sums import superposed
 
 #: What the report of one file has, and this one has not.
 LEFT_OUT = (
     "torsions, stereochemistry, domains and the page: pliant analyse of a shard's file "
-    "has them for its walkers"
+    "has them for its frames"
 )
 
 
@@ -37,10 +39,10 @@ def report_ensemble(
         tables.append(_write_modes(found, output))
     if found.contacts:
         tables.append(_write_contacts(found, output))
-    tables.append(_write_clusters(found.clusters, output))
+    tables.append(_write_clusters(found, output))
     models = _write_representatives(found, output)
     on_stage("figure")
-    figure = _draw(found, output / "flexibility.png", dpi)
+    figure = draw_flexibility(found, output / "flexibility.png", dpi)
     outputs = {
         "tables": [str(path) for path in tables],
         "figures": [str(figure)],
@@ -54,16 +56,17 @@ def _numbers(folder: Path, found: Flexibility) -> dict[str, Any]:
     return {
         "ensemble": str(folder),
         "frames": found.frames,
-        "walkers": found.walkers,
-        "unit": found.unit,
-        "units": len(found.labels),
+        "walkers": found.walkers if found.what == "walkers" else None,
+        "unit": found.units.what,
+        "units": len(found.units.labels),
+        "nothing_moves": found.still,
         "flexibility_mean": float(found.rmsf.mean()),
         "flexibility_error_mean": float(found.error.mean()),
         "halves_correlation": found.correlation,
         "halves_difference_max": float(np.abs(found.halves[0] - found.halves[1]).max()),
         "halves_rmsip": found.rmsip,
         "variance_shares": share,
-        "modes": None if len(found.variances) else f"more than {MOST_FOR_MODES} units",
+        "modes": found.why_no_modes or None,
         "max_residual": found.max_residual,
         "contacts": len(found.contacts),
         "cluster_shares": found.clusters.shares,
@@ -76,8 +79,9 @@ def _numbers(folder: Path, found: Flexibility) -> dict[str, Any]:
 
 
 def _write_flexibility(found: Flexibility, folder: Path) -> Path:
-    rows = zip(found.labels, found.rmsf, found.error, *found.halves, strict=True)
-    head = [found.unit, "rmsf_angstrom", "standard_error", "rmsf_even_walkers", "rmsf_odd_walkers"]
+    rows = zip(found.units.labels, found.rmsf, found.error, *found.halves, strict=True)
+    halves = [f"rmsf_even_{found.what}", f"rmsf_odd_{found.what}"]
+    head = [found.units.what, "rmsf_angstrom", "standard_error", *halves]
     return _write(folder / "flexibility.csv", head, rows)
 
 
@@ -87,9 +91,9 @@ def _write_modes(found: Flexibility, folder: Path) -> Path:
     rows = (
         (k + 1, found.variances[k], label, *parts[k, unit])
         for k in range(count)
-        for unit, label in enumerate(found.labels)
+        for unit, label in enumerate(found.units.labels)
     )
-    head = ["mode", "variance_angstrom2", found.unit, "x", "y", "z"]
+    head = ["mode", "variance_angstrom2", found.units.what, "x", "y", "z"]
     return _write(folder / "modes.csv", head, rows)
 
 
@@ -97,16 +101,18 @@ def _write_contacts(found: Flexibility, folder: Path) -> Path:
     return _write(folder / "contacts.csv", ["contact", "kind", "share_held"], found.contacts)
 
 
-def _write_clusters(found: Clusters, folder: Path) -> Path:
+def _write_clusters(found: Flexibility, folder: Path) -> Path:
+    chosen, what = found.clusters, found.what
+    own = ["walker", "step"] if what == "walkers" else ["step"]
+    columns = zip(chosen.shares, chosen.errors, *chosen.halves, chosen.distances, strict=True)
     rows = (
-        (k + 1, int(frame), told.get("walker", told["step"]), told["step"], *numbers)
-        for k, (frame, told, *numbers) in enumerate(
-            zip(found.frames, found.told, found.shares, found.errors, *found.halves,
-                found.distances, strict=True)
+        (k + 1, int(frame), *(told[name] for name in own), *numbers)
+        for k, (frame, told, numbers) in enumerate(
+            zip(chosen.frames, chosen.told, columns, strict=True)
         )
-    )  # fmt: skip
-    head = ["cluster", "frame", "walker", "step", "share_of_frames", "standard_error",
-            "share_even_walkers", "share_odd_walkers", "mean_rmsd_angstrom"]  # fmt: skip
+    )
+    head = ["cluster", "frame", *own, "share_of_frames", "standard_error",
+            f"share_even_{what}", f"share_odd_{what}", "mean_rmsd_angstrom"]  # fmt: skip
     return _write(folder / "clusters.csv", head, rows)
 
 
@@ -132,46 +138,46 @@ def _write(path: Path, head: Sequence[str], rows: Iterable[Sequence[Any]]) -> Pa
     return path
 
 
-def _draw(found: Flexibility, path: Path, dpi: int) -> Path:
-    from matplotlib.figure import Figure
-
-    figure = Figure(figsize=(9, 3.6), layout="constrained")
-    axes = figure.subplots()
-    place = np.arange(1, len(found.rmsf) + 1)
-    low, high = found.rmsf - 2 * found.error, found.rmsf + 2 * found.error
-    axes.fill_between(place, low, high, alpha=0.3, label="2 standard errors, between walkers")
-    axes.plot(place, found.rmsf, label=f"all {found.walkers} walkers")
-    for name, half in zip(("even", "odd"), found.halves, strict=True):
-        axes.plot(place, half, lw=0.6, label=f"walkers of {name} numbers")
-    axes.set(xlabel=found.unit, ylabel="RMSF (Å)", ylim=(0, None))
-    axes.margins(x=0.01)
-    axes.legend(frameon=False, fontsize=8)
-    figure.savefig(path, dpi=dpi)
-    return path
-
-
 def print_report(numbers: dict[str, Any]) -> None:
     """The same numbers, as text."""
-    print(f"frames          {numbers['frames']}, of {numbers['walkers']} walkers")
-    mean, error = numbers["flexibility_mean"], numbers["flexibility_error_mean"]
-    units = f"{numbers['units']} {numbers['unit']}s"
-    print(f"flexibility     {mean:.3f} Angstrom, mean RMSF of {units}; {error:.4f} standard error")
-    print(
-        f"two halves      RMSF correlates at {numbers['halves_correlation']:.3f}, "
-        f"differs by {numbers['halves_difference_max']:.3f} Angstrom at most"
-    )
-    if numbers["modes"] is None:
-        share = float(np.sum(numbers["variance_shares"]))
-        print(f"modes           ten hold {share:.0%} of the variance; ", end="")
-        print(f"RMSIP of the halves {numbers['halves_rmsip']:.3f}")
+    walkers = numbers["walkers"]
+    source = "independent of each other" if walkers is None else f"of {counted(walkers, 'walker')}"
+    print(f"frames          {numbers['frames']}, {source}")
+    if numbers["nothing_moves"]:
+        _print_still(numbers)
     else:
-        print(f"modes           left out: {numbers['modes']}")
+        _print_motion(numbers)
+    print(f"worst residual  {numbers['max_residual']:.2e} of the bar's length")
+    print(f"left out        {numbers['left_out']}")
+    for path in (path for paths in numbers["outputs"].values() for path in paths):
+        print(f"written         {path}")
+
+
+def _print_still(numbers: dict[str, Any]) -> None:
+    units = counted(numbers["units"], numbers["unit"])
+    print(f"flexibility     nothing moves: RMSF of all {units} is below {STILL:g} Angstrom")
+    print("clusters        1: all frames have one shape")
+
+
+def _print_motion(numbers: dict[str, Any]) -> None:
+    mean, error = numbers["flexibility_mean"], numbers["flexibility_error_mean"]
+    units = counted(numbers["units"], numbers["unit"])
+    print(f"flexibility     {mean:.3f} Angstrom, mean RMSF of {units}; {error:.4f} standard error")
+    r, most = numbers["halves_correlation"], numbers["halves_difference_max"]
+    alike = "" if np.isnan(r) else f"correlates at {r:.3f}, "
+    print(f"two halves      RMSF {alike}differs by {most:.3f} Angstrom at most")
+    _print_modes(numbers)
     shares = numbers["cluster_shares"]
     print(
         f"clusters        {len(shares)}; the largest has {shares[0]:.0%} of the frames, the halves "
         f"differ by {numbers['cluster_halves_difference_max']:.0%} at most"
     )
-    print(f"worst residual  {numbers['max_residual']:.2e} of the bar's length")
-    print(f"left out        {numbers['left_out']}")
-    for path in (path for paths in numbers["outputs"].values() for path in paths):
-        print(f"written         {path}")
+
+
+def _print_modes(numbers: dict[str, Any]) -> None:
+    if numbers["modes"] is not None:
+        print(f"modes           left out: {numbers['modes']}")
+        return
+    share = float(np.sum(numbers["variance_shares"]))
+    rmsip = numbers["halves_rmsip"]
+    print(f"modes           ten hold {share:.0%} of the variance; RMSIP of the halves {rmsip:.3f}")

@@ -8,6 +8,7 @@ import shlex
 import sys
 from pathlib import Path
 
+from pliant.console import counted
 from pliant.ensemble.plan import Plan
 
 #: Slurm takes up to 1001 jobs in an array unless it is told otherwise (MaxArraySize).
@@ -17,6 +18,7 @@ MOST_JOBS = 1000
 def slurm_script(plan: Plan, folder: Path, words: list[str]) -> str:
     """The script; `words` are the arguments of the command that asked for it."""
     jobs = min(plan.shard_count, MOST_JOBS)
+    shards = counted(plan.shard_count, "shard")
     where = shlex.quote(os.path.abspath(folder))
     python = shlex.quote(sys.executable)
     return f"""\
@@ -26,7 +28,7 @@ def slurm_script(plan: Plan, folder: Path, words: list[str]) -> str:
 #SBATCH --ntasks=1
 #SBATCH --cpus-per-task=1
 #SBATCH --requeue
-# Makes the {plan.shard_count} shards of {plan.count} {plan.what}. Add what your queue asks for: the
+# Makes {shards} of {plan.count} {plan.what}. Add what your queue asks for: the
 # account, the partition, --time. A job that is repeated makes what is missing only. Once all have
 # ended, this counts the shards, and makes those whose job was lost:
 #   {shlex.join(["pliant", "ensemble", *words])}

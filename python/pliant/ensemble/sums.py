@@ -13,6 +13,7 @@ import numpy as np
 from pliant import _hdf5
 from pliant._core import InputError
 from pliant.ensemble.inspect_shard import POSITION
+from pliant.ensemble.open_shard import open_shard, positions_in
 from pliant.ensemble.plan import Plan
 
 _BLOCK_BYTES = 16 << 20  #: of the frames that are read at once
@@ -119,7 +120,7 @@ def mean_of(task: Task) -> tuple[int, np.ndarray]:
     """Frames, and the sum of their superposed positions (U, 3)."""
     count, total = 0, np.zeros_like(task.reference)
     for path in task.paths:
-        with _hdf5.open_file(path) as file:
+        with open_shard(path) as file:
             for _, frames in blocks(file, task.atoms):
                 count += len(frames)
                 total += superposed(frames, task.reference).sum(axis=0)
@@ -131,7 +132,7 @@ def sums_of(task: Task) -> Sums:
     halves = [Half(len(task.atoms), task.has_modes) for _ in range(2)]
     sums = Sums((halves[0], halves[1]))
     for path in task.paths:
-        with _hdf5.open_file(path) as file:
+        with open_shard(path) as file:
             _add_shard(sums, file, task)
     return sums
 
@@ -173,9 +174,7 @@ def walkers_of(file: h5py.File, plan: Plan) -> np.ndarray:
 
 def blocks(file: h5py.File, atoms: np.ndarray) -> Iterator[tuple[slice, np.ndarray]]:
     """Rows and their positions (F, U, 3), a few megabytes at a time."""
-    found = _hdf5.item(file, f"{POSITION}/value")
-    if not _hdf5.is_array(found, "f", (None, None, 3)):
-        raise InputError(f"{file.filename}: /{POSITION}: expected positions")
+    found = positions_in(file)
     step = max(1, _BLOCK_BYTES // (24 * max(1, found.shape[1])))
     for begin in range(0, len(found), step):
         rows = slice(begin, min(begin + step, len(found)))

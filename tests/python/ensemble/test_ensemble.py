@@ -112,7 +112,8 @@ def test_a_bad_input_is_told_in_one_line(tmp_path):
     assert (ended.returncode, ended.stderr.count("\n")) == (1, 1)
     assert "bad.pdb:1: x (columns 31-38) is blank" in ended.stderr
     # Nothing was made: the folder takes another plan.
-    assert call("ensemble", PEPTIDE, *words, "--steps", 2).returncode == 0
+    ended = call("ensemble", PEPTIDE, *words, "--steps", 2)
+    assert (ended.returncode, " in 1 shard\n" in ended.stdout) == (0, True)
 
 
 def test_frames_that_are_not_whole_are_counted(tmp_path):

@@ -7,13 +7,16 @@ import subprocess
 import sys
 import warnings
 
+import h5py
 import MDAnalysis
 import numpy as np
 import pytest
 from ensembles import PEPTIDE, frames_of, shards_of
 from MDAnalysis.analysis.rms import RMSD
+from pliant.ensemble.frames import EnsembleFrames
 
 import pliant
+from pliant import _hdf5
 
 
 @pytest.fixture
@@ -39,6 +42,41 @@ def test_frames_in_any_order(universe, ensemble):
     with pytest.raises(IndexError):
         universe.trajectory[120]
     assert [frame.frame for frame in universe.trajectory[18:42:11]] == [18, 29, 40]
+
+
+def test_every_number_of_a_frame_is_there(universe, ensemble):
+    names = tuple(sorted(h5py.File(shards_of(ensemble)[0])["observables"]))
+    columns = frames_of(shards_of(ensemble), names)[3:]
+    for k in (0, 1, 2, 57, 56, 119, 3):
+        data = universe.trajectory[k].data
+        assert {name: data[name] for name in names} == {
+            name: column[k].item() for name, column in zip(names, columns, strict=True)
+        }
+
+
+def test_files_are_read_in_blocks_and_not_frame_by_frame(ensemble, monkeypatch):
+    reads = []
+    read = _hdf5.read
+    monkeypatch.setattr(_hdf5, "read", lambda *what: reads.append(what) or read(*what))
+    frames = EnsembleFrames(ensemble)
+    into = np.empty((frames.atom_count, 3))
+    for k in range(len(frames)):
+        frames.read_positions(k, into)
+    assert len(reads) == 6  # one of each shard
+    for k in range(len(frames)):
+        numbers = frames.read(k, into)
+    assert len(reads) <= 6 + 6 * (1 + len(numbers))
+
+
+def test_frames_far_apart_are_read_alone(ensemble, monkeypatch):
+    frames = EnsembleFrames(ensemble)
+    into = np.empty((frames.atom_count, 3))
+    frames.read_positions(19, into)
+    read, values = _hdf5.read, []
+    monkeypatch.setattr(_hdf5, "read", lambda *what: values.append(read(*what)) or values[-1])
+    for k in (15, 2, 8):
+        frames.read_positions(k, into)
+    assert [len(rows) for rows in values] == [1, 1, 1]
 
 
 def test_names_and_bonds_are_those_of_the_input(universe):
@@ -91,3 +129,10 @@ def test_a_shard_that_is_gone_is_an_error_and_no_empty_frame(ensemble, tmp_path)
     with pytest.raises((OSError, pliant.Error), match="shard-000000012"):
         universe.trajectory[65]
     assert universe.trajectory[100].frame == 100
+
+
+def test_a_first_shard_that_is_gone_is_named(ensemble, tmp_path):
+    folder = shutil.copytree(ensemble, tmp_path / "gone")
+    shards_of(folder)[0].unlink()
+    with pytest.raises(OSError, match=r"shard-000000000-000000003\.h5md: is gone: the same"):
+        MDAnalysis.Universe(folder / "ensemble.pliant")

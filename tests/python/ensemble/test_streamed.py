@@ -3,14 +3,20 @@
 
 import csv
 import json
+import shutil
 import tracemalloc
+from dataclasses import replace
+from pathlib import Path
 
 import MDAnalysis
 import numpy as np
 import pytest
 from ensembles import PEPTIDE, call, frames_of, made, shards_of
 from MDAnalysis.analysis.align import rotation_matrix
+from pliant.analyse.found import Units
 from pliant.analysis.medoids import k_medoids, pairwise_rmsd
+from pliant.ensemble import over_shards
+from pliant.ensemble.draw import flexibility_figure
 from pliant.ensemble.flexibility import flexibility
 from pliant.ensemble.plan import load_plan
 from pliant.ensemble.sums import Task, sums_of, superposed
@@ -23,6 +29,21 @@ def many(tmp_path_factory):
     words = ("--walkers", 64, "--shard-size", 10, "--model", "protein", "--steps", 20)
     made(PEPTIDE, "-o", folder, *words, "--every", 4, "--perturb", "displacement")
     return folder
+
+
+CAFFEINE = Path(__file__).parents[3] / "data" / "molecules" / "caffeine.sdf"
+
+
+def analysed(folder, output):
+    """What pliant analyse says of an ensemble."""
+    ended = call("analyse", folder, "-o", output)
+    assert ended.returncode == 0, ended.stderr
+    return ended.stdout
+
+
+def read_csv(path):
+    with open(path, newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
 
 
 def moved_by_mdanalysis(frames, reference):
@@ -57,6 +78,40 @@ def test_flexibility_is_that_of_all_frames(many, oracle, workers):
         part = moved[chosen] - moved[chosen].mean(axis=0)
         assert half == pytest.approx(np.sqrt((part**2).sum(axis=2).mean(axis=0)), rel=1e-9)
     assert found.correlation == pytest.approx(np.corrcoef(*found.halves)[0, 1])
+
+
+def test_any_number_of_processes_gives_the_same_bits(many):
+    one, three = flexibility(many, 1), flexibility(many, 3)
+    for name in ("rmsf", "error", "halves", "variances", "modes"):
+        assert getattr(one, name).tobytes() == getattr(three, name).tobytes()
+    for name, value in vars(one.clusters).items():
+        assert np.array_equal(value, getattr(three.clusters, name))
+
+
+def test_few_results_wait_at_once(monkeypatch):
+    """The first part takes longest: what is done after it must not pile up."""
+
+    class Now:
+        def __init__(self, *words, **options):
+            self.waiting = 0
+
+        def __enter__(self):
+            return self
+
+        def __exit__(self, *what):
+            pass
+
+        def submit(self, work, task):
+            self.waiting += 1
+            assert self.waiting <= 3
+            return self
+
+        def result(self):
+            self.waiting -= 1
+            return 7
+
+    monkeypatch.setattr(over_shards, "ProcessPoolExecutor", Now)
+    assert list(over_shards.each_part(abs, list(range(20)), 2)) == 20 * [7]
 
 
 def test_collective_motions_are_those_of_all_frames(many, oracle):
@@ -156,6 +211,8 @@ def test_what_goes_with_one_file_is_refused(many, tmp_path):
     ended = call("analyse", many, "-o", tmp_path / "r", "--superpose", "name CB")
     assert (ended.returncode, ended.stderr.count("\n")) == (2, 1)
     assert "--superpose: goes with one file" in ended.stderr
+    ended = call("analyse", many, "-o", tmp_path / "r", "--mass-weighted")
+    assert "--mass-weighted: goes with one file" in ended.stderr
     ended = call("analyse", tmp_path)
     assert ended.returncode == 1
     assert "is a folder, expected a trajectory file" in ended.stderr
@@ -166,3 +223,75 @@ def test_one_walker_has_no_error(tmp_path):
     ended = call("analyse", tmp_path / "one", "-o", tmp_path / "r")
     assert ended.returncode == 1
     assert "one walker: errors and convergence need two" in ended.stderr
+
+
+def test_frames_of_a_sample_are_called_frames(tmp_path):
+    made(PEPTIDE, "-o", tmp_path / "drawn", "--frames", 12, "--shard-size", 5)
+    text = analysed(tmp_path / "drawn", tmp_path / "r")
+    assert "frames          12, independent of each other\n" in text
+    written = [path.read_text() for path in (tmp_path / "r").glob("*.csv")]
+    assert not any("walker" in one for one in (text, *written))
+    rows = read_csv(tmp_path / "r" / "clusters.csv")
+    assert {"step", "share_even_frames", "share_odd_frames"} < set(rows[0])
+    found = flexibility(tmp_path / "drawn")
+    legend = flexibility_figure(found).axes[0].get_legend().get_texts()
+    assert [text.get_text() for text in legend][:2] == ["all 12 frames", "even-numbered frames"]
+
+
+def test_of_a_rigid_molecule_it_says_that_nothing_moves(tmp_path):
+    made(CAFFEINE, "-o", tmp_path / "rigid", "--frames", 20, "--shard-size", 10)
+    text = analysed(tmp_path / "rigid", tmp_path / "r")
+    assert "nothing moves: RMSF of all 14 atoms is below 0.001 Angstrom" in text
+    assert "clusters        1: all frames have one shape\n" in text
+    assert "nan" not in text and "halves" not in text and "modes " not in text
+    assert len(read_csv(tmp_path / "r" / "clusters.csv")) == 1
+    assert not (tmp_path / "r" / "modes.csv").exists()
+
+
+def labels_of(figure):
+    axes = figure.axes[0]
+    return [label.get_text() for label in axes.get_xticklabels()], axes.get_xlabel()
+
+
+def test_the_figure_has_the_numbers_of_residues(many):
+    found = flexibility(many)
+    labels, axis = labels_of(flexibility_figure(found))
+    assert (labels[0], labels[-1], len(labels), axis) == ("SER1", "GLY20", 20, "residue")
+    numbers = np.arange(24, 84)
+    places = np.arange(60)
+    units = Units("residue", [f"ALA{n}" for n in numbers], numbers, np.full(60, ""), places,
+                  places, places, places >= 0)  # fmt: skip
+    values = np.linspace(0.1, 1, 60)
+    longer = replace(
+        found, units=units, rmsf=values, error=values / 9, halves=np.array(2 * [values])
+    )
+    axes = flexibility_figure(longer).axes[0]
+    labels, axis = labels_of(flexibility_figure(longer))
+    assert (labels, axis) == (["30", "40", "50", "60", "70", "80"], "residue number")
+    assert axes.get_xticks().tolist() == [6, 16, 26, 36, 46, 56]
+
+
+@pytest.mark.parametrize("lost", ["one", "all"])
+def test_a_shard_that_is_gone_is_named(many, tmp_path, lost):
+    folder = shutil.copytree(many, tmp_path / "many")
+    first, *_ = shards_of(folder)
+    if lost == "one":
+        first.unlink()
+    else:
+        shutil.rmtree(folder / "shards")
+    ended = call("analyse", folder, "-o", tmp_path / "r")
+    assert ended.returncode == 1
+    others = "; so are 6 others" if lost == "all" else ""
+    assert ended.stderr == (
+        f"pliant analyse: error: {first}: is gone: the same pliant ensemble command makes it "
+        f"again{others}\n"
+    )
+
+
+def test_shards_that_are_not_counted_are_told_from_none(many, tmp_path):
+    folder = shutil.copytree(many, tmp_path / "many")
+    (folder / "shards.jsonl").unlink()
+    ended = call("analyse", folder)
+    assert "no shard is counted yet: run the command of the ensemble once more" in ended.stderr
+    shutil.rmtree(folder / "shards")
+    assert "none of its 7 shards is whole yet" in call("analyse", folder).stderr

@@ -61,7 +61,7 @@ def _lines(axes: Axes, study: Study) -> None:
     for part in chain_parts(units.chains):
         axes.plot(place[part], found.rmsf[part], color=BLUE, lw=1.3)
     _domain_strip(axes, study)
-    chain_axis(axes, units.numbers, units.chains)
+    chain_axis(axes, units.numbers, units.chains, units.what)
 
 
 def _errors(axes: Axes, study: Study) -> None:
@@ -120,9 +120,9 @@ def together(study: Study) -> Figure:
         axes.set_xticks(place, units.labels, rotation=90, fontsize=7)
         axes.set_yticks(place, units.labels, fontsize=7)
     else:
-        chain_axis(axes, units.numbers, units.chains)
+        chain_axis(axes, units.numbers, units.chains, units.what)
         axes.set_yticks(axes.get_xticks(), [t.get_text() for t in axes.get_xticklabels()])
-        axes.set_ylabel("residue number")
+        axes.set_ylabel(f"{units.what} number")
     _domain_strip(axes, study)
     axes.set(title="What moves together", aspect="equal")
     axes.grid(False)

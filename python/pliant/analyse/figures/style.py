@@ -105,14 +105,19 @@ def named_bars(
 ) -> None:
     """One bar for each name."""
     axes.bar(np.arange(len(values)), values, color=colours, width=0.72)
+    named_axis(axes, names)
+
+
+def named_axis(axes: Axes, names: Sequence[str]) -> None:
+    """Labels each place of the axis with a name."""
     slanted = max(map(len, names)) * len(names) > 90
-    axes.set_xticks(np.arange(len(values)), names, rotation=90 if slanted else 0, fontsize=8)
+    axes.set_xticks(np.arange(len(names)), names, rotation=90 if slanted else 0, fontsize=8)
     axes.grid(False, axis="x")
     axes.margins(x=0.01)
 
 
-def chain_axis(axes: Axes, numbers: np.ndarray, chains: np.ndarray) -> None:
-    """Labels the axis of residues, one after the other; chains are named above."""
+def chain_axis(axes: Axes, numbers: np.ndarray, chains: np.ndarray, what: str = "residue") -> None:
+    """Labels the axis of residues (or atoms), one after the other; chains are named above."""
     starts = [0, *(np.flatnonzero(chains[1:] != chains[:-1]) + 1).tolist(), len(chains)]
     for first, last in itertools.pairwise(starts):
         if len(starts) > 2 and chains[first]:
@@ -123,7 +128,7 @@ def chain_axis(axes: Axes, numbers: np.ndarray, chains: np.ndarray) -> None:
     ticks = _round_numbers(numbers)
     axes.set_xticks(ticks, [str(numbers[tick]) for tick in ticks])
     axes.margins(x=0.01)
-    axes.set_xlabel("residue number")
+    axes.set_xlabel(f"{what} number")
 
 
 def _round_numbers(numbers: np.ndarray, wanted: int = 9) -> np.ndarray:
