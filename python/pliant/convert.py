@@ -298,7 +298,8 @@ def _convert(arguments: argparse.Namespace) -> int:
     if arguments.json:
         console.print_json(vars(done))
     elif not arguments.quiet:
-        print(f"{done.path}: {done.frames} frames of {done.atoms} atoms, {done.format}")
+        frames = console.counted(done.frames, "frame")
+        print(f"{done.path}: {frames} of {done.atoms} atoms, {done.format}")
     return console.EXIT_OK
 
 
