@@ -21,6 +21,7 @@ _REFUSED = {
     "--continue": "the same command again goes on",
     "--record-forces": "is for a run of its own",
     "--imd": "is for a run of its own",
+    "--dry-run": "try the options with that command itself",
     "--help": "",
 }
 
