@@ -18,8 +18,8 @@ if TYPE_CHECKING:
 
 #: Title, name of the reference, and the last residue that is drawn.
 PROFILES = {
-    "ubiquitin": ("ubiquitin: how far residues move", "NMR (2K39)", 70),
-    "HIV-PR": ("HIV-1 protease: how far residues move", "MD", None),
+    "ubiquitin": ("ubiquitin: which residues move", "NMR (2K39)", 70),
+    "HIV-PR": ("HIV-1 protease: which residues move", "MD", None),
 }
 OVERLAP = "cumulative overlap of 10"
 
