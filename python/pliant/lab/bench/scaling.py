@@ -191,7 +191,7 @@ def print_report(found: Scaling) -> None:
     table.print()
     for slope in found.slopes:
         print(
-            f"{slope.kind}: time grows as joints to the {slope.slope:.3f}"
+            f"{slope.kind}: time grows with the number of joints to the power {slope.slope:.3f}"
             + (f" +- {slope.confidence:.3f} (95 %)" if math.isfinite(slope.confidence) else "")
         )
     for fault in found.faults:

@@ -21,7 +21,7 @@ from pliant.lab.peers import measure
 
 
 def resident(field: str) -> int | None:
-    """Bytes of memory: field VmRSS (now) or VmHWM (peak); None where the system does not tell."""
+    """Bytes of memory: field VmRSS (now) or VmHWM (peak); None where the system does not say."""
     try:
         with open("/proc/self/status", encoding="ascii") as file:
             line = next(line for line in file if line.startswith(field))

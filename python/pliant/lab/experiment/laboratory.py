@@ -52,7 +52,7 @@ def _claim_folder(settings: Settings, out: Path) -> None:
     path = out / SETTINGS
     if not path.exists():
         if out.exists() and not _is_free(out):
-            raise OptionError(f"--out {out}: is there and holds no experiment")
+            raise OptionError(f"-o {out}: is there and holds no experiment")
         try:
             out.mkdir(parents=True, exist_ok=True)
         except OSError as error:
@@ -62,10 +62,10 @@ def _claim_folder(settings: Settings, out: Path) -> None:
     try:
         theirs = Settings.from_text(path.read_text(encoding="utf-8"))
     except (ValueError, TypeError, KeyError) as error:
-        raise OptionError(f"--out {out}: {SETTINGS} is no settings file: {error}") from error
+        raise OptionError(f"-o {out}: {SETTINGS} is no settings file: {error}") from error
     if theirs != settings:
         differences = "; ".join(theirs.differences(settings))
-        raise OptionError(f"--out {out}: holds another experiment: {differences}")
+        raise OptionError(f"-o {out}: holds another experiment: {differences}")
 
 
 def _is_free(out: Path) -> bool:

@@ -75,7 +75,7 @@ def test_sizes_that_are_not_what_they_say_are_named():
 def test_the_command_prints_a_table(capsys):
     assert main(["scaling", "--sizes", "100,200,400", "--kinds", "chain", "--repeats", "1"]) == 0
     out = capsys.readouterr().out
-    assert "converged" in out and "chain: time grows as joints to the " in out
+    assert "converged" in out and "chain: time grows with the number of joints to the power " in out
 
 
 def test_throughput_is_whole_and_the_same_in_lanes_and_on_two_threads():
