@@ -60,7 +60,7 @@ void tell_what_is_free(const MoleculeOptions& options, const Structure& structur
   if (is_molecule && options.kind.name.empty() && bars_of(options) == "bonds")
     log.note(
         "only bonds are held: angles and planar groups are free, contacts may break, atoms may "
-        "overlap; --model protein holds them, and pliant sample makes ensembles");
+        "overlap; --model protein prevents this, and pliant sample makes ensembles");
 }
 
 /// Null: nobody looks.

@@ -77,10 +77,11 @@ int command_structgen(const Arguments& arguments) {
       "pliant structgen",
       "Makes random frameworks (points, called joints, and bars of fixed length between them): a\n"
       "tree, or a graph with 1, 2 or n cycles, made in one of the ways listed below (classes).\n"
-      "Writes one graph as XML. With --test-set it writes a folder for each class, with a folder\n"
-      "for each graph, its forces and its ordering, with a folder for the results of each\n"
-      "heuristic (technique and weighting); results.xml at the top lists them all. Every graph is\n"
-      "checked to belong to its class. The same seed makes the same files.");
+      "Writes one graph as XML. With --test-set it writes a folder for each class. This holds a\n"
+      "folder for each graph, its forces and its ordering, which in turn holds a folder for the\n"
+      "results of each heuristic (technique and weighting); results.xml at the top lists them "
+      "all.\n"
+      "Every graph is checked to belong to its class. The same seed makes the same files.");
   StructgenSettings settings;
   add_structgen_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;

@@ -31,8 +31,10 @@ void print_table() {
   for (const TechniqueEntry& row : techniques())
     fmt::print("  {:<17}{}{}\n", row.name, row.summary, row.forests_only ? "; trees only" : "");
   fmt::print(
-      "\nweighting (--weighting), any number from 0 to 1: the share of a correction that the end\n"
-      "of a tree bar further from the root takes. 0.5 shares equally, 1 moves the far end alone.\n"
+      "\nweighting (--weighting), any number from 0 to 1: the share of a correction that goes to "
+      "the\n"
+      "far end of a tree bar, the one further from the root. 0.5 shares equally, 1 moves it "
+      "alone.\n"
       "Bars that close a cycle of the traversal are always shared equally.\n"
       "\nperturbations (--perturb)\n");
   for (const PerturbationEntry& row : perturbations())

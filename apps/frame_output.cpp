@@ -37,12 +37,11 @@ void add_saving_options(CommandLine& line, std::string& save, H5mdOptions& optio
   line.add_text(
       "--save", save, "SELECTION",
       "record only these atoms, such as \"name CA\" or \"not element H\" (default: all);\n"
-      "all move, but --continue needs all");
-  line.add_real(
-      "--precision", options.precision, Range::zero_to_one,
-      "round positions, by half of this at most (Angstrom), and compress them; residuals\n"
-      "and convergence refer to the positions before rounding",
-      "as they are");
+      "all atoms still move, but --continue needs a file with all atoms");
+  line.add_real("--precision", options.precision, Range::zero_to_one,
+                "round to a grid of this spacing or less (Angstrom), and compress; residuals and\n"
+                "convergence refer to the positions before rounding",
+                "as they are");
 }
 
 void check_record_options(const std::string& output, const std::string& save,

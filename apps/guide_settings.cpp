@@ -86,7 +86,7 @@ void add_guide_options(CommandLine& line, GuideSettings& settings) {
   line.add_real("--rock-amplitude", settings.rock_amplitude, Range::positive,
                 "how far to each side, Angstrom, r.m.s. over residues");
   line.add_integer("--period", settings.period, 2, most_period,
-                   "steps of one rock to one side, to the other and back");
+                   "steps of one full cycle: to one side, to the other and back");
   line.add_groups("--pull", settings.pulls, 2, "SELECTION X,Y,Z",
                   "pull these atoms by this vector, Angstrom; may be repeated;\n"
                   "whole residues get there faster than single atoms");

@@ -127,7 +127,7 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
              summary.seconds, microseconds_per_step(summary), summary.ns_per_bar_and_sweep());
   if (summary.unconverged_steps > 0)
     fmt::print("not converged   {}\n", unconverged_text(summary, starts_left_broken(summaries)));
-  if (summary.stopped_by_caller) fmt::print("stopped early; what was recorded is whole\n");
+  if (summary.stopped_by_caller) fmt::print("stopped early; all recorded frames are complete\n");
   if (settings.topology != "none")
     fmt::print("topology        {}\n", printable_name(settings.topology));
   for (const std::string& output : outputs_of(settings, summaries))

@@ -79,7 +79,7 @@ void add_output_options(CommandLine& line, RunSettings& settings) {
   line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
   add_saving_options(line, settings.save, settings.record);
   line.add_flag("--dry-run", settings.dry_run,
-                "read the input, check all options, and make nothing");
+                "read the input, check all options, and write nothing");
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
 }
@@ -103,7 +103,7 @@ void expect_settings(const CommandLine& line, const RunSettings& settings, const
   expect(file.max_sweeps.has_value(), "--max-sweeps");
   if (!missing.empty())
     throw InputError(printable_name(settings.forces) +
-                     ": does not say, so that the command line must: " + missing);
+                     ": lacks settings, which must be given as options: " + missing);
 }
 
 void take_forces(const CommandLine& line, RunSettings& settings, const Molecule& molecule) {
@@ -197,7 +197,7 @@ void add_run_options(CommandLine& line, RunSettings& settings) {
                 "run only these walkers, such as 800..899");
   line.add_flag("--one-file", settings.one_file,
                 "one trajectory for all walkers, one after another; the observable walker tells\n"
-                "them apart. Their frames wait in memory until they end");
+                "them apart. A walker's frames wait in memory until it ends");
   line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the walkers",
                    "all cores");
   add_technique_options(line, settings);

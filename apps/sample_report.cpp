@@ -127,7 +127,7 @@ void print_table(const SampleSettings& settings, const SampledSystem& system,
              ms_a_frame(summary));
   if (summary.failed > 0)
     fmt::print("not resolved    {} frames, which are left out\n", summary.failed);
-  if (summary.stopped_by_caller) fmt::print("stopped early; what was recorded is whole\n");
+  if (summary.stopped_by_caller) fmt::print("stopped early; all recorded frames are complete\n");
   if (settings.topology != "none")
     fmt::print("topology        {}\n", printable_name(settings.topology));
   fmt::print("trajectory      {}\n", printable_name(settings.output));

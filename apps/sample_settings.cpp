@@ -61,7 +61,8 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
   line.add_choice("--sampler", sample.sampler, ways,
                   "way to move; auto: modes if there are residues, torsions for small molecules");
   line.add_real("--temperature", sample.temperature, Range::positive,
-                "T of sampler dilute, kJ/mol");
+                "T of --sampler dilute, kJ/mol: it turns a contact of energy E off\n"
+                "with probability exp(-|E| / T)");
 }
 
 void add_output_group(CommandLine& line, SampleSettings& settings) {
@@ -76,7 +77,7 @@ void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.add_flag("--compress", settings.record.compress, "shuffle and gzip positions");
   add_saving_options(line, settings.save, settings.record);
   line.add_flag("--dry-run", settings.dry_run,
-                "read the input, check all options, and make nothing");
+                "read the input, check all options, and write nothing");
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
 }

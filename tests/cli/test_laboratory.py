@@ -262,6 +262,6 @@ def test_settings_that_no_one_gives_are_named(pliant, triangle, tmp_path, lines,
         assert (ended.code, ended.err) == (0, "")
     else:
         assert (ended.code, ended.err) == (
-            1, "pliant: error: f.txt: does not say, so that the command line must: "
+            1, "pliant: error: f.txt: lacks settings, which must be given as options: "
             f"{missing}\n",
         )  # fmt: skip

@@ -16,7 +16,7 @@ FILES = [
     ("empty.pdb", b"", "empty.pdb: is empty"),
     ("empty.pdb.gz", gzip.compress(b""), "empty.pdb.gz: is empty"),
     ("blank.pdb", b"\n\n\n", "blank.pdb: no ATOM or HETATM record in 3 lines"),
-    ("letter.txt", b"hello\n", "letter.txt: neither extension nor content tell a known format; "
+    ("letter.txt", b"hello\n", "letter.txt: neither extension nor content matches a known format; "
      + KNOWN),
     ("water.gro", b"water\n", f"water.gro: is a file of GROMACS by its extension .gro, {NOT_READ}; "
      + KNOWN),

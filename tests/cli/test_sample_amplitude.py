@@ -130,7 +130,7 @@ def test_what_cannot_be_an_amplitude_is_refused(pliant, start, tmp_path):
         ("zero.pdb", "bfactors", "amplitude bfactors: all B factors are 0" + end),
         ("alphafold.pdb", "bfactors", "amplitude bfactors: the B factors look like confidences "
          "(pLDDT): one value a residue, none above 100" + end),
-        (start, "plddt", "amplitude plddt: pLDDT is a confidence and no distance, and no law is "
+        (start, "plddt", "amplitude plddt: pLDDT is a confidence, not a distance, and no law is "
          "known that makes one of it" + end + " (--floppy frees residues with a pLDDT below 50)"),
         (start, "nmr", "amplitude: expected a number above 0 (Angstrom), bfactors, or a file with "
          'models of the molecule; found "nmr"'),
@@ -148,8 +148,8 @@ def test_files_that_are_no_ensemble_of_it_are_refused(pliant, start, tmp_path):
     cases = [
         ("one.pdb", "amplitude: expected at least 2 models, found 1: one structure does not "
          "fluctuate"),
-        ("far.pdb", "has 0 of 14 residues of what is sampled, by chain and number: number both "
-         "alike"),
+        ("far.pdb", "has 0 of 14 residues of the sampled molecule, by chain and number: number "
+         "both alike"),
     ]  # fmt: skip
     for file, message in cases:
         ended = pliant("sample", start, "-o", "out.h5md", "--amplitude", file, "--quiet")

@@ -202,7 +202,7 @@ TEST_P(LimitLaw, WhatKnowsNoLimitsSaysSo) {
   } catch (const OptionError& error) {
     EXPECT_EQ(std::string(error.what())
                   .find("technique = " + std::string(GetParam().name) +
-                        ": knows no limits; use one of auto, "),
+                        ": does not support limits; use one of auto, "),
               0u)
         << error.what();
   }

@@ -44,8 +44,11 @@ examples:
   pliant analyse run.xtc --topology run.pdb --superpose "name CA"
   pliant analyse many --workers 2          the folder of pliant ensemble
 
-For an ensemble, which may be larger than memory, it reports the flexibility of residues with errors
-between walkers, collective motions, contacts, and whether the two halves of the walkers agree.
+For the folder of pliant ensemble, which may be larger than memory, it reports the flexibility of
+residues (with errors between walkers, or between frames of pliant sample), collective motions,
+contacts, clusters, and whether two halves of the walkers or frames agree. Torsions,
+stereochemistry, domains and report.html are left out. Only -o, --workers and the output options
+can be given.
 
 MDAnalysis selections: "protein and name CA", "resid 10:50", "not name H*", "index 0:99".
 Exit code: 0 analysed (even if bars are beyond the tolerance: see the verdict, or --json),
@@ -107,7 +110,7 @@ def _add_choice_of_frames(add: Callable[..., object]) -> None:
     add("--step", type=whole_number(1), metavar="N", help="take every N-th frame")
     add(
         "--workers", type=whole_number(1, most=MOST_PROCESSES), default=1, metavar="N",
-        help="number of processes; more than 1 pays for gigabytes only (default: 1)",
+        help="number of processes; more than 1 is worth it only for gigabytes (default: 1)",
     )  # fmt: skip
 
 

@@ -175,7 +175,7 @@ def _shape_table(study: Study) -> PageTable:
         (("✓ " if row.passed else "✕ ") + row.name, row.found, row.start, row.limit)
         for row in shape_rows(study)
     ]
-    headers = ("question", "frames", known(study.reference).name, "may be")
+    headers = ("question", "frames", known(study.reference).name, "allowed")
     return PageTable(CHEMISTRY, "Stereochemistry", headers, rows)
 
 
@@ -202,7 +202,7 @@ def _contact_table(study: Study) -> PageTable:
     least = np.flatnonzero(found.at_start)
     for k in least[np.argsort(found.share[least], kind="stable")][:5]:
         a, b = found.pairs[k]
-        rows.append((f"{labels[a]} – {labels[b]}", "of the least kept", f"{found.share[k]:.0%}"))
+        rows.append((f"{labels[a]} – {labels[b]}", "among the least kept", f"{found.share[k]:.0%}"))
     caption = f"Contacts of residues, in {found.frames} frames"
     return PageTable(CHEMISTRY, caption, ("contacts", "", "number, share"), rows)
 

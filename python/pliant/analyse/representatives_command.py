@@ -16,7 +16,7 @@ for docking, for simulations that start from different shapes, or to look at.
 
 Frames are compared by their RMSD, superposed pair by pair, and chosen by k-medoids: the frames of
 the file are, on average, as close as possible to one of those chosen. Nothing is random. How many
-frames are closest to each is not a population: how often a shape occurs is not known."""
+frames are closest to each says nothing about populations: how often a shape occurs is not known."""
 
 EPILOG = """\
 examples:
@@ -86,7 +86,7 @@ def _representatives(options: argparse.Namespace) -> int:
         f"distance        {found.mean_distance:.2f} Angstrom on average, "
         f"{found.largest_distance:.2f} at most"
     )
-    print("populations     not claimed: frames nearest to each are no share of time")
+    print("populations     not claimed: the share of frames nearest to each is not a share of time")
     print(f"written         {found.output}")
     return EXIT_OK
 

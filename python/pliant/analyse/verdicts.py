@@ -125,7 +125,7 @@ def whole(study: Study) -> Verdict:
         return Verdict("bad", sentence, "Other questions may well have good answers.")
     if study.kind in NO_ENSEMBLES:
         held = [name for name, one in made.items() if one.kind == "good"]
-        details = f"What could be judged and holds: {', '.join(held)}." if held else ""
+        details = f"Judged and found good: {', '.join(held)}." if held else ""
         return Verdict("mixed", f"{NO_ENSEMBLES[study.kind]}, and not an ensemble.", details)
     doubtful = [one for one in made.values() if one.kind == "mixed"]
     if doubtful:
@@ -133,7 +133,7 @@ def whole(study: Study) -> Verdict:
     held = [name for name, one in made.items() if one.kind == "good"]
     if not held:
         return Verdict("open", "There is nothing here to judge.", "")
-    return Verdict("good", f"What could be judged holds: {', '.join(held)}.", "")
+    return Verdict("good", f"All that could be judged is good: {', '.join(held)}.", "")
 
 
 def _sentence(text: str) -> str:
@@ -222,9 +222,9 @@ def _draws(study: Study) -> Verdict | None:
         named = ", ".join(str(frame) for frame in again[:NAMED])
         more = f" and {len(again) - NAMED} more" if len(again) > NAMED else ""
         details = (
-            f"What their first draw asked for could not be resolved: frames {named}{more}. They "
-            f"took {int(redraws.max()) + 1} draws at most, and the ensemble has less of what was "
-            "asked for there."
+            f"The first draws of frames {named}{more} could not be resolved. These frames "
+            f"took {int(redraws.max()) + 1} draws at most, and the ensemble has less of what those "
+            "first draws asked for."
         )
     missing = _missing_frames(study)
     if missing:

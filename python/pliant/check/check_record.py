@@ -102,7 +102,7 @@ def check_record(recording: Recording, found: Remeasured) -> Finding:
         finding.notes.append(
             f"{len(said)} of {recording.frame_count} frames say that they did not converge "
             f"(the first is step {recording.steps[said[0]]}, the worst residual "
-            f"{found.residual[said].max():.1e}); they are held to nothing"
+            f"{found.residual[said].max():.1e}); they are not judged"
         )
     return finding
 

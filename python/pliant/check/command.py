@@ -33,11 +33,11 @@ def make_parser() -> console.Parser:
         "check",
         "Checks a trajectory with OpenMM. Every bar (two atoms at a fixed distance) of every\n"
         "frame is measured. OpenMM's constraints must leave the frames unchanged and notice the\n"
-        "smallest break, and its harmonic bonds must have the energy that Pliant computes. Frames\n"
-        "of a run are broken, and Pliant and OpenMM's CCMA both repair them. For an ensemble of a\n"
-        "protein, OpenMM minimises frames, the start structure and frames of a short MD in the\n"
-        "same way (amber14, implicit water OBC2): may MD start from the frames? That takes about\n"
-        "ten minutes for 200 residues on two free cores. OpenMM runs in separate processes.",
+        "smallest break, and its harmonic bonds must have the energy that Pliant computes. Copies\n"
+        "of a run's frames are broken, and Pliant and OpenMM's CCMA repair them. For an ensemble\n"
+        "of a protein, OpenMM minimises frames, the start structure and frames of a short MD in\n"
+        "the same way (amber14, implicit water OBC2): may MD start from the frames? That takes\n"
+        "about ten minutes for 200 residues on two free cores. OpenMM runs in separate processes.",
         EPILOG,
     )
     add = parser.add_argument

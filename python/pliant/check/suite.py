@@ -202,13 +202,13 @@ def _notes_on(recording: Recording) -> list[str]:
         )
     if recording.is_ensemble:
         notes.append(
-            "frames of an ensemble are drawn, none is a repair of the one before: no race of "
-            "repairs between Pliant and OpenMM, which is for trajectories of pliant run"
+            "frames of an ensemble are drawn, none is a repair of the one before: Pliant and "
+            "OpenMM do not race to repair them, which they do for trajectories of pliant run"
         )
     elif recording.angle_bars:
         notes.append(
             "bars made of angles depend on each other: CCMA inverts a matrix that is then "
-            "singular, so what OpenMM does with broken frames is shown, not asked for"
+            "singular, so what OpenMM does with broken frames is shown, but not judged"
         )
     if recording.single:
         notes.append("positions are stored as 32-bit floats: what that changes is allowed for")

@@ -36,19 +36,19 @@ ALL_WAYS = (
         "OpenMM, as in dynamics",
         "constrain_step",
         True,
-        "CCMA told the bars' directions before the break and the angles of the very frame",
+        "CCMA is given the bars' directions before the break, and the angles of this frame",
     ),
     Way(
         "OpenMM, applyConstraints",
         "apply_constraints",
         True,
-        "CCMA told the angles of the very frame, directions are the broken bars'",
+        "CCMA is given the angles of this frame; directions are those of the broken bars",
     ),
     Way(
         "OpenMM, no angles",
         "apply_constraints",
         False,
-        "CCMA told no angle, directions are the broken bars'",
+        "CCMA is given no angles; directions are those of the broken bars",
     ),
 )
 

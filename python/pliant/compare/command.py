@@ -42,8 +42,8 @@ def make_parser() -> console.Parser:
     add = parser.add_argument
     add("ours", metavar="OURS", help="H5MD file of pliant sample or pliant run")
     add("theirs", metavar="THEIRS", nargs="+",
-        help="PDB or mmCIF with models, several of one structure each (.gz too), or a trajectory: "
-             "DCD, XTC, ...")  # fmt: skip
+        help="a PDB or mmCIF file with models, several files of one structure each (.gz too), "
+             "or a trajectory: DCD, XTC, ...")  # fmt: skip
     add("--topology", metavar="FILE",
         help="file with the atom names of THEIRS (default: THEIRS itself, else OURS)")  # fmt: skip
     add("--select", metavar="TEXT", default="all",

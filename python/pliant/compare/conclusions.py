@@ -47,7 +47,7 @@ def figure_text(figure: Figure) -> str:
 def _which_parts(found: ResidueComparison) -> str:
     low = found.r.value - (found.r.error if math.isfinite(found.r.error) else 0.0)
     if not math.isfinite(low):
-        return "Which parts move cannot be compared: one of both does not move."
+        return "Which parts move cannot be compared: one of the two does not move."
     if low >= STRONG:
         text = "The same parts move"
     elif low >= FAIR:
@@ -68,7 +68,7 @@ def _which_directions(found: ResidueComparison) -> str:
     assert both is not None
     count = min(len(both.ours.vectors), len(both.theirs.vectors))
     if count == 0:
-        return "Directions cannot be compared: one of both does not move."
+        return "Directions cannot be compared: one of the two does not move."
     share = math.sqrt(both.share_covered)
     whole = f"{both.share_covered:.0%} of their motion lies within our first {TEN} modes"
     if count < TEN:
@@ -100,7 +100,7 @@ def _how_far(found: ResidueComparison) -> str:
     assert found.theirs is not None
     ours, theirs = (float(one.rmsf[found.core].mean()) for one in (found.ours, found.theirs))
     return (
-        f"How far: ours {ours:.2f} A, theirs {theirs:.2f} A. Our amplitude was put in and is no "
+        f"How far: ours {ours:.2f} A, theirs {theirs:.2f} A. Our amplitude was an input, not a "
         "result; below, ours is scaled to theirs."
     )
 
@@ -109,7 +109,7 @@ def _differences(found: ResidueComparison) -> list[str]:
     lines = []
     for stretches, word in ((found.more_stretches, "more"), (found.less_stretches, "less")):
         if stretches:
-            lines.append(f"Move {word} in ours, beyond error: {_listed(stretches)}.")
+            lines.append(f"Move {word} in ours, by more than the error: {_listed(stretches)}.")
     both = found.subspaces
     if both is not None:
         lines += [_missing("theirs", "ours", mode) for mode in both.of_theirs_alone[:SHOWN]]
@@ -118,7 +118,7 @@ def _differences(found: ResidueComparison) -> list[str]:
 
 
 def _listed(stretches: list[Stretch]) -> str:
-    shown = [f"{s.residues} ({s.ours:.2f} for {s.theirs:.2f} A)" for s in stretches[:SHOWN]]
+    shown = [f"{s.residues} ({s.ours:.2f} against {s.theirs:.2f} A)" for s in stretches[:SHOWN]]
     rest = len(stretches) - len(shown)
     return ", ".join(shown) + (f" and {rest} more" if rest else "")
 
@@ -135,13 +135,13 @@ def _of_one_structure(found: ResidueComparison) -> list[str]:
     way = found.displacement
     assert way is not None
     if way.distance == 0.0:
-        return ["Theirs is the middle of ours."]
+        return ["Theirs is the mean structure of ours."]
     low = way.overlap.value - way.overlap.error
     how = "moves" if low >= STRONG else "moves partly" if low >= WEAK else "hardly moves"
     return [
         f"Ours {how} towards theirs: {figure_text(way.overlap)} of the way lies within our first "
         f"{TEN} modes (cumulative overlap; by chance {way.chance:.2f}).",
-        f"Theirs is {way.distance:.2f} A from the middle of ours; our nearest frame is "
+        f"Theirs is {way.distance:.2f} A from the mean structure of ours; our nearest frame is "
         f"{way.nearest:.2f} A away.",
     ]
 
@@ -150,7 +150,7 @@ def _cautions(found: ResidueComparison) -> list[str]:
     lines = []
     if found.kind == STRUCTURE:
         lines.append(
-            "Theirs is one structure: it has no fluctuations, so r and RMSIP cannot be told."
+            "Theirs is one structure: it has no fluctuations, so r and RMSIP cannot be computed."
         )
     else:
         lines += _cautions_of_frames(found)
@@ -165,7 +165,7 @@ def _cautions_of_frames(found: ResidueComparison) -> list[str]:
     count, name = found.theirs.frames, NAMES[found.kind]
     of = f"frames of a {name}" if found.kind == TRAJECTORY else name
     if count < 4:
-        lines.append(f"{count} {of}: no error and no ceiling can be told.")
+        lines.append(f"{count} {of}: too few for an error or a ceiling.")
     elif count < FEW_FRAMES:
         lines.append(
             f"{count} {of} are few: their halves agree little with each other, so the ceiling is "
@@ -184,8 +184,8 @@ def _cautions_of_frames(found: ResidueComparison) -> list[str]:
         )
     if found.kind == STRUCTURES:
         lines.append(
-            "Structures were chosen by who solved them: how often a shape is among them says "
-            "nothing of how often it occurs."
+            "Which structures exist was up to those who solved them: how often a shape is among "
+            "them says nothing about how often it occurs."
         )
     if found.kind == MODELS and count < 100:
         lines.append("Models of NMR files may be spread by few restraints, not by motion.")

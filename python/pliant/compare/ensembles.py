@@ -132,8 +132,8 @@ def _refuse_torn(
         length = stretch[frame, bar] * rest_lengths[bar]
         raise InputError(
             f"{os.fspath(path)}: {getattr(a, 'name', a.index)} - {getattr(b, 'name', b.index)} is "
-            f"{length:.1f} A long in the {frame + 1}. frame that was read: make molecules that the "
-            "edge of the periodic box cuts whole first"
+            f"{length:.1f} A long in frame {frame + 1} of those read: the edge of the "
+            "periodic box cuts the molecule; make it whole (unwrap it) first"
         )
 
 

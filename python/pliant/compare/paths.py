@@ -187,7 +187,7 @@ def print_paths(found: PathComparison) -> None:
         values = (f"{getattr(one, name):.2f}" for one in (found.ours, found.line))
         table.rows.append((what, *values))
     table.print()
-    print("\nthe line is drawn between ends of theirs; a path no nearer than it tells that a way "
-          "exists, not which one is taken")  # fmt: skip
+    print("\nthe line joins the ends of theirs; a path no nearer to theirs than the line shows "
+          "that a way exists, not which one is taken")  # fmt: skip
     for note in found.notes:
         print(f"note: {note}")

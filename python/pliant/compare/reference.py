@@ -144,6 +144,6 @@ def _refuse_torn(positions: np.ndarray, ours: Trace, residues: np.ndarray, sourc
         frame, place = np.unravel_index(np.argmax(apart), apart.shape)
         raise InputError(
             f"{source}: {ours.label(residues[place])} and its neighbour are "
-            f"{apart[frame, place]:.1f} A apart in the {frame + 1}. frame that was read: make "
-            "molecules that the edge of the periodic box cuts whole first"
+            f"{apart[frame, place]:.1f} A apart in frame {frame + 1} of those read: the edge of "
+            "the periodic box cuts the molecule; make it whole (unwrap it) first"
         )

@@ -46,9 +46,10 @@ MOST = 10**9
 
 DESCRIPTION = """\
 Runs many walkers (pliant run), or samples many frames (pliant sample), in shards that share the
-cores of this machine, or of many. A shard is a file with some of the walkers; its bits depend on
-the input, the options, the seed and the numbers of its walkers alone, wherever and however often it
-was made. What is whole stays: after a crash, a lost worker or Ctrl-C the same command goes on.
+cores of this machine, or of many. A shard is a file with some of the walkers or frames; its bits
+depend only on the input, the options, the seed and the numbers of these walkers or frames, not on
+where or how often it was made. Finished shards are kept: after a crash, a lost worker or Ctrl-C,
+the same command goes on from there.
 
 Options that are not listed here are those of pliant run, or with --frames of pliant sample."""
 
@@ -63,12 +64,12 @@ examples:
   pliant analyse many
 
 slurm.yaml holds queue_system: slurm (pbs, lsf, sge, oar, moab, htcondor), jobs: N, and arguments of
-that cluster of dask-jobqueue, such as cores: 1, memory: 2GB, walltime: "12:00:00".
+dask-jobqueue's class for that queue, such as cores: 1, memory: 2GB, walltime: "12:00:00".
 
 In Python, MDAnalysis.Universe("many/ensemble.pliant") is all shards as one trajectory.
 
-Exit code: 0 all shards are whole, 1 bad input or file, 2 bad option, 3 some frames are not whole
-or were left out, 130 ended by Ctrl-C: the same command goes on."""
+Exit code: 0 all shards are complete, 1 bad input or file, 2 bad option, 3 some frames are not
+whole or were left out, 130 ended by Ctrl-C: the same command goes on from there."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -98,7 +99,7 @@ def _add_ensemble(add: Callable[..., object]) -> None:
         "--shard-size", type=number, metavar="N",
         help="walkers (default: 128) or frames (default: 1024) a shard",
     )  # fmt: skip
-    add("--verify", metavar="DIR", help="check every byte of an ensemble, and make nothing")
+    add("--verify", metavar="DIR", help="check every byte of an ensemble, and make no shards")
     add(
         "--only", type=whole_number(0), metavar="K",
         help="make shard K of the ensemble in DIR, without Dask",
@@ -107,10 +108,19 @@ def _add_ensemble(add: Callable[..., object]) -> None:
 
 def _add_places(add: Callable[..., object]) -> None:
     number = whole_number(1, most=100_000)
-    add("--workers", type=number, metavar="N", help="processes, or jobs (default: all cores)")
+    add(
+        "--workers",
+        type=number,
+        metavar="N",
+        help="processes (default: one per core), or jobs of --cluster (default: as in its FILE)",
+    )
     add("--scheduler", metavar="ADDRESS", help="a Dask scheduler that is already running")
-    add("--cluster", metavar="FILE", help="jobs of a queue, as this YAML file says")
-    add("--slurm-script", metavar="FILE", help="write a job array for Slurm, and make nothing")
+    add("--cluster", metavar="FILE", help="run as jobs of a queue, which this YAML file describes")
+    add(
+        "--slurm-script",
+        metavar="FILE",
+        help="write a script for a Slurm job array, and make no shards",
+    )
     add(
         "--retries", type=whole_number(0, most=1000), default=3, metavar="N",
         help="further attempts at a shard that fails (default: 3)",

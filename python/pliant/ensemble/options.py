@@ -19,8 +19,8 @@ _REFUSED = {
     "--topology": "each shard holds its topology",
     "--overwrite": "give another folder, or remove this one",
     "--continue": "the same command again goes on",
-    "--record-forces": "is for a run of its own",
-    "--imd": "is for a run of its own",
+    "--record-forces": "use it with pliant run itself",
+    "--imd": "use it with pliant run itself",
     "--dry-run": "try the options with that command itself",
     "--help": "",
 }

@@ -204,7 +204,7 @@ def _expect_same(folder: Path, there: Plan, asked: Plan) -> None:
     for name, digest in there.digests.items():
         if asked.digests.get(name) != digest:
             file = there.input if name == "input" else text_of(name, there.options)
-            raise OptionError(f"{folder}: was begun with another content of {name} {file}")
+            raise OptionError(f"{folder}: was begun when {name} {file} had other contents")
 
 
 def _differs(folder: Path, name: str, one: str, other: str) -> OptionError:

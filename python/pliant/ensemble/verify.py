@@ -73,7 +73,7 @@ def _look(
     except Error as error:
         return f"{error}; {_REMAKE}"
     if expected is None:
-        return f"{path}: is whole, but not in the manifest: the same command again counts it"
+        return f"{path}: is complete, but not in the manifest: run the same command again to add it"
     if found != expected:
         names = [k for k, v in found.as_json().items() if v != expected.as_json()[k]]
         return f"{path}: is not what the manifest says: {', '.join(names)}; {_REMAKE}"

@@ -41,9 +41,9 @@ def make_parser() -> console.Parser:
     )
     add = parser.add_argument
     add("server", metavar="HOST:PORT", type=server_address,
-        help="where it runs; :PORT: on this machine")  # fmt: skip
+        help="address of the run; :PORT alone means this machine")  # fmt: skip
     add("--record", metavar="FILE", help="record what arrives in this H5MD trajectory")
-    add("--topology", metavar="PDB", help="names and bonds of its atoms, for --record")
+    add("--topology", metavar="PDB", help="names and bonds of its atoms; --record needs it")
     add("--frames", metavar="N", type=console.whole_number(1), help="leave after this many frames")
     add("--rate", metavar="N", type=console.whole_number(1),
         help="ask for every N-th step (default: as the run sends them)")  # fmt: skip

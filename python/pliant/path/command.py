@@ -80,7 +80,7 @@ def make_parser() -> console.Parser:
     add("--step", metavar="X", type=console.positive_number, default=0.2,
         help="r.m.s. distance of a step, Angstrom (default: 0.2)")  # fmt: skip
     add("--both", action="store_true",
-        help="move both towards each other; START then follows END's frames backwards")  # fmt: skip
+        help="move both towards each other; START then retraces END's frames to END")  # fmt: skip
     add("--backtrack", metavar="N", nargs="?", type=console.whole_number(0, most=1000),
         const=ATTEMPTS, default=0,
         help="if the path gets stuck, go back and try a detour, at most N times "

@@ -17,8 +17,8 @@ from pliant.play.server import PageServer
 
 EPILOG = """\
 The page is a single file with the solver inside, as WebAssembly. It never uses the network, and
-what you open does not leave your machine. FILE is handed to the browser once, over a local address
-(127.0.0.1) that cannot be guessed; the command keeps running until Ctrl-C. Without FILE the page
+what you open does not leave your machine. FILE is handed to the browser once, from a secret
+address on this machine (127.0.0.1); the command keeps running until Ctrl-C. Without FILE the page
 is opened as a file, and you can drop files on it.
 
 In the page: drag an atom to pull it, drag the background to rotate the view; "?" explains the
@@ -55,7 +55,7 @@ def make_parser() -> console.Parser:
         help="PDB, mmCIF, XYZ, SDF, graph XML or H5MD file to open in it")  # fmt: skip
     add("--connect", metavar="HOST:PORT", type=server_address,
         help="show a live run (pliant run --imd) and pull at it;\n"
-        ":PORT: on this machine")  # fmt: skip
+        ":PORT alone means this machine")  # fmt: skip
     add("--no-open", action="store_true", help="print the address of the page, open no browser")
     return parser
 

@@ -16,7 +16,7 @@ const T& recorded(const H5mdCheckpoint& from, const std::string& path) {
   const auto found = std::ranges::find(from.parameters, path, &NamedParameter::first);
   if (found == from.parameters.end()) throw InputError("does not say /parameters/" + path);
   const T* value = std::get_if<T>(&found->second);
-  if (value == nullptr) throw InputError("/parameters/" + path + " has a value that is none");
+  if (value == nullptr) throw InputError("/parameters/" + path + " has an invalid value");
   return *value;
 }
 
@@ -26,7 +26,7 @@ std::uint64_t recorded_seed(const H5mdCheckpoint& from) {
   const char* end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, seed);
   if (error != std::errc() || stop != end)
-    throw InputError("/parameters/sample/seed has a value that is none");
+    throw InputError("/parameters/sample/seed has an invalid value");
   return seed;
 }
 

@@ -23,7 +23,7 @@ NetworkNodes nodes_of(const RunInputs& inputs);
 
 /// How a sample goes on: options of the frames that are missing, and of the last one that is there,
 /// which must come out with the same bits. Throws InputError naming the file and a path of it that
-/// is missing or has a value that is none.
+/// is missing or has an invalid value.
 SampleOptions sample_options_from(const H5mdCheckpoint& recorded);
 
 /// Adds to the file of `from` the frames that `options` (sample_options_from) ask for, first among

@@ -30,8 +30,9 @@ constexpr std::string_view expected =
 
 [[noreturn]] void refuse_confidence() {
   throw OptionError(
-      "amplitude plddt: pLDDT is a confidence and no distance, and no law is known that makes one "
-      "of it; give a number (Angstrom) or a file of models (--floppy frees residues with a pLDDT "
+      "amplitude plddt: pLDDT is a confidence, not a distance, and no law is known that converts "
+      "it into one; give a number (Angstrom) or a file of models (--floppy frees residues with a "
+      "pLDDT "
       "below 50)");
 }
 

@@ -72,7 +72,7 @@ void EnsembleFluctuation::refuse_strangers(const AtomTable& atoms,
   const std::size_t found = found_in(places);
   if (2 * found < residues_.size())
     fail({source}, "has " + of(found, residues_.size()) +
-                       " residues of what is sampled, by chain and number: number both alike");
+                       " residues of the sampled molecule, by chain and number: number both alike");
   std::size_t same = 0;
   for (std::size_t k = 0; k < places.size(); ++k)
     if (places[k] != not_there)
@@ -81,8 +81,8 @@ void EnsembleFluctuation::refuse_strangers(const AtomTable& atoms,
                   ? 1
                   : 0;
   if (2 * same < found)
-    fail({source},
-         "calls only " + of(same, found) + " residues as what is sampled does: number both alike");
+    fail({source}, "only " + of(same, found) +
+                       " residues have the names of the sampled molecule: number both alike");
 }
 
 void EnsembleFluctuation::add(const AtomTable& atoms, std::span<const Vec3> positions,
@@ -112,8 +112,8 @@ AmplitudeChoice EnsembleFluctuation::choice(const std::string& source, const Log
       if (is_everywhere_[k]) shared[f].push_back(frames_[f][k]);
   const std::size_t count = shared.front().size();
   if (2 * count < residues_.size())
-    fail({source},
-         "all models have " + of(count, residues_.size()) + " residues of what is sampled");
+    fail({source}, "only " + of(count, residues_.size()) +
+                       " residues of the sampled molecule are in all models");
   double mean = 0.0;
   for (double value : superposed_fluctuations(std::move(shared))) mean += value / double(count);
   if (!(mean > 0.0)) fail({source}, "amplitude: all models are the same");

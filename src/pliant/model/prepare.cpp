@@ -141,9 +141,9 @@ class Preparer {
     if (!filled.left.empty())
       now_.missing.push_back(
           "side chains that cannot be built: " + listed_residues(atoms(), filled.left) +
-          " (N, CA or C is missing, or an atom amid others)");
+          " (N, CA or C is missing, or an atom between atoms that are there)");
     if (filled.built.empty()) {
-      if (filled.left.empty()) tell("side chains: no atom of them was missing");
+      if (filled.left.empty()) tell("side chains: no atoms were missing");
       return;
     }
     std::vector<std::uint32_t> residues, crowded;
@@ -155,8 +155,9 @@ class Preparer {
         "side chains: atoms of " + counted(residues.size(), "residue", "residues") +
         " built by rule, which is a guess: " + listed_residues(atoms(), residues));
     if (!crowded.empty())
-      now_.missing.push_back("side chains: no usual torsions keep these out of other atoms: " +
-                             listed_residues(atoms(), crowded));
+      now_.missing.push_back(
+          "side chains: even with the best of the usual torsions these overlap other atoms: " +
+          listed_residues(atoms(), crowded));
     take(std::move(filled.edited));
   }
 

@@ -201,7 +201,7 @@ ResidueMatch match_residues(const Trace& ours, const Trace& theirs, std::string_
     throw InputError(std::string(source) + ": only " + std::to_string(table.size()) + " of " +
                      std::to_string(ours.size()) +
                      " residues of ours are in it, matched by sequence: is it the same molecule? "
-                     "--select chooses parts of both");
+                     "pliant compare --select chooses parts of both");
   std::sort(table.begin(), table.end());
   ResidueMatch match;
   for (const auto& [mine, other] : table) {

@@ -70,7 +70,8 @@ void check_knows_limits(const Technique& technique, const Framework& framework) 
   std::string known;
   for (const TechniqueEntry& row : techniques())
     if (row.knows_limits) known += (known.empty() ? "" : ", ") + std::string(row.name);
-  throw OptionError("technique = " + technique.name + ": knows no limits; use one of " + known);
+  throw OptionError("technique = " + technique.name + ": does not support limits; use one of " +
+                    known);
 }
 
 void check_given_ordering(const Technique& technique, const Framework& framework) {

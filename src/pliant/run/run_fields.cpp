@@ -45,8 +45,8 @@ const RunField table[] = {
     {"weighting", RunGroup::technique,
      "share of a correction that goes to the far end of a bar: 0 to 1", Range::zero_to_one,
      at<technique, &Technique::weighting>},
-    {"mass_weighted", RunGroup::technique, "also divide corrections by inverse mass", Range::any,
-     at<technique, &Technique::mass_weighted>},
+    {"mass_weighted", RunGroup::technique, "also share corrections in proportion to inverse mass",
+     Range::any, at<technique, &Technique::mass_weighted>},
     {"tolerance", RunGroup::technique,
      "largest residual of a whole bar: |length - rest length| / rest length", Range::positive,
      at<resolve, &ResolveOptions::tolerance, &Tolerance::relative>},
@@ -146,7 +146,7 @@ const Parameter& recorded(const std::vector<NamedParameter>& parameters, const s
 }
 
 [[noreturn]] void refuse_recorded(const std::string& path) {
-  throw InputError("/parameters/" + path + " has a value that is none");
+  throw InputError("/parameters/" + path + " has an invalid value");
 }
 
 /// Puts a recorded value into a place.

@@ -64,7 +64,7 @@ std::vector<NamedParameter> parameters_of(const RunOptions& options, const Frame
 
 /// The inverse: options of a recorded run. Without what is not recorded: a technique's own ordering
 /// or sweep, the forces of a replay, and a guide. Throws InputError naming a path that is missing
-/// or has a value that is none.
+/// or has an invalid value.
 RunOptions run_options_from(const std::vector<NamedParameter>& parameters);
 
 /// Whether the recorded run followed a guide. Throws InputError where the file does not say.

@@ -203,7 +203,7 @@ std::unique_ptr<Sampler> make(const SamplerSetting& setting) {
 
 constexpr SamplerEntry table[] = {
     {"modes", "independent frames along the modes of an elastic network", make<ModesSampler>},
-    {"dilute", "the same, with contacts off by chance: 1 - exp(-|E| / T) are on",
+    {"dilute", "the same, with each contact off with probability exp(-|E| / T)",
      make<DiluteSampler>},
     {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>},
     {"torsions", "conformers of small molecules: torsions, forms of rings, large rings closed",

@@ -219,7 +219,7 @@ def test_one_structure_has_no_fluctuations(ours, tmp_path):
     found = report.residues
     assert found.theirs is None and found.subspaces is None
     assert found.cautions == [
-        "Theirs is one structure: it has no fluctuations, so r and RMSIP cannot be told."
+        "Theirs is one structure: it has no fluctuations, so r and RMSIP cannot be computed."
     ]
     mine = aligned_by_mdanalysis(motions(80, 1, SIZES, shared=7))
     middle = average(mine).atoms.positions
@@ -232,7 +232,7 @@ def test_one_structure_has_no_fluctuations(ours, tmp_path):
 @pytest.mark.parametrize(
     ("frames", "scale", "words"),
     [
-        (2, 1.0, "2 models: no error and no ceiling can be told."),
+        (2, 1.0, "2 models: too few for an error or a ceiling."),
         (12, 1.0, "12 models are few: their halves agree little with each other"),
         (60, 0.02, "Theirs differ by 0.0"),
     ],
@@ -262,7 +262,7 @@ def test_another_molecule_is_refused(ours, tmp_path, capsys):
     assert main([ours, str(path), "--no-picture"]) == 1
     assert capsys.readouterr().err == (
         f"pliant compare: error: {path}: only 0 of 30 residues of ours are in it, matched by "
-        "sequence: is it the same molecule? --select chooses parts of both\n"
+        "sequence: is it the same molecule? pliant compare --select chooses parts of both\n"
     )
 
 

@@ -82,7 +82,7 @@ def test_another_content_of_the_input_is_refused(ensemble, tmp_path):
     other.write_bytes(PEPTIDE.read_bytes() + b"REMARK\n")
     ended = call("ensemble", other, "-o", ensemble, "--walkers", 24, *RUN)
     assert ended.returncode == 2
-    assert "was begun with another content of input" in ended.stderr
+    assert "was begun when input" in ended.stderr
 
 
 @pytest.mark.parametrize(

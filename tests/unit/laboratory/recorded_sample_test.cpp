@@ -139,12 +139,11 @@ TEST(RecordedSample, ParametersThatAreNoneAreTold) {
   for (auto& [path, value] : from.parameters)
     if (path == "sample/seed") value = std::string("-5");
   EXPECT_EQ(fault(),
-            "a.h5md: its sample cannot go on: /parameters/sample/seed has a value that is none");
+            "a.h5md: its sample cannot go on: /parameters/sample/seed has an invalid value");
   for (auto& [path, value] : from.parameters)
     if (path == "sample/amplitude") value = std::string("far");
-  EXPECT_EQ(
-      fault(),
-      "a.h5md: its sample cannot go on: /parameters/sample/amplitude has a value that is none");
+  EXPECT_EQ(fault(),
+            "a.h5md: its sample cannot go on: /parameters/sample/amplitude has an invalid value");
   from.parameters.clear();
   EXPECT_EQ(fault(), "a.h5md: its sample cannot go on: does not say /parameters/sample/amplitude");
 }

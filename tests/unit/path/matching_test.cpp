@@ -86,7 +86,7 @@ TEST(MatchResidues, AnotherMoleculeIsRefused) {
   EXPECT_EQ(
       test::error_text<InputError>([] { match_residues(chain("ACDEF"), chain("WWWWW"), "b.pdb"); }),
       "b.pdb: only 0 of 5 residues of ours are in it, matched by sequence: is it the same "
-      "molecule? --select chooses parts of both");
+      "molecule? pliant compare --select chooses parts of both");
   EXPECT_THROW(match_residues(chain("AC"), chain("AC"), "b.pdb"), InputError);
 }
 

@@ -53,7 +53,7 @@ FIGURES = (
         "colours of the domains.",
         "Of this path only: with other pushes, or more of them, the profile would be another.",
         "About 19 of 20 values of a much longer run lie within the band. It is the error of having "
-        "few frames; that a model made them is not in it.",
+        "few frames; errors of the model that made them are not in it.",
         "Root mean square distance from the average place on the way, after superposition: what "
         "must move to get from one structure to the other. A strip along the axis has the colours "
         "of the domains.",
@@ -76,7 +76,8 @@ FIGURES = (
         "The frames along the two directions of largest motion, and how much of the motion each "
         "direction explains.",
         "Dark to light as the run goes.",
-        "Frames are independent: that they are spread evenly was put in, and is no free energy.",
+        "Frames are independent: their even spread was an input, and says nothing about free "
+        "energy.",
     ),
     FigureKind(
         "contacts", CHEMISTRY, flexibility_figures.contacts, _has("contacts"),

@@ -28,11 +28,11 @@ def why_no_angles(bars: np.ndarray) -> str:
     degree = np.bincount(bars.ravel())
     if len(bars) > MOST_BARS_WITH_ANGLES:
         return (
-            f"OpenMM is told no angles: making a Context for more than {MOST_BARS_WITH_ANGLES} "
+            f"OpenMM is given no angles: making a Context for more than {MOST_BARS_WITH_ANGLES} "
             "bars takes minutes, and each frame with angles needs one of its own"
         )
     if np.sum(degree * (degree - 1) // 2) > MOST_ANGLES_PER_BAR * len(bars):
-        return "OpenMM is told no angles: too many bars share a joint"
+        return "OpenMM is given no angles: too many bars share a joint"
     return ""
 
 

@@ -86,7 +86,7 @@ std::string_view foreign_content(std::string_view text) {
   for (const Content& content : contents)
     if (text.size() >= content.at && text.substr(content.at).starts_with(content.bytes))
       return content.what;
-  if (begins_as_html(text)) return "a web page (HTML): a download that failed, it may be";
+  if (begins_as_html(text)) return "a web page (HTML), perhaps from a failed download";
   return {};
 }
 

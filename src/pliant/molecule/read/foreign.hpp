@@ -7,7 +7,7 @@
 namespace pliant {
 
 /// What a file is by its first bytes, if that is no molecule in text, and what to do about it:
-/// "a web page (HTML): a download that failed, it may be". Empty: not known.
+/// "a web page (HTML), perhaps from a failed download". Empty: not known.
 std::string_view foreign_content(std::string_view text);
 
 /// The program or format that an extension (".gro", in lower case) belongs to, if it is known and

@@ -216,7 +216,7 @@ std::int64_t AtomSiteReader::serial(std::size_t row) {
   if (columns_.serial.index)
     remarks_.warn("no serial", line_, [&] {
       return "atom_site id " + quoted(word(row, columns_.serial)) +
-             " is not a whole number: atoms are counted on";
+             " is not a whole number: the atom gets the next number";
     });
   return serials.empty() ? 1 : serials.back() + 1;
 }

@@ -73,7 +73,8 @@ std::int64_t residue_number(const PdbLine& line, const Residue& previous, Remark
   }
   if (field == "****") {
     remarks.warn("starred residue number", line.number, [] {
-      return "residue number (columns 23-26) has overflowed to ****: residues are counted on";
+      return "residue number (columns 23-26) has overflowed to ****: the residue gets the next "
+             "number";
     });
     return previous.number + 1;
   }

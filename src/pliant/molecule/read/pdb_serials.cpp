@@ -53,7 +53,7 @@ std::int64_t PdbSerials::next(const PdbLine& line, Remarks& remarks) {
   } else {
     remarks.warn("no serial", line.number, [&] {
       return "serial number (columns 7-11) " + quoted(field) +
-             " is not a number: atoms are counted on, and CONECT cannot name them";
+             " is not a number: the atom gets the next number, and CONECT cannot name it";
     });
   }
   return previous_ = serial.value_or(previous_ + 1);

@@ -56,7 +56,7 @@ const Format* format_by_content(std::string_view text) {
 
 [[noreturn]] void fail_unknown(std::string_view name) {
   const std::string extension = extension_of(name);
-  std::string message = "neither extension nor content tell a known format; known:";
+  std::string message = "neither extension nor content matches a known format; known:";
   if (const std::string_view format = foreign_format(extension); !format.empty())
     message = "is a file of " + std::string(format) + " by its extension " + extension +
               ", which is not read (pliant.from_mdanalysis in Python may); known:";

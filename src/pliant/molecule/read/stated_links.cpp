@@ -41,7 +41,7 @@ bool LinkReader::find(const StatedLink& link, std::array<std::uint32_t, 2>& atom
     if (!atom) {
       remarks_.warn("link to nothing", link.line, [&] {
         return std::string(link.record) + " names the atom " + text_of(end.address) +
-               ", which is not there once: bond left out";
+               ", which is missing or not unique: bond left out";
       });
       return false;
     }

@@ -18,7 +18,7 @@ TEST(Foreign, IsToldByItsFirstBytes) {
   EXPECT_EQ(foreign_content("\x1f\x8b\x08"), "compressed twice (gzip)");
   EXPECT_EQ(foreign_content("%PDF-1.4"), "a PDF document");
   EXPECT_EQ(foreign_content("T\0\0\0CORD"s), "a trajectory (DCD): expected a structure");
-  EXPECT_EQ(foreign_content("  \n<HTML>"), "a web page (HTML): a download that failed, it may be");
+  EXPECT_EQ(foreign_content("  \n<HTML>"), "a web page (HTML), perhaps from a failed download");
   EXPECT_EQ(foreign_content(std::string(257, 'x') + "ustar"),
             "a tar archive: expected one file of it");
 }
@@ -40,7 +40,7 @@ TEST(Foreign, NamesAreToldByTheirExtension) {
             "(pliant.from_mdanalysis in Python may); " +
                 known);
   EXPECT_EQ(refusal("letter.txt"),
-            "letter.txt: neither extension nor content tell a known format; " + known);
+            "letter.txt: neither extension nor content matches a known format; " + known);
 }
 
 }  // namespace foreign_test

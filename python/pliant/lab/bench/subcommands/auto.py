@@ -10,9 +10,9 @@ from pliant import console
 ORDER = 5
 SUMMARY = "technique auto against every fixed technique, on every molecule of data/molecules"
 DESCRIPTION = """\
-Breaks each molecule into a few copies, with bars of bonds and with bars of angles, and
-has auto and every fixed technique with every weighting repair them. Trial runs find out
-which make every copy whole, by a measurement of their own. The fastest then take turns
+Makes a few broken copies of each molecule, with bars for bonds and with bars for angles,
+and has auto and every fixed technique with every weighting repair them. Trial runs show
+which make every copy whole, as measured independently. The fastest then take turns
 in many short rounds. Times are of one repair, by the library's own clock: the call from
 Python takes longer than the repair of a small molecule and would distort the ratios.
 The exit code is 1 where auto leaves a bar broken that a fixed technique repairs, or a
@@ -41,7 +41,7 @@ def add_options(parser: console.Parser) -> None:
     add("--copies", metavar="N", type=console.whole_number(1), default=COPIES,
         help=f"number of broken copies, the same for all (default {COPIES})")  # fmt: skip
     add("--rounds", metavar="N", type=console.whole_number(1), default=ROUNDS,
-        help=f"number of rounds, of which the median counts (default {ROUNDS})")  # fmt: skip
+        help=f"number of rounds; the median is reported (default {ROUNDS})")  # fmt: skip
     add("--seed", metavar="N", type=console.whole_number(0), default=0,
         help="seed of the displacements (default 0)")  # fmt: skip
     add("--csv", metavar="FILE", help="write the rows as CSV")

@@ -45,7 +45,7 @@ def add_options(parser: console.Parser) -> None:
     add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
         help=f"steps of each run (default {STEPS})")  # fmt: skip
     add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
-        help=f"number of rounds, of which the median counts (default {REPEATS})")  # fmt: skip
+        help=f"number of rounds; the median is reported (default {REPEATS})")  # fmt: skip
     add("--single", action="store_true", help="positions as 32-bit floats")
     add("--compress", action="store_true", help="gzip positions")
     add("--formats", action="store_true",

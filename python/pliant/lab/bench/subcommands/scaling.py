@@ -13,7 +13,7 @@ DESCRIPTION = """\
 Repairs chains, branched trees and protein-like frameworks of growing size, each in a
 process of its own. Prints the time per bar, the bytes per joint or bar (growth of
 resident memory), and the exponent with which time grows, with its confidence interval.
-Sizes that do not fit into the free memory are skipped, which is said."""
+Sizes that do not fit into the free memory are skipped, with a note."""
 EPILOG = """\
 examples:
   pliant bench scaling --sizes 1e3,1e4,1e5
@@ -38,7 +38,7 @@ def add_options(parser: console.Parser) -> None:
     add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
         help="relative tolerance (default 1e-6)")  # fmt: skip
     add("--repeats", metavar="N", type=console.whole_number(1), default=3,
-        help="number of repairs, of which the median counts (default 3)")  # fmt: skip
+        help="number of repairs; the median is reported (default 3)")  # fmt: skip
     add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS,
         help=f"seconds for one size of one kind (default {LIMIT_SECONDS:g})")  # fmt: skip
 

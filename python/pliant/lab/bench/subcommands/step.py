@@ -43,7 +43,7 @@ def add_options(parser: console.Parser) -> None:
     add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
         help=f"steps of a round (default {STEPS})")  # fmt: skip
     add("--rounds", metavar="N", type=console.whole_number(1), default=ROUNDS,
-        help=f"number of rounds, of which the median counts (default {ROUNDS})")  # fmt: skip
+        help=f"number of rounds; the median is reported (default {ROUNDS})")  # fmt: skip
     add("--csv", metavar="FILE", help="write the rows as CSV")
 
 

@@ -12,7 +12,7 @@ SUMMARY = "every technique and OpenMM on hard cases: far, tiny, huge, redundant,
 DESCRIPTION = """\
 Tries every technique on frameworks chosen to break it, each in a child process, and
 OpenMM's CCMA on the same ones. Prints how each ended, the worst bar measured again and,
-where someone fell short, how close to whole least squares can bring all bars. It is a
+where one fell short, how close to whole least squares can bring all bars. It is a
 violation if a process dies, a position is not a number, a pinned joint has moved, or a
 technique says 'converged' beyond the tolerance. Violations are named, and the exit code
 is then 1."""

