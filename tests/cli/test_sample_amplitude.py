@@ -131,7 +131,8 @@ def test_what_cannot_be_an_amplitude_is_refused(pliant, start, tmp_path):
         ("alphafold.pdb", "bfactors", "amplitude bfactors: the B factors look like confidences "
          "(pLDDT): one value a residue, none above 100" + end),
         (start, "plddt", "amplitude plddt: pLDDT is a confidence, not a distance, and no law is "
-         "known that makes one of it" + end + " (--floppy frees residues with a pLDDT below 50)"),
+         "known that converts it into one" + end
+         + " (--floppy frees residues with a pLDDT below 50)"),
         (start, "nmr", "amplitude: expected a number above 0 (Angstrom), bfactors, or a file with "
          'models of the molecule; found "nmr"'),
         (start, "-1", '--amplitude: expected a number above 0, found "-1"'),

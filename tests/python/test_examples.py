@@ -72,7 +72,7 @@ def test_converged_means_whole(name, technique):
         if "is for trees only" in str(error):
             assert example.facts.cycles > 0
         else:
-            assert "knows no limits" in str(error)
+            assert "does not support limits" in str(error)
             assert len(framework.limits) or framework.has_sterics
         return
     assert np.isfinite(positions).all()

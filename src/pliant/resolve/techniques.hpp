@@ -49,8 +49,8 @@ bool shifts_to_mass_centre(const Technique& technique);
 /// with another technique than `input`, or a sweep with another than `custom`.
 void check(const Technique& technique);
 
-/// Throws OptionError if the technique leaves bars of this framework out, knows no limits where it
-/// has some, or if its ordering is none of this framework.
+/// Throws OptionError if the technique leaves bars of this framework out, does not support limits
+/// where it has some, or if its ordering is none of this framework.
 void check(const Technique& technique, const Framework& framework);
 
 }  // namespace pliant

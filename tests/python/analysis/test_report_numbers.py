@@ -294,8 +294,8 @@ def test_frames_drawn_again_are_named(folder, report, tmp_path, frames, kind):
     assert verdict == {"kind": kind, "text": f"{len(frames)} of 200 frames were drawn again."}
     page = html.unescape((tmp_path / "out" / "report.html").read_text(encoding="utf-8"))
     named = ", ".join(map(str, list(frames)[:10]))
-    assert f"could not be resolved: frames {named}" in page
-    assert "They took 3 draws at most" in page
+    assert f"The first draws of frames {named}" in page
+    assert "These frames took 3 draws at most" in page
 
 
 def test_nothing_is_said_of_draws_where_the_file_says_nothing(folder, report, tmp_path):

@@ -81,7 +81,7 @@ TEST(Newton, AStraightChainSharesAPush) {
 TEST(Newton, KeepsTheCentreOfMassAndPinnedJoints) {
   for (const Example& example : examples()) {
     if (example.positions.empty() || example.framework.has_pinned_joints()) continue;
-    if (!example.framework.has_bars_only()) continue;  // newton knows no limits
+    if (!example.framework.has_bars_only()) continue;  // newton does not support limits
     SCOPED_TRACE(example.name);
     const Framework framework = test::with_masses(example.framework);
     std::vector<Vec3> x = test::shake(framework, example.positions, 0.1);
