@@ -29,7 +29,7 @@ constexpr Command commands[] = {
     {"sample", "make an ensemble of a protein, or conformers of a small molecule", command_sample},
     {"ensemble", "many walkers or frames in shards, on all cores or many machines", nullptr},
     {"path", "find a path from one structure of a molecule to another", nullptr},
-    {"play", "pull at a molecule by hand, on a page in the browser", nullptr},
+    {"play", "pull on a molecule by hand, on a page in the browser", nullptr},
     {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},
     {"forcegen", "write a force file of random pushes", command_forcegen},
     {"order", "write the order in which a technique visits the bars", command_order},

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Draws pictures/play.webp, the page of `pliant play` with a hand that pulls at a protein.
+"""Draws pictures/play.webp, the page of `pliant play` with a hand that pulls on a protein.
 
     ./dev play && python data/play_picture.py PROTEIN.pdb
 

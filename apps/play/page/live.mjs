@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run that goes on elsewhere, of `pliant play --connect`: its frames are shown, drags pull at it.
+// A run that goes on elsewhere, of `pliant play --connect`: its frames are shown, drags pull on it.
 // The page asks for a frame once it has drawn the last, and is given the newest one.
 import {$, say} from './panel/dom.mjs';
 

@@ -70,7 +70,7 @@ test('frames of the run come, and what they are is told', async () => {
   assert.equal(await page.isVisible('#technique'), false);
 });
 
-test('a drag pulls at the atom of the run, and the run goes on when it ends', async () => {
+test('a drag pulls on the atom of the run, and the run goes on when it ends', async () => {
   const joint = await seenJoint(page, 3);
   const [from, start] = [await placeOf(page, joint), await positionOf(joint)];
   await page.mouse.move(from.x, from.y);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Opens a molecule in the page, pulls at it by the mouse and saves what came of it:
+// Opens a molecule in the page, pulls on it by the mouse and saves what came of it:
 // node make_session.mjs FILE FOLDER [TECHNIQUE] [MODEL]. Writes session.h5md, session.pdb and
 // session.forces.txt to FOLDER, and prints how many steps there were.
 import {copyFileSync, readFileSync} from 'node:fs';

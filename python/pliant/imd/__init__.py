@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Runs that are followed while they go, and pulled at: IMD, the protocol of VMD.
+"""Runs that are followed while they go, and pulled on: IMD, the protocol of VMD.
 
 ``pliant.imd.Client`` follows ``pliant run --imd``, GROMACS, LAMMPS and NAMD alike; ``pliant watch``
 is a terminal for it.

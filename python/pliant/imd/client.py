@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A client of IMD that follows a run, pulls at its atoms, and holds or ends it."""
+"""A client of IMD that follows a run, pulls on its atoms, and holds or ends it."""
 
 from __future__ import annotations
 

@@ -25,7 +25,7 @@ In the page: drag an atom to pull it, drag the background to rotate the view; "?
 rest.
 
 With --connect the page shows a live run (pliant run --imd): its atoms as they move, its residual
-(how far the worst bar is off) and sweeps; a drag pulls at the atoms of the run. FILE is the
+(how far the worst bar is off) and sweeps; a drag pulls on the atoms of the run. FILE is the
 molecule that the run reads, or the PDB file that it writes. A slow page skips frames and never
 slows the run down. The command ends when the run has ended.
 
@@ -45,7 +45,7 @@ def make_parser() -> console.Parser:
     """The options of pliant play."""
     parser = console.Parser(
         "play",
-        "Opens a page in the browser in which you pull at the atoms of a molecule, watch bars\n"
+        "Opens a page in the browser in which you pull on the atoms of a molecule, watch bars\n"
         "(two atoms at a fixed distance) break and be repaired, and record, replay and save\n"
         "what you did.",
         EPILOG,
@@ -54,7 +54,7 @@ def make_parser() -> console.Parser:
     add("file", metavar="FILE", nargs="?",
         help="PDB, mmCIF, XYZ, SDF, graph XML or H5MD file to open in it")  # fmt: skip
     add("--connect", metavar="HOST:PORT", type=server_address,
-        help="show a live run (pliant run --imd) and pull at it;\n"
+        help="show a live run (pliant run --imd) and pull on it;\n"
         ":PORT alone means this machine")  # fmt: skip
     add("--no-open", action="store_true", help="print the address of the page, open no browser")
     return parser

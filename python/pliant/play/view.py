@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant.view``: a molecule or a trajectory in a notebook, to be pulled at and played."""
+"""``pliant.view``: a molecule or a trajectory in a notebook, to be pulled on and played."""
 
 from __future__ import annotations
 

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 
 class PlayView(anywidget.AnyWidget):
-    """A molecule to be pulled at in a notebook; ``pliant.view`` makes it.
+    """A molecule to be pulled on in a notebook; ``pliant.view`` makes it.
 
     Attributes
     ----------

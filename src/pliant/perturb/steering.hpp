@@ -11,7 +11,7 @@
 
 namespace pliant {
 
-/// Pulls at joints, step after step, until told otherwise. What is asked during a step acts from
+/// Pulls on joints, step after step, until told otherwise. What is asked during a step acts from
 /// the next one on; the same forces in each step give the same bits. Of one walker.
 class Steering final : public Pusher {
  public:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// SteeredWalk (interactive simulation): a Motion in the hands of a person, who pulls at joints,
+// SteeredWalk (interactive simulation): a Motion in the hands of a person, who pulls on joints,
 // pins them and changes settings from one step to the next. What a page does, and what a force file
 // with events repeats.
 #pragma once

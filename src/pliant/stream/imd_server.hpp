@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // IMD server (live streaming, interactive steering): VMD, MDAnalysis and others follow a run while
-// it goes, and pull at its atoms. README.md tells what is sent.
+// it goes, and pull on its atoms. README.md tells what is sent.
 #pragma once
 
 #include <memory>
@@ -32,7 +32,7 @@ struct ImdOptions {
 /// the port may follow, pull and end the run.
 class ImdServer {
  public:
-  /// Listens at once. What clients pull at goes to `steering`. Throws OptionError naming the
+  /// Listens at once. What clients pull on goes to `steering`. Throws OptionError naming the
   /// option, FileError where it cannot listen.
   ImdServer(std::size_t joint_count, const ImdOptions& options, std::shared_ptr<Steering> steering);
   /// As close().

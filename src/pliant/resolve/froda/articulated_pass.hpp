@@ -52,7 +52,7 @@ class ArticulatedPass {
   /// Adds each row as a directional mass of `factor` times its weight on each of its two bodies.
   void add_rows(std::span<const Vec3> x, std::span<const ContactRow> rows, double factor);
   /// Takes turns out of inertias and forces, from the last body to the roots. `springs` (turns)
-  /// pull at them; empty: none do.
+  /// pull on them; empty: none do.
   void go_inward(std::span<const TurnSpring> springs = {});
   /// Does to other forces, of bodies and (empty: none) of turns, what go_inward() did to those that
   /// were gathered.

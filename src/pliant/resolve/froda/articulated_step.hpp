@@ -36,7 +36,7 @@ inline constexpr double majorant = 2.0;
 struct StepRequest {
   std::span<const Vec3> targets = {};  ///< (places) where each should come to; empty: stay
   std::span<const ContactRow> rows = {};
-  std::span<const TurnSpring> springs = {};  ///< (turns) what pulls at them; empty: nothing
+  std::span<const TurnSpring> springs = {};  ///< (turns) what pulls on them; empty: nothing
   double bound = 1.0;                        ///< Angstrom: no body goes further
   int conjugate_gradients = 0;               ///< products inside the step
 };

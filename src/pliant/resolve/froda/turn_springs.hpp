@@ -14,7 +14,7 @@
 
 namespace pliant {
 
-/// What pulls at one turn.
+/// What pulls on one turn.
 struct TurnSpring {
   double weight = 0.0;  ///< Angstrom^2
   double force = 0.0;   ///< weight times the angle that it wants, radians
@@ -26,7 +26,7 @@ class TurnSprings {
   TurnSprings(const Framework& framework, const BodyPlan& plan);
 
   bool empty() const { return staggered_.empty() && backbone_.empty(); }
-  /// (turns) what pulls at `x` (places); where nothing does both are 0.
+  /// (turns) what pulls on `x` (places); where nothing does both are 0.
   std::span<const TurnSpring> at(std::span<const Vec3> x, double weight);
 
  private:

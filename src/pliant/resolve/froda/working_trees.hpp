@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which trees of a plan of bodies a resolve moves: a tree that nothing pulls at and no contact
+// Which trees of a plan of bodies a resolve moves: a tree that nothing pulls on and no contact
 // touches stays where it is to the last bit, so that no step has to look at it.
 #pragma once
 

@@ -47,7 +47,7 @@ struct LaneForest {
   const LaneSpring* springs;  ///< of turns
 };
 
-/// How bodies and turns move, or what pulls at them: values of bodies, then of turns.
+/// How bodies and turns move, or what pulls on them: values of bodies, then of turns.
 struct LaneMoves {
   LaneTwist* twists;
   LaneValue* angles;
