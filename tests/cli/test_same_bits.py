@@ -22,6 +22,7 @@ SETTINGS = [
     ["--technique", "bfs_random", "--perturb", "force_all", "--mass-weighted"],
     ["--bars", "angles", "--tolerance", "1e-3", "--max-sweeps", "500"],
 ]
+STATES = "parameters/checkpoint/state"
 MOLECULES = ["caffeine", "cyclohexane_chair", "peptide_20"]
 
 
@@ -34,7 +35,14 @@ def datasets(path: Path) -> dict[str, np.ndarray]:
                 found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None
             )
         )
+    found[STATES] = last_state(found[STATES])
     return {name: np.asarray(value).tobytes() for name, value in found.items()}
+
+
+def last_state(states: np.ndarray) -> np.ndarray:
+    """Without its number and digest: how many came before depends on how long the run took."""
+    last = states[np.argmax(states[:, 0])]
+    return np.concatenate((last[1:3], last[5:]))
 
 
 def run(command: Path, folder: Path, molecule: Path, settings: list[str]) -> dict[str, np.ndarray]:
