@@ -79,9 +79,8 @@ int command_structgen(const Arguments& arguments) {
       "tree, or a graph with 1, 2 or n cycles, made in one of the ways listed below (classes).\n"
       "Writes one graph as XML. With --test-set it writes a folder for each class. This holds a\n"
       "folder for each graph, its forces and its ordering, which in turn holds a folder for the\n"
-      "results of each heuristic (technique and weighting); results.xml at the top lists them "
-      "all.\n"
-      "Every graph is checked to belong to its class. The same seed makes the same files.");
+      "results of each heuristic (technique and weighting); results.xml at the top lists them\n"
+      "all. Every graph is checked to belong to its class. The same seed makes the same files.");
   StructgenSettings settings;
   add_structgen_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;

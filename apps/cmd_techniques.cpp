@@ -31,11 +31,9 @@ void print_table() {
   for (const TechniqueEntry& row : techniques())
     fmt::print("  {:<17}{}{}\n", row.name, row.summary, row.forests_only ? "; trees only" : "");
   fmt::print(
-      "\nweighting (--weighting), any number from 0 to 1: the share of a correction that goes to "
-      "the\n"
-      "far end of a tree bar, the one further from the root. 0.5 shares equally, 1 moves it "
-      "alone.\n"
-      "Bars that close a cycle of the traversal are always shared equally.\n"
+      "\nweighting (--weighting), any number from 0 to 1: the share of a correction that goes to\n"
+      "the far end of a tree bar, the one further from the root. 0.5 shares equally, 1 moves it\n"
+      "alone. Bars that close a cycle of the traversal are always shared equally.\n"
       "\nperturbations (--perturb)\n");
   for (const PerturbationEntry& row : perturbations())
     fmt::print("  {:<17}{}\n", row.name, row.summary);

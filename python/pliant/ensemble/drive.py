@@ -22,6 +22,9 @@ from pliant.ensemble.plan import Plan, Shard
 #: Shards that the scheduler knows of at once: it need not hold 10^5 to keep hundreds of workers.
 WINDOW = 1024
 
+#: What to do about a shard that is damaged.
+REMAKE = "remove it, and the same command makes it again"
+
 Progress = Callable[[int, int], None]
 
 
@@ -116,7 +119,7 @@ def _take_stock(plan: Plan, folder: Path, manifest: Manifest) -> list[Shard]:
         elif path.stat().st_size != record.bytes:
             raise FileError(
                 f"{path}: has {path.stat().st_size} bytes, expected {record.bytes}: it is damaged; "
-                "remove it, and the same command makes it again"
+                f"{REMAKE}"
             )
     return missing
 

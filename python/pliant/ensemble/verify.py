@@ -10,12 +10,10 @@ from typing import Any
 
 from pliant._core import Error
 from pliant.ensemble.cluster import usual_workers
-from pliant.ensemble.drive import Progress
+from pliant.ensemble.drive import REMAKE, Progress
 from pliant.ensemble.inspect_shard import ShardRecord, inspect_shard
 from pliant.ensemble.manifest import Manifest
 from pliant.ensemble.plan import SHARDS, Plan, Shard, load_plan
-
-_REMAKE = "remove it, and the same command makes it again"
 
 
 @dataclass
@@ -71,12 +69,12 @@ def _look(
     try:
         found = inspect_shard(plan, shard, path)
     except Error as error:
-        return f"{error}; {_REMAKE}"
+        return f"{error}; {REMAKE}"
     if expected is None:
         return f"{path}: is complete, but not in the manifest: run the same command again to add it"
     if found != expected:
         names = [k for k, v in found.as_json().items() if v != expected.as_json()[k]]
-        return f"{path}: is not what the manifest says: {', '.join(names)}; {_REMAKE}"
+        return f"{path}: is not what the manifest says: {', '.join(names)}; {REMAKE}"
     return found
 
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // IMD server (live streaming, interactive steering): VMD, MDAnalysis and others follow a run while
-// it goes, and pull on its atoms. README.md tells what is sent.
+// it goes, and pull on its atoms. README.md says what is sent.
 #pragma once
 
 #include <memory>
