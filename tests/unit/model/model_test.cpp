@@ -49,7 +49,8 @@ TEST(HydrogenBonds, TheCutoffLeavesWeakOnesOut) {
   EXPECT_TRUE(hydrogen_bonds(amide_and_carbonyl(), {.cutoff = -8.5}).empty());
 }
 
-TEST(HydrogenBonds, AChargedPairIsASaltBridge) {
+/// Lysine's N in the origin, its hydrogens, and a carboxylate with its nearer O that far along x.
+Structure ammonium_and_carboxylate(double apart) {
   Structure s;
   add_residue(s, "LYS", 1,
               {{"CE", "C", {-1.5, 0, 0}},
@@ -58,15 +59,25 @@ TEST(HydrogenBonds, AChargedPairIsASaltBridge) {
                {"HZ2", "H", {-0.3, -0.5, 0.85}},
                {"HZ3", "H", {-0.3, -0.5, -0.85}}});
   add_residue(s, "ASP", 9,
-              {{"OD1", "O", {2.8, 0, 0}},
-               {"CG", "C", {3.6, 1.0, 0}},
-               {"OD2", "O", {3.0, 2.1, 0}},
-               {"CB", "C", {5.1, 0.9, 0}}});
+              {{"OD1", "O", {apart, 0, 0}},
+               {"CG", "C", {apart + 0.8, 1.0, 0}},
+               {"OD2", "O", {apart + 0.2, 2.1, 0}},
+               {"CB", "C", {apart + 2.3, 0.9, 0}}});
   perceive_bonds(s);
-  const auto found = hydrogen_bonds(s);
+  return s;
+}
+
+TEST(HydrogenBonds, AChargedPairIsASaltBridge) {
+  const auto found = hydrogen_bonds(ammonium_and_carboxylate(2.8));
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].kind, MolecularContactKind::salt_bridge);
   EXPECT_NEAR(found[0].energy, salt_bridge_energy(2.8), 1e-12);
+}
+
+TEST(HydrogenBonds, ASaltBridgeIsNoLongerThanFourAngstrom) {
+  EXPECT_LT(salt_bridge_energy(4.1), HydrogenBondOptions{}.cutoff);
+  EXPECT_EQ(hydrogen_bonds(ammonium_and_carboxylate(3.95)).size(), 1U);
+  EXPECT_TRUE(hydrogen_bonds(ammonium_and_carboxylate(4.05)).empty());
 }
 
 TEST(Tethers, AreBetweenCarbonsOfResiduesApart) {

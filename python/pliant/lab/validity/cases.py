@@ -37,6 +37,11 @@ class Fluctuation:
         """Name of r."""
         return f"r of RMSF, residues 1-{self.residues}" if self.residues else "r of RMSF"
 
+    @property
+    def figure_alone(self) -> str:
+        """Name of r where the others, flexible ends, are left out before frames are superposed."""
+        return f"{self.figure}, superposed on these alone"
+
 
 @dataclass(frozen=True)
 class Change:

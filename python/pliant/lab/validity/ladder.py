@@ -85,9 +85,14 @@ class Ladder:
     def _fluctuation(self, case: Fluctuation) -> list[Row]:
         paths = [self._files.find(source) for source in case.reference]
         subject = self._subject(self._files.find(case.start))
-        both = measure.compared(subject, case.read(*paths))
+        reference = case.read(*paths)
+        both = measure.compared(subject, reference)
         rows = measure.fluctuation_rows(subject, both, case)
         self.found.profiles[case.name] = measure.profiles(subject, both)
+        if case.residues:
+            alone = measure.compared(subject, reference, case.residues)
+            rows.insert(1, measure.alone_row(subject, alone, case))
+            self.found.profiles[case.name] = measure.profiles_alone(subject, alone)
         if case.start != OPEN:
             rows += self._of_ensemble(subject, case.name, case.data)
         return rows

@@ -13,7 +13,7 @@ from pliant.analysis import agreement as alike
 from pliant.analysis.agreement import TEN, Figure
 from pliant.lab.validity.cases import Fluctuation
 from pliant.lab.validity.goals import goal_of
-from pliant.lab.validity.peers import gnm_fluctuations, network_of
+from pliant.lab.validity.peers import Network, gnm_fluctuations, network_of
 from pliant.lab.validity.references import BFactors, Reference
 from pliant.lab.validity.rows import Row
 from pliant.lab.validity.subject import AMPLITUDE, FAR, Subject
@@ -31,9 +31,10 @@ class Compared:
     about_start: np.ndarray  #: theirs superposed on the start, about which peers fluctuate
 
 
-def compared(subject: Subject, reference: Reference) -> Compared:
-    """Our ensemble of seed 0 and a reference."""
+def compared(subject: Subject, reference: Reference, last: int | None = None) -> Compared:
+    """Our ensemble of seed 0 and a reference, or the first `last` residues of the reference."""
     residues = aligned(subject.trace.sequence, reference.sequence)
+    residues = residues[residues[:, 1] < (last or np.inf)]
     theirs = alike.superposed_on_mean(reference.frames[:, residues[:, 1]])
     ours = alike.superposed_on_mean(subject.ensemble().frames[:, residues[:, 0]])
     start = subject.trace.positions[residues[:, 0]]
@@ -60,6 +61,32 @@ def fluctuation_rows(subject: Subject, both: Compared, case: Fluctuation) -> lis
     for row in (r, inner):
         row.data, row.note = case.data, case.note
     return [r, inner]
+
+
+def alone_row(subject: Subject, alone: Compared, case: Fluctuation) -> Row:
+    """r of RMSF of residues that were superposed without the flexible ends: these tilt the others,
+    in our frames and in theirs alike, and so raise r where the others are compared."""
+    rmsf, about_start = (alike.fluctuations(one) for one in (alone.theirs, alone.about_start))
+    ours = alike.correlation_over_residues(alike.fluctuations(alone.ours), rmsf)
+    shared, anm = (
+        alike.correlation_over_residues(_alone(subject, alone, peer).fluctuations, about_start)
+        for peer in ("shared", "anm")
+    )
+    row = _row(case.name, case.figure_alone, ours, shared, anm)
+    row.ceiling = alike.halves(alone.theirs)[0]
+    row.data, row.note = case.data, case.note
+    return row
+
+
+def _alone(subject: Subject, alone: Compared, peer: str) -> Network:
+    mine = alone.residues[:, 0]
+    return subject.network(peer).superposed(mine, subject.trace.positions[mine])
+
+
+def profiles_alone(subject: Subject, alone: Compared) -> dict[str, list[float]]:
+    """As profiles, of residues that were superposed alone."""
+    anm = _alone(subject, alone, "anm").fluctuations
+    return profiles(subject, alone) | {"anm": anm.tolist()}
 
 
 def profiles(subject: Subject, both: Compared) -> dict[str, list[float]]:

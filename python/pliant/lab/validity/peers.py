@@ -24,7 +24,7 @@ class Network:
     """Modes of one network about a structure of N residues."""
 
     variances: np.ndarray  #: (K,) in the network's own unit, descending
-    directions: np.ndarray  #: (K, N, 3), each mode of unit length
+    directions: np.ndarray  #: (K, N, 3), each mode of unit length over all residues
 
     @property
     def fluctuations(self) -> np.ndarray:
@@ -32,6 +32,19 @@ class Network:
         squares = np.einsum("k,kni->n", self.variances, self.directions**2)
         rmsf: np.ndarray = np.sqrt(squares)
         return rmsf
+
+    def superposed(self, atoms: np.ndarray, positions: np.ndarray) -> Network:
+        """The same motion seen on `atoms` (M,) alone, at positions (M, 3), superposed on them.
+
+        Superposing takes out of each mode, to first order, what moves these atoms as one body.
+        """
+        arms = positions - positions.mean(axis=0)
+        turns = [np.cross(axis, arms).ravel() for axis in np.eye(3)]
+        shifts = [np.broadcast_to(axis, arms.shape).ravel() for axis in np.eye(3)]
+        rigid = np.linalg.qr(np.array(turns + shifts).T)[0]
+        part = self.directions[:, atoms].reshape(len(self.variances), -1)
+        part = part - (part @ rigid) @ rigid.T
+        return Network(self.variances, part.reshape(-1, len(atoms), 3))
 
 
 def network_of(structure: Structure, trace: Trace, name: str) -> Network:

@@ -16,10 +16,10 @@ from pliant.plotting import BLUE, DASHED, GREY, VERMILION, figure, save
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-#: Title, name of the reference, and the last residue that is drawn.
+#: Title and name of the reference.
 PROFILES = {
-    "ubiquitin": ("ubiquitin: which residues move", "NMR (2K39)", 70),
-    "HIV-PR": ("HIV-1 protease: which residues move", "MD", None),
+    "ubiquitin": ("ubiquitin: which residues move", "NMR (2K39)"),
+    "HIV-PR": ("HIV-1 protease: which residues move", "MD"),
 }
 OVERLAP = "cumulative overlap of 10"
 
@@ -41,8 +41,8 @@ def draw(found: Validity, path: str | os.PathLike[str]) -> None:
 
 def _profiles(axes: Axes, found: Validity, name: str) -> None:
     """RMSF over its mean: how far an ensemble goes is an input. Ends that all have are left out."""
-    title, reference, last = PROFILES[name]
-    profiles = {key: np.array(values[:last]) for key, values in found.profiles[name].items()}
+    title, reference = PROFILES[name]
+    profiles = {key: np.array(values) for key, values in found.profiles[name].items()}
     residues = np.arange(1, len(profiles["reference"]) + 1)
     styles: dict[str, tuple[str, dict[str, Any]]] = {
         "reference": (reference, {"color": "black", "linewidth": 1.3}),
@@ -58,7 +58,9 @@ def _profiles(axes: Axes, found: Validity, name: str) -> None:
 
 
 def _r(found: Validity, name: str, key: str) -> float:
-    row = next(r for r in found.rows if r.system == name and r.figure.startswith("r of RMSF"))
+    """Of what is drawn: where ends are left out, the row of residues superposed on these alone."""
+    rows = [r for r in found.rows if r.system == name and r.figure.startswith("r of RMSF")]
+    row = max(rows, key=lambda r: "alone" in r.figure)
     return row.ours if key == "ours" else row.anm
 
 

@@ -157,3 +157,25 @@ def test_a_peers_frames_have_the_rmsf_asked_for_and_whole_turns_stay_whole(struc
 def test_letters_know_the_names_of_force_fields():
     assert {LETTERS[name] for name in ("HIS", "HSD", "HIE", "HSP")} == {"H"}
     assert len(set(LETTERS.values())) == 20
+
+
+def test_a_network_seen_on_some_residues_is_as_its_frames_superposed_on_these(structure, kinase):
+    """Oracle: small frames of the Gaussian, superposed one by one."""
+    network = network_of(structure, kinase, "anm")
+    first = np.arange(60)
+    amplitudes = np.random.default_rng(5).standard_normal((4000, len(network.variances)))
+    amplitudes *= np.sqrt(network.variances)
+    moved = np.einsum("fk,kni->fni", amplitudes, network.directions[:, first])
+    moved *= 0.01 / np.abs(moved).max()
+    frames = alike.superposed_on_mean(kinase.positions[first] + moved)
+    alone = network.superposed(first, kinase.positions[first]).fluctuations
+    drawn = alike.fluctuations(frames)
+    np.testing.assert_allclose(drawn / drawn.mean(), alone / alone.mean(), rtol=0.06)
+    assert alike.correlation(alone, network.fluctuations[first]) < 0.97  # not the same question
+
+
+def test_what_only_turns_and_shifts_is_nothing_superposed():
+    x = np.random.default_rng(6).normal(size=(9, 3))
+    modes = [np.cross([0.3, -1.0, 0.2], x), np.full((9, 3), 0.5)]
+    still = Network(np.ones(2), np.array(modes)).superposed(np.arange(9), x)
+    np.testing.assert_allclose(still.fluctuations, 0.0, atol=1e-13)

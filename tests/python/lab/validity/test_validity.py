@@ -4,6 +4,7 @@
 import csv
 import json
 import math
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -15,6 +16,7 @@ pytest.importorskip("scipy")
 
 from pliant.lab.bench.command import main  # noqa: E402
 from pliant.lab.validity import ladder, sources  # noqa: E402
+from pliant.lab.validity.cases import FLUCTUATIONS  # noqa: E402
 from pliant.lab.validity.goals import goal_of  # noqa: E402
 from pliant.lab.validity.peers import gnm_fluctuations  # noqa: E402
 from pliant.lab.validity.references import b_factors_of, models_of, trajectory_of  # noqa: E402
@@ -49,6 +51,20 @@ def test_the_kinase_opens_along_its_modes(packages):
     assert [row.verdict for row in exact[1:]] == ["aim met"] * 3
     assert exact[0].ours < 1e-10 < exact[0].anm
     assert exact[1].anm > 100 and exact[3].anm > 100
+
+
+def test_residues_without_flexible_ends_are_superposed_alone_as_well(packages, monkeypatch):
+    case = replace(FLUCTUATIONS["adk_md"], residues=100)
+    monkeypatch.setitem(FLUCTUATIONS, "adk_md", case)
+    found = ladder.validity(["adk_md"], frames=12, seeds=1)
+    rows = rows_of(found)
+    name = "r of RMSF, residues 1-100"
+    both, alone = (rows[case.name, figure] for figure in (name, case.figure_alone))
+    assert case.figure_alone == f"{name}, superposed on these alone"
+    assert len({both.ours, alone.ours, both.anm, alone.anm}) == 4
+    drawn = found.profiles[case.name]
+    assert [len(drawn[key]) for key in ("reference", "ours", "anm")] == [100] * 3
+    assert np.corrcoef(drawn["reference"], drawn["ours"])[0, 1] == pytest.approx(alone.ours)
 
 
 def test_what_is_missing_is_a_row_that_says_how_to_get_it(packages, tmp_path):
