@@ -80,6 +80,7 @@ def flexibility(
     frames.read_positions(0, first)
     on_stage("mean")
     reference = _mean(frames, atoms, first[atoms], workers)
+    frames.are_checked = True  # by the first pass over all of them
     on_stage("fluctuations")
     sums = _sums(frames, atoms, reference, workers)
     what = frames.plan.what
@@ -125,8 +126,9 @@ def _over(
 ) -> Iterator[Result]:
     """The results of parts of the shards, in their order."""
     has_modes = len(atoms) <= MOST_FOR_MODES
+    parts = zip(parts_of(frames.paths), parts_of(frames.records_to_check()), strict=True)
     tasks = [
-        Task(frames.plan, part, atoms, reference, has_modes) for part in parts_of(frames.paths)
+        Task(frames.plan, paths, records, atoms, reference, has_modes) for paths, records in parts
     ]
     yield from each_part(work, tasks, workers)
 

@@ -181,7 +181,9 @@ def test_memory_does_not_grow_with_frames(many):
     trace = np.arange(20)
     reference = frames_of(shards_of(many)[:1])[0][0, trace]
     plan = load_plan(many)
-    tasks = [Task(plan, shards_of(many) * k, trace, reference, True) for k in (1, 8, 1)]
+    tasks = [
+        Task(plan, shards_of(many) * k, [None] * 7 * k, trace, reference, True) for k in (1, 8, 1)
+    ]
     # In a process of its own: threads of other tests allocate here, too.
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         _, eight, one = pool.apply(peak_memory, (tasks,))
