@@ -39,6 +39,9 @@ MAX_BYTES = 1_000_000
 CODES_PER_DECADE = 32
 LOWEST_DECADE = -4
 
+#: distances between atoms that are in memory at once
+AT_ONCE = 1 << 18
+
 
 @dataclass
 class Thinned:
@@ -165,11 +168,20 @@ def units_of_atoms(study: Study, atoms: AtomGroup) -> np.ndarray:
         owners = atoms.resindices
     else:
         first = known(study.reference).positions
-        apart = first[atoms.ix][:, None] - first[units.owners][None]
-        owners = units.owners[np.argmin(np.sum(apart**2, axis=2), axis=1)]
+        owners = units.owners[_nearest(first[atoms.ix], first[units.owners])]
     place = np.searchsorted(units.owners, owners)
     place = np.minimum(place, len(units.owners) - 1)
     return np.where(units.owners[place] == owners, place, -1)
+
+
+def _nearest(points: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """(n,) the first of `others` (m, 3) that is nearest to each of `points` (n, 3)."""
+    found = np.empty(len(points), dtype=np.int64)
+    step = max(1, AT_ONCE // max(1, len(others)))
+    for begin in range(0, len(points), step):
+        apart = points[begin : begin + step, None] - others[None]
+        found[begin : begin + step] = np.argmin(np.sum(apart**2, axis=2), axis=1)
+    return found
 
 
 def _unit_columns(study: Study) -> dict[str, Any]:
