@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import contextlib
-import warnings
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
+from pliant.analyse.cartoon import secondary_structure
 from pliant.analyse.names import chains_of, numbers_of
 from pliant.analyse.study import known
 from pliant.analyse.view_limits import (
@@ -153,7 +153,7 @@ def _atom_columns(atoms: AtomGroup, study: Study) -> dict[str, Any]:
         "residues": [str(name) for name in getattr(atoms, "resnames", [""] * len(atoms))],
         "numbers": numbers_of(atoms).tolist(),
         "chains": chains_of(atoms).tolist(),
-        "cartoon": _secondary_structure(atoms, study),
+        "cartoon": secondary_structure(atoms),
     }
     return columns | {"unit": units_of_atoms(study, atoms).tolist()}
 
@@ -212,23 +212,6 @@ def _elements(atoms: AtomGroup) -> list[str]:
     return [
         e or (g if g in "CNOSPFI" and g else "C") for e, g in zip(elements, guessed, strict=True)
     ]
-
-
-def _secondary_structure(atoms: AtomGroup, study: Study) -> str:
-    """One letter an atom, h s or c, for the cartoon of a protein; empty if there is no protein."""
-    if not hasattr(atoms, "resnames") or len(set(atoms.resindices)) < 4:
-        return ""
-    protein = atoms.select_atoms("protein")
-    if len(protein.select_atoms("name CA")) < 4:
-        return ""
-    letters = np.full(len(study.universe.residues), "c")
-    with contextlib.suppress(Exception), warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # needs MDAnalysis 2.8 and a whole backbone
-        from MDAnalysis.analysis.dssp import DSSP
-
-        found = DSSP(protein).run(stop=1).results.dssp[0]
-        letters[protein.residues.ix] = np.select([found == "H", found == "E"], ["h", "s"], "c")
-    return "".join(letters[atoms.resindices])
 
 
 def _series(study: Study, frames: np.ndarray) -> dict[str, Any]:

@@ -113,7 +113,8 @@ def _add_places(add: Callable[..., object]) -> None:
         "--workers",
         type=number,
         metavar="N",
-        help="processes (default: one per core), or jobs of --cluster (default: as in its FILE)",
+        help="processes (default: one per core), or jobs of --cluster (default: as in its FILE); "
+        "never more than shards",
     )
     add("--scheduler", metavar="ADDRESS", help="a Dask scheduler that is already running")
     add("--cluster", metavar="FILE", help="run as jobs of a queue, which this YAML file describes")

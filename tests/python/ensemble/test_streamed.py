@@ -249,6 +249,19 @@ def test_frames_of_a_sample_are_called_frames(tmp_path):
     assert [text.get_text() for text in legend][:2] == ["all 12 frames", "even-numbered frames"]
 
 
+@pytest.mark.parametrize("asks", [True, False])
+def test_an_amplitude_that_was_asked_for_is_no_result(tmp_path, asks):
+    """Conformers of a small molecule are asked for none."""
+    words = (PEPTIDE, "--amplitude", 0.9) if asks else (CAFFEINE.with_name("aspirin.sdf"),)
+    made(*words, "-o", tmp_path / "s", "--frames", 12, "--shard-size", 6)
+    text = analysed(tmp_path / "s", tmp_path / "r")
+    said = (
+        "amplitude       asked 0.90 Angstrom: how far all moves is an input, which parts move more "
+        "than others is a result\n"
+    )
+    assert (said in text) == ("amplitude" in text) == asks
+
+
 def test_of_a_rigid_molecule_it_says_that_nothing_moves(tmp_path):
     made(CAFFEINE, "-o", tmp_path / "rigid", "--frames", 20, "--shard-size", 10)
     text = analysed(tmp_path / "rigid", tmp_path / "r")
