@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The amplitude that a sampled ensemble was asked for: an input, which no report gives as a result."""
+"""The amplitude that samples were asked for: an input, which no report gives as a result."""
 
 from __future__ import annotations
 

@@ -47,7 +47,8 @@ class Units:
             return positions
         share = 1.0 / np.bincount(self.unit, minlength=len(self.labels))
         found = np.zeros((len(positions), len(self.labels), 3))
-        np.add.at(found, (slice(None), self.unit), share[self.unit, None] * positions)
+        for sites, frame in zip(found, positions, strict=True):
+            np.add.at(sites, self.unit, share[self.unit, None] * frame)
         return found
 
 

@@ -106,4 +106,3 @@ def _call(words: list[str]) -> str:
     why = (done.stderr.strip().splitlines() or [f"ended with {done.returncode}"])[0]
     why = re.sub(r"^pliant( \w+)?: error: ", "", why)
     raise (OptionError if done.returncode == _BAD_OPTION else ShardError)(why)
-

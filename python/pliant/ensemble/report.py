@@ -166,8 +166,10 @@ def _print_motion(numbers: dict[str, Any]) -> None:
     print(f"flexibility     {mean:.3f} Angstrom, mean RMSF of {units}; {error:.4f} standard error")
     if numbers["amplitude_asked"] is not None:
         asked = numbers["amplitude_asked"]
-        print(f"amplitude       asked {asked:.2f} Angstrom: how far all moves is an input, which parts "
-              "move more than others is a result")  # fmt: skip
+        print(
+            f"amplitude       asked {asked:.2f} Angstrom: how far all moves is an input, which "
+            "parts move more than others is a result"
+        )
     r, most = numbers["halves_correlation"], numbers["halves_difference_max"]
     alike = "" if np.isnan(r) else f"correlates at {r:.3f}, "
     print(f"two halves      RMSF {alike}differs by {most:.3f} Angstrom at most")
