@@ -48,11 +48,16 @@ class Queue:
         count = self._asked if asked is None else asked
         if not isinstance(count, int) or count < 1:
             raise InputError(f"{path}: jobs: expected a whole number from 1, found {count!r}")
+        own = {"scheduler_options": self._scheduler_options(), "job_cls": self._watched_job()}
         try:
-            cluster = self._kind(**self._settings, job_cls=self._watched_job())
+            cluster = self._kind(**{**self._settings, **own})
         except (TypeError, ValueError) as error:
             raise InputError(f"{path}: {_first_sentence(error)}") from None
-        _expect_program(path, self._program)
+        try:
+            _expect_program(path, self._program)
+        except InputError:
+            cluster.close()  # whose threads would have their say when Python ends
+            raise
         count = min(count, shards)
         cluster.scale(jobs=count)
         return cluster, lambda: cluster.scale(jobs=count)
@@ -69,6 +74,17 @@ class Queue:
         if not self._is_told:
             warn(f"{what}: goes on with {counted(len(self._taken), 'job')}")
         self._is_told = True
+
+    def _scheduler_options(self) -> dict[str, Any]:
+        """Those of the file, or of Dask's own settings, with any free port for the dashboard.
+
+        Dask's usual port is taken where another ensemble is under way.
+        """
+        import dask
+
+        name = self._settings.get("config_name") or self._kind.job_cls.default_config_name()
+        usual = dask.config.get(f"jobqueue.{name}.scheduler-options", {})
+        return {"dashboard_address": ":0", **(self._settings.get("scheduler_options") or usual)}
 
     @property
     def _program(self) -> str:

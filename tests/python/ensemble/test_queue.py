@@ -8,6 +8,7 @@ import stat
 import psutil
 import pytest
 from ensembles import PEPTIDE, call, made, shards_of, start, wait_for_shards
+from pliant.ensemble.queue_jobs import Queue
 
 pytest.importorskip("dask_jobqueue")
 
@@ -105,6 +106,14 @@ def test_a_queue_that_takes_some_jobs(ensemble, tmp_path, settings):
     told = [line for line in ended.stderr.splitlines() if "note: Dask" not in line]
     assert told == [f"warning: {settings}: sbatch: {REFUSED}: goes on with 1 job"]
     assert len(shards_of(tmp_path / "many")) == len(shards_of(ensemble))
+
+
+@pytest.mark.parametrize(
+    ("text", "expected"), [("", ":0"), ("scheduler_options: {dashboard_address: ':9'}", ":9")]
+)
+def test_two_ensembles_need_no_port_in_common(settings, text, expected):
+    settings.write_text(settings.read_text() + text)
+    assert Queue(str(settings))._scheduler_options() == {"dashboard_address": expected}
 
 
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGKILL])

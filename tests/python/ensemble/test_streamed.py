@@ -259,7 +259,7 @@ def test_an_amplitude_that_was_asked_for_is_no_result(tmp_path, asks):
         "amplitude       asked 0.90 Angstrom: how far all moves is an input, which parts move more "
         "than others is a result\n"
     )
-    assert (said in text) == ("amplitude" in text) == asks
+    assert (said in text) == ("\namplitude" in text) == asks
 
 
 def test_of_a_rigid_molecule_it_says_that_nothing_moves(tmp_path):
