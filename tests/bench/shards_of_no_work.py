@@ -15,7 +15,7 @@ import tempfile
 import time
 from pathlib import Path
 
-from pliant.ensemble.cluster import open_client
+from pliant.ensemble.cluster import open_place
 from pliant.ensemble.drive import made_by
 from pliant.ensemble.inspect_shard import ShardRecord
 from pliant.ensemble.manifest import Manifest
@@ -35,17 +35,17 @@ def main() -> None:
     plan = Plan("run", "/none", options.shards, 1)
     with (
         tempfile.TemporaryDirectory() as folder,
-        open_client(options.workers, None, None) as client,
+        open_place(options.workers, None, None, options.shards) as place,
     ):
-        manifest = Manifest(Path(folder))
+        manifest = Manifest(Path(folder), plan)
         began, used = time.perf_counter(), time.process_time()
-        for record in made_by(client, nothing, plan, Path(folder), plan.shards(), 0):
+        for record in made_by(place, nothing, plan, Path(folder), plan.shards(), 0):
             manifest.add(record)
         seconds = time.perf_counter() - began
         of_driver = time.process_time() - used
         size = manifest.path.stat().st_size
         again = time.perf_counter()
-        count = len(Manifest(Path(folder)).records)
+        count = len(Manifest(Path(folder), plan).records)
         print(f"{count} shards, {seconds:.1f} s: {count / seconds:.0f} shards a second")
         print(f"driver and scheduler: {1e3 * of_driver / count:.2f} ms of a core a shard")
         print(f"manifest: {size / 1e6:.1f} MB, read in {time.perf_counter() - again:.2f} s")

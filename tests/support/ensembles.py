@@ -76,11 +76,10 @@ def wait_for_shards(client, folder, count):
         time.sleep(0.02)
 
 
-def start(*words):
+def start(*words, **options):
     """The command ``pliant ensemble``, under way."""
-    return subprocess.Popen(
-        [COMMAND, "ensemble", *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE
-    )
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    return subprocess.Popen([COMMAND, "ensemble", *map(str, words)], **pipes, **options)
 
 
 def kill_workers(client, folder, kills, first, gap, seed):

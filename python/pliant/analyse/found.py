@@ -45,9 +45,11 @@ class Units:
         """(F, n, 3) centre of each unit's atoms, of positions (F, m, 3)."""
         if len(self.atoms) == len(self.labels):
             return positions
-        table = np.zeros((len(self.labels), len(self.atoms)))
-        table[self.unit, np.arange(len(self.unit))] = 1.0
-        return np.asarray((table / table.sum(axis=1, keepdims=True)) @ positions)
+        share = 1.0 / np.bincount(self.unit, minlength=len(self.labels))
+        found = np.zeros((len(positions), len(self.labels), 3))
+        for sites, frame in zip(found, positions, strict=True):
+            np.add.at(sites, self.unit, share[self.unit, None] * frame)
+        return found
 
 
 @dataclass(frozen=True)

@@ -4,13 +4,13 @@
 from __future__ import annotations
 
 import contextlib
-import warnings
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
 
+from pliant.analyse.cartoon import secondary_structure
 from pliant.analyse.names import chains_of, numbers_of
 from pliant.analyse.study import known
 from pliant.analyse.view_limits import (
@@ -38,6 +38,9 @@ MAX_BYTES = 1_000_000
 #: codes of residuals: 0 to 255 for |residual| / tolerance from 1e-4 to 1e4, logarithmic
 CODES_PER_DECADE = 32
 LOWEST_DECADE = -4
+
+#: distances between atoms that are in memory at once
+AT_ONCE = 1 << 18
 
 
 @dataclass
@@ -150,7 +153,7 @@ def _atom_columns(atoms: AtomGroup, study: Study) -> dict[str, Any]:
         "residues": [str(name) for name in getattr(atoms, "resnames", [""] * len(atoms))],
         "numbers": numbers_of(atoms).tolist(),
         "chains": chains_of(atoms).tolist(),
-        "cartoon": _secondary_structure(atoms, study),
+        "cartoon": secondary_structure(atoms),
     }
     return columns | {"unit": units_of_atoms(study, atoms).tolist()}
 
@@ -165,11 +168,20 @@ def units_of_atoms(study: Study, atoms: AtomGroup) -> np.ndarray:
         owners = atoms.resindices
     else:
         first = known(study.reference).positions
-        apart = first[atoms.ix][:, None] - first[units.owners][None]
-        owners = units.owners[np.argmin(np.sum(apart**2, axis=2), axis=1)]
+        owners = units.owners[_nearest(first[atoms.ix], first[units.owners])]
     place = np.searchsorted(units.owners, owners)
     place = np.minimum(place, len(units.owners) - 1)
     return np.where(units.owners[place] == owners, place, -1)
+
+
+def _nearest(points: np.ndarray, others: np.ndarray) -> np.ndarray:
+    """(n,) the first of `others` (m, 3) that is nearest to each of `points` (n, 3)."""
+    found = np.empty(len(points), dtype=np.int64)
+    step = max(1, AT_ONCE // max(1, len(others)))
+    for begin in range(0, len(points), step):
+        apart = points[begin : begin + step, None] - others[None]
+        found[begin : begin + step] = np.argmin(np.sum(apart**2, axis=2), axis=1)
+    return found
 
 
 def _unit_columns(study: Study) -> dict[str, Any]:
@@ -200,23 +212,6 @@ def _elements(atoms: AtomGroup) -> list[str]:
     return [
         e or (g if g in "CNOSPFI" and g else "C") for e, g in zip(elements, guessed, strict=True)
     ]
-
-
-def _secondary_structure(atoms: AtomGroup, study: Study) -> str:
-    """One letter an atom, h s or c, for the cartoon of a protein; empty if there is no protein."""
-    if not hasattr(atoms, "resnames") or len(set(atoms.resindices)) < 4:
-        return ""
-    protein = atoms.select_atoms("protein")
-    if len(protein.select_atoms("name CA")) < 4:
-        return ""
-    letters = np.full(len(study.universe.residues), "c")
-    with contextlib.suppress(Exception), warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # needs MDAnalysis 2.8 and a whole backbone
-        from MDAnalysis.analysis.dssp import DSSP
-
-        found = DSSP(protein).run(stop=1).results.dssp[0]
-        letters[protein.residues.ix] = np.select([found == "H", found == "E"], ["h", "s"], "c")
-    return "".join(letters[atoms.resindices])
 
 
 def _series(study: Study, frames: np.ndarray) -> dict[str, Any]:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant._core import samplers
+from pliant.analyse.amplitude import asked_amplitude
 from pliant.analyse.bar_verdict import Verdict, verdict
 from pliant.analyse.found import ENSEMBLE, PATH, TRANSITION
 from pliant.analyse.kind import SENTENCES
@@ -194,18 +194,16 @@ def _stereochemistry(study: Study) -> Verdict:
 
 def _amplitude(study: Study) -> Verdict | None:
     told = study.record.parameters if study.record else {}
-    asked = told.get("sample/amplitude")
+    asked = asked_amplitude(told)
     if asked is None or study.flexibility is None or study.kind != ENSEMBLE:
         return None
-    if told.get("sample/sampler") in [row.name for row in samplers() if not row.has_amplitude]:
-        return None  # conformers go as far as their torsions turn: nothing is asked for
     reached = float(study.flexibility.rmsf.mean())
-    sentence = f"Amplitude: asked {float(asked):.2f} Å, reached {reached:.2f} Å."
+    sentence = f"Amplitude: asked {asked:.2f} Å, reached {reached:.2f} Å."
     details = (
         "Mean RMSF after superposition. It is an input: which parts move more than others is a "
         "result, how far they move overall is not."
     )
-    kind = "mixed" if reached < LEAST_REACHED * float(asked) else "open"
+    kind = "mixed" if reached < LEAST_REACHED * asked else "open"
     return Verdict(kind, sentence, details)
 
 

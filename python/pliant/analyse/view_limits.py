@@ -34,7 +34,8 @@ def drawn_atoms(
 def facing_the_reader(positions: np.ndarray) -> np.ndarray:
     """Turned so that the first frame is longest along x and thinnest along z, around 0."""
     positions = positions - positions[0].mean(axis=0)
-    _, _, axes = np.linalg.svd(positions[0], full_matrices=True)
+    # All three axes: two points have one alone. Of more, the full left matrix would be N x N.
+    _, _, axes = np.linalg.svd(positions[0], full_matrices=len(positions[0]) < 3)
     if np.linalg.det(axes) < 0:
         axes[2] = -axes[2]
     turned: np.ndarray = positions @ axes.T

@@ -23,6 +23,9 @@ LEAST_SHARE = 0.05
 #: a stretch of a chain shorter than this between two of one domain belongs to that domain
 LEAST_STRETCH = 5
 
+#: sites whose directions to all others are in memory at once
+_ROWS = 64
+
 LOOSE = -1  #: the domain of sites that belong to none
 
 
@@ -68,12 +71,15 @@ def distance_fluctuations(positions: np.ndarray) -> np.ndarray:
     table = (positions - average).reshape(frames, -1)
     sites = positions.shape[1]
     covariance = (table.T @ table / frames).reshape(sites, 3, sites, 3)
-    apart = average[:, None] - average[None]
-    length = np.linalg.norm(apart, axis=2)
-    along = apart / np.where(length > 0, length, 1.0)[:, :, None]
     own = np.einsum("iaib->iab", covariance)
-    ends = np.einsum("ija,iab,ijb->ij", along, own, along, optimize=True)
-    cross = np.einsum("ija,iajb,ijb->ij", along, covariance, along, optimize=True)
+    ends, cross = np.empty((sites, sites)), np.empty((sites, sites))
+    for rows in np.array_split(np.arange(sites), -(-sites // _ROWS)):
+        some = slice(rows[0], rows[-1] + 1)
+        apart = average[some, None] - average[None]
+        length = np.linalg.norm(apart, axis=2)
+        along = apart / np.where(length > 0, length, 1.0)[:, :, None]
+        ends[some] = np.einsum("ija,iab,ijb->ij", along, own[some], along, optimize=True)
+        cross[some] = np.einsum("ija,iajb,ijb->ij", along, covariance[some], along, optimize=True)
     return np.asarray(np.sqrt(np.maximum(ends + ends.T - cross - cross.T, 0.0)))
 
 

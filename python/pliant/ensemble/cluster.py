@@ -4,30 +4,18 @@
 from __future__ import annotations
 
 import contextlib
-import importlib
 import importlib.util
 import logging
-import os
-import re
-import shutil
 import threading
 from collections.abc import Callable, Iterator
+from dataclasses import dataclass
 from typing import Any
 
-from pliant._core import InputError, OptionError
+from pliant._core import OptionError
 from pliant._extras import need
+from pliant._processes import usual_workers
 from pliant.console import warn
-
-#: Queues that dask-jobqueue knows, by what a cluster file calls them.
-_QUEUES = {
-    "slurm": "SLURMCluster",
-    "pbs": "PBSCluster",
-    "lsf": "LSFCluster",
-    "sge": "SGECluster",
-    "oar": "OARCluster",
-    "moab": "MoabCluster",
-    "htcondor": "HTCondorCluster",
-}
+from pliant.ensemble.queue_jobs import Queue
 
 #: Workers that die with a shard before it is given up: a machine that fails takes many along.
 _DEATHS = 20
@@ -43,14 +31,23 @@ _WHY_NO_WORKER = (
 )
 
 
-def usual_workers() -> int:
-    """As many as this process may use cores."""
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+@dataclass(frozen=True)
+class Place:
+    """Where shards are made."""
+
+    client: Any  #: of Dask
+    #: raises InputError with what a queue said that took no job; else returns
+    expect_workers: Callable[[], None] = lambda: None
 
 
 @contextlib.contextmanager
-def open_client(workers: int | None, scheduler: str | None, cluster: str | None) -> Iterator[Any]:
-    """A client of Dask. Raises MissingPackageError, OptionError, InputError."""
+def open_place(
+    workers: int | None, scheduler: str | None, cluster: str | None, shards: int
+) -> Iterator[Place]:
+    """Where so many shards can be made. Raises MissingPackageError, OptionError, InputError.
+
+    There are no more workers than shards, and no more than cores unless `workers` says so.
+    """
     need("pliant ensemble", "dask", "distributed")
     import dask
 
@@ -61,13 +58,17 @@ def open_client(workers: int | None, scheduler: str | None, cluster: str | None)
         logging.getLogger(name).setLevel(logging.CRITICAL)
     if scheduler:
         with _client_of_scheduler(scheduler) as client, _watched(client, lambda: None):
-            yield client
+            yield Place(client)
         return
     from distributed import Client
 
-    made, grow = _jobs(cluster, workers) if cluster else _local(workers or usual_workers())
+    queue = Queue(cluster) if cluster else None
+    if queue:
+        made, grow = queue.jobs(workers, shards)
+    else:
+        made, grow = _local(min(workers or usual_workers(), shards))
     with made as place, Client(place, set_as_default=False) as client, _watched(client, grow):
-        yield client
+        yield Place(client, queue.expect_jobs) if queue else Place(client)
 
 
 @contextlib.contextmanager
@@ -138,58 +139,3 @@ def _local(workers: int) -> tuple[Any, Callable[[], None]]:
         silence_logs=logging.CRITICAL,
     )
     return cluster, lambda: cluster.scale(workers)
-
-
-def _jobs(path: str, jobs: int | None) -> tuple[Any, Callable[[], None]]:
-    need("--cluster", "dask_jobqueue")
-    settings = _settings(path)
-    kind = _queue(path, settings.pop("queue_system", None))
-    asked = settings.pop("jobs", None)
-    count = asked if jobs is None else jobs
-    if not isinstance(count, int) or count < 1:
-        raise InputError(f"{path}: jobs: expected a whole number from 1, found {count!r}")
-    try:
-        cluster = kind(**settings)
-    except (TypeError, ValueError) as error:
-        raise InputError(f"{path}: {_first_sentence(error)}") from None
-    _expect_program(path, kind.job_cls.submit_command)
-    cluster.scale(jobs=count)
-    return cluster, lambda: cluster.scale(jobs=count)
-
-
-def _queue(path: str, name: object) -> Any:
-    """The class of clusters of that queue."""
-    if not isinstance(name, str) or name not in _QUEUES:
-        known = ", ".join(_QUEUES)
-        raise InputError(f"{path}: queue_system: expected one of {known}, found {name!r}")
-    return getattr(importlib.import_module("dask_jobqueue"), _QUEUES[name])
-
-
-def _first_sentence(error: Exception) -> str:
-    """Without the example in Python that dask-jobqueue adds for its own users."""
-    return re.split(r"\. Very likely|, for example:|\n", str(error))[0]
-
-
-def _expect_program(path: str, submit: str) -> None:
-    program = submit.split()[0]
-    if shutil.which(program) is None:
-        raise InputError(f"{path}: queue_system: its program {program} is not on PATH: "
-                         "run this where jobs are submitted")  # fmt: skip
-
-
-def _settings(path: str) -> dict[str, Any]:
-    import yaml  # which Dask needs
-
-    try:
-        with open(path, encoding="utf-8") as file:
-            found = yaml.safe_load(file)
-    except OSError as error:
-        raise InputError(f"{path}: {error.strerror}") from None
-    except yaml.MarkedYAMLError as error:
-        line = f":{error.problem_mark.line + 1}" if error.problem_mark else ""
-        raise InputError(f"{path}{line}: expected YAML: {error.problem}") from None
-    except (yaml.YAMLError, UnicodeDecodeError) as error:
-        raise InputError(f"{path}: {error}") from None
-    if not isinstance(found, dict):
-        raise InputError(f"{path}: expected settings such as queue_system: slurm")
-    return found

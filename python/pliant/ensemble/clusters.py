@@ -10,7 +10,8 @@ import numpy as np
 
 from pliant.analysis.medoids import k_medoids, pairwise_rmsd, rmsd_to
 from pliant.ensemble.frames import EnsembleFrames
-from pliant.ensemble.open_shard import open_shard
+from pliant.ensemble.inspect_shard import ShardRecord
+from pliant.ensemble.open_shard import counted_files
 from pliant.ensemble.over_shards import each_part, parts_of
 from pliant.ensemble.plan import Plan
 from pliant.ensemble.sums import blocks, walkers_of
@@ -40,6 +41,7 @@ class _Task:
 
     plan: Plan
     paths: list[Path]
+    records: list[ShardRecord | None]  #: what to check the files by, where that is to be done
     atoms: np.ndarray  #: (U,)
     medoids: np.ndarray  #: (k, U, 3)
 
@@ -98,7 +100,8 @@ def _result(
 def _counts(
     frames: EnsembleFrames, atoms: np.ndarray, medoids: np.ndarray, workers: int
 ) -> _Counts:
-    tasks = [_Task(frames.plan, part, atoms, medoids) for part in parts_of(frames.paths)]
+    each = zip(parts_of(frames.paths), parts_of(frames.records_to_check()), strict=True)
+    tasks = [_Task(frames.plan, paths, records, atoms, medoids) for paths, records in each]
     parts = each_part(_counts_of, tasks, workers)
     counts = next(parts)
     for part in parts:
@@ -110,10 +113,9 @@ def _counts_of(task: _Task) -> _Counts:
     k = len(task.medoids)
     counts = _Counts(np.zeros(2, dtype=np.int64), np.zeros((2, k)), np.zeros(k),
                      np.zeros(k, dtype=np.int64), np.zeros(k))  # fmt: skip
-    for path in task.paths:
-        with open_shard(path) as file:
-            walkers = walkers_of(file, task.plan)
-            dealt = [rmsd_to(some, task.medoids) for _, some in blocks(file, task.atoms)]
+    for file in counted_files(task.plan, task.paths, task.records):
+        walkers = walkers_of(file, task.plan)
+        dealt = [rmsd_to(some, task.medoids) for _, some in blocks(file, task.atoms)]
         counts.add(_of_shard(walkers, np.concatenate(dealt)))
     return counts
 

@@ -8,10 +8,10 @@ import contextlib
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
-from typing import Any
 
 from pliant._core import Error, OptionError
 from pliant._extras import need
+from pliant._processes import ended_by_sigterm
 from pliant.console import (
     EXIT_FAILED,
     EXIT_OK,
@@ -25,6 +25,7 @@ from pliant.console import (
     run_command,
     whole_number,
 )
+from pliant.ensemble.cluster import Place, dashboard_of, open_place
 from pliant.ensemble.drive import Outcome, alone_in, complete
 from pliant.ensemble.make_shard import check_options, make_shard
 from pliant.ensemble.options import parse_options
@@ -112,7 +113,8 @@ def _add_places(add: Callable[..., object]) -> None:
         "--workers",
         type=number,
         metavar="N",
-        help="processes (default: one per core), or jobs of --cluster (default: as in its FILE)",
+        help="processes (default: one per core), or jobs of --cluster (default: as in its FILE); "
+        "never more than shards",
     )
     add("--scheduler", metavar="ADDRESS", help="a Dask scheduler that is already running")
     add("--cluster", metavar="FILE", help="run as jobs of a queue, which this YAML file describes")
@@ -148,7 +150,7 @@ def _ensemble(
         need("pliant ensemble", "dask", "distributed")  # before anything is made
     _expect_one_place(options)
     plan = _plan(file, options, passed_on)
-    with alone_in(folder):
+    with alone_in(folder), ended_by_sigterm("ensemble"):
         if options.slurm_script is not None:
             return _write_script(plan, folder, options, words)
         return _make_all(plan, folder, options)
@@ -182,11 +184,10 @@ def _plan(file: str | None, options: argparse.Namespace, passed_on: list[str]) -
 
 def _make_all(plan: Plan, folder: Path, options: argparse.Namespace) -> int:
     @contextlib.contextmanager
-    def client() -> Iterator[Any]:
-        from pliant.ensemble.cluster import dashboard_of, open_client
-
-        with open_client(options.workers, options.scheduler, options.cluster) as opened:
-            if not options.quiet and (link := dashboard_of(opened)):
+    def place(shards: int) -> Iterator[Place]:
+        where = (options.workers, options.scheduler, options.cluster)
+        with open_place(*where, shards) as opened:
+            if not options.quiet and (link := dashboard_of(opened.client)):
                 note(f"Dask's dashboard: {link}")
             yield opened
 
@@ -194,7 +195,7 @@ def _make_all(plan: Plan, folder: Path, options: argparse.Namespace) -> int:
         _planned(plan, folder, options) as agreed,
         progress("shards", options.quiet) as show,
     ):
-        outcome = complete(agreed, folder, client, show, options.retries)
+        outcome = complete(agreed, folder, place, show, options.retries)
     if options.json:
         print_json(outcome.as_json())
     elif not options.quiet:
@@ -212,7 +213,7 @@ def _planned(plan: Plan, folder: Path, options: argparse.Namespace) -> Iterator[
     write_plan(folder, plan)
     try:
         yield plan
-    except (Error, OSError, KeyboardInterrupt):
+    except (Error, OSError, KeyboardInterrupt, SystemExit):
         withdraw(folder)
         raise
 

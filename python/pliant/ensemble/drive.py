@@ -13,17 +13,20 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, TextIO
 
-from pliant._core import Error, FileError, OptionError
-from pliant.ensemble.inspect_shard import ShardRecord
+from pliant._core import Error, FileError, InputError, OptionError
+from pliant.console import warn
+from pliant.ensemble.cluster import Place
+from pliant.ensemble.inspect_shard import ShardRecord, check_shard
 from pliant.ensemble.make_shard import MAKING, make_shard
 from pliant.ensemble.manifest import Manifest
-from pliant.ensemble.plan import Plan, Shard
+from pliant.ensemble.over_shards import in_threads
+from pliant.ensemble.plan import NO_SHARD, Plan, Shard, strangers
 
 #: Shards that the scheduler knows of at once: it need not hold 10^5 to keep hundreds of workers.
 WINDOW = 1024
 
-#: What to do about a shard that is damaged.
-REMAKE = "remove it, and the same command makes it again"
+#: Seconds between looks at a queue while no shard comes.
+_PAUSE = 0.02
 
 Progress = Callable[[int, int], None]
 
@@ -80,24 +83,24 @@ def alone_in(folder: Path) -> Iterator[None]:
 def complete(
     plan: Plan,
     folder: Path,
-    client: Callable[[], contextlib.AbstractContextManager[Any]],
+    place: Callable[[int], contextlib.AbstractContextManager[Place]],
     show: Progress,
     retries: int = 3,
 ) -> Outcome:
-    """Makes the shards that are missing. `client` is asked for only if there are such.
+    """Makes the shards that are missing. `place` is asked for one, if there are any.
 
     Raises OptionError and Error with what the first shard that failed for good has said; all shards
     that were whole by then stay, and are found the next time.
     """
     began = time.monotonic()
-    manifest = Manifest(folder)
+    manifest = Manifest(folder, plan)
     outcome = Outcome(plan, folder)
-    missing = _take_stock(plan, folder, manifest)
+    missing = _take_stock(plan, folder, manifest, show)
     outcome.found = plan.shard_count - len(missing)
     show(outcome.found, plan.shard_count)
     if missing:
-        with client() as dask_client:
-            for record in made_by(dask_client, make, plan, folder, missing, retries):
+        with place(len(missing)) as opened:
+            for record in made_by(opened, make, plan, folder, missing, retries):
                 manifest.add(record)
                 outcome.made += 1
                 show(outcome.found + outcome.made, plan.shard_count)
@@ -106,22 +109,41 @@ def complete(
     return outcome
 
 
-def _take_stock(plan: Plan, folder: Path, manifest: Manifest) -> list[Shard]:
-    """Counts shards that are there, by the manifest or by their own check; returns the others."""
+def _take_stock(plan: Plan, folder: Path, manifest: Manifest, show: Progress) -> list[Shard]:
+    """Checks every byte of the shards that are there; returns those to be made.
+
+    One that is damaged, or in the place of another, is removed: the same bits will be made again.
+    """
     shutil.rmtree(folder / MAKING, ignore_errors=True)  # of workers that were killed
-    missing = []
-    for shard in plan.shards():
-        path, record = folder / shard.name, manifest.records.get(shard.number)
-        if not path.exists():
-            missing.append(shard)
-        elif record is None:
-            manifest.add(make_shard(plan, shard, str(folder)))
-        elif path.stat().st_size != record.bytes:
-            raise FileError(
-                f"{path}: has {path.stat().st_size} bytes, expected {record.bytes}: it is damaged; "
-                f"{REMAKE}"
-            )
-    return missing
+    there = [shard for shard in plan.shards() if (folder / shard.name).exists()]
+    bad = set()
+    for done, (shard, found) in enumerate(_checked(plan, folder, there, manifest), 1):
+        if isinstance(found, str):
+            warn(f"{found}: it is made again")
+            (folder / shard.name).unlink()
+            bad.add(shard.number)
+        elif shard.number not in manifest.records:
+            manifest.add(found)
+        show(done - len(bad), plan.shard_count)
+    for path in strangers(folder, plan):
+        warn(f"{path}: {NO_SHARD}")
+    good = {shard.number for shard in there} - bad
+    return [shard for shard in plan.shards() if shard.number not in good]
+
+
+def _checked(
+    plan: Plan, folder: Path, shards: list[Shard], manifest: Manifest
+) -> Iterator[tuple[Shard, ShardRecord | str]]:
+    """The record of each shard, or what is wrong with it."""
+    counted = dict(manifest.records)
+
+    def check(shard: Shard) -> ShardRecord | str:
+        try:
+            return check_shard(plan, shard, counted.get(shard.number), folder / shard.name)
+        except InputError as error:
+            return str(error)
+
+    return zip(shards, in_threads(check, shards), strict=True)
 
 
 def make(plan: Plan, shard: Shard, folder: str) -> ShardRecord | str:
@@ -133,26 +155,30 @@ def make(plan: Plan, shard: Shard, folder: str) -> ShardRecord | str:
 
 
 def made_by(
-    client: Any,
+    place: Place,
     task: Callable[[Plan, Shard, str], ShardRecord | str],
     plan: Plan,
     folder: Path,
     shards: Iterable[Shard],
     retries: int,
 ) -> Iterator[ShardRecord]:
-    """The records of the shards, as they come, each once."""
+    """The records of the shards, as they come, each once. Raises as `complete`."""
     from distributed import as_completed
 
-    waiting = iter(shards)
-    place = str(folder.absolute())
+    client, waiting = place.client, iter(shards)
+    where = str(folder.absolute())
 
     def submit(shard: Shard) -> Any:
-        return client.submit(task, plan, shard, place, retries=retries, pure=False)
+        return client.submit(task, plan, shard, where, retries=retries, pure=False)
 
     first = [submit(shard) for shard in itertools.islice(waiting, WINDOW)]
     futures = as_completed(first, loop=client.loop)
-    for future in futures:
-        yield _result(future)
+    while not futures.is_empty():
+        if not futures.has_ready():
+            place.expect_workers()
+            time.sleep(_PAUSE)
+            continue
+        yield _result(next(futures))
         for shard in waiting:
             futures.add(submit(shard))
             break

@@ -10,7 +10,9 @@ from typing import Any, TypeVar
 
 import numpy as np
 
+from pliant import _hdf5
 from pliant._core import InputError
+from pliant.analyse.amplitude import asked_amplitude
 from pliant.analyse.found import Units
 from pliant.analyse.names import atom_labels
 from pliant.analyse.units import single_atoms, trace_of, trace_units
@@ -54,6 +56,7 @@ class Flexibility:
     modes: np.ndarray = field(default_factory=_none)  #: (3U, 10) their directions, of length 1
     rmsip: float | None = None  #: of the first ten components of the halves
     why_no_modes: str = ""  #: where there are none
+    amplitude: float | None = None  #: that samples were asked for, Angstrom: an input
     clusters: Clusters = field(init=False)
 
     @property
@@ -80,12 +83,14 @@ def flexibility(
     frames.read_positions(0, first)
     on_stage("mean")
     reference = _mean(frames, atoms, first[atoms], workers)
+    frames.are_checked = True  # by the first pass over all of them
     on_stage("fluctuations")
     sums = _sums(frames, atoms, reference, workers)
     what = frames.plan.what
     if min(half.walkers for half in sums.halves) == 0:
         raise InputError(f"{folder}: one {what[:-1]}: errors and convergence need two")
     found = _result(units, what, sums, _contacts(frames, sums, all_atoms), all_atoms)
+    found.amplitude = _asked_amplitude(frames)
     on_stage("clusters")
     found.clusters = clusters(frames, atoms, workers, 1 if found.still else CLUSTERS)
     return found
@@ -125,8 +130,9 @@ def _over(
 ) -> Iterator[Result]:
     """The results of parts of the shards, in their order."""
     has_modes = len(atoms) <= MOST_FOR_MODES
+    parts = zip(parts_of(frames.paths), parts_of(frames.records_to_check()), strict=True)
     tasks = [
-        Task(frames.plan, part, atoms, reference, has_modes) for part in parts_of(frames.paths)
+        Task(frames.plan, paths, records, atoms, reference, has_modes) for paths, records in parts
     ]
     yield from each_part(work, tasks, workers)
 
@@ -195,6 +201,12 @@ def _principal(half: Half) -> tuple[np.ndarray, np.ndarray]:
     most = min(TEN, max(1, size - 6))
     values, vectors = eigh(covariance, subset_by_index=(size - most, size - 1))
     return np.maximum(values[::-1], 0.0), vectors[:, ::-1]
+
+
+def _asked_amplitude(frames: EnsembleFrames) -> float | None:
+    """As the first shard says: all of them share it."""
+    with open_shard(frames.paths[0]) as file:
+        return asked_amplitude(dict(_hdf5.scalars(_hdf5.item(file, "parameters"))))
 
 
 def _contacts(frames: EnsembleFrames, sums: Sums, atoms: Any) -> list[tuple[str, str, float]]:

@@ -10,9 +10,10 @@ from pathlib import Path
 import numpy as np
 
 from pliant._core import FileError, InputError, PliantWarning
+from pliant.ensemble.inspect_shard import REMAKE, ShardRecord
 from pliant.ensemble.manifest import Manifest
-from pliant.ensemble.open_shard import MADE_AGAIN, OpenShard
-from pliant.ensemble.plan import SHARDS, Plan, load_plan
+from pliant.ensemble.open_shard import OpenShard, expect_counted
+from pliant.ensemble.plan import NO_SHARD, SHARDS, Plan, load_plan, strangers
 
 #: Shards that are open at once: frames are mostly asked for one after another.
 _OPEN = 4
@@ -32,13 +33,14 @@ def _why_empty(folder: Path, plan: Plan) -> str:
 class EnsembleFrames:
     """All frames of the shards that are whole, shard after shard.
 
-    Raises FileError and InputError if there is no ensemble, or none of its shards.
+    A shard is checked when it is first opened: every byte, against the manifest. Raises FileError
+    and InputError if there is no ensemble, or none of its shards.
     """
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
         self.plan = load_plan(folder)
-        self.records = Manifest(folder).in_order()
+        self.records = Manifest(folder, self.plan).in_order()
         if not self.records:
             raise InputError(f"{folder}: {_why_empty(folder, self.plan)}")
         if len(self.records) < self.plan.shard_count:
@@ -48,13 +50,24 @@ class EnsembleFrames:
         self.paths = [folder / self.plan.shard(record.shard).name for record in self.records]
         self.ends = np.cumsum([record.frames for record in self.records])
         self._open: OrderedDict[int, OpenShard] = OrderedDict()
+        #: whether every byte of all shards was found to be as it was counted
+        self.are_checked = False
+
+    def records_to_check(self) -> list[ShardRecord | None]:
+        """What to check the file of each shard by; None where that was done."""
+        return [None if self.are_checked else record for record in self.records]
 
     def check_all_there(self) -> None:
-        """Raises FileError naming the first shard that was counted and is gone."""
+        """Raises FileError naming the first shard that was counted and is gone.
+
+        Raises InputError naming a file among the shards that is none of this ensemble.
+        """
+        for path in strangers(self.folder, self.plan):
+            raise InputError(f"{path}: {NO_SHARD}")
         gone = [path for path in self.paths if not path.exists()]
         if gone:
             others = f"; so are {len(gone) - 1} others" if len(gone) > 1 else ""
-            raise FileError(f"{gone[0]}: {MADE_AGAIN}{others}")
+            raise FileError(f"{gone[0]}: is gone: {REMAKE}{others}")
 
     def __len__(self) -> int:
         return int(self.ends[-1])
@@ -100,6 +113,8 @@ class EnsembleFrames:
         if place not in self._open:
             while len(self._open) >= _OPEN:
                 self._open.popitem(last=False)[1].close()
+            if not self.are_checked:
+                expect_counted(self.plan, self.records[place], self.paths[place])
             self._open[place] = OpenShard(self.paths[place])
         self._open.move_to_end(place)
         return self._open[place]

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What a shard's file holds, and whether it is whole: all of its walkers, each frame once."""
+"""What a shard's file holds, and whether it is whole: all of its walkers, each frame once.
+
+A shard that the manifest counts must also have the very bytes that were counted.
+"""
 
 from __future__ import annotations
 
@@ -11,10 +14,13 @@ import h5py
 import numpy as np
 
 from pliant import _hdf5
-from pliant._core import InputError
+from pliant._core import Error, InputError
 from pliant.ensemble.plan import Plan, Shard, file_digest
 
 POSITION = "particles/trajectory/position"
+
+#: What to do about a shard that is gone or damaged.
+REMAKE = "the same pliant ensemble command makes it again"
 
 
 @dataclass
@@ -29,7 +35,7 @@ class ShardRecord:
     left_out: int  #: frames of a sample that could not be resolved
     unconverged: int  #: frames of a run that are not whole, and say so
     bytes: int
-    sha256: str
+    sha256: str = ""  #: of the file's bytes; "" where a manifest does not say
 
     def as_json(self) -> dict[str, Any]:
         """For the manifest."""
@@ -38,15 +44,46 @@ class ShardRecord:
 
 def inspect_shard(plan: Plan, shard: Shard, path: Path) -> ShardRecord:
     """The record of a whole shard. Raises InputError saying what is wrong with the file."""
+    return _record(plan, shard, path, file_digest(path))
+
+
+def _record(plan: Plan, shard: Shard, path: Path, digest: str) -> ShardRecord:
     with _hdf5.open_file(path) as file:
+        _check_header(file, plan)
         numbers = _frame_numbers(file, plan)
         left_out = _check_numbers(path, plan, shard, *numbers)
         frames = len(numbers[0])
         unconverged = _unconverged(file, frames)
     return ShardRecord(
         shard.number, shard.first, shard.last, shard.name, frames, left_out, unconverged,
-        path.stat().st_size, file_digest(path),
+        path.stat().st_size, digest,
     )  # fmt: skip
+
+
+def check_shard(plan: Plan, shard: Shard, expected: ShardRecord | None, path: Path) -> ShardRecord:
+    """The record of a whole shard, which is the one that the manifest counts where it counts it.
+
+    Reads every byte. Raises FileError where the file cannot be read, InputError saying what is
+    wrong with what it holds.
+    """
+    digest = file_digest(path)  # what fails from here on is the contents, not the disk
+    try:
+        found = _record(plan, shard, path, digest)
+    except Error as error:
+        raise InputError(str(error)) from None
+    counted = found if expected is None else expected
+    names = [k for k, v in found.as_json().items() if v != counted.as_json()[k]]
+    if names and not (names == ["sha256"] and not counted.sha256):
+        raise InputError(f"{path}: is not what the manifest says: {', '.join(names)}")
+    return found
+
+
+def _check_header(file: h5py.File, plan: Plan) -> None:
+    """Raises InputError where the file says that it was made with another seed."""
+    found = _hdf5.item(file, f"parameters/{plan.command}/seed")
+    seed = _hdf5.plain(_hdf5.read(found)) if _hdf5.is_array(found, "OS", ()) else None
+    if isinstance(seed, str) and seed.isdecimal() and int(seed) != plan.seed:
+        raise InputError(f"{file.filename}: expected --seed {plan.seed}, found {seed}")
 
 
 def _frame_numbers(file: h5py.File, plan: Plan) -> tuple[np.ndarray, np.ndarray]:
@@ -80,7 +117,10 @@ def _check_numbers(
         raise InputError(f"{path}: expected each frame once, in order")
     there = np.unique(walkers)
     if len(there) and (there[0] < shard.first or there[-1] > shard.last):
-        raise InputError(f"{path}: expected {plan.what} {shard.first} to {shard.last}")
+        raise InputError(
+            f"{path}: expected {plan.what} {shard.first} to {shard.last}, found {there[0]} to "
+            f"{there[-1]}"
+        )
     missing = shard.size - len(there)
     if missing and plan.command == "run":
         raise InputError(f"{path}: {missing} of {shard.size} walkers are missing")

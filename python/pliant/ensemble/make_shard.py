@@ -4,27 +4,26 @@
 from __future__ import annotations
 
 import contextlib
-import ctypes
 import json
 import os
 import re
-import signal
 import subprocess
 import sys
 import uuid
 from collections.abc import Iterator
+from functools import partial
 from pathlib import Path
 from typing import Any
 
-from pliant._core import Error, OptionError
-from pliant.console import command_path
-from pliant.ensemble.inspect_shard import ShardRecord, inspect_shard
+from pliant._core import Error, InputError, OptionError
+from pliant._processes import die_with_parent
+from pliant.console import command_path, warn
+from pliant.ensemble.inspect_shard import ShardRecord, check_shard, inspect_shard
 from pliant.ensemble.plan import Plan, Shard
 
 MAKING = "making"  #: folder of unfinished shards; what killed workers leave there is removed
 _WITH_FRAMES = (0, 3)  #: exit codes of a command that has written all that it could
 _BAD_OPTION = 2
-_DIE_WITH_PARENT = 1  # PR_SET_PDEATHSIG of Linux
 
 
 class ShardError(Error):
@@ -34,16 +33,22 @@ class ShardError(Error):
 def make_shard(plan: Plan, shard: Shard, folder: str) -> ShardRecord:
     """Makes a shard, unless it is there and whole, and returns its record.
 
-    The file takes its name when it is whole. Where two make the same shard, the first one's file
-    stays. Raises OptionError if the command takes an option for bad, ShardError if it fails.
+    The file takes its name when it is whole, and then replaces one that is not. Where two make the
+    same shard, the first one's file stays. Raises OptionError if the command takes an option for
+    bad, ShardError if it fails.
     """
     target = Path(folder, shard.name)
+    is_damaged = False
     if target.exists():
-        return inspect_shard(plan, shard, target)
-    with _partial_name(Path(folder, MAKING)) as partial:
-        _run(plan.words(shard, str(partial)))
-        record = inspect_shard(plan, shard, partial)
-        if _publish(partial, target):
+        try:
+            return check_shard(plan, shard, None, target)
+        except InputError as error:
+            warn(f"{error}: it is made again")
+            is_damaged = True
+    with _partial_name(Path(folder, MAKING)) as partial_file:
+        _run(plan.words(shard, str(partial_file)))
+        record = inspect_shard(plan, shard, partial_file)
+        if _publish(partial_file, target, is_damaged):
             return record
     return inspect_shard(plan, shard, target)
 
@@ -58,16 +63,19 @@ def _partial_name(folder: Path) -> Iterator[Path]:
         path.unlink(missing_ok=True)
 
 
-def _publish(partial: Path, target: Path) -> bool:
-    """On the disk before it has its name; False where there is a file of that name already."""
-    with open(partial, "rb") as file:
+def _publish(made: Path, target: Path, replaces: bool) -> bool:
+    """On the disk before it has its name; False where another file of that name is to stay."""
+    with open(made, "rb") as file:
         os.fsync(file.fileno())
+    if replaces:
+        made.rename(target)
+        return True
     try:
-        os.link(partial, target)
+        os.link(made, target)
     except FileExistsError:
         return False
     except OSError:  # a file system without links
-        partial.rename(target)
+        made.rename(target)
     return True
 
 
@@ -91,15 +99,10 @@ def _call(words: list[str]) -> str:
         text=True,
         errors="surrogateescape",
         start_new_session=True,  # Ctrl-C is for the ensemble
-        preexec_fn=_die_with_parent if sys.platform == "linux" else None,
+        preexec_fn=partial(die_with_parent, os.getpid()) if sys.platform == "linux" else None,
     )
     if done.returncode in _WITH_FRAMES:
         return done.stdout
     why = (done.stderr.strip().splitlines() or [f"ended with {done.returncode}"])[0]
     why = re.sub(r"^pliant( \w+)?: error: ", "", why)
     raise (OptionError if done.returncode == _BAD_OPTION else ShardError)(why)
-
-
-def _die_with_parent() -> None:
-    """A worker that is killed takes its command along."""
-    ctypes.CDLL(None).prctl(_DIE_WITH_PARENT, signal.SIGKILL)

@@ -1,5 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The manifest: one line of JSON for each shard that is whole, added when it is."""
+"""The manifest: one line of JSON for each shard that is whole, added when it is.
+
+A line has the numbers of the shard's walkers, how many frames and bytes it has, and the SHA-256 of
+its bytes.
+"""
 
 from __future__ import annotations
 
@@ -9,18 +13,22 @@ from pathlib import Path
 
 from pliant._core import FileError, InputError
 from pliant.ensemble.inspect_shard import ShardRecord
+from pliant.ensemble.plan import Plan
 
 MANIFEST = "shards.jsonl"
 
 
 class Manifest:
-    """The records of a folder's shards, by number. The latest line of a shard counts."""
+    """The records of a folder's shards, by number. The latest line of a shard counts.
 
-    def __init__(self, folder: Path) -> None:
+    Raises InputError where a line is no record of a shard of the plan.
+    """
+
+    def __init__(self, folder: Path, plan: Plan) -> None:
         self.path = folder / MANIFEST
         data = self.path.read_bytes() if self.path.exists() else b""
         self._end = data.rfind(b"\n") + 1  # a line that a crash has cut short does not count
-        self.records = dict(_read(self.path, data[: self._end]))
+        self.records = dict(_read(self.path, data[: self._end], plan))
 
     def add(self, record: ShardRecord) -> None:
         """Counts a whole shard. Raises FileError.
@@ -43,10 +51,35 @@ class Manifest:
         return [self.records[number] for number in sorted(self.records)]
 
 
-def _read(path: Path, data: bytes) -> Iterator[tuple[int, ShardRecord]]:
+def _read(path: Path, data: bytes, plan: Plan) -> Iterator[tuple[int, ShardRecord]]:
     for k, line in enumerate(data.splitlines(), 1):
         try:
             record = ShardRecord(**json.loads(line))
+            _check_types(record)
         except (ValueError, TypeError):
             raise InputError(f"{path}:{k}: expected the record of a shard") from None
+        _check_place(f"{path}:{k}", record, plan)
         yield record.shard, record
+
+
+def _check_types(record: ShardRecord) -> None:
+    for name, value in vars(record).items():
+        if name in ("file", "sha256"):
+            is_good = type(value) is str
+        else:
+            is_good = type(value) is int and value >= 0
+        if not is_good:
+            raise ValueError(name)
+
+
+def _check_place(where: str, record: ShardRecord, plan: Plan) -> None:
+    """Raises InputError unless the plan has this shard, with these walkers or frames."""
+    if record.shard >= plan.shard_count:
+        most = plan.shard_count - 1
+        raise InputError(f"{where}: shard: expected 0 to {most}, found {record.shard}")
+    shard = plan.shard(record.shard)
+    if (record.first, record.last) != (shard.first, shard.last):
+        raise InputError(
+            f"{where}: shard {shard.number}: expected {plan.what} {shard.first} to {shard.last}, "
+            f"found {record.first} to {record.last}"
+        )

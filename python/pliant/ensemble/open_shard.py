@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import h5py
@@ -11,13 +12,33 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import FileError, InputError
-from pliant.ensemble.inspect_shard import POSITION
+from pliant.ensemble.inspect_shard import POSITION, REMAKE, ShardRecord, check_shard
+from pliant.ensemble.plan import Plan
 
 _POSITION_BYTES = 1 << 22  #: of a block of positions
 _NUMBERS = 1024  #: of one observable in a block
 
-#: What to do where a shard is not there.
-MADE_AGAIN = "is gone: the same pliant ensemble command makes it again"
+#: Shards that were found to be those of their manifest, as they were then, by this process:
+#: path -> device, number, size, time, SHA-256.
+_good: dict[Path, tuple[int | str, ...]] = {}
+
+
+def expect_counted(plan: Plan, record: ShardRecord, path: Path) -> None:
+    """Reads every byte of a shard, once as long as the file stays as it is.
+
+    Raises FileError where it is gone or cannot be read, InputError unless it is what the manifest
+    counts.
+    """
+    try:
+        status = path.stat()
+        state = (status.st_dev, status.st_ino, status.st_size, status.st_mtime_ns, record.sha256)
+        if _good.get(path) != state:
+            check_shard(plan, plan.shard(record.shard), record, path)
+            _good[path] = state
+    except FileNotFoundError:
+        raise FileError(f"{path}: is gone: {REMAKE}") from None
+    except InputError as error:
+        raise InputError(f"{error}; {REMAKE}") from None
 
 
 def open_shard(path: Path) -> h5py.File:
@@ -25,7 +46,21 @@ def open_shard(path: Path) -> h5py.File:
     try:
         return _hdf5.open_file(path)
     except FileNotFoundError:
-        raise FileError(f"{path}: {MADE_AGAIN}") from None
+        raise FileError(f"{path}: is gone: {REMAKE}") from None
+
+
+def counted_files(
+    plan: Plan, paths: Sequence[Path], records: Sequence[ShardRecord | None]
+) -> Iterator[h5py.File]:
+    """Each of these shards while it is open, first checked where there is a record to check it by.
+
+    Raises as `expect_counted` and `open_shard`.
+    """
+    for path, record in zip(paths, records, strict=True):
+        if record is not None:
+            expect_counted(plan, record, path)
+        with open_shard(path) as file:
+            yield file
 
 
 def positions_in(file: h5py.File) -> h5py.Dataset:

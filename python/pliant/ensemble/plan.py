@@ -18,6 +18,9 @@ PLAN = "ensemble.pliant"  #: file of the plan; MDAnalysis opens the ensemble by 
 SHARDS = "shards"  #: folder of the shards
 _FORMAT = 1
 
+#: What is wrong with a file among the shards that the plan does not have.
+NO_SHARD = "is no shard of this ensemble: remove it"
+
 USUAL_SHARD = {"run": 128, "sample": 1024}  #: walkers, frames
 
 
@@ -56,6 +59,12 @@ class Plan:
     def what(self) -> str:
         """What is counted: "walkers" or "frames"."""
         return "walkers" if self.command == "run" else "frames"
+
+    @property
+    def seed(self) -> int:
+        """Of all random numbers."""
+        (word,) = self.options.get("--seed", [["0"]])[-1]
+        return int(word)
 
     @property
     def shard_count(self) -> int:
@@ -173,6 +182,13 @@ def withdraw(folder: Path) -> None:
 def has_shards(folder: Path) -> bool:
     """Whether some shard is there."""
     return any((folder / SHARDS).glob("shard-*"))
+
+
+def strangers(folder: Path, plan: Plan) -> list[Path]:
+    """Files among the shards that the plan does not have: their frames would be there twice."""
+    known = {Path(shard.name).name for shard in plan.shards()}
+    found = (folder / SHARDS).glob("[!.]*")  # file systems keep names with a dot for themselves
+    return sorted(path for path in found if path.name not in known)
 
 
 def write_whole(path: Path, text: str) -> None:

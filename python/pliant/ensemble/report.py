@@ -60,6 +60,7 @@ def _numbers(folder: Path, found: Flexibility) -> dict[str, Any]:
         "unit": found.units.what,
         "units": len(found.units.labels),
         "nothing_moves": found.still,
+        "amplitude_asked": found.amplitude,
         "flexibility_mean": float(found.rmsf.mean()),
         "flexibility_error_mean": float(found.error.mean()),
         "halves_correlation": found.correlation,
@@ -163,6 +164,12 @@ def _print_motion(numbers: dict[str, Any]) -> None:
     mean, error = numbers["flexibility_mean"], numbers["flexibility_error_mean"]
     units = counted(numbers["units"], numbers["unit"])
     print(f"flexibility     {mean:.3f} Angstrom, mean RMSF of {units}; {error:.4f} standard error")
+    if numbers["amplitude_asked"] is not None:
+        asked = numbers["amplitude_asked"]
+        print(
+            f"amplitude       asked {asked:.2f} Angstrom: how far all moves is an input, which "
+            "parts move more than others is a result"
+        )
     r, most = numbers["halves_correlation"], numbers["halves_difference_max"]
     alike = "" if np.isnan(r) else f"correlates at {r:.3f}, "
     print(f"two halves      RMSF {alike}differs by {most:.3f} Angstrom at most")

@@ -12,8 +12,8 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import InputError
-from pliant.ensemble.inspect_shard import POSITION
-from pliant.ensemble.open_shard import open_shard, positions_in
+from pliant.ensemble.inspect_shard import POSITION, ShardRecord
+from pliant.ensemble.open_shard import counted_files, positions_in
 from pliant.ensemble.plan import Plan
 
 _BLOCK_BYTES = 16 << 20  #: of the frames that are read at once
@@ -111,19 +111,23 @@ class Task:
 
     plan: Plan
     paths: list[Path]
+    records: list[ShardRecord | None]  #: what to check the files by, where that is to be done
     atoms: np.ndarray  #: (U,) one of each unit
     reference: np.ndarray  #: (U, 3) Angstrom
     has_modes: bool
+
+    def files(self) -> Iterator[h5py.File]:
+        """Each of the files while it is open. Raises as `counted_files`."""
+        return counted_files(self.plan, self.paths, self.records)
 
 
 def mean_of(task: Task) -> tuple[int, np.ndarray]:
     """Frames, and the sum of their superposed positions (U, 3)."""
     count, total = 0, np.zeros_like(task.reference)
-    for path in task.paths:
-        with open_shard(path) as file:
-            for _, frames in blocks(file, task.atoms):
-                count += len(frames)
-                total += superposed(frames, task.reference).sum(axis=0)
+    for file in task.files():
+        for _, frames in blocks(file, task.atoms):
+            count += len(frames)
+            total += superposed(frames, task.reference).sum(axis=0)
     return count, total
 
 
@@ -131,9 +135,8 @@ def sums_of(task: Task) -> Sums:
     """All sums, of frames superposed on the reference."""
     halves = [Half(len(task.atoms), task.has_modes) for _ in range(2)]
     sums = Sums((halves[0], halves[1]))
-    for path in task.paths:
-        with open_shard(path) as file:
-            _add_shard(sums, file, task)
+    for file in task.files():
+        _add_shard(sums, file, task)
     return sums
 
 

@@ -2,8 +2,11 @@
 """Nothing is lost or counted twice, whoever is killed in the midst of it."""
 
 import signal
+import subprocess
+import sys
 import time
 
+import psutil
 import pytest
 from ensembles import (
     PEPTIDE,
@@ -19,6 +22,7 @@ from ensembles import (
 )
 
 RUN = ("--steps", 300, "--every", 100)
+LONG = ("--walkers", 256, "--steps", 3000)
 MANY = ("--walkers", 256, "--shard-size", 8, *RUN)
 
 
@@ -74,6 +78,45 @@ def test_the_same_command_goes_on_after_the_death_of_the_first(tmp_path, whole, 
     result = made(PEPTIDE, "-o", folder, *MANY)
     assert result["shards_found"] >= before
     expect_all(folder, whole)
+
+
+@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM])
+@pytest.mark.parametrize("shards", [0, 2])
+def test_nothing_outlives_the_command(tmp_path, how, shards):
+    folder = tmp_path / "many"
+    client = start(PEPTIDE, "-o", folder, *LONG, "--shard-size", 8, "--workers", 2)
+    wait_for_shards(client, folder, shards)
+    while len(workers_of(client)) < 2 and client.poll() is None:
+        time.sleep(0.02)
+    children = psutil.Process(client.pid).children(recursive=True)
+    assert len(children) >= 2 + bool(shards)
+    client.send_signal(how)
+    assert not psutil.wait_procs(children, timeout=60)[1]
+    client.communicate(timeout=60)
+    assert client.returncode == {signal.SIGKILL: -signal.SIGKILL, signal.SIGTERM: 143}[how]
+
+
+def test_one_shard_has_one_worker(tmp_path):
+    client = start(PEPTIDE, "-o", tmp_path / "many", *LONG, "--shard-size", 256, "--workers", 60)
+    while not list((tmp_path / "many").glob("making/*")) and client.poll() is None:
+        time.sleep(0.02)
+    assert len(workers_of(client)) == 1
+    client.kill()
+    client.communicate(timeout=60)
+
+
+def test_processes_of_an_analysis_end_with_it():
+    """Those that wait for work would do so for ever: they hold both ends of their queue."""
+    code = "import time; from pliant.ensemble.over_shards import each_part; "
+    code += "print(list(each_part(time.sleep, [0, 0, 600, 600], 2)))"
+    client = subprocess.Popen([sys.executable, "-c", code])
+    while len(workers_of(client)) < 2 and client.poll() is None:
+        time.sleep(0.02)
+    children = psutil.Process(client.pid).children(recursive=True)
+    time.sleep(1)  # whether they have begun or not
+    client.kill()
+    client.wait(60)
+    assert not psutil.wait_procs(children, timeout=60)[1]
 
 
 def test_two_at_once_in_one_folder(tmp_path):

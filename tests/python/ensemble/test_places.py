@@ -4,7 +4,6 @@
 import importlib.util
 import os
 import re
-import stat
 import subprocess
 import time
 
@@ -36,7 +35,7 @@ def test_no_worker_is_told_once(capfd, monkeypatch):
     monkeypatch.setattr(places, "_IDLE_SECONDS", 0.3)
     with (
         LocalCluster(n_workers=0, dashboard_address=None) as cluster,
-        places.open_client(None, cluster.scheduler_address, None),
+        places.open_place(None, cluster.scheduler_address, None, 1),
     ):
         time.sleep(1.5)
     told = [line for line in capfd.readouterr().err.splitlines() if "no worker for" in line]
@@ -150,64 +149,3 @@ def test_more_shards_than_an_array_has_jobs(tmp_path):
             ["/bin/sh", "-c", tell], env=environment, check=True, capture_output=True, text=True
         ).stdout.split()
         assert [int(number) for number in told] == shards
-
-
-# A queue of Slurm as far as dask-jobqueue sees it: jobs begin at once, on this machine. The script
-# is copied, as Slurm does: dask-jobqueue removes it as soon as it is submitted.
-SBATCH = """#!/bin/sh
-script=$(mktemp "{folder}/script.XXXXXX") && cp "$1" "$script"
-(exec setsid sh "$script" > /dev/null 2>&1) &
-echo $! >> "{folder}/jobs"
-echo "Submitted batch job $!"
-"""
-SCANCEL = """#!/bin/sh
-kill -- "-$1" 2> /dev/null
-exit 0
-"""
-
-
-def test_jobs_of_a_queue(ensemble, tmp_path):
-    pytest.importorskip("dask_jobqueue")
-    programs = tmp_path / "bin"
-    programs.mkdir()
-    for name, text in (("sbatch", SBATCH), ("scancel", SCANCEL)):
-        (programs / name).write_text(text.format(folder=tmp_path))
-        (programs / name).chmod(stat.S_IRWXU)
-    settings = tmp_path / "slurm.yaml"
-    settings.write_text("queue_system: slurm\njobs: 2\ncores: 1\nmemory: 1GB\n")
-    environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}"}
-    made(PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", settings, env=environment,
-         cwd=tmp_path)  # fmt: skip
-    assert len((tmp_path / "jobs").read_text().split()) >= 2
-    assert same_files(tmp_path / "many", ensemble)
-
-
-@pytest.mark.parametrize(
-    ("text", "message"),
-    [
-        ("queue_system: bus\n", "queue_system: expected one of slurm, pbs"),
-        ("queue_system: slurm\n", "jobs: expected a whole number from 1"),
-        ("queue_system: [slurm]\n", "queue_system: expected one of slurm, pbs"),
-        (
-            "queue_system: slurm\njobs: 2\ncores: 1\n",
-            "You must specify how much cores and memory per job you want to use",
-        ),
-        (
-            "queue_system: slurm\njobs: 2\ncores: 1\nmemory: 1GB\nwaltime: 1\n",
-            "Got unexpected keyword argument 'waltime'",
-        ),
-        (
-            "queue_system: slurm\njobs: 2\ncores: 1\nmemory: 1GB\n",
-            "its program sbatch is not on PATH: run this where jobs are submitted",
-        ),
-        ("[1, 2]\n", "expected settings"),
-        ("a: [\n", "slurm.yaml:2: expected YAML: "),
-    ],
-)
-def test_a_bad_cluster_file(tmp_path, text, message):
-    path = tmp_path / "slurm.yaml"
-    path.write_text(text)
-    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", path)
-    assert ended.returncode == 1, ended.stderr
-    assert message in ended.stderr and ended.stderr.count("\n") == 1, ended.stderr
-    assert not (tmp_path / "many" / "ensemble.pliant").exists()

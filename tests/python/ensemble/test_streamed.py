@@ -181,7 +181,9 @@ def test_memory_does_not_grow_with_frames(many):
     trace = np.arange(20)
     reference = frames_of(shards_of(many)[:1])[0][0, trace]
     plan = load_plan(many)
-    tasks = [Task(plan, shards_of(many) * k, trace, reference, True) for k in (1, 8, 1)]
+    tasks = [
+        Task(plan, shards_of(many) * k, [None] * 7 * k, trace, reference, True) for k in (1, 8, 1)
+    ]
     # In a process of its own: threads of other tests allocate here, too.
     with multiprocessing.get_context("spawn").Pool(1) as pool:
         _, eight, one = pool.apply(peak_memory, (tasks,))
@@ -245,6 +247,19 @@ def test_frames_of_a_sample_are_called_frames(tmp_path):
     found = flexibility(tmp_path / "drawn")
     legend = flexibility_figure(found).axes[0].get_legend().get_texts()
     assert [text.get_text() for text in legend][:2] == ["all 12 frames", "even-numbered frames"]
+
+
+@pytest.mark.parametrize("asks", [True, False])
+def test_an_amplitude_that_was_asked_for_is_no_result(tmp_path, asks):
+    """Conformers of a small molecule are asked for none."""
+    words = (PEPTIDE, "--amplitude", 0.9) if asks else (CAFFEINE.with_name("aspirin.sdf"),)
+    made(*words, "-o", tmp_path / "s", "--frames", 12, "--shard-size", 6)
+    text = analysed(tmp_path / "s", tmp_path / "r")
+    said = (
+        "amplitude       asked 0.90 Angstrom: how far all moves is an input, which parts move more "
+        "than others is a result\n"
+    )
+    assert (said in text) == ("\namplitude" in text) == asks
 
 
 def test_of_a_rigid_molecule_it_says_that_nothing_moves(tmp_path):

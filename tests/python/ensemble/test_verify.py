@@ -47,14 +47,14 @@ def test_a_shard_lost_and_one_too_many(copy):
     first.unlink()
     lost, stranger = problems(copy)
     assert lost.endswith("is not there: the same command makes it")
-    assert stranger.endswith("is no shard of this ensemble")
+    assert stranger.endswith("is no shard of this ensemble: remove it")
 
 
 def test_a_shard_in_the_place_of_another(copy):
     first, second, *_ = shards_of(copy)
     shutil.copy(second, first)
-    again = "remove it, and the same command makes it again"
-    assert problems(copy) == [f"{first}: expected walkers 0 to 3; {again}"]
+    again = "the same pliant ensemble command makes it again"
+    assert problems(copy) == [f"{first}: expected walkers 0 to 3, found 4 to 7; {again}"]
 
 
 @pytest.mark.parametrize("change", ["twice", "missing"])

@@ -1,0 +1,22 @@
+# SPDX-License-Identifier: MIT
+"""The amplitude that samples were asked for: an input, which no report gives as a result."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+from pliant._core import samplers
+
+
+def asked_amplitude(told: Mapping[str, Any]) -> float | None:
+    """What `told`, the parameters of a file, say was asked for, Angstrom.
+
+    None where the frames are no samples, or of a sampler that is asked for none.
+    """
+    asked = told.get("sample/amplitude")
+    if asked is None:
+        return None
+    without = [row.name for row in samplers() if not row.has_amplitude]
+    # conformers go as far as their torsions turn: nothing is asked for
+    return None if told.get("sample/sampler") in without else float(asked)

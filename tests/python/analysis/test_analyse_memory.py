@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: MIT
+"""What pliant analyse takes of memory: nothing that grows with the square of the atoms."""
+
+import subprocess
+import sys
+import tracemalloc
+
+import MDAnalysis
+import numpy as np
+import pytest
+from pliant.analyse import cartoon
+from pliant.analyse.found import Units
+from pliant.analyse.scene import _nearest
+from pliant.analyse.view_limits import facing_the_reader
+from pliant.analysis.domains import distance_fluctuations
+from scipy.spatial import cKDTree
+
+DATA = pytest.importorskip("MDAnalysisTests.datafiles")
+
+ATOMS = 9632
+
+# VmHWM is of the program alone; what getrusage tells includes the process that started it.
+PEAK = """
+import contextlib, io, re, sys
+from pliant.analyse.command import main
+def peak():
+    return int(re.search(r"VmHWM:\\s+(\\d+) kB", open("/proc/self/status").read())[1]) / 1024
+with contextlib.redirect_stdout(io.StringIO()):
+    assert main([sys.argv[1], "-o", sys.argv[3]]) == 0
+    before = peak()
+    assert main([sys.argv[2], "-o", sys.argv[4]]) == 0
+print(peak() - before)
+"""
+
+
+def write_two_frames(path, count):
+    """Carbon atoms on a lattice, in one residue: each of them is a unit of the report."""
+    places = np.argwhere(np.ones((22, 22, 20)))[:count] * 1.6
+    move = np.random.default_rng(1).normal(scale=0.2, size=(2, count, 3))
+    with open(path, "w") as file:
+        for model in range(2):
+            file.write(f"MODEL     {model + 1:4d}\n")
+            for k, (x, y, z) in enumerate(places + move[model], 1):
+                file.write(f"HETATM{k:5d}  C   LIG A   1    {x:8.3f}{y:8.3f}{z:8.3f}"
+                           "  1.00  0.00           C\n")  # fmt: skip
+            file.write("ENDMDL\n")
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="asks /proc")
+def test_two_frames_of_many_atoms(tmp_path):
+    """A table of all pairs of them would be 740 MB."""
+    small, large = tmp_path / "small.pdb", tmp_path / "large.pdb"
+    write_two_frames(small, 100)
+    write_two_frames(large, ATOMS)
+    words = [small, large, tmp_path / "a", tmp_path / "b"]
+    ended = subprocess.run(
+        [sys.executable, "-c", PEAK, *words], capture_output=True, text=True, check=True
+    )
+    assert float(ended.stdout) < 100
+
+
+def peak_of(work):
+    """MB that Python held at most."""
+    tracemalloc.start()
+    try:
+        work()
+        return tracemalloc.get_traced_memory()[1] / 1e6
+    finally:
+        tracemalloc.stop()
+
+
+def test_a_view_is_turned_without_a_table_of_pairs():
+    positions = np.random.default_rng(1).normal(size=(1, 3000, 3)) * [1, 5, 2]
+    assert peak_of(lambda: facing_the_reader(positions)) < 2  # all pairs: 72
+    assert facing_the_reader(positions)[0].std(axis=0) == pytest.approx([5, 2, 1], rel=0.1)
+    two = np.array([[[0.0, 0, 0], [0, 0, 2]]])
+    assert abs(facing_the_reader(two)[0]) == pytest.approx(np.array([[1, 0, 0], [1, 0, 0]]))
+
+
+def test_the_nearest_of_many():
+    points, others = np.random.default_rng(2).normal(size=(2, 2000, 3))
+    assert (_nearest(points, others) == cKDTree(others).query(points)[1]).all()
+    assert peak_of(lambda: _nearest(points, others)) < 20  # all pairs: 96
+
+
+def test_sites_are_the_centres_of_their_atoms():
+    unit = np.array([0, 0, 1, 2, 2, 2])
+    none = np.arange(3)
+    units = Units("residue", list("abc"), none, none, none, np.arange(6), unit, none >= 0)
+    positions = np.random.default_rng(3).normal(size=(4, 6, 3))
+    expected = [[frame[unit == k].mean(axis=0) for k in range(3)] for frame in positions]
+    assert units.sites(positions) == pytest.approx(np.array(expected), abs=1e-15)
+
+
+def test_fluctuations_of_distances_hold_few_tables_of_pairs():
+    positions = np.random.default_rng(4).normal(size=(8, 500, 3))
+    assert peak_of(lambda: distance_fluctuations(positions)) < 35  # of 3 x 3 a pair: 58
+
+
+@pytest.mark.parametrize("copies", [1, 3])
+def test_chains_of_a_large_protein_are_looked_at_one_by_one(copies, monkeypatch):
+    one = MDAnalysis.Universe(DATA.PDB_small).select_atoms("protein")
+    expected = cartoon.secondary_structure(one)
+    assert {"h", "s", "c"} == set(expected)
+    chains = []
+    for k in range(copies):
+        chain = MDAnalysis.Merge(one)
+        chain.segments.segids = [f"S{k}"]
+        chain.atoms.translate([100.0 * k, 0, 0])
+        chains.append(chain.atoms)
+    many = MDAnalysis.Merge(*chains).atoms
+    monkeypatch.setattr(cartoon, "MOST_AT_ONCE", 300)
+    assert cartoon.secondary_structure(many) == copies * expected

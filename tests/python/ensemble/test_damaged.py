@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: MIT
+"""A shard that is not the one that was made.
+
+Whatever reads it names it, and the same command makes it again, with the same bytes.
+"""
+
+import json
+import re
+import shutil
+
+import MDAnalysis
+import pytest
+from ensembles import PEPTIDE, call, made, shards_of
+from pliant.ensemble import open_shard
+from pliant.ensemble.frames import EnsembleFrames
+from pliant.ensemble.inspect_shard import check_shard
+from pliant.ensemble.shards_reader import ShardsReader
+
+import pliant
+
+WORDS = ("--walkers", 24, "--shard-size", 4, "--steps", 40, "--every", 10)
+AGAIN = "the same pliant ensemble command makes it again"
+
+
+@pytest.fixture
+def copy(ensemble, tmp_path):
+    return shutil.copytree(ensemble, tmp_path / "copy")
+
+
+def swap(folder):
+    """Puts the third shard in the place of the second: walkers 4 to 7 are 8 to 11."""
+    _, second, third, *_ = shards_of(folder)
+    shutil.copy(third, second)
+    return second, f"{second}: expected walkers 4 to 7, found 8 to 11"
+
+
+def flip(folder):
+    """Flips the lowest bit of a coordinate in the middle of a shard."""
+    path = shards_of(folder)[1]
+    data = bytearray(path.read_bytes())
+    data[len(data) // 2] ^= 1
+    path.write_bytes(data)
+    return path, f"{path}: is not what the manifest says: sha256"
+
+
+def cut(folder):
+    path = shards_of(folder)[1]
+    path.write_bytes(path.read_bytes()[:-4096])
+    return path, f"{path}: "
+
+
+DAMAGE = pytest.mark.parametrize("damage", [swap, flip, cut])
+
+
+@DAMAGE
+@pytest.mark.parametrize(
+    ("command", "output", "words"),
+    [("analyse", "r", ()), ("convert", "all.dcd", ()), ("representatives", "k.pdb", ("-k", 3))],
+)
+def test_what_reads_an_ensemble_names_it(copy, tmp_path, damage, command, output, words):
+    _, why = damage(copy)
+    ended = call(command, copy, "-o", tmp_path / output, *words)
+    assert ended.returncode == 1
+    assert ended.stderr.startswith(f"pliant {command}: error: {why}"), ended.stderr
+    assert ended.stderr.endswith(f"; {AGAIN}\n") and ended.stderr.count("\n") == 1
+    assert not (tmp_path / output).exists()
+
+
+@pytest.mark.parametrize("workers", [1, 2])
+def test_a_flipped_bit_is_found_with_any_number_of_processes(copy, tmp_path, workers):
+    _, why = flip(copy)
+    ended = call("analyse", copy, "-o", tmp_path / "r", "--workers", workers)
+    assert (ended.returncode, ended.stderr) == (1, f"pliant analyse: error: {why}; {AGAIN}\n")
+
+
+@DAMAGE
+def test_mdanalysis_gets_no_frame_of_it(copy, damage):
+    path, why = damage(copy)
+    universe = MDAnalysis.Universe(copy / "ensemble.pliant")
+    assert universe.trajectory[19].data["walker"] == 3
+    with pytest.raises(pliant.InputError, match=f"^{re.escape(why)}"):
+        universe.trajectory[20]
+    assert universe.trajectory[40].data["walker"] == 8
+    with pytest.raises(pliant.InputError, match=re.escape(path.name)):
+        ShardsReader(copy).positions(20)
+
+
+@DAMAGE
+def test_the_same_command_makes_it_again(ensemble, copy, damage):
+    path, why = damage(copy)
+    ended = call("ensemble", PEPTIDE, "-o", copy, *WORDS, "--workers", 1, "--json")
+    assert ended.returncode == 0, ended.stderr
+    assert ended.stderr.startswith(f"warning: {why}")
+    assert ended.stderr.endswith(": it is made again\n") and ended.stderr.count("\n") == 1
+    result = json.loads(ended.stdout)
+    assert (result["shards_found"], result["shards_made"]) == (5, 1)
+    assert path.read_bytes() == (ensemble / "shards" / path.name).read_bytes()
+    assert call("ensemble", "--verify", copy).returncode == 0
+
+
+def test_two_shards_that_changed_places_are_both_made_again(ensemble, copy):
+    _, second, third, *_ = shards_of(copy)
+    kept = second.read_bytes()
+    third.replace(second)
+    third.write_bytes(kept)
+    (copy / "shards.jsonl").unlink()  # without which only the walkers in the files tell
+    result = made(PEPTIDE, "-o", copy, *WORDS, "--workers", 1)
+    assert (result["shards_found"], result["shards_made"]) == (4, 2)
+    for ours, theirs in zip(shards_of(copy), shards_of(ensemble), strict=True):
+        assert ours.read_bytes() == theirs.read_bytes()
+
+
+def test_a_shard_of_another_seed_is_no_shard_of_this_ensemble(copy, tmp_path):
+    other = tmp_path / "other"
+    made(PEPTIDE, "-o", other, *WORDS, "--seed", 7, "--workers", 1)
+    path = shards_of(copy)[1]
+    shutil.copy(shards_of(other)[1], path)
+    (copy / "shards.jsonl").unlink()
+    ended = call("ensemble", PEPTIDE, "-o", copy, *WORDS, "--workers", 1)
+    assert ended.stderr == f"warning: {path}: expected --seed 0, found 7: it is made again\n"
+
+
+def test_a_job_of_an_array_replaces_a_damaged_shard(ensemble, copy):
+    path, why = swap(copy)
+    ended = call("ensemble", "-o", copy, "--only", 1)
+    assert (ended.returncode, ended.stderr) == (0, f"warning: {why}: it is made again\n")
+    assert path.read_bytes() == (ensemble / "shards" / path.name).read_bytes()
+
+
+def test_one_shard_too_many(copy, tmp_path):
+    stranger = copy / "shards" / "shard-000000000-000000007.h5md"
+    shutil.copy(shards_of(copy)[1], stranger)
+    why = f"{stranger}: is no shard of this ensemble: remove it"
+    ended = call("analyse", copy, "-o", tmp_path / "r")
+    assert (ended.returncode, ended.stderr) == (1, f"pliant analyse: error: {why}\n")
+    ended = call("ensemble", PEPTIDE, "-o", copy, *WORDS)
+    assert (ended.returncode, ended.stderr) == (0, f"warning: {why}\n")
+
+
+def lines_of(folder):
+    return [json.loads(line) for line in (folder / "shards.jsonl").open()]
+
+
+def write_lines(folder, lines):
+    (folder / "shards.jsonl").write_text("".join(json.dumps(line) + "\n" for line in lines))
+
+
+def test_the_manifest_of_version_0_3_0_is_read(copy):
+    """Its fields, in its order."""
+    numbers = ["frames", "left_out", "unconverged", "bytes"]
+    fields = ["shard", "first", "last", "file", *numbers, "sha256"]
+    write_lines(copy, [{name: line[name] for name in fields} for line in lines_of(copy)])
+    assert made("--verify", copy)["shards_whole"] == 6
+
+
+@pytest.mark.parametrize("damage", [None, swap])
+def test_without_checksums_the_walkers_and_sizes_tell(copy, tmp_path, damage):
+    write_lines(copy, [{k: v for k, v in line.items() if k != "sha256"} for line in lines_of(copy)])
+    why = f"pliant analyse: error: {damage(copy)[1]}; {AGAIN}\n" if damage else ""
+    ended = call("analyse", copy, "-o", tmp_path / "r")
+    assert (ended.returncode, ended.stderr) == (bool(damage), why)
+
+
+@pytest.mark.parametrize(
+    ("change", "message"),
+    [
+        ({"shard": 6}, ":7: shard: expected 0 to 5, found 6"),
+        ({"first": 4, "last": 7}, ":7: shard 0: expected walkers 0 to 3, found 4 to 7"),
+        ({"frames": "20"}, ":7: expected the record of a shard"),
+        ({"frames": -1}, ":7: expected the record of a shard"),
+        ({"sha256": None}, ":7: expected the record of a shard"),
+    ],
+)
+def test_a_line_of_the_manifest_that_cannot_be(copy, change, message):
+    lines = lines_of(copy)
+    first = min(lines, key=lambda line: line["shard"])
+    write_lines(copy, [*lines, {**first, **change}])
+    with pytest.raises(pliant.InputError, match=f"shards.jsonl{message}"):
+        EnsembleFrames(copy)
+
+
+def test_another_number_of_frames_than_the_manifest_says(copy):
+    lines = lines_of(copy)
+    lines[0]["frames"] = 5
+    write_lines(copy, lines)
+    with pytest.raises(pliant.InputError, match="is not what the manifest says: frames"):
+        EnsembleFrames(copy).read_positions(5 * 4 * lines[0]["shard"], None)
+
+
+def test_bytes_are_looked_at_once(copy, monkeypatch):
+    looks = []
+
+    def check(*what):
+        looks.append(what)
+        return check_shard(*what)
+
+    monkeypatch.setattr(open_shard, "check_shard", check)
+    for _ in range(2):
+        frames = EnsembleFrames(copy)
+        for place in range(6):
+            frames.numbers(20 * place)
+    assert len(looks) == 6
