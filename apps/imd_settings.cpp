@@ -27,7 +27,8 @@ ImdOptions options_of(const ImdSettings& settings, const RunOptions& run, const 
   options.version = static_cast<int>(settings.version);
   options.wait = settings.wait;
   options.kill = settings.kill;
-  options.patience.reading = std::chrono::milliseconds(std::llround(1000.0 * std::min(settings.timeout, longest_timeout)));
+  options.patience.reading =
+      std::chrono::milliseconds(std::llround(1000.0 * std::min(settings.timeout, longest_timeout)));
   options.every = settings.every;
   options.timestep = run.perturb_options.timestep;
   options.should_stop = interrupted;
@@ -46,7 +47,7 @@ void add_imd_options(CommandLine& line, ImdSettings& settings) {
                 "accept clients from other machines; IMD has no passwords");
   line.add_integer("--imd-version", settings.version, 2, 3, "2 for VMD, 3 for MDAnalysis");
   line.add_flag("--imd-wait", settings.wait,
-                "run only while a client is connected, and no faster than all of them read");
+                "run only while a client is connected, and no faster than clients read");
   line.add_integer("--imd-every", settings.every, 1, std::numeric_limits<std::int64_t>::max(),
                    "send every N-th step, unless the client asks for another rate");
   line.add_real("--imd-timeout", settings.timeout, Range::positive,

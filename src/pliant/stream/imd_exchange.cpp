@@ -22,8 +22,8 @@ ImdExchange::ImdExchange(const Options& options, std::shared_ptr<Steering> steer
       wake_(make_wake()),
       waits_for_client_(options.waits) {}
 
-/// Where the run waits, frames queue, and none is lost. Where it does not, one is made only when the
-/// client can be sent it: one made earlier would be old by then.
+/// Where the run waits, frames queue, and none is lost. Where it does not, one is made only when
+/// the client can be sent it: one made earlier would be old by then.
 bool ImdExchange::has_room(const ImdFollower& client) const {
   return options_.waits ? client.frames.size() < most_frames : client.is_ready;
 }
@@ -47,11 +47,12 @@ bool ImdExchange::wants(std::int64_t step) {
   std::unique_lock hold(mutex_);
   if (must_wait()) wait(hold);
   bool is_wanted = false;
-  for (ImdFollower& client : followers_) is_wanted |= wants(client, step);
+  for (ImdFollower& client : followers_) is_wanted |= takes(client, step);
   return is_wanted;
 }
 
-bool ImdExchange::wants(ImdFollower& client, std::int64_t step) {
+/// Notes whether the client gets this step, and counts it where it is too slow.
+bool ImdExchange::takes(ImdFollower& client, std::int64_t step) {
   const bool is_due = step % client.every == 0;
   client.gets_next = is_due && has_room(client);
   if (is_due && !client.gets_next) {
@@ -135,8 +136,8 @@ void ImdExchange::refuse(const std::string& message) {
 
 void ImdExchange::keep_message(const std::string& message) {
   if (++messages_kept_ > most_messages) return;
-  messages_.push_back(
-      messages_kept_ < most_messages ? message : message + "; further ones are only counted");
+  messages_.push_back(messages_kept_ < most_messages ? message
+                                                     : message + "; further ones are only counted");
   has_messages_ = true;
 }
 

@@ -84,7 +84,7 @@ class ImdExchange {
  private:
   bool must_wait() const;
   bool has_room(const ImdFollower& client) const;
-  bool wants(ImdFollower& client, std::int64_t step);
+  bool takes(ImdFollower& client, std::int64_t step);
   void wait(std::unique_lock<std::mutex>& hold);
   void keep_message(const std::string& message);
 

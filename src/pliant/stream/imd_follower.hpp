@@ -15,7 +15,7 @@ namespace pliant {
 
 /// A frame as it goes out to one client.
 struct ImdOutgoing {
-  Bytes head;                            ///< for this client alone
+  Bytes head;                             ///< for this client alone
   std::shared_ptr<Bytes> body = nullptr;  ///< the coordinates, which all clients share
 
   std::size_t size() const { return head.size() + (body ? body->size() : 0); }
@@ -31,8 +31,8 @@ struct ImdFollower {
   bool gets_next = false;  ///< the frame that is about to be put
 };
 
-/// The pulls of all: forces on one joint are added up, in the order in which the clients came. Those
-/// of one client alone are as it sent them.
+/// The pulls of all: forces on one joint are added up, in the order in which the clients came.
+/// Those of one client alone are as it sent them.
 std::vector<JointForce> forces_of(const std::list<ImdFollower>& followers);
 
 }  // namespace pliant

@@ -67,8 +67,8 @@ using Bytes = std::vector<std::byte>;
 /// Handshake, and in version 3 what each frame will hold: time, energies and coordinates.
 Bytes imd_greeting(const ImdFormat& format);
 
-/// The first part of a frame, for one client: in version 3 time and energies, in version 2 energies.
-/// `timestep` in ps.
+/// The first part of a frame, for one client: in version 3 time and energies, in version 2
+/// energies. `timestep` in ps.
 Bytes imd_head(const ImdFormat& format, const Frame& frame, double timestep,
                const ImdCounts& counts);
 

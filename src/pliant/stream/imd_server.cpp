@@ -72,7 +72,8 @@ void ImdServer::serve() {
 
 /// Waits until there is something to do for a session, or for a new one, and does it.
 void ImdServer::turn(Sessions& sessions) {
-  const int knock = exchange_.is_finishing() ? -1 : listener_.socket.get();  // -1: poll() passes over
+  const int knock =
+      exchange_.is_finishing() ? -1 : listener_.socket.get();  // -1: poll() passes over
   std::vector<pollfd> waits{{exchange_.woken().get(), POLLIN, 0}, {knock, POLLIN, 0}};
   auto deadline = ImdSession::Clock::time_point::max();
   for (const auto& session : sessions) {
@@ -104,8 +105,8 @@ void ImdServer::admit(Sessions& sessions) {
                                                     exchange_, options_.patience));
     return;
   }
-  exchange_.refuse("IMD client " + peer.name + " turned away: " +
-                   std::to_string(sessions.size()) + " are connected, and no more are served");
+  exchange_.refuse("IMD client " + peer.name + " turned away: " + std::to_string(sessions.size()) +
+                   " are connected, and no more are served");
 }
 
 }  // namespace pliant

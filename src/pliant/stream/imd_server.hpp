@@ -31,8 +31,8 @@ struct ImdOptions {
   ImdPatience patience = {};
 };
 
-/// Serves all clients in one thread of its own. None waits for another. IMD has no passwords: whoever
-/// reaches the port may follow, pull and, with options.kill, end the run.
+/// Serves all clients in one thread of its own. None waits for another. IMD has no passwords:
+/// whoever reaches the port may follow, pull and, with options.kill, end the run.
 class ImdServer {
  public:
   /// Listens at once. What clients pull on goes to `steering`. Throws OptionError naming the
@@ -56,7 +56,8 @@ class ImdServer {
 
   ImdSummary summary() { return exchange_.summary(); }
 
-  /// No more frames come: clients are told so as soon as they have read what is left. Returns at once.
+  /// No more frames come: clients are told so as soon as they have read what is left. Returns at
+  /// once.
   void finish() { exchange_.finish(); }
   /// finish(), and waits until each client has read what is left: at most options.patience.finish
   /// from its last sign of life.

@@ -40,8 +40,8 @@ class ImdSession {
   short events();
   /// When step() is to be called at the latest.
   Clock::time_point deadline() const;
-  /// Does what there is to be done, `found` being what poll() has found; false: the session is over.
-  /// Throws InputError for what no client may do.
+  /// Does what there is to be done, `found` being what poll() has found; false: the session is
+  /// over. Throws InputError for what no client may do.
   bool step(short found);
 
  private:
@@ -70,7 +70,7 @@ class ImdSession {
   ImdFollower* follower_ = nullptr;  ///< once it follows
   Phase phase_ = Phase::greeting;
   Clock::time_point since_ = Clock::now();  ///< the last progress of what is waited for
-  Clock::time_point took_ = since_;         ///< when the client took a byte, or was given one to take
+  Clock::time_point took_ = since_;  ///< when the client took a byte, or was given one to take
   bool is_paused_ = false;
   bool is_ready_ = false;  ///< as the exchange has been told
   ImdOutgoing out_;

@@ -71,8 +71,8 @@ void set(int socket, int level, int option, int value) {
   setsockopt(socket, level, option, &value, sizeof value);
 }
 
-/// Bytes that the system may keep for a client before they are on their way. As many as it likes, and
-/// who reads slowly would get frames that are megabytes old.
+/// Bytes that the system may keep for a client before they are on their way. As many as it likes,
+/// and who reads slowly would get frames that are megabytes old.
 constexpr int most_unsent = 16384;
 
 /// A packet goes out at once; a machine that is gone is noticed within a minute.

@@ -102,6 +102,7 @@ def test_the_last_frame_of_a_run_is_shown_and_its_end_is_told(tmp_path, monkeypa
         while isinstance(told := asked(talk), tuple):
             frames.append(told)
         assert told == {"over": "the run has ended", "ended": True}
+        talk.close()  # as the page does
         code, out, _ = run.end()
         assert (code, served.end()) == (0, 0)
     assert " 0 dropped" in out

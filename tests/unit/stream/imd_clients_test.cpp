@@ -150,8 +150,8 @@ TEST_F(ImdServers, AddUpThePullsOfAllAndForgetThoseOfWhoHasGone) {
   test::send_all(one, test::forces(1, {2}, {1, 0, 0}) + packet(ImdType::rate, for_ever));
   EXPECT_TRUE(wait_for({{2, {1, 0, 0}}}));
   const Descriptor other = follow();
-  test::send_all(other, test::forces(2, {4, 2}, {0, 2, 0, 0, 0, 3}) +
-                            packet(ImdType::rate, for_ever));
+  test::send_all(other,
+                 test::forces(2, {4, 2}, {0, 2, 0, 0, 0, 3}) + packet(ImdType::rate, for_ever));
   EXPECT_TRUE(wait_for({{2, {1, 0, 3}}, {4, {0, 2, 0}}}));
   one = Descriptor();
   EXPECT_TRUE(wait_for({{4, {0, 2, 0}}, {2, {0, 0, 3}}}));

@@ -34,16 +34,15 @@ class ImdSessions : public testing::Test {
         std::make_unique<ImdExchange>(ImdExchange::Options{false, can_kill, 1, {}}, steering_);
     auto [mine, other] = test::socket_pair();
     client_ = std::move(other);
-    session_ =
-        std::make_unique<ImdSession>(Peer{std::move(mine), "test"}, ImdFormat{version, false},
-                                     atoms, *exchange_, patience);
+    session_ = std::make_unique<ImdSession>(Peer{std::move(mine), "test"},
+                                            ImdFormat{version, false}, atoms, *exchange_, patience);
     greeting_ = imd_greeting({version, false});
   }
 
   /// What the server does for each session in turn.
   bool step() {
-    std::array<pollfd, 2> waits{{{exchange_->woken().get(), POLLIN, 0},
-                                 {session_->socket(), session_->events(), 0}}};
+    std::array<pollfd, 2> waits{
+        {{exchange_->woken().get(), POLLIN, 0}, {session_->socket(), session_->events(), 0}}};
     const auto left = std::chrono::ceil<Milliseconds>(session_->deadline() - Clock::now());
     const bool has_deadline = session_->deadline() != Clock::time_point::max();
     poll(waits.data(), waits.size(), has_deadline ? std::max(0, int(left.count())) : -1);
