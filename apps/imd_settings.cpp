@@ -3,6 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
 #include <limits>
 
 #include "interrupt.hpp"
@@ -14,6 +17,8 @@ namespace {
 
 /// What a hand moves an atom by in a step at most, Angstrom: bars are still resolved from there.
 constexpr double longest_step = 0.2;
+/// Seconds; beyond it a time in nanoseconds would not fit.
+constexpr double longest_timeout = 1e9;
 
 ImdOptions options_of(const ImdSettings& settings, const RunOptions& run, const Log& log) {
   ImdOptions options;
@@ -21,6 +26,9 @@ ImdOptions options_of(const ImdSettings& settings, const RunOptions& run, const 
   options.port = static_cast<int>(settings.port);
   options.version = static_cast<int>(settings.version);
   options.wait = settings.wait;
+  options.kill = settings.kill;
+  options.patience.reading =
+      std::chrono::milliseconds(std::llround(1000.0 * std::min(settings.timeout, longest_timeout)));
   options.every = settings.every;
   options.timestep = run.perturb_options.timestep;
   options.should_stop = interrupted;
@@ -39,13 +47,17 @@ void add_imd_options(CommandLine& line, ImdSettings& settings) {
                 "accept clients from other machines; IMD has no passwords");
   line.add_integer("--imd-version", settings.version, 2, 3, "2 for VMD, 3 for MDAnalysis");
   line.add_flag("--imd-wait", settings.wait,
-                "run only while a client is connected, and no faster than it reads");
+                "run only while a client is connected, and no faster than clients read");
   line.add_integer("--imd-every", settings.every, 1, std::numeric_limits<std::int64_t>::max(),
                    "send every N-th step, unless the client asks for another rate");
+  line.add_real("--imd-timeout", settings.timeout, Range::positive,
+                "drop a client that reads nothing for so many seconds");
+  line.add_flag("--imd-kill", settings.kill, "let clients end the run (KILL)");
 }
 
 void check_imd(const CommandLine& line, ImdSettings& settings, bool has_walkers) {
-  for (const char* option : {"--imd-host", "--imd-version", "--imd-wait", "--imd-every"})
+  for (const char* option :
+       {"--imd-host", "--imd-version", "--imd-wait", "--imd-every", "--imd-timeout", "--imd-kill"})
     if (line.was_given(option) && !settings.is_asked)
       throw OptionError(std::string(option) + ": goes with --imd");
   if (settings.is_asked && has_walkers) throw OptionError("--imd: follows one walker, not several");
@@ -59,7 +71,7 @@ LiveRun::LiveRun(const ImdSettings& settings, const RunOptions& run, std::size_t
   if (!server_.is_loopback())
     log.warn("--imd-host " + printable_name(settings.host) +
              ": IMD has no passwords: whoever reaches port " + std::to_string(server_.port()) +
-             " can follow, push and end the run");
+             (settings.kill ? " can follow, push and end the run" : " can follow and push"));
 }
 
 Onlooker LiveRun::onlooker() {

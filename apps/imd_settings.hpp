@@ -17,7 +17,9 @@ struct ImdSettings {
   std::int64_t version = 3;
   std::int64_t every = 1;
   std::string host = "127.0.0.1";
+  double timeout = 10.0;  ///< seconds
   bool wait = false;
+  bool kill = false;
   bool keeps_forces_if_pulled = false;  ///< the force file is there only if a client pulled
 };
 
@@ -38,9 +40,11 @@ class LiveRun {
   bool was_killed() const { return server_.was_killed(); }
   /// Where it can be followed, on stderr.
   void say_where(const std::string& topology) const;
+  /// No more frames come: clients are told so while files are still being written.
+  void finish() { server_.finish(); }
   /// Whether clients have pulled.
   bool was_pulled() { return server_.summary().forces_taken > 0; }
-  /// Lets the client read what is left.
+  /// Lets the clients read what is left.
   ImdSummary close() { return server_.close(); }
 
  private:

@@ -142,6 +142,7 @@ Watchers recorded(Shared& shared, std::int64_t walker) {
   if (outputs->forces)
     watchers.on_push = [outputs](const Push& push) { outputs->forces->record(push); };
   watchers.on_end = [outputs, &shared](const RunSummary& summary, const State& state) {
+    if (shared.live != nullptr) shared.live->finish();
     outputs->close(summary, state);
     if (!is_ensemble(shared.settings)) shared.last = state.positions;
   };

@@ -139,6 +139,7 @@
 // stream: runs followed and steered while they go
 #include "pliant/stream/imd_commands.hpp"  // what a client says
 #include "pliant/stream/imd_exchange.hpp"  // what run and server share
+#include "pliant/stream/imd_follower.hpp"  // what it asked for
 #include "pliant/stream/imd_packets.hpp"   // what a server says
 #include "pliant/stream/imd_server.hpp"    // live: VMD, MDAnalysis, pliant watch
 #include "pliant/stream/imd_session.hpp"   // one client

@@ -2,12 +2,15 @@
 """pliant run --imd and pliant watch: options, and what they say."""
 
 import json
+import re
 import subprocess
 import sys
+from contextlib import ExitStack
 
 import h5py
 import pytest
 from imd_partners import MOLECULES, served_run
+from pliant.imd import Client
 
 import pliant as library
 
@@ -23,6 +26,10 @@ PEPTIDE = MOLECULES / "alanine_dipeptide.pdb"
          'number from 2 to 3, found "4"'),
         (("--imd-wait",), "pliant: error: --imd-wait: goes with --imd"),
         (("--imd-every", "3"), "pliant: error: --imd-every: goes with --imd"),
+        (("--imd-timeout", "3"), "pliant: error: --imd-timeout: goes with --imd"),
+        (("--imd-kill",), "pliant: error: --imd-kill: goes with --imd"),
+        (("--imd", "--imd-timeout", "0"), "pliant run: error: --imd-timeout: expected a number "
+         'above 0, found "0"'),
         (("--imd", "--walkers", "2"), "pliant: error: --imd: follows one walker, not several"),
     ],
 )  # fmt: skip
@@ -82,7 +89,7 @@ def test_nobody_came(pliant):
 
 
 def test_watch_records_what_it_sees(pliant, command, tmp_path):
-    with served_run(command, tmp_path, "--steps", "1000000", "--imd-wait") as run:
+    with served_run(command, tmp_path, "--steps", "1000000", "--imd-wait", "--imd-kill") as run:
         words = ["watch", f"localhost:{run.port}", "--frames", "40", "--kill", "--json"]
         record = ["--record", "seen.h5md", "--topology", "run.pdb"]
         ended = pliant(*words, *record)
@@ -98,6 +105,42 @@ def test_watch_records_what_it_sees(pliant, command, tmp_path):
     with h5py.File(tmp_path / "run.h5md") as ours, h5py.File(tmp_path / "seen.h5md") as theirs:
         path = "particles/trajectory/position/value"
         assert (ours[path][:40].astype("f4") == theirs[path][:]).all()
+
+
+ENDLESS = ("--steps", "1000000000", "--every", "1000000")
+
+
+def test_who_reads_nothing_keeps_nobody_else_from_watching(pliant, command, tmp_path):
+    with served_run(command, tmp_path, *ENDLESS, "--imd-kill") as run, Client(port=run.port):
+        ended = pliant("watch", f":{run.port}", "--frames", "5", "--kill", "--json")
+        assert run.end()[0] == 130
+    assert (ended.code, ended.err) == (0, "")
+    assert json.loads(ended.out)["frames"] == 5
+
+
+def test_who_reads_nothing_is_dropped_and_the_log_says_so(command, tmp_path):
+    options = (*ENDLESS, "--imd-timeout", "0.2")
+    with served_run(command, tmp_path, *options) as run, Client(port=run.port) as client:
+        client.read()
+        said = run.wait_for(r"^warning: IMD client (.*)$", run.process.stderr)
+    assert re.fullmatch(r"127\.0\.0\.1:\d+ dropped: read nothing for 0\.2 s", said), said
+
+
+def test_one_client_too_many_is_told(pliant, command, tmp_path):
+    with served_run(command, tmp_path, *ENDLESS) as run, ExitStack() as clients:
+        for _ in range(16):
+            client = clients.enter_context(Client(port=run.port))
+            client.read()
+            client.set_rate(1_000_000_000)
+        ended = pliant("watch", f":{run.port}")
+        said = run.wait_for(r"^warning: IMD client (.*)$", run.process.stderr)
+    assert (ended.code, ended.out, ended.err) == (
+        1,
+        "",
+        "pliant watch: error: IMD: the server closed the connection without a word: it may have "
+        "as many clients as it serves\n",
+    )
+    assert said.endswith(" turned away: 16 are connected, and no more are served")
 
 
 def test_watch_says_what_is_wrong(pliant, tmp_path):

@@ -32,6 +32,7 @@ int serve(const std::vector<std::string>& words) {
   ImdOptions options;
   options.port = 0;
   options.wait = true;
+  options.kill = true;
   options.version = std::stoi(words[3]);
   options.swapped = words.size() > 4 && words[4] == "swapped";
   const auto joints = static_cast<std::size_t>(std::stoul(words[1]));

@@ -183,7 +183,8 @@ export class Hand {
     const given = this.session.model.mass?.[held.joint];
     const mass = given > 0 && given < Infinity ? given : 12;
     const way = less(held.target, now).map((x) => x * share);
-    const most = FARTHEST[this.strength] * this.view.unit * (share === 1 ? 4 : 1);
+    const pace = this.session.live?.pace ?? 1;  // a slow page is to pull as hard as a fast one
+    const most = FARTHEST[this.strength] * this.view.unit * (share === 1 ? 4 : pace);
     const scale = Math.min(1, most / Math.max(length(way), 1e-12));
     const effort = this.session.effort(held.joint, way.map((x) => x * scale));
     const factor = mass / (PER_FORCE * timestep * timestep);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // A run that goes on elsewhere, of `pliant play --connect`: its frames are shown, drags pull on it.
 // The page asks for a frame once it has drawn the last, and is given the newest one.
+import {Gain} from './gain.mjs';
 import {$, say} from './panel/dom.mjs';
 
 const NUMBERS = 6;  // 64-bit floats before the positions: see python/pliant/play/bridge.py
@@ -21,7 +22,8 @@ export class Live {
     look.allow('residual', false);  // a run tells of its worst bar alone
     this.state = {text: 'Connecting', kind: ''};
     this.steps = 1;  // of the run, between the last two frames
-    this.gain = 1;
+    this.seconds = 0;  // between the last two frames
+    this.gain = new Gain();
     this.rates = {frames: 0, steps: 0};
     this.waiting = [];
     this.isPulling = false;
@@ -82,7 +84,7 @@ export class Live {
       blend('frames', 1 / seconds);
       blend('steps', (step - this.step) / seconds);
     }
-    [this.cameAt, this.step] = [now, step];
+    [this.cameAt, this.step, this.seconds] = [now, step, seconds];
     if (time > 0 && step > 0) this.session.settings.timestep = time / step;
   }
 
@@ -118,23 +120,20 @@ export class Live {
   }
 
   release() {
-    this.gain = Math.max(1, this.gain / 8);  // of the last drag: the next may be of a lighter part
-    this.asked = null;
+    this.gain.release();
     if (this.isPulling) this.send({do: 'pull', forces: []});
     this.isPulling = false;
   }
 
+  /** How many times as far a frame has to take a joint as on a page that is fast enough. */
+  get pace() {
+    return Gain.pace(this.seconds);
+  }
+
   /** Angstrom by which a force has to move a joint in each step to bring it `way` further until the
-   * next frame. A force acts in many steps, so that it goes with their number squared. Bars and
-   * damping hold a joint back, nobody here knows how much: the gain is doubled while too little
-   * comes of it, and halved where more than was asked for does, forth or back. */
+   * next frame. */
   effort(way, moved) {
-    const along = (v) => v.reduce((sum, x, c) => sum + x * way[c], 0);
-    const share = this.asked ? along(moved) / Math.max(along(this.asked), 1e-12) : 1;
-    if (Math.abs(share) > 1) this.gain = Math.max(this.gain / 2, 1);
-    else if (share < 0.5) this.gain = Math.min(2 * this.gain, this.steps ** 2);
-    this.asked = way;
-    return way.map((x, c) => (x - moved[c]) * this.gain / this.steps ** 2);
+    return this.gain.effort(way, moved, this.steps, this.seconds);
   }
 }
 

@@ -65,7 +65,7 @@ class Client:
         try:
             self._socket.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
             self._stream = self._socket.makefile("rb")
-            self.version, self._order = packets.read_handshake(self._take(8))
+            self.version, self._order = packets.read_handshake(self._handshake())
             self._last = self._last_of_frame()
             self._send(Type.GO)
         except BaseException:
@@ -152,7 +152,10 @@ class Client:
         self._send(Type.WAIT, int(waits))
 
     def kill(self) -> None:
-        """Asks the run to end. Frames under way still come."""
+        """Asks the run to end, which it need not do: ``pliant run`` does with ``--imd-kill``.
+
+        Frames under way still come.
+        """
         self._send(Type.KILL)
 
     def close(self) -> None:
@@ -167,6 +170,20 @@ class Client:
 
     def _send(self, kind: Type, value: int = 0) -> None:
         self._socket.sendall(packets.header(kind, value))
+
+    def _handshake(self) -> bytes:
+        try:
+            data = self._stream.read(8)
+        except ConnectionResetError:
+            data = b""
+        if not data:
+            raise InputError(
+                "IMD: the server closed the connection without a word: it may have as many clients "
+                "as it serves"
+            )
+        if len(data) < 8:
+            raise InputError("IMD: the server stopped within a packet")
+        return data
 
     def _take(self, size: int) -> bytes:
         data = self._stream.read(size)

@@ -7,6 +7,7 @@ import argparse
 import sys
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -17,6 +18,8 @@ from pliant.imd.address import server_address
 from pliant.imd.client import Client, ImdFrame
 
 USUAL_PORT = 8888
+GREETING, SILENCE = 10.0, 60.0  #: seconds that a server may take for its first word, and for others
+ENDING = 10.0  #: seconds that a run may go on sending frames after it was asked to end
 
 EPILOG = """\
 Follows any program that speaks IMD, version 2 or 3: pliant run --imd, gmx mdrun -imdwait, LAMMPS,
@@ -24,8 +27,8 @@ NAMD. Pliant sends the largest residual (how far the worst bar is off) and the n
 (visits to all bars) in the fields for total and bond energies; other programs send energies there.
 Ctrl-C leaves; the run goes on.
 
-exit codes: 0 the run has ended, or --frames have arrived, 1 no server there, or it does not speak
-IMD, 2 bad option, 130 left by Ctrl-C
+exit codes: 0 the run has ended, or --frames have arrived, 1 no server there, it does not speak
+IMD, or it goes on in spite of --kill, 2 bad option, 130 left by Ctrl-C
 
 examples:
   pliant run protein.pdb -o out.h5md --steps 100000 --imd &
@@ -47,7 +50,7 @@ def make_parser() -> console.Parser:
     add("--frames", metavar="N", type=console.whole_number(1), help="leave after this many frames")
     add("--rate", metavar="N", type=console.whole_number(1),
         help="ask for every N-th step (default: as the run sends them)")  # fmt: skip
-    add("--kill", action="store_true", help="end the run on leaving")
+    add("--kill", action="store_true", help="end the run on leaving; it must allow it (--imd-kill)")
     add("--overwrite", action="store_true", help="replace an existing trajectory")
     add("--json", action="store_true", help="print what was seen as one JSON object")
     return parser
@@ -143,7 +146,7 @@ def _follow(arguments: argparse.Namespace, seen: Seen) -> None:
     host, port = arguments.server
     screen = _Screen(arguments.json)
     try:
-        with Client(host, port) as client:
+        with _reached(host, port) as client:
             if arguments.rate:
                 client.set_rate(arguments.rate)
             for frame in client:
@@ -154,10 +157,35 @@ def _follow(arguments: argparse.Namespace, seen: Seen) -> None:
                 if seen.frames == arguments.frames:
                     break
             if arguments.kill:
-                client.kill()
+                _kill(client)
     finally:
         if recorder:
             recorder.close()
+
+
+def _reached(host: str, port: int) -> Client:
+    try:
+        client = Client(host, port, timeout=GREETING)
+    except TimeoutError:
+        raise InputError(
+            f"{host}:{port}: expected an IMD server that speaks first, found {GREETING:g} s of "
+            "silence: it may serve one client at a time"
+        ) from None
+    client.set_timeout(SILENCE)
+    return client
+
+
+def _kill(client: Client) -> None:
+    """Returns once the run has ended. Raises InputError if it goes on."""
+    client.kill()
+    end = time.monotonic() + ENDING
+    with suppress(ConnectionError):
+        for _ in client:
+            if time.monotonic() > end:
+                raise InputError(
+                    "--kill: the run goes on: expected one that clients may end "
+                    "(pliant run --imd-kill)"
+                )
 
 
 class _Recorder:

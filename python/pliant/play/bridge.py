@@ -8,7 +8,8 @@ import http
 import json
 import math
 import socket
-from collections.abc import Callable
+from collections.abc import Callable, Coroutine
+from contextlib import suppress
 from typing import Any
 
 import numpy as np
@@ -25,6 +26,8 @@ from pliant.play.upstream import Upstream
 HOST = "127.0.0.1"
 MOST_BYTES = 1 << 16  #: of a message of the page
 TAKEN_OVER, REFUSED = 4000, 1008  #: codes with which a WebSocket is closed
+OPENING = 5.0  #: seconds after the end of a run in which the first page may still come
+LAST_WORD = 5.0  #: seconds that a page may take to hear of the end
 
 #: Numbers before the positions of a frame, as page/live.mjs reads them; not a number: not sent.
 FIELDS = ("total_energy", "potential_energy", "bonds_energy", "coulomb_energy")
@@ -59,7 +62,8 @@ class Bridge:
         self.path = secret_path()
         self.page = make_page(f"ws://{self.host}{self.path}live")
         self.talked: ServerConnection | None = None
-        self.done = asyncio.Event()
+        self.sending: set[asyncio.Task[None]] = set()
+        self.has_come = asyncio.Event()
 
     @property
     def address(self) -> str:
@@ -67,7 +71,7 @@ class Bridge:
         return f"http://{self.host}{self.path}"
 
     async def run(self, show: Callable[[str], None], tell_end: Callable[[str], None]) -> None:
-        """Until a page has been told how the run ended."""
+        """Until the run has ended, and each page that is there has been told how."""
         self.upstream.start()
         server = await serve(
             self._talk, sock=self.listener, process_request=self._admit, compression=None,
@@ -76,7 +80,10 @@ class Bridge:
         show(self.address)
         await self.upstream.end()
         tell_end(self.upstream.over)
-        await self.done.wait()
+        with suppress(asyncio.TimeoutError):  # nobody need ever open the page
+            await asyncio.wait_for(self.has_come.wait(), OPENING)
+        if self.sending:
+            await asyncio.wait(self.sending, timeout=LAST_WORD)
         server.close()  # without waiting: browsers keep connections that say nothing
 
     def _admit(self, _: ServerConnection, request: Request) -> Response | None:
@@ -100,6 +107,8 @@ class Bridge:
         closing = before and asyncio.create_task(before.close(TAKEN_OVER, "taken over"))
         asked = asyncio.Event()
         sending = asyncio.create_task(self._send(page, asked))
+        self.sending.add(sending)
+        self.has_come.set()
         try:
             async for message in page:
                 await self._take(message, asked)
@@ -109,6 +118,7 @@ class Bridge:
             await page.close(REFUSED, str(error)[:120])
         finally:
             sending.cancel()
+            self.sending.discard(sending)
             await self._leave(page)
             if closing:
                 await closing
@@ -120,22 +130,26 @@ class Bridge:
             await self.upstream.release()
 
     async def _send(self, page: ServerConnection, asked: asyncio.Event) -> None:
-        """A frame each time that one was asked for; at the end, why no more come."""
+        """A frame each time that one was asked for; at the end the last, and why no more come.
+
+        The end is told unasked: a page that nobody looks at asks for nothing.
+        """
+        with suppress(ConnectionClosed):  # which ends _talk() too
+            await self._send_frames(page, asked)
+            why = {"over": self.upstream.over, "ended": self.upstream.has_ended}
+            await page.send(json.dumps(why))
+            await page.wait_closed()  # by the page: what it says meanwhile is no error
+
+    async def _send_frames(self, page: ServerConnection, asked: asyncio.Event) -> None:
         seen = 0
         while True:
-            await asked.wait()
+            await _first_of(asked.wait(), self.upstream.end())
             asked.clear()
             newest = await self.upstream.newer(seen)
             if newest is None:
-                break
+                return
             seen = newest[0]
             await page.send(packed(newest[1]))
-        why = {"over": self.upstream.over, "ended": self.upstream.has_ended}
-        try:
-            await page.send(json.dumps(why))
-            await page.close()
-        finally:  # a page that closes first ends this task
-            self.done.set()
 
     async def _take(self, message: str | bytes, asked: asyncio.Event) -> None:
         """Raises InputError or OptionError for what no page of ours says."""
@@ -147,6 +161,16 @@ class Bridge:
             await self.upstream.pull(atoms, forces)
         else:
             raise InputError("expected next or pull")
+
+
+async def _first_of(*waits: Coroutine[Any, Any, Any]) -> None:
+    """Returns once one of them has."""
+    tasks = [asyncio.create_task(wait) for wait in waits]
+    try:
+        await asyncio.wait(tasks, return_when=asyncio.FIRST_COMPLETED)
+    finally:
+        for task in tasks:
+            task.cancel()
 
 
 def _said(message: str | bytes) -> dict[str, Any]:

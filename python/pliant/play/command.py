@@ -27,7 +27,7 @@ rest.
 With --connect the page shows a live run (pliant run --imd): its atoms as they move, its residual
 (how far the worst bar is off) and sweeps; a drag pulls on the atoms of the run. FILE is the
 molecule that the run reads, or the PDB file that it writes. A slow page skips frames and never
-slows the run down. The command ends when the run has ended.
+slows the run down. The command ends when the run has ended, whether or not a page is open.
 
 exit codes: 0 done, 1 FILE cannot be read or is not the run's, nobody listens there, the connection
 is lost, or the package was built without the page; 2 bad option

@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/stream/imd_exchange.hpp"
 
+#include <algorithm>
 #include <chrono>
 
 namespace pliant {
 namespace {
 
-/// Frames between run and socket: more would be old when they are seen.
+/// Frames between a run that waits and the socket of a client.
 constexpr std::size_t most_frames = 16;
 /// Warnings about clients; after that they are only counted.
-constexpr std::int64_t most_messages = 10;
+constexpr std::int64_t most_messages = 100;
 /// How often a waiting run looks whether it shall stop.
 constexpr std::chrono::milliseconds glance{50};
 
@@ -19,12 +20,19 @@ ImdExchange::ImdExchange(const Options& options, std::shared_ptr<Steering> steer
     : options_(options),
       steering_(std::move(steering)),
       wake_(make_wake()),
-      waits_for_client_(options.waits),
-      every_(options.every) {}
+      waits_for_client_(options.waits) {}
+
+/// Where the run waits, frames queue, and none is lost. Where it does not, one is made only when
+/// the client can be sent it: one made earlier would be old by then.
+bool ImdExchange::has_room(const ImdFollower& client) const {
+  return options_.waits ? client.frames.size() < most_frames : client.is_ready;
+}
 
 bool ImdExchange::must_wait() const {
-  if (!is_followed_) return waits_for_client_;
-  return is_paused_ || (options_.waits && frames_.size() >= most_frames);
+  if (followers_.empty()) return waits_for_client_;
+  return std::any_of(followers_.begin(), followers_.end(), [this](const ImdFollower& client) {
+    return client.is_paused || (options_.waits && !has_room(client));
+  });
 }
 
 void ImdExchange::wait(std::unique_lock<std::mutex>& hold) {
@@ -38,34 +46,41 @@ void ImdExchange::wait(std::unique_lock<std::mutex>& hold) {
 bool ImdExchange::wants(std::int64_t step) {
   std::unique_lock hold(mutex_);
   if (must_wait()) wait(hold);
-  if (!is_followed_ || step % every_ != 0) return false;
-  if (frames_.size() < most_frames) return true;
-  ++counts_.dropped;
-  ++summary_.frames_dropped;
-  return false;
+  bool is_wanted = false;
+  for (ImdFollower& client : followers_) is_wanted |= takes(client, step);
+  return is_wanted;
 }
 
-void ImdExchange::put(Bytes frame) {
+/// Notes whether the client gets this step, and counts it where it is too slow.
+bool ImdExchange::takes(ImdFollower& client, std::int64_t step) {
+  const bool is_due = step % client.every == 0;
+  client.gets_next = is_due && has_room(client);
+  if (is_due && !client.gets_next) {
+    ++client.counts.dropped;
+    ++summary_.frames_dropped;
+  }
+  return client.gets_next;
+}
+
+void ImdExchange::put(std::shared_ptr<Bytes> coordinates, const MakeHead& head_for) {
   {
     const std::lock_guard hold(mutex_);
-    if (!is_followed_) return;
-    frames_.push_back(std::move(frame));
-    if (frames_.size() > 1) return;  // it has been woken
+    for (ImdFollower& client : followers_) {
+      if (!client.gets_next) continue;
+      client.frames.push_back({head_for(client.counts), coordinates});
+      client.gets_next = client.is_ready = false;
+    }
+    coordinates.reset();  // take_back() finds out whether a buffer is free
   }
   wake(wake_);
 }
 
-Bytes ImdExchange::buffer() {
+std::shared_ptr<Bytes> ImdExchange::buffer() {
   const std::lock_guard hold(mutex_);
-  if (spare_.empty()) return {};
-  Bytes buffer = std::move(spare_.back());
+  if (spare_.empty()) return std::make_shared<Bytes>();
+  std::shared_ptr<Bytes> buffer = std::move(spare_.back());
   spare_.pop_back();
   return buffer;
-}
-
-ImdCounts ImdExchange::counts() {
-  const std::lock_guard hold(mutex_);
-  return counts_;
 }
 
 void ImdExchange::finish() {
@@ -96,61 +111,66 @@ bool ImdExchange::is_finishing() {
   return is_finishing_;
 }
 
-void ImdExchange::begin_client() {
+ImdFollower& ImdExchange::begin_client() {
   const std::lock_guard hold(mutex_);
-  is_followed_ = true;
   ++summary_.clients;
   changed_.notify_all();
+  ImdFollower client;
+  client.every = options_.every;
+  return followers_.emplace_back(std::move(client));
 }
 
-/// The next one finds everything as if nobody had been there.
-void ImdExchange::end_client() {
-  steering_->release();
+void ImdExchange::end_client(ImdFollower& client) {
   const std::lock_guard hold(mutex_);
-  is_followed_ = is_paused_ = false;
-  every_ = options_.every;
-  counts_ = {};
-  frames_.clear();
+  const bool has_pulled = !client.forces.empty();
+  std::erase_if(followers_, [&](const ImdFollower& one) { return &one == &client; });
+  if (has_pulled) steering_->pull(forces_of(followers_));
   changed_.notify_all();
 }
 
 void ImdExchange::refuse(const std::string& message) {
   const std::lock_guard hold(mutex_);
-  if (++summary_.refused <= most_messages) messages_.push_back(message);
+  ++summary_.refused;
+  keep_message(message);
+}
+
+void ImdExchange::keep_message(const std::string& message) {
+  if (++messages_kept_ > most_messages) return;
+  messages_.push_back(messages_kept_ < most_messages ? message
+                                                     : message + "; further ones are only counted");
   has_messages_ = true;
 }
 
-bool ImdExchange::next_frame(Bytes& frame) {
+void ImdExchange::set_ready(ImdFollower& client) {
   const std::lock_guard hold(mutex_);
-  if (frames_.empty()) return false;
-  frame = std::move(frames_.front());
-  frames_.pop_front();
+  client.is_ready = true;
+}
+
+bool ImdExchange::next_frame(ImdFollower& client, ImdOutgoing& frame) {
+  const std::lock_guard hold(mutex_);
+  if (client.frames.empty()) return false;
+  frame = std::move(client.frames.front());
+  client.frames.pop_front();
   changed_.notify_all();
   return true;
 }
 
-void ImdExchange::take_back(Bytes sent) {
-  sent.clear();
+void ImdExchange::take_back(ImdOutgoing sent) {
   const std::lock_guard hold(mutex_);
   ++summary_.frames_sent;
-  spare_.push_back(std::move(sent));
+  if (sent.body.use_count() == 1) spare_.push_back(std::move(sent.body));
+  sent.body.reset();
 }
 
-void ImdExchange::pause(bool is_paused) {
+void ImdExchange::pause(ImdFollower& client, bool is_paused) {
   const std::lock_guard hold(mutex_);
-  is_paused_ = is_paused;
+  client.is_paused = is_paused;
   changed_.notify_all();
 }
 
-void ImdExchange::toggle_pause() {
+void ImdExchange::set_rate(ImdFollower& client, std::int64_t every) {
   const std::lock_guard hold(mutex_);
-  is_paused_ = !is_paused_;
-  changed_.notify_all();
-}
-
-void ImdExchange::set_rate(std::int64_t every) {
-  const std::lock_guard hold(mutex_);
-  every_ = every < 1 ? options_.every : every;
+  client.every = every < 1 ? options_.every : every;
 }
 
 void ImdExchange::set_waits(bool waits) {
@@ -159,16 +179,22 @@ void ImdExchange::set_waits(bool waits) {
   changed_.notify_all();
 }
 
-void ImdExchange::pull(const std::vector<JointForce>& forces) {
-  steering_->pull(forces);
+void ImdExchange::pull(ImdFollower& client, const std::vector<JointForce>& forces) {
   const std::lock_guard hold(mutex_);
-  counts_.forces = static_cast<std::int64_t>(forces.size());
+  client.forces = forces;
+  client.counts.forces = static_cast<std::int64_t>(forces.size());
   ++summary_.forces_taken;
+  steering_->pull(forces_of(followers_));
 }
 
-void ImdExchange::kill() {
-  is_killed_ = true;
+void ImdExchange::kill(const std::string& name) {
   const std::lock_guard hold(mutex_);
+  if (!options_.can_kill) {
+    keep_message("IMD client " + name + " asked the run to end (KILL), which clients may not: " +
+                 "it goes on; --imd-kill allows it");
+    return;
+  }
+  is_killed_ = true;
   changed_.notify_all();
 }
 

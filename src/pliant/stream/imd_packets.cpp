@@ -64,22 +64,6 @@ void write_energies(PacketWriter& writer, std::int64_t step, const ImdEnergies& 
     writer.body(value);
 }
 
-/// Most of a frame, and so without a call for each number.
-void write_coordinates(const ImdFormat& format, std::span<const Vec3> positions, Bytes& bytes) {
-  PacketWriter(format, bytes).header(ImdType::coordinates, static_cast<int>(positions.size()));
-  std::size_t at = bytes.size();
-  bytes.resize(at + 12 * positions.size());
-  for (const Vec3& x : positions) {
-    const std::array<float, 3> single{float(x.x), float(x.y), float(x.z)};
-    std::array<std::uint32_t, 3> words{};
-    std::memcpy(words.data(), single.data(), sizeof words);
-    if (format.swapped)
-      for (std::uint32_t& word : words) word = swapped_word(word);
-    std::memcpy(&bytes[at], words.data(), sizeof words);
-    at += sizeof words;
-  }
-}
-
 }  // namespace
 
 ImdEnergies imd_energies(const Frame& frame, const ImdCounts& counts) {
@@ -108,14 +92,31 @@ Bytes imd_greeting(const ImdFormat& format) {
   return bytes;
 }
 
-void imd_frame(const ImdFormat& format, const Frame& frame, double timestep,
-               const ImdCounts& counts, Bytes& bytes) {
-  bytes.clear();
+Bytes imd_head(const ImdFormat& format, const Frame& frame, double timestep,
+               const ImdCounts& counts) {
+  Bytes bytes;
   PacketWriter writer(format, bytes);
   if (format.version >= 3) write_time(writer, frame, timestep);
   // VMD takes the number of a frame from the energies before it.
   write_energies(writer, frame.step, imd_energies(frame, counts));
-  write_coordinates(format, frame.positions, bytes);
+  return bytes;
+}
+
+// Most of a frame, and so without a call for each number.
+void imd_coordinates(const ImdFormat& format, std::span<const Vec3> positions, Bytes& bytes) {
+  bytes.clear();
+  PacketWriter(format, bytes).header(ImdType::coordinates, static_cast<int>(positions.size()));
+  std::size_t at = bytes.size();
+  bytes.resize(at + 12 * positions.size());
+  for (const Vec3& x : positions) {
+    const std::array<float, 3> single{float(x.x), float(x.y), float(x.z)};
+    std::array<std::uint32_t, 3> words{};
+    std::memcpy(words.data(), single.data(), sizeof words);
+    if (format.swapped)
+      for (std::uint32_t& word : words) word = swapped_word(word);
+    std::memcpy(&bytes[at], words.data(), sizeof words);
+    at += sizeof words;
+  }
 }
 
 ImdHeader imd_header(const std::byte* bytes) {

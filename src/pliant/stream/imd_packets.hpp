@@ -67,10 +67,14 @@ using Bytes = std::vector<std::byte>;
 /// Handshake, and in version 3 what each frame will hold: time, energies and coordinates.
 Bytes imd_greeting(const ImdFormat& format);
 
-/// A frame, put into `bytes` in place of what was there: in version 3 time, energies, coordinates;
-/// in version 2 the last two. `timestep` in ps.
-void imd_frame(const ImdFormat& format, const Frame& frame, double timestep,
-               const ImdCounts& counts, Bytes& bytes);
+/// The first part of a frame, for one client: in version 3 time and energies, in version 2
+/// energies. `timestep` in ps.
+Bytes imd_head(const ImdFormat& format, const Frame& frame, double timestep,
+               const ImdCounts& counts);
+
+/// The other part, which is the same for all clients: coordinates (N, 3) in Angstrom, put into
+/// `bytes` in place of what was there.
+void imd_coordinates(const ImdFormat& format, std::span<const Vec3> positions, Bytes& bytes);
 
 /// The eight bytes before a body.
 struct ImdHeader {

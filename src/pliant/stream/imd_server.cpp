@@ -3,7 +3,8 @@
 
 #include <poll.h>
 
-#include <array>
+#include <algorithm>
+#include <limits>
 
 #include "pliant/base/error.hpp"
 
@@ -18,7 +19,16 @@ const ImdOptions& checked(const ImdOptions& options) {
   if (options.port < 0 || options.port > 65535) refuse("port", options.port, "from 0 to 65535");
   if (options.version != 2 && options.version != 3) refuse("version", options.version, "2 or 3");
   if (options.every < 1) refuse("every", options.every, "from 1");
+  if (options.most_clients < 1) refuse("most_clients", options.most_clients, "from 1");
   return options;
+}
+
+/// As poll() takes it: -1 is for ever.
+int milliseconds_until(ImdSession::Clock::time_point deadline) {
+  if (deadline == ImdSession::Clock::time_point::max()) return -1;
+  const auto left = deadline - ImdSession::Clock::now();
+  const auto whole = std::chrono::ceil<std::chrono::milliseconds>(left).count();
+  return static_cast<int>(std::clamp<std::int64_t>(whole, 0, std::numeric_limits<int>::max()));
 }
 
 }  // namespace
@@ -29,7 +39,8 @@ ImdServer::ImdServer(std::size_t joint_count, const ImdOptions& options,
       format_{options.version, options.swapped},
       joint_count_(joint_count),
       listener_(listen_on(options.host, options.port)),
-      exchange_({options.wait, options.every, options.should_stop}, std::move(steering)),
+      exchange_({options.wait, options.kill, options.every, options.should_stop},
+                std::move(steering)),
       thread_([this] { serve(); }) {}
 
 ImdServer::~ImdServer() { close(); }
@@ -40,9 +51,11 @@ bool ImdServer::wants(std::int64_t step) {
 }
 
 void ImdServer::show(const Frame& frame) {
-  Bytes bytes = exchange_.buffer();
-  imd_frame(format_, frame, options_.timestep, exchange_.counts(), bytes);
-  exchange_.put(std::move(bytes));
+  std::shared_ptr<Bytes> coordinates = exchange_.buffer();
+  imd_coordinates(format_, frame.positions, *coordinates);
+  exchange_.put(std::move(coordinates), [&](const ImdCounts& counts) {
+    return imd_head(format_, frame, options_.timestep, counts);
+  });
 }
 
 ImdSummary ImdServer::close() {
@@ -53,27 +66,47 @@ ImdSummary ImdServer::close() {
 }
 
 void ImdServer::serve() {
-  while (!exchange_.is_finishing())
-    if (wait_for_knock()) follow(accept_peer(listener_));
+  Sessions sessions;
+  while (!exchange_.is_finishing() || !sessions.empty()) turn(sessions);
 }
 
-bool ImdServer::wait_for_knock() {
-  std::array<pollfd, 2> waits{
-      {{exchange_.woken().get(), POLLIN, 0}, {listener_.socket.get(), POLLIN, 0}}};
-  poll(waits.data(), waits.size(), -1);
+/// Waits until there is something to do for a session, or for a new one, and does it.
+void ImdServer::turn(Sessions& sessions) {
+  const int knock =
+      exchange_.is_finishing() ? -1 : listener_.socket.get();  // -1: poll() passes over
+  std::vector<pollfd> waits{{exchange_.woken().get(), POLLIN, 0}, {knock, POLLIN, 0}};
+  auto deadline = ImdSession::Clock::time_point::max();
+  for (const auto& session : sessions) {
+    waits.push_back({session->socket(), session->events(), 0});
+    deadline = std::min(deadline, session->deadline());
+  }
+  poll(waits.data(), waits.size(), milliseconds_until(deadline));
   if (waits[0].revents != 0) sleep_again(exchange_.woken());
-  return waits[1].revents != 0;
+  for (std::size_t k = 0; k < sessions.size(); ++k)
+    if (!goes_on(*sessions[k], waits[k + 2].revents)) sessions[k].reset();
+  std::erase(sessions, nullptr);
+  if (waits[1].revents != 0) admit(sessions);
 }
 
-void ImdServer::follow(Peer peer) {
-  if (!peer.socket) return;
-  ImdSession session(std::move(peer), format_, joint_count_, exchange_, options_.patience,
-                     &listener_.socket);
+bool ImdServer::goes_on(ImdSession& session, short found) {
   try {
-    while (session.step()) continue;
+    return session.step(found);
   } catch (const Error& error) {
     exchange_.refuse("IMD client " + session.name() + " dropped: " + error.what());
+    return false;
   }
+}
+
+void ImdServer::admit(Sessions& sessions) {
+  Peer peer = accept_peer(listener_);
+  if (!peer.socket) return;
+  if (sessions.size() < static_cast<std::size_t>(options_.most_clients)) {
+    sessions.push_back(std::make_unique<ImdSession>(std::move(peer), format_, joint_count_,
+                                                    exchange_, options_.patience));
+    return;
+  }
+  exchange_.refuse("IMD client " + peer.name + " turned away: " + std::to_string(sessions.size()) +
+                   " are connected, and no more are served");
 }
 
 }  // namespace pliant

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "pliant/base/log.hpp"
 #include "pliant/perturb/steering.hpp"
@@ -19,7 +20,9 @@ struct ImdOptions {
   std::string host = "127.0.0.1";  ///< name or number of the interface to listen on
   int port = 8888;                 ///< 0: any free one
   int version = 3;                 ///< 2 for VMD, 3 for MDAnalysis
-  bool wait = false;               ///< the run waits for a client, and for a slow one
+  bool wait = false;               ///< the run waits for a client, and for slow ones
+  bool kill = false;               ///< clients may end the run
+  int most_clients = 16;           ///< at once; further ones are turned away
   std::int64_t every = 1;          ///< a frame in so many steps, unless the client asks otherwise
   double timestep = 0.01;          ///< ps, as told to clients
   bool swapped = false;            ///< speak in the byte order that is not this machine's
@@ -28,8 +31,8 @@ struct ImdOptions {
   ImdPatience patience = {};
 };
 
-/// Serves one client after another in a thread of its own. IMD has no passwords: whoever reaches
-/// the port may follow, pull and end the run.
+/// Serves all clients in one thread of its own. None waits for another. IMD has no passwords:
+/// whoever reaches the port may follow, pull and, with options.kill, end the run.
 class ImdServer {
  public:
   /// Listens at once. What clients pull on goes to `steering`. Throws OptionError naming the
@@ -43,24 +46,30 @@ class ImdServer {
   int port() const { return listener_.port; }
   bool is_loopback() const { return listener_.is_loopback; }
 
-  /// To be asked after each step: whether the client wants to see it. Waits while the client has
-  /// paused the run, or, with options.wait, for a client that reads.
+  /// To be asked after each step: whether a client is to see it. Waits while a client has paused
+  /// the run, or, with options.wait, until one is there and all of them read.
   bool wants(std::int64_t step);
-  /// Sends a frame, of joint_count positions.
+  /// Sends a frame, of joint_count positions, to those who want it.
   void show(const Frame& frame);
   /// Whether a client has asked the run to end.
   bool was_killed() const { return exchange_.was_killed(); }
 
   ImdSummary summary() { return exchange_.summary(); }
 
-  /// Sends what is left and lets the client read it: at most options.patience.finish from its last
-  /// sign of life.
+  /// No more frames come: clients are told so as soon as they have read what is left. Returns at
+  /// once.
+  void finish() { exchange_.finish(); }
+  /// finish(), and waits until each client has read what is left: at most options.patience.finish
+  /// from its last sign of life.
   ImdSummary close();
 
  private:
+  using Sessions = std::vector<std::unique_ptr<ImdSession>>;
+
   void serve();
-  void follow(Peer peer);
-  bool wait_for_knock();
+  void turn(Sessions& sessions);
+  bool goes_on(ImdSession& session, short found);
+  void admit(Sessions& sessions);
 
   ImdOptions options_;
   ImdFormat format_;

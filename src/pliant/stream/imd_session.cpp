@@ -3,6 +3,7 @@
 
 #include <poll.h>
 #include <sys/socket.h>
+#include <sys/uio.h>
 
 #include <algorithm>
 #include <array>
@@ -10,38 +11,57 @@
 #include <utility>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 
 namespace pliant {
+namespace {
+
+/// Both parts of what goes out, without the bytes that have gone.
+std::array<iovec, 2> left_of(ImdOutgoing& out, std::size_t sent) {
+  std::array<iovec, 2> parts{};
+  std::size_t part = 0;
+  for (Bytes* bytes : {&out.head, out.body.get()}) {
+    if (bytes == nullptr) continue;
+    const std::size_t gone = std::min(sent, bytes->size());
+    parts[part++] = {bytes->data() + gone, bytes->size() - gone};
+    sent -= gone;
+  }
+  return parts;
+}
+
+std::string seconds_text(std::chrono::milliseconds time) {
+  return number_text(static_cast<double>(time.count()) / 1000.0) + " s";
+}
+
+}  // namespace
 
 ImdSession::ImdSession(Peer peer, const ImdFormat& format, std::size_t joint_count,
-                       ImdExchange& exchange, const ImdPatience& patience, const Descriptor* others)
+                       ImdExchange& exchange, const ImdPatience& patience)
     : peer_(std::move(peer)),
       format_(format),
       exchange_(exchange),
       patience_(patience),
-      others_(others),
       reader_(format, joint_count),
-      greeting_(imd_greeting(format)) {}
+      out_{imd_greeting(format)} {}
 
-ImdSession::~ImdSession() { exchange_.end_client(); }
+ImdSession::~ImdSession() {
+  if (follower_ != nullptr) exchange_.end_client(*follower_);
+}
 
-bool ImdSession::step() {
+short ImdSession::events() {
+  fill();
+  // A client that has all there was for it is asked whether more would go out at once.
+  const bool is_asked = phase_ == Phase::following && !is_ready_;
+  return static_cast<short>(has_more() || is_asked ? POLLIN | POLLOUT : POLLIN);
+}
+
+bool ImdSession::step(short found) {
   if (exchange_.is_finishing() && phase_ < Phase::flushing) {
     if (phase_ == Phase::greeting) return false;
     begin_finish();
   }
-  fill();
-  const bool has_more = sent_ < out_->size();
-  const auto events = static_cast<short>(has_more ? POLLIN | POLLOUT : POLLIN);
-  const int others = gives_way() ? others_->get() : -1;  // which poll() passes over
-  std::array<pollfd, 3> waits{
-      {{exchange_.woken().get(), POLLIN, 0}, {peer_.socket.get(), events, 0}, {others, POLLIN, 0}}};
-  if (poll(waits.data(), waits.size(), milliseconds_left()) < 0 && errno != EINTR) return false;
-  if (waits[0].revents != 0) sleep_again(exchange_.woken());
-  if ((waits[1].revents & (POLLIN | POLLHUP | POLLERR)) != 0 && !receive()) return false;
-  if ((waits[1].revents & POLLOUT) != 0 && !send()) return false;
-  if (waits[2].revents != 0 && gives_way())
-    throw InputError("did not say GO in time, and another client waits");
+  if ((found & (POLLIN | POLLHUP | POLLERR)) != 0 && !receive()) return false;
+  if ((found & POLLOUT) != 0 && !send()) return false;
   return !is_late() || expire();
 }
 
@@ -54,38 +74,40 @@ void ImdSession::begin_finish() {
 
 /// Goes on to the next frame once the last one is sent.
 void ImdSession::fill() {
-  if (sent_ < out_->size() || phase_ == Phase::greeting || phase_ == Phase::draining) return;
-  out_ = &frame_;
-  sent_ = 0;
-  if (exchange_.next_frame(frame_) || phase_ != Phase::flushing) return;
-  shutdown(peer_.socket.get(), SHUT_WR);
-  phase_ = Phase::draining;
-  since_ = Clock::now();
+  if (has_more() || phase_ == Phase::greeting || phase_ == Phase::draining) return;
+  if (exchange_.next_frame(*follower_, out_)) {
+    is_ready_ = false;
+    took_ = Clock::now();
+  } else if (phase_ == Phase::flushing) {
+    shutdown(peer_.socket.get(), SHUT_WR);
+    phase_ = Phase::draining;
+    since_ = Clock::now();
+  }
 }
 
-ImdSession::Clock::time_point ImdSession::deadline() const {
-  if (phase_ == Phase::greeting) return since_ + patience_.go_alone;
-  if (phase_ >= Phase::flushing) return since_ + patience_.finish;
+ImdSession::Clock::time_point ImdSession::packet_deadline() const {
   return reader_.is_within_packet() ? since_ + patience_.packet : Clock::time_point::max();
 }
 
-bool ImdSession::gives_way() const {
-  return phase_ == Phase::greeting && others_ != nullptr && Clock::now() >= since_ + patience_.go;
+/// A client that holds the run need not read what was sent before.
+ImdSession::Clock::time_point ImdSession::reading_deadline() const {
+  const bool is_behind = has_more() || !is_ready_;
+  return is_behind && !is_paused_ ? took_ + patience_.reading : Clock::time_point::max();
 }
 
-int ImdSession::milliseconds_left() const {
-  auto end = deadline();
-  if (phase_ == Phase::greeting && !gives_way()) end = std::min(end, since_ + patience_.go);
-  if (end == Clock::time_point::max()) return -1;
-  const auto left = std::chrono::ceil<std::chrono::milliseconds>(end - Clock::now()).count();
-  return static_cast<int>(std::max<std::int64_t>(left, 0));
+ImdSession::Clock::time_point ImdSession::deadline() const {
+  if (phase_ == Phase::greeting) return since_ + patience_.go;
+  if (phase_ >= Phase::flushing) return since_ + patience_.finish;
+  return std::min(packet_deadline(), reading_deadline());
 }
 
 /// False at the end of a session that may end so.
 bool ImdSession::expire() const {
   if (phase_ == Phase::greeting) throw InputError("did not say GO in time");
-  if (phase_ == Phase::following) throw InputError("stopped in the middle of a packet");
-  return false;
+  if (phase_ != Phase::following) return false;
+  if (reading_deadline() <= packet_deadline())
+    throw InputError("read nothing for " + seconds_text(patience_.reading));
+  throw InputError("stopped in the middle of a packet");
 }
 
 bool ImdSession::receive() {
@@ -100,16 +122,28 @@ bool ImdSession::receive() {
 }
 
 bool ImdSession::send() {
-  const ssize_t count =
-      ::send(peer_.socket.get(), out_->data() + sent_, out_->size() - sent_, MSG_NOSIGNAL);
+  if (!has_more()) {
+    is_ready_ = phase_ == Phase::following;
+    if (is_ready_) exchange_.set_ready(*follower_);
+    return true;
+  }
+  std::array<iovec, 2> parts = left_of(out_, sent_);
+  msghdr message{};
+  message.msg_iov = parts.data();
+  message.msg_iovlen = parts.size();
+  const ssize_t count = sendmsg(peer_.socket.get(), &message, MSG_NOSIGNAL);
   if (count < 0) return errno == EAGAIN || errno == EINTR;
   sent_ += static_cast<std::size_t>(count);
-  if (phase_ == Phase::flushing) since_ = Clock::now();
-  if (out_ == &frame_ && sent_ == frame_.size()) {
-    exchange_.take_back(std::exchange(frame_, {}));
-    sent_ = 0;
-  }
+  took_ = Clock::now();
+  if (phase_ == Phase::flushing) since_ = took_;
+  if (!has_more()) end_frame();
   return true;
+}
+
+void ImdSession::end_frame() {
+  sent_ = 0;
+  ImdOutgoing sent = std::exchange(out_, {});
+  if (sent.body) exchange_.take_back(std::move(sent));
 }
 
 bool ImdSession::obey() {
@@ -126,7 +160,14 @@ bool ImdSession::obey() {
 void ImdSession::begin(const ImdCommand& command) {
   if (command.type != ImdType::go) throw InputError("said something before GO");
   phase_ = Phase::following;
-  exchange_.begin_client();
+  follower_ = &exchange_.begin_client();
+  took_ = Clock::now();
+}
+
+void ImdSession::pause(bool is_paused) {
+  is_paused_ = is_paused;
+  took_ = Clock::now();
+  exchange_.pause(*follower_, is_paused);
 }
 
 bool ImdSession::obey(const ImdCommand& command) {
@@ -134,23 +175,23 @@ bool ImdSession::obey(const ImdCommand& command) {
     case ImdType::disconnect:
       return false;
     case ImdType::kill:
-      exchange_.kill();
+      exchange_.kill(peer_.name);
       break;
     case ImdType::forces:
-      exchange_.pull(command.forces);
+      exchange_.pull(*follower_, command.forces);
       break;
     case ImdType::rate:
-      exchange_.set_rate(command.value);
+      exchange_.set_rate(*follower_, command.value);
       break;
     case ImdType::resume:
-      exchange_.pause(false);
+      pause(false);
       break;
     case ImdType::wait:
       exchange_.set_waits(command.value != 0);
       break;
     case ImdType::pause:
       // A second one goes on again in version 2, which has no other way.
-      format_.version >= 3 ? exchange_.pause(true) : exchange_.toggle_pause();
+      pause(format_.version >= 3 || !is_paused_);
       break;
     default:
       throw InputError("said GO twice");

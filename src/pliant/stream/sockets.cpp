@@ -71,8 +71,13 @@ void set(int socket, int level, int option, int value) {
   setsockopt(socket, level, option, &value, sizeof value);
 }
 
+/// Bytes that the system may keep for a client before they are on their way. As many as it likes,
+/// and who reads slowly would get frames that are megabytes old.
+constexpr int most_unsent = 16384;
+
 /// A packet goes out at once; a machine that is gone is noticed within a minute.
 void set_options(int socket) {
+  set(socket, IPPROTO_TCP, TCP_NOTSENT_LOWAT, most_unsent);
   set(socket, IPPROTO_TCP, TCP_NODELAY, 1);
   set(socket, SOL_SOCKET, SO_KEEPALIVE, 1);
   set(socket, IPPROTO_TCP, TCP_KEEPIDLE, 15);
@@ -93,7 +98,7 @@ Listener listen_on(const std::string& host, int port) {
   if (!socket) fail_to_listen(host, port, std::strerror(errno));
   set(socket.get(), SOL_SOCKET, SO_REUSEADDR, 1);
   if (bind(socket.get(), address->ai_addr, address->ai_addrlen) != 0 ||
-      listen(socket.get(), 8) != 0)
+      listen(socket.get(), 16) != 0)
     fail_to_listen(host, port, std::strerror(errno));
   const int found = port_of(socket.get());
   return {std::move(socket), found, is_loopback(address->ai_addr)};

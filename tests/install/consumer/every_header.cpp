@@ -120,6 +120,7 @@
 #include "pliant/sample/samplers.hpp"
 #include "pliant/stream/imd_commands.hpp"
 #include "pliant/stream/imd_exchange.hpp"
+#include "pliant/stream/imd_follower.hpp"
 #include "pliant/stream/imd_packets.hpp"
 #include "pliant/stream/imd_server.hpp"
 #include "pliant/stream/imd_session.hpp"
@@ -181,6 +182,7 @@ const Use uses[] = {
     of("pliant/sample/samplers.hpp", &samplers),
     of("pliant/stream/imd_commands.hpp", &ImdCommandReader::next),
     of("pliant/stream/imd_exchange.hpp", &ImdExchange::wants),
+    of("pliant/stream/imd_follower.hpp", &forces_of),
     of("pliant/stream/imd_packets.hpp", &imd_greeting),
     of("pliant/stream/imd_server.hpp", &ImdServer::close),
     of("pliant/stream/imd_session.hpp", &ImdSession::step),

@@ -16,7 +16,7 @@ import h5py
 import numpy as np
 import pytest
 from imd_partners import MOLECULES, served_run
-from pliant.play import command, connect, page
+from pliant.play import bridge, command, connect, page, upstream
 
 sync_client = pytest.importorskip("websockets.sync.client")
 from websockets.exceptions import ConnectionClosed, InvalidStatus  # noqa: E402
@@ -34,6 +34,8 @@ def built(tmp_path, monkeypatch):
     file = tmp_path / "page.html"
     file.write_bytes(BARE)
     monkeypatch.setattr(page, "PAGE", file)
+    monkeypatch.setattr(bridge, "OPENING", 60.0)  # however busy the machine is
+    monkeypatch.setattr(bridge, "LAST_WORD", 60.0)
 
 
 class Served:
@@ -93,18 +95,20 @@ def pull(talk, *forces):
     talk.send(json.dumps({"do": "pull", "forces": forces}))
 
 
-def test_the_last_frame_of_a_run_is_shown_and_its_end_is_told(tmp_path):
+def test_the_last_frame_of_a_run_is_shown_and_its_end_is_told(tmp_path, monkeypatch):
+    monkeypatch.setattr(upstream._Rate, "wanted", lambda *_: 0)  # each step is sent
     with bridged(tmp_path, "--steps", "300", "--imd-wait") as (run, served), served.talk() as talk:
         frames = []
         while isinstance(told := asked(talk), tuple):
             frames.append(told)
         assert told == {"over": "the run has ended", "ended": True}
+        talk.close()  # as the page does
         code, out, _ = run.end()
         assert (code, served.end()) == (0, 0)
     assert " 0 dropped" in out
     with h5py.File(tmp_path / "run.h5md") as file:
         positions = file["particles/trajectory/position/value"][:].astype("f4")
-    assert frames[-1][0] >= 280  # the bridge may have asked for one step in 20
+    assert frames[-1][0] == 300
     for step, residual, seen in frames:
         assert np.array_equal(seen, positions[step])
         assert 0 <= residual <= 1e-6
@@ -148,6 +152,31 @@ def test_a_page_that_asks_for_nothing_holds_nothing_up(tmp_path):
         assert run.end()[0] == 0  # with --imd-wait it goes no faster than the bridge reads
         assert asked(talk)[0] >= 50000  # the last of 30 frames a second
         assert asked(talk)["ended"]
+
+
+def test_the_end_is_told_to_a_page_that_asks_for_nothing(tmp_path):
+    with bridged(tmp_path) as (run, served), served.talk() as talk:
+        run.process.send_signal(signal.SIGINT)
+        assert len(talk.recv(timeout=60)) > 8 * NUMBERS  # the last frame
+        assert json.loads(talk.recv(timeout=60)) == {"over": "the run has ended", "ended": True}
+        talk.close()
+        assert served.end() == 0
+
+
+def test_the_command_ends_with_the_run_whose_page_has_been_closed(tmp_path, capsys):
+    with bridged(tmp_path) as (run, served):
+        with served.talk() as talk:
+            asked(talk)
+        run.process.send_signal(signal.SIGINT)
+        assert served.end() == 0
+    assert capsys.readouterr().err == "note: the run has ended\n"
+
+
+def test_the_command_ends_with_the_run_whose_page_nobody_opened(tmp_path, monkeypatch):
+    monkeypatch.setattr(bridge, "OPENING", 0.0)
+    with bridged(tmp_path) as (run, served):
+        run.process.send_signal(signal.SIGINT)
+        assert served.end() == 0
 
 
 def test_who_does_not_know_the_address_is_refused(tmp_path):

@@ -35,9 +35,9 @@ Frame a_frame() {
 }
 
 Bytes frame_bytes(const ImdFormat& how) {
-  Bytes bytes = bytes_of("ff");  // what was there goes
-  imd_frame(how, a_frame(), 0.01, {2, 8}, bytes);
-  return bytes;
+  Bytes coordinates = bytes_of("ff");  // what was there goes
+  imd_coordinates(how, a_frame().positions, coordinates);
+  return imd_head(how, a_frame(), 0.01, {2, 8}) + coordinates;
 }
 
 TEST(ImdPackets, GreetAsTheSpecificationSays) {
@@ -79,8 +79,7 @@ TEST(ImdPackets, Version3HasTheTimeBefore) {
 TEST(ImdPackets, LateStepsStayNumbers) {
   Frame frame = a_frame();
   frame.step = std::int64_t{1} << 40;
-  Bytes bytes;
-  imd_frame(format(2, false), frame, 0.01, {}, bytes);
+  const Bytes bytes = imd_head(format(2, false), frame, 0.01, {});
   EXPECT_EQ(Bytes(bytes.begin() + 8, bytes.begin() + 12), bytes_of("7fffffff"));
 }
 

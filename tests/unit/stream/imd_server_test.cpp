@@ -3,13 +3,9 @@
 
 #include <gtest/gtest.h>
 
-#include <sys/socket.h>
-
 #include <cstring>
 
-#include "imd_client.hpp"
-#include "pliant/examples/examples.hpp"
-#include "pliant/run/run.hpp"
+#include "imd_servers.hpp"
 #include "support/error_text.hpp"
 
 namespace pliant {
@@ -18,54 +14,9 @@ namespace imd_server_test {
 using test::operator+;
 using test::packet;
 
-constexpr std::size_t frame_size = 32 + 48 + 8;  ///< time, energies, head of coordinates
-
-ImdOptions on_any_port() {
-  ImdOptions options;
-  options.port = 0;
-  return options;
-}
-
-/// A run that is served, and clients that follow it over TCP.
-class ImdServers : public testing::Test {
- protected:
-  void serve(const ImdOptions& options) {
-    server_ = std::make_unique<ImdServer>(framework_.joint_count(), options, steering_);
-  }
-
-  RunSummary run(std::int64_t steps) {
-    RunOptions options;
-    options.steps = steps;
-    options.every = steps;
-    options.hands = {steering_};
-    options.onlooker = {[this](std::int64_t step) { return server_->wants(step); },
-                        [this](const Frame& frame) { server_->show(frame); }};
-    options.resolve.should_stop = [this] { return server_->was_killed(); };
-    return pliant::run(framework_, state_, options, {});
-  }
-
-  Descriptor follow() const {
-    Descriptor client = test::connect_to(server_->port());
-    const Bytes greeting = imd_greeting({3, false});
-    EXPECT_EQ(test::receive(client, greeting.size()), greeting);
-    test::send_all(client, packet(ImdType::go));
-    return client;
-  }
-
-  std::size_t size_of_frame() const { return frame_size + 12 * framework_.joint_count(); }
-
-  const Sketch sketch_ = ring(6);
-  const Framework framework_ = framework_of(sketch_);
-  State state_{sketch_.positions};
-  std::shared_ptr<Steering> steering_ = std::make_shared<Steering>(0.2);
-  std::unique_ptr<ImdServer> server_;
-};
-
-std::int64_t step_of(const Bytes& frame) {
-  std::int64_t step = 0;
-  std::memcpy(&step, &frame[24], sizeof step);
-  return step;
-}
+using test::ImdServers;
+using test::on_any_port;
+using test::step_of;
 
 TEST_F(ImdServers, ShowEachStepToWhomTheyWaitFor) {
   ImdOptions options = on_any_port();
@@ -87,6 +38,7 @@ TEST_F(ImdServers, ShowEachStepToWhomTheyWaitFor) {
 TEST_F(ImdServers, ServeOneClientAfterAnother) {
   ImdOptions options = on_any_port();
   options.wait = true;
+  options.kill = true;
   serve(options);
   std::jthread walker([this] { run(1'000'000'000); });
   std::int64_t last = -1;
@@ -102,25 +54,21 @@ TEST_F(ImdServers, ServeOneClientAfterAnother) {
   EXPECT_EQ(server_->close().clients, 3);
 }
 
-/// The first client would be waited for long; the second is served when it has not said GO.
-TEST_F(ImdServers, LeaveAClientThatNeverSaysGoForTheNext) {
+TEST_F(ImdServers, WaitForNobodyWhoNeverSaysGo) {
   ImdOptions options = on_any_port();
   options.wait = true;
-  options.patience.go = std::chrono::milliseconds(20);
-  options.patience.go_alone = std::chrono::hours(1);
+  options.kill = true;
+  options.patience.go = std::chrono::hours(1);
+  options.patience.finish = std::chrono::milliseconds(20);
   serve(options);
   std::jthread walker([this] { run(1'000'000'000); });
-  const Descriptor silent = test::connect_to(server_->port());
-  const Bytes greeting = imd_greeting({3, false});
-  EXPECT_EQ(test::receive(silent, greeting.size()), greeting);
+  const Descriptor silent = greeted();
   const Descriptor client = follow();
   EXPECT_EQ(step_of(test::receive(client, size_of_frame())), 0);
-  EXPECT_TRUE(test::receive(silent, 1).empty()) << "it has been left";
   test::send_all(client, packet(ImdType::kill));
   walker.join();
-  const ImdSummary served = server_->close();
-  EXPECT_EQ(served.clients, 1);
-  EXPECT_EQ(served.refused, 1);
+  EXPECT_EQ(server_->close().clients, 1);
+  EXPECT_TRUE(test::receive(silent, 1).empty()) << "it has been left";
 }
 
 TEST_F(ImdServers, NeverWaitForAClientThatDoesNotRead) {
@@ -164,6 +112,7 @@ TEST_F(ImdServers, GoOnWhateverAClientSends) {
 TEST_F(ImdServers, PullAtJoints) {
   ImdOptions options = on_any_port();
   options.wait = true;
+  options.kill = true;
   options.patience.finish = std::chrono::milliseconds(20);
   serve(options);
   std::vector<JointForce> acted;
@@ -211,6 +160,8 @@ TEST(ImdServer, RefusesOptionsThatMakeNoSense) {
             "imd version = 4: must be 2 or 3");
   EXPECT_EQ(refusal([](ImdOptions& options) { options.every = 0; }),
             "imd every = 0: must be from 1");
+  EXPECT_EQ(refusal([](ImdOptions& options) { options.most_clients = 0; }),
+            "imd most_clients = 0: must be from 1");
 }
 
 TEST(ImdServer, SaysWhereItCannotListen) {

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <poll.h>
 #include <sys/socket.h>
 
+#include <algorithm>
+#include <array>
 #include <thread>
 
 #include "imd_client.hpp"
@@ -17,6 +20,7 @@ using test::bytes_of;
 using test::operator+;
 using test::packet;
 using Milliseconds = std::chrono::milliseconds;
+using Clock = ImdSession::Clock;
 
 constexpr std::size_t atoms = 5;
 
@@ -24,15 +28,32 @@ constexpr std::size_t atoms = 5;
 /// step() looks.
 class ImdSessions : public testing::Test {
  protected:
-  void begin(int version = 3, bool waits = false, const ImdPatience& patience = {}) {
+  void begin(int version = 3, const ImdPatience& patience = {}, bool can_kill = true) {
     session_.reset();  // which speaks to the exchange to its end
-    exchange_ = std::make_unique<ImdExchange>(ImdExchange::Options{waits, 1, {}}, steering_);
+    exchange_ =
+        std::make_unique<ImdExchange>(ImdExchange::Options{false, can_kill, 1, {}}, steering_);
     auto [mine, other] = test::socket_pair();
     client_ = std::move(other);
-    session_ =
-        std::make_unique<ImdSession>(Peer{std::move(mine), "test"}, ImdFormat{version, false},
-                                     atoms, *exchange_, patience, &others_);
+    session_ = std::make_unique<ImdSession>(Peer{std::move(mine), "test"},
+                                            ImdFormat{version, false}, atoms, *exchange_, patience);
     greeting_ = imd_greeting({version, false});
+  }
+
+  /// What the server does for each session in turn.
+  bool step() {
+    std::array<pollfd, 2> waits{
+        {{exchange_->woken().get(), POLLIN, 0}, {session_->socket(), session_->events(), 0}}};
+    const auto left = std::chrono::ceil<Milliseconds>(session_->deadline() - Clock::now());
+    const bool has_deadline = session_->deadline() != Clock::time_point::max();
+    poll(waits.data(), waits.size(), has_deadline ? std::max(0, int(left.count())) : -1);
+    if (waits[0].revents != 0) sleep_again(exchange_->woken());
+    return session_->step(waits[1].revents);
+  }
+
+  /// Steps of the session until it can be given a frame of this step of the run; gives it.
+  void show(std::int64_t step_of_run, const Bytes& coordinates) {
+    while (!exchange_->wants(step_of_run)) ASSERT_TRUE(step());
+    exchange_->put(std::make_shared<Bytes>(coordinates), [](const ImdCounts&) { return Bytes{}; });
   }
 
   void send(const Bytes& bytes) { test::send_all(client_, bytes); }
@@ -40,7 +61,7 @@ class ImdSessions : public testing::Test {
   /// The greeting is out and GO has come.
   void follow() {
     send(packet(ImdType::go));
-    while (exchange_->summary().clients == 0) ASSERT_TRUE(session_->step());
+    while (exchange_->summary().clients == 0) ASSERT_TRUE(step());
     EXPECT_EQ(test::receive(client_, greeting_.size()), greeting_);
   }
 
@@ -49,14 +70,13 @@ class ImdSessions : public testing::Test {
     send(bytes);
     return test::error_text<InputError>([&] {
       for (int k = 0; k < 10; ++k)
-        if (!session_->step()) return;
+        if (!step()) return;
     });
   }
 
   std::shared_ptr<Steering> steering_ = std::make_shared<Steering>();
   std::unique_ptr<ImdExchange> exchange_;
   Descriptor client_;
-  const Descriptor others_ = make_wake();  ///< can be read from once it has been woken
   std::unique_ptr<ImdSession> session_;
   Bytes greeting_;
 };
@@ -65,10 +85,9 @@ TEST_F(ImdSessions, SendFramesAfterGo) {
   begin();
   EXPECT_FALSE(exchange_->wants(0)) << "nobody follows";
   follow();
-  EXPECT_TRUE(exchange_->wants(1));
-  exchange_->put(bytes_of("0102"));
-  exchange_->put(bytes_of("03"));
-  while (exchange_->summary().frames_sent < 2) ASSERT_TRUE(session_->step());
+  show(1, bytes_of("0102"));
+  show(2, bytes_of("03"));
+  while (exchange_->summary().frames_sent < 2) ASSERT_TRUE(step());
   EXPECT_EQ(test::receive(client_, 3), bytes_of("010203"));
 }
 
@@ -76,11 +95,11 @@ TEST_F(ImdSessions, EndAtDisconnectAndWhenTheClientGoes) {
   begin();
   follow();
   send(packet(ImdType::disconnect));
-  EXPECT_FALSE(session_->step());
+  EXPECT_FALSE(step());
   begin();
   follow();
   client_ = Descriptor();
-  EXPECT_FALSE(session_->step());
+  EXPECT_FALSE(step());
   session_.reset();
   EXPECT_FALSE(exchange_->wants(1)) << "nobody follows any more";
 }
@@ -88,14 +107,14 @@ TEST_F(ImdSessions, EndAtDisconnectAndWhenTheClientGoes) {
 TEST_F(ImdSessions, HalfCloseAtTheEndAndSendWhatIsLeft) {
   begin();
   follow();
-  for (int k = 0; k < 10; ++k) exchange_->put(bytes_of("ab"));
+  show(1, Bytes(10, std::byte{7}));
   send(packet(ImdType::pause));  // never read by a server that only closes: then RST
   exchange_->finish();
   std::thread server([&] {
-    while (session_->step()) continue;
+    while (step()) continue;
     session_.reset();
   });
-  EXPECT_EQ(test::receive_all(client_).size(), 10u) << "all frames, then the end of the stream";
+  EXPECT_EQ(test::receive_all(client_).size(), 10u) << "the frame, then the end of the stream";
   shutdown(client_.get(), SHUT_RDWR);
   server.join();
 }
@@ -104,7 +123,7 @@ TEST_F(ImdSessions, PauseAndResumeAsVersion3Says) {
   begin();
   follow();
   send(packet(ImdType::pause) + packet(ImdType::pause));
-  ASSERT_TRUE(session_->step());
+  ASSERT_TRUE(step());
   std::atomic<bool> is_through{false};
   std::thread run([&] {
     exchange_->wants(1);
@@ -112,7 +131,7 @@ TEST_F(ImdSessions, PauseAndResumeAsVersion3Says) {
   });
   EXPECT_FALSE(is_through) << "a second PAUSE changes nothing";
   send(packet(ImdType::resume));
-  ASSERT_TRUE(session_->step());
+  ASSERT_TRUE(step());
   run.join();
   EXPECT_GE(exchange_->summary().seconds_waited, 0.0);
 }
@@ -121,10 +140,10 @@ TEST_F(ImdSessions, PauseTwiceIsResumeInVersion2) {
   begin(2);
   follow();
   send(packet(ImdType::pause));
-  ASSERT_TRUE(session_->step());
+  ASSERT_TRUE(step());
   std::thread run([&] { exchange_->wants(1); });
   send(packet(ImdType::pause));
-  ASSERT_TRUE(session_->step());
+  ASSERT_TRUE(step());
   run.join();
 }
 
@@ -132,10 +151,10 @@ TEST_F(ImdSessions, OfAClientThatGoesFreeTheRun) {
   begin();
   follow();
   send(packet(ImdType::pause));
-  ASSERT_TRUE(session_->step());
+  ASSERT_TRUE(step());
   std::thread run([&] { EXPECT_FALSE(exchange_->wants(1)); });
   client_ = Descriptor();
-  EXPECT_FALSE(session_->step());
+  EXPECT_FALSE(step());
   session_.reset();
   run.join();
 }
@@ -144,12 +163,13 @@ TEST_F(ImdSessions, SendAtTheRateThatIsAsked) {
   begin();
   follow();
   send(packet(ImdType::rate, 10));
-  ASSERT_TRUE(session_->step());
+  ASSERT_TRUE(step());
+  while (!exchange_->wants(20)) ASSERT_TRUE(step());
   EXPECT_FALSE(exchange_->wants(15));
-  EXPECT_TRUE(exchange_->wants(20));
+  EXPECT_TRUE(exchange_->wants(30));
   send(packet(ImdType::rate, -3));
-  ASSERT_TRUE(session_->step());
-  EXPECT_TRUE(exchange_->wants(21)) << "below 1: as at first";
+  ASSERT_TRUE(step());
+  EXPECT_TRUE(exchange_->wants(31)) << "below 1: as at first";
 }
 
 TEST_F(ImdSessions, KillOnlyIfAsked) {
@@ -157,41 +177,85 @@ TEST_F(ImdSessions, KillOnlyIfAsked) {
   follow();
   EXPECT_FALSE(exchange_->was_killed());
   send(packet(ImdType::kill));
-  ASSERT_TRUE(session_->step());
+  ASSERT_TRUE(step());
   EXPECT_TRUE(exchange_->was_killed());
+}
+
+TEST_F(ImdSessions, KillOnlyWhereClientsMay) {
+  begin(3, {}, false);
+  follow();
+  send(packet(ImdType::kill));
+  ASSERT_TRUE(step());
+  EXPECT_FALSE(exchange_->was_killed());
+  std::string said;
+  exchange_->tell({[&](Severity, std::string_view text) { said = text; }});
+  EXPECT_EQ(said,
+            "IMD client test asked the run to end (KILL), which clients may not: it goes on; "
+            "--imd-kill allows it");
+  EXPECT_EQ(exchange_->summary().refused, 0);
 }
 
 TEST_F(ImdSessions, WaitForAClientFromThenOn) {
   begin();
   follow();
   send(packet(ImdType::wait, 1) + packet(ImdType::disconnect));
-  EXPECT_FALSE(session_->step());
+  EXPECT_FALSE(step());
   session_.reset();
   std::thread run([&] { EXPECT_FALSE(exchange_->wants(1)); });
   exchange_->set_waits(false);
   run.join();
 }
 
-TEST_F(ImdSessions, DropFramesThatAClientIsTooSlowFor) {
+/// What fits into no socket: the client has to read for the rest to be sent.
+const Bytes large(std::size_t{1} << 22, std::byte{1});
+
+TEST_F(ImdSessions, GiveASlowClientTheNewestFrame) {
   begin();
   follow();
-  std::int64_t wanted = 0;
-  for (int step = 0; step < 100; ++step)
-    if (exchange_->wants(step)) {
-      ++wanted;
-      exchange_->put(bytes_of("00"));
-    }
-  EXPECT_EQ(wanted, 16);
-  EXPECT_EQ(exchange_->summary().frames_dropped, 84);
-  EXPECT_EQ(exchange_->counts().dropped, 84);
+  show(0, large);
+  ASSERT_TRUE(step());
+  const std::int64_t dropped = exchange_->summary().frames_dropped;
+  for (int step_of_run = 1; step_of_run < 100; ++step_of_run)
+    EXPECT_FALSE(exchange_->wants(step_of_run)) << "it would wait, and be old when it is sent";
+  EXPECT_EQ(exchange_->summary().frames_dropped - dropped, 99);
+  std::thread client([&] { test::receive(client_, large.size()); });
+  while (exchange_->summary().frames_sent < 1) ASSERT_TRUE(step());
+  client.join();
+  show(100, bytes_of("64"));
+  while (exchange_->summary().frames_sent < 2) ASSERT_TRUE(step());
+  EXPECT_EQ(test::receive(client_, 1), bytes_of("64"));
+}
+
+TEST_F(ImdSessions, AreOverForAClientThatReadsNothing) {
+  ImdPatience short_of_it;
+  short_of_it.reading = Milliseconds(50);
+  begin(3, short_of_it);
+  follow();
+  show(0, large);
+  EXPECT_EQ(refusal({}), "read nothing for 0.05 s");
+}
+
+/// imdclient holds the run as long as its analysis has enough to do, and reads nothing then.
+TEST_F(ImdSessions, AreNotOverForAClientThatReadsNothingWhileItHoldsTheRun) {
+  ImdPatience short_of_it;
+  short_of_it.reading = Milliseconds(50);
+  begin(3, short_of_it);
+  follow();
+  show(0, large);
+  send(packet(ImdType::pause));
+  session_->events();
+  EXPECT_NE(session_->deadline(), Clock::time_point::max());
+  EXPECT_TRUE(session_->step(POLLIN));
+  EXPECT_EQ(session_->deadline(), Clock::time_point::max());
+  send(packet(ImdType::resume));
+  EXPECT_EQ(refusal({}), "read nothing for 0.05 s");
 }
 
 TEST_F(ImdSessions, PullUntilTheClientGoes) {
   begin();
   follow();
   send(test::forces(2, {1, 4}, {1, 0, 0, 0, 2, 0}));
-  ASSERT_TRUE(session_->step());
-  EXPECT_EQ(exchange_->counts().forces, 2);
+  ASSERT_TRUE(step());
   FrameworkParts parts;
   parts.joint_count = atoms;
   const Framework framework(std::move(parts));
@@ -223,32 +287,19 @@ TEST_F(ImdSessions, AreOverForWhatNoClientDoes) {
 
 TEST_F(ImdSessions, AreOverForSilence) {
   ImdPatience short_of_it;
-  short_of_it.go = short_of_it.go_alone = short_of_it.packet = Milliseconds(5);
-  begin(3, false, short_of_it);
+  short_of_it.go = Milliseconds(5);
+  begin(3, short_of_it);
   EXPECT_EQ(refusal({}), "did not say GO in time");
   ImdPatience for_packets;
   for_packets.packet = Milliseconds(5);
-  begin(3, false, for_packets);
+  begin(3, for_packets);
   follow();
   EXPECT_EQ(refusal(bytes_of("00000006")), "stopped in the middle of a packet");
-  begin(3, false, for_packets);
+  begin(3, for_packets);
   follow();
   Bytes forces = test::forces(1, {1}, {1, 2, 3});
   forces.pop_back();
   EXPECT_EQ(refusal(forces), "stopped in the middle of a packet");
-}
-
-TEST_F(ImdSessions, GiveWayToOthersOnlyIfTheyDoNotSayGo) {
-  const ImdPatience at_once{Milliseconds(0), Milliseconds(60'000), Milliseconds(60'000), {}};
-  begin(3, false, at_once);
-  wake(others_);
-  EXPECT_EQ(refusal({}), "did not say GO in time, and another client waits");
-  begin(3, false, at_once);
-  follow();
-  for (int k = 0; k < 5; ++k) {
-    send(packet(ImdType::rate, 1));  // else a step would wait
-    EXPECT_TRUE(session_->step());
-  }
 }
 
 }  // namespace imd_session_test

@@ -176,6 +176,9 @@ function write(FS, ask) {
   return {bytes};
 }
 
+/** What is wrong with a file that HDF5 can read. */
+class NoTrajectory extends Error {}
+
 const numbers = (file, path) => file.get(path)?.value ?? null;
 
 function readFrames(value, [count, joints]) {
@@ -192,7 +195,7 @@ function readFrames(value, [count, joints]) {
 function firstGroup(file) {
   const groups = file.get('particles')?.keys() ?? [];
   const found = groups.find((name) => file.get(`particles/${name}/position/value`));
-  if (!found) throw new Error('expected the positions of an H5MD file, found none');
+  if (!found) throw new NoTrajectory('expected the positions of an H5MD file, found none');
   return found;
 }
 
@@ -201,7 +204,7 @@ function readFile(file) {
   const value = file.get(`particles/${group}/position/value`);
   const shape = value.shape;
   if (shape.length !== 3 || shape[2] !== 3 || !shape[0] || !shape[1])
-    throw new Error(`position: expected frames x joints x 3, found ${shape.join(' x ')}`);
+    throw new NoTrajectory(`position: expected frames x joints x 3, found ${shape.join(' x ')}`);
   const scale = value.attrs.unit?.value === 'nm' ? 10 : 1;
   const frames = readFrames(value, shape);
   if (scale !== 1) frames.forEach((frame) => frame.forEach((x, k) => { frame[k] = scale * x; }));
@@ -224,15 +227,34 @@ function read(FS, {bytes}) {
   try {
     file = new File(name, 'r');
     return readFile(file);
+  } catch (error) {
+    if (error instanceof NoTrajectory || error instanceof RangeError) throw error;
+    throw new Error('expected an HDF5 file that can be read, found one that is damaged or cut short');
   } finally {
-    file?.close();
+    close(file);
     FS.unlink(name);
   }
 }
 
+/** Of a damaged file HDF5 may refuse even this. */
+function close(file) {
+  try {
+    file?.close();
+  } catch {
+    // What was wrong has been told.
+  }
+}
+
+/** HDF5, which throws what it would print: dozens of lines on the console for a damaged file. */
+async function quietHdf5() {
+  const module = await ready;
+  module.activate_throwing_error_handler();
+  return module;
+}
+
 self.onmessage = async ({data}) => {
   try {
-    const {FS} = await ready;
+    const {FS} = await quietHdf5();
     const reply = data.do === 'write' ? write(FS, data) : read(FS, data);
     const buffers = (reply.frames ?? []).map((frame) => frame.buffer);
     self.postMessage({id: data.id, ok: true, ...reply}, reply.bytes ? [reply.bytes.buffer] : buffers);
