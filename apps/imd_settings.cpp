@@ -12,9 +12,6 @@
 namespace pliant::app {
 namespace {
 
-/// What a hand moves an atom by in a step at most, Angstrom: bars are still resolved from there.
-constexpr double longest_step = 0.2;
-
 ImdOptions options_of(const ImdSettings& settings, const RunOptions& run, const Log& log) {
   ImdOptions options;
   options.host = settings.host;

@@ -64,7 +64,7 @@ def test_forces_are_recorded_only_where_a_file_can_hold_them(tmp_path):
     assert file.read_text() == "mine"
     assert not (tmp_path / "o.h5md").exists()
     pliant.run(RING, SHAPE, steps=1, record_forces=file, overwrite=True)
-    assert file.read_text().startswith("pliant-forces 1")
+    assert file.read_text().startswith("pliant-forces 3")
 
 
 def _raise_enough(frame):

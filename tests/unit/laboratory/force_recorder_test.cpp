@@ -63,16 +63,24 @@ TEST_F(ForceRecords, HoldAllForcesOfAStep) {
   EXPECT_EQ(std::get<PullStep>(back[1].what).forces[1].joint, 0u);
 }
 
-TEST_F(ForceRecords, CountStepsOfTheirPerturbationIfAsked) {
-  ForceRecorder recorder(path_, false, framework_, {}, true);
+/// A hand that pulls for 10^5 steps, held back by other forces in each: what it asked for is kept.
+TEST_F(ForceRecords, OfAHandCountStepsInWhichNothingChanged) {
+  ForceRecorder recorder(path_, false, framework_, {}, 0.2);
   Push alone;
   alone.forces = {{0, {1.0, 2.0, 3.0}}};
   Push pulled;
-  pulled.forces = {{0, {1.0, 2.0, 3.0}}, {1, {0.0, 0.0, 9.0}}};
-  for (const Push* push : {&alone, &alone, &pulled, &alone, &alone, &alone}) recorder.record(*push);
+  pulled.asked = {{1, {0.0, 0.0, 9.0}}};
+  recorder.record(alone);
+  recorder.record(alone);
+  for (int k = 0; k < 100000; ++k) {
+    pulled.forces = {{0, {0.0, 0.0, 0.0}}, {1, {0.0, 0.0, 1.0 / (k + 1)}}};
+    recorder.record(pulled);
+  }
+  recorder.record(alone);
   recorder.publish();
   EXPECT_EQ(read_bytes(path_),
-            "pliant-forces 2\nwander 2\nforce 0 1 2 3\nforce 1 0 0 9\nstep\nwander 3\n");
+            "pliant-forces 3\nstart\nhold_back 0.2\nwander 2\nforce 1 0 0 9\nwander 100000\n"
+            "wander 1\n");
 }
 
 TEST_F(ForceRecords, LeaveNothingBehindUnlessPublished) {
