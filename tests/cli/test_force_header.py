@@ -127,8 +127,9 @@ def test_a_replay_goes_on(pliant, forces, tmp_path):
 
 
 def test_a_recorded_run_is_repeated_by_its_technique(pliant, tmp_path):
-    run = ("run", PEPTIDE, "--model", "angles", "--technique", "bfs_cycle", "--damping", 0.25)
+    run = ("run", PEPTIDE, "--model", "angles", "--technique", "newton", "--damping", 0.25)
     assert pliant(*run, "--steps", 4, "--record-forces", "f.txt", "-o", "a.h5md").code == 0
     told = json.loads(pliant("run", PEPTIDE, "--forces", "f.txt", "-o", "b.h5md", "--json").out)
-    assert told["technique"] == "bfs_cycle"
+    assert told["technique"] == "newton"
+    assert told["forces"]["taken"]["damping"] == "0.25"
     np.testing.assert_array_equal(frames(tmp_path / "a.h5md"), frames(tmp_path / "b.h5md"))
