@@ -161,7 +161,7 @@ def test_the_text_of_a_session(solver):
     heading, structure, *lines = solver.ask("forces")["text"].splitlines()
     assert (heading, structure.split()[0]) == ("pliant-forces 3", "structure")
     assert lines == [
-        "joints 24", "bars 25", "input model molecule", "set technique newton", "pin 5",
+        "joints 24", "bars 25", "input model bonds", "set technique newton", "pin 5",
         "force 2 1 0.1 -3e-07", "force 0 4 5 6", "step", "pin", "wander 3",
         "force 2 7 8 9", "step 2",
     ]  # fmt: skip

@@ -68,7 +68,8 @@ TEST(ForceEvents, KnowTheirVersion) {
 
 TEST(ForceEvents, RefusalsNameFileAndLine) {
   const std::string head = "pliant-forces 2\n";
-  EXPECT_EQ(refusal(""), "f.txt: expected \"pliant-forces\" and a version from 1 to 3 first, found no text");
+  EXPECT_EQ(refusal(""),
+            "f.txt: expected \"pliant-forces\" and a version from 1 to 3 first, found no text");
   EXPECT_EQ(refusal("pliant-forces 4\n"),
             "f.txt:1: expected \"pliant-forces\" and a version from 1 to 3, found \"pliant-forces "
             "4\"");
@@ -120,8 +121,8 @@ TEST(ReplayEvents, CountedStepsHaveTheBitsOfThoseWrittenOut) {
   std::string written = "pliant-forces 2\nset damping 0.5\n";
   for (int k = 0; k < 30; ++k) written += pull + "step\n";
   State counted(ring(6).positions), listed(ring(6).positions);
-  replay_events(hexagon(), counted, parse("pliant-forces 3\nset damping 0.5\n" + pull + "step 30\n"),
-                {}, {});
+  replay_events(hexagon(), counted,
+                parse("pliant-forces 3\nset damping 0.5\n" + pull + "step 30\n"), {}, {});
   replay_events(hexagon(), listed, parse(written), {}, {});
   EXPECT_EQ(counted.positions, listed.positions);
   EXPECT_EQ(counted.step, 30);

@@ -133,12 +133,14 @@ TEST(ForceFile, TakesLinesEndedByCarriageReturnAndNewline) {
 }
 
 TEST(ForceFile, SaysWhatItExpected) {
-  EXPECT_EQ(refusal(""), "f.txt: expected \"pliant-forces\" and a version from 1 to 3 first, found no text");
+  EXPECT_EQ(refusal(""),
+            "f.txt: expected \"pliant-forces\" and a version from 1 to 3 first, found no text");
   EXPECT_EQ(refusal("\n\npliant-forces 4\n"),
             "f.txt:3: expected \"pliant-forces\" and a version from 1 to 3, found \"pliant-forces "
             "4\"");
-  EXPECT_EQ(refusal("HEADER \x1b[2J"),
-            "f.txt:1: expected \"pliant-forces\" and a version from 1 to 3, found \"HEADER \\x1b[2J\"");
+  EXPECT_EQ(
+      refusal("HEADER \x1b[2J"),
+      "f.txt:1: expected \"pliant-forces\" and a version from 1 to 3, found \"HEADER \\x1b[2J\"");
   EXPECT_EQ(refusal("pliant-forces 1\npull C1 1 2 3"),
             "f.txt:2: expected timestep, tolerance, tolerance_length, max_sweeps or push, found "
             "\"pull\"");
