@@ -8,7 +8,7 @@
 #include "command.hpp"
 #include "json.hpp"
 #include "messages.hpp"
-#include "molecule_input.hpp"
+#include "molecule_fields.hpp"
 #include "output_files.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/perturb/force_file.hpp"
@@ -51,11 +51,13 @@ void add_options(CommandLine& line, ForcegenSettings& settings) {
   line.add_flag("--json", settings.json, "print one JSON object");
 }
 
-ForceFile force_file_of(const ForcegenSettings& settings, const Framework& framework) {
+ForceFile force_file_of(const ForcegenSettings& settings, const Molecule& molecule) {
   RandomKey key;
   key.seed = settings.resolve.seed;
-  return make_force_file(framework, settings.perturb, settings.resolve.tolerance,
-                         settings.resolve.max_sweeps, key, settings.count);
+  ForceFile file = make_force_file(molecule.framework, settings.perturb, settings.resolve.tolerance,
+                                   settings.resolve.max_sweeps, key, settings.count);
+  file.header = force_header_of(settings.molecule, molecule);
+  return file;
 }
 
 std::string default_output(const std::string& input) {
@@ -94,7 +96,7 @@ int command_forcegen(const Arguments& arguments) {
   Messages messages(settings.json);
   const Molecule molecule = load(settings.molecule, messages.log());
   write_text_file(settings.output,
-                  write_force_file(force_file_of(settings, molecule.framework), molecule.framework),
+                  write_force_file(force_file_of(settings, molecule), molecule.framework),
                   settings.overwrite);
   print_summary(settings);
   return exit_ok;

@@ -91,7 +91,8 @@ bool has_angles(const MoleculeOptions& options) {
 }
 
 Facts facts_of(const MoleculeOptions& options, const Molecule& molecule) {
-  const auto& [structure, framework] = molecule;
+  const Structure& structure = molecule.structure;
+  const Framework& framework = molecule.framework;
   return {options,
           structure,
           graph_facts(framework),

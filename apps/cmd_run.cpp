@@ -8,6 +8,7 @@
 
 #include "command.hpp"
 #include "continue_run.hpp"
+#include "force_header_input.hpp"
 #include "frame_output.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
@@ -109,13 +110,16 @@ int command_run(const Arguments& arguments) {
   if (!settings.go_on.empty()) return continue_run(line, settings);
   name_outputs(line, settings);
   check_outputs(settings);
+  take_force_header(line, settings);
+  check_outputs(settings);  // of inputs that the header names, too
   Messages messages(settings.json || settings.quiet);
   const Molecule molecule = load(settings.molecule, messages.log());
   tell_what_is_free(settings.molecule, molecule.structure, messages.log());
+  check_force_header(settings, molecule, messages.log());
   complete(line, settings, molecule);
   settings.record.saved = select_joints(molecule.framework, settings.save, "--save");
   refuse_to_replace(settings);
-  if (settings.dry_run) return exit_ok;
+  if (settings.dry_run) return print_forces(settings), exit_ok;
   settings.record.log = messages.log();
   watch_for_interrupt();
   std::vector<Vec3> last = molecule.structure.positions;

@@ -8,8 +8,8 @@
 
 namespace pliant::app {
 
-/// Reads the events of a force file of version 2, whose text is given. The settings of its last
-/// step become those that are recorded. Throws OptionError for options that the file says itself.
+/// Reads the events of a force file, whose text is given. The settings of its last
+/// step become those that are recorded. Throws OptionError for options that contradict it.
 void take_events(const CommandLine& line, RunSettings& settings, const Molecule& molecule,
                  std::string_view text);
 

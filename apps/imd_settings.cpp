@@ -15,8 +15,6 @@
 namespace pliant::app {
 namespace {
 
-/// What a hand moves an atom by in a step at most, Angstrom: bars are still resolved from there.
-constexpr double longest_step = 0.2;
 /// Seconds; beyond it a time in nanoseconds would not fit.
 constexpr double longest_timeout = 1e9;
 

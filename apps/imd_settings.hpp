@@ -31,6 +31,9 @@ void check_imd(const CommandLine& line, ImdSettings& settings, bool has_walkers)
 /// Whom a run is shown to, and by whom it is pulled.
 class LiveRun {
  public:
+  /// What a hand moves an atom by in a step at most, Angstrom: bars are still resolved from there.
+  static constexpr double longest_step = 0.2;
+
   /// Listens. Throws FileError where it cannot. The log must outlive it.
   LiveRun(const ImdSettings& settings, const RunOptions& run, std::size_t joint_count,
           const Log& log);

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "pliant/base/choices.hpp"
+#include "pliant/framework/fingerprint.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/model/select_part.hpp"
 #include "pliant/molecule/bars_file.hpp"
@@ -49,7 +50,8 @@ Molecule load_graph(const MoleculeOptions& options, const Log& log) {
   for (Bar bar : graph.framework.bars())
     structure.bonds.push_back(
         {std::min(bar.a, bar.b), std::max(bar.a, bar.b), BondOrigin::file, 0});
-  return {std::move(structure), std::move(graph.framework)};
+  const std::uint64_t read = fingerprint(structure.atoms, structure.positions);
+  return {std::move(structure), std::move(graph.framework), read};
 }
 
 /// A model says itself what its bars are and that they are as long as in the file.
@@ -67,7 +69,8 @@ Molecule load_model(const MoleculeOptions& options, const Structure& structure, 
   ModelOptions building = model_options_of(options.kind, log);
   building.pin = options.pin;
   MolecularModel model = build_model(structure, building);
-  return {std::move(model.structure), std::move(model.framework)};
+  return {std::move(model.structure), std::move(model.framework),
+          fingerprint(structure.atoms, structure.positions)};
 }
 
 bool is_graph(const MoleculeOptions& options) {
@@ -141,7 +144,8 @@ Molecule load(const MoleculeOptions& options, const Log& log) {
   building.pin = options.pin;
   building.log = log;
   Framework framework = build_framework(structure, building);
-  return {std::move(structure), std::move(framework)};
+  const std::uint64_t read = fingerprint(structure.atoms, structure.positions);
+  return {std::move(structure), std::move(framework), read};
 }
 
 std::vector<std::string> inputs_of(const MoleculeOptions& options) {

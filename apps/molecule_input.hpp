@@ -31,6 +31,7 @@ struct MoleculeOptions {
 struct Molecule {
   Structure structure;
   Framework framework;
+  std::uint64_t fingerprint = 0;  ///< of the structure as it was read, before its model
 };
 
 /// The name or file of the bars: "bonds" where nothing was asked for, else the kind of model.

@@ -88,6 +88,24 @@ Json run_json(const RunSettings& settings, const Framework& framework,
           {"warnings", warnings}};
 }
 
+/// What the run owes to its force file.
+Json forces_json(const RunSettings& settings) {
+  std::vector<std::pair<std::string, Json>> taken;
+  for (const auto& [name, value] : settings.taken_from_forces) taken.emplace_back(name, value);
+  return {{"forces", Json{{"file", settings.forces},
+                          {"version", settings.force_header->version},
+                          {"taken", Json::object(taken)}}}};
+}
+
+/// "a.forces (version 3): model protein, timestep 0.01".
+std::string forces_text(const RunSettings& settings) {
+  std::string text;
+  for (const auto& [name, value] : settings.taken_from_forces)
+    text += fmt::format("{} {} {}", text.empty() ? ":" : ",", name, printable_name(value));
+  return fmt::format("{} (version {}){}", printable_name(settings.forces),
+                     settings.force_header->version, text);
+}
+
 Json served_json(const ImdSummary& served) {
   return {{"imd_clients", served.clients},           {"imd_clients_refused", served.refused},
           {"imd_frames_sent", served.frames_sent},   {"imd_frames_dropped", served.frames_dropped},
@@ -113,9 +131,16 @@ int exit_code_of(const RunSummary& summary) {
   return summary.unconverged_steps > 0 ? exit_unconverged : exit_ok;
 }
 
+void print_forces(const RunSettings& settings) {
+  if (!settings.force_header || settings.quiet) return;
+  if (settings.json) return print_json(forces_json(settings));
+  fmt::print("force file      {}\n", forces_text(settings));
+}
+
 void print_run_table(const RunSettings& settings, const Framework& framework,
                      const std::vector<RunSummary>& summaries) {
   const RunSummary summary = added_up(summaries);
+  print_forces(settings);
   fmt::print("technique       {}\n", technique_line(settings.run.technique, framework));
   fmt::print("steps           {}; {} frames recorded{}\n", summary.steps, summary.frames,
              with_the_start(settings));
@@ -153,6 +178,7 @@ void print_run_json(const RunSettings& settings, const Framework& framework,
                     const std::vector<std::string>& warnings, const GuideEnd& end,
                     const std::optional<ImdSummary>& served) {
   Json json = run_json(settings, framework, summaries, warnings);
+  if (settings.force_header) json = json + forces_json(settings);
   if (served) json = json + served_json(*served);
   print_json(settings.guide.empty() ? json : json + end.json());
 }

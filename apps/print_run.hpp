@@ -16,6 +16,9 @@ RunSummary added_up(const std::vector<RunSummary>& summaries);
 /// What the command ends with: interrupted, unconverged or done.
 int exit_code_of(const RunSummary& summary);
 
+/// What was taken from a force file, if there is one; as JSON if that was asked for.
+void print_forces(const RunSettings& settings);
+
 void print_run_table(const RunSettings& settings, const Framework& framework,
                      const std::vector<RunSummary>& summaries);
 void print_run_json(const RunSettings& settings, const Framework& framework,

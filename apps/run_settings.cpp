@@ -6,14 +6,13 @@
 #include <limits>
 #include <thread>
 
-#include "force_events_input.hpp"
+#include "force_file_input.hpp"
 #include "frame_output.hpp"
 #include "output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/order/ordering_file.hpp"
-#include "pliant/perturb/force_file.hpp"
 #include "pliant/run/run_fields.hpp"
 
 namespace pliant::app {
@@ -59,8 +58,10 @@ void add_perturb_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Perturbation");
   add_fields(line, settings.run, RunGroup::perturbation);
   line.add_text("--forces", settings.forces, "FILE",
-                "replay a force file: one push per step, or what was done by hand\n"
-                "(pliant-forces 2); replaces --perturb");
+                "replay a force file: one push per step, or what was done by hand;\n"
+                "replaces --perturb. Options that the file holds need not be given");
+  line.add_flag("--override-forces", settings.override_forces,
+                "where options or the structure contradict --forces, go by the command line");
   line.add_text("--record-forces", settings.record_forces, "FILE",
                 "write the push of each step to a force file, for --forces");
 }
@@ -82,48 +83,6 @@ void add_output_options(CommandLine& line, RunSettings& settings) {
                 "read the input, check all options, and write nothing");
   line.add_flag("--json", settings.json, "print the summary as one JSON object");
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
-}
-
-/// A setting of the force file holds where the command line is silent.
-template <class Target, class Value>
-void take(const CommandLine& line, const char* option, const Value& from, Target& to) {
-  if (from && !line.was_given(option)) to = *from;
-}
-
-/// A push means nothing without the settings that it was made for.
-void expect_settings(const CommandLine& line, const RunSettings& settings, const ForceFile& file) {
-  std::string missing;
-  const auto expect = [&](bool is_given, const char* option) {
-    if (!is_given && !line.was_given(option))
-      missing += (missing.empty() ? "" : ", ") + std::string(option);
-  };
-  expect(file.timestep.has_value(), "--timestep");
-  expect(file.tolerance || file.tolerance_length || line.was_given("--tolerance-length"),
-         "--tolerance");
-  expect(file.max_sweeps.has_value(), "--max-sweeps");
-  if (!missing.empty())
-    throw InputError(printable_name(settings.forces) +
-                     ": lacks settings, which must be given as options: " + missing);
-}
-
-void take_forces(const CommandLine& line, RunSettings& settings, const Molecule& molecule) {
-  const std::string bytes = read_bytes(settings.forces);
-  const std::string_view text = without_byte_order_mark(bytes);
-  if (has_force_events(text)) return take_events(line, settings, molecule, text);
-  const ForceFile file = parse_force_file(text, settings.forces, molecule.framework);
-  if (file.pushes.empty()) throw InputError(printable_name(settings.forces) + ": holds no push");
-  expect_settings(line, settings, file);
-  RunOptions& run = settings.run;
-  take(line, "--timestep", file.timestep, run.perturb_options.timestep);
-  take(line, "--tolerance", file.tolerance, run.resolve.tolerance.relative);
-  if (!line.was_given("--tolerance"))
-    take(line, "--tolerance-length", file.tolerance_length, run.resolve.tolerance.length);
-  take(line, "--max-sweeps", file.max_sweeps, run.resolve.max_sweeps);
-  if (!line.was_given("--steps")) run.steps = static_cast<std::int64_t>(file.pushes.size());
-  if (static_cast<std::size_t>(run.steps) > file.pushes.size())
-    throw OptionError("--steps: expected at most " + std::to_string(file.pushes.size()) +
-                      ", the pushes in " + printable_name(settings.forces));
-  run.replay = file.pushes;
 }
 
 /// The ordering of a file is the technique `input` with another input.
@@ -231,7 +190,8 @@ void complete(const CommandLine& line, RunSettings& settings, const Molecule& mo
   settings.run.guide = guide_from(settings.guide, molecule);
   if (!settings.forces.empty()) take_forces(line, settings, molecule);
   if (!settings.ordering.empty()) take_ordering(line, settings, framework);
-  const bool is_left_to_auto = !line.was_given("--technique") && settings.ordering.empty();
+  const bool is_left_to_auto = !line.was_given("--technique") && settings.ordering.empty() &&
+                               settings.run.technique.name == "auto";
   if (is_left_to_auto && line.was_given("--weighting")) settings.run.technique.name = "bfs_cycle";
 }
 

@@ -2,13 +2,16 @@
 // The options of pliant run, what they mean to the library, and how they are recorded.
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "guide_settings.hpp"
 #include "imd_settings.hpp"
 #include "molecule_input.hpp"
 #include "pliant/perturb/force_events.hpp"
+#include "pliant/perturb/force_header.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/run/run.hpp"
 
@@ -21,10 +24,15 @@ struct RunSettings {
   H5mdOptions record;
   std::string save;  ///< selection of the atoms to record; "": all
   ImdSettings imd;
-  std::string go_on;               ///< trajectory whose run goes on; "": a new run
-  std::string output;              ///< "": the input's name with .h5md, in the current folder
-  std::string topology;            ///< sidecar PDB; "": the output's name with .pdb; "none": none
-  std::string forces;              ///< force file to replay; "": none
+  std::string go_on;             ///< trajectory whose run goes on; "": a new run
+  std::string output;            ///< "": the input's name with .h5md, in the current folder
+  std::string topology;          ///< sidecar PDB; "": the output's name with .pdb; "none": none
+  std::string forces;            ///< force file to replay; "": none
+  bool override_forces = false;  ///< the command line holds where the two contradict
+  std::string force_text = {};   ///< what that file holds
+  std::optional<ForceHeader> force_header = {};  ///< of that file
+  /// Options that hold because that file says so: name and value.
+  std::vector<std::pair<std::string, std::string>> taken_from_forces = {};
   std::vector<ForceEvent> events;  ///< of such a file that has events
   std::string record_forces;       ///< force file to write; "": none
   std::string ordering;            ///< ordering file in place of a technique's ordering; "": none

@@ -2,7 +2,6 @@
 #include "run_walkers.hpp"
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -10,11 +9,12 @@
 #include "frame_output.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
+#include "molecule_fields.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/laboratory/recorded_inputs.hpp"
 #include "pliant/run/ensemble.hpp"
+#include "pliant/run/force_settings.hpp"
 #include "pliant/run/replay_events.hpp"
-#include "pliant/run/run_fields.hpp"
 #include "recorded_header.hpp"
 #include "walker_sequence.hpp"
 
@@ -64,23 +64,6 @@ void write_sidecar(const Shared& shared) {
                  structure.positions, shared.settings.record);
 }
 
-/// What is not as usual, besides the settings that every force file has. Where all pushes are
-/// listed, what makes them is of no matter.
-std::vector<std::pair<std::string, std::string>> settings_of(const RunOptions& run,
-                                                             bool are_listed) {
-  constexpr std::array not_of_them{
-      "steps", "every", "displacement", "timestep", "tolerance", "tolerance_length", "max_sweeps"};
-  std::vector<std::pair<std::string, std::string>> settings;
-  for (const RunField& field : run_fields()) {
-    if (are_listed && (field.name == "perturb" || field.name == "force")) continue;
-    const std::string text = run_field_text(run, field);
-    if (std::ranges::find(not_of_them, field.name) == not_of_them.end() &&
-        text != run_field_text(RunOptions(), field))
-      settings.emplace_back(field.name, text);
-  }
-  return settings;
-}
-
 /// Records a walker's pushes, or nothing.
 std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t walker) {
   const RunSettings& settings = shared.settings;
@@ -88,13 +71,14 @@ std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t w
   ForceFile forces;
   forces.set(settings.run.perturb_options, settings.run.resolve.tolerance,
              settings.run.resolve.max_sweeps);
-  // Of a run that may go on for days without anybody's pull.
-  const bool counts_random =
-      settings.imd.keeps_forces_if_pulled && replayed_steps(settings.run) == 0;
-  forces.settings = settings_of(settings.run, !counts_random);
+  // Such a run may go on for days.
+  const bool is_counted = shared.live != nullptr && replayed_steps(settings.run) == 0;
+  forces.settings = is_counted ? force_settings(settings.run) : push_settings(settings.run);
+  forces.header = force_header_of(settings.molecule, shared.molecule);
   return std::optional<ForceRecorder>(
       std::in_place, of_walker(settings, settings.record_forces, walker), settings.record.overwrite,
-      shared.molecule.framework, forces, counts_random);
+      shared.molecule.framework, forces,
+      is_counted ? std::optional(LiveRun::longest_step) : std::nullopt);
 }
 
 /// The outputs of a walker.

@@ -3,8 +3,10 @@
 #include "pliant/perturb/perturbation.hpp"
 
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/map.h>
 
 #include "options.hpp"
+#include "pliant/framework/fingerprint.hpp"
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/perturb/replay.hpp"
 #include "pushers.hpp"
@@ -30,13 +32,47 @@ ForceFile random_force_file(const Framework& framework, std::int64_t count, doub
   resolve.max_sweeps = max_sweeps;
   check(resolve);
   const nb::gil_scoped_release no_gil;
-  return make_force_file(framework, options, within, max_sweeps, key, count);
+  ForceFile file = make_force_file(framework, options, within, max_sweeps, key, count);
+  file.header = force_header_of(framework);
+  return file;
+}
+
+using TextByName = std::map<std::string, std::string>;
+
+TextByName by_name(const std::vector<ForceSetting>& settings) {
+  TextByName values;
+  for (const ForceSetting& one : settings) values[one.name] = one.value;
+  return values;
+}
+
+/// What the file was made for.
+void bind_header(nb::class_<ForceFile>& file) {
+  file.def_prop_ro(
+          "structure",
+          [](const ForceFile& self) -> std::optional<std::string> {
+            if (!self.header.structure) return {};
+            return fingerprint_text(*self.header.structure);
+          },
+          "Fingerprint of the structure, 16 hexadecimal digits; None where it is not known.")
+      .def_prop_ro(
+          "joints", [](const ForceFile& self) { return self.header.joints; },
+          "How many the framework has; None where the file does not say.")
+      .def_prop_ro(
+          "bars", [](const ForceFile& self) { return self.header.bars; },
+          "How many the framework has; None where the file does not say.")
+      .def_prop_ro(
+          "input", [](const ForceFile& self) { return by_name(self.header.input); },
+          "Options that make the framework of the structure: ``{\"model\": \"protein\"}``.")
+      .def_prop_ro(
+          "settings", [](const ForceFile& self) { return by_name(self.settings); },
+          "Options of the run besides those above, as text: ``{\"technique\": \"blocks\"}``.");
 }
 
 void bind_force_file(nb::module_& module) {
-  nb::class_<ForceFile>(module, "ForceFile",
-                        "Pushes to be replayed, and the settings that they were made for.")
-      .def(nb::init<>())
+  nb::class_<ForceFile> file(module, "ForceFile",
+                             "Pushes to be replayed, and the settings that they were made for.");
+  bind_header(file);
+  file.def(nb::init<>())
       .def_rw("timestep", &ForceFile::timestep, "ps; None where the file does not say.")
       .def_rw("tolerance", &ForceFile::tolerance, "Relative; None where the file does not say.")
       .def_rw("tolerance_length", &ForceFile::tolerance_length,
@@ -68,7 +104,10 @@ void bind_force_file(nb::module_& module) {
       "as of ``run``. Raises OptionError if all joints are pinned.");
   module.def("read_force_file", &read_force_file, "path"_a, "framework"_a,
              nb::call_guard<nb::gil_scoped_release>(),
-             "Reads a force file; joints are named as the framework names them, or by index.");
+             "Reads a force file; joints are named as the framework names them, or by index.\n\n"
+             "Raises InputError, also where the file was made for another number of joints or\n"
+             "bars, and for one that holds what was done by hand: ``pliant run --forces`` repeats\n"
+             "that.");
 }
 
 }  // namespace

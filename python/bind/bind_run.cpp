@@ -3,6 +3,7 @@
 #include "pliant/run/run.hpp"
 
 #include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/variant.h>
 
@@ -15,7 +16,10 @@
 #include "messages.hpp"
 #include "observers.hpp"
 #include "options.hpp"
+#include "pliant/framework/fingerprint.hpp"
 #include "pliant/laboratory/force_recorder.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+#include "pliant/run/force_settings.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "pushes.hpp"
 
@@ -181,14 +185,23 @@ void bind_force_recorder(nb::module_& module) {
       .def(
           "__init__",
           [](ForceRecorder* self, const std::filesystem::path& path, const Framework& framework,
-             const RunOptions& options, bool overwrite) {
+             const RunOptions& options, bool overwrite, const Structure* structure,
+             const State* start, const std::vector<std::pair<std::string, std::string>>& input) {
             ForceFile settings;
             settings.set(options.perturb_options, options.resolve.tolerance,
                          options.resolve.max_sweeps);
+            settings.settings = push_settings(options);
+            settings.header = force_header_of(framework);
+            if (structure != nullptr && start != nullptr)
+              settings.header.structure = fingerprint(structure->atoms, start->positions);
+            for (const auto& [name, value] : input) settings.header.input.push_back({name, value});
             new (self) ForceRecorder(path, overwrite, framework, std::move(settings));
           },
-          "path"_a, "framework"_a, "options"_a, "overwrite"_a = false, nb::keep_alive<1, 3>(),
-          "There once the run has ended. Raises FileError if it cannot be made.");
+          "path"_a, "framework"_a, "options"_a, "overwrite"_a = false, nb::kw_only(),
+          "structure"_a = nb::none(), "start"_a = nb::none(),
+          "input"_a = std::vector<std::pair<std::string, std::string>>(), nb::keep_alive<1, 3>(),
+          "There once the run has ended; ``structure``, where it starts and how its framework was\n"
+          "made are noted in it. Raises FileError if it cannot be made.");
 }
 
 void bind_run_summary(nb::module_& module) {

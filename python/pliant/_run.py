@@ -115,8 +115,9 @@ def run(
         at most in a step.
     record_forces : str or path, optional
         Force file to write: the push of each step, which `read_force_file` reads for `replay`.
-        Only for `perturb="force"` or a replay, not for pushes of all joints. The file holds
-        neither seed nor damping. It exists once the run has ended.
+        Only for `perturb="force"` or a replay, not for pushes of all joints. The file also holds
+        the technique, tolerance and timestep, and, where they are known, the structure's
+        fingerprint and how its framework was made. It exists once the run has ended.
     seed, walker : int
         All random numbers are functions of these, the step and the joint.
     select : str
@@ -177,9 +178,9 @@ def run(
     recording = recording_of(single, compress, precision, save)
     start = _start(state, structure)
     refuse_to_overwrite(structure, output, topology, record_forces)
-    forces = force_recorder(record_forces, framework, options, overwrite, guide is not None)
-    if topology is not None:
-        write_topology(topology, structure, start, save, overwrite)
+    made_of = (structure, start, built)
+    forces = force_recorder(record_forces, framework, options, overwrite, guide, made_of)
+    write_topology(topology, structure, start, save, overwrite)
     if output is None or is_pdb_name(output):
         refuse_options_of_h5md(output, save, precision)
         steps_to = partial(_core.run_steps, framework, start, options)

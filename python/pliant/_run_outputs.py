@@ -36,13 +36,15 @@ def without_h5md(
 
 
 def write_topology(
-    path: str | os.PathLike[str],
+    path: str | os.PathLike[str] | None,
     structure: _core.Structure | None,
     start: _core.State,
     save: str,
     overwrite: bool,
 ) -> None:
-    """Names and bonds of what is recorded, where the run starts."""
+    """Names and bonds of what is recorded, where the run starts; None: not asked for."""
+    if path is None:
+        return
     if structure is None:
         raise TypeError("run: a topology needs a structure")
     positions = start.positions
@@ -83,19 +85,40 @@ def force_recorder(
     framework: _core.Framework,
     options: _core.RunOptions,
     overwrite: bool,
-    guided: bool,
+    guide: _core.Guide | None,
+    made_of: tuple[_core.Structure | None, _core.State, Mapping[str, Value]],
 ) -> _core.ForceRecorder | None:
-    """Writes the push of each step; None where nobody asked for it."""
+    """Writes the push of each step; None where nobody asked for it.
+
+    `made_of`: the structure, where it starts, and how its framework was built.
+    """
     if path is None:
         return None
-    if guided and not options.replay:
+    if guide is not None and not options.replay:
         raise _core.OptionError("record_forces: a guide pushes by no force: give no guide")
     if not options.replay and options.perturb != "force":
         raise _core.OptionError(
             "record_forces: a force file holds one force on one joint a step, which "
             f'{options.perturb} is not; use perturb="force"'
         )
-    return _core.ForceRecorder(path, framework, options, overwrite)
+    structure, start, built = made_of
+    told = _force_input(structure, built)
+    return _core.ForceRecorder(
+        path, framework, options, overwrite, structure=structure, start=start, input=told
+    )
+
+
+def _force_input(
+    structure: _core.Structure | None, built: Mapping[str, Value]
+) -> list[tuple[str, str]]:
+    """How the command makes the same framework: options by name, those that are not as usual."""
+    if not built:
+        return []
+    usual = {"input/select": "", "input/lengths": "geometry", "input/pin": "", "input/bars": None}
+    values = [(path, str(value)) for path, value in built.items() if value != usual[path]]
+    if structure is not None and structure.model != 1:
+        values.append(("input/frame", str(structure.model)))
+    return [(path.removeprefix("input/"), value) for path, value in values]
 
 
 def recording_of(single: bool, compress: bool, precision: float, save: str) -> dict[str, Any]:

@@ -58,6 +58,7 @@
 #include "pliant/framework/contacts.hpp"             // pairs of joints near each other now
 #include "pliant/framework/disturbed.hpp"            // what a resolve has to look at
 #include "pliant/framework/feasibility.hpp"          // bars that cannot hold together
+#include "pliant/framework/fingerprint.hpp"          // whether two mean the same atoms
 #include "pliant/framework/frame.hpp"                // what a step shows
 #include "pliant/framework/framework.hpp"            // Framework, State
 #include "pliant/framework/graph.hpp"                // components, cycles, bridges, blocks
@@ -93,12 +94,14 @@
 // perturb, run: the loop
 #include "pliant/perturb/force_events.hpp"  // what a person did, to repeat
 #include "pliant/perturb/force_file.hpp"    // pushes to replay
+#include "pliant/perturb/force_header.hpp"  // what force files were made for
 #include "pliant/perturb/guide.hpp"         // where joints are asked to go
 #include "pliant/perturb/perturbation.hpp"  // the pushers that need no more than a name
 #include "pliant/perturb/push.hpp"          // what a step pushed
 #include "pliant/perturb/pusher.hpp"        // what breaks the bars; the table of pushers
 #include "pliant/perturb/steering.hpp"      // forces from another thread
 #include "pliant/run/ensemble.hpp"          // many walkers; shards of them
+#include "pliant/run/force_settings.hpp"    // options that force files keep
 #include "pliant/run/motion.hpp"            // one walker, step by step
 #include "pliant/run/replay_events.hpp"     // what a person did, once more
 #include "pliant/run/run.hpp"               // a motion shown to observers

@@ -143,7 +143,9 @@ REFUSED = [
     ("pliant-forces 2\nstep\nset weighting 2\n", "s.txt:3: weighting = 2: must be"),
     ("pliant-forces 2\nset colour red\nstep\n", "s.txt:2: no option named"),
     ("pliant-forces 2\nforce C9 1 2 3\nstep\n", "s.txt:2: "),
-    ("pliant-forces 3\n", 's.txt:1: expected "pliant-forces 1", found "pliant-forces 3"'),
+    ("pliant-forces 4\n", 's.txt:1: expected "pliant-forces" and a version from 1 to 3'),
+    ("pliant-forces 3\ninput model proteen\nstep\n", "s.txt:2: input: no model named"),
+    ("pliant-forces 3\ninput colour red\nstep\n", "s.txt:2: input: no option named"),
 ]
 
 

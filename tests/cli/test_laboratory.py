@@ -59,11 +59,14 @@ def test_recorded_forces_hold_the_settings_of_the_run(pliant, ethanol, tmp_path)
         "--max-sweeps", 77, "--record-forces", "f.txt",
     )  # fmt: skip
     lines = (tmp_path / "f.txt").read_text().splitlines()
-    assert lines[:4] == [
-        "pliant-forces 1", "timestep 0.005", "tolerance_length 0.001", "max_sweeps 77",
+    assert lines[0] == "pliant-forces 3"
+    assert lines[1].startswith("structure ")
+    assert lines[2:8] == [
+        "joints 9", "bars 8", "input bars bonds",
+        "set timestep 0.005", "set tolerance_length 0.001", "set max_sweeps 77",
     ]  # fmt: skip
-    assert lines[4].startswith("push ")
-    assert len(lines) == 5
+    assert lines[8].startswith("push ")
+    assert len(lines) == 9
 
 
 @pytest.mark.parametrize("perturb", ["force_all", "displacement"])

@@ -6,6 +6,7 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/framework/fingerprint.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/model/residue_nodes.hpp"
 #include "pliant/model/rigidity.hpp"
@@ -90,6 +91,7 @@ Document open_molecule(const std::string& name, std::string_view bytes, const st
   options.kind = kind_of(model, *read);
   options.log = log_into(warnings);
   Document document = document_of(build_model(*read, options), name);
+  document.fingerprint = fingerprint(read->atoms, read->positions);
   document.file = std::move(read);
   return document;
 }
@@ -97,7 +99,9 @@ Document open_molecule(const std::string& name, std::string_view bytes, const st
 Document open_graph_file(const std::string& name, std::string_view bytes,
                          std::vector<std::string>& warnings) {
   const std::string text = expanded(name, bytes);
-  return open_graph({name, without_byte_order_mark(text)}, log_into(warnings));
+  Document document = open_graph({name, without_byte_order_mark(text)}, log_into(warnings));
+  document.fingerprint = fingerprint(document.atoms, document.positions);
+  return document;
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -33,8 +34,9 @@ struct Document {
   NetworkNodes nodes = {};    ///< of an elastic network; of a graph none
   bool has_residues = false;  ///< of a polymer
   std::shared_ptr<const Structure> file =
-      nullptr;                               ///< the molecule as it was read; null of a graph
-  std::shared_ptr<PathWalk> path = nullptr;  ///< that is being found; null: none is
+      nullptr;                                    ///< the molecule as it was read; null of a graph
+  std::shared_ptr<PathWalk> path = nullptr;       ///< that is being found; null: none is
+  std::optional<std::uint64_t> fingerprint = {};  ///< of what was read, before its model
 };
 
 /// What a program knows better than the text of a molecule: each digit of the positions, and bonds.

@@ -22,11 +22,6 @@ double seconds_of(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// The wandering that the events end with, or null.
-WanderSteps* last_wander(std::vector<ForceEvent>& events) {
-  return events.empty() ? nullptr : std::get_if<WanderSteps>(&events.back().what);
-}
-
 }  // namespace
 
 Session::Session(Document document)
@@ -140,13 +135,18 @@ std::vector<ForceEvent> Session::events() const {
     set = *done.options;
     if (*done.pinned != pinned) events.push_back({PinJoints{pinned = *done.pinned}});
     if (done.is_pull)
-      events.push_back({PullStep{done.forces}});
-    else if (auto* last = last_wander(events))
-      ++last->count;
+      add_pull(events, done.forces);
     else
-      events.push_back({WanderSteps{}});
+      add_wander(events);
   }
   return events;
+}
+
+ForceHeader Session::force_header() const {
+  ForceHeader header = force_header_of(document_.framework);
+  header.structure = document_.fingerprint;
+  if (!document_.model.empty()) header.input.push_back({"model", document_.model});
+  return header;
 }
 
 Session& session() {

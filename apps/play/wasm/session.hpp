@@ -56,6 +56,8 @@ class Session {
   std::size_t undo(std::size_t steps);
   /// All steps that were not taken back, with their settings and pins.
   std::vector<ForceEvent> events() const;
+  /// What these are for: the document and its model.
+  ForceHeader force_header() const;
 
  private:
   /// A step: what it was done with.

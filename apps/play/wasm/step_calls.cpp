@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "step_calls.hpp"
 
-#include <cstdio>
-
 #include "pliant/base/error.hpp"
+#include "pliant/framework/fingerprint.hpp"
 #include "session.hpp"
 #include "settings.hpp"
 
@@ -178,7 +177,8 @@ Reply wander(const Request& request) {
 
 Reply forces(const Request&) {
   Reply reply;
-  reply.fields["text"] = write_force_events(session().events(), session().document().framework);
+  reply.fields["text"] = write_force_events(session().events(), session().document().framework,
+                                            session().force_header());
   return reply;
 }
 
@@ -197,15 +197,10 @@ Reply undo(const Request& request) {
   return reply;
 }
 
-/// FNV-1a (Fowler, Noll, Vo) of the bytes of all positions: what two machines compare.
+/// What two machines compare.
 Reply state(const Request&) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (std::byte byte : std::as_bytes(numbers_of(session().state().positions)))
-    hash = (hash ^ std::to_integer<std::uint64_t>(byte)) * 0x100000001b3u;
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
   Reply reply;
-  reply.fields["hash"] = text;
+  reply.fields["hash"] = fingerprint_text(fingerprint(session().state().positions));
   reply.fields["step"] = session().state().step;
   return reply;
 }

@@ -8,18 +8,19 @@ namespace pliant {
 
 ForceRecorder::ForceRecorder(const std::filesystem::path& path, bool overwrite,
                              const Framework& framework, ForceFile settings,
-                             bool only_counts_random)
+                             std::optional<double> held_back)
     : framework_(framework),
       forces_(std::move(settings)),
       file_(path, overwrite),
-      only_counts_random_(only_counts_random) {}
+      held_back_(held_back) {
+  if (!held_back) return;
+  events_ = settings_of(forces_);
+  events_.push_back({StartWalk{}});
+  events_.push_back({HoldBack{*held_back}});
+}
 
 void ForceRecorder::record(const Push& push) {
-  if (only_counts_random_ && push.forces.size() == 1) {
-    if (forces_.counts.empty() || forces_.counts.back() >= 0) forces_.counts.push_back(0);
-    --forces_.counts.back();
-    return;
-  }
+  if (held_back_) return add_wander(events_, push.asked);
   const std::size_t before = forces_.pushes.size();
   forces_.pushes.insert(forces_.pushes.end(), push.forces.begin(), push.forces.end());
   if (push.forces.empty() && push.root_joint != no_joint)
@@ -30,7 +31,8 @@ void ForceRecorder::record(const Push& push) {
 void ForceRecorder::publish() {
   const auto is_one = [](std::int64_t count) { return count == 1; };
   if (std::ranges::all_of(forces_.counts, is_one)) forces_.counts.clear();
-  file_.write(write_force_file(forces_, framework_));
+  file_.write(held_back_ ? write_force_events(events_, framework_, forces_.header)
+                         : write_force_file(forces_, framework_));
   file_.publish();
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 #include "pliant/perturb/force_file.hpp"
 #include "pliant/text/output_file.hpp"
@@ -11,14 +13,15 @@ namespace pliant {
 
 /// The force file that the pushes of a run become: there as a whole once the run has ended, or not
 /// at all. Of a push the forces are kept that acted by move_by_verlet; if it had none, the root
-/// joint and 0.
+/// joint and 0. Of a run in hands (`held_back`) kept is what they asked for, and steps in which
+/// nothing changed are counted: what drives the run besides is told by the settings, and takes no
+/// memory however long it goes on.
 class ForceRecorder {
  public:
-  /// `settings` without pushes; the framework must outlive it. `only_counts_random`: a push of one
-  /// force is the perturbation's, which the settings describe; such steps are counted, and take no
-  /// memory however many there are. Throws FileError as OutputFile does.
+  /// `settings` without pushes; the framework must outlive it. `held_back`: the longest step of the
+  /// hands (Angstrom), see Steering. Throws FileError as OutputFile does.
   ForceRecorder(const std::filesystem::path& path, bool overwrite, const Framework& framework,
-                ForceFile settings, bool only_counts_random = false);
+                ForceFile settings, std::optional<double> held_back = {});
 
   void record(const Push& push);
   /// Gives the file its name. Throws as OutputFile and write_force_file do.
@@ -28,7 +31,8 @@ class ForceRecorder {
   const Framework& framework_;
   ForceFile forces_;
   OutputFile file_;
-  bool only_counts_random_;
+  std::optional<double> held_back_;
+  std::vector<ForceEvent> events_;  ///< of a run in hands
 };
 
 }  // namespace pliant

@@ -2,20 +2,23 @@
 #include "pliant/perturb/force_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "pliant/base/number.hpp"
-#include "pliant/base/printable.hpp"
 #include "pliant/base/words.hpp"
 #include "pliant/framework/joint_names.hpp"
-#include "pliant/perturb/force_events.hpp"
+#include "pliant/perturb/force_header_reader.hpp"
 #include "pliant/perturb/force_line.hpp"
 #include "pliant/text/file_text.hpp"
+#include "pliant/text/text_lines.hpp"
 
 namespace pliant {
 namespace {
 
-constexpr std::string_view heading = "pliant-forces 1";
+/// The settings that are fields of a ForceFile.
+constexpr std::array<std::string_view, 4> own_settings{"timestep", "tolerance", "tolerance_length",
+                                                       "max_sweeps"};
 
 /// Reads a force file line by line.
 class Parser {
@@ -23,27 +26,37 @@ class Parser {
   Parser(std::string_view file, const Framework& framework) : place_{file, 0}, names_(framework) {}
 
   ForceFile parse(std::string_view text) {
-    for (std::size_t i = 0; i <= text.size();) {
-      const std::size_t end = std::min(text.find('\n', i), text.size());
-      ++place_.line;
-      take(words_of(text.substr(i, end - i)), text.substr(i, end - i));
-      i = end + 1;
+    if (has_force_events(text))
+      fail({place_.file},
+           "holds what a person did, event by event; expected pushes alone, one a step");
+    for (Lines lines(text); lines.next();) {
+      place_.line = lines.number();
+      const Words words = words_of(lines.line());
+      if (!header_.take(words, lines.line(), place_)) take(words);
     }
-    place_.line = 0;
-    if (!headed_) fail(place_, "expected the line " + quoted(heading) + " first, found no text");
+    header_.end(place_.file);
+    found_.header = std::move(header_.header);
     return std::move(found_);
   }
 
  private:
-  void take(const Words& words, std::string_view line) {
-    if (words.empty()) return;
-    if (!headed_) {
-      if (words.size() != 2 || words[0] != "pliant-forces" || words[1] != "1")
-        fail(place_, "expected " + quoted(heading) + ", found " + quoted(trimmed(line)));
-      headed_ = true;
-    } else if (words[0] == "push") {
-      take_push(words);
-    } else if (words[0] == "timestep") {
+  void take(const Words& words) {
+    const bool is_old = header_.header.version == 1;
+    if (words[0] == "push") return take_push(words);
+    if (is_old && std::ranges::count(own_settings, words[0]) > 0) return take_setting(words);
+    if (is_old)
+      fail(place_, "expected timestep, tolerance, tolerance_length, max_sweeps or push, found " +
+                       quoted(words[0]));
+    if (words[0] != "set")
+      fail(place_,
+           "expected structure, joints, bars, input, set or push, found " + quoted(words[0]));
+    expect_words(words, 3, "a name and a value");
+    if (!found_.pushes.empty()) fail(place_, "set: expected before the first push");
+    take_setting({words[1], words[2]});
+  }
+
+  void take_setting(const Words& words) {
+    if (words[0] == "timestep") {
       set(found_.timestep, words, positive(words));
     } else if (words[0] == "tolerance") {
       set(found_.tolerance, words, positive(words));
@@ -52,9 +65,15 @@ class Parser {
     } else if (words[0] == "max_sweeps") {
       take_max_sweeps(words);
     } else {
-      fail(place_, "expected timestep, tolerance, tolerance_length, max_sweeps or push, found " +
-                       quoted(words[0]));
+      take_other(words);
     }
+  }
+
+  void take_other(const Words& words) {
+    const std::string name(words[0]);
+    if (std::ranges::count(found_.settings, name, &ForceSetting::name) > 0)
+      fail(place_, name + ": is given twice");
+    found_.settings.push_back({name, std::string(words[1]), place_.line});
   }
 
   void expect_words(const Words& words, std::size_t count, std::string_view what) {
@@ -90,40 +109,37 @@ class Parser {
 
   Place place_;
   JointNames names_;
-  bool headed_ = false;
+  ForceHeaderReader header_;
   ForceFile found_;
 };
 
-/// Those that every file has, as name and text.
-std::vector<SetOption> settings_of(const ForceFile& forces) {
-  std::vector<SetOption> settings;
-  const auto add = [&](const char* name, const std::optional<double>& value) {
-    if (value) settings.push_back({name, shortest_text(*value)});
-  };
-  add("timestep", forces.timestep);
-  add("tolerance", forces.tolerance);
-  add("tolerance_length", forces.tolerance_length);
-  if (forces.max_sweeps) settings.push_back({"max_sweeps", std::to_string(*forces.max_sweeps)});
-  return settings;
-}
-
 std::vector<ForceEvent> events_of(const ForceFile& forces) {
-  std::vector<ForceEvent> events;
-  for (SetOption& setting : settings_of(forces)) events.push_back({std::move(setting)});
-  for (const auto& [name, value] : forces.settings) events.push_back({SetOption{name, value}});
-  auto next = forces.pushes.begin();
+  std::vector<ForceEvent> events = settings_of(forces);
+  const std::span<const JointForce> all(forces.pushes);
+  std::size_t at = 0;
   for (const std::int64_t count : forces.counts) {
-    if (count < 0) {
-      events.push_back({WanderSteps{-count}});
-      continue;
-    }
-    events.push_back({PullStep{{next, next + count}}});
-    next += count;
+    add_pull(events, all.subspan(at, static_cast<std::size_t>(count)));
+    at += static_cast<std::size_t>(count);
   }
   return events;
 }
 
 }  // namespace
+
+std::vector<ForceEvent> settings_of(const ForceFile& forces) {
+  std::vector<ForceEvent> settings;
+  const auto add = [&](const char* name, const std::optional<double>& value) {
+    if (value) settings.push_back({SetOption{name, shortest_text(*value)}});
+  };
+  add("timestep", forces.timestep);
+  add("tolerance", forces.tolerance);
+  add("tolerance_length", forces.tolerance_length);
+  if (forces.max_sweeps)
+    settings.push_back({SetOption{"max_sweeps", std::to_string(*forces.max_sweeps)}});
+  for (const ForceSetting& one : forces.settings)
+    settings.push_back({SetOption{one.name, one.value}, one.line});
+  return settings;
+}
 
 void ForceFile::set(const PerturbOptions& options, Tolerance within, std::int64_t most_sweeps) {
   timestep = options.timestep;
@@ -148,14 +164,21 @@ ForceFile parse_force_file(std::string_view text, std::string_view file_name,
 
 ForceFile read_force_file(const std::filesystem::path& path, const Framework& framework) {
   const std::string bytes = read_bytes(path);
-  return parse_force_file(without_byte_order_mark(bytes), path.string(), framework);
+  ForceFile file = parse_force_file(without_byte_order_mark(bytes), path.string(), framework);
+  check_fit(file.header, framework, path.string());
+  return file;
 }
 
 std::string write_force_file(const ForceFile& forces, const Framework& framework) {
-  if (!forces.counts.empty()) return write_force_events(events_of(forces), framework);
+  if (!forces.counts.empty())
+    return write_force_events(events_of(forces), framework, forces.header);
   const JointNames names(framework);
-  std::string text = std::string(heading) + "\n";
-  for (const auto& [name, value] : settings_of(forces)) text += name + " " + value + "\n";
+  const bool is_old = forces.header.empty() && forces.settings.empty();
+  std::string text = is_old ? "pliant-forces 1\n" : write_force_header(forces.header);
+  for (const ForceEvent& event : settings_of(forces)) {
+    const auto& set = std::get<SetOption>(event.what);
+    text += (is_old ? "" : "set ") + set.name + " " + set.value + "\n";
+  }
   for (const JointForce& push : forces.pushes) text += force_line("push", push, names);
   return text;
 }

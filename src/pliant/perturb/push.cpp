@@ -9,6 +9,7 @@ void Push::clear() {
   all = false;
   joints.clear();
   forces.clear();
+  asked.clear();
 }
 
 void Push::add(Joint joint, Vec3 by) {

@@ -25,6 +25,7 @@ struct Push {
   bool all = false;                    ///< any joint may have been moved
   std::vector<Joint> joints = {};      ///< unless `all`: those that were, the root joint among them
   std::vector<JointForce> forces = {};  ///< in the order in which move_by_verlet applied them
+  std::vector<JointForce> asked = {};   ///< by hands: those of `forces` before they were held back
 
   void clear();
   /// Notes a joint that was moved, and the force that did.

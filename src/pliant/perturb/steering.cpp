@@ -35,6 +35,7 @@ bool Steering::push(const PushCall& call, State& state, Push& out) {
     if (pull.joint >= count)
       throw OptionError("steering: joint " + std::to_string(pull.joint) + " of " +
                         std::to_string(count) + " does not exist");
+  out.asked.insert(out.asked.end(), acting_.begin(), acting_.end());
   const bool is_held_back = longest_step_ < std::numeric_limits<double>::infinity();
   for (JointForce& pull : acting_) {
     if (is_held_back) pull = held_back(call, pull, state, longest_step_);

@@ -25,8 +25,8 @@ class Steering final : public Pusher {
   /// Nothing pulls from the next step on. From any thread.
   void release();
 
-  /// Moves the joints by move_by_verlet. `out` tells the forces as they acted. Throws OptionError
-  /// if one of them does not exist. It never has pushed for the last time.
+  /// Moves the joints by move_by_verlet. `out` tells the forces as they were asked for and as they
+  /// acted. Throws OptionError if a joint does not exist. It never has pushed for the last time.
   bool push(const PushCall& call, State& state, Push& out) override;
 
  private:

@@ -44,6 +44,13 @@ class LoosestTolerance {
   Tolerance loosest_;
 };
 
+/// Whether the events say under which settings the start is made whole.
+bool starts_by_itself(std::span<const ForceEvent> events) {
+  return std::ranges::any_of(events, [](const ForceEvent& event) {
+    return std::holds_alternative<StartWalk>(event.what);
+  });
+}
+
 class Replaying {
  public:
   Replaying(const Framework& framework, const State& state, const ReplayOptions& options,
@@ -57,7 +64,7 @@ class Replaying {
 
   RunSummary run(std::span<const ForceEvent> events) {
     last_step_ = walk_.state().step + steps_of(events);
-    show(walk_.start());
+    if (!starts_by_itself(events)) show(walk_.start());
     apply_all(events);
     RunSummary summary = walk_.summary();
     summary.frames = shown_;
@@ -97,11 +104,16 @@ class Replaying {
   void apply(const SetOption&) {}
   void apply(const PinJoints& pins) { walk_.pin(pins.joints); }
   void apply(const PullStep& pull) {
-    if (makes_steps_) show(walk_.pull(pull.forces));
+    for (std::int64_t k = 0; makes_steps_ && k < pull.count && !is_stopped_; ++k)
+      show(walk_.pull(pull.forces));
   }
   void apply(const WanderSteps& wander) {
     for (std::int64_t k = 0; makes_steps_ && k < wander.count && !is_stopped_; ++k)
-      show(walk_.wander());
+      show(walk_.wander(wander.forces));
+  }
+  void apply(const HoldBack& hold) { walk_.hold_back(hold.longest_step); }
+  void apply(const StartWalk&) {
+    if (makes_steps_) show(walk_.start());
   }
 
   void show(const Frame& frame) {
@@ -141,7 +153,7 @@ RunSummary replay_events(const Framework& framework, State& state,
 RunOptions options_after(RunOptions options, std::span<const ForceEvent> events,
                          const Framework& framework) {
   LoosestTolerance loosest;
-  loosest.note(options.resolve.tolerance);  // of the start
+  if (!starts_by_itself(events)) loosest.note(options.resolve.tolerance);
   for (const ForceEvent& event : events) {
     if (const auto* set = std::get_if<SetOption>(&event.what))
       set_run_field(options, set->name, set->value);

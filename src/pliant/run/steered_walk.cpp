@@ -44,7 +44,7 @@ std::unique_ptr<Motion> SteeredWalk::made(const Framework& framework, const RunO
   if (by == Pushing::at_random) wanted.push.push_back(options.perturb);
   auto motion =
       std::make_unique<Motion>(framework, std::ref(state_), wanted, options.resolve.walker);
-  if (by == Pushing::by_hand) motion->add(hand_);
+  motion->add(hand_);
   motion->add(std::make_shared<Look>(look_));
   return motion;
 }
@@ -85,7 +85,16 @@ Frame SteeredWalk::pull(std::span<const JointForce> forces) {
   return walker.step();
 }
 
-Frame SteeredWalk::wander() { return motion(Pushing::at_random).step(); }
+Frame SteeredWalk::wander(std::span<const JointForce> forces) {
+  Motion& walker = motion(Pushing::at_random);
+  hand_->pull(forces);
+  return walker.step();
+}
+
+void SteeredWalk::hold_back(double longest_step) {
+  hand_ = std::make_shared<Steering>(longest_step);
+  renew(held_, options_);
+}
 
 void SteeredWalk::set(const RunOptions& options) {
   RunOptions wanted = options;

@@ -31,8 +31,8 @@ class SteeredWalk {
   /// A step in which these forces act, by move_by_verlet, and no others. Throws OptionError for a
   /// force that is not finite or on a joint that does not exist; the state is then as before.
   Frame pull(std::span<const JointForce> forces);
-  /// A step of the pusher that options().perturb names.
-  Frame wander();
+  /// A step of the pusher that options().perturb names; these forces act after it, as in pull().
+  Frame wander(std::span<const JointForce> forces = {});
 
   /// Where the walker is, measured. Valid until the next step.
   Frame frame();
@@ -43,6 +43,9 @@ class SteeredWalk {
   /// These joints are held, in place of those before, besides those that the framework has pinned:
   /// they take no part of any correction. Throws as set(), and for a joint that does not exist.
   void pin(std::span<const Joint> joints);
+  /// No force moves its joint by more than `longest_step` (Angstrom) in a step from now on, as
+  /// Steering has it. Throws OptionError if that is not above 0.
+  void hold_back(double longest_step);
   /// Shows each bar that a sweep repairs from the next step on; none: no longer. Throws as set():
   /// only orderings go bar by bar.
   void watch(std::function<void(const RepairedBar&)> on_bar);

@@ -24,6 +24,7 @@
 #include "pliant/framework/contacts.hpp"
 #include "pliant/framework/disturbed.hpp"
 #include "pliant/framework/feasibility.hpp"
+#include "pliant/framework/fingerprint.hpp"
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/framework/graph.hpp"
@@ -78,6 +79,7 @@
 #include "pliant/path/trace.hpp"
 #include "pliant/perturb/force_events.hpp"
 #include "pliant/perturb/force_file.hpp"
+#include "pliant/perturb/force_header.hpp"
 #include "pliant/perturb/guide.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/perturb/push.hpp"
@@ -104,6 +106,7 @@
 #include "pliant/rigidity/pebble_game.hpp"
 #include "pliant/rigidity/rigid_clusters.hpp"
 #include "pliant/run/ensemble.hpp"
+#include "pliant/run/force_settings.hpp"
 #include "pliant/run/motion.hpp"
 #include "pliant/run/replay_events.hpp"
 #include "pliant/run/run.hpp"
@@ -224,6 +227,7 @@ const Use uses[] = {
     of("pliant/framework/graph.hpp", &graph_facts),
     of("pliant/framework/joint_names.hpp", &JointNames::word_for),
     of_type<LimitCounts>("pliant/framework/limit_counts.hpp"),
+    of("pliant/framework/fingerprint.hpp", &fingerprint_text),
     of("pliant/framework/limits.hpp", &limit_kinds),
     of("pliant/framework/residual.hpp", &measure),
     of("pliant/framework/sterics.hpp", overload<void(const Sterics&, std::size_t)>(&check)),
@@ -253,12 +257,14 @@ const Use uses[] = {
     of("pliant/path/trace.hpp", &trace_of),
     of("pliant/perturb/force_events.hpp", &write_force_events),
     of("pliant/perturb/force_file.hpp", &write_force_file),
+    of("pliant/perturb/force_header.hpp", &write_force_header),
     of("pliant/perturb/guide.hpp", &pushers_of),
     of("pliant/perturb/perturbation.hpp", &perturbations),
     of("pliant/perturb/push.hpp", &Push::disturbed),
     of("pliant/perturb/pusher.hpp", &pushers),
     of("pliant/perturb/steering.hpp", &Steering::release),
     of("pliant/run/ensemble.hpp", &run_ensemble),
+    of("pliant/run/force_settings.hpp", &force_settings),
     of("pliant/run/motion.hpp", &Motion::step),
     of("pliant/run/replay_events.hpp", &replay_events),
     of("pliant/run/run.hpp", &run),

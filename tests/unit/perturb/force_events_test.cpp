@@ -34,7 +34,7 @@ std::string refused_replay(std::string_view text) {
 }
 
 constexpr std::string_view session =
-    "pliant-forces 2\n"
+    "pliant-forces 3\n"
     "set technique bfs_cycle\n"
     "set tolerance 1e-07\n"
     "pin 0 3\n"
@@ -59,6 +59,8 @@ TEST(ForceEvents, AreReadAndWrittenToTheSameBits) {
 
 TEST(ForceEvents, KnowTheirVersion) {
   EXPECT_TRUE(has_force_events(session));
+  EXPECT_TRUE(has_force_events("pliant-forces 3\njoints 4\nwander 2\n"));
+  EXPECT_FALSE(has_force_events("pliant-forces 3\nset timestep 1\npush 1 0 0 1\n"));
   EXPECT_TRUE(has_force_events("# of a page\n\npliant-forces 2 # version\r\n"));
   EXPECT_FALSE(has_force_events("pliant-forces 1\n"));
   EXPECT_FALSE(has_force_events(""));
@@ -66,9 +68,11 @@ TEST(ForceEvents, KnowTheirVersion) {
 
 TEST(ForceEvents, RefusalsNameFileAndLine) {
   const std::string head = "pliant-forces 2\n";
-  EXPECT_EQ(refusal(""), "f.txt: expected the line \"pliant-forces 2\" first, found no text");
-  EXPECT_EQ(refusal("pliant-forces 3\n"),
-            "f.txt:1: expected \"pliant-forces 2\", found \"pliant-forces 3\"");
+  EXPECT_EQ(refusal(""),
+            "f.txt: expected \"pliant-forces\" and a version from 1 to 3 first, found no text");
+  EXPECT_EQ(refusal("pliant-forces 4\n"),
+            "f.txt:1: expected \"pliant-forces\" and a version from 1 to 3, found \"pliant-forces "
+            "4\"");
   EXPECT_EQ(refusal(head + "push 1 0 0 0\n"),
             "f.txt:2: expected set, pin, force, step or wander, found \"push\"");
   EXPECT_EQ(refusal(head + "set technique\n"),
@@ -84,6 +88,44 @@ TEST(ForceEvents, RefusalsNameFileAndLine) {
   EXPECT_EQ(refusal(head + "wander 0\n"),
             "f.txt:2: wander: expected a whole number of steps from 1");
   EXPECT_NE(refusal(head + "pin 6\n"), "");
+}
+
+TEST(ForceEvents, CountStepsThatAreTheSame) {
+  const std::string text =
+      "pliant-forces 3\nset seed 7\nstart\nhold_back 0.2\nforce 1 0 0 2\nstep 350\n"
+      "force 1 0 0 2\nwander 20\nwander 5\n";
+  const std::vector<ForceEvent> events = parse(text);
+  EXPECT_EQ(steps_of(events), 375);
+  EXPECT_EQ(write_force_events(events, hexagon()), text);
+  std::vector<ForceEvent> added;
+  const std::vector<JointForce> zero{{1, {0.0, 0.0, 0.0}}}, minus{{1, {0.0, 0.0, -0.0}}};
+  for (int k = 0; k < 1000; ++k) add_pull(added, zero);
+  add_pull(added, minus);
+  for (int k = 0; k < 3; ++k) add_wander(added);
+  EXPECT_EQ(write_force_events(added, hexagon()),
+            "pliant-forces 3\nforce 1 0 0 0\nstep 1000\nforce 1 0 0 -0\nstep\nwander 3\n");
+}
+
+TEST(ForceEvents, RefuseCountsThatAreNone) {
+  const std::string head = "pliant-forces 3\n";
+  for (const char* count : {"0", "-1", "x", "1 2", "9223372036854775807"})
+    EXPECT_EQ(refusal(head + "step " + count + "\n"),
+              "f.txt:2: step: expected a whole number of steps from 1");
+  EXPECT_EQ(refusal(head + "hold_back 0\n"), "f.txt:2: hold_back: expected a number above 0");
+  EXPECT_EQ(refusal(head + "step\nstart\n"), "f.txt:3: start: expected before all but set");
+}
+
+/// What a counted line does is what as many lines did in version 2.
+TEST(ReplayEvents, CountedStepsHaveTheBitsOfThoseWrittenOut) {
+  const std::string pull = "force 1 40 0.1 -30\n";
+  std::string written = "pliant-forces 2\nset damping 0.5\n";
+  for (int k = 0; k < 30; ++k) written += pull + "step\n";
+  State counted(ring(6).positions), listed(ring(6).positions);
+  replay_events(hexagon(), counted,
+                parse("pliant-forces 3\nset damping 0.5\n" + pull + "step 30\n"), {}, {});
+  replay_events(hexagon(), listed, parse(written), {}, {});
+  EXPECT_EQ(counted.positions, listed.positions);
+  EXPECT_EQ(counted.step, 30);
 }
 
 TEST(ReplayEvents, RefusalsOfSettingsNameTheLine) {

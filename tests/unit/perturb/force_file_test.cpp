@@ -133,11 +133,14 @@ TEST(ForceFile, TakesLinesEndedByCarriageReturnAndNewline) {
 }
 
 TEST(ForceFile, SaysWhatItExpected) {
-  EXPECT_EQ(refusal(""), "f.txt: expected the line \"pliant-forces 1\" first, found no text");
-  EXPECT_EQ(refusal("\n\npliant-forces 3\n"),
-            "f.txt:3: expected \"pliant-forces 1\", found \"pliant-forces 3\"");
-  EXPECT_EQ(refusal("HEADER \x1b[2J"),
-            "f.txt:1: expected \"pliant-forces 1\", found \"HEADER \\x1b[2J\"");
+  EXPECT_EQ(refusal(""),
+            "f.txt: expected \"pliant-forces\" and a version from 1 to 3 first, found no text");
+  EXPECT_EQ(refusal("\n\npliant-forces 4\n"),
+            "f.txt:3: expected \"pliant-forces\" and a version from 1 to 3, found \"pliant-forces "
+            "4\"");
+  EXPECT_EQ(
+      refusal("HEADER \x1b[2J"),
+      "f.txt:1: expected \"pliant-forces\" and a version from 1 to 3, found \"HEADER \\x1b[2J\"");
   EXPECT_EQ(refusal("pliant-forces 1\npull C1 1 2 3"),
             "f.txt:2: expected timestep, tolerance, tolerance_length, max_sweeps or push, found "
             "\"pull\"");
@@ -149,14 +152,49 @@ TEST(ForceFile, WithCountsIsWrittenAsEvents) {
   file.timestep = 0.01;
   file.settings = {{"technique", "blocks"}};
   file.pushes = {{0, {1, 2, 3}}, {1, {4, 5, 6}}, {5, {0, 0, -1}}};
-  file.counts = {2, 0, -70, 1};
+  file.counts = {2, 0, 0, 1};
   const std::string text = write_force_file(file, butane());
   EXPECT_EQ(text,
-            "pliant-forces 2\nset timestep 0.01\nset technique blocks\nforce C1 1 2 3\n"
-            "force C2 4 5 6\nstep\nstep\nwander 70\nforce 5 0 0 -1\nstep\n");
+            "pliant-forces 3\nset timestep 0.01\nset technique blocks\nforce C1 1 2 3\n"
+            "force C2 4 5 6\nstep\nstep 2\nforce 5 0 0 -1\nstep\n");
   const std::vector<ForceEvent> events = parse_force_events(text, "f.txt", butane());
   EXPECT_EQ(write_force_events(events, butane()), text);
-  EXPECT_EQ(steps_of(events), 73);
+  EXPECT_EQ(steps_of(events), 4);
+}
+
+TEST(ForceHeader, IsReadBackAsWritten) {
+  ForceHeader header = force_header_of(butane());
+  header.structure = 0x5f0c1d3a9b7e2468u;
+  header.input = {{"model", "protein"}, {"pin", "resname A#1 and 5%"}};
+  const std::string text = write_force_header(header);
+  const ForceHeader back = read_force_header(text + "set timestep 0.5\n", "f.txt");
+  EXPECT_EQ(back.structure, header.structure);
+  EXPECT_EQ(back.input[1].value, "resname A#1 and 5%");
+  EXPECT_EQ(back.input[1].line, 6u);
+  EXPECT_EQ(write_force_header(back), text);
+  EXPECT_EQ(misfit(back, butane()), "");
+}
+
+TEST(ForceHeader, SaysWhatIsWrongWithItsLine) {
+  const auto error = [](const std::string& line) {
+    return test::error_text<InputError>(
+        [&] { read_force_header("pliant-forces 3\n" + line, "f.txt"); });
+  };
+  EXPECT_EQ(error("structure 12"),
+            "f.txt:2: structure: expected 16 hexadecimal digits, found \"12\"");
+  EXPECT_EQ(error("joints -1"), "f.txt:2: joints: expected a whole number from 0, found \"-1\"");
+  EXPECT_EQ(error("joints 1\njoints 1"), "f.txt:3: joints: is given twice");
+  EXPECT_EQ(error("input model"),
+            "f.txt:2: input: expected a name and a value, found \"input model\"");
+}
+
+TEST(ForceFile, MadeForAnotherFrameworkIsRefused) {
+  const test::TempDirectory directory;
+  const std::filesystem::path path = directory / "f.txt";
+  std::ofstream(path) << "pliant-forces 3\njoints 746\npush 0 0 0 1\n";
+  EXPECT_EQ(test::error_text<InputError>([&] { read_force_file(path, butane()); }),
+            path.string() + ": was made for another framework: of 746 joints, not " +
+                std::to_string(butane().joint_count()));
 }
 
 TEST(ForceFile, IsReadBackToTheSameBits) {
@@ -219,7 +257,8 @@ TEST(ReadForceFile, ReadsFilesAndNamesThemInErrors) {
   EXPECT_EQ(read_force_file(path, butane()).pushes.size(), 2u);
   std::ofstream(path) << "nothing";
   EXPECT_EQ(test::error_text<InputError>([&] { read_force_file(path, butane()); }),
-            path.string() + ":1: expected \"pliant-forces 1\", found \"nothing\"");
+            path.string() +
+                ":1: expected \"pliant-forces\" and a version from 1 to 3, found \"nothing\"");
   std::filesystem::remove(path);
   EXPECT_EQ(test::error_text<FileError>([&] { read_force_file(path, butane()); }),
             "cannot read " + path.string() + ": No such file or directory");

@@ -11,6 +11,9 @@ const titleOf = (name) => {
   return words[0].toUpperCase() + words.slice(1);
 };
 
+const isForceFile = (bytes) =>
+  /^(\s*#.*\n)*\s*pliant-forces\b/.test(new TextDecoder().decode(bytes.subarray(0, 1000)));
+
 /** A model to be watched, of what an H5MD file holds. */
 function replayModel(name, file) {
   const joints = file.joints;
@@ -96,6 +99,8 @@ export class Open {
   async openBytes(name, bytes, model = $('model').value || 'auto', known = {}) {
     say('');
     if (isHdf5(bytes)) return this.openTrajectory(name, bytes);
+    if (isForceFile(bytes))
+      throw new Error(`${name} is a force file. The command repeats it on its molecule: pliant run FILE --forces ${name}`);
     return this.waiting(name, () => this.session.openFile(name, bytes, model, known));
   }
 

@@ -24,7 +24,7 @@ constexpr int most_closings = 12;
 /// where something is still too near, later.
 constexpr double least_gain = 0.95;
 constexpr int patience = 6, long_patience = 15;
-constexpr double tiny = 1e-9;
+constexpr double least_length = 1e-9;
 
 /// The interval that a step aims at.
 struct Aim {
@@ -214,7 +214,7 @@ void FrodaFrame::find_limit_rows(double weight, Violation& worst) {
     const double broken = std::abs(excess(limits[k], length));
     worst.limit = std::max(worst.limit, broken);
     const double gap = (length > aim.most ? aim.most : aim.least) - length;
-    add_row({i, j, (1.0 / (length + tiny)) * apart, gap, weight}, broken);
+    add_row({i, j, (1.0 / (length + least_length)) * apart, gap, weight}, broken);
   }
 }
 
@@ -228,7 +228,8 @@ void FrodaFrame::find_steric_rows(double weight, Violation& worst) {
     const double length = std::sqrt(square);
     const double broken = pair.least - length;
     worst.overlap = std::max(worst.overlap, broken);
-    add_row({pair.i, pair.j, (1.0 / (length + tiny)) * apart, aim - length, weight}, broken);
+    add_row({pair.i, pair.j, (1.0 / (length + least_length)) * apart, aim - length, weight},
+            broken);
   }
 }
 

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "molecule_fields.hpp"
+
+#include <sstream>
+
+#include "pliant/base/number.hpp"
+
+namespace pliant::app {
+namespace {
+
+template <auto Member>
+MoleculePlace at(MoleculeOptions& options) {
+  return &(options.*Member);
+}
+
+template <auto Member>
+MoleculePlace of_kind(MoleculeOptions& options) {
+  return &(options.kind.*Member);
+}
+
+constexpr MoleculeField table[] = {
+    {"frame", "--frame", at<&MoleculeOptions::model>},
+    {"select", "--select", at<&MoleculeOptions::select>},
+    {"assembly", "--assembly", at<&MoleculeOptions::assembly>},
+    {"lengths", "--lengths", at<&MoleculeOptions::lengths>},
+    {"pin", "--pin", at<&MoleculeOptions::pin>},
+    {"distance_bonds", "--no-distance-bonds", at<&MoleculeOptions::guess_distances>},
+    {"hbond_cutoff", "--hbond-cutoff", of_kind<&ModelSettings::hbond_cutoff>},
+    {"contacts", "--contacts", of_kind<&ModelSettings::contacts>, true},
+    {"keep_waters", "--keep-waters", of_kind<&ModelSettings::keep_waters>},
+    {"fill_side_chains", "--fill-side-chains", of_kind<&ModelSettings::fill_side_chains>},
+    {"all_hydrogens", "--all-hydrogens", of_kind<&ModelSettings::all_hydrogens>},
+    {"protonate", "--protonate", of_kind<&ModelSettings::protonate>},
+    {"floppy", "--floppy", of_kind<&ModelSettings::floppy>},
+};
+
+struct Spelled {
+  std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
+  std::string operator()(const std::int64_t* value) const { return std::to_string(*value); }
+  std::string operator()(const double* value) const { return shortest_text(*value); }
+  std::string operator()(const std::string* value) const { return *value; }
+  std::string operator()(const std::vector<std::string>* values) const {
+    std::string text;
+    for (const std::string& value : *values) text += (text.empty() ? "" : ",") + value;
+    return text;
+  }
+};
+
+struct Told {
+  std::string_view name, text;
+
+  [[noreturn]] void refuse(const char* expected) const {
+    throw OptionError(std::string(name) + ": expected " + expected + ", found " + quoted(text));
+  }
+  void operator()(bool* place) const {
+    if (text != "true" && text != "false") refuse("true or false");
+    *place = text == "true";
+  }
+  void operator()(std::int64_t* place) const {
+    const auto value = parse_integer(text);
+    if (!value || *value < 1) refuse("a whole number from 1");
+    *place = *value;
+  }
+  void operator()(double* place) const {
+    const auto value = parse_real(text);
+    if (!value) refuse("a number");
+    *place = *value;
+  }
+  void operator()(std::string* place) const { *place = text; }
+  void operator()(std::vector<std::string>* place) const {
+    place->clear();
+    std::istringstream parts{std::string(text)};
+    for (std::string part; std::getline(parts, part, ',');) place->push_back(part);
+  }
+};
+
+}  // namespace
+
+std::span<const MoleculeField> molecule_fields() { return table; }
+
+std::string molecule_field_text(const MoleculeOptions& options, const MoleculeField& field) {
+  return std::visit(Spelled{}, field.place(const_cast<MoleculeOptions&>(options)));
+}
+
+void set_molecule_field(MoleculeOptions& options, const MoleculeField& field,
+                        std::string_view text) {
+  std::visit(Told{field.name, text}, field.place(options));
+}
+
+ForceHeader force_header_of(const MoleculeOptions& options, const Molecule& molecule) {
+  ForceHeader header = pliant::force_header_of(molecule.framework);
+  header.structure = molecule.fingerprint;
+  const bool has_model = !options.kind.name.empty();
+  const bool is_graph = molecule.structure.format == "graph";
+  if (has_model || !is_graph || !options.bars.empty())
+    header.input.push_back({has_model ? "model" : "bars", bars_of(options)});
+  for (const MoleculeField& field : molecule_fields()) {
+    const std::string text = molecule_field_text(options, field);
+    if (text != molecule_field_text({}, field))
+      header.input.push_back({std::string(field.name), text});
+  }
+  return header;
+}
+
+}  // namespace pliant::app
