@@ -15,10 +15,12 @@ pytest.importorskip("scipy")
 
 from pliant.lab.bench.command import main  # noqa: E402
 from pliant.lab.validity import ladder, sources  # noqa: E402
+from pliant.lab.validity.cases import CROWDED  # noqa: E402
 from pliant.lab.validity.goals import goal_of  # noqa: E402
 from pliant.lab.validity.peers import gnm_fluctuations  # noqa: E402
 from pliant.lab.validity.references import b_factors_of, models_of, trajectory_of  # noqa: E402
 from pliant.lab.validity.rows import HELD_OUT, TUNED, Row, Validity  # noqa: E402
+from pliant.lab.validity.subject import Subject  # noqa: E402
 
 
 def rows_of(found):
@@ -49,6 +51,26 @@ def test_the_kinase_opens_along_its_modes(packages):
     assert [row.verdict for row in exact[1:]] == ["aim met"] * 3
     assert exact[0].ours < 1e-10 < exact[0].anm
     assert exact[1].anm > 100 and exact[3].anm > 100
+
+
+LARGE = [pytest.param(name, marks=pytest.mark.long) for name in ("1HVR", "4E43", "2ZMM")]
+
+
+@pytest.mark.parametrize("name", ["cobrotoxin", *LARGE])
+def test_frames_clash_no_more_than_the_start(packages, monkeypatch, name):
+    monkeypatch.setattr(ladder, "CROWDED", {name: CROWDED[name]})
+    row = ladder.validity(["clashes"], frames=12).rows[0]
+    assert (row.system, row.figure) == (name, "clashes of 1000 heavy atoms")
+    assert row.ours <= row.must
+    assert row.note.endswith(" in 12 frames")
+
+
+def test_carbon_and_oxygen_of_a_small_protein_do_not_clash_more():
+    """Trypsin inhibitor: the clashes of the start, counted by SciPy alone."""
+    path = sources.Files().find(sources.Source("5PTI.cif.gz", sources.MDANALYSIS, "mmcif"))
+    subject = Subject(path, 20)
+    look = subject.ensemble().look
+    assert look.clashes <= look.clashes_of_start
 
 
 def test_what_is_missing_is_a_row_that_says_how_to_get_it(packages, tmp_path):
