@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Samples that version 0.3.0 wrote go on: it recorded the contact energy as a temperature, in kJ/mol.
+"""Samples that version 0.3.0 wrote go on: it recorded the contact energy as a temperature (kJ/mol).
 
 ``tests/golden/version_0_3_0`` was made by that version::
 
