@@ -53,10 +53,10 @@ def test_the_kinase_opens_along_its_modes(packages):
     assert exact[1].anm > 100 and exact[3].anm > 100
 
 
-LARGE = [pytest.param(name, marks=pytest.mark.long) for name in ("1HVR", "4E43", "2ZMM")]
+LARGE = [pytest.param(name, marks=pytest.mark.long) for name in ("1HVR", "2ZMM")]
 
 
-@pytest.mark.parametrize("name", ["cobrotoxin", *LARGE])
+@pytest.mark.parametrize("name", ["4E43", *LARGE])
 def test_frames_clash_no_more_than_the_start(packages, monkeypatch, name):
     monkeypatch.setattr(ladder, "CROWDED", {name: CROWDED[name]})
     row = ladder.validity(["clashes"], frames=12).rows[0]
