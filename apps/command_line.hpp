@@ -61,6 +61,10 @@ class CommandLine {
   void add_real(const std::string& name, double& value, Range range, const std::string& help,
                 const char* fallback = nullptr);
 
+  /// A number that an earlier version took by this name: the error says what it `is_now`, the name
+  /// of an option, a comma and its unit, and gives the value times `factor`. It is not in the help.
+  void add_former_real(const std::string& name, const std::string& is_now, double factor);
+
   /// Names set apart by commas; `fallback` says in the help what holds if there are none.
   void add_names(const std::string& name, std::vector<std::string>& values,
                  const std::string& fallback, const std::string& help);

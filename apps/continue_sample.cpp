@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "interrupt.hpp"
 #include "messages.hpp"
@@ -38,7 +39,7 @@ constexpr RecordedOption recorded_options[] = {{"input", "input/file"},
                                                {"--seed", "sample/seed"},
                                                {"--network", "sample/network"},
                                                {"--sampler", "sample/sampler"},
-                                               {"--temperature", "sample/temperature"},
+                                               {"--contact-energy", "sample/contact_energy"},
                                                {"--single", "record/single"},
                                                {"--compress", "record/compress"},
                                                {"--precision", "record/precision"},
@@ -61,6 +62,7 @@ H5mdCheckpoint read_sample(const CommandLine& line, const SampleSettings& settin
   std::optional<std::int64_t> frames;
   if (line.was_given("--frames")) frames = settings.sample.frames;
   H5mdCheckpoint from = read_checkpoint(settings.go_on, frames, log);
+  from.parameters = renewed(std::move(from.parameters));
   if (!from.is_sample())
     throw InputError(from.path.string() +
                      ": holds steps of pliant run: pliant run --continue goes on with them");

@@ -60,9 +60,10 @@ void add_sample_group(CommandLine& line, SampleSettings& settings) {
   sample.sampler = "auto";
   line.add_choice("--sampler", sample.sampler, ways,
                   "way to move; auto: modes if there are residues, torsions for small molecules");
-  line.add_real("--temperature", sample.temperature, Range::positive,
-                "T of --sampler dilute, kJ/mol: it turns a contact of energy E off\n"
-                "with probability exp(-|E| / T)");
+  line.add_real("--contact-energy", sample.contact_energy, Range::positive,
+                "of --sampler dilute, kcal/mol: it turns a contact of energy E off\n"
+                "with probability exp(-|E| / X)");
+  line.add_former_real("--temperature", "--contact-energy, in kcal/mol", 1.0 / kj_per_kcal);
 }
 
 void add_output_group(CommandLine& line, SampleSettings& settings) {

@@ -9,6 +9,7 @@
 #include "network_nodes.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
@@ -106,12 +107,22 @@ void fill(SampledEnsemble& out, const SampleOptions& options, const Output& outp
   if (recorder) recorder->close();
 }
 
+/// Version 0.3.0 took a temperature in kJ/mol.
+void refuse_former(const std::optional<double>& temperature) {
+  if (temperature)
+    throw OptionError("temperature is now contact_energy, in kcal/mol: contact_energy=" +
+                      number_text(*temperature / kj_per_kcal, 6));
+}
+
 SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
                             const std::optional<AskedAmplitude>& amplitude, std::uint64_t seed,
                             int threads, const std::string& network, const std::string& sampler,
-                            std::int64_t first_frame, double temperature, const std::string& model,
+                            std::int64_t first_frame, double contact_energy,
+                            const std::string& model,
                             const std::optional<std::filesystem::path>& path, bool overwrite,
-                            bool single, bool compress, double precision, const std::string& save) {
+                            bool single, bool compress, double precision, const std::string& save,
+                            const std::optional<double>& temperature) {
+  refuse_former(temperature);
   Output output = output_from(path, overwrite, single, compress, precision, save);
   SampledEnsemble out{model_from(structure, model), {}, {}, {}};
   out.amplitude = amplitude_of(amplitude.value_or(usual_amplitude), out.model.structure);
@@ -128,7 +139,7 @@ SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
   if (sampler == "auto")
     options.sampler = usual_sampler(out.model.framework, out.model.positions,
                                     usual_model(out.model.structure) == ModelKind::protein);
-  options.temperature = temperature;
+  options.contact_energy = contact_energy;
   check(options);
   const bool has_amplitude = find_sampler(options.sampler).has_amplitude;
   if (amplitude && !has_amplitude)
@@ -205,8 +216,9 @@ sampler : str
     molecules, which have no amplitude.
 first_frame : int
     Number of the first frame: a run may be made in pieces.
-temperature : float
-    T of sampler ``dilute`` (kJ/mol).
+contact_energy : float
+    Of sampler ``dilute`` (kcal/mol): a contact of energy E is off with probability
+    exp(-abs(E) / contact_energy).
 model : str
     A name in ``models()``; empty: ``protein`` where there are residues, else ``molecule``.
 output : str or path, optional
@@ -335,14 +347,14 @@ void bind_sample(nb::module_& module) {
       "sample", &sample_from, "structure"_a, "frames"_a = usual.frames, nb::kw_only(),
       "amplitude"_a = nb::none(), "seed"_a = usual.seed, "threads"_a = usual.threads,
       "network"_a = usual.network, "sampler"_a = "auto", "first_frame"_a = usual.first_frame,
-      "temperature"_a = usual.temperature, "model"_a = "", "output"_a = nb::none(),
+      "contact_energy"_a = usual.contact_energy, "model"_a = "", "output"_a = nb::none(),
       "overwrite"_a = false, "single"_a = false, "compress"_a = false, "precision"_a = 0.0,
-      "save"_a = "",
+      "save"_a = "", "temperature"_a = nb::none(),
       nb::sig(
           "def sample(structure: Structure | MolecularModel, frames: int = 200, *, "
           "amplitude: float | str | os.PathLike | None = None, seed: int = 0, threads: int = 1, "
           "network: str = \"shared\", sampler: str = \"auto\", first_frame: int = 0, "
-          "temperature: float = 12.552, model: str = \"\", "
+          "contact_energy: float = 3.0, model: str = \"\", "
           "output: str | os.PathLike[str] | None = None, overwrite: bool = False, "
           "single: bool = False, compress: bool = False, precision: float = 0.0, "
           "save: str = '') -> SampledEnsemble"),

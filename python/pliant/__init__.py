@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Molecular flexibility by geometric constraints.
 
-Units of measure: length Angstrom, time ps, mass u, force kJ/(mol Angstrom), energy kJ/mol.
+Units of measure: length Angstrom, time ps, mass u, force kJ/(mol Angstrom), energy kJ/mol, but of
+contacts kcal/mol.
 """
 
 from __future__ import annotations

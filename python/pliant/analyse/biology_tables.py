@@ -84,7 +84,7 @@ def held_contact_columns(study: Study) -> dict[str, Any]:
         "first": [names[joint] for joint in contacts.joints[:, 0]],
         "second": [names[joint] for joint in contacts.joints[:, 1]],
         "kind": contacts.kinds,
-        "energy_kj_per_mol": ["" if e != e else e for e in contacts.energies.tolist()],
+        "energy_kcal_per_mol": ["" if e != e else e for e in contacts.energies.tolist()],
         "share_held": shares[:, 0],
         "share_broken": shares[:, 1],
         "share_off": shares[:, 2],

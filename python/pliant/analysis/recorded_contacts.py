@@ -14,6 +14,7 @@ from pliant import _hdf5
 HELD, BROKEN, OFF = 0, 1, 2
 #: a limit of no group stands for a contact of its own
 NO_GROUP = -1
+KJ_PER_KCAL = 4.184  #: files have kJ/mol
 
 
 @dataclass
@@ -22,7 +23,7 @@ class RecordedContacts:
 
     joints: np.ndarray  #: (C, 2) the two joints of its first limit, from 0
     kinds: list[str]  #: (C,) "hydrogen_bond", "hydrophobic" ...
-    energies: np.ndarray  #: (C,) kJ/mol, NaN where there is none
+    energies: np.ndarray  #: (C,) kcal/mol, NaN where there is none
     #: (F, C) 0 held, 1 broken by more than 0.1 Angstrom, 2 switched off; None: not recorded
     states: np.ndarray | None = None
 
@@ -51,7 +52,7 @@ def contacts_of(file: h5py.File) -> RecordedContacts | None:
     found = RecordedContacts(
         joints=_hdf5.read(limits).astype(np.int64)[first],
         kinds=[name_of.get(int(kind), "") for kind in kinds[first]],
-        energies=energies[first].astype(np.float64),
+        energies=energies[first].astype(np.float64) / KJ_PER_KCAL,
     )
     states = _hdf5.item(file, "connectivity/contact_states/value")
     if _hdf5.is_array(states, "iu", (None, len(first))):

@@ -12,7 +12,7 @@ from pathlib import Path
 
 from pliant import _core
 from pliant._core import FileError, InputError, OptionError
-from pliant.ensemble.options import Options, file_options, text_of, words_of
+from pliant.ensemble.options import Options, file_options, renewed, text_of, words_of
 
 PLAN = "ensemble.pliant"  #: file of the plan; MDAnalysis opens the ensemble by this name
 SHARDS = "shards"  #: folder of the shards
@@ -140,6 +140,7 @@ def load_plan(folder: str | os.PathLike[str]) -> Plan:
         if found.pop("pliant_ensemble") != _FORMAT:
             raise ValueError("another version of the format")
         plan = Plan(**found)
+        plan.options = renewed(plan.options)
         if plan.command not in USUAL_SHARD or plan.count < 1 or plan.shard_size < 1:
             raise ValueError("numbers that cannot be")
         return plan

@@ -30,6 +30,9 @@ std::string_view name(LimitKind kind);
 /// The kind of that name. Throws OptionError listing the known names.
 LimitKind find_limit_kind(std::string_view name);
 
+/// Contacts of molecules have their energies in kcal/mol, limits and files of frames in kJ/mol.
+inline constexpr double kj_per_kcal = 4.184;
+
 inline constexpr std::uint32_t no_limit_group = ~std::uint32_t{0};
 
 /// Two joints whose distance is held to [least, most] Angstrom.

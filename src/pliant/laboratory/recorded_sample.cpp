@@ -10,17 +10,22 @@
 namespace pliant {
 namespace {
 
+constexpr char contact_energy_path[] = "sample/contact_energy";
+constexpr char former_path[] = "sample/temperature";  // of version 0.3.0, kJ/mol
+
+using Parameters = std::vector<NamedParameter>;
+
 /// The value of a path below /parameters.
 template <class T>
-const T& recorded(const H5mdCheckpoint& from, const std::string& path) {
-  const auto found = std::ranges::find(from.parameters, path, &NamedParameter::first);
-  if (found == from.parameters.end()) throw InputError("does not say /parameters/" + path);
+const T& recorded(const Parameters& from, const std::string& path) {
+  const auto found = std::ranges::find(from, path, &NamedParameter::first);
+  if (found == from.end()) throw InputError("does not say /parameters/" + path);
   const T* value = std::get_if<T>(&found->second);
   if (value == nullptr) throw InputError("/parameters/" + path + " has an invalid value");
   return *value;
 }
 
-std::uint64_t recorded_seed(const H5mdCheckpoint& from) {
+std::uint64_t recorded_seed(const Parameters& from) {
   const auto& text = recorded<std::string>(from, "sample/seed");
   std::uint64_t seed = 0;
   const char* end = text.data() + text.size();
@@ -34,11 +39,12 @@ SampleOptions options_of(const H5mdCheckpoint& from) {
   SampleOptions options;
   options.first_frame = from.last_step;
   options.frames = from.began + from.steps - from.last_step;
-  options.amplitude = recorded<double>(from, "sample/amplitude");
-  options.seed = recorded_seed(from);
-  options.network = recorded<std::string>(from, "sample/network");
-  options.sampler = recorded<std::string>(from, "sample/sampler");
-  options.temperature = recorded<double>(from, "sample/temperature");
+  const Parameters parameters = renewed(from.parameters);
+  options.amplitude = recorded<double>(parameters, "sample/amplitude");
+  options.seed = recorded_seed(parameters);
+  options.network = recorded<std::string>(parameters, "sample/network");
+  options.sampler = recorded<std::string>(parameters, "sample/sampler");
+  options.contact_energy = recorded<double>(parameters, contact_energy_path);
   check(options);
   return options;
 }
@@ -46,10 +52,22 @@ SampleOptions options_of(const H5mdCheckpoint& from) {
 }  // namespace
 
 std::vector<NamedParameter> parameters_of(const SampleOptions& options) {
-  return {{"sample/frames", options.frames},          {"sample/first_frame", options.first_frame},
-          {"sample/amplitude", options.amplitude},    {"sample/seed", std::to_string(options.seed)},
-          {"sample/network", options.network},        {"sample/sampler", options.sampler},
-          {"sample/temperature", options.temperature}};
+  return {{"sample/frames", options.frames},
+          {"sample/first_frame", options.first_frame},
+          {"sample/amplitude", options.amplitude},
+          {"sample/seed", std::to_string(options.seed)},
+          {"sample/network", options.network},
+          {"sample/sampler", options.sampler},
+          {contact_energy_path, options.contact_energy}};
+}
+
+std::vector<NamedParameter> renewed(std::vector<NamedParameter> parameters) {
+  for (auto& [path, value] : parameters) {
+    if (path != former_path) continue;
+    path = contact_energy_path;
+    if (double* energy = std::get_if<double>(&value)) *energy /= kj_per_kcal;
+  }
+  return parameters;
 }
 
 RunInputs sample_inputs(std::span<const Vec3> start, const NetworkNodes& nodes) {

@@ -21,6 +21,10 @@ RunInputs sample_inputs(std::span<const Vec3> start, const NetworkNodes& nodes);
 /// The nodes that were recorded.
 NetworkNodes nodes_of(const RunInputs& inputs);
 
+/// Recorded options by the names and in the units of today: version 0.3.0 wrote contact_energy as
+/// sample/temperature, in kJ/mol.
+std::vector<NamedParameter> renewed(std::vector<NamedParameter> parameters);
+
 /// How a sample goes on: options of the frames that are missing, and of the last one that is there,
 /// which must come out with the same bits. Throws InputError naming the file and a path of it that
 /// is missing or has an invalid value.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <tuple>
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
@@ -208,12 +209,15 @@ class Parser {
                      quoted(cell(column.name)));
   }
 
+  /// Two hydroxyls may bind each other twice, each by its hydrogen.
   void refuse_repeats(const MolecularContact& contact) {
     if (contact.a == contact.b) fail(place_, "a, b: expected two atoms, found one twice");
-    const auto [row, is_new] = lines_.emplace(std::minmax(contact.a, contact.b), place_.line);
-    if (!is_new)
-      fail(place_,
-           "a, b: these two are in contact already, by line " + std::to_string(row->second));
+    const auto [low, high] = std::minmax(contact.a, contact.b);
+    const auto [row, is_new] = lines_.emplace(std::tuple{low, high, contact.hydrogen}, place_.line);
+    if (is_new) return;
+    const bool is_bond = is_bond_kind(contact.kind);
+    fail(place_, std::string(is_bond ? "a, b, hydrogen: these three" : "a, b: these two") +
+                     " are in contact already, by line " + std::to_string(row->second));
   }
 
   void check_interval(const MolecularContact& contact) const {
@@ -230,7 +234,8 @@ class Parser {
   AtomWords names_;
   std::map<std::string, std::size_t, std::less<>> columns_;
   std::vector<std::string_view> cells_;
-  std::map<std::pair<std::uint32_t, std::uint32_t>, std::size_t> lines_;
+  /// Of each two atoms and hydrogen, the line.
+  std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::size_t> lines_;
   std::vector<MolecularContact> found_;
 };
 

@@ -51,8 +51,6 @@ struct MolecularContact {
   friend bool operator==(const MolecularContact&, const MolecularContact&) = default;
 };
 
-inline constexpr double kj_per_kcal = 4.184;
-
 /// Sets what distances of `contact` are held to, from where its atoms are now:
 /// D..A <= max(d0, 2.9) + 0.2, H..A <= max(d0, 2.0) + 0.2, |H..B - d0| <= 0.6;
 /// tether <= max(d0, `usual`) + 0.5; |metal - d0| <= 0.2.

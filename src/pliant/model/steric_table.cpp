@@ -13,17 +13,18 @@ enum Kind : std::uint16_t { C, N, O, S, H, HC, M, X, count };
 
 constexpr std::array<std::string_view, count> names{"C", "N", "O", "S", "H", "HC", "M", "X"};
 
-// Angstrom. H..O leaves room for hydrogen bonds; M leaves room for what holds a metal.
+// Angstrom. C..O and S..S are 0.02 more than where MolProbity's spheres (C 1.70, O 1.52, S 1.80)
+// overlap by 0.4. H..O leaves room for hydrogen bonds; M leaves room for what holds a metal.
 constexpr double table[count][count] = {
     //  C    N    O    S    H   HC    M    X
-    {3.2, 2.9, 2.8, 3.2, 2.3, 2.4, 2.2, 2.6},  // C
-    {2.9, 2.6, 2.6, 3.1, 2.3, 2.3, 1.7, 2.4},  // N
-    {2.8, 2.6, 2.6, 3.0, 1.7, 2.2, 1.7, 2.4},  // O
-    {3.2, 3.1, 3.0, 3.0, 2.4, 2.5, 2.0, 2.6},  // S
-    {2.3, 2.3, 1.7, 2.4, 1.8, 1.9, 1.9, 1.8},  // H
-    {2.4, 2.3, 2.2, 2.5, 1.9, 2.0, 1.9, 2.0},  // HC
-    {2.2, 1.7, 1.7, 2.0, 1.9, 1.9, 2.4, 2.0},  // M
-    {2.6, 2.4, 2.4, 2.6, 1.8, 2.0, 2.0, 2.4},  // X
+    {3.2, 2.9, 2.84, 3.2, 2.3, 2.4, 2.2, 2.6},  // C
+    {2.9, 2.6, 2.6, 3.1, 2.3, 2.3, 1.7, 2.4},   // N
+    {2.84, 2.6, 2.6, 3.0, 1.7, 2.2, 1.7, 2.4},  // O
+    {3.2, 3.1, 3.0, 3.22, 2.4, 2.5, 2.0, 2.6},  // S
+    {2.3, 2.3, 1.7, 2.4, 1.8, 1.9, 1.9, 1.8},   // H
+    {2.4, 2.3, 2.2, 2.5, 1.9, 2.0, 1.9, 2.0},   // HC
+    {2.2, 1.7, 1.7, 2.0, 1.9, 1.9, 2.4, 2.0},   // M
+    {2.6, 2.4, 2.4, 2.6, 1.8, 2.0, 2.0, 2.4},   // X
 };
 
 // The row of HC where clashes count: spheres of 1.22 (HC), 1.70 (C), 1.55 (N), 1.40 (O) and 1.80

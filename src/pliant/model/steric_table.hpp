@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 // Least distances of atoms of molecules, pairs four or more bonds apart. Carbon stands for CH, CH2
 // and CH3 too: 3.2 Angstrom, above the 2.9 to 3.0 of Ramachandran and Sasisekharan (Adv. Protein
-// Chem. 23 (1968) 283) for bare carbon, from whom the others are (outer limits).
+// Chem. 23 (1968) 283) for bare carbon, from whom the others are (outer limits). No two of C, N, O
+// and S come within 0.02 Angstrom of a clash of MolProbity's, an overlap of 0.4, but N and O among
+// each other, which hydrogen bonds bring together.
 #pragma once
 
 #include <string_view>

@@ -224,7 +224,7 @@ void check(const SampleOptions& options) {
   if (options.threads < 1)
     throw OptionError("threads = " + std::to_string(options.threads) + ": must be from 1");
   check_range("amplitude", options.amplitude, Range::positive);
-  check_range("temperature", options.temperature, Range::positive);
+  check_range("contact_energy", options.contact_energy, Range::positive);
   find_network(options.network);
   find_sampler(options.sampler);
 }

@@ -26,7 +26,8 @@ struct SampleOptions {
   int threads = 1;                 ///< from 1; changes no result
   std::string network = "shared";  ///< a name in networks()
   std::string sampler = "modes";   ///< a name in samplers()
-  double temperature = 12.552;     ///< kJ/mol, T of `dilute`: 3 kcal/mol
+  /// kcal/mol, of `dilute`: a contact of energy E is off with probability exp(-|E| / this).
+  double contact_energy = 3.0;
   /// Asked between batches of frames, each of which takes up to about a second.
   std::function<bool()> should_stop = {};
   Log log = {};  ///< of what would surprise

@@ -74,7 +74,7 @@ class DiluteSampler final : public ModesSampler {
       : ModesSampler(setting),
         limits_(setting.framework.limits()),
         seed_(setting.options.seed),
-        temperature_(setting.options.temperature) {}
+        contact_energy_(setting.options.contact_energy * kj_per_kcal) {}
 
   void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
            std::span<const Vec3> before, FrameRequest& request) const override {
@@ -93,12 +93,12 @@ class DiluteSampler final : public ModesSampler {
     const std::uint64_t thing = alone ? limit : at.group;
     RandomSequence draws({seed_, Domain::dilution, static_cast<std::uint64_t>(attempt),
                           static_cast<std::uint64_t>(frame), thing + (alone ? 1ull << 32 : 0)});
-    return draws.uniform() < exact_bits_exp(-std::abs(at.energy) / temperature_) ? 1 : 0;
+    return draws.uniform() < exact_bits_exp(-std::abs(at.energy) / contact_energy_) ? 1 : 0;
   }
 
   std::span<const Limit> limits_;
   std::uint64_t seed_;
-  double temperature_;
+  double contact_energy_;  ///< kJ/mol, as energies of limits are
 };
 
 /// Each node goes a little way at random, and goes on as it went.
@@ -203,7 +203,7 @@ std::unique_ptr<Sampler> make(const SamplerSetting& setting) {
 
 constexpr SamplerEntry table[] = {
     {"modes", "independent frames along the modes of an elastic network", make<ModesSampler>},
-    {"dilute", "the same, with each contact off with probability exp(-|E| / T)",
+    {"dilute", "the same, with each contact off with probability exp(-|E| / X)",
      make<DiluteSampler>},
     {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>},
     {"torsions", "conformers of small molecules: torsions, forms of rings, large rings closed",

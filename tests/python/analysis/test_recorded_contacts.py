@@ -15,14 +15,14 @@ import pliant
 
 PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "cyclic_hexapeptide.pdb"
 FRAMES = 400
-TEMPERATURE = 12.552  # kJ/mol
+CONTACT_ENERGY = 3.0  # kcal/mol
 
 
 @pytest.fixture(scope="module")
 def diluted(tmp_path_factory):
     path = tmp_path_factory.mktemp("diluted") / "d.h5md"
     pliant.sample(
-        pliant.read(PEPTIDE), frames=FRAMES, sampler="dilute", temperature=TEMPERATURE,
+        pliant.read(PEPTIDE), frames=FRAMES, sampler="dilute", contact_energy=CONTACT_ENERGY,
         amplitude=0.3, output=path,
     )  # fmt: skip
     return path
@@ -34,7 +34,7 @@ def test_each_is_on_as_often_as_its_energy_says(diluted):
     shares = contacts.shares(np.arange(FRAMES))
     assert (shares[:, 1] == 0).all()
     np.testing.assert_allclose(shares.sum(axis=1), 1, rtol=1e-14)
-    on = 1 - np.exp(-np.abs(contacts.energies) / TEMPERATURE)
+    on = 1 - np.exp(-np.abs(contacts.energies) / CONTACT_ENERGY)
     error = np.sqrt(on * (1 - on) / FRAMES)
     assert (np.abs(shares[:, 0] - on) < 4 * error + 1e-12).all()
     assert len(set(contacts.states.sum(axis=1).tolist())) > 1
@@ -51,6 +51,24 @@ def test_the_report_has_a_row_for_each(diluted, tmp_path):
     np.testing.assert_allclose([float(row["share_off"]) for row in rows], share)
     names = pliant.read(PEPTIDE).names
     assert rows[0]["first"].rpartition(":")[2] in names
+
+
+def test_energies_are_those_of_the_model_in_kcal(diluted, tmp_path):
+    analyse(diluted, tmp_path / "report")
+    with open(tmp_path / "report" / "held_contacts.csv", encoding="utf-8") as file:
+        told = [float(row["energy_kcal_per_mol"]) for row in csv.DictReader(file)]
+    listed = pliant.build_model(pliant.read(PEPTIDE)).contacts["energy"]
+    np.testing.assert_allclose(told, listed, rtol=1e-12)
+    with h5py.File(diluted) as file:
+        stored = file["parameters/limit/energy"]
+        assert stored.attrs["unit"] == b"kJ mol-1" or stored.attrs["unit"] == "kJ mol-1"
+        np.testing.assert_allclose(sorted(set(stored[:])), sorted(4.184 * listed), rtol=1e-12)
+
+
+def test_a_temperature_is_refused_with_its_value_in_kcal():
+    with pytest.raises(pliant.OptionError) as told:
+        pliant.sample(pliant.read(PEPTIDE), 2, sampler="dilute", temperature=12.552)
+    assert str(told.value) == "temperature is now contact_energy, in kcal/mol: contact_energy=3"
 
 
 def test_they_are_saved_from_a_broken_file(diluted, tmp_path):

@@ -49,7 +49,7 @@ SampleOptions options_for(const std::string& sampler) {
   options.amplitude = 0.3;
   options.seed = ~std::uint64_t{0};
   options.sampler = sampler;
-  options.temperature = 5.0;
+  options.contact_energy = 5.0;
   return options;
 }
 
@@ -106,7 +106,14 @@ TEST(RecordedSample, WhatIsRecordedIsReadBack) {
   EXPECT_EQ(again.first_frame, 102);
   EXPECT_EQ(again.frames, 96 + 20 - 102);
   EXPECT_EQ(again.seed, options.seed);
-  EXPECT_EQ(again.temperature, options.temperature);
+  EXPECT_EQ(again.contact_energy, options.contact_energy);
+}
+
+TEST(RecordedSample, ATemperatureOfVersion030IsAnEnergyInKcal) {
+  const std::vector<NamedParameter> read =
+      renewed({{"sample/seed", std::string("5")}, {"sample/temperature", 12.552}});
+  EXPECT_EQ(read, (std::vector<NamedParameter>{{"sample/seed", std::string("5")},
+                                               {"sample/contact_energy", 3.0}}));
 }
 
 TEST(RecordedSample, FramesOfOtherBitsAreNotAddedTo) {

@@ -103,6 +103,31 @@ TEST(ContactFile, SaysWhatIsWrong) {
             "c.csv:2: least: expected at most 4, found \"5\"");
 }
 
+/// Each binds the other by its own hydrogen.
+TEST(ContactFile, TwoBondsOfOnePairOfHydroxylsAreReadBack) {
+  Structure s;
+  for (int residue : {1, 5})
+    add_residue(s, "SER", residue,
+                {{"CB", "C", {0.0, 0.0, 2.8 * residue}},
+                 {"OG", "O", {1.4, 0.0, 2.8 * residue}},
+                 {"HG", "H", {1.7, 0.9, 2.8 * residue}}});
+  MolecularContact there{MolecularContactKind::hydrogen_bond, 1, 4, 2, 3, -2.5};
+  MolecularContact back{MolecularContactKind::hydrogen_bond, 4, 1, 5, 0, -1.5};
+  set_limits(there, s);
+  set_limits(back, s);
+  const std::vector<MolecularContact> contacts{there, back};
+  EXPECT_EQ(parse_contacts({"c.csv", contacts_as_csv(contacts, s)}, s), contacts);
+  EXPECT_EQ(parse_contacts({"c.json", contacts_as_json(contacts, s)}, s), contacts);
+}
+
+TEST(ContactFile, ABondGivenTwiceIsRefused) {
+  const std::string heading = "kind,a,b,hydrogen,base\n", bond = "hydrogen_bond,0,3,1,4\n";
+  EXPECT_EQ(fault_of(heading + bond + bond),
+            "c.csv:3: a, b, hydrogen: these three are in contact already, by line 2");
+  EXPECT_EQ(fault_of(heading + bond + "salt_bridge,3,0,1,2\n"),
+            "c.csv:3: a, b, hydrogen: these three are in contact already, by line 2");
+}
+
 TEST(ContactFile, AsJsonHasNullForWhatThereIsNot) {
   const Structure s = two_residues();
   const std::string text = contacts_as_json(two_contacts(s), s);

@@ -110,6 +110,22 @@ TEST(StericTable, IsWhatFrameworksTake) {
   EXPECT_EQ(sterics.of_kinds(2, 6), 3.2);  // C..C
 }
 
+/// MolProbity's spheres overlap by 0.4 Angstrom in a clash; steps end 0.02 within least distances.
+TEST(StericTable, KeepsHeavyAtomsFromClashing) {
+  const Sterics sterics = molecular_sterics(amide_and_carbonyl());
+  const std::vector<std::string_view> kinds = steric_kind_names();
+  const std::vector<std::pair<std::string_view, double>> radii{
+      {"C", 1.70}, {"N", 1.55}, {"O", 1.52}, {"S", 1.80}};
+  for (std::size_t a = 0; a < radii.size(); ++a)
+    for (std::size_t b = 0; b < radii.size(); ++b) {
+      ASSERT_EQ(kinds[a], radii[a].first);
+      const bool may_bond = (a == 1 || a == 2) && (b == 1 || b == 2);  // N and O: by hydrogen
+      const double clash = radii[a].second + radii[b].second - 0.4;
+      EXPECT_GE(sterics.least[a * sterics.kind_count + b], may_bond ? 2.6 : clash + 0.02 - 1e-9)
+          << kinds[a] << ".." << kinds[b];
+    }
+}
+
 TEST(BuildModel, StartsWithEveryLimitAndDistanceHeld) {
   const MolecularModel model = build_model(amide_and_carbonyl());
   for (const Limit& limit : model.framework.limits())

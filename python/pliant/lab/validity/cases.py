@@ -92,6 +92,16 @@ PATHS = {
     "adk_closed": (Source("adk.psf", MDANALYSIS), Source("adk_dims.dcd", MDANALYSIS)),
 }
 
+#: Structures whose clashes are counted, in the start and in frames.
+CROWDED = {
+    "1UBI": FLUCTUATIONS["ubiquitin"].start,
+    "1TW7": FLUCTUATIONS["hiv"].start,
+    "1HVR": Source("1hvr.pdb", MDANALYSIS),
+    "4E43": Source("4E43.pdb", MDANALYSIS),
+    "2ZMM": Source("protein.pdb", MDANALYSIS, "merge/2zmm"),
+    "cobrotoxin": Source("cobrotoxin.pdb", MDANALYSIS),
+}
+
 #: X-ray structures of 50 residues and more, one of a sequence, whose B factors differ: all that
 #: these packages have.
 CRYSTALS = (

@@ -16,6 +16,7 @@ from pliant.analysis import agreement as alike
 from pliant.lab.validity import measure
 from pliant.lab.validity.cases import (
     CHANGES,
+    CROWDED,
     CRYSTALS,
     FLUCTUATIONS,
     OPEN,
@@ -57,6 +58,7 @@ class Ladder:
         if self._pairs is not None:
             found["pairs"] = self._domain_motions
         found["crystals"] = self._crystals
+        found["clashes"] = self._clashes
         found["cost"] = self._cost
         return found
 
@@ -140,6 +142,16 @@ class Ladder:
             Row("crystals", "r of estimated and measured root of B, mean", ours, errors[0], anm=anm,
                 anm_error=errors[1], gnm=gnm, data=HELD_OUT, note=note, **goals)
         ]  # fmt: skip
+
+    def _clashes(self) -> list[Row]:
+        """A row a structure; one whose file is missing says so."""
+        rows = []
+        for name, source in CROWDED.items():
+            try:
+                rows.append(measure.clash_row(self._subject(self._files.find(source)), name))
+            except MissingSourceError as error:
+                rows.append(Row(name, measure.CLASHES, note=str(error)))
+        return rows
 
     def _crystal(self, source: Source) -> list[float]:
         return measure.crystal_figures(b_factors_of(self._files.find(source)))

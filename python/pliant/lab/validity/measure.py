@@ -18,6 +18,7 @@ from pliant.lab.validity.references import BFactors, Reference
 from pliant.lab.validity.rows import Row
 from pliant.lab.validity.subject import AMPLITUDE, FAR, Subject
 
+CLASHES = "clashes of 1000 heavy atoms"
 DRAWS = 100  #: of bootstraps that need principal components
 
 
@@ -131,6 +132,14 @@ def _rmsip_row(name: str, modes: dict[str, np.ndarray], both: Compared) -> Row:
     values, errors = figures(np.arange(count)), alike.bootstrap(count, figures, DRAWS)
     found = [Figure(*pair) for pair in zip(values, errors.tolist(), strict=True)]
     return _row(name, "RMSIP of 10", *found)
+
+
+def clash_row(subject: Subject, name: str) -> Row:
+    """Clashes of frames, which must not be more than those of the start."""
+    look = subject.ensemble().look
+    start = look.clashes_of_start
+    note = f"{start:.1f} in the start, {look.clashes:.1f} in {look.frames} frames"
+    return Row(name, CLASHES, look.clashes, must=start, aim=start, least=False, note=note)
 
 
 def change_row(subject: Subject, target: Reference, name: str, data: str) -> Row:

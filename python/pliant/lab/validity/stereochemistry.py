@@ -13,17 +13,17 @@ from dataclasses import dataclass, field
 import numpy as np
 from MDAnalysis.analysis.data.filenames import Rama_ref
 from scipy.ndimage import map_coordinates
-from scipy.sparse import csr_array, eye_array
 from scipy.spatial import cKDTree
 
 from pliant._core import MolecularModel, Structure
+from pliant.lab.validity.clashes import HeavyClashes, within_three_bonds
 
 KINDS = ("C", "N", "O", "S", "H", "HC", "M")
 LEAST = np.array([
-    [3.2, 2.9, 2.8, 3.2, 2.3, 2.4, 2.2],
+    [3.2, 2.9, 2.84, 3.2, 2.3, 2.4, 2.2],
     [2.9, 2.6, 2.6, 3.1, 2.3, 2.3, 1.7],
-    [2.8, 2.6, 2.6, 3.0, 1.7, 2.2, 1.7],
-    [3.2, 3.1, 3.0, 3.0, 2.4, 2.5, 2.0],
+    [2.84, 2.6, 2.6, 3.0, 1.7, 2.2, 1.7],
+    [3.2, 3.1, 3.0, 3.22, 2.4, 2.5, 2.0],
     [2.3, 2.3, 1.7, 2.4, 1.8, 1.9, 1.9],
     [2.4, 2.3, 2.2, 2.5, 1.9, 2.0, 1.9],
     [2.2, 1.7, 1.7, 2.0, 1.9, 1.9, 2.4],
@@ -51,6 +51,8 @@ class Stereochemistry:
     outliers: float = 0.0  #: share of residues, mean over frames
     outliers_of_start: float = 0.0
     residues: int = 0  #: that the share is of
+    clashes: float = 0.0  #: of 1000 heavy atoms (``HeavyClashes``), mean over frames
+    clashes_of_start: float = 0.0
     outliers_of_frames: list[float] = field(default_factory=list)
 
 
@@ -63,6 +65,7 @@ class Checker:
         self._bars = np.asarray(model.framework.bars, dtype=np.int64)
         self._rest = np.asarray(model.framework.rest_lengths)
         self._near = _Nearness(structure, self._start)
+        self._clashes = HeavyClashes(structure)
         neighbours = _neighbours(structure)
         self._centres = _centres(structure, neighbours, self._start)
         self._sides = _volumes(self._start, self._centres)
@@ -74,9 +77,11 @@ class Checker:
         """Frames (F, N, 3) Angstrom of the atoms of the model."""
         found = Stereochemistry(len(frames), residues=len(self._phi_psi))
         found.outliers_of_start = self._outliers(self._start)
+        found.clashes_of_start = self._clashes.score(self._start)
         for frame in frames:
             self._look_at(np.asarray(frame, dtype=float), found)
         found.outliers = float(np.mean(found.outliers_of_frames)) if len(frames) else 0.0
+        found.clashes /= max(len(frames), 1)
         return found
 
     def _look_at(self, frame: np.ndarray, found: Stereochemistry) -> None:
@@ -85,6 +90,7 @@ class Checker:
         deep = self._near.overlaps(frame)
         found.overlaps += int((deep > ALLOWED_OVERLAP).sum())
         found.worst_overlap = max(found.worst_overlap, float(deep.max(initial=0.0)))
+        found.clashes += self._clashes.score(frame)
         found.flipped += int((_volumes(frame, self._centres) * self._sides < 0).sum())
         turn = _apart(dihedrals(frame, self._omega), dihedrals(self._start, self._omega))
         found.turned += int((turn > ALLOWED_TURN).sum())
@@ -106,7 +112,8 @@ class _Nearness:
     def __init__(self, structure: Structure, start: np.ndarray) -> None:
         self._kind = _kinds(structure)
         self._count = len(structure)
-        self._bonded = _within_three_bonds(structure)
+        bonds = np.asarray(structure.bonds, dtype=np.int64).reshape(-1, 2)
+        self._bonded = within_three_bonds(bonds, self._count)
         pairs = self._close(start)
         self._own = dict(zip(self._codes(pairs).tolist(), _lengths(start, pairs), strict=True))
 
@@ -135,19 +142,6 @@ class _Nearness:
 def _lengths(positions: np.ndarray, pairs: np.ndarray) -> np.ndarray:
     lengths: np.ndarray = np.linalg.norm(positions[pairs[:, 0]] - positions[pairs[:, 1]], axis=1)
     return lengths
-
-
-def _within_three_bonds(structure: Structure) -> np.ndarray:
-    """Codes i N + j, i < j, of atoms at most three bonds apart."""
-    count = len(structure)
-    bonds = np.asarray(structure.bonds, dtype=np.int64).reshape(-1, 2)
-    ones = np.ones(len(bonds))
-    step = csr_array((ones, (bonds[:, 0], bonds[:, 1])), shape=(count, count))
-    step = step + step.T + eye_array(count, format="csr")
-    rows, columns = (step @ step @ step).nonzero()
-    upper = rows < columns
-    codes: np.ndarray = rows[upper].astype(np.int64) * count + columns[upper]
-    return codes
 
 
 def _kinds(structure: Structure) -> np.ndarray:

@@ -9,6 +9,7 @@ import pliant
 MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 pytest.importorskip("scipy")
 
+from pliant.lab.validity.clashes import HeavyClashes  # noqa: E402
 from pliant.lab.validity.stereochemistry import Checker, dihedrals  # noqa: E402
 from pliant.lab.validity.trace import amino_part  # noqa: E402
 
@@ -39,6 +40,32 @@ def test_the_start_itself_is_in_order(model, start):
     assert (found.overlaps, found.flipped, found.turned) == (0, 0, 0)
     assert found.outliers == pytest.approx(found.outliers_of_start)
     assert found.residues > 150
+
+
+def test_clashes_are_those_of_the_start_plus_one_made(model, start):
+    structure = model.structure
+    clashes = HeavyClashes(structure)
+    before = clashes.pairs(start)
+    spoilt = start.copy()
+    carbon, oxygen = atom(model, 20, "C"), atom(model, 100, "O")
+    far = start.max(axis=0) + 50.0
+    spoilt[carbon], spoilt[oxygen] = far, far + np.array([2.81, 0.0, 0.0])
+    made = {tuple(pair) for pair in clashes.pairs(spoilt)} - {tuple(pair) for pair in before}
+    assert made == {(min(carbon, oxygen), max(carbon, oxygen))}
+    spoilt[oxygen] = far + np.array([2.83, 0.0, 0.0])  # 1.70 + 1.52 - 2.83 = 0.39
+    assert (carbon, oxygen) not in {tuple(pair) for pair in clashes.pairs(spoilt)}
+    found = looked(model, start)
+    assert found.clashes == found.clashes_of_start == clashes.score(start)
+
+
+def test_what_may_form_a_hydrogen_bond_does_not_clash(model, start):
+    clashes = HeavyClashes(model.structure)
+    spoilt = start.copy()
+    nitrogen, oxygen, other = atom(model, 20, "N"), atom(model, 100, "O"), atom(model, 60, "O")
+    far = start.max(axis=0) + 50.0
+    spoilt[[nitrogen, oxygen, other]] = far + np.array([[0, 0, 0], [2.5, 0, 0], [4.9, 0, 0]])
+    near = [pair for pair in clashes.pairs(spoilt).tolist() if oxygen in pair]
+    assert near == [sorted((oxygen, other))]  # 2.4 apart, and neither has a hydrogen
 
 
 def test_a_mirror_image_flips_every_centre_and_breaks_no_bar(model, start):

