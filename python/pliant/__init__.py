@@ -93,6 +93,7 @@ from pliant._core import (
     sample,
     samplers,
     techniques,
+    techniques_for,
     write_test_set,
     write_topology_pdb,
 )
@@ -215,6 +216,7 @@ __all__ = [
     "sample",
     "samplers",
     "techniques",
+    "techniques_for",
     "to_mdanalysis",
     "view",
     "write_test_set",

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "document.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant::play {
 namespace {
@@ -125,6 +126,17 @@ void describe_contacts(const Document& document, Reply& reply) {
   reply.add("contactKinds", std::span<const std::uint8_t>(kinds));
 }
 
+/// Techniques that do not fit the framework, with the reason.
+Json unfit_told(const Framework& framework) {
+  Json rows = Json::object();
+  for (const TechniqueEntry& row : techniques()) {
+    const TechniqueFit found = fit_of({std::string(row.name)}, framework);
+    if (found.fit != Fit::fits)
+      rows[std::string(row.name)] = {{"refused", found.fit == Fit::refused}, {"why", found.why}};
+  }
+  return rows;
+}
+
 /// Small pieces are in none.
 void describe_clusters(const Document& document, Reply& reply) {
   const ClusterList& found = document.clusters;
@@ -151,6 +163,7 @@ Reply describe(const Document& document, std::span<const Vec3> positions) {
                   {"kind", document.kind},
                   {"model", document.model},
                   {"joints", joints},
+                  {"unfit", unfit_told(document.framework)},
                   {"warnings", document.warnings}};
   describe_atoms(document, reply);
   describe_bars(document, reply);
