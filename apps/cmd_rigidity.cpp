@@ -37,8 +37,9 @@ constexpr const char* summary =
     "Each atom is a body with 6 freedoms. A bond that can rotate removes 5 of them (a\n"
     "hinge), one that cannot (peptide, double, aromatic) 6, a hydrogen bond 5, a hydrophobic\n"
     "contact 2. Those that remain are internal degrees of freedom: a ring of six single\n"
-    "bonds has none (of a chair that is true, but a boat moves), a ring of seven has one. The count looks at the graph alone, not at\n"
-    "positions, and contacts never break. So the answer depends on --hbond-cutoff: try\n"
+    "bonds has none, a ring of seven has one. The count looks at the graph alone, not at\n"
+    "positions: it does not see that a ring of six moves as a boat, though not as a chair.\n"
+    "Contacts never break. So the answer depends on --hbond-cutoff: try\n"
     "--dilution.";
 
 constexpr const char* footer =

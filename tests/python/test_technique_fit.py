@@ -62,7 +62,6 @@ def test_a_technique_converges_under_angles_or_was_announced(name: str, structur
         assert str(caught.value) == why
         return
     motion = pliant.Motion(framework, structure.positions, technique=name, max_sweeps=SWEEPS)
-    motion.add("random_forces")
     unconverged = sum(not motion.step().converged for _ in range(STEPS))
     if fit == "fits":
         assert unconverged == 0
