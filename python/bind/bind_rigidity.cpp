@@ -74,8 +74,7 @@ MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
   counting.ends_turn = ends_turn;
   ContactModel model = contact_model_from(structure, options);
   if (!free_angles.empty())
-    counting.free_angles =
-        select_some_atoms(model.structure.atoms, free_angles, "free_angles");
+    counting.free_angles = select_some_atoms(model.structure.atoms, free_angles, "free_angles");
   const nb::gil_scoped_release no_gil;
   Rigidity found = analyse_rigidity(model.structure, model.contacts, counting);
   return {std::move(model), std::move(found)};
@@ -257,6 +256,20 @@ void bind_totals(nb::class_<MoleculeRigidity>& bound) {
       .def_prop_ro(
           "flexible_bonds", [](Self self) { return self.found.flexible_bonds; },
           "Of these, those between different clusters.")
+      .def("dilution_picture", &picture_of, "name"_a = "", nb::call_guard<nb::gil_scoped_release>(),
+           picture_doc)
+      .def("write_page", &write_page, "path"_a, nb::kw_only(), "dilution"_a = false,
+           "overwrite"_a = false,
+           nb::sig("def write_page(self, path: str | os.PathLike, *, dilution: bool = False, "
+                   "overwrite: bool = False) -> None"),
+           page_doc)
+      .def("dilution", &dilution_of,
+           nb::sig("def dilution(self) -> dict[str, numpy.typing.NDArray[typing.Any]]"),
+           dilution_doc);
+}
+
+void bind_counts(nb::class_<MoleculeRigidity>& bound) {
+  bound
       .def_prop_ro(
           "rigid_clusters", [](Self self) { return self.found.found.clusters.count(); },
           "Clusters of three atoms or more.")
@@ -271,28 +284,20 @@ void bind_totals(nb::class_<MoleculeRigidity>& bound) {
           "Rings of six bonds that may turn: counted as rigid, though a boat moves.")
       .def_prop_ro(
           "small_pieces", [](Self self) { return self.found.found.clusters.small_pieces(); },
-          "Atoms, and bonds of two atoms, that are in no cluster.")
-      .def("dilution_picture", &picture_of, "name"_a = "", nb::call_guard<nb::gil_scoped_release>(),
-           picture_doc)
-      .def("write_page", &write_page, "path"_a, nb::kw_only(), "dilution"_a = false,
-           "overwrite"_a = false,
-           nb::sig("def write_page(self, path: str | os.PathLike, *, dilution: bool = False, "
-                   "overwrite: bool = False) -> None"),
-           page_doc)
-      .def("dilution", &dilution_of,
-           nb::sig("def dilution(self) -> dict[str, numpy.typing.NDArray[typing.Any]]"),
-           dilution_doc);
+          "Atoms, and bonds of two atoms, that are in no cluster.");
 }
 
 void bind_columns(nb::class_<MoleculeRigidity>& bound) {
   bound
       .def_prop_ro(
           "cluster", [](Self self) { return integers_of(self.found.found.clusters.of_body); },
-          nb::rv_policy::reference, "(N,) int64: the rigid cluster of each atom, 0 the largest; rigid_clusters and more: a "
+          nb::rv_policy::reference,
+          "(N,) int64: the rigid cluster of each atom, 0 the largest; rigid_clusters and more: a "
           "small piece.")
       .def_prop_ro(
           "cluster_sizes", [](Self self) { return integers_of(self.found.found.clusters.sizes); },
-          nb::rv_policy::reference, "(C,) int64: atoms of each cluster and small piece, descending.")
+          nb::rv_policy::reference,
+          "(C,) int64: atoms of each cluster and small piece, descending.")
       .def_prop_ro(
           "residue_flexibility",
           [](Self self) {
@@ -360,22 +365,23 @@ void bind_rigidity(nb::module_& module) {
   nb::class_<MoleculeRigidity> bound(module, "Rigidity",
                                      "What of a molecule is rigid and what is flexible.");
   bind_totals(bound);
+  bind_counts(bound);
   bind_columns(bound);
   bind_edges(bound);
   bound.def("__repr__", [](Self self) {
     return "<pliant.Rigidity: " + std::to_string(self.found.found.freedoms) +
            " degrees of freedom of " + std::to_string(self.found.network.atoms) + " atoms>";
   });
-  module.def("rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
-             "contacts"_a = nb::none(), "hbond_bars"_a = 5, "tether_bars"_a = 2,
-             "ends_turn"_a = true, "keep_waters"_a = false,
-             "protonate"_a = std::vector<std::string>{}, "free_angles"_a = "",
-             nb::sig("def rigidity(structure: Structure | MolecularModel, *, "
-                     "hbond_cutoff: float = -1.0, "
-                     "contacts: numpy.typing.ArrayLike | None = None, hbond_bars: int = 5, "
-                     "tether_bars: int = 2, ends_turn: bool = True, keep_waters: bool = False, "
-                     "protonate: collections.abc.Sequence[str] = (), free_angles: str = '') -> Rigidity"),
-             rigidity_doc);
+  module.def(
+      "rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
+      "contacts"_a = nb::none(), "hbond_bars"_a = 5, "tether_bars"_a = 2, "ends_turn"_a = true,
+      "keep_waters"_a = false, "protonate"_a = std::vector<std::string>{}, "free_angles"_a = "",
+      nb::sig("def rigidity(structure: Structure | MolecularModel, *, "
+              "hbond_cutoff: float = -1.0, "
+              "contacts: numpy.typing.ArrayLike | None = None, hbond_bars: int = 5, "
+              "tether_bars: int = 2, ends_turn: bool = True, keep_waters: bool = False, "
+              "protonate: collections.abc.Sequence[str] = (), free_angles: str = '') -> Rigidity"),
+      rigidity_doc);
 }
 
 }  // namespace pliant::python

@@ -160,8 +160,10 @@ def _rigidity(shown: _core.Rigidity) -> Facts:
         ("internal degrees of freedom", f"{shown.degrees_of_freedom}"),
         ("bonds that may turn", f"{shown.hinges}, {shown.flexible_bonds} flexible"),
         ("bars", f"{shown.bars}, {shown.redundant} redundant"),
-        ("rigid clusters", f"{shown.rigid_clusters} of 3 atoms or more; "
-         f"{sizes[:1].sum()} in the largest"),
+        (
+            "rigid clusters",
+            f"{shown.rigid_clusters} of 3 atoms or more; {sizes[:1].sum()} in the largest",
+        ),
         ("small pieces", f"{shown.small_pieces} of one or two atoms"),
     ]
 

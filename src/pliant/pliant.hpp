@@ -42,7 +42,6 @@
 #include "pliant/model/rigidity.hpp"              // rigid clusters, degrees of freedom
 #include "pliant/model/rigidity_dilution.hpp"     // the same as hydrogen bonds go
 #include "pliant/model/rigidity_network.hpp"      // atoms as bodies joined by bars
-#include "pliant/model/rings_of_six.hpp"          // what a count cannot see
 #include "pliant/model/select_part.hpp"           // the atoms that a selection names
 #include "pliant/model/steric_table.hpp"          // least distances of atoms
 #include "pliant/model/survey.hpp"                // what there is and what is missing

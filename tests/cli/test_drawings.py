@@ -7,7 +7,7 @@ import json
 
 import pytest
 
-Chem = pytest.importorskip("rdkit.Chem")
+pytest.importorskip("rdkit")
 from drawings import drawings, embedded
 
 IMATINIB = "Cc1ccc(cc1Nc2nccc(n2)c3cccnc3)NC(=O)c4ccc(cc4)CN5CCN(CC5)C"

@@ -71,7 +71,9 @@ def test_clusters_are_counted_the_same_everywhere(pliant, tmp_path):
     page = (tmp_path / "page.html").read_text()
     assert f"<strong>{clusters} rigid clusters; the largest has" in page
     coloured = found["coloured_clusters"]
-    assert f'"{clusters} rigid clusters, {coloured} with a colour; grey: smaller, or flexible"' in page
+    assert (
+        f'"{clusters} rigid clusters, {coloured} with a colour; grey: smaller, or flexible"' in page
+    )
     of_python = pythons_pliant.rigidity(pythons_pliant.read(OPEN))
     assert (of_python.rigid_clusters, of_python.coloured_clusters) == (clusters, coloured)
     assert of_python.small_pieces == pieces
@@ -92,7 +94,9 @@ def test_a_ring_of_six_is_told_of(pliant, tmp_path, atoms, rings):
     found = json.loads(ended.out)
     assert found["rings_of_six"] == rings
     assert found["notes"].count(SIX) == rings
-    assert ("a boat moves through twist-boats" in (tmp_path / "page.html").read_text()) == (rings > 0)
+    assert ("a boat moves through twist-boats" in (tmp_path / "page.html").read_text()) == (
+        rings > 0
+    )
     assert pythons_pliant.rigidity(pythons_pliant.read(path)).rings_of_six == rings
 
 
@@ -111,7 +115,9 @@ def freedoms_of_six(heights):
     if heights is None:
         x = boat()
     else:
-        x = np.stack([1.4434 * np.cos(angles), 1.4434 * np.sin(angles), 0.25 * np.array(heights)], 1)
+        x = np.stack(
+            [1.4434 * np.cos(angles), 1.4434 * np.sin(angles), 0.25 * np.array(heights)], 1
+        )
     pairs = [(a, (a + step) % 6) for step in (1, 2) for a in range(6)]
     matrix = np.zeros((12, 18))
     for row, (a, b) in zip(matrix, pairs, strict=True):
@@ -124,7 +130,7 @@ def boat():
     """Four carbons at the corners of a rectangle, two above: bonds 1.53, distances across 2.50."""
     bond, across = 1.53, 2.50
     half = bond / 2
-    corners = [(half, across / 2, 0), (-half, across / 2, 0), (-half, -across / 2, 0), (half, -across / 2, 0)]  # fmt: skip
+    corners = [(x, y * across / 2, 0) for x, y in ((half, 1), (-half, 1), (-half, -1), (half, -1))]
     # Bow: bonded to corners 0 and 3, at `across` from corners 1 and 2.
     out = (across**2 - bond**2) / (4 * half)
     up = np.sqrt(bond**2 - (across / 2) ** 2 - (out - half) ** 2)
@@ -135,7 +141,8 @@ def test_free_angles_make_ball_joints(pliant, tmp_path):
     """Si-O-Si of H3Si-O-SiH3: two turns more than its two torsions."""
     lines = ["Si -1.6 0 0", "O 0 0.4 0", "Si 1.6 0 0"]
     for side in (-1, 1):
-        lines += [f"H {side * 2.1} {1.39 * np.cos(t):.3f} {1.39 * np.sin(t):.3f}" for t in (0.1, 2.2, 4.3)]  # fmt: skip
+        around = [(1.39 * np.cos(t), 1.39 * np.sin(t)) for t in (0.1, 2.2, 4.3)]
+        lines += [f"H {side * 2.1} {y:.3f} {z:.3f}" for y, z in around]
     path = tmp_path / "disiloxane.xyz"
     path.write_text(f"{len(lines)}\n\n" + "\n".join(lines) + "\n")
     assert json.loads(pliant("rigidity", path, "--json").out)["degrees_of_freedom"] == 2

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The drawing of an aromatic ring decides nothing: all Kekule forms, and aromatic bonds, are one."""
+"""The drawing of an aromatic ring decides nothing: all Kekule forms give the same."""
 
 from __future__ import annotations
 
@@ -11,8 +11,9 @@ import pytest
 
 import pliant
 
-Chem = pytest.importorskip("rdkit.Chem")
+pytest.importorskip("rdkit")
 from drawings import drawings, embedded
+from rdkit import Chem
 from rdkit.Chem import AllChem
 
 SMILES = Path(__file__).parents[1] / "support" / "molecules.smi"

@@ -96,7 +96,8 @@ def test_an_atom_beside_none_whose_angles_are_held_is_refused() -> None:
     with pytest.raises(pliant.OptionError) as caught:
         pliant.rigidity(cage, free_angles="all")
     assert str(caught.value) == (
-        f"free angles: {cage.label(0)} has no neighbour with several bonds whose own angles are held"
+        f"free angles: {cage.label(0)} has no neighbour with several bonds whose own angles are "
+        "held"
     )
     with pytest.raises(pliant.OptionError, match="free_angles: "):
         pliant.rigidity(cage, free_angles="element Au")

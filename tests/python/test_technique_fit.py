@@ -23,7 +23,8 @@ def adamantane() -> Any:
     ch = np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1]], float)
     ch2 = np.array([[2, 0, 0], [-2, 0, 0], [0, 2, 0], [0, -2, 0], [0, 0, 2], [0, 0, -2]], float)
     carbons = np.concatenate([ch, ch2])
-    bonds = [(a, b) for a in range(10) for b in range(a) if np.isclose(np.sum((carbons[a] - carbons[b]) ** 2), 3)]  # fmt: skip
+    squares = np.sum((carbons[:, None] - carbons[None]) ** 2, axis=2)
+    bonds = [(a, b) for a in range(10) for b in range(a) if np.isclose(squares[a, b], 3)]
     short = 1.09 / 1.54 / np.sqrt(3)
     hydrogens, at = [], []
     for k in range(10):
@@ -73,8 +74,8 @@ def test_a_technique_converges_under_angles_or_was_announced(name: str, structur
 def test_the_warning_names_the_reason_and_what_to_take(structure: Any) -> None:
     framework = structure.framework("angles")
     said = (
-        "technique = bfs_cycle: goes from bar to bar, which does not converge or is slow where bars "
-        "form rigid units (angles); use auto, which takes units"
+        "technique = bfs_cycle: goes from bar to bar, which does not converge or is slow where "
+        "bars form rigid units (angles); use auto, which takes units"
     )
     assert pliant.techniques_for(framework)[NAMES.index("bfs_cycle")][2] == said
     with pytest.warns(pliant.PliantWarning) as caught:

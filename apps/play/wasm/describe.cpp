@@ -142,8 +142,7 @@ void describe_clusters(const Document& document, Reply& reply) {
   const ClusterList& found = document.clusters;
   std::vector<std::int32_t> clusters(document.framework.joint_count(), -1);
   for (std::size_t k = 0; k < found.of_body.size(); ++k)
-    if (found.of_body[k] < found.count())
-      clusters[k] = static_cast<std::int32_t>(found.of_body[k]);
+    if (found.of_body[k] < found.count()) clusters[k] = static_cast<std::int32_t>(found.of_body[k]);
   reply.fields["rigidClusters"] = found.count();
   reply.fields["colouredClusters"] = document.coloured_clusters;
   reply.add("cluster", std::span<const std::int32_t>(clusters));

@@ -29,7 +29,7 @@ struct Document {
   std::vector<Bond> bonds;      ///< of a graph: its bars
   std::vector<bool> chain_end;  ///< (R) or none
   std::vector<MolecularContact> contacts;
-  ClusterList clusters;                 ///< rigid ones of atoms; none of a graph
+  ClusterList clusters;  ///< rigid ones of atoms; none of a graph
   std::vector<std::string> warnings;
   NetworkNodes nodes = {};    ///< of an elastic network; of a graph none
   bool has_residues = false;  ///< of a polymer

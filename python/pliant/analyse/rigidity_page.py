@@ -107,9 +107,7 @@ def _percent(part: int, whole: int) -> str:
 
 
 #: what a count cannot see
-SIX = (
-    "counted as rigid. At fixed angles a chair is, but a boat moves through twist-boats."
-)
+SIX = "counted as rigid. At fixed angles a chair is, but a boat moves through twist-boats."
 
 
 def _lead(facts: RigidityFacts) -> str:
@@ -140,7 +138,11 @@ def _numbers(facts: RigidityFacts) -> list[tuple[str, str, str]]:
     hinges = f"of {counts['bonds_that_may_turn']} bonds that can rotate are flexible"
     return [
         (f"{counts['degrees_of_freedom']:,}", "", "internal degrees of freedom"),
-        (str(facts.clusters), "", f"rigid clusters of 3 atoms or more, {facts.named} with a colour"),
+        (
+            str(facts.clusters),
+            "",
+            f"rigid clusters of 3 atoms or more, {facts.named} with a colour",
+        ),
         (_percent(clustered, len(facts.names)), "", "of the atoms are in them"),
         (f"{counts['small_pieces']:,}", "", "small pieces of one or two atoms"),
         (f"{counts['flexible_bonds']:,}", "", hinges),

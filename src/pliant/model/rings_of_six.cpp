@@ -59,9 +59,8 @@ class RingsOfSix {
 
   void close() {
     const auto links = hinges_.at(way_.back());
-    const bool is_closed = std::any_of(links.begin(), links.end(), [&](const Link& link) {
-      return link.node == way_.front();
-    });
+    const bool is_closed = std::any_of(links.begin(), links.end(),
+                                       [&](const Link& link) { return link.node == way_.front(); });
     if (!is_closed || way_[1] > way_.back()) return;
     std::array<std::uint32_t, size> ring{};
     std::copy(way_.begin(), way_.end(), ring.begin());

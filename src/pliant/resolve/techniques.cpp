@@ -31,9 +31,8 @@ std::vector<TechniqueEntry> all_techniques() {
                   "chosen from what the bars form: blocks, units, newton, froda or anderson", false,
                   false, true, make_automatic});
   for (const OrderingEntry& row : orderings())
-    rows.push_back(
-        {row.name, row.summary, row.forests_only, true, true, make_sweeps, make_lane_sweeps, false,
-         true});
+    rows.push_back({row.name, row.summary, row.forests_only, true, true, make_sweeps,
+                    make_lane_sweeps, false, true});
   rows.push_back({"bfs_local", "bfs_cycle on the region that a push of one joint disturbs", false,
                   true, true, make_local_sweeps, make_lane_local_sweeps, false, true});
   rows.push_back({"blocks",

@@ -76,8 +76,8 @@ class ClusterGraph {
 }  // namespace
 
 std::size_t ClusterList::count(std::uint32_t least) const {
-  const auto end = std::find_if(sizes.begin(), sizes.end(),
-                                [&](std::uint32_t size) { return size < least; });
+  const auto end =
+      std::find_if(sizes.begin(), sizes.end(), [&](std::uint32_t size) { return size < least; });
   return static_cast<std::size_t>(end - sizes.begin());
 }
 

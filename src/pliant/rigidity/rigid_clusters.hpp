@@ -23,8 +23,8 @@ struct BodyEdge {
 /// a small piece.
 inline constexpr std::uint32_t least_cluster = 3;
 
-/// Which cluster each body is in, small pieces numbered after them. Clusters are numbered from 0 by size, the largest first, and
-/// among equals by their lowest body.
+/// Which cluster each body is in, small pieces numbered after them. Clusters are numbered from 0 by
+/// size, the largest first, and among equals by their lowest body.
 struct ClusterList {
   std::vector<std::uint32_t> of_body;  ///< (B)
   std::vector<std::uint32_t> sizes;    ///< (C) bodies

@@ -142,7 +142,7 @@ TEST(PlanarGroups, HoldOfAnAcylatedAminopyridineTheAmideAlone) {
 TEST(PlanarGroups, HoldAmidinesOfRingsThatAreNotAromatic) {
   // 2-(methylamino)imidazoline: C 0, N 1, C 2, C 3, N 4 in the ring; N 5 with C 6.
   const Structure s = made("CNCCNNC", {bond(0, 1, 2), bond(1, 2), bond(2, 3), bond(3, 4),
-                                        bond(0, 4), bond(0, 5), bond(5, 6)});
+                                       bond(0, 4), bond(0, 5), bond(5, 6)});
   EXPECT_EQ(planar_bars(s).size(), 1u);
 }
 
