@@ -12,6 +12,8 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/model/dilution_picture.hpp"
+#include "pliant/model/rings_of_six.hpp"
+#include "pliant/molecule/selection.hpp"
 #include "rigidity_files.hpp"
 #include "rigidity_json.hpp"
 #include "rigidity_report.hpp"
@@ -23,7 +25,7 @@ struct RigiditySettings {
   MoleculeOptions molecule;
   std::int64_t hydrogen_bond_bars = 5, tether_bars = 2;
   bool ends_turn = true, dilution = false;
-  std::string output, page;
+  std::string free_angles, output, page;
   bool overwrite = false, as_csv = false, as_json = false;
 };
 
@@ -36,7 +38,8 @@ constexpr const char* summary =
     "hinge), one that cannot (peptide, double, aromatic) 6, a hydrogen bond 5, a hydrophobic\n"
     "contact 2. Those that remain are internal degrees of freedom: a ring of six single\n"
     "bonds has none, a ring of seven has one. The count looks at the graph alone, not at\n"
-    "positions, and contacts never break. So the answer depends on --hbond-cutoff: try\n"
+    "positions: it does not see that a ring of six moves as a boat, though not as a chair.\n"
+    "Contacts never break. So the answer depends on --hbond-cutoff: try\n"
     "--dilution.";
 
 constexpr const char* footer =
@@ -64,6 +67,9 @@ void add_options(CommandLine& line, RigiditySettings& settings) {
   line.add_opposite("--still-ends", settings.ends_turn,
                     "an atom with a single bond does not rotate about it if a hydrogen bond "
                     "holds it: D-H of D-H..A stays put");
+  line.add_text("--free-angles", settings.free_angles, "SELECTION",
+                "hold no angle at these atoms, which become ball joints: \"element O\" frees "
+                "Si-O-Si in a silicate");
   line.add_flag("--dilution", settings.dilution,
                 "remove hydrogen bonds one by one, weakest first, starting at --hbond-cutoff");
   line.start_group("Output");
@@ -122,7 +128,12 @@ RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
   options.hydrogen_bond_bars = static_cast<std::uint8_t>(settings.hydrogen_bond_bars);
   options.tether_bars = static_cast<std::uint8_t>(settings.tether_bars);
   options.ends_turn = settings.ends_turn;
+  if (!settings.free_angles.empty())
+    options.free_angles =
+        select_some_atoms(report.model.structure.atoms, settings.free_angles, "free-angles");
   report.rigidity = analyse_rigidity(report.model.structure, report.model.contacts, options);
+  if (const std::string told = told_of_rings_of_six(report.rigidity.rings_of_six); !told.empty())
+    log.note(told);
   if (settings.dilution) dilute(report);
   return report;
 }

@@ -16,6 +16,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/molecule/selection.hpp"
+#include "pliant/resolve/techniques.hpp"
 #include "print_run.hpp"
 #include "run_walkers.hpp"
 
@@ -119,6 +120,7 @@ int command_run(const Arguments& arguments) {
   complete(line, settings, molecule);
   settings.record.saved = select_joints(molecule.framework, settings.save, "--save");
   refuse_to_replace(settings);
+  warn_if_doubtful(settings.run.technique, molecule.framework, messages.log());
   if (settings.dry_run) return print_forces(settings), exit_ok;
   settings.record.log = messages.log();
   watch_for_interrupt();

@@ -110,7 +110,11 @@ Json json_of_rigidity(const RigidityReport& report) {
       {"degrees_of_freedom", found.freedoms},
       {"parts", found.components},
       {"bars", found.bars},
-      {"redundant", report.redundant_bars()}};
+      {"redundant", report.redundant_bars()},
+      {"rigid_clusters", report.listed_clusters()},
+      {"coloured_clusters", report.coloured_clusters()},
+      {"small_pieces", found.clusters.small_pieces()},
+      {"rings_of_six", report.rigidity.rings_of_six}};
   const Json lists{{"clusters", json_of_clusters(report)},
                    {"cluster_of_atom", Json::array(of_atom)},
                    {"residues", json_of_residues(report)},

@@ -51,8 +51,9 @@ void print_totals(const RigidityReport& report) {
                 : fmt::format("of {} parts that nothing links", found.components));
   print_row("bars", found.bars, fmt::format("{} redundant", report.redundant_bars()));
   print_row("rigid clusters", report.listed_clusters(),
-            fmt::format("of {} atoms or more; {} of the atoms", least_listed,
+            fmt::format("of {} atoms or more; {} of the atoms", least_cluster,
                         percent(report.atoms_in_listed(), rigidity.network.atoms)));
+  print_row("small pieces", found.clusters.small_pieces(), "of one or two atoms");
 }
 
 void print_clusters(const RigidityReport& report) {
@@ -94,26 +95,13 @@ void print_dilution(const RigidityReport& report) {
 
 }  // namespace
 
-std::size_t RigidityReport::listed_clusters() const {
-  const auto& sizes = rigidity.found.clusters.sizes;
-  return static_cast<std::size_t>(
-      std::find_if(sizes.begin(), sizes.end(),
-                   [](std::uint32_t size) { return size < least_listed; }) -
-      sizes.begin());
-}
-
 bool RigidityReport::is_listed_bond(std::size_t edge) const {
   return !rigidity.network.is_bond(edge) || rigidity.network.edges[edge].bars < freedoms_of_body ||
          rigidity.found.redundant[edge] > 0;
 }
 
 std::size_t RigidityReport::coloured_clusters() const {
-  const auto& sizes = rigidity.found.clusters.sizes;
-  const std::uint32_t least = is_polymer() ? least_coloured : least_listed;
-  const auto count =
-      std::find_if(sizes.begin(), sizes.end(), [&](std::uint32_t size) { return size < least; }) -
-      sizes.begin();
-  return std::min(static_cast<std::size_t>(count), cluster_colours);
+  return pliant::coloured_clusters(model.structure, rigidity.found.clusters);
 }
 
 bool RigidityReport::is_polymer() const {
@@ -164,9 +152,9 @@ std::string residues_of(const RigidityReport& report, std::uint32_t cluster, std
   std::string text;
   std::size_t stretches = 0;
   for (std::size_t r = 0; r < counts.size(); ++r) {
-    if (counts[r] < least_listed) continue;
+    if (counts[r] < least_cluster) continue;
     const std::size_t first = r;
-    while (r + 1 < counts.size() && counts[r + 1] >= least_listed &&
+    while (r + 1 < counts.size() && counts[r + 1] >= least_cluster &&
            atoms.residues[r + 1].chain == atoms.residues[first].chain)
       ++r;
     if (stretches++ == most) return text + ", ...";

@@ -11,12 +11,6 @@
 
 namespace pliant::app {
 
-/// Clusters of fewer atoms are not listed: a bond alone is no cluster.
-inline constexpr std::uint32_t least_listed = 3;
-
-/// In molecules with chains of residues, clusters of fewer atoms (a side chain) stay grey.
-inline constexpr std::uint32_t least_coloured = 20;
-
 /// All that was found of one molecule.
 struct RigidityReport {
   std::string file;
@@ -25,8 +19,8 @@ struct RigidityReport {
   std::vector<DilutionRow> dilution;  ///< none was asked for: empty
   std::string dilution_svg;           ///< its picture; "": none
 
-  std::size_t listed_clusters() const;    ///< of three atoms or more
-  std::size_t coloured_clusters() const;  ///< the first so many; at most cluster_colours
+  std::size_t listed_clusters() const { return rigidity.found.clusters.count(); }
+  std::size_t coloured_clusters() const;  ///< the first so many
   bool is_polymer() const;                ///< has chains of amino acids
   std::size_t atoms_in_listed() const;
   std::size_t redundant_bars() const;

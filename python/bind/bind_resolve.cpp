@@ -2,6 +2,8 @@
 // Resolving: techniques, resolve() in place on numpy memory, Resolver for repeated calls.
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/tuple.h>
 #include <nanobind/stl/vector.h>
 
 #include <mutex>
@@ -11,6 +13,7 @@
 #include "collected.hpp"
 #include "interrupt.hpp"
 #include "limits.hpp"
+#include "messages.hpp"
 #include "options.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/techniques.hpp"
@@ -77,7 +80,9 @@ class SharedResolver {
   SharedResolver(const Framework& framework, const Technique& technique, ResolveOptions options)
       : framework_(framework),
         callable_(technique),
-        resolver_(framework, technique, watched(std::move(options))) {}
+        resolver_(framework, technique, watched(std::move(options))) {
+    warn_if_doubtful(technique, framework, python_log());
+  }
 
   ResolveOptions watched(ResolveOptions options) {
     options.should_stop = [this] { return watch_(); };
@@ -273,6 +278,20 @@ void bind_techniques(nb::module_& module) {
   module.def(
       "techniques", [] { return rows_of(techniques()); }, nb::rv_policy::reference,
       "The table of techniques: orderings and direct methods.");
+  module.def(
+      "techniques_for",
+      [](const Framework& framework) {
+        std::vector<std::tuple<std::string, std::string, std::string>> rows;
+        for (const TechniqueEntry& row : techniques()) {
+          const TechniqueFit found = fit_of({std::string(row.name)}, framework);
+          rows.emplace_back(row.name, fit_names[static_cast<std::size_t>(found.fit)], found.why);
+        }
+        return rows;
+      },
+      "framework"_a,
+      "What is to be expected of each technique on this framework, before anything is resolved:\n"
+      "its name; \"fits\", \"doubtful\" (may be tried, but is known not to converge on such bars, "
+      "or\nslowly) or \"refused\"; and why, with what to use instead (\"\" where it fits).");
   module.def(
       "choose_technique",
       [](const Framework& framework, bool mass_weighted) {

@@ -12,6 +12,7 @@
 #include "pliant/model/dilution_picture.hpp"
 #include "pliant/model/rigidity.hpp"
 #include "pliant/model/rigidity_dilution.hpp"
+#include "pliant/molecule/selection.hpp"
 #include "structure.hpp"
 
 namespace pliant::python {
@@ -60,7 +61,7 @@ std::uint8_t bars_from(std::int64_t bars, const char* name, std::int64_t least) 
 MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
                              const nb::object& contacts, std::int64_t hbond_bars,
                              std::int64_t tether_bars, bool ends_turn, bool keep_waters,
-                             std::vector<std::string> protonate) {
+                             std::vector<std::string> protonate, const std::string& free_angles) {
   ModelOptions options;
   options.prepare.keep_waters = keep_waters;
   options.prepare.protonate = std::move(protonate);
@@ -72,6 +73,8 @@ MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
   counting.tether_bars = bars_from(tether_bars, "tether_bars", 0);
   counting.ends_turn = ends_turn;
   ContactModel model = contact_model_from(structure, options);
+  if (!free_angles.empty())
+    counting.free_angles = select_some_atoms(model.structure.atoms, free_angles, "free_angles");
   const nb::gil_scoped_release no_gil;
   Rigidity found = analyse_rigidity(model.structure, model.contacts, counting);
   return {std::move(model), std::move(found)};
@@ -158,11 +161,14 @@ ends_turn : bool
     of D-H..A), as in FIRST.
 keep_waters, protonate
     As in ``prepare``.
+free_angles : str
+    Selection of atoms at which no angle is held: they become ball joints, as Si-O-Si of silicates.
 
 Raises
 ------
 InputError, OptionError
-    As ``prepare`` does; a contact that names no atom; bars out of range.
+    As ``prepare`` does; a contact that names no atom; bars out of range; an atom of
+    `free_angles` none of whose neighbours has held angles.
 )";
 
 constexpr const char* dilution_doc =
@@ -262,14 +268,36 @@ void bind_totals(nb::class_<MoleculeRigidity>& bound) {
            dilution_doc);
 }
 
+void bind_counts(nb::class_<MoleculeRigidity>& bound) {
+  bound
+      .def_prop_ro(
+          "rigid_clusters", [](Self self) { return self.found.found.clusters.count(); },
+          "Clusters of three atoms or more.")
+      .def_prop_ro(
+          "coloured_clusters",
+          [](Self self) {
+            return coloured_clusters(self.model.structure, self.found.found.clusters);
+          },
+          "So many of them, the largest, have a colour: of a protein those of 20 atoms or more.")
+      .def_prop_ro(
+          "rings_of_six", [](Self self) { return self.found.rings_of_six; },
+          "Rings of six bonds that may turn: counted as rigid, though a boat moves.")
+      .def_prop_ro(
+          "small_pieces", [](Self self) { return self.found.found.clusters.small_pieces(); },
+          "Atoms, and bonds of two atoms, that are in no cluster.");
+}
+
 void bind_columns(nb::class_<MoleculeRigidity>& bound) {
   bound
       .def_prop_ro(
           "cluster", [](Self self) { return integers_of(self.found.found.clusters.of_body); },
-          nb::rv_policy::reference, "(N,) int64: the rigid cluster of each atom, 0 the largest.")
+          nb::rv_policy::reference,
+          "(N,) int64: the rigid cluster of each atom, 0 the largest; rigid_clusters and more: a "
+          "small piece.")
       .def_prop_ro(
           "cluster_sizes", [](Self self) { return integers_of(self.found.found.clusters.sizes); },
-          nb::rv_policy::reference, "(C,) int64: atoms of each cluster, descending.")
+          nb::rv_policy::reference,
+          "(C,) int64: atoms of each cluster and small piece, descending.")
       .def_prop_ro(
           "residue_flexibility",
           [](Self self) {
@@ -337,22 +365,23 @@ void bind_rigidity(nb::module_& module) {
   nb::class_<MoleculeRigidity> bound(module, "Rigidity",
                                      "What of a molecule is rigid and what is flexible.");
   bind_totals(bound);
+  bind_counts(bound);
   bind_columns(bound);
   bind_edges(bound);
   bound.def("__repr__", [](Self self) {
     return "<pliant.Rigidity: " + std::to_string(self.found.found.freedoms) +
            " degrees of freedom of " + std::to_string(self.found.network.atoms) + " atoms>";
   });
-  module.def("rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
-             "contacts"_a = nb::none(), "hbond_bars"_a = 5, "tether_bars"_a = 2,
-             "ends_turn"_a = true, "keep_waters"_a = false,
-             "protonate"_a = std::vector<std::string>{},
-             nb::sig("def rigidity(structure: Structure | MolecularModel, *, "
-                     "hbond_cutoff: float = -1.0, "
-                     "contacts: numpy.typing.ArrayLike | None = None, hbond_bars: int = 5, "
-                     "tether_bars: int = 2, ends_turn: bool = True, keep_waters: bool = False, "
-                     "protonate: collections.abc.Sequence[str] = ()) -> Rigidity"),
-             rigidity_doc);
+  module.def(
+      "rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
+      "contacts"_a = nb::none(), "hbond_bars"_a = 5, "tether_bars"_a = 2, "ends_turn"_a = true,
+      "keep_waters"_a = false, "protonate"_a = std::vector<std::string>{}, "free_angles"_a = "",
+      nb::sig("def rigidity(structure: Structure | MolecularModel, *, "
+              "hbond_cutoff: float = -1.0, "
+              "contacts: numpy.typing.ArrayLike | None = None, hbond_bars: int = 5, "
+              "tether_bars: int = 2, ends_turn: bool = True, keep_waters: bool = False, "
+              "protonate: collections.abc.Sequence[str] = (), free_angles: str = '') -> Rigidity"),
+      rigidity_doc);
 }
 
 }  // namespace pliant::python

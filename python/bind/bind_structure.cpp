@@ -7,6 +7,7 @@
 #include "pickling.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/molecule/aromaticity.hpp"
 #include "structure.hpp"
 #include "structure_columns.hpp"
 #include "texts.hpp"
@@ -155,6 +156,11 @@ void bind_bonds(nb::class_<Structure>& structure) {
       "bond_orders", [](const Structure& self) { return array_of(orders_of(self.bonds)); },
       nb::rv_policy::reference,
       "(M,) uint8: 1, 2, 3; 4 for aromatic; 0 where the order is not known.");
+  structure.def_prop_ro(
+      "aromatic_bonds", [](const Structure& self) { return mask_of(find_aromatic_bonds(self)); },
+      nb::rv_policy::reference,
+      "(M,) bool: whether each bond is of an aromatic ring, as counted from the pi electrons of "
+      "rings of\n5 to 7 atoms: the same for all Kekule forms. False where orders are not known.");
   def_text(
       structure, "bond_origins",
       [](const Structure& self) {

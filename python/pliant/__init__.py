@@ -94,6 +94,7 @@ from pliant._core import (
     sample,
     samplers,
     techniques,
+    techniques_for,
     write_test_set,
     write_topology_pdb,
 )
@@ -216,6 +217,7 @@ __all__ = [
     "sample",
     "samplers",
     "techniques",
+    "techniques_for",
     "to_mdanalysis",
     "view",
     "write_test_set",

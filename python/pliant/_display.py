@@ -155,13 +155,16 @@ def _model(shown: _core.MolecularModel) -> Facts:
 
 def _rigidity(shown: _core.Rigidity) -> Facts:
     sizes = shown.cluster_sizes
-    large = sizes[sizes >= 3]
     return [
         ("atoms", f"{len(shown.cluster)}"),
         ("internal degrees of freedom", f"{shown.degrees_of_freedom}"),
         ("bonds that may turn", f"{shown.hinges}, {shown.flexible_bonds} flexible"),
         ("bars", f"{shown.bars}, {shown.redundant} redundant"),
-        ("rigid clusters", f"{len(large)} of 3 atoms or more; {sizes[:1].sum()} in the largest"),
+        (
+            "rigid clusters",
+            f"{shown.rigid_clusters} of 3 atoms or more; {sizes[:1].sum()} in the largest",
+        ),
+        ("small pieces", f"{shown.small_pieces} of one or two atoms"),
     ]
 
 

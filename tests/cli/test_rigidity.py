@@ -4,11 +4,14 @@
 import csv
 import io
 import json
+import re
 from pathlib import Path
 from xml.etree import ElementTree
 
 import numpy as np
 import pytest
+
+import pliant as pythons_pliant
 
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysis
@@ -52,6 +55,102 @@ def test_the_domains_of_adenylate_kinase_are_clusters(pliant):
     assert [len(set(part)) for part in (core, lid, nmp)] == [1, 1, 1]
     assert len({core[0], lid[0], nmp[0]}) == 3
     assert found["parts"] == 1
+
+
+def test_clusters_are_counted_the_same_everywhere(pliant, tmp_path):
+    """Of three atoms or more; atoms and bonds alone are small pieces."""
+    found = json.loads(pliant("rigidity", OPEN, "--json").out)
+    sizes = np.bincount(np.array(found["cluster_of_atom"]) - 1)
+    clusters, pieces = int((sizes > 2).sum()), int((sizes < 3).sum())
+    assert clusters > found["coloured_clusters"] > 1 and pieces > 0
+    assert found["rigid_clusters"] == len(found["clusters"]) == clusters
+    assert found["small_pieces"] == pieces
+    text = pliant("rigidity", OPEN, "--page", "page.html").out
+    assert re.search(rf"^rigid clusters +{clusters}   of 3 atoms or more; ", text, re.M)
+    assert re.search(rf"^small pieces +{pieces}   of one or two atoms$", text, re.M)
+    page = (tmp_path / "page.html").read_text()
+    assert f"<strong>{clusters} rigid clusters; the largest has" in page
+    coloured = found["coloured_clusters"]
+    assert (
+        f'"{clusters} rigid clusters, {coloured} with a colour; grey: smaller, or flexible"' in page
+    )
+    of_python = pythons_pliant.rigidity(pythons_pliant.read(OPEN))
+    assert (of_python.rigid_clusters, of_python.coloured_clusters) == (clusters, coloured)
+    assert of_python.small_pieces == pieces
+    assert f"{clusters} of 3 atoms or more" in str(of_python)
+
+
+SIX = (
+    "1 ring of six bonds that may turn: counted as rigid. At fixed angles a chair is, but a boat "
+    "moves through twist-boats, which a count cannot see"
+)
+
+
+@pytest.mark.parametrize(("atoms", "rings"), [(5, 0), (6, 1), (7, 0)])
+def test_a_ring_of_six_is_told_of(pliant, tmp_path, atoms, rings):
+    path = tmp_path / "ring.xyz"
+    path.write_text(ring(atoms))
+    ended = pliant("rigidity", path, "--page", "page.html", "--json")
+    found = json.loads(ended.out)
+    assert found["rings_of_six"] == rings
+    assert found["notes"].count(SIX) == rings
+    assert ("a boat moves through twist-boats" in (tmp_path / "page.html").read_text()) == (
+        rings > 0
+    )
+    assert pythons_pliant.rigidity(pythons_pliant.read(path)).rings_of_six == rings
+
+
+def test_a_boat_does_move_at_fixed_angles():
+    """Bars along bonds and across angles of six carbons: the chair has full rank, the boat not."""
+    assert [freedoms_of_six(shape) for shape in (CHAIR, BOAT)] == [0, 1]
+
+
+#: heights of the atoms round the ring, Angstrom
+CHAIR, BOAT = (1, -1, 1, -1, 1, -1), None
+
+
+def freedoms_of_six(heights):
+    """Lengths and angles of the chair of cyclohexane, and of its boat."""
+    angles = np.pi / 3 * np.arange(6)
+    if heights is None:
+        x = boat()
+    else:
+        x = np.stack(
+            [1.4434 * np.cos(angles), 1.4434 * np.sin(angles), 0.25 * np.array(heights)], 1
+        )
+    pairs = [(a, (a + step) % 6) for step in (1, 2) for a in range(6)]
+    matrix = np.zeros((12, 18))
+    for row, (a, b) in zip(matrix, pairs, strict=True):
+        row[3 * a : 3 * a + 3] = x[a] - x[b]
+        row[3 * b : 3 * b + 3] = x[b] - x[a]
+    return 12 - np.linalg.matrix_rank(matrix, tol=1e-6)
+
+
+def boat():
+    """Four carbons at the corners of a rectangle, two above: bonds 1.53, distances across 2.50."""
+    bond, across = 1.53, 2.50
+    half = bond / 2
+    corners = [(x, y * across / 2, 0) for x, y in ((half, 1), (-half, 1), (-half, -1), (half, -1))]
+    # Bow: bonded to corners 0 and 3, at `across` from corners 1 and 2.
+    out = (across**2 - bond**2) / (4 * half)
+    up = np.sqrt(bond**2 - (across / 2) ** 2 - (out - half) ** 2)
+    return np.array([(out, 0, up), corners[0], corners[1], (-out, 0, up), corners[2], corners[3]])
+
+
+def test_free_angles_make_ball_joints(pliant, tmp_path):
+    """Si-O-Si of H3Si-O-SiH3: two turns more than its two torsions."""
+    lines = ["Si -1.6 0 0", "O 0 0.4 0", "Si 1.6 0 0"]
+    for side in (-1, 1):
+        around = [(1.39 * np.cos(t), 1.39 * np.sin(t)) for t in (0.1, 2.2, 4.3)]
+        lines += [f"H {side * 2.1} {y:.3f} {z:.3f}" for y, z in around]
+    path = tmp_path / "disiloxane.xyz"
+    path.write_text(f"{len(lines)}\n\n" + "\n".join(lines) + "\n")
+    assert json.loads(pliant("rigidity", path, "--json").out)["degrees_of_freedom"] == 2
+    free = json.loads(pliant("rigidity", path, "--free-angles", "element O", "--json").out)
+    assert free["degrees_of_freedom"] == 3
+    ended = pliant("rigidity", path, "--free-angles", "element Au")
+    assert ended.code == 2
+    assert 'pliant: error: free-angles: selection "element Au" names no atom\n' in ended.err
 
 
 def test_json_adds_up(pliant):

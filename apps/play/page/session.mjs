@@ -8,6 +8,7 @@ function completed(reply) {
   const joints = reply.joints;
   const model = {
     title: '', kind: 'graph', model: '', names: [], warnings: [], kindNames: [], chain: [],
+    rigidClusters: 0, colouredClusters: 0, unfit: {},
     ...reply,
   };
   model.elements ??= new Uint8Array(joints);

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "document.hpp"
+#include "pliant/resolve/techniques.hpp"
 
 namespace pliant::play {
 namespace {
@@ -125,6 +126,28 @@ void describe_contacts(const Document& document, Reply& reply) {
   reply.add("contactKinds", std::span<const std::uint8_t>(kinds));
 }
 
+/// Techniques that do not fit the framework, with the reason.
+Json unfit_told(const Framework& framework) {
+  Json rows = Json::object();
+  for (const TechniqueEntry& row : techniques()) {
+    const TechniqueFit found = fit_of({std::string(row.name)}, framework);
+    if (found.fit != Fit::fits)
+      rows[std::string(row.name)] = {{"refused", found.fit == Fit::refused}, {"why", found.why}};
+  }
+  return rows;
+}
+
+/// Small pieces are in none.
+void describe_clusters(const Document& document, Reply& reply) {
+  const ClusterList& found = document.clusters;
+  std::vector<std::int32_t> clusters(document.framework.joint_count(), -1);
+  for (std::size_t k = 0; k < found.of_body.size(); ++k)
+    if (found.of_body[k] < found.count()) clusters[k] = static_cast<std::int32_t>(found.of_body[k]);
+  reply.fields["rigidClusters"] = found.count();
+  reply.fields["colouredClusters"] = document.coloured_clusters;
+  reply.add("cluster", std::span<const std::int32_t>(clusters));
+}
+
 }  // namespace
 
 std::span<const double> numbers_of(std::span<const Vec3> positions) {
@@ -139,13 +162,12 @@ Reply describe(const Document& document, std::span<const Vec3> positions) {
                   {"kind", document.kind},
                   {"model", document.model},
                   {"joints", joints},
+                  {"unfit", unfit_told(document.framework)},
                   {"warnings", document.warnings}};
   describe_atoms(document, reply);
   describe_bars(document, reply);
   describe_contacts(document, reply);
-  std::vector<std::int32_t> clusters = signed_of(document.clusters);
-  clusters.resize(joints, -1);
-  reply.add("cluster", std::span<const std::int32_t>(clusters));
+  describe_clusters(document, reply);
   reply.add("positions", numbers_of(positions));
   return reply;
 }

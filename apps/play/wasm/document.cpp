@@ -7,6 +7,7 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/framework/fingerprint.hpp"
+#include "pliant/model/dilution_picture.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/model/residue_nodes.hpp"
 #include "pliant/model/rigidity.hpp"
@@ -117,6 +118,7 @@ Document document_of(MolecularModel built, const std::string& name) {
   const Rigidity rigidity = analyse_rigidity(made, built.contacts);
   ResidueNodes nodes = residue_nodes(made);
   const bool has_residues = usual_model(made) == ModelKind::protein;
+  const std::size_t coloured = coloured_clusters(made, rigidity.found.clusters);
   return {made.title.empty() ? name : made.title,
           "molecule",
           std::string(entry(built.kind).name),
@@ -126,10 +128,11 @@ Document document_of(MolecularModel built, const std::string& name) {
           std::move(made.bonds),
           std::move(made.chain_end),
           std::move(built.contacts),
-          rigidity.found.clusters.of_body,
+          rigidity.found.clusters,
           {},
           {std::move(nodes.positions), std::move(nodes.chain), std::move(nodes.of_atom)},
-          has_residues};
+          has_residues,
+          coloured};
 }
 
 Document open_file(const std::string& name, std::string_view bytes, const std::string& model,

@@ -14,6 +14,7 @@
 #include "pliant/model/model.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/path/path.hpp"
+#include "pliant/rigidity/rigid_clusters.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "reply.hpp"
 
@@ -29,10 +30,11 @@ struct Document {
   std::vector<Bond> bonds;      ///< of a graph: its bars
   std::vector<bool> chain_end;  ///< (R) or none
   std::vector<MolecularContact> contacts;
-  std::vector<std::uint32_t> clusters;  ///< (N) rigid cluster of each atom; none of a graph
+  ClusterList clusters;  ///< rigid ones of atoms; none of a graph
   std::vector<std::string> warnings;
   NetworkNodes nodes = {};    ///< of an elastic network; of a graph none
   bool has_residues = false;  ///< of a polymer
+  std::size_t coloured_clusters = 0;
   std::shared_ptr<const Structure> file =
       nullptr;                                    ///< the molecule as it was read; null of a graph
   std::shared_ptr<PathWalk> path = nullptr;       ///< that is being found; null: none is

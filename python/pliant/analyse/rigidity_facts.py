@@ -21,8 +21,7 @@ COLOURS = (
     "#5a4fcf", "#8c564b", "#7f9f3f", "#b05a8f", "#2f8f9f", "#c0a060", "#6b6b9f",
 )  # fmt: skip
 
-#: atoms of a cluster that has a name and a colour: in a protein, and elsewhere
-LEAST_IN_PROTEIN = 20
+#: atoms of a cluster
 LEAST = 3
 
 #: kinds of contacts that have an energy
@@ -50,19 +49,18 @@ class RigidityFacts:
 
     @property
     def sizes(self) -> np.ndarray:
-        """(C,) atoms of each cluster."""
+        """(C,) atoms of each cluster and small piece."""
         return np.bincount(self.cluster)
 
     @property
-    def is_protein(self) -> bool:
-        """Whether some residue has the atoms of a backbone."""
-        return len(self.backbone()[0]) > 0
+    def clusters(self) -> int:
+        """Rigid clusters; what has a higher number is a small piece of one or two atoms."""
+        return self.counts["rigid_clusters"]
 
     @property
     def named(self) -> int:
         """So many clusters, the first ones, have a name and a colour."""
-        least = LEAST_IN_PROTEIN if self.is_protein else LEAST
-        return min(int((self.sizes >= least).sum()), len(COLOURS))
+        return self.counts["coloured_clusters"]
 
     def backbone(self) -> tuple[np.ndarray, np.ndarray]:
         """Residues (P,) with N, CA, C and O, and these atoms of them (P, 4)."""
@@ -154,6 +152,10 @@ def facts_of(found: Rigidity, dilution: bool = False) -> RigidityFacts:
             "parts": found.parts,
             "bars": found.bars,
             "redundant": found.redundant,
+            "rigid_clusters": found.rigid_clusters,
+            "coloured_clusters": found.coloured_clusters,
+            "small_pieces": found.small_pieces,
+            "rings_of_six": found.rings_of_six,
         },
         energies=contacts["energy"][counted],
         cluster=found.cluster,

@@ -106,19 +106,24 @@ def _percent(part: int, whole: int) -> str:
     return f"{100 * part / max(whole, 1):.0f} %"
 
 
+#: what a count cannot see
+SIX = "counted as rigid. At fixed angles a chair is, but a boat moves through twist-boats."
+
+
 def _lead(facts: RigidityFacts) -> str:
     """What was found in one sentence, and what it hangs on."""
+    told = f"{facts.clusters} rigid cluster{'' if facts.clusters == 1 else 's'}"
     if facts.named:
         share = _percent(int(facts.sizes[0]), len(facts.names))
-        large = f"{facts.named} rigid cluster{'s' if facts.named > 1 else ''}"
-        where = facts.ranges(facts.residues_in(0))
-        told = f"{large}; the largest has {share} of the atoms"
+        told += f"; the largest has {share} of the atoms"
         if len(facts.chains) >= LEAST_RESIDUES:
-            told += f" and spans residues {where}"
-    else:
-        told = "no rigid cluster of more than a side chain"
+            told += f" and spans residues {facts.ranges(facts.residues_in(0))}"
+    elif facts.clusters:
+        told += ", none larger than a side chain"
     free = facts.counts["degrees_of_freedom"]
     more = f"{free} internal degrees of freedom, counted with {_counted_with(facts)}."
+    if rings := facts.counts["rings_of_six"]:
+        more += f" {rings} ring{'' if rings == 1 else 's'} of six bonds that may turn: {SIX}"
     if len(facts.energies):
         more += f" One cut-off is one answer. {READING}"
     return (
@@ -129,12 +134,17 @@ def _lead(facts: RigidityFacts) -> str:
 
 def _numbers(facts: RigidityFacts) -> list[tuple[str, str, str]]:
     counts = facts.counts
-    clustered = int(facts.sizes[: facts.named].sum())
+    clustered = int(facts.sizes[: facts.clusters].sum())
     hinges = f"of {counts['bonds_that_may_turn']} bonds that can rotate are flexible"
     return [
         (f"{counts['degrees_of_freedom']:,}", "", "internal degrees of freedom"),
-        (str(facts.named), "", "rigid clusters with a colour"),
+        (
+            str(facts.clusters),
+            "",
+            f"rigid clusters of 3 atoms or more, {facts.named} with a colour",
+        ),
         (_percent(clustered, len(facts.names)), "", "of the atoms are in them"),
+        (f"{counts['small_pieces']:,}", "", "small pieces of one or two atoms"),
         (f"{counts['flexible_bonds']:,}", "", hinges),
         (f"{counts['redundant']:,}", "", f"of {counts['bars']:,} bars are redundant"),
         (str(counts["parts"]), "", "parts that nothing links" if counts["parts"] > 1 else "part"),
@@ -167,8 +177,8 @@ def _clusters(facts: RigidityFacts) -> str:
         size = int(facts.sizes[k])
         where = facts.ranges(facts.residues_in(k)) if has_residues else _formula(facts, k)
         rows.append((f"■ {k + 1}", str(size), _percent(size, len(facts.names)), where))
-    small = int((facts.sizes[facts.named :] >= 3).sum())
-    caption = f"{small} smaller clusters of three atoms or more are grey" if small else ""
+    small = facts.clusters - facts.named
+    caption = f"{small} smaller clusters are grey" if small else ""
     what = "residues" if has_residues else "formula"
     made = table(("cluster", "atoms", "share", what), rows, caption)
     for k in range(facts.named):

@@ -40,6 +40,10 @@ def rigidity_scene(facts: RigidityFacts) -> dict[str, Any]:
         },
         "units": units,
         "palettes": {"cluster": COLOURS[: facts.named]},
+        "legends": {
+            "cluster": f"{facts.clusters} rigid cluster{'' if facts.clusters == 1 else 's'}, "
+            f"{facts.named} with a colour; grey: smaller, or flexible"
+        },
         "tops": {"flexibility": max(round(float(facts.flexibility.max(initial=0.0)), 2), 0.01)},
         "bonds": bonds[(bonds >= 0).all(axis=1)].ravel().tolist(),
         "bars": [],

@@ -151,8 +151,8 @@ function startViewer() {
     const palette = palettes[state.colour];
     if (palette) {
       const kinds = [...new Set(scene.units[state.colour])].filter((k) => palette[k]).sort((a, b) => a - b);
-      const many = { domain: "domains; grey: none", cluster: "rigid clusters; grey: smaller or flexible" };
-      [left.textContent, right.textContent] = ["", `${kinds.length} ${many[state.colour]}`];
+      const told = scene.legends?.[state.colour] ?? `${kinds.length} domains; grey: none`;
+      [left.textContent, right.textContent] = ["", told];
       const step = 100 / kinds.length;
       strip.style.background = kinds.length ? `linear-gradient(90deg, ${kinds.map((k, place) =>
         `${palette[k]} ${place * step}% ${(place + 1) * step}%`).join(",")})` : loose;

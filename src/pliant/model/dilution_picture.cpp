@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "pliant/model/residue_nodes.hpp"
+#include "pliant/model/survey.hpp"
 
 namespace pliant {
 namespace {
@@ -116,6 +117,12 @@ std::string escaped(const std::string& text) {
 }
 
 }  // namespace
+
+std::size_t coloured_clusters(const Structure& structure, const ClusterList& clusters) {
+  constexpr std::uint32_t least_in_protein = 20;
+  const bool is_protein = usual_model(structure) == ModelKind::protein;
+  return std::min(clusters.count(is_protein ? least_in_protein : least_cluster), cluster_colours);
+}
 
 std::string cluster_colour(std::size_t cluster) {
   return fmt::format("#{}", hexadecimal[cluster % cluster_colours]);

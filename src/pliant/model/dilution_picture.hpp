@@ -17,6 +17,10 @@ namespace pliant {
 /// Clusters that are drawn have one of so many colours.
 inline constexpr std::size_t cluster_colours = 14;
 
+/// Of clusters, the largest first, so many have a colour: at most cluster_colours; where there are
+/// chains of amino acids those of 20 atoms or more (a side chain alone stays grey), else all.
+std::size_t coloured_clusters(const Structure& structure, const ClusterList& clusters);
+
 /// "#0072b2": of a cluster, from 0; colours come again after the last. The first six are told apart
 /// without seeing red and green (Okabe, Ito, Color Universal Design, 2008).
 std::string cluster_colour(std::size_t cluster);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "pliant/model/contact_file.hpp"
+#include "pliant/model/rings_of_six.hpp"
 
 namespace pliant {
 namespace {
@@ -90,6 +91,7 @@ Rigidity analyse_rigidity(const Structure& structure, std::span<const MolecularC
     ++rigidity.hinges;
     if (rigidity.is_flexible(k)) ++rigidity.flexible_bonds;
   }
+  rigidity.rings_of_six = rings_of_six(rigidity.network).size();
   rigidity.residues = ResidueRating(structure, rigidity).rate();
   return rigidity;
 }

@@ -26,6 +26,7 @@ struct Rigidity {
   std::vector<ResidueFlexibility> residues;  ///< (R)
   std::size_t hinges = 0;                    ///< bonds that may turn
   std::size_t flexible_bonds = 0;            ///< of these, between different clusters
+  std::size_t rings_of_six = 0;              ///< of bonds that may turn: a boat moves, uncounted
 
   bool is_flexible(std::size_t edge) const {
     const BodyEdge& at = network.edges[edge];

@@ -7,8 +7,6 @@
 namespace pliant {
 namespace {
 
-constexpr std::uint32_t least_atoms = 3;
-
 class Dilution {
  public:
   explicit Dilution(const RigidityNetwork& network)
@@ -75,10 +73,7 @@ class Dilution {
     }
     const ClusterList clusters = list_clusters(representative);
     row_.freedoms = freedoms_of_body * (network_.atoms - row_.components) - game_.rank() - idle;
-    row_.clusters = static_cast<std::size_t>(
-        std::find_if(clusters.sizes.begin(), clusters.sizes.end(),
-                     [](std::uint32_t size) { return size < least_atoms; }) -
-        clusters.sizes.begin());
+    row_.clusters = clusters.count();
     for (std::size_t k = 0; k < row_.largest.size(); ++k)
       row_.largest[k] = k < clusters.sizes.size() ? clusters.sizes[k] : 0;
     rows.push_back(row_);

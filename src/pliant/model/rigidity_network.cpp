@@ -2,7 +2,9 @@
 #include "pliant/model/rigidity_network.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/planar_groups.hpp"
@@ -11,6 +13,9 @@ namespace pliant {
 namespace {
 
 constexpr std::uint8_t hinge = 5, locked = 6;
+/// At atoms whose angles are free. An atom that has one bond keeps two of its six freedoms: its own
+/// turning moves nothing.
+constexpr std::uint8_t ball_joint = 3, length_of_end = 4, length_alone = 1;
 
 bool is_hydrogen_bond(const MolecularContact& contact) {
   return contact.kind == MolecularContactKind::hydrogen_bond ||
@@ -37,7 +42,9 @@ class NetworkMaker {
         contacts_(contacts),
         options_(options),
         bonds_at_(structure.size(), 0),
-        is_held_(structure.size(), false) {}
+        is_held_(structure.size(), false),
+        is_free_(structure.size(), false),
+        home_(structure.size(), no_bond) {}
 
   RigidityNetwork make() {
     check_contacts();
@@ -48,6 +55,7 @@ class NetworkMaker {
     }
     for (const MolecularContact& contact : contacts_)
       if (is_hydrogen_bond(contact)) is_held_[near_end(contact)] = is_held_[contact.b] = true;
+    free_angles();
     add_bonds();
     add_fixed_contacts();
     add_hydrogen_bonds();
@@ -73,10 +81,46 @@ class NetworkMaker {
     return is_by_hydrogen ? contact.hydrogen : contact.a;
   }
 
+  static constexpr std::uint32_t no_bond = ~std::uint32_t{0};
+
+  void free_angles() {
+    for (const std::uint32_t atom : options_.free_angles) {
+      if (atom >= structure_.size())
+        throw OptionError("free angles: there is no atom " + std::to_string(atom) + " among " +
+                          std::to_string(structure_.size()) + " (counted from 0)");
+      is_free_[atom] = true;
+    }
+    for (std::uint32_t k = 0; k < structure_.bonds.size(); ++k) {
+      const auto [a, b] = std::pair(structure_.bonds[k].a, structure_.bonds[k].b);
+      if (is_free_[a] && carries(b) && home_[a] == no_bond) home_[a] = k;
+      if (is_free_[b] && carries(a) && home_[b] == no_bond) home_[b] = k;
+    }
+    for (const std::uint32_t atom : options_.free_angles)
+      if (home_[atom] == no_bond)
+        throw OptionError("free angles: " + structure_.atoms.label(atom) +
+                          " has no neighbour with several bonds whose own angles are held");
+  }
+
+  bool carries(std::uint32_t atom) const { return !is_free_[atom] && bonds_at_[atom] > 1; }
+
+  /// Of a bond at an atom whose angles are free; nothing of another bond.
+  std::optional<std::uint8_t> bars_of_free(std::uint32_t k) const {
+    const Bond& bond = structure_.bonds[k];
+    if (!is_free_[bond.a] && !is_free_[bond.b]) return std::nullopt;
+    if (is_free_[bond.a] && is_free_[bond.b]) return length_alone;
+    const std::uint32_t point = is_free_[bond.a] ? bond.a : bond.b;
+    if (home_[point] == k) return locked;
+    return carries(point == bond.a ? bond.b : bond.a) ? ball_joint : length_of_end;
+  }
+
   void add_bonds() {
     const std::vector<bool> is_locked = find_locked_bonds(structure_);
     for (std::size_t k = 0; k < structure_.bonds.size(); ++k) {
       const Bond& bond = structure_.bonds[k];
+      if (const auto bars = bars_of_free(static_cast<std::uint32_t>(k))) {
+        network_.edges.push_back({bond.a, bond.b, *bars});
+        continue;
+      }
       const bool is_at_end = bonds_at_[bond.a] == 1 || bonds_at_[bond.b] == 1;
       const bool turns = !is_locked[k] && (!is_at_end || (options_.ends_turn && is_held(bond)));
       if (turns && is_at_end) network_.turning_ends.push_back(static_cast<std::uint32_t>(k));
@@ -121,7 +165,9 @@ class NetworkMaker {
   std::span<const MolecularContact> contacts_;
   const RigidityOptions& options_;
   std::vector<std::uint32_t> bonds_at_;
-  std::vector<bool> is_held_;  ///< by a hydrogen bond
+  std::vector<bool> is_held_;        ///< by a hydrogen bond
+  std::vector<bool> is_free_;        ///< its angles are
+  std::vector<std::uint32_t> home_;  ///< of a free atom: the bond to what carries it along
   RigidityNetwork network_;
 };
 

@@ -21,6 +21,9 @@ struct RigidityOptions {
   /// Whether the bond to an atom that has no other bond turns where a hydrogen bond holds that
   /// atom, as FIRST has it: D-H of D-H..A, and A-B where A has no other neighbour than B.
   bool ends_turn = true;
+  /// Atoms at which no angle is held (Si-O-Si of a silicate): a ball joint of all that is bonded
+  /// there. Each needs a neighbour that has several bonds and whose own angles are held.
+  std::vector<std::uint32_t> free_angles = {};
 };
 
 /// Edges of the network. The first ones are Structure::bonds in their order, then come metals and
@@ -41,7 +44,11 @@ struct RigidityNetwork {
 /// The network of a structure whose bonds are known (perceive_bonds) and of its contacts.
 /// Six bars: double, triple and aromatic bonds, amides and their kin (find_locked_bonds), and bonds
 /// to an atom that has no other bond, as its turning moves nothing. Five: all other bonds.
-/// Throws InputError if a contact names an atom that there is not; OptionError for too many bars.
+/// At an atom whose angles are free, which counts as a point: six to the first neighbour whose
+/// angles are held, three to each other such neighbour, four to an atom that has no other bond, and
+/// one to another atom whose angles are free.
+/// Throws InputError if a contact names an atom that there is not; OptionError for too many bars,
+/// and for an atom whose angles cannot be free.
 RigidityNetwork rigidity_network(const Structure& structure,
                                  std::span<const MolecularContact> contacts,
                                  const RigidityOptions& options = {});

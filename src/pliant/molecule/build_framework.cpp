@@ -6,6 +6,7 @@
 
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/molecule/aromaticity.hpp"
 #include "pliant/molecule/bond_lengths.hpp"
 #include "pliant/molecule/planar_groups.hpp"
 #include "pliant/molecule/selection.hpp"
@@ -19,6 +20,8 @@ constexpr double zero_length = 1e-4;
 
 // Atoms with more bonds than any element has are no matter for bars between all their neighbours.
 constexpr std::size_t most_neighbours = 64;
+
+constexpr std::uint8_t aromatic = 4;
 
 // In peptides the C-N bond is partly double (Engh and Huber, Acta Cryst. A47 (1991) 392).
 constexpr double peptide_bond_length = 1.33;
@@ -36,8 +39,7 @@ class FrameworkBuilder {
   FrameworkParts parts() {
     parts_.joint_count = structure_.size();
     parts_.atoms = std::make_shared<const AtomTable>(structure_.atoms);
-    if (options_.bars != BarKind::none)
-      for (const Bond& bond : structure_.bonds) add_bond(bond);
+    if (options_.bars != BarKind::none) add_bonds();
     if (options_.bars == BarKind::angles) add_angles();
     if (options_.bars == BarKind::angles) add_planar_groups();
     add_stated();
@@ -55,13 +57,19 @@ class FrameworkBuilder {
   }
 
  private:
-  void add_bond(const Bond& bond) {
-    check_atom(bond.a);
-    check_atom(bond.b);
-    parts_.bars.push_back({bond.a, bond.b});
-    parts_.rest_lengths.push_back(options_.lengths == LengthSource::geometry
-                                      ? measured_length(bond.a, bond.b)
-                                      : table_length(bond));
+  void add_bonds() {
+    const bool is_measured = options_.lengths == LengthSource::geometry;
+    for (const Bond& bond : structure_.bonds) {
+      check_atom(bond.a);
+      check_atom(bond.b);
+    }
+    const auto is_aromatic = is_measured ? std::vector<bool>() : find_aromatic_bonds(structure_);
+    for (std::size_t k = 0; k < structure_.bonds.size(); ++k) {
+      const Bond& bond = structure_.bonds[k];
+      parts_.bars.push_back({bond.a, bond.b});
+      parts_.rest_lengths.push_back(is_measured ? measured_length(bond.a, bond.b)
+                                                : table_length(bond, is_aromatic[k]));
+    }
   }
 
   void check_atom(std::uint32_t atom) const {
@@ -84,12 +92,14 @@ class FrameworkBuilder {
            "bar " + label(a, b) + " has length 0: both atoms are at " + std::string(text));
   }
 
-  double table_length(const Bond& bond) {
+  /// In an aromatic ring it is not the drawing that tells the length.
+  double table_length(const Bond& bond, bool is_aromatic) {
     const std::uint8_t one = structure_.atoms.elements[bond.a];
     const std::uint8_t other = structure_.atoms.elements[bond.b];
     const auto [light, heavy] = std::minmax(one, other);
     if (bond.origin == BondOrigin::link && light == 6 && heavy == 7) return peptide_bond_length;
-    if (const auto length = standard_bond_length(one, other, bond.order)) return *length;
+    for (const std::uint8_t order : {is_aromatic ? aromatic : bond.order, bond.order})
+      if (const auto length = standard_bond_length(one, other, order)) return *length;
     const double radii[] = {covalent_radius(one), covalent_radius(other)};
     if (radii[0] <= 0.0 || radii[1] <= 0.0)
       refuse(structure_, "bar " + label(bond.a, bond.b) + " has no standard length: element " +

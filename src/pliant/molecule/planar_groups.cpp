@@ -4,13 +4,13 @@
 #include <algorithm>
 
 #include "pliant/base/grouped.hpp"
+#include "pliant/molecule/aromaticity.hpp"
 
 namespace pliant {
 namespace {
 
-constexpr std::uint8_t carbon = 6, nitrogen = 7, oxygen = 8, sulphur = 16;
-constexpr std::uint8_t single = 1, twofold = 2, threefold = 3, aromatic = 4;
-constexpr std::uint8_t not_known = 0;
+constexpr std::uint8_t hydrogen = 1, carbon = 6, nitrogen = 7, oxygen = 8, sulphur = 16;
+constexpr std::uint8_t twofold = 2, threefold = 3, aromatic = 4;
 /// Angles alone make a ring of so many atoms rigid.
 constexpr std::size_t largest_rigid_ring = 6;
 /// A nitrogen with more neighbours has no pair of electrons to share.
@@ -21,15 +21,19 @@ constexpr std::size_t most_neighbours = 64;
 struct Neighbour {
   std::uint32_t atom;
   std::uint8_t order;
+  bool is_aromatic;  ///< of an aromatic ring
 };
 
 class PlanarGroups {
  public:
   explicit PlanarGroups(const Structure& structure)
-      : structure_(structure), neighbours_(structure.size(), [&](const auto& put) {
-          for (const Bond& bond : structure.bonds) {
-            put(bond.a, {bond.b, bond.order});
-            put(bond.b, {bond.a, bond.order});
+      : structure_(structure),
+        is_aromatic_(find_aromatic_bonds(structure)),
+        neighbours_(structure.size(), [&](const auto& put) {
+          for (std::size_t k = 0; k < structure.bonds.size(); ++k) {
+            const Bond& bond = structure.bonds[k];
+            put(bond.a, {bond.b, bond.order, is_aromatic_[k]});
+            put(bond.b, {bond.a, bond.order, is_aromatic_[k]});
           }
         }) {}
 
@@ -37,7 +41,7 @@ class PlanarGroups {
     std::vector<std::size_t> found;
     for (std::size_t k = 0; k < structure_.bonds.size(); ++k) {
       const Bond& bond = structure_.bonds[k];
-      if (holds(bond) && carries(bond.a) && carries(bond.b) && !is_in_rigid_ring(bond))
+      if (holds(k) && carries(bond.a) && carries(bond.b) && !is_in_rigid_ring(bond))
         found.push_back(k);
     }
     return found;
@@ -45,8 +49,8 @@ class PlanarGroups {
 
   std::vector<bool> locked() const {
     std::vector<bool> is_locked;
-    for (const Bond& bond : structure_.bonds)
-      is_locked.push_back(bond.order == threefold || holds(bond));
+    for (std::size_t k = 0; k < structure_.bonds.size(); ++k)
+      is_locked.push_back(structure_.bonds[k].order == threefold || holds(k));
     return is_locked;
   }
 
@@ -74,10 +78,29 @@ class PlanarGroups {
     return count > 1 && count <= most_neighbours;
   }
 
-  bool holds(const Bond& bond) const {
-    if (bond.order == twofold || bond.order == aromatic) return true;
-    if (bond.order != single && bond.order != not_known) return false;
+  bool holds(std::size_t place) const {
+    const Bond& bond = structure_.bonds[place];
+    if (is_aromatic_[place] || bond.order == aromatic) return true;
+    if (bond.order == twofold && !is_double_by_drawing(bond)) return true;
+    if (bond.order == threefold) return false;
     return is_amide(bond, bond.a, bond.b) || is_amide(bond, bond.b, bond.a);
+  }
+
+  bool is_at_aromatic_ring(std::uint32_t atom) const {
+    const auto around = neighbours_.at(atom);
+    return std::any_of(around.begin(), around.end(),
+                       [](const Neighbour& at) { return at.is_aromatic; });
+  }
+
+  /// Whether another form of an aromatic ring has a single bond there: between two such rings
+  /// (biphenylene), and to N+ that a ring bears (an amine of a charged ring).
+  bool is_double_by_drawing(const Bond& bond) const {
+    const bool at_a = is_at_aromatic_ring(bond.a), at_b = is_at_aromatic_ring(bond.b);
+    const auto is_iminium = [&](std::uint32_t atom) {
+      return element(atom) == nitrogen && !structure_.charges.empty() &&
+             structure_.charges[atom] > 0;
+    };
+    return (at_a && at_b) || (at_a && is_iminium(bond.b)) || (at_b && is_iminium(bond.a));
   }
 
   bool is_amide(const Bond& bond, std::uint32_t c, std::uint32_t n) const {
@@ -88,8 +111,17 @@ class PlanarGroups {
     return std::any_of(around.begin(), around.end(), [&](const Neighbour& at) {
       const std::uint8_t other = element(at.atom);
       if (at.atom == n) return false;
+      if (at.is_aromatic) return other == nitrogen && bears_hydrogens_alone(n, c);
       if (at.order == aromatic) return other == nitrogen;
       return at.order == twofold && (other == oxygen || other == sulphur || other == nitrogen);
+    });
+  }
+
+  /// Beyond its bond to `c`.
+  bool bears_hydrogens_alone(std::uint32_t n, std::uint32_t c) const {
+    const auto around = neighbours_.at(n);
+    return std::all_of(around.begin(), around.end(), [&](const Neighbour& at) {
+      return at.atom == c || element(at.atom) == hydrogen;
     });
   }
 
@@ -123,6 +155,7 @@ class PlanarGroups {
   }
 
   const Structure& structure_;
+  std::vector<bool> is_aromatic_;  ///< (M)
   Grouped<Neighbour, std::size_t> neighbours_;
   std::vector<std::uint32_t> reached_;
 };

@@ -10,10 +10,12 @@
 namespace pliant {
 
 /// Places in Structure::bonds of the bonds about which nothing turns, as far as the orders of bonds
-/// say (from the file, or the template of a residue): double and aromatic bonds, and bonds from
-/// nitrogen to a carbon that has a double bond to O, S or N (amides, guanidinium, amidines), or an
-/// aromatic one to N; and peptide bonds. Without those at whose ends nothing hangs, and those in
-/// rings of up to six atoms, whose angles hold them.
+/// say (from the file, or the template of a residue): double bonds, those of aromatic rings
+/// (find_aromatic_bonds: the same for all Kekule forms), and bonds from nitrogen to a carbon that
+/// has a double bond to O, S or N (amides, guanidinium, amidines); and peptide bonds. A double bond
+/// to N in an aromatic ring makes no amidine: the ring turns about its bond to NH-R or NR2, but NH2
+/// stays in its plane (bases). Without those at whose ends nothing hangs, and those in rings of up
+/// to six atoms, whose angles hold them.
 std::vector<std::size_t> find_planar_bonds(const Structure& structure);
 
 /// For each of Structure::bonds, whether nothing turns about it: the bonds above, those at whose

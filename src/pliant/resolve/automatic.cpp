@@ -194,6 +194,11 @@ Choice choose_technique(const Framework& framework, const Technique& asked) {
                     counted(facts.bridges, "bridge") + " in one outward pass");
 }
 
+bool forms_rigid_units(const Framework& framework) {
+  return !framework.is_planar() && is_mostly_triangles(framework) &&
+         has_large_blocks(graph_facts(framework));
+}
+
 Technique technique_used(const Framework& framework, const Technique& technique) {
   return technique.name == "auto" ? choose_technique(framework, technique).technique : technique;
 }

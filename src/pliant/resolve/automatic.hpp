@@ -19,6 +19,10 @@ struct Choice {
 /// `asked` says whether masses count. Linear in joints and bars, but for hubs of many bars.
 Choice choose_technique(const Framework& framework, const Technique& asked = {});
 
+/// Whether most bars are in triangles, as bars across angles make them, and some block of bars is
+/// larger than a tetrahedron: rigid units, which share joints. Not of frameworks in a plane.
+bool forms_rigid_units(const Framework& framework);
+
 /// The technique that resolves: what `auto` chooses, any other itself.
 Technique technique_used(const Framework& framework, const Technique& technique);
 

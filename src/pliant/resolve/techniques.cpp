@@ -31,20 +31,20 @@ std::vector<TechniqueEntry> all_techniques() {
                   "chosen from what the bars form: blocks, units, newton, froda or anderson", false,
                   false, true, make_automatic});
   for (const OrderingEntry& row : orderings())
-    rows.push_back(
-        {row.name, row.summary, row.forests_only, true, true, make_sweeps, make_lane_sweeps});
+    rows.push_back({row.name, row.summary, row.forests_only, true, true, make_sweeps,
+                    make_lane_sweeps, false, true});
   rows.push_back({"bfs_local", "bfs_cycle on the region that a push of one joint disturbs", false,
-                  true, true, make_local_sweeps, make_lane_local_sweeps});
+                  true, true, make_local_sweeps, make_lane_local_sweeps, false, true});
   rows.push_back({"blocks",
                   "bridges in one outward pass, exactly; each ring system alone by Newton's method",
                   false, false, false, make_blocks, make_lane_blocks, true});
   rows.push_back({"anderson", "bfs_cycle with Anderson acceleration from sweep to sweep", false,
-                  true, true, make_anderson});
+                  true, true, make_anderson, nullptr, false, true});
   rows.push_back({"rings_first",
                   "each ring system alone by bfs_cycle, then bridges in one outward pass", false,
-                  false, true, make_rings_first, nullptr, true});
+                  false, true, make_rings_first, nullptr, true, true});
   rows.push_back({"rings_anderson", "rings_first with Anderson acceleration in each ring system",
-                  false, false, true, make_rings_anderson, nullptr, true});
+                  false, false, true, make_rings_anderson, nullptr, true, true});
   rows.push_back({"newton", "the nearest whole positions, weighted by mass", false, false, false,
                   make_newton_in_shape, make_lane_newton});
   rows.push_back({"shake",
@@ -65,13 +65,23 @@ std::vector<TechniqueEntry> all_techniques() {
   return rows;
 }
 
-void check_knows_limits(const Technique& technique, const Framework& framework) {
-  if (framework.has_bars_only() || entry_of(technique).knows_limits) return;
+std::string without_limits(const Technique& technique) {
   std::string known;
   for (const TechniqueEntry& row : techniques())
     if (row.knows_limits) known += (known.empty() ? "" : ", ") + std::string(row.name);
-  throw OptionError("technique = " + technique.name + ": does not support limits; use one of " +
-                    known);
+  return "technique = " + technique.name + ": does not support limits; use one of " + known;
+}
+
+std::string for_trees_only(const Technique& technique, std::size_t cycles) {
+  return "technique = " + technique.name + ": is for trees only, but the framework has " +
+         std::to_string(cycles) + (cycles == 1 ? " independent cycle" : " independent cycles");
+}
+
+std::string too_slow(const Technique& technique, const Framework& framework) {
+  return "technique = " + technique.name +
+         ": goes from bar to bar, which does not converge or is slow where bars form rigid units "
+         "(angles); use auto, which takes " +
+         choose_technique(framework, technique).technique.name;
 }
 
 void check_given_ordering(const Technique& technique, const Framework& framework) {
@@ -110,16 +120,28 @@ void check(const Technique& technique) {
     throw OptionError("ordering: goes with the technique input, not with " + technique.name);
 }
 
+TechniqueFit fit_of(const Technique& technique, const Framework& framework) {
+  const TechniqueEntry& row = entry_of(technique);
+  if (!framework.has_bars_only() && !row.knows_limits)
+    return {Fit::refused, without_limits(technique)};
+  if (row.forests_only)
+    if (const GraphFacts facts = graph_facts(framework); !facts.is_forest())
+      return {Fit::refused, for_trees_only(technique, facts.cycles)};
+  if (row.bar_by_bar && forms_rigid_units(framework))
+    return {Fit::doubtful, too_slow(technique, framework)};
+  return {};
+}
+
+void warn_if_doubtful(const Technique& technique, const Framework& framework, const Log& log) {
+  const TechniqueFit found = fit_of(technique, framework);
+  if (found.fit == Fit::doubtful) log.warn(found.why);
+}
+
 void check(const Technique& technique, const Framework& framework) {
   check(technique);
   check_given_ordering(technique, framework);
-  check_knows_limits(technique, framework);
-  if (!entry_of(technique).forests_only) return;
-  const GraphFacts facts = graph_facts(framework);
-  if (facts.is_forest()) return;
-  throw OptionError("technique = " + technique.name +
-                    ": is for trees only, but the framework has " + std::to_string(facts.cycles) +
-                    (facts.cycles == 1 ? " independent cycle" : " independent cycles"));
+  const TechniqueFit found = fit_of(technique, framework);
+  if (found.fit == Fit::refused) throw OptionError(found.why);
 }
 
 }  // namespace pliant

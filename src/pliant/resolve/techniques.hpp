@@ -2,10 +2,14 @@
 // The table of techniques: every ordering is a row, and every direct method.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 
+#include "pliant/base/log.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/resolve/method/technique.hpp"
 
@@ -31,6 +35,22 @@ struct TechniqueEntry {
   /// Goes outward and carries along what hangs on a joint: if asked to weight by mass, each
   /// component is shifted afterwards so that its centre of mass stays.
   bool carries = false;
+  /// Sweeps from bar to bar, which does not converge in the sweeps of a run, or slowly, where bars
+  /// form rigid units (forms_rigid_units).
+  bool bar_by_bar = false;
+};
+
+/// Whether a technique is the right one for a framework, as far as the table and the bars tell.
+enum class Fit : std::uint8_t {
+  fits,
+  doubtful,  ///< may be tried, but is known not to converge on such a framework
+  refused,   ///< cannot resolve it: check() throws
+};
+inline constexpr std::array<std::string_view, 3> fit_names{"fits", "doubtful", "refused"};
+
+struct TechniqueFit {
+  Fit fit = Fit::fits;
+  std::string why;  ///< and what to use instead, as one message; "" where it fits
 };
 
 std::span<const TechniqueEntry> techniques();
@@ -49,8 +69,14 @@ bool shifts_to_mass_centre(const Technique& technique);
 /// with another technique than `input`, or a sweep with another than `custom`.
 void check(const Technique& technique);
 
-/// Throws OptionError if the technique leaves bars of this framework out, does not support limits
-/// where it has some, or if its ordering is none of this framework.
+/// What is to be expected of a known technique before anything is resolved. Linear.
+TechniqueFit fit_of(const Technique& technique, const Framework& framework);
+
+/// Warns of a technique that is doubtful for this framework.
+void warn_if_doubtful(const Technique& technique, const Framework& framework, const Log& log);
+
+/// Throws OptionError if the technique is refused: it leaves bars of this framework out, or does
+/// not support limits where it has some; or if its ordering is none of this framework.
 void check(const Technique& technique, const Framework& framework);
 
 }  // namespace pliant

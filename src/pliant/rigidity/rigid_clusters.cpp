@@ -75,6 +75,12 @@ class ClusterGraph {
 
 }  // namespace
 
+std::size_t ClusterList::count(std::uint32_t least) const {
+  const auto end =
+      std::find_if(sizes.begin(), sizes.end(), [&](std::uint32_t size) { return size < least; });
+  return static_cast<std::size_t>(end - sizes.begin());
+}
+
 ClusterList list_clusters(std::span<const std::uint32_t> representative) {
   std::vector<std::uint32_t> sizes(representative.size(), 0), firsts, place(sizes);
   for (const std::uint32_t first : representative)

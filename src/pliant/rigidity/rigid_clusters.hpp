@@ -19,11 +19,19 @@ struct BodyEdge {
   std::uint8_t bars = 0;
 };
 
-/// Which cluster each body is in. Clusters are numbered from 0 by size, the largest first, and
-/// among equals by their lowest body.
+/// Fewer bodies that are locked together (one, or two and the bond between them) are no cluster but
+/// a small piece.
+inline constexpr std::uint32_t least_cluster = 3;
+
+/// Which cluster each body is in, small pieces numbered after them. Clusters are numbered from 0 by
+/// size, the largest first, and among equals by their lowest body.
 struct ClusterList {
   std::vector<std::uint32_t> of_body;  ///< (B)
   std::vector<std::uint32_t> sizes;    ///< (C) bodies
+
+  /// Clusters of so many bodies or more: the first ones.
+  std::size_t count(std::uint32_t least = least_cluster) const;
+  std::size_t small_pieces() const { return sizes.size() - count(); }
 };
 
 /// Numbers clusters that are told by one body of each: `representative` (B).

@@ -16,7 +16,9 @@ struct Motion::Plan {
        const MotionOptions& options, std::uint64_t walker)
       : own(std::move(mine)),
         walk(framework, state, options, walker),
-        resolver(framework, options.technique, options.resolve) {}
+        resolver(framework, options.technique, options.resolve) {
+    warn_if_doubtful(options.technique, framework, options.log);
+  }
 };
 
 void check(const MotionOptions& options) {

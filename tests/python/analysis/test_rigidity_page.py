@@ -107,7 +107,8 @@ def test_it_draws_clusters_and_flexibility(page, tmp_path):
         assert browser.evaluate("document.documentElement.dataset.viewer") == "drawn"
         picture = "document.querySelector('#view canvas').toDataURL()"
         clusters = browser.evaluate(picture)
-        assert "5 rigid clusters" in browser.evaluate("document.getElementById('legend').innerText")
+        legend = browser.evaluate("document.getElementById('legend').innerText")
+        assert "rigid clusters, 5 with a colour; grey" in legend
         browser.evaluate("document.querySelector('#colours [data-key=flexibility]').click()")
         assert browser.evaluate(picture) != clusters
         size = {"width": 420, "height": 844, "deviceScaleFactor": 1, "mobile": False}

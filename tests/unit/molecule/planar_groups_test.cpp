@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "pliant/molecule/build_framework.hpp"
 #include "unit/molecule/made_structure.hpp"
 
@@ -86,6 +88,62 @@ TEST(PlanarGroups, LeaveSmallRingsToTheirAngles) {
   EXPECT_THAT(planar_bars(ring(5)), IsEmpty());
   EXPECT_THAT(planar_bars(ring(6)), IsEmpty());
   EXPECT_EQ(planar_bars(ring(7)).size(), 7u);
+}
+
+/// Phenyl-NH-(2-pyridyl): carbons 0 to 5, N 6 and its H 7, pyridyl 8 to 13 (N 13). The orders of
+/// the bonds 8-9, 9-10 and so on round the pyridine.
+Structure anilinopyridine(std::array<std::uint8_t, 6> orders) {
+  std::vector<Bond> bonds{bond(0, 5, aromatic), bond(0, 6), bond(6, 7), bond(6, 8)};
+  for (std::uint32_t k = 0; k < 5; ++k) bonds.push_back(bond(k, k + 1, aromatic));
+  for (std::uint32_t k = 0; k < 5; ++k) bonds.push_back(bond(8 + k, 9 + k, orders[k]));
+  bonds.push_back(bond(8, 13, orders[5]));
+  return made("CCCCCCNHCCCCCN", bonds);
+}
+
+/// The drawing decides nothing: neither form of the pyridine makes an amidine of its C=N.
+TEST(PlanarGroups, TurnAboutTheBondFromAnAromaticRingToNitrogenInEveryDrawing) {
+  for (const auto& orders : {std::array<std::uint8_t, 6>{1, 2, 1, 2, 1, 2},
+                             std::array<std::uint8_t, 6>{2, 1, 2, 1, 2, 1},
+                             std::array<std::uint8_t, 6>{4, 4, 4, 4, 4, 4}}) {
+    const Structure s = anilinopyridine(orders);
+    EXPECT_THAT(planar_bars(s), IsEmpty());
+    const std::vector<bool> is_locked = find_locked_bonds(s);
+    for (std::size_t k = 0; k < s.bonds.size(); ++k) {
+      const bool is_at_nitrogen = s.bonds[k].a == 6 || s.bonds[k].b == 6;
+      EXPECT_EQ(is_locked[k], !is_at_nitrogen) << s.bonds[k].a << "-" << s.bonds[k].b;
+    }
+  }
+}
+
+/// NH2 on an aromatic carbon beside nitrogen, as in adenine and cytosine.
+TEST(PlanarGroups, HoldAminoGroupsBesideNitrogenOfAromaticRingsInEveryDrawing) {
+  for (const std::uint8_t first : std::array<std::uint8_t, 3>{1, 2, 4}) {
+    std::vector<Bond> bonds{bond(0, 6), bond(6, 7), bond(6, 8)};
+    const auto order = [&](std::uint32_t k) -> std::uint8_t {
+      return first == aromatic ? aromatic : k % 2 == 0 ? first : 3 - first;
+    };
+    for (std::uint32_t k = 0; k < 5; ++k) bonds.push_back(bond(k, k + 1, order(k)));
+    bonds.push_back(bond(0, 5, order(5)));
+    EXPECT_EQ(planar_bars(made("CCCCCNNHH", bonds)).size(), 1u) << int(first);
+  }
+}
+
+/// The amide of an acylated aminopyridine is held, the bond to its ring turns.
+TEST(PlanarGroups, HoldOfAnAcylatedAminopyridineTheAmideAlone) {
+  Structure s = anilinopyridine({1, 2, 1, 2, 1, 2});
+  // Acetyl in place of phenyl: C 0 with O 1 and C 2.
+  std::erase_if(s.bonds, [](const Bond& bond) { return bond.b < 6; });
+  for (const Bond& added : {bond(0, 1, 2), bond(0, 2)}) s.bonds.push_back(added);
+  s.atoms.elements[1] = 8;
+  EXPECT_THAT(planar_bars(s), ElementsAre("1-8"));
+}
+
+/// C=N of a ring that is not aromatic makes an amidine.
+TEST(PlanarGroups, HoldAmidinesOfRingsThatAreNotAromatic) {
+  // 2-(methylamino)imidazoline: C 0, N 1, C 2, C 3, N 4 in the ring; N 5 with C 6.
+  const Structure s = made("CNCCNNC", {bond(0, 1, 2), bond(1, 2), bond(2, 3), bond(3, 4),
+                                       bond(0, 4), bond(0, 5), bond(5, 6)});
+  EXPECT_EQ(planar_bars(s).size(), 1u);
 }
 
 TEST(PlanarGroups, AreBarsOfAnglesAfterAllOthersAndOfNothingElse) {

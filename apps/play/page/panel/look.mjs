@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // How it is drawn: style, colours, background, dark and light.
-import {$, element, fillSelect} from './dom.mjs';
-import {COLOURINGS, scaleColour} from '../view/colours.mjs';
+import {$, element, fillSelect, units} from './dom.mjs';
+import {clusterColours, COLOURINGS, scaleColour} from '../view/colours.mjs';
 import {STYLES} from '../view/scene.mjs';
 
 const GROUNDS = {light: '#f7f9fb', dark: '#10161c'};
@@ -38,6 +38,8 @@ export class Look {
     const hasClusters = model.cluster.some((number) => number >= 0);
     this.allow('chain', new Set(model.chain).size > 1);
     this.allow('cluster', hasClusters);
+    this.model = model;
+    this.legend();
   }
 
   /** A colouring that has nothing to tell of this model cannot be chosen. */
@@ -88,14 +90,24 @@ export class Look {
   }
 
   legend() {
-    const words = LEGENDS[this.stage.colouring] ?? ['', ''];
+    const isCluster = this.stage.colouring === 'cluster' && this.model;
+    const words = isCluster ? clusterWords(this.model) : LEGENDS[this.stage.colouring] ?? ['', ''];
     [$('legend-low').textContent, $('legend-high').textContent] = words;
+    const colours = isCluster ? clusterColours(this.model) : null;
     const pen = $('legend-bar').getContext('2d');
+    pen.clearRect(0, 0, 90, 8);
     for (let x = 0; x < 90; ++x) {
-      pen.fillStyle = `rgb(${scaleColour(x / 89).join(',')})`;
+      const colour = colours ? colours[Math.floor(x / 90 * colours.length)] : scaleColour(x / 89);
+      if (!colour) continue;
+      pen.fillStyle = `rgb(${colour.join(',')})`;
       pen.fillRect(x, 0, 1, 8);
     }
   }
+}
+
+/** What stands beside the colours of rigid clusters. */
+function clusterWords({rigidClusters, colouredClusters}) {
+  return [`${colouredClusters} of ${units(rigidClusters, 'rigid cluster')}`, 'grey: smaller, or flexible'];
 }
 
 /** A table of keys for the help. */

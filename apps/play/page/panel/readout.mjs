@@ -20,8 +20,7 @@ export class Readout {
   began(model) {
     const facts = [units(model.joints, 'joint'), units(model.bars.length / 2, 'bar')];
     if (model.contacts.length) facts.push(units(model.contacts.length / 2, 'contact'));
-    const clusters = new Set(model.cluster.filter((number) => number >= 0)).size;
-    if (clusters) facts.push(units(clusters, 'rigid cluster'));
+    if (model.rigidClusters) facts.push(units(model.rigidClusters, 'rigid cluster'));
     $('title').replaceChildren(element('b', model.title || 'No title'), ` · ${facts.join(', ')}`);
     $('title').title = model.title;
     document.title = `${model.title || 'Pliant'} – Pliant play`;

@@ -34,7 +34,19 @@ export class Resolve {
     fillSelect($('model'), names.map((name) => ({name, title: MODELS[name] ?? name})));
   }
 
+  /** Techniques that refuse what is open cannot be chosen; the others say what is known of them. */
+  judge(unfit = {}) {
+    this.unfit = unfit;
+    for (const option of $('technique').options) {
+      const found = unfit[option.value];
+      option.disabled = Boolean(found?.refused);
+      option.title = found?.why ?? '';
+      option.textContent = found ? `${option.value} (${found.refused ? 'refused' : 'doubtful'})` : option.value;
+    }
+  }
+
   began(model, isReplay) {
+    this.judge(model.unfit);
     for (const [id] of FIELDS) $(id).disabled = isReplay;
     $('model').disabled = isReplay || model.kind === 'graph';
     $('model').value = this.session.source?.model ?? 'auto';
@@ -64,7 +76,8 @@ export class Resolve {
     for (const [id, field] of FIELDS)
       if (settings[field] !== undefined) $(id).value = asText(settings[field]);
     const row = this.techniques.find(({name}) => name === settings.technique);
-    $('technique-title').textContent = row?.title ?? '';
+    const unfit = this.unfit?.[settings.technique];
+    $('technique-title').textContent = unfit?.why ?? row?.title ?? '';
     $('weighting').disabled = row?.weightings === false;
   }
 

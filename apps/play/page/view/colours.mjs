@@ -38,10 +38,14 @@ export const residualShare = (residual) =>
 
 const byElement = (model) => (joint) => elementColour(model.elements[joint]);
 
+/** Of the clusters that have one, the largest first. */
+export const clusterColours = (model) => CATEGORIES.slice(0, model.colouredClusters);
+
+/** Small ones, and what is in none, are grey. */
 function byCluster(model) {
   return (joint) => {
     const cluster = model.cluster[joint];
-    return cluster < 0 ? FLEXIBLE : CATEGORIES[cluster % CATEGORIES.length];
+    return cluster < 0 || cluster >= model.colouredClusters ? FLEXIBLE : CATEGORIES[cluster];
   };
 }
 
