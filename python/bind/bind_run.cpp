@@ -18,6 +18,7 @@
 #include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "pushes.hpp"
+#include "refusals.hpp"
 
 namespace pliant::python {
 namespace {
@@ -103,7 +104,10 @@ void bind_field(nb::class_<RunOptions>& options, const RunField& field) {
       },
       [&field](RunOptions& self, nb::handle value) {
         std::visit(
-            [&](auto* place) { *place = nb::cast<std::remove_pointer_t<decltype(place)>>(value); },
+            [&](auto* place) {
+              using Value = std::remove_pointer_t<decltype(place)>;
+              *place = argument_as<Value>(field.name, value, python_type(field.place(self)));
+            },
             field.place(self));
       },
       nb::for_getter(nb::sig(("def " + name + "(self) -> " + type).c_str())),
@@ -159,7 +163,10 @@ void bind_options(nb::module_& module) {
       bind_field(options, field);
   options.def_prop_rw(
       "walker", [](const RunOptions& self) { return self.resolve.walker; },
-      [](RunOptions& self, std::uint64_t value) { self.resolve.walker = value; },
+      [](RunOptions& self, nb::handle value) {
+        self.resolve.walker = argument_as<std::uint64_t>("walker", value, "int");
+      },
+      nb::for_setter(nb::sig("def walker(self, arg: int, /) -> None")),
       "Which of several independent runs this is.");
   options.def(
       "parameters",
