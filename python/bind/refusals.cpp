@@ -12,15 +12,21 @@ namespace {
 constexpr std::size_t most_kinds = 16;
 std::array<vectorcallfunc, most_kinds> originals{};
 
+// Python and nanobind keep flags above the number of arguments.
+constexpr std::size_t count_bits = 0xffff;
+
 vectorcallfunc& call_of(PyObject* function) {
   return *reinterpret_cast<vectorcallfunc*>(reinterpret_cast<char*>(function) +
                                             sizeof(PyVarObject));
 }
 
 /// The arguments by position and by name, as Python functions have them.
-nb::tuple arguments_from(PyObject* const* arguments, std::size_t count, PyObject* names) {
+nb::tuple arguments_from(bool is_method, PyObject* const* arguments, std::size_t count,
+                         PyObject* names) {
   nb::list positional;
-  for (std::size_t k = 0; k < count; ++k) positional.append(nb::handle(arguments[k]));
+  // The object of a method is not looked at; that of __init__ is not made yet.
+  for (std::size_t k = 0; k < count; ++k)
+    positional.append(is_method && k == 0 ? nb::none() : nb::borrow(arguments[k]));
   nb::dict named;
   const std::size_t name_count = names == nullptr ? 0 : nb::len(nb::handle(names));
   for (std::size_t k = 0; k < name_count; ++k)
@@ -36,7 +42,8 @@ void improve_error(PyObject* function, PyObject* const* arguments, std::size_t c
     const bool is_unfit = error.matches(PyExc_TypeError) &&
                           std::strstr(error.what(), "incompatible function arguments") != nullptr;
     if (!is_unfit) return error.restore();
-    const nb::tuple given = arguments_from(arguments, count, names);
+    const nb::tuple given = arguments_from(nb::handle(function).type().attr("__name__").equal(nb::str("nb_method")),
+                       arguments, count, names);
     nb::module_::import_("pliant._refusals")
         .attr("refuse_call")(nb::handle(function), given[0], given[1]);
     error.restore();  // where nothing was found that does not fit
@@ -51,7 +58,7 @@ PyObject* call(PyObject* function, PyObject* const* arguments, std::size_t count
                PyObject* names) {
   PyObject* result = originals[K](function, arguments, count, names);
   if (result == nullptr)
-    improve_error(function, arguments, static_cast<std::size_t>(PyVectorcall_NARGS(count)), names);
+    improve_error(function, arguments, count & count_bits, names);
   return result;
 }
 
@@ -79,8 +86,10 @@ bool is_function(nb::handle thing) {
 }
 
 void name_unfit_arguments_in(nb::handle scope) {
-  for (nb::handle thing : nb::list(nb::dict(scope.attr("__dict__")).values())) {
+  for (nb::handle thing : nb::list(scope.attr("__dict__").attr("values")())) {
     if (is_function(thing)) name_unfit_arguments_of(thing.ptr());
+    if (nb::hasattr(thing, "fset") && is_function(thing.attr("fset")))
+      name_unfit_arguments_of(thing.attr("fset").ptr());
     if (PyType_Check(thing.ptr()) && !scope.is(thing) &&
         thing.attr("__module__").equal(nb::str("pliant._core")))
       name_unfit_arguments_in(thing);

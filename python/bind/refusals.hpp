@@ -16,15 +16,16 @@ namespace pliant::python {
 [[noreturn]] void refuse_argument(std::string_view name, nb::handle value, const char* type,
                                   nb::object least, nb::object most);
 
-/// `value` as a T. Throws as refuse_argument() if it is none.
+/// `value` as a T, of which the least is told. Throws as refuse_argument() if it is none.
 template <class T>
-T argument_as(std::string_view name, nb::handle value, const char* type) {
+T argument_as(std::string_view name, nb::handle value, const char* type,
+              T least = std::numeric_limits<T>::min()) {
   T taken{};
   const bool is_taken =
       !(std::is_same_v<T, double> && nb::isinstance<nb::str>(value)) && nb::try_cast(value, taken);
   if (is_taken) return taken;
   if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
-    refuse_argument(name, value, type, nb::cast(std::numeric_limits<T>::min()),
+    refuse_argument(name, value, type, nb::cast(least),
                     nb::cast(std::numeric_limits<T>::max()));
   refuse_argument(name, value, type, nb::none(), nb::none());
 }

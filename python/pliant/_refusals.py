@@ -37,7 +37,8 @@ def refuse(
     from pliant._core import OptionError
 
     if least is not None and most is not None and _is_whole(value):
-        raise OptionError(f"{name} = {_shown(value)}: must be from {least} to {most}")
+        wanted = f"a whole number from {least} to {most}"
+        raise OptionError(f"{name} = {_shown(value)}: must be {wanted}")
     raise TypeError(f"{name} = {_shown(value)}: must be {_wanted(annotation)}")
 
 
