@@ -47,7 +47,7 @@ def refuse_call(function: Any, positional: Sequence[object], named: Mapping[str,
     signature = function.__nb_signature__[0][0]
     parameters = _parameters(signature)
     is_method = next(iter(parameters), "") == "self"
-    given = _given(function.__name__, parameters, positional, named, is_method)
+    given = _given(_called(function), parameters, positional, named, is_method)
     unfit = [name for name, value in given.items() if not _fits(value, parameters[name])]
     for name in unfit:
         refuse(name, given[name], parameters[name])
@@ -55,6 +55,12 @@ def refuse_call(function: Any, positional: Sequence[object], named: Mapping[str,
         if _is_whole(value) and "int" in _kinds(parameters[name]):
             _refuse_out_of_range(name, int(value), parameters[name])  # type: ignore[call-overload]
     _refuse_contents(parameters, given)
+
+
+def _called(function: Any) -> str:
+    """By what name it is called: a class by its own."""
+    name = str(function.__name__)
+    return str(function.__qualname__).split(".")[0] if name == "__init__" else name
 
 
 def _refuse_out_of_range(name: str, value: int, annotation: str) -> None:
