@@ -85,8 +85,8 @@ std::string fitting_topology(const std::string& path, bool is_asked, const Frame
     return path;
   } catch (const InputError& error) {
     if (is_asked) throw InputError(at({path}, error.what()));
-    options.log.warn(printable_name(path) + ", the file of names and bonds, is not written: " +
-                     error.what());
+    options.log.warn(printable_name(path) +
+                     ", the file of names and bonds, is not written: " + error.what());
     return "none";
   }
 }

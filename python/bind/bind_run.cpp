@@ -117,8 +117,7 @@ void bind_field(nb::class_<RunOptions>& options, const RunField& field) {
       },
       nb::for_getter(nb::sig(("def " + name + "(self) -> " + type).c_str())),
       nb::for_setter(nb::sig(("def " + name + "(self, arg: " + type + ", /) -> None").c_str())),
-      nb::for_setter(nb::arg().none()),
-      docstring(field.summary).c_str());
+      nb::for_setter(nb::arg().none()), docstring(field.summary).c_str());
 }
 
 /// Its name, to which a function may be set: ``custom`` from then on.
@@ -176,8 +175,7 @@ void bind_options(nb::module_& module) {
         self.resolve.walker = argument_as<std::uint64_t>("walker", value, "int");
       },
       nb::for_setter(nb::sig("def walker(self, arg: int, /) -> None")),
-      nb::for_setter(nb::arg().none()),
-      "Which of several independent runs this is.");
+      nb::for_setter(nb::arg().none()), "Which of several independent runs this is.");
   options.def(
       "parameters",
       [](const RunOptions& self, const Framework& framework) {

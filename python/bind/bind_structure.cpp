@@ -184,8 +184,7 @@ void set_cell(Structure& self, const ArrayLike& edges) {
 void bind_cell(nb::class_<Structure>& structure) {
   structure.def_prop_rw(
       "cell", &cell_to_python, &set_cell,
-      nb::for_getter(
-          nb::sig("def cell(self) -> numpy.typing.NDArray[numpy.float64] | None")),
+      nb::for_getter(nb::sig("def cell(self) -> numpy.typing.NDArray[numpy.float64] | None")),
       nb::for_setter(nb::sig("def cell(self, edges: numpy.typing.ArrayLike | None, /) -> None")),
       nb::arg().none(),
       "(3, 3) float64, a copy: the edges of the periodic cell (Angstrom); None: none is known.");

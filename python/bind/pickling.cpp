@@ -203,13 +203,12 @@ std::vector<Vec3> edges_of(const std::optional<Cell>& cell) {
 
 nb::tuple structure_state(const Structure& structure) {
   std::vector<std::uint8_t> ends(structure.chain_end.begin(), structure.chain_end.end());
-  return nb::make_tuple(layout, text_bytes(structure.title), text_bytes(structure.source),
-                        structure.format, state_of(structure.atoms), packed(structure.positions),
-                        packed(numbers_of(structure.bonds)), packed(structure.charges),
-                        packed(ends), structure.model, structure.model_count,
-                        packed(structure.b_factors), structure.assemblies,
-                        packed(structure.isotopes), packed(structure.radicals),
-                        packed(edges_of(structure.cell)), int(structure.dimensions));
+  return nb::make_tuple(
+      layout, text_bytes(structure.title), text_bytes(structure.source), structure.format,
+      state_of(structure.atoms), packed(structure.positions), packed(numbers_of(structure.bonds)),
+      packed(structure.charges), packed(ends), structure.model, structure.model_count,
+      packed(structure.b_factors), structure.assemblies, packed(structure.isotopes),
+      packed(structure.radicals), packed(edges_of(structure.cell)), int(structure.dimensions));
 }
 
 Structure structure_from(const nb::tuple& state) {

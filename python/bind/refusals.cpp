@@ -42,7 +42,8 @@ void improve_error(PyObject* function, PyObject* const* arguments, std::size_t c
     const bool is_unfit = error.matches(PyExc_TypeError) &&
                           std::strstr(error.what(), "incompatible function arguments") != nullptr;
     if (!is_unfit) return error.restore();
-    const nb::tuple given = arguments_from(nb::handle(function).type().attr("__name__").equal(nb::str("nb_method")),
+    const nb::tuple given =
+        arguments_from(nb::handle(function).type().attr("__name__").equal(nb::str("nb_method")),
                        arguments, count, names);
     nb::module_::import_("pliant._refusals")
         .attr("refuse_call")(nb::handle(function), given[0], given[1]);
@@ -54,11 +55,9 @@ void improve_error(PyObject* function, PyObject* const* arguments, std::size_t c
 
 /// What Python calls in place of a function of kind K.
 template <std::size_t K>
-PyObject* call(PyObject* function, PyObject* const* arguments, std::size_t count,
-               PyObject* names) {
+PyObject* call(PyObject* function, PyObject* const* arguments, std::size_t count, PyObject* names) {
   PyObject* result = originals[K](function, arguments, count, names);
-  if (result == nullptr)
-    improve_error(function, arguments, count & count_bits, names);
+  if (result == nullptr) improve_error(function, arguments, count & count_bits, names);
   return result;
 }
 

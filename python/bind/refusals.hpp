@@ -11,8 +11,8 @@
 
 namespace pliant::python {
 
-/// Calls `refuse` of pliant._refusals, which raises TypeError or OptionError "steps = 2.5: must be a
-/// whole number".
+/// Calls `refuse` of pliant._refusals, which raises TypeError or OptionError "steps = 2.5: must be
+/// a whole number".
 [[noreturn]] void refuse_argument(std::string_view name, nb::handle value, const char* type,
                                   nb::object least, nb::object most);
 
@@ -25,8 +25,7 @@ T argument_as(std::string_view name, nb::handle value, const char* type,
       !(std::is_same_v<T, double> && nb::isinstance<nb::str>(value)) && nb::try_cast(value, taken);
   if (is_taken) return taken;
   if constexpr (std::is_integral_v<T> && !std::is_same_v<T, bool>)
-    refuse_argument(name, value, type, nb::cast(least),
-                    nb::cast(std::numeric_limits<T>::max()));
+    refuse_argument(name, value, type, nb::cast(least), nb::cast(std::numeric_limits<T>::max()));
   refuse_argument(name, value, type, nb::none(), nb::none());
 }
 

@@ -79,8 +79,10 @@ def _refuse_contents(parameters: Mapping[str, str], given: Mapping[str, object])
 
 def _parameters(signature: str) -> dict[str, str]:
     """Annotations by name: defaults of the signature are none that Python reads."""
-    text = "".join(part.lstrip("0123456789") if k else part
-                   for k, part in enumerate(signature.replace("\\", "\0\\").split("\\")))
+    text = "".join(
+        part.lstrip("0123456789") if k else part
+        for k, part in enumerate(signature.replace("\\", "\0\\").split("\\"))
+    )
     tree = ast.parse(text.replace("\0", "...") + ": ...").body[0]
     assert isinstance(tree, ast.FunctionDef)
     every = [*tree.args.posonlyargs, *tree.args.args, *tree.args.kwonlyargs]
@@ -124,7 +126,9 @@ def _alternatives(annotation: str) -> Iterator[ast.expr]:
 
 def _kinds(annotation: str) -> list[str]:
     """The names of the alternatives, without what stands in brackets."""
-    bare = (one.value if isinstance(one, ast.Subscript) else one for one in _alternatives(annotation))
+    bare = (
+        one.value if isinstance(one, ast.Subscript) else one for one in _alternatives(annotation)
+    )
     return [ast.unparse(one) for one in bare]
 
 
@@ -166,7 +170,7 @@ def _is_whole(value: object) -> bool:
 
 
 def _wanted(annotation: str) -> str:
-    """"a whole number or None"."""
+    """ "a whole number or None"."""
     kinds = _kinds(annotation)
     words = [_WORDS.get(kind, f"a {kind.rpartition('.')[2]}") for kind in kinds]
     return " or ".join(dict.fromkeys(words))

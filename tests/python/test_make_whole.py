@@ -12,7 +12,7 @@ distances = pytest.importorskip("MDAnalysis.lib.distances")
 mdamath = pytest.importorskip("MDAnalysis.lib.mdamath")
 
 PEPTIDE = "data/molecules/peptide_20.pdb"
-#: a box about as large as the peptide: one at right angles, a dodecahedron, and one of no angle equal
+#: boxes about as large as the peptide
 BOXES = {
     "right": [30.0, 30.0, 30.0, 90.0, 90.0, 90.0],
     "dodecahedron": [32.0, 32.0, 32.0, 60.0, 60.0, 90.0],
@@ -26,7 +26,7 @@ def peptide():
 
 
 def cut_pdb(structure, box, *, with_cell=True):
-    """The text of a PDB file whose atoms lie in the box, moved so that its faces cut the molecule."""
+    """The text of a PDB file whose atoms lie in the box, whose faces cut the molecule."""
     middle = mdamath.triclinic_vectors(box).sum(axis=0) / 2
     moved = structure.positions - structure.positions.mean(axis=0) + 0.9 * middle + middle
     inside = distances.apply_PBC(moved.astype(np.float32), np.array(box, np.float32))

@@ -85,9 +85,7 @@ def test_a_number_of_more_than_64_bits(call, name, most):
 def test_a_number_below_a_range_of_no_sign():
     with pytest.raises(pliant.OptionError) as error:
         pliant.sample(ETHANE, seed=-1)
-    assert str(error.value) == (
-        "seed = -1: must be a whole number from 0 to 18446744073709551615"
-    )
+    assert str(error.value) == ("seed = -1: must be a whole number from 0 to 18446744073709551615")
 
 
 def test_what_is_no_argument_at_all():

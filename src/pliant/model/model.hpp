@@ -50,8 +50,8 @@ struct ModelOptions {
   /// Contacts in place of those that would be found; atoms of the prepared structure.
   std::optional<std::vector<MolecularContact>> contacts = std::nullopt;
   std::string contacts_file =
-      "";                ///< the same from a file (read_contacts), after preparation; "": none
-  std::string pin = "";  ///< selection of atoms that never move; "": none
+      "";                   ///< the same from a file (read_contacts), after preparation; "": none
+  std::string pin = "";     ///< selection of atoms that never move; "": none
   bool may_be_cut = false;  ///< build it even of a molecule that a periodic box has cut
   Log log = {};
 };

@@ -11,7 +11,8 @@
 namespace pliant {
 namespace {
 
-// A bond of benzene, drawn with single and double bonds, is 0.14 Angstrom shorter than a single one.
+// A bond of benzene, drawn with single and double bonds, is 0.14 Angstrom shorter than a single
+// one.
 constexpr double largest_deviation = 0.15;
 
 // Lengths of one drawing differ by the rounding of its coordinates.
@@ -75,7 +76,8 @@ bool is_drawing(const Structure& structure) {
 void refuse_drawing(const Structure& structure) {
   if (!is_drawing(structure)) return;
   const std::string message =
-      "this is a 2-D drawing (all z are 0): make a 3-D structure first, e.g. with RDKit's AddHs and "
+      "this is a 2-D drawing (all z are 0): make a 3-D structure first, e.g. with RDKit's AddHs "
+      "and "
       "EmbedMolecule, or give a 3-D file";
   throw InputError(structure.source.empty() ? message : at({structure.source}, message));
 }

@@ -35,7 +35,8 @@ void write_topology_pdb(const std::filesystem::path& path, const AtomTable& atom
                         std::span<const Vec3> positions, std::span<const RecordedBond> bonds,
                         const TopologyPdbOptions& options = {});
 
-/// Throws InputError as write_topology_pdb does if an atom or its position (N; Angstrom) has no room.
+/// Throws InputError as write_topology_pdb does if an atom or its position (N; Angstrom) has no
+/// room.
 void check_topology_pdb(const AtomTable& atoms, std::span<const Vec3> positions);
 
 /// `number` in `width` columns: decimal, then hybrid-36 (cci.lbl.gov/hybrid_36).

@@ -21,8 +21,8 @@ struct CellBond {
 /// where an image of the second atom is as near as bonded atoms are. Linear.
 std::vector<CellBond> cell_bonds(const Perception& perception);
 
-/// Longer than this (Angstrom) a bond that a file states is looked for through the cell. The longest
-/// true ones are those of metals.
+/// Longer than this (Angstrom) a bond that a file states is looked for through the cell. The
+/// longest true ones are those of metals.
 inline constexpr double longest_stated = 4.0;
 
 }  // namespace pliant::perception

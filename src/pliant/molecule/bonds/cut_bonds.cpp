@@ -11,7 +11,8 @@
 namespace pliant {
 namespace {
 
-// What is shorter (Angstrom) may be a bad bond, or an atom whose name means another; a box is wider.
+// What is shorter (Angstrom) may be a bad bond, or an atom whose name means another; a box is
+// wider.
 constexpr double longest_bad_bond = 10.0;
 
 /// The longer of two bonds, where its atoms have elements and the structure has its atoms.

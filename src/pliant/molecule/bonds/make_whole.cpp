@@ -83,12 +83,10 @@ class Walk {
   void keep_most_in_place(Molecule& molecule) {
     std::map<CellShift, std::size_t> counts;
     for (std::uint32_t atom : molecule.atoms) ++counts[shifts_[atom]];
-    const auto most =
-        std::max_element(counts.begin(), counts.end(), [](const auto& one, const auto& other) {
-          return one.second < other.second;
-        });
-    for (std::uint32_t atom : molecule.atoms)
-      shifts_[atom] = sum(shifts_[atom], most->first, -1);
+    const auto most = std::max_element(
+        counts.begin(), counts.end(),
+        [](const auto& one, const auto& other) { return one.second < other.second; });
+    for (std::uint32_t atom : molecule.atoms) shifts_[atom] = sum(shifts_[atom], most->first, -1);
     molecule.moved = molecule.atoms.size() - most->second;
   }
 
@@ -114,8 +112,7 @@ void tell(const Structure& structure, const std::vector<Walk::Molecule>& molecul
   std::string names;
   for (std::size_t k = 0; k < molecules.size(); ++k) {
     moved += molecules[k].moved;
-    if (k < most_named)
-      names += (k > 0 ? ", " : "") + named(structure, molecules[k].atoms);
+    if (k < most_named) names += (k > 0 ? ", " : "") + named(structure, molecules[k].atoms);
   }
   if (molecules.size() > most_named)
     names += " and " + std::to_string(molecules.size() - most_named) + " more";

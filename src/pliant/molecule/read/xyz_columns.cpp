@@ -125,8 +125,7 @@ std::optional<Cell> cell_of_comment(std::string_view comment, std::string& probl
   const auto flags = words_of(value_of(comment, "pbc=").value_or(""));
   if (!numbers || !std::all_of(flags.begin(), flags.end(), is_true)) return std::nullopt;
   const auto& n = *numbers;
-  return cell_of(
-      std::array<Vec3, 3>{{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}}});
+  return cell_of(std::array<Vec3, 3>{{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}}});
 }
 
 XyzColumns columns_of_comment(std::string_view comment, std::string& problem) {
