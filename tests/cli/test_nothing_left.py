@@ -3,11 +3,17 @@
 
 import pytest
 
+TWO = """\
+ATOM      1  N   ALA A   1       0.000   0.000   0.000  1.00  0.00           N
+ATOM      2  CA  ALA A   1       1.460   0.000   0.000  1.00  0.00           C
+"""
+
 #: What each command is given; every name is of a file that holds no molecule and no trajectory.
 COMMANDS = [
     ("analyse", "bad.h5md"),
     ("analyse", "bad.h5md", "-o", "report"),
     ("analyse", "missing.h5md"),
+    ("analyse", "empty.dcd", "--topology", "two.pdb"),
     ("bench", "step", "bad.pdb"),
     ("check", "bad.pdb"),
     ("check", "--trajectory", "bad.h5md"),
@@ -37,6 +43,8 @@ COMMANDS = [
 def test_a_command_that_fails_leaves_nothing(pliant, tmp_path, arguments):
     (tmp_path / "bad.pdb").write_text("REMARK no atoms\n")
     (tmp_path / "bad.h5md").write_text("no HDF5\n")
+    (tmp_path / "empty.dcd").touch()
+    (tmp_path / "two.pdb").write_text(TWO)
     before = sorted(tmp_path.rglob("*"))
     ended = pliant(*arguments)
     assert ended.code in (1, 2)

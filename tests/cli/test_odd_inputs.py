@@ -88,6 +88,18 @@ def test_outputs_of_odd_names_are_printed_quoted(pliant, ethanol):
     assert again.err == 'pliant: error: "\\x1b[2J.h5md": exists; --overwrite replaces it\n'
 
 
+@pytest.mark.parametrize("command", ["run", "sample"])
+def test_standard_output_takes_no_trajectory(pliant, ethanol, tmp_path, command):
+    before = sorted(tmp_path.iterdir())
+    ended = pliant(command, ethanol, "-o", "-")
+    assert ended.code == 2
+    assert ended.err.startswith(
+        "pliant: error: --output -: a trajectory is not written to standard output: expected a "
+        "name such as out.h5md"
+    )
+    assert sorted(tmp_path.iterdir()) == before
+
+
 FAR = "3\nfar\nO 1000000 0 0\nH 1000000.96 0 0\nH 999999.7 0.93 0\n"
 
 
