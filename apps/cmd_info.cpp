@@ -278,6 +278,7 @@ int command_info(const Arguments& arguments) {
       "  pliant info complex.cif --assembly 1 --select \"protein\"\n"
       "  pliant info drug.sdf --json");
   MoleculeOptions options;
+  options.may_be_cut = true;
   bool as_json = false;
   add_molecule_options(line, options);
   line.start_group("Output");

@@ -109,6 +109,7 @@ int command_run(const Arguments& arguments) {
   add_run_options(line, settings);
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (!settings.go_on.empty()) return continue_run(line, settings);
+  const bool asks_for_topology = !settings.topology.empty();
   name_outputs(line, settings);
   check_outputs(settings);
   take_force_header(line, settings);
@@ -121,8 +122,10 @@ int command_run(const Arguments& arguments) {
   settings.record.saved = select_joints(molecule.framework, settings.save, "--save");
   refuse_to_replace(settings);
   warn_if_doubtful(settings.run.technique, molecule.framework, messages.log());
-  if (settings.dry_run) return print_forces(settings), exit_ok;
   settings.record.log = messages.log();
+  settings.topology = fitting_topology(settings.topology, asks_for_topology, molecule.framework,
+                                       molecule.structure.positions, settings.record);
+  if (settings.dry_run) return print_forces(settings), exit_ok;
   watch_for_interrupt();
   std::vector<Vec3> last = molecule.structure.positions;
   const auto live = live_run(settings, molecule, messages.log());

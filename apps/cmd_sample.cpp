@@ -101,6 +101,7 @@ int command_sample(const Arguments& arguments) {
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (!settings.go_on.empty()) return continue_sample(line, settings);
   Messages messages(settings.json || settings.quiet);
+  const bool asks_for_topology = !settings.topology.empty();
   complete(settings);
   check_outputs(settings);
   settings.record.log = messages.log();
@@ -110,6 +111,8 @@ int command_sample(const Arguments& arguments) {
     model.framework = conformer_framework(model.framework, model.positions);
   choose_amplitude(settings, model, messages.log());
   settings.record.saved = select_joints(model.framework, settings.save, "--save");
+  settings.topology = fitting_topology(settings.topology, asks_for_topology, model.framework,
+                                       model.positions, settings.record);
   if (settings.dry_run) return exit_ok;
   watch_for_interrupt();
   const SampleSummary summary = sample_to_file(settings, model, messages.log());

@@ -70,6 +70,27 @@ void write_topology(const std::string& path, const Framework& framework, const H
                      part.bonds_of(header.bonds), pdb);
 }
 
+std::string fitting_topology(const std::string& path, bool is_asked, const Framework& framework,
+                             std::span<const Vec3> positions, const H5mdOptions& options) {
+  if (path == "none") return path;
+  try {
+    if (options.saved.empty()) {
+      check_topology_pdb(*framework.atoms(), positions);
+    } else {
+      SavedPart part(framework, options.saved);
+      Frame frame;
+      frame.positions = positions;
+      check_topology_pdb(*part.framework().atoms(), part.shown(frame).positions);
+    }
+    return path;
+  } catch (const InputError& error) {
+    if (is_asked) throw InputError(at({path}, error.what()));
+    options.log.warn(printable_name(path) +
+                     ", the file of names and bonds, is not written: " + error.what());
+    return "none";
+  }
+}
+
 FrameOutput::FrameOutput(const std::string& output, const Framework& framework,
                          const H5mdHeader& header, const H5mdOptions& options,
                          SdfMolecule molecule) {

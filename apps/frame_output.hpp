@@ -29,6 +29,11 @@ void add_saving_options(CommandLine& line, std::string& save, H5mdOptions& optio
 void write_topology(const std::string& path, const Framework& framework, const H5mdHeader& header,
                     std::span<const Vec3> positions, const H5mdOptions& options);
 
+/// Asked before anything is made: the topology PDB `path`, or "none" with a warning where a
+/// position has no room in its columns. Throws InputError there if the user has asked for the file.
+std::string fitting_topology(const std::string& path, bool is_asked, const Framework& framework,
+                             std::span<const Vec3> positions, const H5mdOptions& options);
+
 /// Throws OptionError if options of H5MD are given for another file.
 void check_record_options(const std::string& output, const std::string& save,
                           const H5mdOptions& options);

@@ -68,6 +68,7 @@ void check(const MoleculeOptions& options) {
 Molecule load_model(const MoleculeOptions& options, const Structure& structure, const Log& log) {
   ModelOptions building = model_options_of(options.kind, log);
   building.pin = options.pin;
+  building.may_be_cut = options.may_be_cut;
   MolecularModel model = build_model(structure, building);
   return {std::move(model.structure), std::move(model.framework),
           fingerprint(structure.atoms, structure.positions)};
@@ -142,6 +143,7 @@ Molecule load(const MoleculeOptions& options, const Log& log) {
   take_bars(bars_of(options), structure, building);
   building.lengths = choose(length_choices, "source of lengths", options.lengths).source;
   building.pin = options.pin;
+  building.may_be_cut = options.may_be_cut;
   building.log = log;
   Framework framework = build_framework(structure, building);
   const std::uint64_t read = fingerprint(structure.atoms, structure.positions);

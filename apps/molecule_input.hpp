@@ -25,6 +25,7 @@ struct MoleculeOptions {
   std::string lengths = "geometry";
   std::string pin;
   bool guess_distances = true;
+  bool may_be_cut = false;  ///< take a molecule that a periodic box has cut, to tell of it
   ModelSettings kind;
 };
 

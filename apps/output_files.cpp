@@ -104,6 +104,10 @@ std::string extension_of(const std::string& name) {
 }
 
 void check_trajectory_name(const std::string& output) {
+  if (output == "-")
+    throw OptionError(
+        "--output -: a trajectory is not written to standard output: expected a name such as "
+        "out.h5md");
   const std::string extension = extension_of(output);
   for (const ForeignName& foreign : foreign_names) {
     if (foreign.extension != extension) continue;

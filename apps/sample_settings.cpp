@@ -14,6 +14,7 @@
 #include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/ensemble_amplitude.hpp"
 #include "pliant/model/residue_nodes.hpp"
+#include "pliant/molecule/drawing.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/samplers.hpp"
@@ -136,6 +137,7 @@ void complete(SampleSettings& settings) {
 
 MolecularModel load_model(SampleSettings& settings, const Log& log) {
   const Structure structure = read(settings.molecule, log);
+  refuse_drawing(structure);
   settings.molecule.kind.name =
       settings.model == "auto" ? entry(usual_model(structure)).name : settings.model;
   check(settings.molecule.kind);

@@ -24,6 +24,12 @@ void perceive(Structure& structure, double slack, double shortest, bool guess_di
   perceive_bonds(structure, options);
 }
 
+bool whole(Structure& structure) {
+  const Log log = python_log();
+  const nb::gil_scoped_release no_gil;
+  return make_whole(structure, log);
+}
+
 Structure select(const Structure& structure, std::string_view selection) {
   const Log log = python_log();
   const nb::gil_scoped_release no_gil;
@@ -187,7 +193,12 @@ void bind_molecule(nb::module_& module) {
            "shortest"_a = bonding.shortest, "guess_distances"_a = bonding.guess_distances,
            "Adds the bonds that residue templates, links and distances tell; bonds that are there "
            "stay.\n\nslack: Angstrom added to the sum of two covalent radii (Cordero et al.,\n"
-           "Dalton Trans. 2008, 2832); shortest: closer atoms are not bonded.")
+           "Dalton Trans. 2008, 2832); shortest: closer atoms are not bonded.\n\nMolecules that "
+           "the periodic cell cuts are made whole, as ``make_whole`` does.")
+      .def("make_whole", &whole,
+           "Moves atoms by edges of ``cell`` until molecules that it cuts are whole, along their "
+           "bonds.\n\nThe larger part of each stays, as do positions where no bond is cut. True if "
+           "any was moved.")
       .def("select", &select, "selection"_a, select_doc)
       .def("framework", &framework_of, "bars"_a = "bonds", "lengths"_a = "geometry", "pin"_a = "",
            nb::kw_only(), "use_masses"_a = true, framework_doc);

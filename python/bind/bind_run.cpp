@@ -22,6 +22,7 @@
 #include "pliant/run/force_settings.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "pushes.hpp"
+#include "refusals.hpp"
 
 namespace pliant::python {
 namespace {
@@ -107,12 +108,20 @@ void bind_field(nb::class_<RunOptions>& options, const RunField& field) {
       },
       [&field](RunOptions& self, nb::handle value) {
         std::visit(
-            [&](auto* place) { *place = nb::cast<std::remove_pointer_t<decltype(place)>>(value); },
+            [&](auto* place) {
+              using Value = std::remove_pointer_t<decltype(place)>;
+              const char* type = python_type(field.place(self));
+              if constexpr (std::is_same_v<Value, std::int64_t>)
+                *place = argument_as<Value>(field.name, value, type,
+                                            field.range == Range::positive ? 1 : 0);
+              else
+                *place = argument_as<Value>(field.name, value, type);
+            },
             field.place(self));
       },
       nb::for_getter(nb::sig(("def " + name + "(self) -> " + type).c_str())),
       nb::for_setter(nb::sig(("def " + name + "(self, arg: " + type + ", /) -> None").c_str())),
-      docstring(field.summary).c_str());
+      nb::for_setter(nb::arg().none()), docstring(field.summary).c_str());
 }
 
 /// Its name, to which a function may be set: ``custom`` from then on.
@@ -120,6 +129,9 @@ void bind_technique(nb::class_<RunOptions>& options) {
   options.def_prop_rw(
       "technique", [](const RunOptions& self) { return self.technique.name; },
       [](RunOptions& self, const TechniqueLike& chosen) { choose(self.technique, chosen); },
+      nb::for_setter(nb::sig("def technique(self, technique: str | "
+                             "collections.abc.Callable[[numpy.typing.NDArray[numpy.float64], int, "
+                             "Framework], None], /) -> None")),
       docstring(find_run_field("technique").summary).c_str());
 }
 
@@ -163,8 +175,11 @@ void bind_options(nb::module_& module) {
       bind_field(options, field);
   options.def_prop_rw(
       "walker", [](const RunOptions& self) { return self.resolve.walker; },
-      [](RunOptions& self, std::uint64_t value) { self.resolve.walker = value; },
-      "Which of several independent runs this is.");
+      [](RunOptions& self, nb::handle value) {
+        self.resolve.walker = argument_as<std::uint64_t>("walker", value, "int");
+      },
+      nb::for_setter(nb::sig("def walker(self, arg: int, /) -> None")),
+      nb::for_setter(nb::arg().none()), "Which of several independent runs this is.");
   options.def(
       "parameters",
       [](const RunOptions& self, const Framework& framework) {

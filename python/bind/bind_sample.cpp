@@ -13,6 +13,7 @@
 #include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
+#include "pliant/molecule/drawing.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/sample/conformer_framework.hpp"
 #include "pliant/sample/sample.hpp"
@@ -35,11 +36,13 @@ struct SampledEnsemble {
 MolecularModel model_from(const nb::handle& argument, const std::string& model) {
   if (nb::isinstance<MolecularModel>(argument)) {
     if (!model.empty()) throw OptionError("model: goes with a structure, not with a model");
+    refuse_drawing(nb::cast<const MolecularModel&>(argument).structure);
     return nb::cast<MolecularModel>(argument);
   }
   if (!nb::isinstance<Structure>(argument))
     throw nb::type_error("structure: expected a Structure or a MolecularModel");
   const auto& structure = nb::cast<const Structure&>(argument);
+  refuse_drawing(structure);
   ModelOptions options;
   options.kind = usual_model(structure);
   if (!model.empty()) options.kind = choose(models(), "model", model).kind;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The class Structure: columns of atoms as numpy arrays.
 #include <algorithm>
+#include <array>
 
 #include "arrays.hpp"
 #include "checks.hpp"
@@ -171,7 +172,32 @@ void bind_bonds(nb::class_<Structure>& structure) {
       "(M,) where each bond is known from: \"file\", \"residue\", \"link\" or \"distance\".");
 }
 
+nb::object cell_to_python(const Structure& self) {
+  if (!self.cell) return nb::none();
+  return nb::cast(new_positions({self.cell->edges.begin(), self.cell->edges.end()}),
+                  nb::rv_policy::move);
+}
+
+void set_cell(Structure& self, const ArrayLike& edges) {
+  self.cell.reset();
+  if (edges.object.is_none()) return;
+  const std::vector<Vec3> from = positions_from(edges, "cell");
+  if (from.size() != 3)
+    throw InputError("cell: expected shape (3, 3), found (" + std::to_string(from.size()) + ", 3)");
+  self.cell = cell_of(std::array<Vec3, 3>{from[0], from[1], from[2]});
+}
+
+void bind_cell(nb::class_<Structure>& structure) {
+  structure.def_prop_rw(
+      "cell", &cell_to_python, &set_cell,
+      nb::for_getter(nb::sig("def cell(self) -> numpy.typing.NDArray[numpy.float64] | None")),
+      nb::for_setter(nb::sig("def cell(self, edges: numpy.typing.ArrayLike | None, /) -> None")),
+      nb::arg().none(),
+      "(3, 3) float64, a copy: the edges of the periodic cell (Angstrom); None: none is known.");
+}
+
 void bind_facts(nb::class_<Structure>& structure) {
+  bind_cell(structure);
   structure
       .def_prop_rw(
           "positions",

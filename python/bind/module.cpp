@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The extension module pliant._core: calls one bind function for each folder of the library.
 #include "bind.hpp"
+#include "refusals.hpp"
 
 NB_MODULE(_core, module) {
   using namespace pliant::python;
@@ -24,4 +25,5 @@ NB_MODULE(_core, module) {
   bind_path(module);
   bind_ensemble(module);
   bind_laboratory(module);
+  name_unfit_arguments(module);
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <optional>
 #include <type_traits>
 
 #include "limits.hpp"
@@ -194,18 +195,24 @@ std::vector<Bond> bonds_from(const std::vector<std::uint32_t>& numbers, std::siz
   return bonds;
 }
 
+/// The edges of the cell; empty: none.
+std::vector<Vec3> edges_of(const std::optional<Cell>& cell) {
+  if (!cell) return {};
+  return {cell->edges.begin(), cell->edges.end()};
+}
+
 nb::tuple structure_state(const Structure& structure) {
   std::vector<std::uint8_t> ends(structure.chain_end.begin(), structure.chain_end.end());
-  return nb::make_tuple(layout, text_bytes(structure.title), text_bytes(structure.source),
-                        structure.format, state_of(structure.atoms), packed(structure.positions),
-                        packed(numbers_of(structure.bonds)), packed(structure.charges),
-                        packed(ends), structure.model, structure.model_count,
-                        packed(structure.b_factors), structure.assemblies,
-                        packed(structure.isotopes), packed(structure.radicals));
+  return nb::make_tuple(
+      layout, text_bytes(structure.title), text_bytes(structure.source), structure.format,
+      state_of(structure.atoms), packed(structure.positions), packed(numbers_of(structure.bonds)),
+      packed(structure.charges), packed(ends), structure.model, structure.model_count,
+      packed(structure.b_factors), structure.assemblies, packed(structure.isotopes),
+      packed(structure.radicals), packed(edges_of(structure.cell)), int(structure.dimensions));
 }
 
 Structure structure_from(const nb::tuple& state) {
-  check_state(state, 15);
+  check_state(state, 17);
   Structure structure;
   structure.title = text_from(state[1]);
   structure.source = text_from(state[2]);
@@ -226,6 +233,9 @@ Structure structure_from(const nb::tuple& state) {
   structure.assemblies = nb::cast<std::vector<std::string>>(state[12]);
   structure.isotopes = unpacked<std::uint16_t>(state[13]);
   structure.radicals = unpacked<std::uint8_t>(state[14]);
+  const auto edges = unpacked<Vec3>(state[15]);
+  if (edges.size() == 3) structure.cell = Cell{{edges[0], edges[1], edges[2]}};
+  structure.dimensions = static_cast<std::uint8_t>(nb::cast<int>(state[16]));
   return structure;
 }
 

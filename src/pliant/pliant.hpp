@@ -27,6 +27,7 @@
 #include "pliant/molecule/build_framework.hpp"      // bonds or angles to bars
 #include "pliant/molecule/read/read.hpp"            // PDB, mmCIF, XYZ, SDF
 #include "pliant/molecule/sterics_lines.hpp"        // the sterics of such a text
+#include "pliant/molecule/structure/cell.hpp"       // the periodic cell
 #include "pliant/molecule/structure/structure.hpp"  // atoms, positions, bonds
 
 // model: structures to models of molecules

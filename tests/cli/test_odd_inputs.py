@@ -2,6 +2,7 @@
 """What a new user gives by mistake: one line that says what is wrong, whatever the command."""
 
 import gzip
+import math
 import os
 
 import pytest
@@ -85,3 +86,92 @@ def test_outputs_of_odd_names_are_printed_quoted(pliant, ethanol):
     again = pliant("run", ethanol, "-o", "\x1b[2J.h5md", "--steps", 1, "--topology", "none")
     assert again.code == 1
     assert again.err == 'pliant: error: "\\x1b[2J.h5md": exists; --overwrite replaces it\n'
+
+
+@pytest.mark.parametrize("command", ["run", "sample"])
+def test_standard_output_takes_no_trajectory(pliant, ethanol, tmp_path, command):
+    before = sorted(tmp_path.iterdir())
+    ended = pliant(command, ethanol, "-o", "-")
+    assert ended.code == 2
+    assert ended.err.startswith(
+        "pliant: error: --output -: a trajectory is not written to standard output: expected a "
+        "name such as out.h5md"
+    )
+    assert sorted(tmp_path.iterdir()) == before
+
+
+FAR = "3\nfar\nO 1000000 0 0\nH 1000000.96 0 0\nH 999999.7 0.93 0\n"
+
+
+def test_far_coordinates_cost_the_topology_alone(pliant, tmp_path):
+    (tmp_path / "far.xyz").write_text(FAR)
+    ended = pliant("run", "far.xyz", "--steps", 2)
+    assert ended.code == 0
+    assert ended.err.splitlines()[-1] == (
+        "warning: far.pdb, the file of names and bonds, is not written: position of O(1) (1e+06, "
+        "0, 0) does not fit the columns of a PDB file (-999.999 to 9999.999 Angstrom)"
+    )
+    assert {path.name for path in tmp_path.iterdir()} == {"far.xyz", "far.h5md"}
+    assert "topology" not in ended.out
+
+
+def test_a_topology_that_is_asked_for_is_refused_before_the_run(pliant, tmp_path):
+    (tmp_path / "far.xyz").write_text(FAR)
+    ended = pliant("run", "far.xyz", "--steps", 2, "--topology", "names.pdb")
+    assert ended.code == 1
+    assert ended.err.startswith("pliant: error: names.pdb: position of O(1) (1e+06, 0, 0) does")
+    assert {path.name for path in tmp_path.iterdir()} == {"far.xyz"}
+
+
+def test_a_residue_number_of_five_digits_that_shifts_its_line(pliant, tmp_path):
+    line = ATOM.replace("   1       0.000", "10000        0.000")
+    (tmp_path / "five.pdb").write_text(line)
+    ended = pliant("info", "five.pdb")
+    assert ended.code == 1
+    assert ended.err == (
+        "pliant: error: five.pdb:1: residue number (columns 23-26) runs on into column 27: "
+        '"10000" has shifted the columns after it\n'
+    )
+
+
+#: isobutane as programs draw it: bonds of one length, all z 0
+DRAWING = """
+  drawn             {code}
+
+  4  3  0  0  0  0  0  0  0  0999 V2000
+    0.0000    0.0000    0.0000 C   0  0
+    1.5000    0.0000    0.0000 C   0  0
+   -0.7500    1.2990    0.0000 C   0  0
+   -0.7500   -1.2990    0.0000 C   0  0
+  1  2  1  0
+  1  3  1  0
+  1  4  1  0
+M  END
+"""
+
+
+@pytest.mark.parametrize("code", ["2D", "  "])
+def test_a_drawing_is_no_molecule_to_sample(pliant, tmp_path, code):
+    (tmp_path / "drawn.sdf").write_text(DRAWING.format(code=code))
+    ended = pliant("sample", "drawn.sdf")
+    assert ended.code == 1
+    assert ended.err.splitlines()[-1] == (
+        "pliant: error: drawn.sdf: this is a 2-D drawing (all z are 0): make a 3-D structure "
+        "first, e.g. with RDKit's AddHs and EmbedMolecule, or give a 3-D file"
+    )
+    assert {path.name for path in tmp_path.iterdir()} == {"drawn.sdf"}
+    assert pliant("info", "drawn.sdf").code == 0
+    assert pliant("run", "drawn.sdf", "--steps", 1).code == 0
+
+
+@pytest.mark.parametrize("code", ["2D", "3D", "  "])
+def test_benzene_is_flat_and_no_drawing(pliant, tmp_path, code):
+    corners = [(math.cos(k * math.pi / 3), math.sin(k * math.pi / 3)) for k in range(6)]
+    atoms = [("C", 1.39 * x, 1.39 * y) for x, y in corners]
+    atoms += [("H", 2.48 * x, 2.48 * y) for x, y in corners]
+    bonds = [(k, k % 6 + 1, 1 + k % 2) for k in range(1, 7)] + [(k, k + 6, 1) for k in range(1, 7)]
+    text = f"\n  made              {code}\n\n 12 12  0  0  0  0  0  0  0  0999 V2000\n"
+    text += "".join(f"{x:10.4f}{y:10.4f}{0:10.4f} {s}   0  0\n" for s, x, y in atoms)
+    text += "".join(f"{a:3}{b:3}{order:3}  0\n" for a, b, order in bonds) + "M  END\n"
+    (tmp_path / "benzene.sdf").write_text(text)
+    assert pliant("sample", "benzene.sdf", "--frames", 1).code == 0

@@ -29,7 +29,8 @@ def from_mdanalysis(
     Parameters
     ----------
     atoms : Universe or AtomGroup
-        In Angstrom, as everywhere in MDAnalysis, whose positions are 32-bit floats.
+        In Angstrom, as everywhere in MDAnalysis, whose positions are 32-bit floats. Molecules that
+        the box of the frame cuts are made whole.
     perceive_bonds : bool, optional
         Add bonds by residue templates, links and distances. Default: only if the universe has
         no bonds at all.
@@ -54,8 +55,11 @@ def from_mdanalysis(
         bonds=bonds,
         bond_orders=orders,
     )
+    structure.cell = _cell(group)
     if perceive_bonds or (perceive_bonds is None and bonds is None):
         structure.perceive_bonds()
+    else:
+        structure.make_whole()
     return structure
 
 
@@ -93,6 +97,14 @@ def to_mdanalysis(
 
     universe.load_new(frames, format=MemoryReader, order="fac", dt=timestep)
     return universe
+
+
+def _cell(group: Any) -> npt.NDArray[np.float64] | None:
+    """Edges of the box; None where the frame has none."""
+    from MDAnalysis.lib.mdamath import triclinic_vectors
+
+    box = group.dimensions
+    return None if box is None else triclinic_vectors(box, dtype=np.float64)
 
 
 def _texts(group: Any, name: str) -> list[str] | None:

@@ -28,7 +28,8 @@ def from_openmm(
     ----------
     topology : openmm.app.Topology
     positions : Quantity, or (N, 3) numbers in nm
-        As everywhere in OpenMM; they are converted to Angstrom.
+        As everywhere in OpenMM; they are converted to Angstrom. Molecules that the topology's box
+        cuts are made whole.
     perceive_bonds : bool, optional
         Add bonds by residue templates, links and distances. Default: only if the topology has
         no bonds at all.
@@ -53,8 +54,11 @@ def from_openmm(
         bonds=[(bond.atom1.index, bond.atom2.index) for bond in bonds],
         bond_orders=[_order(bond) for bond in bonds],
     )
+    structure.cell = _cell(topology)
     if perceive_bonds or (perceive_bonds is None and not bonds):
         structure.perceive_bonds()
+    else:
+        structure.make_whole()
     return structure
 
 
@@ -93,6 +97,12 @@ def _angstroms(positions: Any) -> npt.NDArray[np.float64]:
     if len(positions) > 0 and unit.is_quantity(positions[0]):
         return np.array([x.value_in_unit(unit.angstrom) for x in positions], dtype=np.float64)
     return np.array(positions, dtype=np.float64) * _ANGSTROM_PER_NM
+
+
+def _cell(topology: openmm.app.Topology) -> npt.NDArray[np.float64] | None:
+    """Edges of the box; None where the topology has none."""
+    edges = topology.getPeriodicBoxVectors()
+    return None if edges is None else _angstroms(edges)
 
 
 def _residue_ids(topology: openmm.app.Topology, atoms: list[Any]) -> list[int]:

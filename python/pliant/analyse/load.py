@@ -50,6 +50,8 @@ def _check_file(path: Path) -> None:
         raise InputError(f"{path}: no such file")
     if path.is_dir():
         raise InputError(f"{path}: is a folder, expected a trajectory file")
+    if path.is_file() and path.stat().st_size == 0:
+        raise InputError(f"{path}: is empty")
     if path.suffix.lower() not in (".h5md", ".h5", ".hdf5"):
         return
     if not h5py.is_hdf5(path):

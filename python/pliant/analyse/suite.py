@@ -18,7 +18,7 @@ from pliant.analyse.stages import STAGES, study_trajectory
 from pliant.analyse.study import Study, StudyOptions
 from pliant.analyse.summary import summary
 from pliant.analyse.verdicts import verdicts
-from pliant.analyse.write import make_folder, write_report
+from pliant.analyse.write import check_folder, write_report
 
 DPI = 150
 
@@ -117,7 +117,7 @@ def analyse(
         The choice of atoms or frames is wrong or empty.
     """
     if output is not None:
-        make_folder(Path(output))
+        check_folder(Path(output))
     options = StudyOptions(
         os.fspath(path),
         None if topology is None else os.fspath(topology),

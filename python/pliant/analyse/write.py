@@ -16,11 +16,10 @@ if TYPE_CHECKING:
     from pliant.analyse.study import Study
 
 
-def make_folder(folder: Path) -> None:
-    """Makes the folder for the results where there is none."""
+def check_folder(folder: Path) -> None:
+    """Asked before the input is read; the folder is made when there is something to write."""
     if folder.exists() and not folder.is_dir():
         raise InputError(f"{folder}: is a file, expected a folder for the results")
-    folder.mkdir(parents=True, exist_ok=True)
 
 
 def write_report(study: Study, folder: Path, dpi: int = 150) -> dict[str, Any]:
@@ -28,7 +27,8 @@ def write_report(study: Study, folder: Path, dpi: int = 150) -> dict[str, Any]:
 
     Files of an earlier report are replaced.
     """
-    make_folder(folder)
+    check_folder(folder)
+    folder.mkdir(parents=True, exist_ok=True)
     with Drawing(study, folder, dpi) as drawing:
         tables = save_tables(study, folder)
         exports = save_exports(study, folder)

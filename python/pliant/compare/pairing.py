@@ -33,6 +33,8 @@ def open_universe(*files: str | os.PathLike[str]) -> Universe:
     for file in files:
         if not os.path.exists(file):
             raise InputError(f"{os.fspath(file)}: no such file")
+        if os.path.isfile(file) and os.path.getsize(file) == 0:
+            raise InputError(f"{os.fspath(file)}: is empty")
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of missing masses and the like

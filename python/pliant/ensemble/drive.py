@@ -20,7 +20,7 @@ from pliant.ensemble.inspect_shard import ShardRecord, check_shard
 from pliant.ensemble.make_shard import MAKING, make_shard
 from pliant.ensemble.manifest import Manifest
 from pliant.ensemble.over_shards import in_threads
-from pliant.ensemble.plan import NO_SHARD, Plan, Shard, strangers
+from pliant.ensemble.plan import NO_SHARD, PLAN, Plan, Shard, has_shards, strangers
 
 #: Shards that the scheduler knows of at once: it need not hold 10^5 to keep hundreds of workers.
 WINDOW = 1024
@@ -71,13 +71,22 @@ def _lock_file(folder: Path) -> TextIO:
 
 @contextlib.contextmanager
 def alone_in(folder: Path) -> Iterator[None]:
-    """Makes the folder. Raises FileError if that fails, or if another command is at work there."""
+    """Makes the folder. Raises FileError if that fails, or if another command is at work there.
+
+    A folder that was made here and holds neither plan nor shard goes when the work fails.
+    """
+    is_new = not folder.exists()
     with _lock_file(folder) as file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
             raise FileError(f"{folder}: another pliant ensemble is at work in it") from None
-        yield
+        try:
+            yield
+        except Exception:
+            if is_new and not (folder / PLAN).exists() and not has_shards(folder):
+                shutil.rmtree(folder, ignore_errors=True)
+            raise
 
 
 def complete(

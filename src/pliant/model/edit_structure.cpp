@@ -18,6 +18,8 @@ Structure heading_of(const Structure& from) {
   to.model = from.model;
   to.model_count = from.model_count;
   to.assemblies = from.assemblies;
+  to.cell = from.cell;
+  to.dimensions = from.dimensions;
   return to;
 }
 

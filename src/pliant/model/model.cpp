@@ -12,6 +12,7 @@
 #include "pliant/model/residue_chemistry.hpp"
 #include "pliant/model/steric_table.hpp"
 #include "pliant/model/torsions_of_residues.hpp"
+#include "pliant/molecule/bonds/cut_bonds.hpp"
 
 namespace pliant {
 namespace {
@@ -62,6 +63,7 @@ class ModelBuilder {
     building_.bars = entry_.bars;
     building_.pin = options_.pin;
     building_.log = options_.log;
+    building_.may_be_cut = true;  // which build_model has asked
     if (entry_.has_contacts) take_contacts();
     if (entry_.has_sterics && options_.sterics) take_sterics();
     if (entry_.has_sterics && options_.torsions) take_torsions();
@@ -169,6 +171,7 @@ std::vector<MolecularContact> find_contacts(const Structure& structure, const Mo
 }
 
 MolecularModel build_model(const Structure& structure, const ModelOptions& options) {
+  if (!options.may_be_cut) refuse_cut(structure);
   PrepareOptions preparing = options.prepare;
   if (!preparing.log.function) preparing.log = options.log;
   Preparation ready;

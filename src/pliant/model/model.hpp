@@ -50,8 +50,9 @@ struct ModelOptions {
   /// Contacts in place of those that would be found; atoms of the prepared structure.
   std::optional<std::vector<MolecularContact>> contacts = std::nullopt;
   std::string contacts_file =
-      "";                ///< the same from a file (read_contacts), after preparation; "": none
-  std::string pin = "";  ///< selection of atoms that never move; "": none
+      "";                   ///< the same from a file (read_contacts), after preparation; "": none
+  std::string pin = "";     ///< selection of atoms that never move; "": none
+  bool may_be_cut = false;  ///< build it even of a molecule that a periodic box has cut
   Log log = {};
 };
 
@@ -69,7 +70,7 @@ struct MolecularModel {
 /// The model of a structure whose bonds are known (perceive_bonds). Kinds that are prepared go
 /// through prepare(). Pairs of atoms nearer than the table of sterics says keep their own distance;
 /// limits of pairs that have a bar are left out. Linear in the number of atoms.
-/// Throws as prepare(), read_contacts() and build_framework() do.
+/// Throws as refuse_cut(), prepare(), read_contacts() and build_framework() do.
 MolecularModel build_model(const Structure& structure, const ModelOptions& options = {});
 
 /// The contacts that the model of `kind` has: hydrogen bonds, salt bridges, tethers, metals; those

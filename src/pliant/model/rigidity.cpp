@@ -7,6 +7,7 @@
 
 #include "pliant/model/contact_file.hpp"
 #include "pliant/model/rings_of_six.hpp"
+#include "pliant/molecule/bonds/cut_bonds.hpp"
 
 namespace pliant {
 namespace {
@@ -97,6 +98,7 @@ Rigidity analyse_rigidity(const Structure& structure, std::span<const MolecularC
 }
 
 ContactModel contact_model(const Structure& structure, const ModelOptions& options) {
+  if (!options.may_be_cut) refuse_cut(structure);
   PrepareOptions preparing = options.prepare;
   if (!preparing.log.function) preparing.log = options.log;
   Preparation ready = prepare(structure, preparing);

@@ -8,6 +8,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/aromaticity.hpp"
 #include "pliant/molecule/bond_lengths.hpp"
+#include "pliant/molecule/bonds/cut_bonds.hpp"
 #include "pliant/molecule/planar_groups.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/stated_bars.hpp"
@@ -205,6 +206,7 @@ Framework build_framework(const Structure& structure, const BuildOptions& option
     throw OptionError(
         "lengths \"table\" is for bars \"bonds\" only: bars across angles have no "
         "standard lengths");
+  if (!options.may_be_cut && options.bars != BarKind::none) refuse_cut(structure);
   FrameworkParts parts = FrameworkBuilder(structure, options).parts();
   if (options.stated_in.empty()) return Framework(std::move(parts));
   try {

@@ -47,8 +47,9 @@ struct StatedBar {
 struct BuildOptions {
   BarKind bars = BarKind::bonds;
   LengthSource lengths = LengthSource::geometry;
-  std::string pin = "";    ///< selection of atoms that never move; "": none
-  bool use_masses = true;  ///< give joints their atoms' masses (u)
+  std::string pin = "";     ///< selection of atoms that never move; "": none
+  bool use_masses = true;   ///< give joints their atoms' masses (u)
+  bool may_be_cut = false;  ///< build it even of a molecule that a periodic box has cut
   Log log = {};
   std::vector<StatedBar> stated = {};           ///< in addition to `bars`; no pair twice
   std::vector<Limit> limits = {};               ///< joints are atoms
@@ -58,8 +59,9 @@ struct BuildOptions {
 };
 
 /// The framework of a structure whose bonds are known.
-/// Throws InputError naming both atoms of a bar of length 0, or what Framework does not take of
-/// stated bars, limits and sterics; OptionError on a bad selection.
+/// Throws InputError as refuse_cut() does (unless it may be cut, or bars are none), naming both
+/// atoms of a bar of length 0, or what Framework does not take of stated bars, limits and sterics;
+/// OptionError on a bad selection.
 Framework build_framework(const Structure& structure, const BuildOptions& options = {});
 
 }  // namespace pliant

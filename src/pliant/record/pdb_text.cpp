@@ -121,6 +121,11 @@ void PdbText::add_atom(std::size_t atom, Vec3 position, double b_factor) {
       element_columns(element));
 }
 
+void PdbText::check_atom(std::size_t atom, Vec3 position) const {
+  check_position(atom, position);
+  number_columns(atom);
+}
+
 std::string PdbText::number_columns(std::size_t atom) const {
   const std::int64_t number = atoms_.residues[atoms_.residue_of[atom]].number;
   try {

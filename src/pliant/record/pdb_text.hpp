@@ -41,6 +41,8 @@ class PdbText {
   void add_model(std::int64_t number, std::span<const Vec3> positions);
   void add_bonds(std::span<const RecordedBond> bonds);
   void add_end() { text_ += "END\n"; }
+  /// Throws as add_atoms() where an atom has no room; adds nothing.
+  void check_atom(std::size_t atom, Vec3 position) const;
 
   const std::string& text() const { return text_; }
   void clear() { text_.clear(); }

@@ -9,6 +9,11 @@
 
 namespace pliant {
 
+void check_topology_pdb(const AtomTable& atoms, std::span<const Vec3> positions) {
+  const PdbText pdb(atoms, false);
+  for (std::size_t i = 0; i < positions.size(); ++i) pdb.check_atom(i, positions[i]);
+}
+
 void write_topology_pdb(const std::filesystem::path& path, const AtomTable& atoms,
                         std::span<const Vec3> positions, std::span<const RecordedBond> bonds,
                         const TopologyPdbOptions& options) {

@@ -35,6 +35,10 @@ void write_topology_pdb(const std::filesystem::path& path, const AtomTable& atom
                         std::span<const Vec3> positions, std::span<const RecordedBond> bonds,
                         const TopologyPdbOptions& options = {});
 
+/// Throws InputError as write_topology_pdb does if an atom or its position (N; Angstrom) has no
+/// room.
+void check_topology_pdb(const AtomTable& atoms, std::span<const Vec3> positions);
+
 /// `number` in `width` columns: decimal, then hybrid-36 (cci.lbl.gov/hybrid_36).
 /// Throws InputError when it does not fit.
 std::string hybrid36(std::int64_t number, std::size_t width);

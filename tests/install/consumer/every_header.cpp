@@ -65,6 +65,7 @@
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/read/read.hpp"
 #include "pliant/molecule/sterics_lines.hpp"
+#include "pliant/molecule/structure/cell.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/order/ordering.hpp"
@@ -197,6 +198,7 @@ const Use uses[] = {
     of("pliant/molecule/build_framework.hpp", &build_framework),
     of("pliant/molecule/read/read.hpp", &formats),
     of("pliant/molecule/sterics_lines.hpp", &usual_kind),
+    of("pliant/molecule/structure/cell.hpp", &CellImages::widths),
     of_type<Structure>("pliant/molecule/structure/structure.hpp"),
     of("pliant/model/atom_graph.hpp", &AtomGraph::are_bonded),
     of("pliant/model/contact_file.hpp", &parse_contacts),

@@ -8,6 +8,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/bonds/distance_bonds.hpp"
 #include "pliant/molecule/bonds/link_bonds.hpp"
+#include "pliant/molecule/bonds/make_whole.hpp"
 #include "pliant/molecule/bonds/perception.hpp"
 #include "pliant/molecule/bonds/template_bonds.hpp"
 
@@ -68,21 +69,42 @@ void warn_of_doubts(const Perception& perception, const Log& log) {
   warn(log, unknown_atoms(structure), "atom", "of unknown element without bonds");
 }
 
-}  // namespace
-
-void perceive_bonds(Structure& structure, const BondOptions& options) {
-  check_positions(structure);
-  Perception steps(structure, options);
+void take_steps(Perception& steps) {
+  const Structure& structure = steps.structure;
   // An SDF file's bond block is whole: nothing is left to guess, and a drawing's distances lie.
   if (structure.format != "sdf" || structure.bonds.empty()) {
     add_template_bonds(steps);
     add_links(steps);
     perception::sort_and_merge(steps.bonds, structure.size());
-    if (options.guess_distances) add_distance_bonds(steps);
+    if (steps.options.guess_distances) add_distance_bonds(steps);
   }
   perception::sort_and_merge(steps.bonds, structure.size());
+}
+
+void finish(Structure& structure, Perception& steps) {
   structure.bonds = std::move(steps.bonds);
-  warn_of_doubts(steps, options.log);
+  warn_of_doubts(steps, steps.options.log);
+}
+
+}  // namespace
+
+void perceive_bonds(Structure& structure, const BondOptions& options) {
+  check_positions(structure);
+  Perception steps(structure, options);
+  take_steps(steps);
+  if (!perception::make_whole(structure, steps)) return finish(structure, steps);
+  Perception again(structure, options);
+  take_steps(again);
+  finish(structure, again);
+}
+
+bool make_whole(Structure& structure, const Log& log) {
+  check_positions(structure);
+  BondOptions options;
+  options.guess_distances = false;
+  options.log = log;
+  Perception steps(structure, options);
+  return perception::make_whole(structure, steps);
 }
 
 }  // namespace pliant

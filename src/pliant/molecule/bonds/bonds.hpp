@@ -18,6 +18,12 @@ struct BondOptions {
 
 /// Adds to `structure.bonds` what residue templates, links and distances tell; the bonds that are
 /// there stay. Linear in the number of atoms. Afterwards bonds are sorted by (a, b), each once.
+/// A molecule that the structure's periodic cell cuts is made whole: its atoms are moved by edges
+/// of the cell until all of its bonds are short, which a note tells. Other positions stay.
 void perceive_bonds(Structure& structure, const BondOptions& options = {});
+
+/// The last of this alone: makes molecules whole along the bonds that `structure` has. True if any
+/// atom was moved.
+bool make_whole(Structure& structure, const Log& log = {});
 
 }  // namespace pliant

@@ -9,9 +9,7 @@
 namespace pliant::perception {
 namespace {
 
-// Peptide bonds are 1.33 Angstrom long, O3'-P 1.6, disulphides 2.05; two chain ends that do not
-// belong together are never as close as these.
-constexpr double longest_link = 2.0;
+// Disulphides are 2.05 Angstrom long.
 constexpr double longest_disulphide = 2.5;
 
 const AtomKey name_c = atom_key("C", false), name_n = atom_key("N", false),
@@ -61,8 +59,12 @@ class LinkStep {
     return ends;
   }
 
+  bool can_link(std::uint32_t a, std::uint32_t b) const {
+    return p_.exists(a) && p_.exists(b) && !p_.excluded[a] && !p_.excluded[b];
+  }
+
   bool are_close(std::uint32_t a, std::uint32_t b) const {
-    if (!p_.exists(a) || !p_.exists(b) || p_.excluded[a] || p_.excluded[b]) return false;
+    if (!can_link(a, b)) return false;
     const double length = p_.length(a, b);
     return length > p_.options.shortest && length < longest_link;
   }
@@ -80,8 +82,12 @@ class LinkStep {
       return false;
     const auto& ends = p_.structure.chain_end;
     if (residue != next && residue < ends.size() && ends[residue]) return false;
-    if (!are_close(ends_[before].tail, ends_[after].head)) return false;
-    p_.add(ends_[before].tail, ends_[after].head, BondOrigin::link, 1);
+    const std::uint32_t tail = ends_[before].tail, head = ends_[after].head;
+    if (!are_close(tail, head)) {
+      if (can_link(tail, head)) p_.parted_links.push_back({tail, head, BondOrigin::link, 1});
+      return false;
+    }
+    p_.add(tail, head, BondOrigin::link, 1);
     return true;
   }
 

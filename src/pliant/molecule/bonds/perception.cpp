@@ -13,7 +13,17 @@ bool is_placeholder(Vec3 p) {
   return p.x == p.y && p.y == p.z && (p.x == 9999.999 || p.x == 9999.0);
 }
 
+// The longest true bonds of templates are C-S and C-Se, 1.8 and 1.95 Angstrom.
+constexpr double longest_heavy = 3.0;
+constexpr double longest_to_hydrogen = 2.0;
+
 }  // namespace
+
+double longest_template_bond(const Structure& structure, std::uint32_t a, std::uint32_t b) {
+  constexpr std::uint8_t hydrogen = 1;
+  const auto& elements = structure.atoms.elements;
+  return elements[a] == hydrogen || elements[b] == hydrogen ? longest_to_hydrogen : longest_heavy;
+}
 
 Perception::Perception(const Structure& given, const BondOptions& chosen)
     : structure(given), options(chosen), settled(given.size(), false), bonds(given.bonds) {

@@ -34,15 +34,17 @@ struct Tally {
 struct Perception {
   const Structure& structure;
   const BondOptions& options;
-  std::vector<AtomKey> keys;         ///< (N) names in one spelling
-  std::vector<bool> excluded;        ///< (N) gets no bond but the file's
-  std::vector<bool> settled;         ///< (N) a template tells all bonds within the residue
-  std::vector<ResiduePiece> pieces;  ///< in the order of the atoms
-  std::vector<Bond> bonds;           ///< the file's, then what each step adds; may repeat pairs
-  Tally unplaced;                    ///< atoms with a placeholder for a position
-  Tally repeated;                    ///< atoms that lie on an atom of the same name
-  Tally stretched;                   ///< template bonds too long to be true
-  Tally crowded;                     ///< atoms too close to too many others
+  std::vector<AtomKey> keys;          ///< (N) names in one spelling
+  std::vector<bool> excluded;         ///< (N) gets no bond but the file's
+  std::vector<bool> settled;          ///< (N) a template tells all bonds within the residue
+  std::vector<ResiduePiece> pieces;   ///< in the order of the atoms
+  std::vector<Bond> bonds;            ///< the file's, then what each step adds; may repeat pairs
+  Tally unplaced;                     ///< atoms with a placeholder for a position
+  Tally repeated;                     ///< atoms that lie on an atom of the same name
+  Tally stretched;                    ///< template bonds too long to be true
+  std::vector<Bond> stretched_bonds;  ///< these
+  std::vector<Bond> parted_links;     ///< consecutive pieces that no link joins as they lie
+  Tally crowded;                      ///< atoms too close to too many others
 
   explicit Perception(const Structure& structure, const BondOptions& options);
 
@@ -56,6 +58,14 @@ struct Perception {
   std::uint32_t find(const ResiduePiece& piece, AtomKey key) const;
   bool exists(std::uint32_t atom) const { return atom < structure.size(); }
 };
+
+// Peptide bonds are 1.33 Angstrom long, O3'-P 1.6; two chain ends that do not belong together are
+// never as close as this.
+inline constexpr double longest_link = 2.0;
+
+/// A bond of a template longer than this (Angstrom) is none: a periodic box has cut the molecule,
+/// or the name means another atom than we think.
+double longest_template_bond(const Structure& structure, std::uint32_t a, std::uint32_t b);
 
 /// Sorts by (a, b) and keeps of each pair the best origin, with the best known order. Linear.
 void sort_and_merge(std::vector<Bond>& bonds, std::size_t atom_count);

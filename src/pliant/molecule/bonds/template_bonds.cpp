@@ -6,13 +6,6 @@
 namespace pliant::perception {
 namespace {
 
-// A bond of a template longer than this (Angstrom) is none: the model is cut by a periodic box, or
-// the name means another atom than we think. The longest true ones are C-S and C-Se, 1.8 and 1.95.
-constexpr double longest_heavy = 3.0;
-constexpr double longest_to_hydrogen = 2.0;
-
-constexpr std::uint8_t hydrogen = 1;
-
 /// Bonds the atoms of one piece at a time; keeps its scratch between pieces.
 class TemplateStep {
  public:
@@ -67,10 +60,9 @@ class TemplateStep {
   }
 
   void add_bond(std::uint32_t a, std::uint32_t b, std::uint8_t order) {
-    const auto& elements = p_.structure.atoms.elements;
-    const bool to_hydrogen = elements[a] == hydrogen || elements[b] == hydrogen;
-    if (p_.length(a, b) <= (to_hydrogen ? longest_to_hydrogen : longest_heavy))
+    if (p_.length(a, b) <= longest_template_bond(p_.structure, a, b))
       return p_.add(a, b, BondOrigin::residue, order);
+    p_.stretched_bonds.push_back({std::min(a, b), std::max(a, b), BondOrigin::residue, order});
     p_.stretched.add([&] { return describe(a, b); });
     p_.settled[a] = p_.settled[b] = false;
   }

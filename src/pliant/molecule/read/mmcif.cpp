@@ -4,8 +4,11 @@
 #include "pliant/molecule/read/mmcif.hpp"
 
 #include <algorithm>
+#include <array>
+#include <optional>
 #include <string>
 
+#include "pliant/base/number.hpp"
 #include "pliant/molecule/read/cif_document.hpp"
 #include "pliant/molecule/read/cif_grammar.hpp"
 #include "pliant/molecule/read/mmcif_assembly.hpp"
@@ -22,6 +25,7 @@ constexpr std::string_view struct_conn = "_struct_conn";
 constexpr std::string_view component_bonds = "_chem_comp_bond";
 constexpr std::string_view component_atoms = "_chem_comp_atom";
 constexpr std::string_view structure_title = "_struct";
+constexpr std::string_view cell_category = "_cell";
 
 /// The grammar knows LF and CRLF; a text with lone CRs gets LFs in `copy`, and is otherwise
 /// returned as it is.
@@ -89,6 +93,25 @@ void add_assembly(const CifDocument& document, const CifBlock& block, const Read
   check_assembly(sites.structure.assemblies, options.assembly, remarks);
   make_assembly(sites, options.assembly, cif_assembly(document, block, options.assembly, remarks),
                 remarks);
+  sites.structure.cell.reset();  // the copies leave it
+}
+
+/// The cell, where all of its six numbers are there.
+std::optional<Cell> cell_of_block(const CifDocument& document, const CifBlock& block) {
+  const CifTable* table = block.table(cell_category);
+  if (table == nullptr || table->rows() == 0) return std::nullopt;
+  constexpr std::array<std::string_view, 6> tags{"length_a",    "length_b",   "length_c",
+                                                 "angle_alpha", "angle_beta", "angle_gamma"};
+  std::array<double, 6> values{};
+  for (std::size_t k = 0; k < tags.size(); ++k) {
+    const auto column = table->column(tags[k]);
+    if (!column) return std::nullopt;
+    const auto value = parse_real(without_uncertainty(document.word(table->at(0, *column))));
+    if (!value) return std::nullopt;
+    values[k] = *value;
+  }
+  return cell_of(std::array<double, 3>{values[0], values[1], values[2]},
+                 std::array<double, 3>{values[3], values[4], values[5]});
 }
 
 Structure read_block(const CifDocument& document, const CifBlock& block, const ReadOptions& options,
@@ -101,6 +124,7 @@ Structure read_block(const CifDocument& document, const CifBlock& block, const R
   choose_atoms(sites, remarks);
   warn_of_placeholders(sites, remarks);
   sites.structure.title = title_of(document, block);
+  sites.structure.cell = cell_of_block(document, block);
   add_bonds(document, block, sites, remarks);
   add_assembly(document, block, options, sites, remarks);
   return std::move(sites.structure);
@@ -125,7 +149,7 @@ Structure read_mmcif(const SourceText& source, const ReadOptions& options) {
   const SourceText text{source.name, with_line_feeds(source.text, copy)};
   const CifDocument document =
       parse_cif(text, {atom_site, struct_conn, component_bonds, component_atoms, structure_title,
-                       cif_assembly_gen, cif_oper_list});
+                       cell_category, cif_assembly_gen, cif_oper_list});
   const CifBlock& block = choose_block(document, remarks);
   return finish(read_block(document, block, options, remarks), source, "mmcif", remarks);
 }

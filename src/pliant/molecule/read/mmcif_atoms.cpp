@@ -57,16 +57,6 @@ struct ResidueWords {
   friend bool operator==(const ResidueWords&, const ResidueWords&) = default;
 };
 
-/// "1.234(5)" is 1.234 with its standard uncertainty.
-std::string_view without_uncertainty(std::string_view text) {
-  const std::size_t open = text.find('(');
-  if (open == std::string_view::npos || open == 0 || !text.ends_with(')')) return text;
-  const std::string_view digits = text.substr(open + 1, text.size() - open - 2);
-  const bool all = !digits.empty() && std::all_of(digits.begin(), digits.end(),
-                                                  [](char c) { return c >= '0' && c <= '9'; });
-  return all ? text.substr(0, open) : text;
-}
-
 /// Reads the rows of an atom_site table.
 class AtomSiteReader {
  public:
@@ -294,6 +284,15 @@ AtomSites AtomSiteReader::read(std::size_t wanted, std::size_t& model_count) {
 }
 
 }  // namespace
+
+std::string_view without_uncertainty(std::string_view text) {
+  const std::size_t open = text.find('(');
+  if (open == std::string_view::npos || open == 0 || !text.ends_with(')')) return text;
+  const std::string_view digits = text.substr(open + 1, text.size() - open - 2);
+  const bool all = !digits.empty() && std::all_of(digits.begin(), digits.end(),
+                                                  [](char c) { return c >= '0' && c <= '9'; });
+  return all ? text.substr(0, open) : text;
+}
 
 AtomSites read_atom_sites(const CifDocument& document, const CifTable& table, std::size_t wanted,
                           std::size_t& model_count, Remarks& remarks) {

@@ -3,11 +3,15 @@
 #pragma once
 
 #include <cstddef>
+#include <string_view>
 
 #include "pliant/molecule/read/atom_sites.hpp"
 #include "pliant/molecule/read/cif_document.hpp"
 
 namespace pliant {
+
+/// "1.234(5)" is 1.234 with its standard uncertainty.
+std::string_view without_uncertainty(std::string_view text);
 
 /// Reads the atoms of the `wanted` model (counted by order of appearance from 1; none where there
 /// are fewer); `model_count` becomes the number of models. Names, chains and residue numbers are

@@ -14,6 +14,7 @@
 #include "pliant/molecule/read/atom_sites.hpp"
 #include "pliant/molecule/read/hybrid36.hpp"
 #include "pliant/molecule/read/pdb_assembly.hpp"
+#include "pliant/molecule/read/pdb_cell.hpp"
 #include "pliant/molecule/read/pdb_columns.hpp"
 #include "pliant/molecule/read/pdb_conect.hpp"
 #include "pliant/molecule/read/pdb_element.hpp"
@@ -156,6 +157,9 @@ void PdbReader::take_other(const PdbLine& line, std::string_view record) {
   if (record == "REMARK" && trimmed(columns(line.text, 8, 10)) == "350")
     remark_350_.push_back(line);
   if (record == "TITLE" && models_.count() == 0) take_title(line.text);
+  // That of a model stands before its atoms; programs write one for each.
+  if (record == "CRYST1" && models_.count() < options_.model)
+    sites_.structure.cell = pdb_cell(line, remarks_);
 }
 
 void PdbReader::take(const PdbLine& line) {
@@ -205,6 +209,7 @@ void PdbReader::add_assembly() {
   check_assembly(sites_.structure.assemblies, options_.assembly, remarks_);
   make_assembly(sites_, options_.assembly, pdb_assembly(remark_350_, options_.assembly, remarks_),
                 remarks_);
+  sites_.structure.cell.reset();  // the copies leave it
 }
 
 Structure PdbReader::read() {

@@ -42,14 +42,16 @@ void refuse_tabs(const PdbLine& line, const Remarks& remarks) {
                                        ": PDB records have fixed columns, filled with blanks");
 }
 
+/// Whether the decimal points of x, y and z stand where a PDB file has them.
+bool has_points_in_place(std::string_view line) {
+  return column(line, 35) == '.' && column(line, 43) == '.' && column(line, 51) == '.';
+}
+
 /// A six-digit serial number either uses the free column 12 (then all is in its place) or has
 /// pushed the rest of the line to the right. Decimal points tell which.
 void refuse_shift_by_serial(const PdbLine& line, Remarks const& remarks) {
   const bool runs_over = is_digit(column(line.text, 12)) && is_digit(column(line.text, 11));
-  if (!runs_over) return;
-  const bool in_place =
-      column(line.text, 35) == '.' && column(line.text, 43) == '.' && column(line.text, 51) == '.';
-  if (in_place) return;
+  if (!runs_over || has_points_in_place(line.text)) return;
   fail(remarks.place(line.number),
        "serial number (columns 7-11) runs on into column 12: " + quoted(columns(line.text, 7, 12)) +
            " has shifted the columns after it");
@@ -61,6 +63,16 @@ std::string_view overlong_residue_number(std::string_view line) {
   const auto stop = std::find_if_not(field.begin(), field.end(), is_digit);
   const auto digits = static_cast<std::size_t>(stop - field.begin());
   return digits > 4 ? field.substr(0, digits) : std::string_view();
+}
+
+/// A residue number of five digits either uses the free column 27, or has pushed the rest of the
+/// line to the right.
+void refuse_shift_by_residue_number(const PdbLine& line, const Remarks& remarks) {
+  const std::string_view number = overlong_residue_number(line.text);
+  if (number.empty() || has_points_in_place(line.text)) return;
+  fail(remarks.place(line.number), "residue number (columns 23-26) runs on into column " +
+                                       std::to_string(22 + number.size()) + ": " + quoted(number) +
+                                       " has shifted the columns after it");
 }
 
 std::int64_t residue_number(const PdbLine& line, const Residue& previous, Remarks& remarks) {
@@ -107,6 +119,7 @@ void take_number(const PdbLine& line, const Residue& previous, Residue& residue,
 Vec3 pdb_position(const PdbLine& line, const Remarks& remarks) {
   refuse_tabs(line, remarks);
   refuse_shift_by_serial(line, remarks);
+  refuse_shift_by_residue_number(line, remarks);
   return {coordinate(line, coordinate_columns[0], remarks),
           coordinate(line, coordinate_columns[1], remarks),
           coordinate(line, coordinate_columns[2], remarks)};

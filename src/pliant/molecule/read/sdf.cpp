@@ -49,15 +49,28 @@ bool is_counts_line(std::string_view line) {
   return parse_mol_counts(line, counts) && (version.empty() || version[0] == 'V');
 }
 
+struct Header {
+  std::string title;
+  std::uint8_t dimensions;  ///< 2 or 3; 0: not stated
+};
+
+/// The code in columns 21-22 of the second line: "2D" or "3D".
+std::uint8_t dimensions_of(std::string_view line) {
+  const std::string_view code = columns(line, 21, 22);
+  return code == "2D" ? 2 : code == "3D" ? 3 : 0;
+}
+
 /// Title, program and comment, then the counts line, which is left as the current one.
-std::string read_header(Lines& lines, const Remarks& remarks) {
-  const std::string title(trimmed(next_record_line(lines, "the title", remarks)));
-  next_record_line(lines, "the second line of the header", remarks);
+Header read_header(Lines& lines, const Remarks& remarks) {
+  Header header;
+  header.title = trimmed(next_record_line(lines, "the title", remarks));
+  header.dimensions =
+      dimensions_of(next_record_line(lines, "the second line of the header", remarks));
   const bool early = is_counts_line(next_record_line(lines, "the comment line", remarks)) &&
                      !version_of(lines.line()).empty();
   const std::size_t third = lines.number();
   next_record_line(lines, "the counts line", remarks);
-  if (is_counts_line(lines.line())) return title;
+  if (is_counts_line(lines.line())) return header;
   if (early)
     fail(remarks.place(third),
          "the counts line, wanted on the fourth line of a record, is on its third: a line of the "
@@ -69,7 +82,7 @@ std::string read_header(Lines& lines, const Remarks& remarks) {
 
 Structure read_record(Lines lines, Remarks& remarks) {
   MolBlock block(remarks);
-  const std::string title = read_header(lines, remarks);
+  const Header header = read_header(lines, remarks);
   const std::size_t counts_line = lines.number();
   const std::string_view version = version_of(lines.line());
   if (version == "V3000") {
@@ -82,7 +95,8 @@ Structure read_record(Lines lines, Remarks& remarks) {
   }
   if (block.size() == 0) fail(remarks.place(counts_line), "the record has no atoms");
   Structure structure = block.take();
-  structure.title = title;
+  structure.title = header.title;
+  structure.dimensions = header.dimensions;
   return structure;
 }
 

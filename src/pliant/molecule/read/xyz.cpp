@@ -158,6 +158,10 @@ void read_frame(Frame frame, Structure& structure, Remarks& remarks) {
   const XyzColumns columns = columns_of_comment(lines.line(), problem);
   if (!problem.empty())
     remarks.warn("extended", lines.number(), [&] { return problem + ": read as plain XYZ"; });
+  std::string no_cell;
+  structure.cell = cell_of_comment(lines.line(), no_cell);
+  if (!no_cell.empty())
+    remarks.warn("lattice", lines.number(), [&] { return no_cell + ": no periodic cell"; });
   for (std::size_t i = 0; i < frame.atom_count; ++i) {
     lines.next();
     add_atom(structure, split_atom_line(lines, columns, remarks), lines.number(), remarks);

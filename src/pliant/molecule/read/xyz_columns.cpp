@@ -2,6 +2,7 @@
 #include "pliant/molecule/read/xyz_columns.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -75,7 +76,57 @@ bool looks_extended(std::string_view comment) {
          comment.find("Lattice=") != std::string_view::npos;
 }
 
+/// The value of a key of the comment, without quotes; nothing where the key is not there.
+std::optional<std::string_view> value_of(std::string_view comment, std::string_view key) {
+  for (std::string_view rest = comment; !trimmed(rest).empty();) {
+    const auto word = next_word(rest);
+    if (!word) return std::nullopt;
+    if (word->starts_with(key)) return unquoted(word->substr(key.size()));
+  }
+  return std::nullopt;
+}
+
+/// The words between blanks, commas and brackets.
+std::vector<std::string_view> words_of(std::string_view text) {
+  constexpr std::string_view between = " \t,[]";
+  std::vector<std::string_view> words;
+  while (true) {
+    text.remove_prefix(std::min(text.find_first_not_of(between), text.size()));
+    if (text.empty()) return words;
+    words.push_back(text.substr(0, text.find_first_of(between)));
+    text.remove_prefix(words.back().size());
+  }
+}
+
+bool is_true(std::string_view word) {
+  return word.starts_with('T') || word.starts_with('t') || word == "1";
+}
+
+/// Nine numbers, or nothing.
+std::optional<std::array<double, 9>> nine_numbers(std::string_view text) {
+  const auto words = words_of(text);
+  std::array<double, 9> numbers{};
+  if (words.size() != numbers.size()) return std::nullopt;
+  for (std::size_t k = 0; k < numbers.size(); ++k) {
+    const auto number = parse_real(words[k]);
+    if (!number) return std::nullopt;
+    numbers[k] = *number;
+  }
+  return numbers;
+}
+
 }  // namespace
+
+std::optional<Cell> cell_of_comment(std::string_view comment, std::string& problem) {
+  const auto lattice = value_of(comment, "Lattice=");
+  if (!lattice) return std::nullopt;
+  const auto numbers = nine_numbers(*lattice);
+  if (!numbers) problem = "Lattice " + quoted(*lattice) + " is not nine numbers";
+  const auto flags = words_of(value_of(comment, "pbc=").value_or(""));
+  if (!numbers || !std::all_of(flags.begin(), flags.end(), is_true)) return std::nullopt;
+  const auto& n = *numbers;
+  return cell_of(std::array<Vec3, 3>{{{n[0], n[1], n[2]}, {n[3], n[4], n[5]}, {n[6], n[7], n[8]}}});
+}
 
 XyzColumns columns_of_comment(std::string_view comment, std::string& problem) {
   if (!looks_extended(comment)) return {};

@@ -5,12 +5,14 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "pliant/base/vec3.hpp"
 #include "pliant/framework/atom_table.hpp"
+#include "pliant/molecule/structure/cell.hpp"
 
 namespace pliant {
 
@@ -49,6 +51,8 @@ struct Structure {
   std::size_t model = 1;         ///< which model or frame this is, from 1
   std::size_t model_count = 1;   ///< models or frames in the file
   std::vector<std::string> assemblies;  ///< biological ones that the file states, by name
+  std::optional<Cell> cell;             ///< periodic; nothing: none is known
+  std::uint8_t dimensions = 0;          ///< 2 or 3 where the file says so (SDF), else 0
 
   std::size_t size() const { return positions.size(); }
 };

@@ -1,0 +1,185 @@
+# SPDX-License-Identifier: MIT
+"""What a call says of an argument that it cannot take: its name, its value, and what it must be."""
+
+from __future__ import annotations
+
+import ast
+import math
+import os
+import reprlib
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NoReturn
+
+#: whole numbers that 64 bits hold, with a sign and without
+_SIGNED = (-(2**63), 2**63 - 1)
+_UNSIGNED = (0, 2**64 - 1)
+
+#: what arguments of a type must be, in words
+_WORDS = {
+    "int": "a whole number",
+    "float": "a number",
+    "str": "a text",
+    "bool": "True or False",
+    "None": "None",
+    "os.PathLike": "a path",
+    "pathlib.Path": "a path",
+    "collections.abc.Callable": "a function",
+    "collections.abc.Sequence": "a sequence",
+    "numpy.typing.ArrayLike": "an array",
+    "numpy.typing.NDArray": "an array",
+}
+
+
+def refuse(
+    name: str, value: object, annotation: str, least: int | None = None, most: int | None = None
+) -> NoReturn:
+    """Raise TypeError; for a whole number out of range OptionError."""
+    from pliant._core import OptionError
+
+    if least is not None and most is not None and _is_whole(value):
+        wanted = f"a whole number from {least} to {most}"
+        raise OptionError(f"{name} = {_shown(value)}: must be {wanted}")
+    raise TypeError(f"{name} = {_shown(value)}: must be {_wanted(annotation)}")
+
+
+def refuse_call(function: Any, positional: Sequence[object], named: Mapping[str, object]) -> None:
+    """Raise an error that names the argument which does not fit; return where none is found."""
+    signature = function.__nb_signature__[0][0]
+    parameters = _parameters(signature)
+    is_method = next(iter(parameters), "") == "self"
+    given = _given(_called(function), parameters, positional, named, is_method)
+    unfit = [name for name, value in given.items() if not _fits(value, parameters[name])]
+    for name in unfit:
+        refuse(name, given[name], parameters[name])
+    for name, value in given.items():
+        if _is_whole(value) and "int" in _kinds(parameters[name]):
+            _refuse_out_of_range(name, int(value), parameters[name])  # type: ignore[call-overload]
+    _refuse_contents(parameters, given)
+
+
+def _called(function: Any) -> str:
+    """By what name it is called: a class by its own."""
+    name = str(function.__name__)
+    return str(function.__qualname__).split(".")[0] if name == "__init__" else name
+
+
+def _refuse_out_of_range(name: str, value: int, annotation: str) -> None:
+    """Numbers without a sign alone refuse what is below 0."""
+    least, most = _UNSIGNED if value < 0 else _SIGNED
+    if not least <= value <= most:
+        refuse(name, value, annotation, least, most)
+
+
+def _refuse_contents(parameters: Mapping[str, str], given: Mapping[str, object]) -> None:
+    """Of sequences, whose items were not looked at, one must be the culprit."""
+    nested = [name for name in given if "[" in parameters[name] and given[name] is not None]
+    for name in nested[:1]:
+        refuse(name, given[name], parameters[name])
+
+
+def _parameters(signature: str) -> dict[str, str]:
+    """Annotations by name: defaults of the signature are none that Python reads."""
+    text = "".join(
+        part.lstrip("0123456789") if k else part
+        for k, part in enumerate(signature.replace("\\", "\0\\").split("\\"))
+    )
+    tree = ast.parse(text.replace("\0", "...") + ": ...").body[0]
+    assert isinstance(tree, ast.FunctionDef)
+    every = [*tree.args.posonlyargs, *tree.args.args, *tree.args.kwonlyargs]
+    return {one.arg: ast.unparse(one.annotation) if one.annotation else "object" for one in every}
+
+
+def _given(
+    function: str,
+    parameters: Mapping[str, str],
+    positional: Sequence[object],
+    named: Mapping[str, object],
+    is_method: bool,
+) -> dict[str, object]:
+    """Arguments by name. Raises TypeError for names that there are not."""
+    names = list(parameters)
+    for name in named:
+        if name not in parameters:
+            known = ", ".join(name for name in names if name != "self")
+            raise TypeError(f"{function}: has no argument {name!r}; known: {known}")
+    given = {**dict(zip(names, positional, strict=False)), **named}
+    if is_method:
+        given.pop("self", None)
+    if len(positional) > len(names):
+        raise TypeError(
+            f"{function}: takes {len(names) - is_method} arguments, "
+            f"found {len(positional) - is_method}"
+        )
+    return given
+
+
+def _alternatives(annotation: str) -> Iterator[ast.expr]:
+    """The members of `int | str | None`."""
+    open_ = [ast.parse(annotation, mode="eval").body]
+    while open_:
+        one = open_.pop(0)
+        if isinstance(one, ast.BinOp):
+            open_[:0] = [one.left, one.right]
+        else:
+            yield one
+
+
+def _kinds(annotation: str) -> list[str]:
+    """The names of the alternatives, without what stands in brackets."""
+    bare = (
+        one.value if isinstance(one, ast.Subscript) else one for one in _alternatives(annotation)
+    )
+    return [ast.unparse(one) for one in bare]
+
+
+def _fits(value: object, annotation: str) -> bool:
+    """Whether a value may be of the type; True where that is not known."""
+    return any(_is_of(value, kind) for kind in _kinds(annotation))
+
+
+def _is_of(value: object, kind: str) -> bool:
+    if kind == "int":
+        return _is_whole(value)
+    if kind == "float":
+        return not isinstance(value, str) and hasattr(value, "__float__")
+    if kind == "bool":
+        return isinstance(value, bool)
+    if kind == "None":
+        return value is None
+    if kind == "str":
+        return isinstance(value, str)
+    if kind in ("os.PathLike", "pathlib.Path"):
+        return isinstance(value, (str, os.PathLike))
+    if kind.startswith("collections.abc.Callable"):
+        return callable(value)
+    if kind in ("collections.abc.Sequence", "list", "tuple"):
+        return hasattr(value, "__len__") and not isinstance(value, (str, bytes))
+    return _is_object_of(value, kind)
+
+
+def _is_object_of(value: object, kind: str) -> bool:
+    """Whether it is an object of one of our classes."""
+    from pliant import _core
+
+    known = getattr(_core, kind.rpartition(".")[2], None)
+    return isinstance(value, known) if isinstance(known, type) else True
+
+
+def _is_whole(value: object) -> bool:
+    return hasattr(value, "__index__")
+
+
+def _wanted(annotation: str) -> str:
+    """ "a whole number or None"."""
+    kinds = _kinds(annotation)
+    words = [_WORDS.get(kind, f"a {kind.rpartition('.')[2]}") for kind in kinds]
+    return " or ".join(dict.fromkeys(words))
+
+
+def _shown(value: object) -> str:
+    """The value in a few characters."""
+    if isinstance(value, float) and math.isnan(value):
+        return "nan"
+    short = reprlib.Repr()
+    short.maxlong = 40
+    return short.repr(value)
