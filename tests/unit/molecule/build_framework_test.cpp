@@ -149,7 +149,7 @@ TEST(BuildFramework, RefusesAnglesAtAStar) {
   Structure s = molecule({{"C", {}}});
   s.atoms.serials.back() = 1;
   for (std::uint32_t i = 1; i <= 65; ++i) {
-    add_residue(s, "X", i, {{"H", "H", {1.0 * i, 0, 0}}});
+    add_residue(s, "X", i, {{"H", "H", {0.1 * i, 0, 0}}});
     s.bonds.push_back({0, i});
   }
   BuildOptions options;
