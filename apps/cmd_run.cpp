@@ -90,6 +90,28 @@ constexpr const char* footer =
     "Exit codes: 0 done, 1 bad input or file, 2 bad option, 3 a step did not converge or a\n"
     "guide did not reach its goal, 130 ended early by Ctrl-C, with all frames complete.";
 
+/// Outputs by their names; inputs by the options and by what a force file was made for.
+void take_names(const CommandLine& line, RunSettings& settings) {
+  name_outputs(line, settings);
+  check_outputs(settings);
+  take_force_header(line, settings);
+  check_outputs(settings);  // of inputs that the header names, too
+}
+
+int print_end(const RunSettings& settings, const Molecule& molecule, const Messages& messages,
+              const std::vector<RunSummary>& summaries, const GuideEnd& end,
+              const std::optional<ImdSummary>& served) {
+  if (settings.json) {
+    print_run_json(settings, molecule.framework, summaries, messages.warnings(), end, served);
+  } else if (!settings.quiet) {
+    print_run_table(settings, molecule.framework, summaries);
+    if (served) print_served(*served);
+    end.print();
+  }
+  const int code = exit_code_of(added_up(summaries));
+  return code == exit_ok && !end.is_reached() ? exit_unconverged : code;
+}
+
 }  // namespace
 
 int command_run(const Arguments& arguments) {
@@ -110,10 +132,7 @@ int command_run(const Arguments& arguments) {
   if (const int code = line.parse(arguments); code >= 0) return code;
   if (!settings.go_on.empty()) return continue_run(line, settings);
   const bool asks_for_topology = !settings.topology.empty();
-  name_outputs(line, settings);
-  check_outputs(settings);
-  take_force_header(line, settings);
-  check_outputs(settings);  // of inputs that the header names, too
+  take_names(line, settings);
   Messages messages(settings.json || settings.quiet);
   const Molecule molecule = load(settings.molecule, messages.log());
   tell_what_is_free(settings.molecule, molecule.structure, messages.log());
@@ -134,15 +153,7 @@ int command_run(const Arguments& arguments) {
   std::optional<ImdSummary> served;
   if (live) served = live->close();
   const GuideEnd end(settings.guide, settings.run.guide, molecule.structure.positions, last);
-  if (settings.json) {
-    print_run_json(settings, molecule.framework, summaries, messages.warnings(), end, served);
-  } else if (!settings.quiet) {
-    print_run_table(settings, molecule.framework, summaries);
-    if (served) print_served(*served);
-    end.print();
-  }
-  const int code = exit_code_of(added_up(summaries));
-  return code == exit_ok && !end.is_reached() ? exit_unconverged : code;
+  return print_end(settings, molecule, messages, summaries, end, served);
 }
 
 }  // namespace pliant::app

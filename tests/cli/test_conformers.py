@@ -51,7 +51,12 @@ def test_large_molecules_are_written_as_v3000(pliant, tmp_path):
     made = Chem.AddHs(Chem.MolFromSmiles("C" * 340))
     conformer = Chem.Conformer(made.GetNumAtoms())
     positions = np.zeros((made.GetNumAtoms(), 3))
-    positions[:, 0] = 1.5 * np.arange(made.GetNumAtoms())
+    along = np.arange(340)
+    positions[:340] = np.stack([1.27 * along, 0.43 * (-1.0) ** along, 0.0 * along], axis=1)
+    for k, atom in enumerate(made.GetAtoms()):
+        if atom.GetAtomicNum() == 1:
+            (parent,) = (other.GetIdx() for other in atom.GetNeighbors())
+            positions[k] = positions[parent] + [0.3 * (k % 3 - 1), 0.4, 0.9 * (-1) ** k]
     conformer.SetPositions(positions)
     made.AddConformer(conformer)
     Chem.MolToMolFile(made, str(tmp_path / "long.sdf"), forceV3000=True)

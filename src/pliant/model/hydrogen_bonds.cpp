@@ -23,8 +23,9 @@ struct Reach {
   double donor_acceptor, hydrogen_acceptor, least_theta, least_phi;
 };
 constexpr Reach usual_reach{3.9, 2.6, 100.0 * degree, 80.0 * degree};
-// N and O of a salt bridge are within 4 Angstrom (Barlow, Thornton, J. Mol. Biol. 168 (1983) 867): one
-// that is longer is broken by solvent, and would tie a flexible end to what does not move with it.
+// N and O of a salt bridge are within 4 Angstrom (Barlow, Thornton, J. Mol. Biol. 168 (1983) 867):
+// one that is longer is broken by solvent, and would tie a flexible end to what does not move with
+// it.
 constexpr Reach salt_reach{4.0, 5.1, 80.0 * degree, 80.0 * degree};
 
 /// At `at`, between `one` and `other`; 0 to pi.

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "pliant/base/elementary.hpp"
+
 namespace pliant {
 namespace {
 
@@ -16,7 +18,7 @@ constexpr double flattest = 1e-3;
 
 /// Exact for right angles, which most cells have.
 double cosine(double degrees) {
-  return degrees == 90.0 ? 0.0 : std::cos(degrees * std::numbers::pi / 180.0);
+  return degrees == 90.0 ? 0.0 : exact_bits_cos(degrees * std::numbers::pi / 180.0);
 }
 
 // So many edges away from the origin positions have lost their decimals.
