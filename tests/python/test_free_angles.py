@@ -66,7 +66,7 @@ def random_tree(count: int, seed: int) -> Any:
         bonds.append((to, atom))
         degree[to] += 1
         degree[atom] += 1
-    positions = chance.normal(0, 2, (count, 3))
+    positions = chance.normal(0, 1, (count, 3))
     return pliant.Structure(positions, elements=[6] * count, bonds=bonds), degree
 
 
