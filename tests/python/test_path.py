@@ -125,7 +125,7 @@ def test_a_walk_grows_step_by_step_into_the_path(closing):
 def test_options_have_the_ranges_of_the_command():
     with pytest.raises(pliant.OptionError, match="backtrack: expected 0 to 1000, found 1001"):
         PathOptions(backtrack=1001)
-    with pytest.raises(TypeError):
+    with pytest.raises(pliant.OptionError, match="seed = -1: must be a whole number from 0"):
         PathOptions(seed=-1)
 
 

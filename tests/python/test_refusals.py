@@ -46,7 +46,7 @@ ARGUMENTS = {
                 "weighting": "real", "tolerance": "real", "mass_weighted": "truth"},
     "Motion": {"max_sweeps": "whole", "seed": "unsigned", "walker": "unsigned", "force": "real"},
     "sample": {"frames": "whole", "first_frame": "whole", "threads": "whole", "seed": "unsigned",
-               "temperature": "real", "overwrite": "truth", "network": "text", "sampler": "text"},
+               "contact_energy": "real", "overwrite": "truth", "network": "text", "sampler": "text"},
     "build_model": {"hbond_cutoff": "real", "keep_waters": "truth", "model": "text", "pin": "text"},
     "rigidity": {"hbond_bars": "whole", "hbond_cutoff": "real", "ends_turn": "truth"},
     "prepare": {"keep_waters": "truth", "floppy_below": "real"},

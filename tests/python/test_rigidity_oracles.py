@@ -17,7 +17,7 @@ import pliant
 def molecule(graph):
     """Carbons joined by single bonds; positions count for nothing."""
     atoms = graph.number_of_nodes()
-    positions = 2.0 * np.random.default_rng(1).normal(size=(atoms, 3))
+    positions = np.random.default_rng(1).normal(size=(atoms, 3))
     bonds = np.array(graph.edges)
     return pliant.Structure(
         positions, elements=[6] * atoms, bonds=bonds, bond_orders=[1] * len(bonds)
