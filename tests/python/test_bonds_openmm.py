@@ -46,7 +46,6 @@ STRUCTURES = [
 ]
 
 GAP = "OpenMM bonds residues that follow each other in the file, however far apart"
-BOX = "the molecule is cut by the periodic box: OpenMM's bonds are as long as the box"
 UNKNOWN = "OpenMM has no template for this residue and the file no CONECT"
 METAL = "CONECT states it; OpenMM leaves metals out"
 CHARMM = "CHARMM's names: OpenMM takes H2' for the hydrogen of C2'; in RNA it is the hydroxyl's"
@@ -63,7 +62,6 @@ KNOWN_DIFFERENCES = {
     "mmcif/5PTI.cif.gz": {DEUTERIUM: 103},
     "1grm_single.pdb": {UNKNOWN: 8},
     "elements.pdb": {UNKNOWN: 6},
-    "adk_oplsaa.pdb": {BOX: 19},
     "analysis/1k5i_c36.pdb.gz": {CHARMM: 69},
 }
 
@@ -96,7 +94,6 @@ class Comparison:
         if (a, b) in self.theirs:
             is_link = one.residue != other.residue
             return {
-                BOX: length > 2.0,
                 GAP: length > 2.0 and is_link and one.name == "C" and other.name == "N",
                 CHARMM: one.name in ("C2'", "O2'") and other.name in ("H2'", "H2''"),
             }.get(reason, False)
