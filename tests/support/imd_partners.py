@@ -45,7 +45,9 @@ def job(words, folder):
         yield started
     finally:
         started.process.kill()
-        started.process.communicate()
+        started.process.wait()
+        for stream in (started.process.stdout, started.process.stderr):
+            stream.close()  # not read to the end: whoever else holds it would be waited for
 
 
 @contextmanager

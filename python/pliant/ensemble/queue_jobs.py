@@ -6,6 +6,8 @@ from __future__ import annotations
 import importlib
 import re
 import shutil
+import signal
+import threading
 from collections.abc import Callable
 from typing import Any
 
@@ -133,7 +135,17 @@ def _kind(path: str, name: object) -> Any:
     if not isinstance(name, str) or name not in _QUEUES:
         known = ", ".join(_QUEUES)
         raise InputError(f"{path}: queue_system: expected one of {known}, found {name!r}")
-    return getattr(importlib.import_module("dask_jobqueue"), _QUEUES[name])
+    return getattr(_dask_jobqueue(), _QUEUES[name])
+
+
+def _dask_jobqueue() -> Any:
+    """The module, without what it does to signals: importing it makes SIGINT end the program."""
+    before = {number: signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)}
+    module = importlib.import_module("dask_jobqueue")
+    if threading.current_thread() is threading.main_thread():
+        for number, handler in before.items():
+            signal.signal(number, handler)
+    return module
 
 
 def _first_sentence(error: Exception) -> str:

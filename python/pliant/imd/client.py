@@ -240,6 +240,8 @@ def _checked(atoms: ArrayLike, forces: ArrayLike) -> tuple[NDArray[np.int32], ND
         raise OptionError(f"pull: expected indices of atoms, found {indices.dtype}")
     if len(np.unique(indices)) < len(indices) or (indices < 0).any():
         raise OptionError("pull: expected each atom once, and from 0")
-    if not np.isfinite(vectors.astype(np.float32)).all():
+    with np.errstate(over="ignore"):  # what is too large is refused
+        narrow = vectors.astype(np.float32)
+    if not np.isfinite(narrow).all():
         raise OptionError("pull: expected forces that are finite as 32-bit floats")
     return indices.astype(np.int32), vectors

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Shards that jobs of a queue make: taken, refused, and ended with the command."""
 
+import importlib.util
 import os
 import signal
 import stat
@@ -10,7 +11,9 @@ import pytest
 from ensembles import PEPTIDE, call, made, shards_of, start, wait_for_shards
 from pliant.ensemble.queue_jobs import Queue
 
-pytest.importorskip("dask_jobqueue")
+# Not by importing it: that would change what SIGINT does in all tests that follow.
+if importlib.util.find_spec("dask_jobqueue") is None:
+    pytest.skip("dask-jobqueue is not installed", allow_module_level=True)
 
 WORDS = ("--walkers", 24, "--shard-size", 4, "--steps", 40, "--every", 10)
 
