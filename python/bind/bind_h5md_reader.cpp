@@ -12,6 +12,7 @@
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/structure/structure.hpp"
+#include "pliant/record/hdf5/expansion.hpp"
 #include "pliant/record/hdf5/structure_check.hpp"
 #include "pliant/record/hdf5/while_written.hpp"
 #include "structure_columns.hpp"
@@ -145,6 +146,16 @@ void bind_h5md_reader(nb::module_& module) {
   module.def("check_hdf5_structure", &check_structure, "path"_a,
              "Looks at the structure of an HDF5 file within bounds, without HDF5. Returns whether\n"
              "all of it is of a known format; raises InputError where it is damaged.");
+  module.def(
+      "expansion_refusal",
+      [](std::uint64_t values, std::uint64_t at_once, std::uint64_t chunk, std::uint64_t stored,
+         std::uint64_t chunks, std::uint64_t file_size) {
+        return refusal_of({values, at_once, chunk, stored, chunks, file_size, harmless_chunk});
+      },
+      nb::kw_only(), "values"_a, "at_once"_a, "chunk"_a, "stored"_a, "chunks"_a, "file_size"_a,
+      "Why values of a dataset are not read: the file cannot hold them, or they would take memory\n"
+      "out of proportion to what it holds. \"\" if they may be read. In bytes, but for the number\n"
+      "of chunks that are stored.");
   module.def("writer_of", &writer_of, "path"_a,
              "Who is writing a file now, such as \"process 123\"; \"\" for nobody.");
   nb::class_<LockedReader> reader(

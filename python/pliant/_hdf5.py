@@ -12,18 +12,23 @@ import math
 import os
 import time
 from collections.abc import Callable, Iterator
-from typing import Any, TypeAlias, TypeGuard, TypeVar
+from typing import Any, TypeGuard, TypeVar
 
 import h5py
 import numpy as np
 
 from pliant._core import FileError, InputError, check_hdf5_structure, writer_of
+from pliant._hdf5_expansion import (
+    Item,
+    check_chunks,
+    check_stored,
+    guarded,
+    one_line,
+    refused,
+    texts_of,
+)
 from pliant._hdf5_probe import probe
 
-#: No filter makes more of a byte: deflate's limit is 1032, and shuffle changes no size.
-MOST_EXPANSION = 1100
-#: Up to here values that were never written may be read: HDF5 fills them in.
-HARMLESS_BYTES = 1 << 24
 #: Soft links that are followed on one path.
 MOST_LINKS = 16
 #: Levels of groups that are looked into.
@@ -33,7 +38,6 @@ MOST_LEVELS = 8
 PATIENCE = 2.0
 PAUSE = 0.02
 
-Item: TypeAlias = "h5py.Group | h5py.Dataset"
 Result = TypeVar("Result")
 
 #: Files whose structure was found good, as they were then: path -> device, number, size, time.
@@ -51,11 +55,17 @@ def open_file(path: str | os.PathLike[str]) -> h5py.File:
     if _good.get(name) != state and not _is_open_here(name):
         if not check_hdf5_structure(name):
             probe(name)
+        with _opened_file(name) as file:
+            check_chunks(file)
         _good[name] = state
+    return _opened_file(name)
+
+
+def _opened_file(name: str) -> h5py.File:
     try:
         return h5py.File(name, "r")
     except OSError as error:
-        raise FileError(f"{name}: cannot be opened: {_one_line(error)}") from error
+        raise FileError(f"{name}: cannot be opened: {one_line(error)}") from error
 
 
 def _is_open_here(name: str) -> bool:
@@ -124,7 +134,7 @@ def _follow(group: h5py.Group, path: str, left: list[int]) -> Item | None:
 
 def _step(group: h5py.Group, name: str, left: list[int]) -> Item | None:
     """One link on: `left` counts the soft links that may still be followed."""
-    link = _guarded(group, name, lambda: group.get(name, getlink=True))
+    link = guarded(group, name, lambda: group.get(name, getlink=True))
     if link is None:
         return None
     if isinstance(link, h5py.ExternalLink):
@@ -134,8 +144,8 @@ def _step(group: h5py.Group, name: str, left: list[int]) -> Item | None:
         if left[0] < 0:
             raise refused(group, name, "is a link that leads in a circle")
         return _follow(group, link.path, left)
-    found = _guarded(group, name, lambda: _opened(group, name))
-    if isinstance(found, h5py.Dataset) and _guarded(group, name, lambda: _is_elsewhere(found)):
+    found = guarded(group, name, lambda: _opened(group, name))
+    if isinstance(found, h5py.Dataset) and guarded(group, name, lambda: _is_elsewhere(found)):
         raise refused(group, name, "has its values in other files, which are not read")
     return found if isinstance(found, (h5py.Group, h5py.Dataset)) else None
 
@@ -154,33 +164,6 @@ def _is_elsewhere(found: h5py.Dataset) -> bool:
     return bool(found.external or found.is_virtual)
 
 
-def refused(parent: Item, name: str, why: str) -> InputError:
-    """An InputError that names the file and the path of something below `parent`."""
-    base = (parent.name or "").rstrip("/")
-    file = _file_name(parent)
-    writer = writer_of(file)
-    note = f"; it is being written by {writer}: try again" if writer else ""
-    return InputError(f"{file}: {base}/{name}: {why}{note}")
-
-
-def _file_name(item: Item) -> str:
-    name = item.file.filename
-    return name.decode("utf-8", "replace") if isinstance(name, bytes) else str(name)
-
-
-def _guarded(parent: Item, name: str, act: Any) -> Any:
-    try:
-        return act()
-    except KeyError:
-        return None
-    except (OSError, RuntimeError, TypeError, ValueError, MemoryError) as error:
-        raise refused(parent, name, f"cannot be read: {_one_line(error)}") from error
-
-
-def _one_line(error: Exception) -> str:
-    return " ".join(str(error).split())
-
-
 def read(dataset: h5py.Dataset, selection: Any = ()) -> Any:
     """The values of a dataset, or those of a selection, as h5py gives them.
 
@@ -189,20 +172,9 @@ def read(dataset: h5py.Dataset, selection: Any = ()) -> Any:
     """
     name = (dataset.name or "").rpartition("/")[2]
     check_stored(dataset, _selected(dataset, selection))
-    return _guarded(dataset.parent, name, lambda: dataset[selection])
-
-
-def check_stored(dataset: h5py.Dataset, values: int) -> None:
-    """Raises InputError if the file cannot hold so many values of a dataset."""
-    name = (dataset.name or "").rpartition("/")[2]
-    stored = _guarded(dataset.parent, name, dataset.id.get_storage_size)
-    chunk = math.prod(dataset.chunks or ()) if dataset.chunks else 0
-    wanted = max(values, chunk) * dataset.dtype.itemsize
-    if wanted > max(MOST_EXPANSION * stored, HARMLESS_BYTES):
-        raise InputError(
-            f"{_file_name(dataset)}: {dataset.name}: of shape {dataset.shape} has {stored} bytes "
-            "in the file: it was never written, or is damaged"
-        )
+    if dataset.dtype.kind == "O" and dataset.ndim == 1 and isinstance(selection, tuple):
+        return texts_of(dataset)
+    return guarded(dataset.parent, name, lambda: dataset[selection])
 
 
 def _selected(dataset: h5py.Dataset, selection: Any) -> int:
@@ -257,7 +229,7 @@ def _scalars(
 ) -> Iterator[tuple[str, Any]]:
     if not isinstance(group, h5py.Group) or levels == 0:
         return
-    number = _guarded(group, "", lambda: h5py.h5o.get_info(group.id).addr)
+    number = guarded(group, "", lambda: h5py.h5o.get_info(group.id).addr)
     if number in above:
         return
     for name in names_in(group):
@@ -272,7 +244,7 @@ def _scalars(
 
 def names_in(group: h5py.Group) -> list[str]:
     """The names in a group that are text."""
-    names = _guarded(group, "", lambda: list(group))
+    names = guarded(group, "", lambda: list(group))
     return [name for name in names or [] if isinstance(name, str)]
 
 
@@ -287,7 +259,7 @@ def plain(value: Any) -> bool | int | float | str | None:
 
 def attribute(found: Item, name: str) -> Any:
     """An attribute; None if there is none."""
-    return _guarded(found, f"attribute {name}", lambda: found.attrs.get(name))
+    return guarded(found, f"attribute {name}", lambda: found.attrs.get(name))
 
 
 def text(found: Item | None, name: str) -> str:

@@ -17,6 +17,7 @@ import numpy as np
 
 from pliant import _hdf5, console
 from pliant._core import FileError, InputError, OptionError, check_hdf5_structure
+from pliant._hdf5_expansion import check_stored
 from pliant._recovered_file import (
     CONTACT_STATES,
     POSITION,
@@ -145,7 +146,7 @@ def _shape(file: h5py.File) -> tuple[tuple[int, ...], dict[str, str]]:
     value = _hdf5.item(file, f"{POSITION}/value")
     if not _hdf5.is_array(value, "f", (None, None, 3)):
         raise ValueError("no positions (F, N, 3)")
-    _hdf5.check_stored(value, 3 * value.shape[1])
+    check_stored(value, 3 * value.shape[1])
     return tuple(value.shape), {
         "value": _hdf5.text(value, "unit") or "Angstrom",
         "time": _hdf5.text(_hdf5.item(file, f"{POSITION}/time"), "unit") or "ps",

@@ -32,7 +32,7 @@ class Ended:
     err: str
 
 
-@pytest.fixture
+@pytest.fixture(scope="session")
 def command():
     """Path of the installed command."""
     return COMMAND

@@ -87,7 +87,8 @@ def test_everything_public_is_there():
     compiled = {node.name for node in stub_nodes()}
     assert compiled - set(pliant.__all__) == {
         *("ForceRecorder", "run_shard", "run_steps", "version"),
-        *("Checkpoint", "check_hdf5_structure", "read_checkpoint", "select_atoms", "writer_of"),
+        *("Checkpoint", "check_hdf5_structure", "expansion_refusal", "read_checkpoint"),
+        *("select_atoms", "writer_of"),
         *("PathEnds", "PathFrame", "PathOptions", "PathWalk", "TightPlace", "tight_places"),
         *("ResidueMatch", "Trace", "align", "amino_acid_letters", "match_residues", "trace_of"),
     }

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant._core import OptionError, node_b_factors
-from pliant.analyse.found import Contacts
+from pliant.analyse.found import Contacts, Units
 from pliant.analyse.kind import frame_blocks, kind_of
 from pliant.analyse.names import phi_psi_pairs
 from pliant.analyse.reference import reference_of
@@ -18,15 +18,17 @@ from pliant.analysis.flexibility import flexibility
 from pliant.analysis.overlaps import ResidueContacts
 from pliant.analysis.rotatable import is_hydrogen
 from pliant.analysis.stereochemistry import Stereochemistry
-from pliant.analysis.superposition import superpose_all, superpose_onto
+from pliant.analysis.superposition import superpose_frames, superpose_onto
 
 if TYPE_CHECKING:
     from pliant.analyse.study import Study
+    from pliant.analysis.frame_store import FrameStore
 
 #: frames whose chemistry and contacts are looked at, spread over all
 LOOKED_AT = 100
-#: frames that are superposed at a time
+#: frames that are superposed at a time, and bytes of their positions
 AT_ONCE = 32
+AT_ONCE_BYTES = 1 << 22
 #: chains shorter than this have no domains
 LEAST_CHAIN = 20
 
@@ -44,8 +46,9 @@ def rmsd_to_reference(study: Study) -> None:
     fitted = np.isin(study.atoms.ix, study.fitted.ix)
     target = study.reference.positions[study.atoms.ix]
     values = np.empty((2, len(study.frames)))
-    for first in range(0, len(study.frames), AT_ONCE):
-        part = range(first, min(first + AT_ONCE, len(study.frames)))
+    size = min(AT_ONCE, max(1, AT_ONCE_BYTES // (24 * len(study.atoms))))
+    for first in range(0, len(study.frames), size):
+        part = range(first, min(first + size, len(study.frames)))
         frames = np.array([study.positions(k)[study.atoms.ix] for k in part])
         squares = np.sum((superpose_onto(frames, fitted, target[fitted]) - target) ** 2, axis=2)
         values[:, part] = np.sqrt([squares[:, fitted].mean(axis=1), squares.mean(axis=1)])
@@ -61,17 +64,23 @@ def flexibility_stage(study: Study) -> None:
     assert units is not None
     chosen = np.unique(np.concatenate([units.atoms, study.fitted.ix]))
     fitted = np.searchsorted(chosen, study.fitted.ix)
-    moved = superpose_all(study.some_positions(chosen), fitted)
-    moved = moved[:, np.searchsorted(chosen, units.atoms)]
+    moved = study.stored_positions(chosen)
+    superpose_frames(moved, fitted)
+    moved = moved.of_atoms(np.searchsorted(chosen, units.atoms))
     study.flexibility = flexibility(moved, units.unit, frame_blocks(study))
     study.b_estimate = b_estimate(study)
     if len(units.labels) < 4 or study.flexibility.still:
         return
-    sites = units.sites(moved)[:, :: study.site_stride]
-    study.correlations = correlations(sites)
+    every = np.arange(len(units.labels))[:: study.site_stride]
+    study.correlations = correlations(_sites(units, moved, every))
     chain = np.flatnonzero(units.of_chain)[:: study.site_stride]
     if len(chain) >= LEAST_CHAIN:
-        study.domains = find_domains(units.sites(moved)[:, chain], units.chains[chain])
+        study.domains = find_domains(_sites(units, moved, chain), units.chains[chain])
+
+
+def _sites(units: Units, moved: FrameStore, chosen: np.ndarray) -> np.ndarray:
+    """(F, k, 3) centres of some units."""
+    return np.concatenate([units.sites(block)[:, chosen] for block in moved.blocks()])
 
 
 def b_estimate(study: Study) -> np.ndarray | None:
@@ -110,7 +119,7 @@ def stereochemistry_stage(study: Study) -> None:
         [torsions[psi[k]].atoms for k in with_side_chain],
     )
     study.shape = measured
-    study.shape_results = measured.run([study.positions(k) for k in spread(study)])
+    study.shape_results = measured.run(study.positions(k) for k in spread(study))
 
 
 def contacts_stage(study: Study) -> None:
@@ -124,8 +133,13 @@ def contacts_stage(study: Study) -> None:
     finder = ResidueContacts(np.searchsorted(units.owners, heavy.resindices), units.chains)
     at_start = finder.of(study.reference.positions[heavy.ix])
     looked_at = spread(study)
-    found = [finder.of(study.positions(k)[heavy.ix]) for k in looked_at]
-    keys, counts = np.unique(np.concatenate(found), return_counts=True)
+    keys = counts = np.zeros(0, dtype=np.int64)
+    for k in looked_at:
+        found = finder.of(study.positions(k)[heavy.ix])
+        both = np.union1d(keys, found)
+        more = np.isin(both, found).astype(np.int64)
+        more[np.searchsorted(both, keys)] += counts
+        keys, counts = both, more
     every = np.union1d(keys, at_start)
     share = np.zeros(len(every))
     share[np.searchsorted(every, keys)] = counts / len(looked_at)
@@ -145,7 +159,10 @@ def distances_stage(study: Study) -> None:
                 raise OptionError(f"--distance '{selection}': {reason}") from error
             if len(atoms) == 0:
                 raise OptionError(f"--distance '{selection}': selects no atoms")
-            ends.append(study.some_positions(atoms.ix).astype(np.float64).mean(axis=1))
+            parts = [
+                block.astype(np.float64).mean(axis=1) for block in study.some_positions(atoms.ix)
+            ]
+            ends.append(np.concatenate(parts))
         study.distances.append(np.linalg.norm(ends[1] - ends[0], axis=1))
 
 

@@ -109,8 +109,8 @@ def representatives(
         raise OptionError(f"-k: expected up to {len(study.frames[::stride])} frames, found {count}")
     if study.kind != ENSEMBLE:
         study.notes.append("these frames are no independent draws: see pliant sample")
-    compared = study.some_positions(study.fitted.ix)[::stride].astype(np.float64)
-    found = k_medoids(pairwise_rmsd(compared), count)
+    compared = np.concatenate(list(study.some_positions(study.fitted.ix)))[::stride]
+    found = k_medoids(pairwise_rmsd(compared.astype(np.float64)), count)
     chosen = found.frames * stride
     if output is not None:
         _write(study, chosen, Path(output))

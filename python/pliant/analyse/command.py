@@ -13,6 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from pliant._core import OptionError
+from pliant._freed_memory import give_back_freed_memory
 from pliant.console import (
     EXIT_OK,
     MOST_PROCESSES,
@@ -58,6 +59,7 @@ Exit code: 0 analysed (even if bars are beyond the tolerance: see the verdict, o
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the subcommand with a list of arguments (default: sys.argv); returns the exit code."""
     options = _parser().parse_args(arguments)
+    give_back_freed_memory()
     return run_command("analyse", lambda: _analyse(options))
 
 

@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from io import StringIO
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -13,7 +15,8 @@ from pliant.analyse.found import ENSEMBLE
 from pliant.analyse.multi_model import write_models
 from pliant.analyse.scene import units_of_atoms
 from pliant.analyse.study import known
-from pliant.analysis.superposition import superpose_all
+from pliant.analysis.frame_store import FrameStore
+from pliant.analysis.superposition import superpose_frames
 
 if TYPE_CHECKING:
     from pliant.analyse.study import Study
@@ -36,7 +39,8 @@ def save_exports(study: Study, folder: Path) -> list[Path]:
         written += _write_ensemble(study, folder)
     if study.pca is not None and hasattr(study.fitted, "names"):
         path = folder / "modes.nmd"
-        path.write_text(nmd(study), encoding="utf-8")
+        with open(path, "w", encoding="utf-8") as file:
+            file.writelines(f"{line}\n" for line in nmd(study))
         written.append(path)
     return written
 
@@ -49,15 +53,19 @@ def _write_ensemble(study: Study, folder: Path) -> list[Path]:
     frames = _shown_frames(study)
     fitted = np.flatnonzero(np.isin(atoms.ix, study.fitted.ix))
     start = known(study.reference).positions[atoms.ix][None]
-    moved = superpose_all(
-        np.concatenate([start, [study.positions(k)[atoms.ix] for k in frames]]),
-        fitted if len(fitted) >= 3 else None,
-    )
+    moved = FrameStore(1 + len(frames), len(atoms))
+    moved.put(0, start)
+    for place, k in enumerate(frames, 1):
+        moved.put(place, study.positions(k)[None, atoms.ix])
+    superpose_frames(moved, fitted if len(fitted) >= 3 else None)
     remark = f"B = 8 pi^2 / 3 RMSF^2 of its {units.what}"
     bfactors, ensemble = folder / "bfactors.pdb", folder / "ensemble.pdb"
-    write_models(bfactors, atoms, moved[:1], values, [remark, known(study.reference).name])
+    first, others = np.arange(1), np.arange(1, len(moved))
+    start = moved.take(first)
+    write_models(bfactors, atoms, start, values, [remark, known(study.reference).name])
     numbers = ", ".join(str(study.frames[k]) for k in frames)
-    write_models(ensemble, atoms, moved[1:], values, [remark, *_wrapped(f"frames {numbers}")])
+    told = [remark, *_wrapped(f"frames {numbers}")]
+    write_models(ensemble, atoms, moved, values, told, others)
     scripts = {"show.pml": pymol_script(study), "show.cxc": chimerax_script(study)}
     for name, text in scripts.items():
         (folder / name).write_text(text, encoding="utf-8")
@@ -83,8 +91,8 @@ def _wrapped(text: str, width: int = 68) -> list[str]:
     return lines
 
 
-def nmd(study: Study) -> str:
-    """The principal components as ProDy and VMD's NMWiz read them (.nmd)."""
+def nmd(study: Study) -> Iterator[str]:
+    """Lines: the principal components as ProDy and VMD's NMWiz read them (.nmd)."""
     found, atoms = known(study.pca).results, study.fitted
     residues = atoms.residues if len(atoms.residues) == len(atoms) else None
     rows: dict[str, list[str]] = {"atomnames": [str(n).strip() or "X" for n in atoms.names]}
@@ -98,13 +106,18 @@ def nmd(study: Study) -> str:
     if residues is not None and study.flexibility is not None:
         own = units_of_atoms(study, atoms)
         rows["bfactors"] = [f"{b:.2f}" for b in b_factors(study.flexibility.rmsf)[own]]
-    rows["coordinates"] = [f"{x:.3f}" for x in found.average.ravel()]
-    lines = [f"nmwiz_load modes.nmd\nname {Path(study.options.path).stem.replace(' ', '_')}"]
-    lines += [f"{name} {' '.join(values)}" for name, values in rows.items()]
+    yield f"nmwiz_load modes.nmd\nname {Path(study.options.path).stem.replace(' ', '_')}"
+    yield from (f"{name} {' '.join(values)}" for name, values in rows.items())
+    yield f"coordinates {_numbers(found.average.ravel(), 3)}"
     for k, vector in enumerate(found.components[:MODES]):
-        numbers = " ".join(f"{x:.5f}" for x in vector)
-        lines.append(f"mode {k + 1} {np.sqrt(found.eigenvalues[k]):.4f} {numbers}")
-    return "\n".join(lines) + "\n"
+        yield f"mode {k + 1} {np.sqrt(found.eigenvalues[k]):.4f} {_numbers(vector, 5)}"
+
+
+def _numbers(values: np.ndarray, digits: int) -> str:
+    text = StringIO()  # a list of as many texts would be ten times as large
+    for k, x in enumerate(values):
+        text.write(f" {x:.{digits}f}" if k else f"{x:.{digits}f}")
+    return text.getvalue()
 
 
 def _domain_selections(study: Study) -> list[list[tuple[int, int]]]:

@@ -15,6 +15,7 @@ import MDAnalysis
 import pliant.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds from our files)
 from pliant import _hdf5
 from pliant._core import InputError
+from pliant._hdf5_expansion import check_stored
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe
@@ -72,12 +73,12 @@ def _check_positions(path: Path, values: h5py.Dataset) -> None:
         raise InputError(f"{path}: {values.name}: expected positions (F, N, 3), found {found}")
     if values.shape[0] == 0:
         raise InputError(f"{path}: holds no frames")
-    _hdf5.check_stored(values, 3 * values.shape[1])
+    check_stored(values, 3 * values.shape[1])
     steps = _hdf5.item(values.parent, "step")
     if _hdf5.has_rows(steps) and not _hdf5.is_array(steps, "iu", (None,)):
         raise InputError(f"{path}: {steps.name}: expected whole numbers, found {steps.dtype}")
     frames = min(len(values), len(steps) if _hdf5.has_rows(steps) else len(values))
-    _hdf5.check_stored(values, 3 * values.shape[1] * frames)
+    check_stored(values, 3 * values.shape[1] * frames, at_once=3 * values.shape[1])
 
 
 def _open(path: Path, topology: str | os.PathLike[str] | None) -> Universe:

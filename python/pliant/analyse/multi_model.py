@@ -11,39 +11,47 @@ import numpy as np
 
 from pliant._core import InputError
 from pliant.analyse.names import chains_of, numbers_of
+from pliant.analysis.frame_store import FrameStore
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
 
 MOST_ATOMS = 99_999  #: whose numbers fit into their column
+ATOMS_AT_ONCE = 4096  #: whose lines are made
 
 
 def write_models(
     path: Path,
     atoms: AtomGroup,
-    positions: np.ndarray,
+    positions: np.ndarray | FrameStore,
     b_factors: np.ndarray,
     remarks: Sequence[str] = (),
+    chosen: np.ndarray | None = None,
 ) -> None:
     """Writes positions (F, n, 3), Angstrom, of n atoms as F models; one frame has no MODEL line.
 
-    b_factors: (n,) Angstrom^2; what a PDB file cannot hold is written as 999.99. Raises InputError
+    chosen: numbers of the frames; all by default. b_factors: (n,) Angstrom^2; what a PDB file cannot hold is written as 999.99. Raises InputError
     where coordinates or the number of atoms do not fit into the columns of the format.
     """
     if len(atoms) > MOST_ATOMS:
         raise InputError(f"{path}: a PDB file holds up to {MOST_ATOMS} atoms, not {len(atoms)}")
-    if not np.all(np.abs(positions) < 9999):
+    store = positions if isinstance(positions, FrameStore) else FrameStore.of(positions)
+    if not all(np.all(np.abs(block) < 9999) for block in store.blocks(chosen)):
         raise InputError(f"{path}: a PDB file holds coordinates up to 9999 Angstrom")
     heads, tails = _fixed_parts(atoms, b_factors)
     with open(path, "w", encoding="utf-8") as file:
         for text in remarks:
             file.write(f"REMARK  99 {text[:68]}\n")
-        for k, frame in enumerate(positions):
-            if len(positions) > 1:
+        frames = (frame for block in store.blocks(chosen) for frame in block)
+        count = len(store) if chosen is None else len(chosen)
+        for k, frame in enumerate(frames):
+            if count > 1:
                 file.write(f"MODEL     {k + 1:4d}\n")
-            rows = zip(heads, frame.tolist(), tails, strict=True)
-            file.writelines(f"{a}{x:8.3f}{y:8.3f}{z:8.3f}{b}" for a, (x, y, z), b in rows)
-            if len(positions) > 1:
+            for first in range(0, len(atoms), ATOMS_AT_ONCE):
+                part = slice(first, first + ATOMS_AT_ONCE)
+                rows = zip(heads[part], frame[part].tolist(), tails[part], strict=True)
+                file.writelines(f"{a}{x:8.3f}{y:8.3f}{z:8.3f}{b}" for a, (x, y, z), b in rows)
+            if count > 1:
                 file.write("ENDMDL\n")
         file.write("END\n")
 

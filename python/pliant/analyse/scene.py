@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 import numpy.typing as npt
+from scipy.spatial import cKDTree
 
 from pliant.analyse.cartoon import secondary_structure
 from pliant.analyse.names import chains_of, numbers_of
@@ -39,8 +40,8 @@ MAX_BYTES = 1_000_000
 CODES_PER_DECADE = 32
 LOWEST_DECADE = -4
 
-#: distances between atoms that are in memory at once
-AT_ONCE = 1 << 18
+#: atoms whose nearest ones are looked for at once
+AT_ONCE = 1 << 12
 
 
 @dataclass
@@ -176,11 +177,17 @@ def units_of_atoms(study: Study, atoms: AtomGroup) -> np.ndarray:
 
 def _nearest(points: np.ndarray, others: np.ndarray) -> np.ndarray:
     """(n,) the first of `others` (m, 3) that is nearest to each of `points` (n, 3)."""
+    tree = cKDTree(others)
     found = np.empty(len(points), dtype=np.int64)
-    step = max(1, AT_ONCE // max(1, len(others)))
-    for begin in range(0, len(points), step):
-        apart = points[begin : begin + step, None] - others[None]
-        found[begin : begin + step] = np.argmin(np.sum(apart**2, axis=2), axis=1)
+    for begin in range(0, len(points), AT_ONCE):
+        some = points[begin : begin + AT_ONCE]
+        distances, found[begin : begin + AT_ONCE] = tree.query(some)
+        # Of several that are as near, to the last digits, the tree gives any.
+        near = tree.query_ball_point(some, distances * (1 + 1e-9), return_sorted=True)
+        for k, several in enumerate(near):
+            if len(several) > 1:
+                squares = np.sum((some[k] - others[several]) ** 2, axis=1)
+                found[begin + k] = several[int(np.argmin(squares))]
     return found
 
 

@@ -101,7 +101,8 @@ class Runner:
     """Runs analyses over the frames of a study, in as many processes as were asked for."""
 
     def __init__(self, study: Study) -> None:
-        self._frames = np.arange(len(study.frames)) if study.held else study.frames
+        held = study.held is not None
+        self._frames = np.arange(len(study.frames)) if held else study.frames
         self._backend = {}
         workers = min(study.options.workers, len(self._frames))
         if workers > 1 and not HAS_BACKENDS:
@@ -166,13 +167,14 @@ def _bar_residuals_of(study: Study) -> BarResiduals:
     record = study.record
     if record is None or record.bars is None:
         raise ValueError("the trajectory holds no bars with rest lengths")
+    is_held = study.held is not None
     return BarResiduals(
         study.universe,
         record.bars,
         record.rest_lengths,
         tolerance=record.tolerance,
         tolerance_length=record.tolerance_length,
-        positions=study.stored.renumbered(study.frames) if study.held else study.stored,
+        positions=study.stored.renumbered(study.frames) if is_held else study.stored,
     )
 
 
@@ -246,6 +248,7 @@ def _principal_components(study: Study, runner: Runner) -> None:
         study.fitted,
         mass_weighted=study.options.mass_weighted,
         average=found.results.fitted_average if found else None,
+        in_memory=False,
     )
     if len(runner.run(pca, study.pca_stride).eigenvalues) == 0:
         raise ValueError("the atoms do not move")

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, field
 from typing import Any, TypeVar
 
@@ -18,6 +19,7 @@ from pliant.analysis import (
 )
 from pliant.analysis.domains import LOOSE, Domains
 from pliant.analysis.flexibility import Flexibility
+from pliant.analysis.frame_store import AT_ONCE_BYTES, FrameStore
 from pliant.analysis.stereochemistry import Stereochemistry, StereochemistryResults
 from pliant.analysis.stored import StoredPositions
 
@@ -94,19 +96,33 @@ class Study:
     distances: list[np.ndarray] = field(default_factory=list)  #: (F,) of each asked for
     skipped: dict[str, str] = field(default_factory=dict)  #: analysis -> why it is missing
     notes: list[str] = field(default_factory=list)  #: what a reader of the results should know
-    held: bool = False  #: the universe holds the F frames analysed in memory, and no others
+    #: positions of the F frames analysed, if the universe has these and no others; else None
+    held: FrameStore | None = None
 
     def positions(self, k: int) -> np.ndarray:
         """Positions (N, 3) of all atoms in the k-th frame analysed, Angstrom, float64."""
         if self.stored.in_file:
             return self.stored.read(self.frames[k])
-        return self.stored.at(self.universe.trajectory[k if self.held else self.frames[k]])
+        number = k if self.held is not None else self.frames[k]
+        return self.stored.at(self.universe.trajectory[number])
 
-    def some_positions(self, atoms: np.ndarray) -> np.ndarray:
-        """Positions (F, m, 3) of some atoms in all frames analysed, Angstrom."""
-        if self.held:
-            return np.asarray(self.universe.trajectory.get_array()[:, atoms])
-        return np.array([self.positions(k)[atoms] for k in range(len(self.frames))])
+    def some_positions(self, atoms: np.ndarray) -> Iterator[np.ndarray]:
+        """Positions (f, m, 3) of some atoms, Angstrom: some frames of those analysed at a time."""
+        if self.held is not None:
+            yield from self.held.of_atoms(atoms).blocks()
+            return
+        size = max(1, AT_ONCE_BYTES // (24 * len(atoms)))
+        for first in range(0, len(self.frames), size):
+            part = range(first, min(first + size, len(self.frames)))
+            yield np.array([self.positions(k)[atoms] for k in part])
+
+    def stored_positions(self, atoms: np.ndarray) -> FrameStore:
+        """Positions (F, m, 3) of some atoms in all frames analysed, Angstrom, float64."""
+        store, first = FrameStore(len(self.frames), len(atoms)), 0
+        for block in self.some_positions(atoms):
+            store.put(first, block)
+            first += len(block)
+        return store
 
     @property
     def site_stride(self) -> int:

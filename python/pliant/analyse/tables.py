@@ -7,7 +7,7 @@ Numbers are written with all their digits; atoms, residues, bars and frames coun
 from __future__ import annotations
 
 import csv
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -38,28 +38,30 @@ Columns = dict[str, Any]
 
 #: components whose projections stand in frames.csv
 PROJECTIONS = 10
+#: cells of a table that are made into numbers and text at once
+CELLS_AT_ONCE = 1 << 15
 
 
 def save_tables(study: Study, folder: Path) -> list[Path]:
     """Writes the CSV files that the study gives into a folder; returns their paths."""
-    tables = {
-        "frames": frame_columns(study),
-        "atoms": atom_columns(study),
-        "residues": residue_columns(study),
-        "bars": bar_columns(study),
-        "torsions": torsion_columns(study),
-        "torsion_histograms": histogram_columns(study),
-        "torsion_angles": angle_columns(study),
-        "pca": component_columns(study),
-        "flexibility": flexibility_columns(study),
-        "correlations": correlation_columns(study),
-        "contacts": contact_columns(study),
-        "held_contacts": held_contact_columns(study),
-        "stereochemistry": shape_columns(study),
+    tables: dict[str, Callable[[Study], Columns]] = {
+        "frames": frame_columns,
+        "atoms": atom_columns,
+        "residues": residue_columns,
+        "bars": bar_columns,
+        "torsions": torsion_columns,
+        "torsion_histograms": histogram_columns,
+        "torsion_angles": angle_columns,
+        "pca": component_columns,
+        "flexibility": flexibility_columns,
+        "correlations": correlation_columns,
+        "contacts": contact_columns,
+        "held_contacts": held_contact_columns,
+        "stereochemistry": shape_columns,
     }
     written = []
-    for name, columns in tables.items():
-        if columns:
+    for name, columns_of in tables.items():
+        if columns := columns_of(study):
             path = folder / f"{name}.csv"
             write_csv(path, columns)
             written.append(path)
@@ -68,11 +70,14 @@ def save_tables(study: Study, folder: Path) -> list[Path]:
 
 def write_csv(path: Path, columns: Columns) -> None:
     """Writes columns {header: values of equal length} as CSV with a header line."""
-    values = [_cells(column) for column in columns.values()]
+    count = max(map(len, columns.values()))
+    rows = max(1, CELLS_AT_ONCE // len(columns))
     with open(path, "w", newline="", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow(map(harmless, columns))
-        writer.writerows(zip(*values, strict=True))
+        for first in range(0, count, rows):
+            values = [_cells(column[first : first + rows]) for column in columns.values()]
+            writer.writerows(zip(*values, strict=True))
 
 
 def _cells(column: Any) -> list[Any]:

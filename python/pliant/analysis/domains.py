@@ -52,13 +52,12 @@ def correlations(positions: np.ndarray) -> np.ndarray:
     """
     table = positions - positions.mean(axis=0)
     flat = table.transpose(1, 0, 2).reshape(table.shape[1], -1)
-    covariance = flat @ flat.T
-    spread = np.sqrt(np.diag(covariance))
-    scale = np.outer(spread, spread)
-    matrix: np.ndarray = np.divide(
-        covariance, scale, out=np.zeros_like(covariance), where=scale > 0
-    )
-    return np.asarray(np.clip(matrix, -1.0, 1.0))
+    matrix: np.ndarray = flat @ flat.T
+    spread = np.sqrt(np.diag(matrix))
+    for row, own in zip(matrix, spread, strict=True):  # in place: there may be a million pairs
+        scale = own * spread
+        row[:] = np.divide(row, scale, out=np.zeros_like(row), where=scale > 0)
+    return np.clip(matrix, -1.0, 1.0, out=matrix)
 
 
 def distance_fluctuations(positions: np.ndarray) -> np.ndarray:
@@ -70,8 +69,8 @@ def distance_fluctuations(positions: np.ndarray) -> np.ndarray:
     frames = len(positions)
     table = (positions - average).reshape(frames, -1)
     sites = positions.shape[1]
-    covariance = (table.T @ table / frames).reshape(sites, 3, sites, 3)
-    own = np.einsum("iaib->iab", covariance)
+    shifts = table.reshape(frames, sites, 3)
+    own = np.einsum("fia,fib->iab", shifts, shifts) / frames
     ends, cross = np.empty((sites, sites)), np.empty((sites, sites))
     for rows in np.array_split(np.arange(sites), -(-sites // _ROWS)):
         some = slice(rows[0], rows[-1] + 1)
@@ -79,7 +78,9 @@ def distance_fluctuations(positions: np.ndarray) -> np.ndarray:
         length = np.linalg.norm(apart, axis=2)
         along = apart / np.where(length > 0, length, 1.0)[:, :, None]
         ends[some] = np.einsum("ija,iab,ijb->ij", along, own[some], along, optimize=True)
-        cross[some] = np.einsum("ija,iajb,ijb->ij", along, covariance[some], along, optimize=True)
+        rows3 = slice(3 * some.start, 3 * some.stop)  # the whole covariance has 9 numbers a pair
+        covariance = (table[:, rows3].T @ table / frames).reshape(len(rows), 3, sites, 3)
+        cross[some] = np.einsum("ija,iajb,ijb->ij", along, covariance, along, optimize=True)
     return np.asarray(np.sqrt(np.maximum(ends + ends.T - cross - cross.T, 0.0)))
 
 

@@ -9,6 +9,8 @@ from dataclasses import dataclass
 import numpy as np
 from scipy.special import stdtrit
 
+from pliant.analysis.frame_store import FrameStore, variance_of
+
 #: halves agree where their profiles correlate at least so well ...
 LEAST_CORRELATION = 0.95
 #: ... and differ on average by at most this share of the mean
@@ -48,7 +50,7 @@ class Flexibility:
 
 
 def flexibility(
-    positions: np.ndarray, units: np.ndarray, blocks: Sequence[np.ndarray]
+    positions: np.ndarray | FrameStore, units: np.ndarray, blocks: Sequence[np.ndarray]
 ) -> Flexibility:
     """RMSF of units of atoms, with the error that independent blocks of frames give.
 
@@ -63,8 +65,9 @@ def flexibility(
     (s / f)^2 are drawn towards their mean over all units, which counts for PRIOR_FREEDOM degrees of
     freedom beside B - 1, also in t (G. K. Smyth, Stat. Appl. Genet. Mol. Biol. 3 (2004) 3).
     """
-    every = _rmsf(positions, units)
-    parts = np.array([_rmsf(positions[block], units) for block in blocks])
+    frames = positions if isinstance(positions, FrameStore) else FrameStore.of(positions)
+    every = _rmsf(frames, units)
+    parts = np.array([_rmsf(frames, units, block) for block in blocks])
     sizes = np.array([len(block) for block in blocks], dtype=float)
     together = np.sqrt((sizes / sizes.sum()) @ parts**2)
     widened = stdtrit(PRIOR_FREEDOM + len(parts) - 1, 0.975) / 2.0
@@ -88,8 +91,8 @@ def agreement(halves: np.ndarray) -> tuple[float, float]:
     return float(np.corrcoef(halves)[0, 1]), difference
 
 
-def _rmsf(positions: np.ndarray, units: np.ndarray) -> np.ndarray:
-    squares = np.sum(positions.var(axis=0), axis=1)
+def _rmsf(frames: FrameStore, units: np.ndarray, chosen: np.ndarray | None = None) -> np.ndarray:
+    squares = np.sum(variance_of(frames, chosen), axis=1)
     found: np.ndarray = np.sqrt(np.bincount(units, weights=squares) / np.bincount(units))
     return found
 

@@ -10,7 +10,9 @@ import numpy as np
 import numpy.typing as npt
 from MDAnalysis.analysis.pca import cosine_content
 
+from pliant.analysis.frame_store import MEMORY_BYTES, FrameStore, sum_of
 from pliant.analysis.frames import FrameAnalysis, Merge, joined, weights_of
+from pliant.analysis.principal_axes import NOISE, principal_axes, principal_squares
 from pliant.analysis.rmsf import Rmsf
 from pliant.analysis.superposition import Superposition
 
@@ -18,8 +20,8 @@ if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
     from typing_extensions import Self
 
-NOISE = 1e-14
-"""Variance that is rounding, as a share of the largest: squares keep half of the digits."""
+LEADING = 10
+"""Components that are kept where all would be large and memory matters."""
 
 
 class PrincipalComponents(FrameAnalysis):
@@ -44,6 +46,10 @@ class PrincipalComponents(FrameAnalysis):
     n_components : int, optional
         K components are kept; default: all that have variance (more than 1e-14 of the largest:
         less is rounding), min(F - 1, 3n) at most.
+    in_memory : bool
+        False: coordinates of many frames are in a temporary file, and where all components would be
+        large the first LEADING and the projections on them are kept; eigenvalues always of all.
+        Larger tables are summed in parts, which may change the last digits. In one process only.
     average : (n, 3) array, optional
         What frames are superposed on, Angstrom. Default: their average, found by iteration.
 
@@ -74,6 +80,7 @@ class PrincipalComponents(FrameAnalysis):
         mass_weighted: bool = False,
         n_components: int | None = None,
         average: npt.ArrayLike | None = None,
+        in_memory: bool = True,
         **kwargs: Any,
     ) -> None:
         super().__init__(atomgroup.universe.trajectory, **kwargs)
@@ -87,6 +94,7 @@ class PrincipalComponents(FrameAnalysis):
         self._weights = weights_of(atomgroup, "mass" if mass_weighted else None)
         self._scale = np.repeat(np.sqrt(self._weights), 3)
         self._n_components = n_components
+        self._in_memory = in_memory
 
     def run(
         self,
@@ -101,6 +109,7 @@ class PrincipalComponents(FrameAnalysis):
         self._reference = (
             self._average(**selected, **kwargs) if self._given is None else self._given
         )
+        self._is_stored = not self._in_memory and kwargs.get("backend", "serial") == "serial"
         return super().run(**selected, **kwargs)
 
     def _average(self, **kwargs: Any) -> np.ndarray:
@@ -109,52 +118,65 @@ class PrincipalComponents(FrameAnalysis):
         return average
 
     def _prepare(self) -> None:
-        self._allocate("coordinates", 3 * len(self._atoms))
+        if self._is_stored:
+            self._store = FrameStore(self.n_frames, len(self._atoms))
+        else:
+            self._allocate("coordinates", len(self._atoms), 3)
         self._superposition = Superposition(self._reference, self._weights)
 
     def _single_frame(self) -> None:
         positions = self._atoms.positions.astype(np.float64)
         if self._superpose:
             positions = self._superposition.apply(positions)
-        self.results.coordinates[self._frame_index] = (positions - self._reference).ravel()
+        shift = (positions - self._reference)[None]
+        if self._is_stored:
+            self._store.put(self._frame_index, shift)
+        else:
+            self.results.coordinates[self._frame_index] = shift[0]
 
     def _conclude(self) -> None:
-        table = self.results.pop("coordinates")
-        mean = table.mean(axis=0)
-        self.results.average = self._reference + mean.reshape(-1, 3)
-        table = (table - mean) * self._scale
-        squares, components = _principal_axes(table)
+        if self._is_stored:
+            table = self._store
+            del self._store
+        else:
+            table = FrameStore.of(self.results.pop("coordinates"))
+        mean = sum_of(table.blocks()) / len(table)
+        self.results.average = self._reference + mean
+        total = self._centre(table, mean)
+        squares, along = principal_squares(table)
         kept = self._kept(squares, len(table))
-        components = components[:kept]
+        components = principal_axes(table, squares, along, self._leading(kept, table))
         largest = np.argmax(np.abs(components), axis=1)
         components *= np.sign(components[np.arange(len(components)), largest])[:, None]
         self.results.components = components
         self.results.eigenvalues = squares[:kept] / max(len(table) - 1, 1)
-        total = np.sum(table**2)
         self.results.explained = squares[:kept] / total if total > 0 else np.zeros(kept)
-        self.results.projections = table @ components.T
+        self.results.projections = np.concatenate(
+            [block.reshape(len(block), -1) @ components.T for block in table.blocks()]
+        )
         self.results.cosine_content = _cosine_contents(self.results.projections)
+        for name in ("_reference", "_superposition"):
+            vars(self).pop(name, None)  # as large as a frame each
+
+    def _centre(self, table: FrameStore, mean: np.ndarray) -> float:
+        """Takes the mean from all frames and weighs them; the sum of all squares."""
+        scale, total = self._scale.reshape(-1, 3), 0.0
+        for part in table.parts():
+            block = (table.take(part) - mean) * scale
+            table.put(int(part[0]), block)
+            total += float(np.sum(block.reshape(len(block), -1) ** 2))
+        return total
+
+    def _leading(self, kept: int, table: FrameStore) -> int:
+        """How many of the components are worked out."""
+        is_large = self._is_stored and 24 * table.shape[1] * kept > MEMORY_BYTES
+        return min(kept, LEADING) if is_large else kept
 
     def _kept(self, squares: np.ndarray, n_frames: int) -> int:
         """Components with variance, at most as many as asked for."""
         noise = squares[0] * NOISE if len(squares) else 0.0
         kept = min(int(np.count_nonzero(squares > noise)), n_frames - 1)
         return kept if self._n_components is None else min(kept, self._n_components)
-
-
-def _principal_axes(table: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-    """Squares of the singular values of `table` (F, 3n), falling, and its right vectors as rows.
-
-    By the eigenvalues of the smaller square of the table: ten times as fast as its singular values.
-    """
-    if len(table) >= table.shape[1]:
-        squares, axes = np.linalg.eigh(table.T @ table)
-        return squares[::-1], axes[:, ::-1].T
-    squares, along = np.linalg.eigh(table @ table.T)
-    squares, along = squares[::-1], along[:, ::-1]
-    real = squares > squares[0] * NOISE
-    axes, _ = np.linalg.qr(table.T @ along[:, real])  # orthogonal to the last digit
-    return squares, axes.T
 
 
 def _cosine_contents(projections: np.ndarray) -> np.ndarray:

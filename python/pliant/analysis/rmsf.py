@@ -102,6 +102,8 @@ class Rmsf(FrameAnalysis):
         if self._fitted != self._atoms:
             nearby = reference_positions(self._atoms, first)
             self._pass(self._atoms, nearby, reference, **selected, **kwargs)
+        for name in ("_measured", "_nearby", "_reference", "_superposition"):
+            vars(self).pop(name, None)  # as large as a frame each
         self.results.fitted_average = reference
         self.results.iterations = iterations
         self.results.average_converged = converged
@@ -137,8 +139,9 @@ class Rmsf(FrameAnalysis):
             total += addend
 
     def _conclude(self) -> None:
-        mean = self.results.shift / self.results.count
-        variance = np.maximum(self.results.square / self.results.count - mean**2, 0.0)
+        count, shift, square = (self.results.pop(name) for name in self._merge)
+        mean = shift / count
+        variance = np.maximum(square / count - mean**2, 0.0)
         self.results.average = self._nearby + mean
         self.results.rmsf = np.sqrt(variance.sum(axis=1))
         self.results.residues, self.results.residue_rmsf = per_residue(

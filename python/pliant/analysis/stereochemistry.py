@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -70,7 +70,7 @@ class Stereochemistry:
         self._own, self._own_depth = self._overlaps.of(reference)
         self._reference = reference
 
-    def run(self, frames: Sequence[np.ndarray]) -> StereochemistryResults:
+    def run(self, frames: Iterable[np.ndarray]) -> StereochemistryResults:
         """Measures frames (f, N, 3), Angstrom."""
         rows = [self._measure(frame) for frame in frames]
         columns = {name: np.array([row[name] for row in rows]) for name in _QUANTITIES}

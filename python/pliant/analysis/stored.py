@@ -14,6 +14,7 @@ from MDAnalysis import units
 from MDAnalysis.coordinates.H5MD import H5MDReader
 
 from pliant import _hdf5
+from pliant._hdf5_expansion import refused
 
 if TYPE_CHECKING:
     from MDAnalysis.coordinates.base import ProtoReader
@@ -110,7 +111,7 @@ class StoredPositions:
         group = self._open()[self._dataset].parent
         time, step = _hdf5.item(group, "time"), _hdf5.item(group, "step")
         if not _hdf5.is_array(time, "fiu", (None,)):
-            raise _hdf5.refused(group, "time", "expected one number a frame")
+            raise refused(group, "time", "expected one number a frame")
         unit = H5MDReader._unit_translation["time"].get(_hdf5.text(time, "unit"), "ps")
         times = _hdf5.read(time) * units.get_conversion_factor("time", unit, "ps")
         return times, _hdf5.read(step) if _hdf5.is_array(step, "iu", (None,)) else None

@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: MIT
 """Least-squares superposition (Kabsch fit), of one structure or of all frames at once."""
 
+from collections.abc import Iterator
+
 import numpy as np
 
 from pliant._superposition import Superposition
+from pliant.analysis.frame_store import FrameStore, sum_of
 
-__all__ = ["Superposition", "superpose_all", "superpose_onto"]
+__all__ = ["Superposition", "superpose_all", "superpose_frames", "superpose_onto"]
 
 #: the average structure is final when an iteration moves it by less (RMS over atoms, Angstrom)
 AVERAGE_TOLERANCE = 1e-5
@@ -23,15 +26,36 @@ def superpose_all(
     all by default; tolerance: the average is final when it moves by less, Angstrom. Returns the
     moved positions (F, n, 3), float64.
     """
+    store = FrameStore.of(np.array(positions, dtype=np.float64))
+    superpose_frames(store, fitted, iterations, tolerance)
+    assert store.array is not None
+    return store.array
+
+
+def superpose_frames(
+    store: FrameStore,
+    fitted: np.ndarray | None = None,
+    iterations: int = 20,
+    tolerance: float = AVERAGE_TOLERANCE,
+) -> None:
+    """The same in place, of frames that need not be in memory."""
     chosen = slice(None) if fitted is None else fitted
-    moved = np.asarray(positions, dtype=np.float64)
-    average = moved[0, chosen]
+    average = store.take(np.arange(1))[0, chosen]
     for _ in range(iterations):
-        moved = superpose_onto(moved, chosen, average)
-        before, average = average, moved[:, chosen].mean(axis=0)
+        total = sum_of(_fitted_anew(store, chosen, average))
+        before, average = average, total / len(store)
         if np.sqrt(np.mean(np.sum((average - before) ** 2, axis=1))) < tolerance:
             break
-    return moved
+
+
+def _fitted_anew(
+    store: FrameStore, chosen: np.ndarray | slice, average: np.ndarray
+) -> Iterator[np.ndarray]:
+    """Moves all frames; their chosen atoms as they are then."""
+    for part in store.parts():
+        moved = superpose_onto(store.take(part), chosen, average)
+        store.put(int(part[0]), moved)
+        yield moved[:, chosen]
 
 
 def superpose_onto(
@@ -43,5 +67,7 @@ def superpose_onto(
     part = positions[:, chosen] - centres
     u, _, vt = np.linalg.svd(np.swapaxes(part, 1, 2) @ (reference - middle))
     u[:, :, -1] *= np.sign(np.linalg.det(u) * np.linalg.det(vt))[:, None]
-    moved: np.ndarray = (positions - centres) @ (u @ vt) + middle
+    del part
+    moved: np.ndarray = (positions - centres) @ (u @ vt)
+    moved += middle
     return moved

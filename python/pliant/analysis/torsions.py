@@ -93,6 +93,7 @@ class TorsionDistributions(FrameAnalysis):
 
 def circular_moments(angles: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Circular mean and standard deviation (T,), degrees, of angles (F, T) in degrees."""
-    vector = np.exp(1j * np.radians(angles)).mean(axis=0)
+    parts = np.array_split(angles, max(1, angles.nbytes >> 21), axis=1)
+    vector = np.concatenate([np.exp(1j * np.radians(part)).mean(axis=0) for part in parts])
     length = np.clip(np.abs(vector), np.exp(-0.5 * (2 * np.pi) ** 2), 1.0)
     return np.degrees(np.angle(vector)), np.degrees(np.sqrt(-2.0 * np.log(length)))

@@ -14,6 +14,7 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import InputError
+from pliant._hdf5_expansion import check_stored
 from pliant.ensemble.plan import refuse_ensemble
 
 ANGSTROM_PER_UNIT = {"Angstrom": 1.0, "A": 1.0, "nm": 10.0, "pm": 0.01}
@@ -173,7 +174,7 @@ def _read(parts: _Parts) -> Recording:
     value = parts.positions()
     joints = value.shape[1]
     frames = _complete_frames(parts, value)
-    _hdf5.check_stored(value, frames * joints * 3)
+    check_stored(value, frames * joints * 3, at_once=joints * 3)
     bars, rest_lengths = _read_bars(parts, joints)
     options = _read_options(parts)
     return Recording(

@@ -8,8 +8,10 @@ import warnings
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
+import h5py
 import numpy as np
 
+from pliant import _hdf5
 from pliant._core import InputError
 
 if TYPE_CHECKING:
@@ -35,6 +37,8 @@ def open_universe(*files: str | os.PathLike[str]) -> Universe:
             raise InputError(f"{os.fspath(file)}: no such file")
         if os.path.isfile(file) and os.path.getsize(file) == 0:
             raise InputError(f"{os.fspath(file)}: is empty")
+        if h5py.is_hdf5(file):
+            _hdf5.open_file(file).close()  # looked at before MDAnalysis reads it
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # of missing masses and the like

@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import itertools
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -34,6 +34,10 @@ if TYPE_CHECKING:
 
 #: up to this many units are drawn one by one, each with its name
 NAMED_BARS = 40
+#: of a line; more are not told apart at the usual width and resolution
+MOST_CORNERS = 4000
+#: sites up to which each pair is drawn as a square; more take a hundred bytes each
+MOST_SQUARES = 500
 
 
 def flexibility(study: Study) -> Figure:
@@ -59,7 +63,7 @@ def _lines(axes: Axes, study: Study) -> None:
     found, units = known(study.flexibility), known(study.units)
     place = np.arange(len(found.rmsf))
     for part in chain_parts(units.chains):
-        axes.plot(place[part], found.rmsf[part], color=BLUE, lw=1.3)
+        axes.plot(*outline(place[part], found.rmsf[part]), color=BLUE, lw=1.3)
     _domain_strip(axes, study)
     chain_axis(axes, units.numbers, units.chains, units.what)
 
@@ -82,10 +86,25 @@ def _bands(axes: Axes, study: Study) -> None:
     place = np.arange(len(found.rmsf))
     for part in chain_parts(units.chains):
         band = found.rmsf[part] - 2 * found.error[part], found.rmsf[part] + 2 * found.error[part]
-        axes.fill_between(place[part], np.maximum(band[0], 0), band[1], color=SKY, alpha=0.45, lw=0)
+        low, high = outline(place[part], np.maximum(band[0], 0)), outline(place[part], band[1])
+        axes.fill_between(*low, high[1], color=SKY, alpha=0.45, lw=0)
         if not found.converged:
             for half, colour in zip(found.halves, (ORANGE, GREY), strict=True):
-                axes.plot(place[part], half[part], color=colour, lw=0.8)
+                axes.plot(*outline(place[part], half[part]), color=colour, lw=0.8)
+
+
+def outline(place: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """What to draw of a long line: the lowest and highest value of each stretch, as many as there
+    are dots across a figure. A line with more corners takes memory and shows no more."""
+    stretch = 2 * len(values) // MOST_CORNERS
+    if stretch < 2:
+        return place, values
+    count = len(values) // stretch * stretch
+    rows = values[:count].reshape(-1, stretch)
+    ends = np.stack([rows.min(axis=1), rows.max(axis=1)], axis=1).ravel()
+    first = place[:count:stretch]
+    at = np.stack([first, first + stretch // 2], axis=1).ravel()
+    return np.append(at, place[count:]), np.append(ends, values[count:])
 
 
 def chain_parts(chains: np.ndarray) -> list[slice]:
@@ -113,8 +132,14 @@ def together(study: Study) -> Figure:
     """The correlation matrix, with the domains along its edge."""
     matrix, units = known(study.correlations), known(study.units)
     figure, axes = new_figure((4.9, 4.1))
+    colours: dict[str, Any] = {"cmap": "PuOr_r", "vmin": -1, "vmax": 1}
     edges = np.arange(len(matrix) + 1) * study.site_stride - 0.5
-    image = axes.pcolormesh(edges, edges, matrix, cmap="PuOr_r", vmin=-1, vmax=1, rasterized=True)
+    if len(matrix) <= MOST_SQUARES:
+        image = axes.pcolormesh(edges, edges, matrix, rasterized=True, **colours)
+    else:
+        extent = (edges[0], edges[-1], edges[0], edges[-1])
+        rounded = matrix.astype(np.float32)
+        image = axes.imshow(rounded, origin="lower", extent=extent, **colours)
     if len(units.labels) <= NAMED_BARS:
         place = np.arange(len(units.labels))
         axes.set_xticks(place, units.labels, rotation=90, fontsize=7)
@@ -142,8 +167,9 @@ def motions(study: Study) -> Figure:
         height = np.sqrt(share * found.eigenvalues[k])
         for part in chain_parts(chains):
             place = np.arange(len(height))[part]
-            row.fill_between(place, height[part], color=FAINT, lw=0)
-            row.plot(place, height[part], color=BLUE, lw=1.2)
+            place, heights = outline(place, height[part])
+            row.fill_between(place, heights, color=FAINT, lw=0)
+            row.plot(place, heights, color=BLUE, lw=1.2)
         row.set_ylabel(f"PC{k + 1} (Å)")
         row.set_ylim(bottom=0)
         row.text(

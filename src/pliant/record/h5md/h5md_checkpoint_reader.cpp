@@ -35,6 +35,7 @@ class CheckpointReader {
           "has no checkpoint, so that its run cannot go on: it was written by another program, by "
           "Pliant before 0.3.0, or not by a run");
     if (reader_.frames() == 0) throw InputError("has no frame, so that its run cannot go on");
+    check_series();
     read_framework();
     read_inputs();
     if (found_.is_sample())
@@ -51,6 +52,13 @@ class CheckpointReader {
       if (name == path && std::holds_alternative<std::int64_t>(value))
         return std::get<std::int64_t>(value);
     throw InputError("does not say " + path + ", so that its run cannot go on");
+  }
+
+  /// What is written to a chunk is put into its old values, which are unpacked for it.
+  void check_series() const {
+    for (const std::string group : {"/particles", "/observables", "/connectivity"})
+      for (const std::string& path : datasets_below(file_, group))
+        Hdf5Dataset(file_, group + "/" + path).check_plausible(0);
   }
 
   void read_run(std::optional<std::int64_t> steps) {

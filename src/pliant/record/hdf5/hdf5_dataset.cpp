@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "pliant/base/error.hpp"
 #include "pliant/record/hdf5/hdf5_dataset.hpp"
@@ -12,10 +11,7 @@
 namespace pliant {
 namespace {
 
-// No filter makes more of a byte: deflate's limit is 1032, and shuffle changes no size.
-constexpr std::uint64_t most_expansion = 1100;
-// Up to here a chunk may be taken from memory whatever the file's size.
-constexpr std::uint64_t harmless_bytes = std::uint64_t{1} << 24;
+constexpr std::uint64_t texts_at_once = 64;  // of variable length
 
 bool is_truth_type(hid_t type) {
   if (H5Tget_nmembers(type) != 2) return false;
@@ -57,12 +53,6 @@ std::vector<std::uint64_t> chunk_of(hid_t properties, std::size_t rank) {
   std::vector<hsize_t> chunk(rank);
   checked(H5Pget_chunk(properties, static_cast<int>(rank), chunk.data()), "look at chunks");
   return {chunk.begin(), chunk.end()};
-}
-
-/// Product that stops at the largest number.
-std::uint64_t times(std::uint64_t a, std::uint64_t b) {
-  constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-  return b != 0 && a > most / b ? most : a * b;
 }
 
 std::string trimmed_text(std::string text) {
@@ -119,13 +109,31 @@ std::uint64_t Hdf5Dataset::value_count() const {
 }
 
 void Hdf5Dataset::check_plausible(std::uint64_t values) const {
-  const std::uint64_t stored = H5Dget_storage_size(id_);
-  const std::uint64_t most = times(stored, most_expansion);
-  std::uint64_t chunk_bytes = chunk_.empty() ? 0 : value_bytes_;
-  for (const std::uint64_t extent : chunk_) chunk_bytes = times(chunk_bytes, extent);
-  if (times(values, value_bytes_) > most || chunk_bytes > std::max(most, harmless_bytes))
-    throw InputError(path_ + " of shape " + shape() + " has " + std::to_string(stored) +
-                     " bytes in the file: it was never written, or is damaged");
+  Expansion expansion{.values = times(values, value_bytes_),
+                      .at_once = times(values, value_bytes_),
+                      .chunk = chunk_.empty() ? 0 : value_bytes_,
+                      .stored = H5Dget_storage_size(id_),
+                      .file_size = file_size()};
+  for (const std::uint64_t extent : chunk_) expansion.chunk = times(expansion.chunk, extent);
+  if (expansion.chunk > large_expansion) {  // they are counted one by one
+    hsize_t chunks = 0;
+    const Hid space = owned(H5Dget_space(id_), H5Sclose, "look at " + path_);
+    checked(H5Dget_num_chunks(id_, space, &chunks), "count the chunks of " + path_);
+    expansion.chunks = chunks;
+  }
+  refuse(expansion);
+}
+
+void Hdf5Dataset::refuse(const Expansion& expansion) const {
+  if (const std::string why = refusal_of(expansion); !why.empty())
+    throw InputError(path_ + " of shape " + shape() + " " + why);
+}
+
+std::uint64_t Hdf5Dataset::file_size() const {
+  hsize_t size = 0;
+  const Hid file = owned(H5Iget_file_id(id_), H5Fclose, "look at the file of " + path_);
+  checked(H5Fget_filesize(file, &size), "look at the size of the file");
+  return size;
 }
 
 /// A chunk that is not there reads as fill values, which look like values.
@@ -148,18 +156,21 @@ void Hdf5Dataset::read_numbers(std::uint64_t first, std::uint64_t count, std::in
     throw InputError(path_ + " has no numbers");
   if (count == 0 || row_values() == 0) return;
   check_written(first, count);
-  std::vector<hsize_t> start(extents_.size(), 0), rows(extents_.begin(), extents_.end());
+  const Rows rows = select_rows(first, count);
+  checked(H5Dread(id_, memory_type, rows.memory, rows.file, H5P_DEFAULT, out), "read " + path_);
+}
+
+Hdf5Dataset::Rows Hdf5Dataset::select_rows(std::uint64_t first, std::uint64_t count) const {
   Hid space = owned(H5Dget_space(id_), H5Sclose, "look at " + path_);
-  Hid memory = owned(H5Scopy(space), H5Sclose, "look at " + path_);
-  if (!extents_.empty()) {
-    start[0] = first;
-    rows[0] = count;
-    checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, rows.data(), nullptr),
-            "select rows of " + path_);
-    memory = owned(H5Screate_simple(static_cast<int>(rows.size()), rows.data(), nullptr), H5Sclose,
-                   "make a dataspace");
-  }
-  checked(H5Dread(id_, memory_type, memory, space, H5P_DEFAULT, out), "read " + path_);
+  if (extents_.empty()) return {owned(H5Scopy(space), H5Sclose, "look at " + path_), std::move(space)};
+  std::vector<hsize_t> start(extents_.size(), 0), rows(extents_.begin(), extents_.end());
+  start[0] = first;
+  rows[0] = count;
+  checked(H5Sselect_hyperslab(space, H5S_SELECT_SET, start.data(), nullptr, rows.data(), nullptr),
+          "select rows of " + path_);
+  return {owned(H5Screate_simple(static_cast<int>(rows.size()), rows.data(), nullptr), H5Sclose,
+                "make a dataspace"),
+          std::move(space)};
 }
 
 void Hdf5Dataset::read_rows(std::uint64_t first, std::uint64_t count, std::span<double> out) const {
@@ -206,13 +217,23 @@ std::vector<std::string> Hdf5Dataset::fixed_texts(std::size_t length) const {
 }
 
 std::vector<std::string> Hdf5Dataset::variable_texts() const {
-  std::vector<char*> pointers(value_count(), nullptr);
   const Hid type = owned(H5Dget_type(id_), H5Tclose, "look at " + path_);
-  const Hid space = owned(H5Dget_space(id_), H5Sclose, "look at " + path_);
-  checked(H5Dread(id_, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), "read " + path_);
   std::vector<std::string> texts;
-  for (const char* pointer : pointers) texts.emplace_back(pointer == nullptr ? "" : pointer);
-  H5Dvlen_reclaim(type, space, H5P_DEFAULT, pointers.data());
+  const std::uint64_t rows = extents_.empty() ? 1 : extents_[0];
+  Expansion expansion{.stored = file_size(), .file_size = file_size()};
+  for (std::uint64_t first = 0; first < rows; first += texts_at_once) {
+    const std::uint64_t count = std::min(rows - first, texts_at_once);
+    const Rows part = select_rows(first, count);
+    std::vector<char*> pointers(count * row_values(), nullptr);
+    checked(H5Dread(id_, type, part.memory, part.file, H5P_DEFAULT, pointers.data()),
+            "read " + path_);
+    for (const char* pointer : pointers) {
+      texts.emplace_back(pointer == nullptr ? "" : pointer);
+      expansion.at_once += texts.back().size();
+    }
+    H5Dvlen_reclaim(type, part.memory, H5P_DEFAULT, pointers.data());
+    refuse(expansion);  // many texts may be one place in the file
+  }
   return texts;
 }
 

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "pliant/record/hdf5/expansion.hpp"
 #include "pliant/record/hdf5/hdf5_session.hpp"
 
 namespace pliant {
@@ -37,12 +38,20 @@ class Hdf5Dataset {
   std::vector<std::int64_t> integers() const;
   std::vector<std::string> texts() const;
 
-  /// Throws InputError unless `values` values can be in the file.
+  /// Throws InputError unless `values` values can be in the file, in proportion to what it holds:
+  /// expansion.hpp.
   void check_plausible(std::uint64_t values) const;
   /// Names of an enumeration type by value, "" for those without; empty for other types.
   std::vector<std::string> value_names() const;
 
  private:
+  struct Rows {
+    Hid memory, file;  // dataspaces
+  };
+
+  Rows select_rows(std::uint64_t first, std::uint64_t count) const;
+  void refuse(const Expansion& expansion) const;
+  std::uint64_t file_size() const;
   void check_source() const;
   void check_written(std::uint64_t first, std::uint64_t count) const;
   void read_numbers(std::uint64_t first, std::uint64_t count, std::int64_t memory_type,

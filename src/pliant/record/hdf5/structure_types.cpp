@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/record/hdf5/structure_types.hpp"
 
-#include <limits>
+#include "pliant/record/hdf5/expansion.hpp"
 
 namespace pliant {
 namespace {
@@ -125,12 +125,6 @@ TypeFacts check_array(StructureFields& fields, const TypeHead& head, int level) 
   const TypeFacts base = check_datatype(fields, level + 1);
   fields.require(base.bytes * count == head.bytes, "array of another size than its values");
   return {head.bytes, false, 0, base.is_variable || base.has_variable_parts};
-}
-
-/// Product that stops at the largest number.
-std::uint64_t times(std::uint64_t a, std::uint64_t b) {
-  constexpr std::uint64_t most = std::numeric_limits<std::uint64_t>::max();
-  return b != 0 && a > most / b ? most : a * b;
 }
 
 }  // namespace
