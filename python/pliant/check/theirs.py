@@ -8,6 +8,8 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pliant import _bars
+from pliant._openmm.child import Job, Outcome
 from pliant.check.contest import (
     BUDGET_SECONDS,
     REPEATS,
@@ -17,8 +19,7 @@ from pliant.check.contest import (
     describe,
 )
 from pliant.check.sample import NM, constraint_job
-from pliant.lab.peers import ccma, measure
-from pliant.lab.peers.child import Job, Outcome
+from pliant.lab.peers import ccma
 
 
 @dataclass(frozen=True)
@@ -82,8 +83,8 @@ def contest_jobs(contest: Contest, ways: Sequence[Way]) -> list[Job]:
 
 
 def _angles_of(contest: Contest) -> dict[str, np.ndarray]:
-    triples = measure.bar_pairs(contest.sample.recording.bars, contest.intact.shape[1])
-    angles = [measure.angles_between(x, triples) for x in contest.intact]
+    triples = _bars.bar_pairs(contest.sample.recording.bars, contest.intact.shape[1])
+    angles = [_bars.angles_between(x, triples) for x in contest.intact]
     return {"triples": triples, "angles": np.array(angles)}
 
 
@@ -127,5 +128,5 @@ def cpu_note(ways: int, outcomes: Sequence[Outcome]) -> str:
     a, b = cpu.arrays["positions"], reference.arrays["positions"][:, :1]
     if np.array_equal(a, b, equal_nan=True):
         return "the CPU platform gives the same bits as the Reference platform"
-    furthest = measure.furthest_move(a, b) / NM
+    furthest = _bars.furthest_move(a, b) / NM
     return f"the CPU platform differs from the Reference platform by {furthest:.1e} A"

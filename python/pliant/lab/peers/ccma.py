@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant.lab.peers import measure
+from pliant import _bars
 
 if TYPE_CHECKING:
     import openmm
@@ -62,14 +62,14 @@ class Ccma:
         intact: np.ndarray,
         told_angles: bool = True,
     ) -> None:
-        from pliant.lab.peers import worker
+        from pliant._openmm import worker
 
         self._worker = worker
         job = {"masses": masses, "bars": bars, "rest_lengths": rest_lengths * NM}
         angles = None
         if told_angles:
-            job["triples"] = measure.bar_pairs(bars, len(masses))
-            angles = measure.angles_between(intact, job["triples"])
+            job["triples"] = _bars.bar_pairs(bars, len(masses))
+            angles = _bars.angles_between(intact, job["triples"])
         self._intact = intact * NM
         self._integrator = self._make_integrator()
         system = worker.make_system(job, angles)
