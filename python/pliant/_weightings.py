@@ -1,4 +1,4 @@
 # SPDX-License-Identifier: MIT
-"""What the thesis tried, for whoever tries it again."""
+"""Weightings that are tried where the quickest technique is looked for."""
 
-WEIGHTINGS = (0.5, 0.75, 1.0)  #: section 3.1
+WEIGHTINGS = (0.5, 0.75, 1.0)  #: those of the thesis, section 3.1

@@ -9,6 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from pliant import _bars
+from pliant._openmm.angles import MOST_BARS_WITH_ANGLES, why_no_angles
 from pliant._openmm.child import Job, Outcome
 from pliant.check.contest import (
     BUDGET_SECONDS,
@@ -19,7 +20,6 @@ from pliant.check.contest import (
     describe,
 )
 from pliant.check.sample import NM, constraint_job
-from pliant.lab.peers import ccma
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ ALL_WAYS = (
 
 def ways_for(contest: Contest) -> tuple[Way, ...]:
     """The ways that are worth trying on this framework; says in contest.note why one is not."""
-    contest.note = ccma.why_no_angles(contest.sample.recording.bars)
+    contest.note = why_no_angles(contest.sample.recording.bars)
     if not contest.note:
         return ALL_WAYS
     return tuple(way for way in ALL_WAYS if not way.told_angles)
@@ -75,7 +75,7 @@ def contest_jobs(contest: Contest, ways: Sequence[Way]) -> list[Job]:
         more = shared | {"broken": broken} | (angles if way.told_angles else {})
         more |= {"intact": contest.intact * NM} if way.kind == "constrain_step" else {}
         jobs.append(constraint_job(contest.sample.recording, way.kind, contest.tolerance, **more))
-    if len(contest.sample.recording.bars) > ccma.MOST_BARS_WITH_ANGLES:
+    if len(contest.sample.recording.bars) > MOST_BARS_WITH_ANGLES:
         return jobs
     values = {**jobs[-1].values, "platform": "CPU"}
     jobs.append(Job(jobs[-1].kind, values, {**jobs[-1].arrays, "broken": broken[:, :1]}))

@@ -12,10 +12,11 @@ import numpy as np
 
 import pliant
 from pliant._extras import need
+from pliant._openmm.angles import why_no_angles
 from pliant._openmm.child import Job, run_jobs
 from pliant._weightings import WEIGHTINGS
 from pliant.lab.bench.target import Target
-from pliant.lab.peers.ccma import Ccma, CcmaInDynamics, why_no_angles
+from pliant.lab.peers.ccma import Ccma, CcmaInDynamics
 
 if TYPE_CHECKING:
     from pliant._openmm.child import Outcome
