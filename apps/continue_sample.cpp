@@ -14,7 +14,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/framework/limit_counts.hpp"
-#include "pliant/laboratory/recorded_sample.hpp"
+#include "pliant/resume/recorded_sample.hpp"
 #include "sample_report.hpp"
 
 namespace pliant::app {

@@ -5,7 +5,7 @@
 
 #include "option_comparison.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/laboratory/recorded_inputs.hpp"
+#include "pliant/resume/recorded_inputs.hpp"
 #include "pliant/run/run_fields.hpp"
 
 namespace pliant::app {

@@ -11,11 +11,11 @@
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/model/ensemble_amplitude.hpp"
 #include "pliant/model/residue_nodes.hpp"
 #include "pliant/molecule/drawing.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
+#include "pliant/resume/recorded_sample.hpp"
 #include "pliant/sample/elastic_network.hpp"
 #include "pliant/sample/samplers.hpp"
 

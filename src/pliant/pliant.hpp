@@ -73,10 +73,6 @@
 // examples: frameworks of which everything is known
 #include "pliant/examples/examples.hpp"  // the table of them
 
-// generate: random frameworks
-#include "pliant/generate/fundamental_cycles.hpp"  // one cycle for each non-tree bar
-#include "pliant/generate/random_graphs.hpp"       // trees, 1-, 2- and n-cycles
-
 // order, resolve: the techniques
 #include "pliant/order/check_ordering.hpp"             // validator
 #include "pliant/order/ordering.hpp"                   // the table of orderings
@@ -149,11 +145,18 @@
 #include "pliant/stream/imd_session.hpp"   // one client
 #include "pliant/stream/sockets.hpp"       // TCP
 
-// laboratory: graphs, forces and results in folders
-#include "pliant/laboratory/force_recorder.hpp"   // the pushes of a run as a force file
-#include "pliant/laboratory/make_test_set.hpp"    // of random graphs
-#include "pliant/laboratory/read_test_set.hpp"    // from folders
-#include "pliant/laboratory/recorded_inputs.hpp"  // what a run was given, as files keep it
-#include "pliant/laboratory/recorded_sample.hpp"  // a sample, as files keep it
-#include "pliant/laboratory/test_results.hpp"     // what a heuristic did with the forces of a graph
-#include "pliant/laboratory/test_set.hpp"         // the test sets of the thesis
+// resume: what runs and samples go on from
+#include "pliant/resume/force_recorder.hpp"   // the pushes of a run as a force file
+#include "pliant/resume/recorded_inputs.hpp"  // what a run was given, as files keep it
+#include "pliant/resume/recorded_sample.hpp"  // a sample, as files keep it
+
+// generate, laboratory: the random graphs of the thesis and its test sets, where the library has
+// them (PLIANT_LABORATORY)
+#if __has_include("pliant/generate/random_graphs.hpp")
+#include "pliant/generate/fundamental_cycles.hpp"  // one cycle for each non-tree bar
+#include "pliant/generate/random_graphs.hpp"       // trees, 1-, 2- and n-cycles
+#include "pliant/laboratory/make_test_set.hpp"     // of random graphs
+#include "pliant/laboratory/read_test_set.hpp"     // from folders
+#include "pliant/laboratory/test_results.hpp"      // what a heuristic did with each force
+#include "pliant/laboratory/test_set.hpp"          // graphs, forces and results in folders
+#endif

@@ -36,11 +36,8 @@
 #include "pliant/framework/torsion_preferences.hpp"
 #include "pliant/generate/fundamental_cycles.hpp"
 #include "pliant/generate/random_graphs.hpp"
-#include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/laboratory/make_test_set.hpp"
 #include "pliant/laboratory/read_test_set.hpp"
-#include "pliant/laboratory/recorded_inputs.hpp"
-#include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/laboratory/test_results.hpp"
 #include "pliant/laboratory/test_set.hpp"
 #include "pliant/model/atom_graph.hpp"
@@ -104,6 +101,9 @@
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/resolve/walkers.hpp"
+#include "pliant/resume/force_recorder.hpp"
+#include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/resume/recorded_sample.hpp"
 #include "pliant/rigidity/pebble_game.hpp"
 #include "pliant/rigidity/rigid_clusters.hpp"
 #include "pliant/run/ensemble.hpp"
@@ -282,11 +282,11 @@ const Use uses[] = {
     of("pliant/record/topology_pdb.hpp", &write_topology_pdb),
     of("pliant/record/xml/graph_xml.hpp", &looks_like_xml),
     of("pliant/record/xml/write_graph_xml.hpp", &write_graph_xml),
-    of("pliant/laboratory/force_recorder.hpp", &ForceRecorder::publish),
+    of("pliant/resume/force_recorder.hpp", &ForceRecorder::publish),
     of("pliant/laboratory/make_test_set.hpp", &make_test_set),
     of("pliant/laboratory/read_test_set.hpp", &read_test_set),
-    of("pliant/laboratory/recorded_inputs.hpp", &recorded_inputs),
-    of("pliant/laboratory/recorded_sample.hpp", &add_frames),
+    of("pliant/resume/recorded_inputs.hpp", &recorded_inputs),
+    of("pliant/resume/recorded_sample.hpp", &add_frames),
     of("pliant/laboratory/test_results.hpp", &summary_of),
     of("pliant/laboratory/test_set.hpp", &TestSet::save),
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/laboratory/recorded_sample.hpp"
+#include "pliant/resume/recorded_sample.hpp"
 
 #include <algorithm>
 #include <charconv>
