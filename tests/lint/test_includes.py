@@ -28,10 +28,11 @@ MAY_INCLUDE = {
     "run": ("base", "framework", "order", "resolve", "perturb"),
     "path": ("base", "framework", "molecule", "model", "resolve", "perturb", "run"),
     "record": ("base", "text", "framework"),
+    "tasks": ("base", "framework", "molecule", "model", "sample", "record"),
     "stream": ("base", "framework", "perturb"),
     "laboratory": (
         *("base", "text", "framework", "generate", "order", "resolve", "perturb", "sample"),
-        "record",
+        *("record", "tasks"),
     ),
 }
 

@@ -152,7 +152,7 @@ TEST(RecordedSample, ParametersThatAreNoneAreTold) {
   EXPECT_EQ(fault(),
             "a.h5md: its sample cannot go on: /parameters/sample/amplitude has an invalid value");
   from.parameters.clear();
-  EXPECT_EQ(fault(), "a.h5md: its sample cannot go on: does not say /parameters/sample/amplitude");
+  EXPECT_EQ(fault(), "a.h5md: its sample cannot go on: does not say /parameters/sample/frames");
 }
 
 }  // namespace recorded_sample_test
