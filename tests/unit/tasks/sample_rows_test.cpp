@@ -138,7 +138,8 @@ TEST(SampleRows, EachSaysWhatItIs) {
     EXPECT_TRUE(names.insert(field.name).second);
     EXPECT_FALSE(field.summary.empty());
     EXPECT_EQ(field.choices != nullptr, std::holds_alternative<std::string*>(place));
-    EXPECT_EQ(field.unit.empty(), !std::holds_alternative<double*>(place));
+    const bool is_share = field.range == Range::zero_to_one;
+    EXPECT_EQ(field.unit.empty(), !std::holds_alternative<double*>(place) || is_share);
   }
 }
 
