@@ -10,6 +10,7 @@
 #include "pliant/base/graph.hpp"          // nodes and edges; components, blocks
 #include "pliant/base/grouped.hpp"        // things in slots: what graphs are kept in
 #include "pliant/base/log.hpp"            // notes and warnings, through a callback
+#include "pliant/base/option_fields.hpp"  // tables of options
 #include "pliant/base/parameter.hpp"      // values of options in files
 #include "pliant/base/random.hpp"   // draws as functions of (seed, domain, walker, step, joint)
 #include "pliant/base/range.hpp"    // what an option may be
@@ -31,6 +32,7 @@
 #include "pliant/molecule/structure/structure.hpp"  // atoms, positions, bonds
 
 // model: structures to models of molecules
+#include "pliant/model/amplitude.hpp"             // how far frames of an ensemble are to go
 #include "pliant/model/atom_graph.hpp"            // who is bonded to whom
 #include "pliant/model/contact_file.hpp"          // contacts as text
 #include "pliant/model/contact_list.hpp"          // contacts, and the limits that they are
@@ -113,6 +115,8 @@
 #include "pliant/sample/mode_field.hpp"       // joints along one of them
 #include "pliant/sample/network_modes.hpp"    // directions in which residues move together
 #include "pliant/sample/sample.hpp"           // frames along them
+#include "pliant/sample/sample_fields.hpp"    // the table of its options
+#include "pliant/sample/sample_options.hpp"   // what it is asked for
 #include "pliant/sample/sample_summary.hpp"   // how exact, how far
 #include "pliant/sample/samplers.hpp"         // the table of ways to move
 
@@ -135,6 +139,9 @@
 #include "pliant/record/topology_pdb.hpp"                 // names and bonds for other programs
 #include "pliant/record/xml/graph_xml.hpp"                // frameworks as XML
 #include "pliant/record/xml/write_graph_xml.hpp"          // and back
+
+// tasks: one door for each job
+#include "pliant/tasks/sample_task.hpp"  // an ensemble, or conformers, of a model
 
 // stream: runs followed and steered while they go
 #include "pliant/stream/imd_commands.hpp"  // what a client says

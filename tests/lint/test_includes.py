@@ -27,8 +27,9 @@ MAY_INCLUDE = {
     "run": ("base", "framework", "order", "resolve", "perturb"),
     "path": ("base", "framework", "molecule", "model", "resolve", "perturb", "run"),
     "record": ("base", "text", "framework"),
+    "tasks": ("base", "framework", "molecule", "model", "sample", "record"),
     "stream": ("base", "framework", "perturb"),
-    "resume": ("base", "text", "framework", "order", "perturb", "sample", "record"),
+    "resume": ("base", "text", "framework", "order", "perturb", "sample", "record", "tasks"),
     "generate": ("base", "framework"),
     "laboratory": ("base", "text", "generate", "order", "resolve", "perturb", "record"),
 }
