@@ -7,12 +7,13 @@
 #include "pliant/model/model.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/read/read.hpp"
+#include "support/source_folder.hpp"
 
 namespace pliant::test {
 
 /// The model of a file of data/molecules.
 inline MolecularModel model_of(const std::string& file) {
-  Structure structure = read_structure(std::string(PLIANT_SOURCE_DIR "/data/molecules/") + file);
+  Structure structure = read_structure(molecule_file(file));
   perceive_bonds(structure);
   return build_model(structure, {.kind = usual_model(structure)});
 }
