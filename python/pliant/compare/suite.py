@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant._bars import lengths
 from pliant._core import InputError
 from pliant._extras import need
 from pliant._progress import Stages
@@ -38,7 +39,6 @@ from pliant.compare.reference import read_reference
 from pliant.compare.residue_report import ResidueComparison
 from pliant.compare.residues import compare_residues
 from pliant.compare.traces import trace_of_atoms
-from pliant.lab.peers.measure import lengths
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe
