@@ -30,8 +30,9 @@ def write_models(
 ) -> None:
     """Writes positions (F, n, 3), Angstrom, of n atoms as F models; one frame has no MODEL line.
 
-    chosen: numbers of the frames; all by default. b_factors: (n,) Angstrom^2; what a PDB file cannot hold is written as 999.99. Raises InputError
-    where coordinates or the number of atoms do not fit into the columns of the format.
+    chosen: numbers of the frames; all by default. b_factors: (n,) Angstrom^2; what a PDB file
+    cannot hold is written as 999.99. Raises InputError where coordinates or the number of atoms do
+    not fit into the columns of the format.
     """
     if len(atoms) > MOST_ATOMS:
         raise InputError(f"{path}: a PDB file holds up to {MOST_ATOMS} atoms, not {len(atoms)}")
