@@ -103,7 +103,7 @@ def universe_of(positions):
     return universe
 
 
-@pytest.mark.parametrize("atoms", [5, ATOMS], ids=["more frames", "more coordinates"])
+@pytest.mark.parametrize("atoms", [6, ATOMS], ids=["more frames", "more coordinates"])
 def test_principal_components_are_the_same(at_once, positions, atoms, monkeypatch):
     universe = universe_of(positions[:, :atoms])
     expected = PrincipalComponents(universe.atoms).run().results
