@@ -8,12 +8,13 @@ import pickle
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant import FileError
 from pliant.analyse.store_reader import StoreReader
 from pliant.analysis import PrincipalComponents, frame_store, pca
 from pliant.analysis.flexibility import flexibility
 from pliant.analysis.frame_store import FrameStore, sum_of, variance_of
 from pliant.analysis.superposition import superpose_all, superpose_frames
+
+from pliant import FileError
 
 FRAMES, ATOMS = 23, 50
 

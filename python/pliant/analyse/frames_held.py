@@ -75,7 +75,7 @@ def _hold_from_file(study: Study, chosen: np.ndarray) -> np.ndarray:
         read = study.stored.read(slice(chosen[part[0]], chosen[part[-1]] + 1, step))
         read = read.astype(np.float32)
         finite = np.asarray(np.isfinite(read).all(axis=(1, 2)))
-        store.put(np.count_nonzero(good), read[finite])
+        store.put(int(np.count_nonzero(good)), read[finite])
         good[part] = finite
     times, steps = study.stored.times_and_steps()
     _set(study, chosen[good], times[chosen[good]], None if steps is None else steps[chosen[good]])

@@ -6,6 +6,7 @@ from __future__ import annotations
 import os
 import tempfile
 from collections.abc import Callable, Iterable, Iterator
+from functools import partial
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -44,7 +45,7 @@ class FrameStore:
         if frames * self._row <= most:
             self.array = np.zeros(self.shape, dtype=self._dtype)
         else:
-            self._file = self._guarded(lambda: tempfile.TemporaryFile(prefix="pliant-"))
+            self._file = self._guarded(_nameless_file)
             self._guarded(lambda: os.ftruncate(self._file.fileno(), frames * self._row))
 
     @classmethod
@@ -82,22 +83,20 @@ class FrameStore:
             self.array[first : first + len(frames)] = frames
         if self.array is not None or frames.size == 0:
             return
-        data = memoryview(np.ascontiguousarray(frames, dtype=self._dtype)).cast("B")
-        at = first * self._row
+        data, at = np.ascontiguousarray(frames, dtype=self._dtype).data.cast("B"), first * self._row
         while data:
-            done = self._guarded(lambda data=data, at=at: os.pwrite(self._file.fileno(), data, at))
+            done = self._guarded(partial(os.pwrite, self._file.fileno(), data, at))
             data, at = data[done:], at + done
 
     def take(self, frames: np.ndarray) -> np.ndarray:
         """Frames (f, m, 3) by their numbers."""
         if self.array is not None:
-            found = self.array[frames]
+            found: np.ndarray = self.array[frames]
         else:
             runs = np.split(frames, np.flatnonzero(np.diff(frames) != 1) + 1)
-            found = self._read(runs[0]) if len(runs) == 1 else np.concatenate(
-                [self._read(run) for run in runs]
-            )
-        return found if self._atoms is None else found[:, self._atoms]
+            parts = [self._read(run) for run in runs]
+            found = parts[0] if len(parts) == 1 else np.concatenate(parts)
+        return found if self._atoms is None else np.asarray(found[:, self._atoms])
 
     def blocks(self, frames: np.ndarray | None = None) -> Iterator[np.ndarray]:
         """All frames, or those of these numbers, some at a time: (f, m, 3)."""
@@ -128,7 +127,7 @@ class FrameStore:
 
     def _read(self, run: np.ndarray) -> np.ndarray:
         found = np.empty((len(run), *self.shape[1:]), dtype=self._dtype)
-        data, place = memoryview(found.reshape(-1).view(np.uint8)), int(run[0]) * self._row
+        data, place = found.reshape(-1).data.cast("B"), int(run[0]) * self._row
         while data:
             done = os.preadv(self._file.fileno(), [data], place)
             data, place = data[done:], place + done
@@ -143,6 +142,10 @@ class FrameStore:
                 f"{tempfile.gettempdir()}: no room for {size} bytes of positions: "
                 f"{error.strerror} (TMPDIR names another folder)"
             ) from error
+
+
+def _nameless_file() -> Any:
+    return tempfile.TemporaryFile(prefix="pliant-")
 
 
 def sum_of(blocks: Iterable[np.ndarray]) -> np.ndarray:

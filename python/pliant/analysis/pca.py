@@ -156,7 +156,7 @@ class PrincipalComponents(FrameAnalysis):
         )
         self.results.cosine_content = _cosine_contents(self.results.projections)
         for name in ("_reference", "_superposition"):
-            vars(self).pop(name, None)  # as large as a frame each
+            self.__dict__.pop(name, None)  # as large as a frame each
 
     def _centre(self, table: FrameStore, mean: np.ndarray) -> float:
         """Takes the mean from all frames and weighs them; the sum of all squares."""

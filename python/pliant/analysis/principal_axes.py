@@ -45,7 +45,7 @@ def _added(parts: Iterator[np.ndarray]) -> np.ndarray:
 def principal_axes(
     table: FrameStore, squares: np.ndarray, vectors: np.ndarray, count: int
 ) -> np.ndarray:
-    """The first `count` right vectors of the table as rows (K, 3n), orthogonal to the last digit."""
+    """First `count` right vectors of the table as rows (K, 3n): orthogonal to the last digit."""
     if is_tall(table):
         return np.array(vectors[:, :count].T)
     if table.array is None:

@@ -103,7 +103,7 @@ class Rmsf(FrameAnalysis):
             nearby = reference_positions(self._atoms, first)
             self._pass(self._atoms, nearby, reference, **selected, **kwargs)
         for name in ("_measured", "_nearby", "_reference", "_superposition"):
-            vars(self).pop(name, None)  # as large as a frame each
+            self.__dict__.pop(name, None)  # as large as a frame each
         self.results.fitted_average = reference
         self.results.iterations = iterations
         self.results.average_converged = converged

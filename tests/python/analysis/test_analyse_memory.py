@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-"""What pliant analyse takes of memory: nothing that grows with the square of the atoms."""
+"""What pliant analyse takes of memory: nothing that grows with the square of the atoms, or with
+the frames."""
 
 import subprocess
 import sys
@@ -18,6 +19,8 @@ from scipy.spatial import cKDTree
 DATA = pytest.importorskip("MDAnalysisTests.datafiles")
 
 ATOMS = 9632
+#: MB that 140 frames more may take
+MORE_FRAMES = 45
 
 # VmHWM is of the program alone; what getrusage tells includes the process that started it.
 PEAK = """
@@ -46,6 +49,22 @@ def write_two_frames(path, count):
             file.write("ENDMDL\n")
 
 
+def write_frames(path, frames, count):
+    """Atoms that move slowly and tremble, as MDAnalysis writes them."""
+    rng = np.random.default_rng(2)
+    places = np.argwhere(np.ones((22, 22, 20)))[:count] * 1.6
+    moves = rng.normal(size=(2, count, 3))
+    universe = MDAnalysis.Universe.empty(count, trajectory=True)
+    with MDAnalysis.Writer(
+        str(path), count, n_frames=frames, timeunit="ps", lengthunit="Angstrom"
+    ) as writer:
+        for k in range(frames):
+            slow = np.sin(k / 40) * moves[0] + np.cos(k / 25) * moves[1]
+            universe.atoms.positions = places + slow + rng.normal(scale=0.1, size=(count, 3))
+            writer.write(universe.atoms)
+        writer.h5md_file.close()  # which it leaves open
+
+
 @pytest.mark.skipif(sys.platform != "linux", reason="asks /proc")
 def test_two_frames_of_many_atoms(tmp_path):
     """A table of all pairs of them would be 740 MB."""
@@ -57,6 +76,20 @@ def test_two_frames_of_many_atoms(tmp_path):
         [sys.executable, "-c", PEAK, *words], capture_output=True, text=True, check=True
     )
     assert float(ended.stdout) < 100
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="asks /proc")
+def test_many_frames(tmp_path):
+    """Their positions are 18 MB as the analyses want them, each of which would hold them."""
+    paths = {}
+    for frames in (10, 150):
+        paths[frames] = tmp_path / f"{frames}.h5md"
+        write_frames(paths[frames], frames, 5000)
+    words = [paths[10], paths[150], tmp_path / "a", tmp_path / "b"]
+    ended = subprocess.run(
+        [sys.executable, "-c", PEAK, *words], capture_output=True, text=True, check=True
+    )
+    assert float(ended.stdout) < MORE_FRAMES
 
 
 def peak_of(work):

@@ -162,7 +162,8 @@ void Hdf5Dataset::read_numbers(std::uint64_t first, std::uint64_t count, std::in
 
 Hdf5Dataset::Rows Hdf5Dataset::select_rows(std::uint64_t first, std::uint64_t count) const {
   Hid space = owned(H5Dget_space(id_), H5Sclose, "look at " + path_);
-  if (extents_.empty()) return {owned(H5Scopy(space), H5Sclose, "look at " + path_), std::move(space)};
+  if (extents_.empty())
+    return {owned(H5Scopy(space), H5Sclose, "look at " + path_), std::move(space)};
   std::vector<hsize_t> start(extents_.size(), 0), rows(extents_.begin(), extents_.end());
   start[0] = first;
   rows[0] = count;
