@@ -20,6 +20,7 @@ enum ExitCode {
 using Arguments = std::vector<std::string>;
 
 struct Command {
+  std::string_view group;  ///< what one wants to do; rows of one group stand together
   std::string_view name;
   std::string_view summary;
   int (*run)(const Arguments& arguments);  ///< null: a program pliant-NAME of its own

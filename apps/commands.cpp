@@ -16,47 +16,72 @@
 namespace pliant::app {
 namespace {
 
+// Headings of the help, and of docs/pages/commands.md.
+constexpr std::string_view ensembles = "make an ensemble";
+constexpr std::string_view reading = "read it";
+constexpr std::string_view structures = "contacts, rigidity and paths";
+constexpr std::string_view files = "files";
+constexpr std::string_view hands = "steer, pull by hand, follow live";
+constexpr std::string_view solvers = "solvers and the thesis";
+
 constexpr Command commands[] = {
-    {"demo", "make a first ensemble, of a helix that comes with Pliant, and say what moves",
+    {ensembles, "demo",
+     "make a first ensemble, of a helix that comes with Pliant, and say what moves", nullptr},
+    {ensembles, "sample", "make an ensemble of a protein, or conformers of a small molecule",
+     command_sample},
+    {ensembles, "ensemble", "many walkers or frames in shards, on all cores or many machines",
      nullptr},
-    {"info", "list what is in a molecule file, what was guessed and what is missing", command_info},
-    {"contacts", "list hydrogen bonds, salt bridges and hydrophobic contacts of a molecule",
-     command_contacts},
-    {"rigidity", "count degrees of freedom: which parts of a molecule are rigid, which flexible",
+
+    {reading, "analyse", "make an HTML report, figures and tables of a trajectory", nullptr},
+    {reading, "compare", "compare with NMR models, crystal structures or MD", nullptr},
+    {reading, "representatives", "choose a few frames that represent all the others", nullptr},
+    {reading, "check", "check a trajectory with OpenMM: may MD start from it?", nullptr},
+
+    {structures, "contacts",
+     "list hydrogen bonds, salt bridges and hydrophobic contacts of a molecule", command_contacts},
+    {structures, "rigidity",
+     "count degrees of freedom: which parts of a molecule are rigid, which flexible",
      command_rigidity},
-    {"run", "push a molecule and restore its bonds, step by step; steer it; follow it live",
+    {structures, "path", "find a path from one structure of a molecule to another", nullptr},
+
+    {files, "info", "list what is in a molecule file, what was guessed and what is missing",
+     command_info},
+    {files, "convert", "write a trajectory as DCD, XTC, TRR, XYZ or PDB", nullptr},
+    {files, "recover", "copy whatever can be read of a damaged trajectory", nullptr},
+
+    {hands, "run", "push a molecule and restore its bonds, step by step; steer it; follow it live",
      command_run},
-    {"sample", "make an ensemble of a protein, or conformers of a small molecule", command_sample},
-    {"ensemble", "many walkers or frames in shards, on all cores or many machines", nullptr},
-    {"path", "find a path from one structure of a molecule to another", nullptr},
-    {"play", "pull on a molecule by hand, on a page in the browser", nullptr},
-    {"structgen", "make random graphs of a class, or a test set of all classes", command_structgen},
-    {"forcegen", "write a force file of random pushes", command_forcegen},
-    {"order", "write the order in which a technique visits the bars", command_order},
-    {"techniques", "list techniques, weightings and perturbations", command_techniques},
-    {"watch", "follow a live run in a terminal, over IMD", nullptr},
-    {"check", "check a trajectory with OpenMM: may MD start from it?", nullptr},
-    {"analyse", "make an HTML report, figures and tables of a trajectory", nullptr},
-    {"representatives", "choose a few frames that represent all the others", nullptr},
-    {"compare", "compare with NMR models, crystal structures or MD", nullptr},
-    {"convert", "write a trajectory as DCD, XTC, TRR, XYZ or PDB", nullptr},
-    {"recover", "copy whatever can be read of a damaged trajectory", nullptr},
-    {"experiment", "compare techniques on random graphs, and judge the claims of the thesis",
-     nullptr},
-    {"bench", "measure time and error of every technique, and of OpenMM", nullptr},
+    {hands, "play", "pull on a molecule by hand, on a page in the browser", nullptr},
+    {hands, "watch", "follow a live run in a terminal, over IMD", nullptr},
+
+    {solvers, "techniques", "list techniques, weightings and perturbations", command_techniques},
+    {solvers, "order", "write the order in which a technique visits the bars", command_order},
+    {solvers, "forcegen", "write a force file of random pushes", command_forcegen},
+    {solvers, "structgen", "make random graphs of a class, or a test set of all classes",
+     command_structgen},
+    {solvers, "experiment",
+     "compare techniques on random graphs, and judge the claims of the thesis", nullptr},
+    {solvers, "bench", "measure time and error of every technique, and of OpenMM", nullptr},
 };
+
+void print_commands(std::FILE* to) {
+  std::string_view group;
+  for (const Command& command : commands) {
+    if (command.group != group)
+      std::fprintf(to, "\n%.*s:\n", int(command.group.size()), command.group.data());
+    group = command.group;
+    std::fprintf(to, "  %-17.*s%.*s\n", int(command.name.size()), command.name.data(),
+                 int(command.summary.size()), command.summary.data());
+  }
+}
 
 void print_usage(std::FILE* to) {
   std::fputs(
       "pliant: molecular flexibility by geometric constraints\n"
       "\n"
-      "usage: pliant COMMAND [OPTIONS]\n"
-      "\n"
-      "commands:\n",
+      "usage: pliant COMMAND [OPTIONS]\n",
       to);
-  for (const Command& command : commands)
-    std::fprintf(to, "  %-17.*s%.*s\n", int(command.name.size()), command.name.data(),
-                 int(command.summary.size()), command.summary.data());
+  print_commands(to);
   std::fputs(
       "\n"
       "words:\n"

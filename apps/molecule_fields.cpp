@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "pliant/base/number.hpp"
+#include "pliant/base/option_text.hpp"
 
 namespace pliant::app {
 namespace {
@@ -35,10 +35,7 @@ constexpr MoleculeField table[] = {
 };
 
 struct Spelled {
-  std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
-  std::string operator()(const std::int64_t* value) const { return std::to_string(*value); }
-  std::string operator()(const double* value) const { return shortest_text(*value); }
-  std::string operator()(const std::string* value) const { return *value; }
+  std::string operator()(const auto* value) const { return option_text(*value); }
   std::string operator()(const std::vector<std::string>* values) const {
     std::string text;
     for (const std::string& value : *values) text += (text.empty() ? "" : ",") + value;
@@ -49,24 +46,8 @@ struct Spelled {
 struct Told {
   std::string_view name, text;
 
-  [[noreturn]] void refuse(const char* expected) const {
-    throw OptionError(std::string(name) + ": expected " + expected + ", found " + quoted(text));
-  }
-  void operator()(bool* place) const {
-    if (text != "true" && text != "false") refuse("true or false");
-    *place = text == "true";
-  }
-  void operator()(std::int64_t* place) const {
-    const auto value = parse_integer(text);
-    if (!value || *value < 1) refuse("a whole number from 1");
-    *place = *value;
-  }
-  void operator()(double* place) const {
-    const auto value = parse_real(text);
-    if (!value) refuse("a number");
-    *place = *value;
-  }
-  void operator()(std::string* place) const { *place = text; }
+  void operator()(auto* place) const { set_option(name, text, *place); }
+  void operator()(std::int64_t* place) const { set_option(name, text, *place, 1); }
   void operator()(std::vector<std::string>* place) const {
     place->clear();
     std::istringstream parts{std::string(text)};

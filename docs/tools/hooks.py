@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import commands
 import formulas
 import headers
+import help_texts
 import notebooks
 import package
 import places
@@ -33,7 +33,7 @@ def on_files(files: Files, config: MkDocsConfig) -> Files:
 
     for source, name in places.included():
         add(name, source.read_bytes())
-    add("commands.md", commands.page())
+    add("help.md", help_texts.page())
     for name, text in headers.pages():
         add(name, text)
     for notebook in places.notebooks():

@@ -27,7 +27,11 @@ INCLUDED = {
     "CHANGELOG.md": "inside/changelog.md",
 }
 #: what stands for these on the site
-SAME = {"README.md": "index.md", "src/pliant/pliant.hpp": "api/cpp/index.md"}
+SAME = {
+    "README.md": "index.md",
+    "src/pliant/pliant.hpp": "api/cpp/index.md",
+    "tests/cli/pliant.help.txt": "help.md",
+}
 PICTURES = ("data/pictures", "docs/pictures")
 
 LINK = re.compile(r"(!?)\[((?:[^\[\]]|\[[^\]]*\])*)\]\(([^)\s]+)\)(\{[^}]*\})?")
@@ -41,7 +45,7 @@ def included() -> Iterator[tuple[Path, str]]:
         yield ROOT / source, name
     for folder in PICTURES:
         for path in sorted((ROOT / folder).iterdir()):
-            if path.suffix in (".png", ".svg"):
+            if path.suffix in (".png", ".svg", ".webp"):
                 yield path, f"pictures/{path.name}"
 
 

@@ -14,6 +14,7 @@
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/read/read.hpp"
+#include "support/source_folder.hpp"
 
 namespace {
 
@@ -24,7 +25,7 @@ using pliant::bench::SharedMolecule;
 std::vector<fs::path> files_to_time(int count, char** arguments) {
   if (count > 1) return {arguments + 1, arguments + count};
   std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(PLIANT_SOURCE_DIR "/data/molecules"))
+  for (const auto& entry : fs::directory_iterator(molecules_folder()))
     found.push_back(entry.path());
   std::sort(found.begin(), found.end());
   return found;

@@ -25,10 +25,9 @@ def test_unknown_command_suggests_the_nearest(pliant):
     assert ended.code == 2
     assert ended.err == (
         'pliant: no command named "inffo" (did you mean "info"?); '
-        "known: demo, info, contacts, rigidity, run, sample, ensemble, path, play, structgen, "
-        "forcegen, "
-        "order, techniques, watch, check, analyse, representatives, compare, convert, recover, "
-        "experiment, bench\n"
+        "known: demo, sample, ensemble, analyse, compare, representatives, check, contacts, "
+        "rigidity, path, info, convert, recover, run, play, watch, techniques, order, forcegen, "
+        "structgen, experiment, bench\n"
     )
 
 

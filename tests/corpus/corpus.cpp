@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "corpus/corpus.hpp"
+#include "support/source_folder.hpp"
 
 #include <fstream>
 #include <iterator>
@@ -8,7 +9,7 @@
 namespace pliant {
 
 std::filesystem::path corpus_folder(const std::string& name) {
-  return std::filesystem::path(PLIANT_SOURCE_DIR) / "tests" / "corpus" / name;
+  return source_folder() / "tests" / "corpus" / name;
 }
 
 std::vector<CorpusCase> corpus_cases(const std::string& folder) {

@@ -5,8 +5,8 @@ import re
 import subprocess
 import sys
 
-import commands
 import headers
+import help_texts
 import places
 import pytest
 
@@ -23,7 +23,7 @@ def test_every_page_is_in_the_navigation_once():
     there = [path.relative_to(places.PAGES).as_posix() for path in places.PAGES.rglob("*.md")]
     there += [name for _, name in places.included() if name.endswith(".md")]
     there += [places.site_name(path) for path in places.notebooks()]
-    there += [name for name, _ in headers.pages()] + ["commands.md"]
+    there += [name for name, _ in headers.pages()] + ["help.md"]
     assert sorted(names_in_the_navigation()) == sorted(there)
 
 
@@ -66,9 +66,9 @@ def test_every_public_header_has_its_comment_and_its_names():
 
 
 def test_every_command_has_a_section():
-    page = commands.page()
+    page = help_texts.page()
     assert len(re.findall("^## pliant", page, re.MULTILINE)) == len(
-        list(commands.TEXTS.glob("*.help.txt"))
+        list(help_texts.TEXTS.glob("*.help.txt"))
     )
     assert "\n## pliant bench work-precision\n" in page
 

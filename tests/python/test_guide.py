@@ -98,7 +98,7 @@ def test_several_guides_act_together(model, start):
         pulls=[(residue(model, 20), place(start, residue(model, 20), 0.5))],
         pairs=[(residue(model, 3), residue(model, 9), (8.0, 9.0))],
     )
-    summary, seen = run(model, guide, steps=1000)
+    summary, seen = run(model, guide, steps=2000)
     assert_whole(summary, seen)
     assert guide.has_arrived(seen[-1][0])
 

@@ -16,6 +16,7 @@
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
 #include "support/temp_directory.hpp"
+#include "support/source_folder.hpp"
 
 namespace pliant {
 namespace shared_things_test {
@@ -31,7 +32,7 @@ void on_threads(const Work& work) {
 }
 
 std::string molecule(const char* name) {
-  return std::string(PLIANT_SOURCE_DIR "/data/molecules/") + name;
+  return molecule_file(name);
 }
 
 TEST(SharedThings, FilesAreReadByAll) {

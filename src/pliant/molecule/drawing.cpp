@@ -77,8 +77,7 @@ void refuse_drawing(const Structure& structure) {
   if (!is_drawing(structure)) return;
   const std::string message =
       "this is a 2-D drawing (all z are 0): make a 3-D structure first, e.g. with RDKit's AddHs "
-      "and "
-      "EmbedMolecule, or give a 3-D file";
+      "and EmbedMolecule, or give a 3-D file";
   throw InputError(structure.source.empty() ? message : at({structure.source}, message));
 }
 

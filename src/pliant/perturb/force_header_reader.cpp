@@ -10,6 +10,7 @@ namespace pliant {
 namespace {
 
 constexpr std::string_view expected_heading = "\"pliant-forces\" and a version from 1 to 3";
+
 std::optional<std::uint64_t> hexadecimal(std::string_view text) {
   std::uint64_t value = 0;
   const char* end = text.data() + text.size();

@@ -18,7 +18,6 @@ class ForceHeaderReader {
   /// Throws InputError if there was no first line.
   void end(std::string_view file) const;
 
-  bool is_headed() const { return is_headed_; }
   ForceHeader header;
 
  private:

@@ -77,6 +77,15 @@ std::string for_trees_only(const Technique& technique, std::size_t cycles) {
          std::to_string(cycles) + (cycles == 1 ? " independent cycle" : " independent cycles");
 }
 
+/// Why a technique cannot resolve a framework; "": it may.
+std::string refusal(const Technique& technique, const Framework& framework) {
+  const TechniqueEntry& row = entry_of(technique);
+  if (!framework.has_bars_only() && !row.knows_limits) return without_limits(technique);
+  if (!row.forests_only) return "";
+  const GraphFacts facts = graph_facts(framework);
+  return facts.is_forest() ? "" : for_trees_only(technique, facts.cycles);
+}
+
 std::string too_slow(const Technique& technique, const Framework& framework) {
   return "technique = " + technique.name +
          ": goes from bar to bar, which does not converge or is slow where bars form rigid units "
@@ -121,18 +130,15 @@ void check(const Technique& technique) {
 }
 
 TechniqueFit fit_of(const Technique& technique, const Framework& framework) {
-  const TechniqueEntry& row = entry_of(technique);
-  if (!framework.has_bars_only() && !row.knows_limits)
-    return {Fit::refused, without_limits(technique)};
-  if (row.forests_only)
-    if (const GraphFacts facts = graph_facts(framework); !facts.is_forest())
-      return {Fit::refused, for_trees_only(technique, facts.cycles)};
-  if (row.bar_by_bar && forms_rigid_units(framework))
+  if (std::string why = refusal(technique, framework); !why.empty())
+    return {Fit::refused, std::move(why)};
+  if (entry_of(technique).bar_by_bar && forms_rigid_units(framework))
     return {Fit::doubtful, too_slow(technique, framework)};
   return {};
 }
 
 void warn_if_doubtful(const Technique& technique, const Framework& framework, const Log& log) {
+  if (!log.function) return;
   const TechniqueFit found = fit_of(technique, framework);
   if (found.fit == Fit::doubtful) log.warn(found.why);
 }
@@ -140,8 +146,7 @@ void warn_if_doubtful(const Technique& technique, const Framework& framework, co
 void check(const Technique& technique, const Framework& framework) {
   check(technique);
   check_given_ordering(technique, framework);
-  const TechniqueFit found = fit_of(technique, framework);
-  if (found.fit == Fit::refused) throw OptionError(found.why);
+  if (const std::string why = refusal(technique, framework); !why.empty()) throw OptionError(why);
 }
 
 }  // namespace pliant

@@ -6,7 +6,7 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/base/number.hpp"
+#include "pliant/base/option_text.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/techniques.hpp"
@@ -95,43 +95,6 @@ struct Check {
   }
 };
 
-/// Puts what a text says into a place.
-struct Told {
-  std::string_view name, text;
-
-  [[noreturn]] void refuse(const char* expected) const {
-    throw OptionError(std::string(name) + ": expected " + expected + ", found " + quoted(text));
-  }
-  void operator()(bool* place) const {
-    if (text != "true" && text != "false") refuse("true or false");
-    *place = text == "true";
-  }
-  void operator()(std::int64_t* place) const {
-    const auto value = parse_integer(text);
-    if (!value) refuse("a whole number");
-    *place = *value;
-  }
-  void operator()(std::uint64_t* place) const {
-    const char* end = text.data() + text.size();
-    const auto read = std::from_chars(text.data(), end, *place);
-    if (read.ec != std::errc() || read.ptr != end) refuse("a whole number from 0");
-  }
-  void operator()(double* place) const {
-    const auto value = parse_real(text);
-    if (!value) refuse("a number");
-    *place = *value;
-  }
-  void operator()(std::string* place) const { *place = text; }
-};
-
-/// The text of a value.
-struct Spelled {
-  std::string operator()(const bool* value) const { return *value ? "true" : "false"; }
-  std::string operator()(const double* value) const { return shortest_text(*value); }
-  std::string operator()(const std::string* value) const { return *value; }
-  std::string operator()(const auto* value) const { return std::to_string(*value); }
-};
-
 /// The value at a place, as files keep it.
 struct Recorded {
   Parameter operator()(const std::uint64_t* value) const { return std::to_string(*value); }
@@ -200,11 +163,13 @@ const RunField& find_run_field(std::string_view name) {
 }
 
 void set_run_field(RunOptions& options, std::string_view name, std::string_view text) {
-  std::visit(Told{name, text}, find_run_field(name).place(options));
+  std::visit([&](auto* place) { set_option(name, text, *place); },
+             find_run_field(name).place(options));
 }
 
 std::string run_field_text(const RunOptions& options, const RunField& field) {
-  return std::visit(Spelled{}, field.place(const_cast<RunOptions&>(options)));
+  return std::visit([](const auto* value) { return option_text(*value); },
+                    field.place(const_cast<RunOptions&>(options)));
 }
 
 void check_fields(const RunOptions& options) {

@@ -11,6 +11,7 @@
 #include "support/frameworks.hpp"
 #include "unit/record/recorded_runs.hpp"
 #include "unit/record/samples.hpp"
+#include "support/source_folder.hpp"
 
 namespace pliant {
 namespace recorded_sample_test {
@@ -24,7 +25,7 @@ struct Peptide {
 
 Peptide peptide() {
   Structure structure =
-      read_structure(std::string(PLIANT_SOURCE_DIR "/data/molecules/cyclic_hexapeptide.pdb"));
+      read_structure(molecule_file("cyclic_hexapeptide.pdb"));
   perceive_bonds(structure);
   Peptide made;
   made.start = structure.positions;

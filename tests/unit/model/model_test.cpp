@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
+
 #include "pliant/base/error.hpp"
 #include "pliant/framework/contacts.hpp"
 #include "pliant/model/hydrogen_bond_energy.hpp"
@@ -111,19 +113,51 @@ TEST(StericTable, IsWhatFrameworksTake) {
 }
 
 /// MolProbity's spheres overlap by 0.4 Angstrom in a clash; steps end 0.02 within least distances.
+/// No clash: two of N, O and S, one of which has a hydrogen.
 TEST(StericTable, KeepsHeavyAtomsFromClashing) {
   const Sterics sterics = molecular_sterics(amide_and_carbonyl());
   const std::vector<std::string_view> kinds = steric_kind_names();
-  const std::vector<std::pair<std::string_view, double>> radii{
-      {"C", 1.70}, {"N", 1.55}, {"O", 1.52}, {"S", 1.80}};
-  for (std::size_t a = 0; a < radii.size(); ++a)
-    for (std::size_t b = 0; b < radii.size(); ++b) {
-      ASSERT_EQ(kinds[a], radii[a].first);
-      const bool may_bond = (a == 1 || a == 2) && (b == 1 || b == 2);  // N and O: by hydrogen
-      const double clash = radii[a].second + radii[b].second - 0.4;
+  const std::map<std::string_view, double> radii{{"C", 1.70}, {"N", 1.55},  {"NH", 1.55},
+                                                 {"O", 1.52}, {"OH", 1.52}, {"S", 1.80}};
+  const auto has_hydrogen = [](std::string_view kind) { return kind == "NH" || kind == "OH"; };
+  std::size_t pairs = 0;
+  for (std::size_t a = 0; a < kinds.size(); ++a)
+    for (std::size_t b = 0; b < kinds.size(); ++b) {
+      if (!radii.contains(kinds[a]) || !radii.contains(kinds[b])) continue;
+      ++pairs;
+      const bool may_bond =
+          kinds[a] != "C" && kinds[b] != "C" && (has_hydrogen(kinds[a]) || has_hydrogen(kinds[b]));
+      const double clash = radii.at(kinds[a]) + radii.at(kinds[b]) - 0.4;
       EXPECT_GE(sterics.least[a * sterics.kind_count + b], may_bond ? 2.6 : clash + 0.02 - 1e-9)
           << kinds[a] << ".." << kinds[b];
     }
+  EXPECT_EQ(pairs, radii.size() * radii.size());
+}
+
+std::string_view kind_name(const Structure& s, std::uint32_t atom) {
+  return steric_kind_names()[molecular_sterics(s).kinds[atom]];
+}
+
+/// A proline and a serine after it as they are with polar hydrogens, and a ligand.
+TEST(StericTable, TellsOxygenWithHydrogenFromOxygenThatOnlyAccepts) {
+  Structure s;
+  add_residue(s, "PRO", 1, {{"N", "N", {0, 0, 0}}, {"C", "C", {2, 1, 0}}, {"O", "O", {2, 2.2, 0}}});
+  add_residue(s, "SER", 2,
+              {{"CB", "C", {9, 0, 0}}, {"OG", "O", {10.4, 0, 0}}, {"HG", "H", {10.8, 0.9, 0}}});
+  add_residue(s, "LIG", 3, {{"C", "C", {20, 0, 0}}, {"O", "O", {21.2, 0, 0}}});
+  perceive_bonds(s);
+  EXPECT_EQ(kind_name(s, 0), "N");
+  EXPECT_EQ(kind_name(s, 2), "O");
+  EXPECT_EQ(kind_name(s, 4), "OH");
+  EXPECT_EQ(kind_name(s, 7), "OH") << "a ligand without hydrogens: they may have been left out";
+}
+
+TEST(StericTable, AnyOxygenMayDonateWhereAllHydrogensAreLeftOut) {
+  Structure s;
+  add_residue(s, "ALA", 1, {{"N", "N", {0, 0, 0}}, {"C", "C", {2, 1, 0}}, {"O", "O", {2, 2.2, 0}}});
+  perceive_bonds(s);
+  EXPECT_EQ(kind_name(s, 0), "NH");
+  EXPECT_EQ(kind_name(s, 2), "OH");
 }
 
 TEST(BuildModel, StartsWithEveryLimitAndDistanceHeld) {

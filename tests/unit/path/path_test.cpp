@@ -13,6 +13,7 @@
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/read/read.hpp"
 #include "support/error_text.hpp"
+#include "support/source_folder.hpp"
 
 namespace pliant::path_test {
 
@@ -23,7 +24,7 @@ using ::testing::SizeIs;
 
 /// A helix of 20 residues.
 Structure helix() {
-  Structure structure = read_structure(PLIANT_SOURCE_DIR "/data/molecules/peptide_20.pdb");
+  Structure structure = read_structure(molecule_file("peptide_20.pdb"));
   perceive_bonds(structure);
   return structure;
 }
@@ -205,7 +206,7 @@ TEST(PathOptions, OutOfRangeAreRefused) {
 }
 
 TEST(PathEnds, AnotherMoleculeIsRefused) {
-  Structure drug = read_structure(PLIANT_SOURCE_DIR "/data/molecules/caffeine.sdf");
+  Structure drug = read_structure(molecule_file("caffeine.sdf"));
   EXPECT_THAT(test::error_text<InputError>([&] { match_ends(drug, helix()); }),
               HasSubstr("has no residues of proteins or nucleic acids"));
   EXPECT_THAT(test::error_text<InputError>([&] { match_ends(helix(), drug); }),

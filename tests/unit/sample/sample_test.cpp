@@ -12,6 +12,7 @@
 #include "pliant/molecule/read/read.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
+#include "support/source_folder.hpp"
 
 namespace pliant {
 namespace sample_test {
@@ -24,7 +25,7 @@ struct Peptide {
 
 /// Every heavy atom is a node.
 Peptide peptide(const char* file = "cyclic_hexapeptide.pdb") {
-  Structure structure = read_structure(std::string(PLIANT_SOURCE_DIR "/data/molecules/") + file);
+  Structure structure = read_structure(molecule_file(file));
   perceive_bonds(structure);
   NetworkNodes nodes;
   nodes.of_joint.assign(structure.size(), no_node);

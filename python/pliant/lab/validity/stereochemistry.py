@@ -18,18 +18,22 @@ from scipy.spatial import cKDTree
 from pliant._core import MolecularModel, Structure
 from pliant.lab.validity.clashes import HeavyClashes, within_three_bonds
 
-KINDS = ("C", "N", "O", "S", "H", "HC", "M")
+KINDS = ("C", "N", "NH", "O", "OH", "S", "H", "HC", "M")
 LEAST = np.array([
-    [3.2, 2.9, 2.84, 3.2, 2.3, 2.4, 2.2],
-    [2.9, 2.6, 2.6, 3.1, 2.3, 2.3, 1.7],
-    [2.84, 2.6, 2.6, 3.0, 1.7, 2.2, 1.7],
-    [3.2, 3.1, 3.0, 3.22, 2.4, 2.5, 2.0],
-    [2.3, 2.3, 1.7, 2.4, 1.8, 1.9, 1.9],
-    [2.4, 2.3, 2.2, 2.5, 1.9, 2.0, 1.9],
-    [2.2, 1.7, 1.7, 2.0, 1.9, 1.9, 2.4],
+    [3.2, 2.9, 2.9, 2.84, 2.84, 3.2, 2.3, 2.4, 2.2],
+    [2.9, 2.72, 2.6, 2.69, 2.6, 3.1, 2.3, 2.3, 1.7],
+    [2.9, 2.6, 2.6, 2.6, 2.6, 3.1, 2.3, 2.3, 1.7],
+    [2.84, 2.69, 2.6, 2.66, 2.6, 3.0, 1.7, 2.2, 1.7],
+    [2.84, 2.6, 2.6, 2.6, 2.6, 3.0, 1.7, 2.2, 1.7],
+    [3.2, 3.1, 3.1, 3.0, 3.0, 3.22, 2.4, 2.5, 2.0],
+    [2.3, 2.3, 2.3, 1.7, 1.7, 2.4, 1.8, 1.9, 1.9],
+    [2.4, 2.3, 2.3, 2.2, 2.2, 2.5, 1.9, 2.0, 1.9],
+    [2.2, 1.7, 1.7, 1.7, 1.7, 2.0, 1.9, 1.9, 2.4],
 ])  # fmt: skip
-LIKE = {6: 0, 7: 1, 8: 2, 9: 2, 15: 3, 16: 3, 17: 3, 34: 3, 35: 3, 53: 3, 1: 4}
-METAL = 6
+LIKE = {
+    6: "C", 7: "N", 8: "O", 9: "O", 15: "S", 16: "S", 17: "S", 34: "S", 35: "S", 53: "S", 1: "H",
+}  # fmt: skip
+WITH_HYDROGEN = {7: "NH", 8: "OH"}
 ALLOWED_OVERLAP = 0.1  #: Angstrom
 ALLOWED_TURN = 5.0  #: degrees of omega
 LEAST_VOLUME = 0.5  #: of three bonds, Angstrom^3: what is flatter is no chiral centre
@@ -146,12 +150,14 @@ def _lengths(positions: np.ndarray, pairs: np.ndarray) -> np.ndarray:
 
 def _kinds(structure: Structure) -> np.ndarray:
     elements = np.asarray(structure.elements)
-    kind = np.array([LIKE.get(int(element), METAL) for element in elements])
+    kind = [LIKE.get(int(element), "M") for element in elements]
     for a, b in np.asarray(structure.bonds, dtype=np.int64).reshape(-1, 2):
         for hydrogen, parent in ((a, b), (b, a)):
             if elements[hydrogen] == 1 and elements[parent] == 6:
-                kind[hydrogen] = KINDS.index("HC")
-    return kind
+                kind[hydrogen] = "HC"
+            elif elements[hydrogen] == 1:
+                kind[parent] = WITH_HYDROGEN.get(int(elements[parent]), kind[parent])
+    return np.array([KINDS.index(name) for name in kind])
 
 
 def _neighbours(structure: Structure) -> list[list[int]]:

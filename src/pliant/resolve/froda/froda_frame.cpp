@@ -24,6 +24,8 @@ constexpr int most_closings = 12;
 /// where something is still too near, later.
 constexpr double least_gain = 0.95;
 constexpr int patience = 6, long_patience = 15;
+/// Without gain for so many steps torsion preferences let go: contacts win against them.
+constexpr int patience_with_springs = 3;
 constexpr double least_length = 1e-9;
 
 /// The interval that a step aims at.
@@ -55,6 +57,7 @@ void FrodaFrame::begin(std::span<const Vec3> start, std::span<const Vec3> target
   steps_ = pulls_ = pushes_ = closings_ = since_gain_ = 0;
   visits_ = 0;
   least_ = HUGE_VAL;
+  springs_let_go_ = false;
   is_looked_at_ = false;
   target_share_ = 0.0;
   bodies_with_targets_ = 0;
@@ -124,7 +127,8 @@ bool FrodaFrame::ask_for_contacts() {
   least_ = std::min(least_, here);
   const bool is_whole = least_ <= std::min(options_.limit, options_.overlap);
   if (since_gain_ >= (is_whole ? patience : long_patience)) return false;
-  request_ = {{}, rows_, springs(true), last_bound * unit_, conjugate_gradients()};
+  if (since_gain_ >= patience_with_springs) springs_let_go_ = true;
+  request_ = {{}, rows_, springs(!springs_let_go_), last_bound * unit_, conjugate_gradients()};
   return true;
 }
 

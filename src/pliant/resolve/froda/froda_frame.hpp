@@ -109,6 +109,7 @@ class FrodaFrame {
   // of contacts alone
   double least_ = 0.0;
   int since_gain_ = 0;
+  bool springs_let_go_ = false;
   int steps_ = 0;
   std::int64_t visits_ = 0;
 };

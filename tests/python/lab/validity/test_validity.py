@@ -71,7 +71,7 @@ def test_residues_without_flexible_ends_are_superposed_alone_as_well(packages, m
 LARGE = [pytest.param(name, marks=pytest.mark.long) for name in ("1HVR", "2ZMM")]
 
 
-@pytest.mark.parametrize("name", ["4E43", *LARGE])
+@pytest.mark.parametrize("name", ["4E43", "cobrotoxin", *LARGE])
 def test_frames_clash_no_more_than_the_start(packages, monkeypatch, name):
     monkeypatch.setattr(ladder, "CROWDED", {name: CROWDED[name]})
     row = ladder.validity(["clashes"], frames=12).rows[0]

@@ -12,6 +12,7 @@
 #include "pliant/molecule/read/read.hpp"
 #include "pliant/resolve/froda/froda_solver.hpp"
 #include "support/frameworks.hpp"
+#include "support/source_folder.hpp"
 
 namespace pliant {
 namespace froda_lanes_test {
@@ -24,7 +25,7 @@ struct Molecule {
 /// Spheres that are `least` apart (Angstrom), a limit between the first atom and the last where
 /// these have no bar, and torsion preferences about every third bond that can turn.
 Molecule molecule(const std::string& file, double least) {
-  Structure structure = read_structure(PLIANT_SOURCE_DIR "/data/molecules/" + file);
+  Structure structure = read_structure(molecule_file(file));
   perceive_bonds(structure);
   BuildOptions options{.bars = BarKind::angles};
   const Framework bare = build_framework(structure, options);

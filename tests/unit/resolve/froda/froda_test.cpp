@@ -12,6 +12,7 @@
 #include "pliant/molecule/read/read.hpp"
 #include "pliant/resolve/froda/froda_solver.hpp"
 #include "support/frameworks.hpp"
+#include "support/source_folder.hpp"
 
 namespace pliant {
 namespace froda_test {
@@ -23,7 +24,7 @@ struct Molecule {
 
 Molecule molecule(const std::string& file, const std::shared_ptr<const Sterics>& sterics = {},
                   const std::vector<Limit>& limits = {}) {
-  Structure structure = read_structure(PLIANT_SOURCE_DIR "/data/molecules/" + file);
+  Structure structure = read_structure(molecule_file(file));
   perceive_bonds(structure);
   BuildOptions options{.bars = BarKind::angles};
   options.sterics = sterics;
@@ -38,7 +39,7 @@ double worst_bar(const Framework& framework, std::span<const Vec3> x) {
 /// Each joint belongs to one body, which comes after the one it hangs on; a forest needs no cuts.
 TEST(BodyPlan, EveryJointBelongsToOneBody) {
   for (const auto& entry :
-       std::filesystem::directory_iterator(PLIANT_SOURCE_DIR "/data/molecules")) {
+       std::filesystem::directory_iterator(molecules_folder())) {
     const Molecule m = molecule(entry.path().filename().string());
     const auto plan = BodyPlan::make(m.framework);
     ASSERT_TRUE(plan);
@@ -53,7 +54,7 @@ TEST(BodyPlan, EveryJointBelongsToOneBody) {
 /// However hard the push, bonds and angles stay: also where loops were cut.
 TEST(FrodaSolver, BarsStayWholeWhateverThePush) {
   for (const auto& entry :
-       std::filesystem::directory_iterator(PLIANT_SOURCE_DIR "/data/molecules")) {
+       std::filesystem::directory_iterator(molecules_folder())) {
     const Molecule m = molecule(entry.path().filename().string());
     SCOPED_TRACE(entry.path().filename().string());
     const auto plan = BodyPlan::make(m.framework);

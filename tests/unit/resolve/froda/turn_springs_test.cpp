@@ -93,5 +93,28 @@ TEST(TurnSprings, PullAnEclipsedTorsionBack) {
     }
 }
 
+/// The ends may be no nearer than at 115 degrees, and the torsion prefers 60 to 75.
+TEST(TurnSprings, LetGoWhereContactsWouldNotHoldAgainstThem) {
+  const std::vector<Vec3> start = chain(118.0), nearest = chain(115.0);
+  FrameworkParts parts = framework_of(start, 15.0, false).parts();
+  parts.sterics =
+      std::make_shared<const Sterics>(Sterics{.kind_count = 1,
+                                              .kinds = {0, 0, 0, 0},
+                                              .least = {distance(nearest[0], nearest[3])},
+                                              .excluded_bonds = 2,
+                                              .bonds = {{0, 1}, {1, 2}, {2, 3}}});
+  const Framework framework(std::move(parts));
+  const BodyPlan plan = *BodyPlan::make(framework);
+  FrodaSolver solver(framework, plan);
+  std::vector<Vec3> out(4);
+  FrodaOptions options;
+  options.is_careful = true;
+  options.has_torsion_preferences = true;
+  const FrodaOutcome outcome = solver.resolve(start, chain(80.0), out, options);
+  EXPECT_TRUE(outcome.is_whole);
+  EXPECT_LE(outcome.max_overlap, options.goal);
+  EXPECT_NEAR(torsion_of(out), 115.0, 0.5);
+}
+
 }  // namespace turn_springs_test
 }  // namespace pliant

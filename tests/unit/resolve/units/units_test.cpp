@@ -11,6 +11,7 @@
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/read/read.hpp"
 #include "support/frameworks.hpp"
+#include "support/source_folder.hpp"
 
 namespace pliant {
 namespace units_test {
@@ -29,7 +30,7 @@ Molecule molecule(const std::filesystem::path& file) {
 }
 
 Molecule named(const char* file) {
-  return molecule(std::filesystem::path(PLIANT_SOURCE_DIR "/data/molecules") / file);
+  return molecule(molecules_folder() / file);
 }
 
 /// What stays after drawn positions are taken away.
@@ -42,7 +43,7 @@ Framework without_drawing(const Framework& framework) {
 TEST(Units, EveryMoleculeIsWholeAfterOnePass) {
   std::size_t seen = 0;
   for (const auto& entry :
-       std::filesystem::directory_iterator(PLIANT_SOURCE_DIR "/data/molecules")) {
+       std::filesystem::directory_iterator(molecules_folder())) {
     const Molecule m = molecule(entry.path());
     SCOPED_TRACE(m.name);
     ++seen;

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The page of all commands, from the help texts that tests compare with what the commands print."""
+"""The page of all help texts, from those that tests compare with what the commands print."""
 
 from __future__ import annotations
 
@@ -7,10 +7,9 @@ from pathlib import Path
 
 TEXTS = Path(__file__).resolve().parents[2] / "tests" / "cli"
 
-INTRODUCTION = """# Commands
+INTRODUCTION = """# What --help prints
 
-What `--help` prints, command by command. Every command takes `--json`. It ends with 0 if all went
-well, 1 if the input is wrong and 2 for a bad option; other codes stand with the command.
+Command by command. [Commands](commands.md) says which one is for what.
 """
 
 
