@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // pliant sample: an ensemble of what a molecule can do. A molecule in, an H5MD trajectory out.
 #include <filesystem>
-#include <utility>
 
 #include "command.hpp"
 #include "continue_sample.hpp"
@@ -11,10 +10,8 @@
 #include "output_files.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
-#include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/molecule/selection.hpp"
-#include "pliant/sample/conformer_framework.hpp"
-#include "pliant/sample/samplers.hpp"
+#include "pliant/resume/recorded_sample.hpp"
 #include "recorded_header.hpp"
 #include "sample_report.hpp"
 #include "sample_settings.hpp"
@@ -22,11 +19,16 @@
 namespace pliant::app {
 namespace {
 
-H5mdHeader header_of(const SampleSettings& settings, const MolecularModel& model,
-                     const NetworkNodes& nodes) {
-  H5mdHeader header = molecule_header(model.structure);
+/// A molecule that a sample has been planned of.
+struct PlannedSample {
+  const MolecularModel& model;
+  const SampleTask& task;
+};
+
+H5mdHeader header_of(const SampleSettings& settings, const PlannedSample& planned) {
+  H5mdHeader header = molecule_header(planned.model.structure);
   header.parameters = parameters_of(settings);
-  header.inputs = sample_inputs(model.positions, nodes);
+  header.inputs = sample_inputs(planned.task.start(), planned.task.nodes());
   return header;
 }
 
@@ -49,31 +51,41 @@ SdfMolecule sdf_molecule(const Structure& structure) {
   return {structure.title, structure.charges, structure.isotopes, structure.radicals};
 }
 
-SampleSummary sample_to_file(const SampleSettings& settings, const MolecularModel& model,
-                             const Log& log) {
-  NetworkNodes nodes = nodes_of(model);
-  const H5mdHeader header = header_of(settings, model, nodes);
-  FrameOutput recorder(settings.output, model.framework, header, settings.record,
-                       sdf_molecule(model.structure));
-  write_topology(settings.topology, model.framework, header, model.positions, settings.record);
-  ProgressBar progress(settings.sample.frames, "frames", settings.quiet);
-  SampleOptions options = settings.sample;
-  options.should_stop = interrupted;
-  options.log = log;
+void refuse_single_node(const PlannedSample& planned) {
+  if (planned.task.nodes().positions.size() < 2)
+    throw InputError(at({planned.model.structure.source},
+                        "holds one residue or atom: an ensemble needs two that can move apart"));
+}
+
+SampleSummary sample_to_file(const SampleSettings& settings, const PlannedSample& planned) {
+  refuse_single_node(planned);
+  const SampleTask& task = planned.task;
+  const H5mdHeader header = header_of(settings, planned);
+  FrameOutput recorder(settings.output, task.framework(), header, settings.record,
+                       sdf_molecule(planned.model.structure));
+  write_topology(settings.topology, task.framework(), header, planned.model.positions,
+                 settings.record);
+  ProgressBar progress(task.options().frames, "frames", settings.quiet);
   std::int64_t done = 0;
-  SampleSummary summary = sample(model.framework, model.positions, std::move(nodes), options,
-                                 [&](const SampledFrame& frame) {
-                                   recorder.record(recorded_frame(frame));
-                                   progress.show(++done);
-                                   return interrupted();
-                                 });
+  SampleSummary summary = task.run(
+      [&](const SampledFrame& frame) {
+        recorder.record(recorded_frame(frame));
+        progress.show(++done);
+        return interrupted();
+      },
+      interrupted);
   recorder.close();
   return summary;
 }
 
-SampledSystem system_of(const MolecularModel& model) {
-  return {entry(model.kind).name, model.framework, model.positions,
-          model.contacts.size(),  model.told,      model.missing};
+SampledSystem system_of(const PlannedSample& planned) {
+  const MolecularModel& model = planned.model;
+  return {entry(model.kind).name,
+          planned.task.framework(),
+          model.positions,
+          model.contacts.size(),
+          model.told,
+          model.missing};
 }
 
 }  // namespace
@@ -105,19 +117,19 @@ int command_sample(const Arguments& arguments) {
   complete(settings);
   check_outputs(settings);
   settings.record.log = messages.log();
-  MolecularModel model = load_model(settings, messages.log());
-  choose_sampler(settings, model);
-  if (!find_sampler(settings.sample.sampler).has_amplitude)
-    model.framework = conformer_framework(model.framework, model.positions);
-  choose_amplitude(settings, model, messages.log());
-  settings.record.saved = select_joints(model.framework, settings.save, "--save");
-  settings.topology = fitting_topology(settings.topology, asks_for_topology, model.framework,
+  settings.sample.log = messages.log();
+  const MolecularModel model = load_model(settings, messages.log());
+  const SampleTask task(subject_of(model), asked_of(settings, model, messages.log()));
+  settings.sample = task.options();
+  settings.record.saved = select_joints(task.framework(), settings.save, "--save");
+  settings.topology = fitting_topology(settings.topology, asks_for_topology, task.framework(),
                                        model.positions, settings.record);
   if (settings.dry_run) return exit_ok;
   watch_for_interrupt();
-  const SampleSummary summary = sample_to_file(settings, model, messages.log());
+  const PlannedSample planned{model, task};
+  const SampleSummary summary = sample_to_file(settings, planned);
   warn_of_amplitude(summary, messages.log());
-  print_sample(settings, system_of(model), summary, messages.warnings());
+  print_sample(settings, system_of(planned), summary, messages.warnings());
   return exit_code_of(summary);
 }
 

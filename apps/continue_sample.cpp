@@ -11,39 +11,36 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "option_comparison.hpp"
+#include "option_fields.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/framework/limit_counts.hpp"
-#include "pliant/laboratory/recorded_sample.hpp"
+#include "pliant/resume/recorded_sample.hpp"
 #include "sample_report.hpp"
 
 namespace pliant::app {
 namespace {
 
-constexpr RecordedOption recorded_options[] = {{"input", "input/file"},
-                                               {"--frame", "input/model"},
-                                               {"--select", "input/select"},
-                                               {"--assembly", "input/assembly"},
-                                               {"--no-distance-bonds", "input/distance_bonds"},
-                                               {"--model", "model/kind"},
-                                               {"--hbond-cutoff", "model/hbond_cutoff"},
-                                               {"--contacts", "model/contacts"},
-                                               {"--fill-side-chains", "model/fill_side_chains"},
-                                               {"--all-hydrogens", "model/all_hydrogens"},
-                                               {"--free-torsions", "model/free_torsions"},
-                                               {"--keep-waters", "model/keep_waters"},
-                                               {"--protonate", "model/protonate"},
-                                               {"--floppy", "model/floppy"},
-                                               {"--first-frame", "sample/first_frame"},
-                                               {"--amplitude", "sample/amplitude_from"},
-                                               {"--seed", "sample/seed"},
-                                               {"--network", "sample/network"},
-                                               {"--sampler", "sample/sampler"},
-                                               {"--contact-energy", "sample/contact_energy"},
-                                               {"--single", "record/single"},
-                                               {"--compress", "record/compress"},
-                                               {"--precision", "record/precision"},
-                                               {"--save", "record/save"}};
+constexpr RecordedOption options_of_the_molecule[] = {
+    {"input", "input/file"},
+    {"--frame", "input/model"},
+    {"--select", "input/select"},
+    {"--assembly", "input/assembly"},
+    {"--no-distance-bonds", "input/distance_bonds"},
+    {"--model", "model/kind"},
+    {"--hbond-cutoff", "model/hbond_cutoff"},
+    {"--contacts", "model/contacts"},
+    {"--fill-side-chains", "model/fill_side_chains"},
+    {"--all-hydrogens", "model/all_hydrogens"},
+    {"--free-torsions", "model/free_torsions"},
+    {"--keep-waters", "model/keep_waters"},
+    {"--protonate", "model/protonate"},
+    {"--floppy", "model/floppy"}};
+
+constexpr RecordedOption options_of_the_file[] = {{"--single", "record/single"},
+                                                  {"--compress", "record/compress"},
+                                                  {"--precision", "record/precision"},
+                                                  {"--save", "record/save"}};
 
 constexpr const char* options_of_a_new_sample[] = {"--format", "--topology", "--overwrite"};
 
@@ -69,13 +66,24 @@ H5mdCheckpoint read_sample(const CommandLine& line, const SampleSettings& settin
   return from;
 }
 
+/// Of an amplitude, what was asked for, which may be a file.
+std::string recorded_path(const SampleField& field) {
+  const bool is_asked = field.name == "amplitude";
+  return "sample/" + std::string(field.name) + (is_asked ? "_from" : "");
+}
+
 /// Which kind of model `auto` took is in the file.
 void check_options_again(const CommandLine& line, SampleSettings given,
                          const H5mdCheckpoint& recorded) {
   refuse_options_of_a_new_file(line, options_of_a_new_sample, recorded.path);
   given.molecule.kind.name =
       given.model == "auto" ? recorded_text(recorded, "model/kind") : given.model;
-  OptionComparison(line, parameters_of(given), recorded).check(recorded_options);
+  const OptionComparison comparison(line, parameters_of(given), recorded);
+  comparison.check(options_of_the_molecule);
+  for (const SampleField& field : sample_fields())
+    if (field.users.file && field.name != "frames")
+      comparison.check(option_name(field.name), recorded_path(field));
+  comparison.check(options_of_the_file);
   if (recorded.done > recorded.steps)
     throw OptionError(
         fmt::format("--frames {}: {} has {} frames already; frames are counted from "
@@ -104,8 +112,9 @@ int continue_sample(const CommandLine& line, SampleSettings& settings) {
   const H5mdCheckpoint from = read_sample(line, settings, messages.log());
   check_options_again(line, settings, from);
   settings.molecule.file = recorded_text(from, "input/file");
+  const std::int64_t threads = settings.sample.threads;
   settings.sample = sample_options_from(from);
-  settings.sample.threads = threads_of(settings);
+  settings.sample.threads = threads;
   settings.chosen_amplitude = {settings.sample.amplitude,
                                recorded_text(from, "sample/amplitude_from"),
                                recorded_text(from, "sample/amplitude_reason")};

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "option_fields.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/run/replay_events.hpp"

@@ -6,6 +6,7 @@
 
 #include "force_events_input.hpp"
 #include "force_header_input.hpp"
+#include "option_fields.hpp"
 #include "pliant/base/number.hpp"
 #include "pliant/base/printable.hpp"
 #include "pliant/perturb/force_file.hpp"

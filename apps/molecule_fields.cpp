@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "pliant/base/option_text.hpp"
+#include "pliant/base/value_text.hpp"
 
 namespace pliant::app {
 namespace {
@@ -35,7 +35,7 @@ constexpr MoleculeField table[] = {
 };
 
 struct Spelled {
-  std::string operator()(const auto* value) const { return option_text(*value); }
+  std::string operator()(const auto* value) const { return value_text(*value); }
   std::string operator()(const std::vector<std::string>* values) const {
     std::string text;
     for (const std::string& value : *values) text += (text.empty() ? "" : ",") + value;
@@ -46,8 +46,8 @@ struct Spelled {
 struct Told {
   std::string_view name, text;
 
-  void operator()(auto* place) const { set_option(name, text, *place); }
-  void operator()(std::int64_t* place) const { set_option(name, text, *place, 1); }
+  void operator()(auto* place) const { set_value(name, text, *place); }
+  void operator()(std::int64_t* place) const { set_value(name, text, *place, 1); }
   void operator()(std::vector<std::string>* place) const {
     place->clear();
     std::istringstream parts{std::string(text)};

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "recorded_settings.hpp"
 
-#include <algorithm>
-
 #include "option_comparison.hpp"
+#include "option_fields.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/laboratory/recorded_inputs.hpp"
+#include "pliant/resume/recorded_inputs.hpp"
 #include "pliant/run/run_fields.hpp"
 
 namespace pliant::app {
@@ -42,12 +41,6 @@ constexpr RecordedOption recorded_options[] = {{"input", "input/file"},
 constexpr const char* options_of_a_new_run[] = {"--format", "--topology", "--overwrite",
                                                 "--record-forces", "--imd"};
 
-std::string option_of(const RunField& field) {
-  std::string option = "--" + std::string(field.name);
-  std::replace(option.begin(), option.end(), '_', '-');
-  return option;
-}
-
 }  // namespace
 
 void check_options_again(const CommandLine& line, const RunSettings& given,
@@ -56,7 +49,8 @@ void check_options_again(const CommandLine& line, const RunSettings& given,
   const OptionComparison comparison(
       line, parameters_of(given, recorded.framework, given.first_walker), recorded);
   for (const RunField& field : run_fields())
-    if (field.name != "steps") comparison.check(option_of(field), "run/" + std::string(field.name));
+    if (field.name != "steps")
+      comparison.check(option_name(field.name), "run/" + std::string(field.name));
   comparison.check(recorded_options);
   comparison.check_model();
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "run_settings.hpp"
 
-#include <algorithm>
 #include <filesystem>
 #include <limits>
 #include <thread>
 
 #include "force_file_input.hpp"
 #include "frame_output.hpp"
+#include "option_fields.hpp"
 #include "output_files.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/number.hpp"
@@ -19,44 +19,23 @@ namespace pliant::app {
 namespace {
 
 namespace fs = std::filesystem;
-constexpr auto no_limit = std::numeric_limits<std::int64_t>::max();
 constexpr std::int64_t most_walkers = 1'000'000;
 
-/// Adds an option of the table, by the kind of its value.
-struct AddField {
-  CommandLine& line;
-  const RunField& field;
-  std::string option = option_name(field.name);
-  std::string help = std::string(field.summary);
-
-  void operator()(bool* value) const { line.add_flag(option, *value, help); }
-  void operator()(std::uint64_t* value) const { line.add_seed(option, *value, help); }
-  void operator()(std::int64_t* value) const {
-    line.add_integer(option, *value, field.range == Range::positive ? 1 : 0, no_limit, help);
-  }
-  void operator()(double* value) const {
-    line.add_real(option, *value, field.range, help, field.is_optional ? "" : nullptr);
-  }
-  void operator()(std::string* value) const {
-    line.add_choice(option, *value, field.choices(), help);
-  }
-};
-
-void add_fields(CommandLine& line, RunOptions& run, RunGroup group) {
+void add_fields(CommandLine& line, RunOptions& run, std::string_view group) {
   for (const RunField& field : run_fields())
-    if (field.group == group) std::visit(AddField{line, field}, field.place(run));
+    if (field.group == group) add_option(line, field, field.place(run));
 }
 
 void add_technique_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Technique");
-  add_fields(line, settings.run, RunGroup::technique);
+  add_fields(line, settings.run, "Technique");
   line.add_text("--ordering", settings.ordering, "FILE",
                 "visit the bars in the order that this file lists; replaces --technique");
 }
 
 void add_perturb_options(CommandLine& line, RunSettings& settings) {
   line.start_group("Perturbation");
-  add_fields(line, settings.run, RunGroup::perturbation);
+  add_fields(line, settings.run, "Perturbation");
   line.add_text("--forces", settings.forces, "FILE",
                 "replay a force file: one push per step, or what was done by hand;\n"
                 "replaces --perturb. Options that the file holds need not be given");
@@ -136,16 +115,10 @@ void name_live_forces(RunSettings& settings) {
 
 }  // namespace
 
-std::string option_name(std::string_view field) {
-  std::string option = "--" + std::string(field);
-  std::replace(option.begin(), option.end(), '_', '-');
-  return option;
-}
-
 void add_run_options(CommandLine& line, RunSettings& settings) {
   add_molecule_options(line, settings.molecule);
   line.start_group("Run");
-  add_fields(line, settings.run, RunGroup::run);
+  add_fields(line, settings.run, "Run");
   line.add_text("--continue", settings.go_on, "FILE",
                 "continue the run in this trajectory, up to --steps in total, as if it had never "
                 "stopped");

@@ -46,9 +46,6 @@ struct RunSettings {
   bool quiet = false;
 };
 
-/// "--max-sweeps" of "max_sweeps".
-std::string option_name(std::string_view field);
-
 void add_run_options(CommandLine& line, RunSettings& settings);
 
 /// Fills in the numbers of the walkers.

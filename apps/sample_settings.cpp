@@ -7,22 +7,17 @@
 #include <utility>
 
 #include "frame_output.hpp"
+#include "option_fields.hpp"
 #include "output_files.hpp"
-#include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/laboratory/recorded_sample.hpp"
-#include "pliant/model/ensemble_amplitude.hpp"
-#include "pliant/model/residue_nodes.hpp"
 #include "pliant/molecule/drawing.hpp"
-#include "pliant/record/h5md/h5md_reader.hpp"
-#include "pliant/sample/elastic_network.hpp"
-#include "pliant/sample/samplers.hpp"
+#include "pliant/tasks/asked_amplitude.hpp"
 
 namespace pliant::app {
 namespace {
 
-constexpr std::int64_t most_frames = 100'000'000;
+std::int64_t all_cores() { return std::max(1U, std::thread::hardware_concurrency()); }
 
 void add_molecule_group(CommandLine& line, SampleSettings& settings) {
   add_file_options(line, settings.molecule);
@@ -35,36 +30,30 @@ void add_molecule_group(CommandLine& line, SampleSettings& settings) {
   add_torsion_option(line, settings.molecule.kind);
 }
 
-void add_sample_group(CommandLine& line, SampleSettings& settings) {
-  line.start_group("Sampling");
-  SampleOptions& sample = settings.sample;
-  line.add_integer("--frames", sample.frames, 1, most_frames, "frames to write");
+void add_continue(CommandLine& line, SampleSettings& settings) {
   line.add_text("--continue", settings.go_on, "FILE",
                 "continue this trajectory, up to --frames in total, as if it had never "
                 "stopped");
   line.not_required_with("input", "--continue");
-  line.add_integer("--first-frame", sample.first_frame, 0, most_frames,
-                   "number of the first frame, if an ensemble is made in pieces");
+}
+
+void add_amplitude(CommandLine& line, SampleSettings& settings) {
   line.add_text("--amplitude", settings.amplitude, "X, NAME or FILE",
                 "how far frames go: r.m.s. fluctuation, averaged over residues. An input:\n"
                 "X: in Angstrom (default 1.4, which is that of ubiquitin by NMR, 2K39)\n"
                 "bfactors: from the B factors in the file, sqrt(3 B / 8 pi^2)\n"
                 "FILE: from your own ensemble: models (PDB, mmCIF) or frames (H5MD) of the\n"
                 "same residues, with the same numbers");
-  line.add_seed("--seed", sample.seed, "seed of all random numbers");
-  line.add_integer("--threads", settings.threads, 1, 4096, "threads that share the frames",
-                   "all cores");
-  line.add_choice("--network", sample.network, names_of(networks()),
-                  "elastic network; frames follow its modes");
-  std::vector<std::string_view> ways{"auto"};
-  for (const SamplerEntry& row : samplers()) ways.push_back(row.name);
-  sample.sampler = "auto";
-  line.add_choice("--sampler", sample.sampler, ways,
-                  "way to move; auto: modes if there are residues, torsions for small molecules");
-  line.add_real("--contact-energy", sample.contact_energy, Range::positive,
-                "of --sampler dilute, kcal/mol: it turns a contact of energy E off\n"
-                "with probability exp(-|E| / X)");
-  line.add_former_real("--temperature", "--contact-energy, in kcal/mol", 1.0 / kj_per_kcal);
+}
+
+void add_sample_group(CommandLine& line, SampleSettings& settings) {
+  line.start_group("Sampling");
+  settings.sample.threads = all_cores();
+  for (const SampleField& field : sample_fields()) {
+    if (field.users.command) add_option(line, field, field.place(settings.sample));
+    if (field.name == "frames") add_continue(line, settings);
+    if (field.name == "amplitude") add_amplitude(line, settings);
+  }
 }
 
 void add_output_group(CommandLine& line, SampleSettings& settings) {
@@ -84,21 +73,11 @@ void add_output_group(CommandLine& line, SampleSettings& settings) {
   line.add_flag("--quiet", settings.quiet, "print nothing but errors");
 }
 
-bool is_h5md(const std::string& path) {
-  const std::filesystem::path extension = std::filesystem::path(path).extension();
-  return extension == ".h5md" || extension == ".h5";
-}
-
 /// What was asked for, in one way of writing: for files, and to compare with what they hold.
 std::string amplitude_source(const SampleSettings& settings) {
   if (settings.amplitude.empty()) return number_text(usual_amplitude);
   const auto number = parse_real(settings.amplitude);
   return number ? number_text(*number) : settings.amplitude;
-}
-
-/// Whether it has residues of proteins or nucleic acids.
-bool has_residues(const MolecularModel& model) {
-  return usual_model(model.structure) == ModelKind::protein;
 }
 
 /// A number is refused before any file is read.
@@ -117,13 +96,7 @@ void add_sample_options(CommandLine& line, SampleSettings& settings) {
   add_output_group(line, settings);
 }
 
-int threads_of(const SampleSettings& settings) {
-  const auto all = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-  return settings.threads == 0 ? all : static_cast<int>(settings.threads);
-}
-
 void complete(SampleSettings& settings) {
-  settings.sample.threads = threads_of(settings);
   if (settings.output.empty()) settings.output = default_trajectory(settings.molecule.file);
   if (settings.topology.empty())
     settings.topology = is_pdb_name(settings.output) || is_sdf_name(settings.output)
@@ -131,7 +104,7 @@ void complete(SampleSettings& settings) {
                             : default_topology(settings.output, settings.molecule.file);
   check_amplitude(settings);
   SampleOptions known = settings.sample;
-  if (known.sampler == "auto") known.sampler = SampleOptions{}.sampler;
+  if (known.sampler == automatic_sampler) known.sampler = SampleOptions{}.sampler;
   check(known);
 }
 
@@ -144,26 +117,15 @@ MolecularModel load_model(SampleSettings& settings, const Log& log) {
   return build_model(structure, model_options_of(settings.molecule.kind, log));
 }
 
-void choose_sampler(SampleSettings& settings, const MolecularModel& model) {
-  std::string& sampler = settings.sample.sampler;
-  if (sampler == "auto")
-    sampler = usual_sampler(model.framework, model.positions, has_residues(model));
-  if (!settings.amplitude.empty() && !find_sampler(sampler).has_amplitude)
-    throw OptionError("--amplitude: sampler " + sampler +
-                      " has none: how far torsions turn is drawn");
-}
-
-void choose_amplitude(SampleSettings& settings, const MolecularModel& model, const Log& log) {
-  if (settings.amplitude.empty()) {
-    settings.chosen_amplitude = {usual_amplitude, number_text(usual_amplitude),
-                                 "the default; see --amplitude for others"};
-  } else if (is_h5md(settings.amplitude)) {
-    settings.chosen_amplitude = trajectory_amplitude(H5mdReader(settings.amplitude, {"", log}),
-                                                     settings.amplitude, model.structure, log);
-  } else {
-    settings.chosen_amplitude = pliant::choose_amplitude(settings.amplitude, model.structure, log);
+SampleAsked asked_of(SampleSettings& settings, const MolecularModel& model, const Log& log) {
+  settings.chosen_amplitude = {usual_amplitude, number_text(usual_amplitude),
+                               "the default; see --amplitude for others"};
+  SampleAsked asked{settings.sample, std::nullopt, "--"};
+  if (!settings.amplitude.empty()) {
+    settings.chosen_amplitude = asked_amplitude(settings.amplitude, model.structure, log);
+    asked.amplitude = settings.chosen_amplitude;
   }
-  settings.sample.amplitude = settings.chosen_amplitude.value;
+  return asked;
 }
 
 std::vector<std::string> inputs_of(const SampleSettings& settings) {
@@ -171,14 +133,6 @@ std::vector<std::string> inputs_of(const SampleSettings& settings) {
   const bool is_file = !parse_real(settings.amplitude) && settings.amplitude != "bfactors";
   if (is_file) all.push_back(settings.amplitude);
   return all;
-}
-
-NetworkNodes nodes_of(const MolecularModel& model) {
-  ResidueNodes found = residue_nodes(model.structure);
-  if (found.positions.size() < 2)
-    throw InputError(at({model.structure.source},
-                        "holds one residue or atom: an ensemble needs two that can move apart"));
-  return {std::move(found.positions), std::move(found.chain), std::move(found.of_atom)};
 }
 
 std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {

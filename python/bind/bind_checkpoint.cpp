@@ -6,8 +6,8 @@
 #include "locked.hpp"
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/laboratory/recorded_inputs.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
+#include "pliant/resume/recorded_inputs.hpp"
 #include "pliant/run/run_fields.hpp"
 
 namespace pliant::python {

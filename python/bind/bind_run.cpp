@@ -7,7 +7,6 @@
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/variant.h>
 
-#include <cctype>
 #include <set>
 #include <stdexcept>
 
@@ -15,10 +14,11 @@
 #include "interrupt.hpp"
 #include "messages.hpp"
 #include "observers.hpp"
+#include "option_fields.hpp"
 #include "options.hpp"
 #include "pliant/framework/fingerprint.hpp"
-#include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/molecule/structure/structure.hpp"
+#include "pliant/resume/force_recorder.hpp"
 #include "pliant/run/force_settings.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "pushes.hpp"
@@ -85,40 +85,13 @@ OwnedRunSummary run_steps(const Framework& framework, nb::handle_t<State> state,
   return {summary, nb::borrow(state)};
 }
 
-const char* python_type(const RunPlace& place) {
-  constexpr const char* types[] = {"bool", "int", "int", "float", "str"};
-  return types[place.index()];
-}
-
-/// "Sweeps after which a step is given up."
-std::string docstring(std::string_view summary) {
-  std::string text(summary);
-  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
-  return text + ".";
-}
-
 /// The attribute of one row of the table of options.
 void bind_field(nb::class_<RunOptions>& options, const RunField& field) {
   RunOptions any;
   const std::string name(field.name), type = python_type(field.place(any));
   options.def_prop_rw(
-      name.c_str(),
-      [&field](RunOptions& self) {
-        return std::visit([](const auto* value) { return nb::cast(*value); }, field.place(self));
-      },
-      [&field](RunOptions& self, nb::handle value) {
-        std::visit(
-            [&](auto* place) {
-              using Value = std::remove_pointer_t<decltype(place)>;
-              const char* type = python_type(field.place(self));
-              if constexpr (std::is_same_v<Value, std::int64_t>)
-                *place = argument_as<Value>(field.name, value, type,
-                                            field.range == Range::positive ? 1 : 0);
-              else
-                *place = argument_as<Value>(field.name, value, type);
-            },
-            field.place(self));
-      },
+      name.c_str(), [&field](RunOptions& self) { return value_of(field.place(self)); },
+      [&field](RunOptions& self, nb::handle value) { take_value(field, field.place(self), value); },
       nb::for_getter(nb::sig(("def " + name + "(self) -> " + type).c_str())),
       nb::for_setter(nb::sig(("def " + name + "(self, arg: " + type + ", /) -> None").c_str())),
       nb::for_setter(nb::arg().none()), docstring(field.summary).c_str());

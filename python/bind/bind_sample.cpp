@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: MIT
 // Sampling: ways to move, and ensembles of frames.
 #include <optional>
+#include <utility>
 
 #include "arrays.hpp"
 #include "asked_amplitude.hpp"
 #include "interrupt.hpp"
 #include "messages.hpp"
-#include "network_nodes.hpp"
+#include "option_fields.hpp"
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/base/number.hpp"
-#include "pliant/laboratory/recorded_sample.hpp"
-#include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
 #include "pliant/molecule/drawing.hpp"
 #include "pliant/molecule/selection.hpp"
-#include "pliant/sample/conformer_framework.hpp"
-#include "pliant/sample/sample.hpp"
+#include "pliant/resume/recorded_sample.hpp"
+#include "pliant/sample/sample_fields.hpp"
 #include "pliant/sample/samplers.hpp"
+#include "pliant/tasks/asked_amplitude.hpp"
+#include "pliant/tasks/sample_task.hpp"
 #include "recorded_bonds.hpp"
 #include "structure.hpp"
 #include "tables.hpp"
@@ -71,97 +71,79 @@ Output output_from(const std::optional<std::filesystem::path>& path, bool overwr
           save};
 }
 
-H5mdHeader header_of_sample(const MolecularModel& model, const AmplitudeChoice& amplitude,
-                            const NetworkNodes& nodes, const SampleOptions& options,
-                            const H5mdOptions& recording, const std::string& save) {
-  H5mdHeader header = header_of(&model.structure);
-  header.inputs = sample_inputs(model.positions, nodes);
-  header.parameters = parameters_of(options);
-  const std::string file = std::filesystem::path(model.structure.source).filename().string();
+H5mdHeader header_of_sample(const SampledEnsemble& made, const SampleTask& task,
+                            const Output& output) {
+  H5mdHeader header = header_of(&made.model.structure);
+  header.inputs = sample_inputs(task.start(), task.nodes());
+  header.parameters = parameters_of(task.options());
+  const std::string file = std::filesystem::path(made.model.structure.source).filename().string();
   header.parameters.insert(header.parameters.end(),
                            {{"input/file", file},
-                            {"sample/amplitude_from", amplitude.source},
-                            {"sample/amplitude_reason", amplitude.reason},
-                            {"model/kind", std::string(entry(model.kind).name)},
-                            {"record/single", recording.single},
-                            {"record/compress", recording.compress},
-                            {"record/precision", recording.precision},
-                            {"record/save", save}});
+                            {"sample/amplitude_from", made.amplitude.source},
+                            {"sample/amplitude_reason", made.amplitude.reason},
+                            {"model/kind", std::string(entry(made.model.kind).name)},
+                            {"record/single", output.options.single},
+                            {"record/compress", output.options.compress},
+                            {"record/precision", output.options.precision},
+                            {"record/save", output.save}});
   return header;
 }
 
 /// Needs the GIL not to be held.
-void fill(SampledEnsemble& out, const SampleOptions& options, const Output& output,
+void fill(SampledEnsemble& out, const SampleTask& task, const Output& output,
           InterruptWatch& watch) {
-  const MolecularModel& model = out.model;
-  const NetworkNodes nodes = nodes_of(model.structure);
   std::optional<H5mdRecorder> recorder;
   if (output.path)
-    recorder.emplace(
-        *output.path, model.framework,
-        header_of_sample(model, out.amplitude, nodes, options, output.options, output.save),
-        output.options);
-  out.summary =
-      sample(model.framework, model.positions, nodes, options, [&](const SampledFrame& frame) {
-        if (recorder) recorder->record(recorded_frame(frame));
-        out.positions.insert(out.positions.end(), frame.positions.begin(), frame.positions.end());
-        return watch(frame.frame - options.first_frame + 1);
-      });
+    recorder.emplace(*output.path, task.framework(), header_of_sample(out, task, output),
+                     output.options);
+  out.summary = task.run([&](const SampledFrame& frame) {
+    if (recorder) recorder->record(recorded_frame(frame));
+    out.positions.insert(out.positions.end(), frame.positions.begin(), frame.positions.end());
+    return watch(frame.frame - task.options().first_frame + 1);
+  });
   if (recorder) recorder->close();
 }
 
-/// Version 0.3.0 took a temperature in kJ/mol.
-void refuse_former(const std::optional<double>& temperature) {
-  if (temperature)
-    throw OptionError("temperature is now contact_energy, in kcal/mol: contact_energy=" +
-                      number_text(*temperature / kj_per_kcal, 6));
+/// How far frames go is then in `out`.
+SampleAsked asked_of(SampledEnsemble& out, const std::optional<AskedAmplitude>& amplitude,
+                     SampleOptions options) {
+  options.log = python_log();
+  const std::string text = amplitude_text(amplitude.value_or(usual_amplitude));
+  out.amplitude = asked_amplitude(text, out.model.structure, python_log());
+  SampleAsked asked{std::move(options)};
+  if (amplitude) asked.amplitude = out.amplitude;
+  return asked;
 }
 
-SampledEnsemble sample_from(const nb::handle& structure, std::int64_t frames,
-                            const std::optional<AskedAmplitude>& amplitude, std::uint64_t seed,
-                            int threads, const std::string& network, const std::string& sampler,
-                            std::int64_t first_frame, double contact_energy,
+SampledEnsemble sample_from(const nb::handle& structure, const nb::object& frames,
+                            const std::optional<AskedAmplitude>& amplitude,
                             const std::string& model,
                             const std::optional<std::filesystem::path>& path, bool overwrite,
                             bool single, bool compress, double precision, const std::string& save,
-                            const std::optional<double>& temperature) {
-  refuse_former(temperature);
+                            const nb::kwargs& more) {
+  nb::dict given(more);
+  given["frames"] = frames;
+  SampleOptions options = unset_sample_options();
+  take_values(sample_fields(), given, options);
+  refuse_unknown("sample", structure, given);
   Output output = output_from(path, overwrite, single, compress, precision, save);
   SampledEnsemble out{model_from(structure, model), {}, {}, {}};
-  out.amplitude = amplitude_of(amplitude.value_or(usual_amplitude), out.model.structure);
-  InterruptWatch watch("frames", frames);
-  SampleOptions options;
-  options.frames = frames;
-  options.first_frame = first_frame;
-  options.amplitude = out.amplitude.value;
-  options.seed = seed;
-  options.threads = threads;
-  options.network = network;
-  options.log = python_log();
-  options.sampler = sampler;
-  if (sampler == "auto")
-    options.sampler = usual_sampler(out.model.framework, out.model.positions,
-                                    usual_model(out.model.structure) == ModelKind::protein);
-  options.contact_energy = contact_energy;
-  check(options);
-  const bool has_amplitude = find_sampler(options.sampler).has_amplitude;
-  if (amplitude && !has_amplitude)
-    throw OptionError("amplitude: sampler " + options.sampler +
-                      " has none: how far torsions turn is drawn");
-  if (!has_amplitude)
-    out.model.framework = conformer_framework(out.model.framework, out.model.positions);
-  output.options.saved = select_joints(out.model.framework, save, "save");
+  const SampleAsked asked = asked_of(out, amplitude, std::move(options));
+  InterruptWatch watch("frames", asked.options.frames);
+  const SampleTask task(subject_of(out.model), asked);
+  output.options.saved = select_joints(task.framework(), save, "save");
   {
     const nb::gil_scoped_release no_gil;
-    fill(out, options, output, watch);
+    fill(out, task, output, watch);
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
   warn_of_amplitude(out.summary, python_log());
+  if (task.conformers()) out.model.framework = *task.conformers();
   return out;
 }
 
 SampleSummary continue_from(const std::filesystem::path& path, std::optional<std::int64_t> frames,
-                            int threads, double flush_seconds, bool durable) {
+                            std::int64_t threads, double flush_seconds, bool durable) {
   const Log log = python_log();
   H5mdOptions recording{.flush_seconds = flush_seconds, .durable = durable};
   recording.log = unraisable_python_log();
@@ -194,7 +176,7 @@ Frames frames_of(nb::handle_t<SampledEnsemble> self) {
   return Frames(ensemble.positions.data(), {frames, atoms, 3}, self);
 }
 
-constexpr const char* sample_doc =
+constexpr const char* doc_of_sample =
     R"(Samples what a molecule can do: independent frames about its structure, bars exact.
 
 How far frames go is an input, not a prediction, and how often each occurs is not claimed.
@@ -203,26 +185,16 @@ Parameters
 ----------
 structure : Structure or MolecularModel
     A structure with its bonds, as ``read`` gives it, or the model of one.
-frames : int
-    How many, from 1.
-amplitude : float, str or path, optional
+)";
+
+constexpr const char* doc_of_amplitude =
+    R"(amplitude : float, str or path, optional
     Mean r.m.s. fluctuation of residues (Angstrom), ``"bfactors"``, or a file of models or frames; 1.4
     if none is given. Samplers ``torsions`` take none.
-seed : int
-    Of all random numbers. Frames are a function of the model, the seed and their number.
-threads : int
-    From 1; changes no result.
-network : str
-    A name in ``networks()``.
-sampler : str
-    A name in ``samplers()``, or ``auto``: ``modes`` where there are residues, ``torsions`` of small
-    molecules, which have no amplitude.
-first_frame : int
-    Number of the first frame: a run may be made in pieces.
-contact_energy : float
-    Of sampler ``dilute`` (kcal/mol): a contact of energy E is off with probability
-    exp(-abs(E) / contact_energy).
-model : str
+)";
+
+constexpr const char* doc_of_the_rest =
+    R"(model : str
     A name in ``models()``; empty: ``protein`` where there are residues, else ``molecule``.
 output : str or path, optional
     H5MD file to write as well; ``continue_sample`` goes on with it.
@@ -335,6 +307,37 @@ void bind_ensemble_class(nb::module_& module) {
   bind_summary(ensemble);
 }
 
+/// Of the options of scripts, frames come first and may be given by place.
+std::string signature() {
+  SampleOptions usual = unset_sample_options();
+  std::string text = "def sample(structure: Structure | MolecularModel";
+  for (const SampleField& field : sample_fields()) {
+    if (field.users.python) text += ", " + argument_text(field, field.place(usual));
+    if (field.name == "frames") text += ", *, amplitude: float | str | os.PathLike | None = None";
+  }
+  return text +
+         ", model: str = \"\", output: str | os.PathLike[str] | None = None, "
+         "overwrite: bool = False, single: bool = False, compress: bool = False, "
+         "precision: float = 0.0, save: str = '') -> SampledEnsemble";
+}
+
+std::string sample_doc() {
+  SampleOptions usual = unset_sample_options();
+  std::string text = doc_of_sample;
+  for (const SampleField& field : sample_fields()) {
+    if (field.users.python) text += argument_doc(field, field.place(usual));
+    if (field.name == "frames") text += doc_of_amplitude;
+  }
+  return text + doc_of_the_rest;
+}
+
+void bind_sample_function(nb::module_& module) {
+  module.def("sample", &sample_from, "structure"_a, "frames"_a = SampleOptions().frames,
+             nb::kw_only(), "amplitude"_a = nb::none(), "model"_a = "", "output"_a = nb::none(),
+             "overwrite"_a = false, "single"_a = false, "compress"_a = false, "precision"_a = 0.0,
+             "save"_a = "", "options"_a, nb::sig(signature().c_str()), sample_doc().c_str());
+}
+
 }  // namespace
 
 void bind_sample(nb::module_& module) {
@@ -345,23 +348,8 @@ void bind_sample(nb::module_& module) {
       "samplers", [] { return rows_of(samplers()); }, nb::rv_policy::reference,
       "The table of ways to move that ``sample`` knows.");
   bind_ensemble_class(module);
+  bind_sample_function(module);
   const SampleOptions usual;
-  module.def(
-      "sample", &sample_from, "structure"_a, "frames"_a = usual.frames, nb::kw_only(),
-      "amplitude"_a = nb::none(), "seed"_a = usual.seed, "threads"_a = usual.threads,
-      "network"_a = usual.network, "sampler"_a = "auto", "first_frame"_a = usual.first_frame,
-      "contact_energy"_a = usual.contact_energy, "model"_a = "", "output"_a = nb::none(),
-      "overwrite"_a = false, "single"_a = false, "compress"_a = false, "precision"_a = 0.0,
-      "save"_a = "", "temperature"_a = nb::none(),
-      nb::sig(
-          "def sample(structure: Structure | MolecularModel, frames: int = 200, *, "
-          "amplitude: float | str | os.PathLike | None = None, seed: int = 0, threads: int = 1, "
-          "network: str = \"shared\", sampler: str = \"auto\", first_frame: int = 0, "
-          "contact_energy: float = 3.0, model: str = \"\", "
-          "output: str | os.PathLike[str] | None = None, overwrite: bool = False, "
-          "single: bool = False, compress: bool = False, precision: float = 0.0, "
-          "save: str = '') -> SampledEnsemble"),
-      sample_doc);
   module.def("continue_sample", &continue_from, "path"_a, "frames"_a = nb::none(), nb::kw_only(),
              "threads"_a = usual.threads, "flush_seconds"_a = 1.0, "durable"_a = false,
              continue_doc);

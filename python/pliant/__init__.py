@@ -7,6 +7,7 @@ contacts kcal/mol.
 
 from __future__ import annotations
 
+import contextlib
 from typing import TYPE_CHECKING
 
 from pliant import _core
@@ -20,7 +21,6 @@ from pliant._core import (
     Frame,
     Framework,
     Graph,
-    GraphClass,
     GraphFacts,
     Guide,
     H5mdReader,
@@ -52,11 +52,6 @@ from pliant._core import (
     Stop,
     Structure,
     TechniqueEntry,
-    TestClass,
-    TestGraph,
-    TestHeuristic,
-    TestResults,
-    TestSet,
     TorsionPreferences,
     WalkerResolver,
     build_model,
@@ -66,8 +61,6 @@ from pliant._core import (
     estimate_b_factors,
     examples,
     formats,
-    generate,
-    graph_classes,
     lane_levels,
     make_force_file,
     measure,
@@ -86,7 +79,6 @@ from pliant._core import (
     read_force_file,
     read_graph_xml,
     read_ordering_file,
-    read_test_set,
     read_text,
     residuals,
     resolve,
@@ -95,11 +87,11 @@ from pliant._core import (
     samplers,
     techniques,
     techniques_for,
-    write_test_set,
     write_topology_pdb,
 )
 from pliant._display import show_in_notebooks
 from pliant._ensemble import run_ensemble
+from pliant._laboratory import leave_out
 from pliant._late import import_after
 from pliant._moved import keep_old_names
 from pliant._run import continue_run, run
@@ -111,6 +103,20 @@ from pliant.adapters import (
     to_mdanalysis,
 )
 from pliant.play.view import view
+
+with contextlib.suppress(ImportError):  # a build may leave the laboratory out
+    from pliant._core import (
+        GraphClass,
+        TestClass,
+        TestGraph,
+        TestHeuristic,
+        TestResults,
+        TestSet,
+        generate,
+        graph_classes,
+        read_test_set,
+        write_test_set,
+    )
 
 if TYPE_CHECKING:
     from pliant.analyse import analyse
@@ -225,6 +231,9 @@ __all__ = [
 ]
 
 __version__ = _core.version()
+
+if not hasattr(_core, "generate"):
+    leave_out(globals())
 
 # Messages and help call things by the name under which users find them.
 for _name in __all__:

@@ -18,6 +18,10 @@ if TYPE_CHECKING:
 #: Old names and new ones, of packages with all that is in them; the longest that fits counts.
 MOVED = {
     "pliant.analysis.sequence": "pliant._sequence",  # 0.3.0
+    "pliant.lab.peers.child": "pliant._openmm.child",  # 0.3.0
+    "pliant.lab.peers.measure": "pliant._bars",  # 0.3.0
+    "pliant.lab.peers.worker": "pliant._openmm.worker",  # 0.3.0
+    "pliant.lab.thesis": "pliant._weightings",  # 0.3.0
     "pliant.bench": "pliant.lab.bench",  # 0.2.0, as all below
     "pliant.bench.run_subcommands": "pliant.lab.bench.subcommands",
     "pliant.cli_analyse": "pliant.analyse.command",
@@ -25,6 +29,9 @@ MOVED = {
     "pliant.experiment": "pliant.lab.experiment",
     "pliant.openmm_check": "pliant.check",
     "pliant.peers": "pliant.lab.peers",
+    "pliant.peers.child": "pliant._openmm.child",
+    "pliant.peers.measure": "pliant._bars",
+    "pliant.peers.worker": "pliant._openmm.worker",
     "pliant.report": "pliant.analyse",
 }
 

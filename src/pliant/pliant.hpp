@@ -10,6 +10,7 @@
 #include "pliant/base/graph.hpp"          // nodes and edges; components, blocks
 #include "pliant/base/grouped.hpp"        // things in slots: what graphs are kept in
 #include "pliant/base/log.hpp"            // notes and warnings, through a callback
+#include "pliant/base/option_fields.hpp"  // tables of options
 #include "pliant/base/parameter.hpp"      // values of options in files
 #include "pliant/base/random.hpp"   // draws as functions of (seed, domain, walker, step, joint)
 #include "pliant/base/range.hpp"    // what an option may be
@@ -31,6 +32,7 @@
 #include "pliant/molecule/structure/structure.hpp"  // atoms, positions, bonds
 
 // model: structures to models of molecules
+#include "pliant/model/amplitude.hpp"             // how far frames of an ensemble are to go
 #include "pliant/model/atom_graph.hpp"            // who is bonded to whom
 #include "pliant/model/contact_file.hpp"          // contacts as text
 #include "pliant/model/contact_list.hpp"          // contacts, and the limits that they are
@@ -73,10 +75,6 @@
 // examples: frameworks of which everything is known
 #include "pliant/examples/examples.hpp"  // the table of them
 
-// generate: random frameworks
-#include "pliant/generate/fundamental_cycles.hpp"  // one cycle for each non-tree bar
-#include "pliant/generate/random_graphs.hpp"       // trees, 1-, 2- and n-cycles
-
 // order, resolve: the techniques
 #include "pliant/order/check_ordering.hpp"             // validator
 #include "pliant/order/ordering.hpp"                   // the table of orderings
@@ -117,6 +115,8 @@
 #include "pliant/sample/mode_field.hpp"       // joints along one of them
 #include "pliant/sample/network_modes.hpp"    // directions in which residues move together
 #include "pliant/sample/sample.hpp"           // frames along them
+#include "pliant/sample/sample_fields.hpp"    // the table of its options
+#include "pliant/sample/sample_options.hpp"   // what it is asked for
 #include "pliant/sample/sample_summary.hpp"   // how exact, how far
 #include "pliant/sample/samplers.hpp"         // the table of ways to move
 
@@ -140,6 +140,9 @@
 #include "pliant/record/xml/graph_xml.hpp"                // frameworks as XML
 #include "pliant/record/xml/write_graph_xml.hpp"          // and back
 
+// tasks: one door for each job
+#include "pliant/tasks/sample_task.hpp"  // an ensemble, or conformers, of a model
+
 // stream: runs followed and steered while they go
 #include "pliant/stream/imd_commands.hpp"  // what a client says
 #include "pliant/stream/imd_exchange.hpp"  // what run and server share
@@ -149,11 +152,18 @@
 #include "pliant/stream/imd_session.hpp"   // one client
 #include "pliant/stream/sockets.hpp"       // TCP
 
-// laboratory: graphs, forces and results in folders
-#include "pliant/laboratory/force_recorder.hpp"   // the pushes of a run as a force file
-#include "pliant/laboratory/make_test_set.hpp"    // of random graphs
-#include "pliant/laboratory/read_test_set.hpp"    // from folders
-#include "pliant/laboratory/recorded_inputs.hpp"  // what a run was given, as files keep it
-#include "pliant/laboratory/recorded_sample.hpp"  // a sample, as files keep it
-#include "pliant/laboratory/test_results.hpp"     // what a heuristic did with the forces of a graph
-#include "pliant/laboratory/test_set.hpp"         // the test sets of the thesis
+// resume: what runs and samples go on from
+#include "pliant/resume/force_recorder.hpp"   // the pushes of a run as a force file
+#include "pliant/resume/recorded_inputs.hpp"  // what a run was given, as files keep it
+#include "pliant/resume/recorded_sample.hpp"  // a sample, as files keep it
+
+// generate, laboratory: the random graphs of the thesis and its test sets, where the library has
+// them (PLIANT_LABORATORY)
+#if __has_include("pliant/generate/random_graphs.hpp")
+#include "pliant/generate/fundamental_cycles.hpp"  // one cycle for each non-tree bar
+#include "pliant/generate/random_graphs.hpp"       // trees, 1-, 2- and n-cycles
+#include "pliant/laboratory/make_test_set.hpp"     // of random graphs
+#include "pliant/laboratory/read_test_set.hpp"     // from folders
+#include "pliant/laboratory/test_results.hpp"      // what a heuristic did with each force
+#include "pliant/laboratory/test_set.hpp"          // graphs, forces and results in folders
+#endif

@@ -35,7 +35,8 @@ def datasets(path: Path) -> dict[str, np.ndarray]:
                 found.update({name: item[()]}) if isinstance(item, h5py.Dataset) else None
             )
         )
-    found[STATES] = last_state(found[STATES])
+    if STATES in found:  # a sample has none
+        found[STATES] = last_state(found[STATES])
     return {name: np.asarray(value).tobytes() for name, value in found.items()}
 
 

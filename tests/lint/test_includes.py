@@ -20,7 +20,6 @@ MAY_INCLUDE = {
     "rigidity": ("base", "framework"),
     "molecule": ("base", "text", "framework"),
     "model": ("base", "text", "framework", "rigidity", "molecule"),
-    "generate": ("base", "framework"),
     "order": ("base", "text", "framework"),
     "perturb": ("base", "text", "framework"),
     "resolve": ("base", "framework", "order", "rigidity"),
@@ -28,11 +27,11 @@ MAY_INCLUDE = {
     "run": ("base", "framework", "order", "resolve", "perturb"),
     "path": ("base", "framework", "molecule", "model", "resolve", "perturb", "run"),
     "record": ("base", "text", "framework"),
+    "tasks": ("base", "framework", "molecule", "model", "sample", "record"),
     "stream": ("base", "framework", "perturb"),
-    "laboratory": (
-        *("base", "text", "framework", "generate", "order", "resolve", "perturb", "sample"),
-        "record",
-    ),
+    "resume": ("base", "text", "framework", "order", "perturb", "sample", "record", "tasks"),
+    "generate": ("base", "framework"),
+    "laboratory": ("base", "text", "generate", "order", "resolve", "perturb", "record"),
 }
 
 # The wings of large folders, in order: each may include those before it. What lies in the folder
@@ -183,6 +182,31 @@ def test_the_table_has_no_cycle():
         ready = {name for name, needs in MAY_INCLUDE.items() if done.issuperset(needs)} - done
         assert ready, f"a cycle among {sorted(set(MAY_INCLUDE) - done)}"
         done |= ready
+
+
+# The thesis, which PLIANT_LABORATORY leaves out, and the files outside src that go with it.
+LABORATORY = ("generate", "laboratory")
+LEFT_OUT = re.compile(
+    r"apps/(cmd_structgen|structgen_settings|play/wasm/open_calls)\.[ch]pp|"
+    r"python/bind/(bind_generate|bind_laboratory|bind_test_parts|test_parts)\.[ch]pp"
+)
+
+
+def test_the_library_does_not_stand_on_its_laboratory():
+    wrong = {name for name, needs in MAY_INCLUDE.items() if set(needs) & set(LABORATORY)}
+    assert wrong <= set(LABORATORY)
+
+
+def test_nothing_but_what_is_left_out_includes_the_laboratory():
+    refuse(
+        [
+            f"{place(path, number)}: includes {name}, which a build may leave out"
+            for path in files(*CPP, folders=("apps", "python"))
+            if not LEFT_OUT.fullmatch(path.relative_to(ROOT).as_posix())
+            for number, _, name in includes(path)
+            if name.startswith(tuple(f"pliant/{folder}/" for folder in LABORATORY))
+        ]
+    )
 
 
 def test_includes_go_one_way():

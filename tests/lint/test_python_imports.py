@@ -2,11 +2,12 @@
 """Modules of the Python package import each other one way only."""
 
 import ast
+import re
 from collections.abc import Iterator
 from graphlib import CycleError, TopologicalSorter
 from pathlib import Path
 
-from sources import ROOT, files
+from sources import ROOT, files, numbered_lines, place, refuse
 
 PACKAGE = ROOT / "python"
 
@@ -57,15 +58,44 @@ def test_imports_make_no_circle():
     assert circle(import_graph()) == ""
 
 
-def test_what_people_call_needs_no_bench_nor_experiment():
-    wrong = [
+LABORATORY = "pliant.lab"
+#: They name it as text: old names that became its modules, and commands that say if it is missing.
+NAME_IT = {"pliant._moved", "pliant._laboratory"}
+
+
+def is_of(package: str, name: str) -> bool:
+    return name == package or name.startswith(package + ".")
+
+
+def needs_of_the_laboratory(graph: dict[str, set[str]]) -> list[str]:
+    """What imports the laboratory from outside it."""
+    return [
         f"{name} imports {other}"
-        for name, others in import_graph().items()
-        for other in others
-        if not name.startswith("pliant.lab.")
-        and other.startswith(("pliant.lab.bench", "pliant.lab.experiment"))
+        for name, others in graph.items()
+        for other in sorted(others)
+        if is_of(LABORATORY, other) and not is_of(LABORATORY, name)
     ]
-    assert wrong == []
+
+
+def test_the_product_does_not_stand_on_its_laboratory():
+    assert needs_of_the_laboratory(import_graph()) == []
+
+
+def test_a_need_of_the_laboratory_would_be_found():
+    graph = {"pliant.check": {"pliant.lab"}, "pliant.lab.bench": {"pliant.lab.peers"}}
+    assert needs_of_the_laboratory(graph) == ["pliant.check imports pliant.lab"]
+
+
+def test_the_product_does_not_name_its_laboratory():
+    refuse(
+        [
+            f"{place(path, number)}: names {LABORATORY}"
+            for path in files(".py", folders=("python/pliant",))
+            if not is_of(LABORATORY, name_of(path)) and name_of(path) not in NAME_IT
+            for number, line in numbered_lines(path)
+            if re.search(re.escape(LABORATORY) + r"\b", line)
+        ]
+    )
 
 
 def test_a_circle_would_be_found():

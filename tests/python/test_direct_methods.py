@@ -6,10 +6,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import scipy.optimize
-from pliant.lab.peers import measure
-from pliant.lab.peers.child import Job, run_jobs
+from pliant._openmm.child import Job, run_jobs
 
 import pliant
+from pliant import _bars
 
 MOLECULES = Path(__file__).parents[2] / "data" / "molecules"
 NM = 0.1
@@ -26,7 +26,7 @@ def displaced(positions, size, seed=1):
 
 def constrain_step(framework, whole, broken, tolerance):
     """OpenMM's answer in a step of dynamics from `whole` to `broken`, in Angstrom."""
-    triples = measure.bar_pairs(framework.bars, len(whole))
+    triples = _bars.bar_pairs(framework.bars, len(whole))
     job = Job(
         "constrain_step",
         {"tolerance": tolerance, "platform": "Reference", "repeats": 1, "budget_seconds": 60.0},
@@ -37,7 +37,7 @@ def constrain_step(framework, whole, broken, tolerance):
             "intact": whole[None] * NM,
             "broken": broken[None, None] * NM,
             "triples": triples,
-            "angles": measure.angles_between(whole, triples)[None],
+            "angles": _bars.angles_between(whole, triples)[None],
         },
     )
     (outcome,), _ = run_jobs([job])

@@ -6,7 +6,7 @@ import re
 
 import numpy as np
 import pytest
-from pliant.lab.thesis import WEIGHTINGS
+from pliant._weightings import WEIGHTINGS
 
 import pliant
 

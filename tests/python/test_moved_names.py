@@ -62,6 +62,6 @@ def test_an_old_name_runs_as_a_program():
 
 
 def test_one_module_is_loaded_once():
-    names = "pliant.peers.child", "pliant.lab.peers.child"
+    names = "pliant.peers.child", "pliant._openmm.child"
     code = f"import {names[0]} as a, {names[1]} as b; assert a is b and a.Job is b.Job"
     subprocess.run([sys.executable, "-W", "ignore", "-c", code], check=True)

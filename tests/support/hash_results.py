@@ -4,9 +4,10 @@
     PYTHONPATH=PACKAGE hash_results.py OUT.txt --command PLIANT [--compare BEFORE.txt]
 
 Whichever package is importable runs every technique with every weighting on every example, in every
-level of lanes; the command writes files. OUT.txt gets a sorted line for each result: its name, two
-spaces, and a SHA-256 or what was refused. With --compare the lines that differ from those of an
-earlier file are printed, and the exit code is 1 if there are any.
+level of lanes, and every sampler with every option; the command writes files. OUT.txt gets a sorted
+line for each result: its name, two spaces, and a SHA-256 or what was refused. With --compare lines
+that differ from those of an earlier file are printed, and the exit code is 1 if there are any.
+--only samples leaves out all but samples, conformers and paths; --only runs leaves out these.
 """
 
 import argparse
@@ -16,20 +17,34 @@ from collections import Counter
 from collections.abc import Iterable, Iterator
 from pathlib import Path
 
+import hashed_command
+import hashed_library
+import hashed_samples
 from digest import Line
-from hashed_command import command_lines
-from hashed_library import library_lines
 
 import pliant
 
 MOST_PRINTED = 40
 
 
-def all_lines(command: Path) -> list[str]:
+RUNS, SAMPLES = [hashed_library, hashed_command], [hashed_samples]
+PARTS = {"runs": RUNS, "samples": SAMPLES, "": RUNS + SAMPLES}
+
+
+def lines_of(part: str, command: Path) -> Iterator[Line]:
+    """The lines of a row of PARTS."""
+    for module in PARTS[part]:
+        if hasattr(module, "library_lines"):
+            yield from module.library_lines()
+        if hasattr(module, "command_lines"):
+            yield from module.command_lines(command)
+
+
+def all_lines(part: str, command: Path) -> list[str]:
     """Every result as a line of text, sorted. Raises ValueError if two have one name."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        found = dict(unique(library_lines())) | dict(unique(command_lines(command)))
+        found = dict(unique(lines_of(part, command)))
     return sorted(f"{name}  {value}" for name, value in found.items())
 
 
@@ -72,8 +87,9 @@ def main() -> int:
     parser.add_argument("out", type=Path, help="file to write")
     parser.add_argument("--command", type=Path, required=True, help="the command pliant")
     parser.add_argument("--compare", type=Path, help="file written before")
+    parser.add_argument("--only", choices=("runs", "samples"), default="", help="a part of it")
     arguments = parser.parse_args()
-    after = all_lines(arguments.command.resolve())
+    after = all_lines(arguments.only, arguments.command.resolve())
     arguments.out.write_text("".join(f"{line}\n" for line in after), encoding="utf-8")
     print(f"{len(after)} results of {Path(pliant.__file__).parent} and {arguments.command}")
     if arguments.compare is None:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Where the repository lies. The one source that knows it is compiled anew in each clone, all others
-// come from the compiler's cache.
+// Where the repository lies. The one source that knows it is compiled anew in each clone, all
+// others come from the compiler's cache.
 #pragma once
 
 #include <filesystem>

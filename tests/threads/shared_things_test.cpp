@@ -15,8 +15,8 @@
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
-#include "support/temp_directory.hpp"
 #include "support/source_folder.hpp"
+#include "support/temp_directory.hpp"
 
 namespace pliant {
 namespace shared_things_test {
@@ -31,9 +31,7 @@ void on_threads(const Work& work) {
     threads.emplace_back([&work, number] { work(number); });
 }
 
-std::string molecule(const char* name) {
-  return molecule_file(name);
-}
+std::string molecule(const char* name) { return molecule_file(name); }
 
 TEST(SharedThings, FilesAreReadByAll) {
   for (const char* name : {"alanine_dipeptide.pdb", "cholesterol.cif", "caffeine.sdf", "c60.xyz"}) {

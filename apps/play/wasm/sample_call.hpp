@@ -6,7 +6,8 @@
 
 namespace pliant::play {
 
-/// Frames [first, first + frames) of `pliant sample` about the start of what is open.
+/// Frames of `pliant sample` about the start of what is open. The request names rows of
+/// sample_fields().
 Reply sample_frames(const Request& request);
 
 }  // namespace pliant::play

@@ -3,19 +3,20 @@
 
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "pliant/base/error.hpp"
 
 namespace pliant::play {
 namespace {
 
-[[noreturn]] void refuse(const RunField& field, const Json& value, const char* expected) {
+[[noreturn]] void refuse(const OptionFacts& field, const Json& value, const char* expected) {
   throw OptionError(std::string(field.name) + " = " + value.dump() + ": expected " + expected);
 }
 
 /// Puts a JSON value into the place of a setting.
 struct Put {
-  const RunField& field;
+  const OptionFacts& field;
   const Json& value;
 
   void operator()(bool* place) const {
@@ -51,11 +52,12 @@ struct Shown {
 
 }  // namespace
 
+void put_option(const OptionFacts& facts, OptionPlace place, const Json& value) {
+  std::visit(Put{facts, value}, place);
+}
+
 RunOptions with_settings(RunOptions options, const Json& fields) {
-  for (const RunField& field : run_fields())
-    if (const auto value = fields.find(field.name); value != fields.end())
-      std::visit(Put{field, *value}, field.place(options));
-  return options;
+  return with_options(run_fields(), std::move(options), fields);
 }
 
 bool is_no_setting(const RunField& field) { return field.name == "steps" || field.name == "every"; }

@@ -5,11 +5,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from pliant import _bars
+from pliant._openmm.child import Job, Outcome
 from pliant.check.findings import CANNOT, SKIPPED, Finding, verdict
 from pliant.check.recording import Recording
 from pliant.check.sample import NM, Sample
-from pliant.lab.peers import measure
-from pliant.lab.peers.child import Job, Outcome
 
 AGREEMENT = 1e-10  #: relative difference accepted of two energies
 _TITLE = "HarmonicBondForce has our energy"
@@ -36,7 +36,7 @@ def energy_job(recording: Recording, structures: np.ndarray) -> Job:
 def our_energies(recording: Recording, structures: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """(S,) energies, kJ/mol, and what rounding may change of each."""
     rest, constants = recording.rest_lengths * NM, constants_of(recording)
-    pairs = [measure.harmonic_energy(x * NM, recording.bars, rest, constants) for x in structures]
+    pairs = [_bars.harmonic_energy(x * NM, recording.bars, rest, constants) for x in structures]
     return np.array([e for e, _ in pairs]), np.array([r for _, r in pairs])
 
 

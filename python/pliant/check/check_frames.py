@@ -5,17 +5,17 @@ Context.applyConstraints(tol) is done with a system as soon as every constraint 
 its distance (relative); CCMA (Eastman and Pande, J. Chem. Theory Comput. 6 (2010) 434) looks before
 it moves anything. So a frame whose bars are within tol must come back with each coordinate as it
 was, bit for bit: the bound is 0. Only isolated isosceles triangles, which are SETTLE's, are solved
-afresh whether whole or not; their bound is measure.settle_bound.
+afresh whether whole or not; their bound is _bars.settle_bound.
 """
 
 from __future__ import annotations
 
 import numpy as np
 
+from pliant import _bars
+from pliant._openmm.child import Job, Outcome
 from pliant.check.findings import CANNOT, SKIPPED, Finding, verdict
 from pliant.check.sample import NM, Sample, constraint_job
-from pliant.lab.peers import measure
-from pliant.lab.peers.child import Job, Outcome
 
 STRETCH = 10.0  #: tolerances by which the one bar of a broken copy is too long
 
@@ -27,7 +27,7 @@ def broken_copies(sample: Sample) -> np.ndarray:
     for k, positions in enumerate(sample.positions):
         bar = (k * 7919) % len(recording.bars)
         by = STRETCH * sample.openmm_tolerance(positions)
-        copies.append(measure.stretched(positions, recording.bars, recording.rest_lengths, bar, by))
+        copies.append(_bars.stretched(positions, recording.bars, recording.rest_lengths, bar, by))
     return np.array(copies)
 
 
@@ -75,14 +75,14 @@ def _moves(after: np.ndarray, before: np.ndarray) -> np.ndarray:
     Compared in nm, as OpenMM was given them: 0 means that each bit is as it was.
     """
     pairs = zip(after, before, strict=False)
-    return np.array([measure.furthest_move(a, b * NM) / NM for a, b in pairs])
+    return np.array([_bars.furthest_move(a, b * NM) / NM for a, b in pairs])
 
 
 def _check_stay(sample: Sample, moves: np.ndarray) -> Finding:
     recording, whole = sample.recording, sample.converged[: len(moves)]
     tolerance = np.full(len(recording.bars), sample.openmm_tolerance(sample.positions))
     allowed = [
-        measure.settle_bound(x, recording.bars, recording.rest_lengths, recording.masses, tolerance)
+        _bars.settle_bound(x, recording.bars, recording.rest_lengths, recording.masses, tolerance)
         for x in sample.positions[: len(moves)]
     ]
     good = moves[whole] <= np.array(allowed)[whole]
@@ -119,7 +119,7 @@ def _notes_on_stay(
         notes.append(
             f"of {int((~whole).sum())} frames that say they did not converge OpenMM moves {moved}"
         )
-    triangles = len(measure.isolated_triangles(sample.recording.bars, sample.recording.joint_count))
+    triangles = len(_bars.isolated_triangles(sample.recording.bars, sample.recording.joint_count))
     if triangles:
         notes.append(
             f"{triangles} isolated triangles are SETTLE's, which keeps their distances as 32-bit "
@@ -133,7 +133,7 @@ def _check_moved(sample: Sample, after: np.ndarray, moves: np.ndarray) -> Findin
         return Finding("broken_copies_move", _MOVE, SKIPPED, notes=["OpenMM did not get to one"])
     noticed = ~(moves == 0)  # not a number is a move too
     tolerance = sample.openmm_tolerance(sample.positions)
-    floor = tolerance + 2 * measure.FLOAT_ROUNDING
+    floor = tolerance + 2 * _bars.FLOAT_ROUNDING
     repaired = int(np.sum(sample.residuals(after / NM) <= floor))
     finding = Finding(
         "broken_copies_move",

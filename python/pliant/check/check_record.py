@@ -8,9 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pliant import _bars
 from pliant.check.findings import Finding, verdict
 from pliant.check.recording import Recording
-from pliant.lab.peers import measure
 
 MOST_NAMED = 3  #: frames that a message names
 
@@ -50,7 +50,7 @@ def remeasure(
     for first, block in recording.blocks():
         pinned = block[:, recording.pinned]
         start = pinned[0] if start is None else start
-        found.pinned_move = max(found.pinned_move, measure.furthest_move(pinned, start))
+        found.pinned_move = max(found.pinned_move, _bars.furthest_move(pinned, start))
         for k, positions in enumerate(block, start=first):
             _measure_frame(recording, positions, k, found)
         progress(first + len(block), count)
@@ -62,7 +62,7 @@ def _measure_frame(recording: Recording, positions: np.ndarray, k: int, found: R
     if len(recording.bars) == 0:
         return
     rest = recording.rest_lengths
-    residual = measure.relative_residuals(positions, recording.bars, rest)
+    residual = _bars.relative_residuals(positions, recording.bars, rest)
     worst = int(np.argmax(residual))  # the first that is not a number, if there is one
     rounding = recording.rounding(positions) / rest
     found.residual[k], found.worst_bar[k] = residual[worst], worst

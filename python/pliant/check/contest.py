@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
+from pliant import _bars
 from pliant.check.findings import SKIPPED, Finding, verdict
 from pliant.check.sample import Sample, choose_frames
-from pliant.lab.peers import measure
 
 DISPLACEMENTS = (0.01, 0.03, 0.1, 0.3)  #: Angstrom, standard deviation of each coordinate
 MOST_STRUCTURES = 5
@@ -63,7 +63,7 @@ def prepare_contest(sample: Sample, displacements: Sequence[float], seed: int) -
     pool = sample.positions[sample.converged] if sample.converged.any() else sample.positions
     intact = pool[choose_frames(len(pool), MOST_STRUCTURES)]
     broken = np.array(
-        [measure.displaced(intact, size, seed + k) for k, size in enumerate(displacements)]
+        [_bars.displaced(intact, size, seed + k) for k, size in enumerate(displacements)]
     )
     return Contest(
         sample, sample.openmm_tolerance(sample.positions), tuple(displacements), intact, broken
@@ -89,8 +89,8 @@ def describe(contest: Contest, j: int, after: np.ndarray, seconds: np.ndarray) -
 
 def _float_floor(contest: Contest) -> float:
     recording = contest.sample.recording
-    triangles = measure.isolated_triangles(recording.bars, recording.joint_count)
-    return 2 * measure.FLOAT_ROUNDING if len(triangles) else 0.0
+    triangles = _bars.isolated_triangles(recording.bars, recording.joint_count)
+    return 2 * _bars.FLOAT_ROUNDING if len(triangles) else 0.0
 
 
 def _outcome_of(residual: np.ndarray, before: np.ndarray, whole: np.ndarray) -> str:

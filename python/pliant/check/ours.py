@@ -9,6 +9,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from pliant._core import Framework, OptionError, Resolver, choose_technique, techniques
+from pliant._weightings import WEIGHTINGS
 from pliant.check.contest import (
     BUDGET_SECONDS,
     REPEATS,
@@ -18,7 +19,6 @@ from pliant.check.contest import (
     describe,
 )
 from pliant.check.recording import Recording
-from pliant.lab.thesis import WEIGHTINGS
 
 DEFAULT = ("auto", 0.5)  #: technique and weighting of `pliant run`
 THESIS = ("bfs_cycle", 0.5)  #: the best plain sweeps of the thesis

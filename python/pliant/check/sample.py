@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from pliant import _bars
 from pliant._core import InputError
+from pliant._openmm.child import Job
 from pliant.check.recording import Recording
-from pliant.lab.peers import measure
-from pliant.lab.peers.child import Job
 
 NM = 0.1  #: nanometres in an Angstrom
 MOST_BYTES = 2 << 30  #: of sampled positions
@@ -48,7 +48,7 @@ class Sample:
         """(S,) largest relative residual of each structure (S, N, 3)."""
         recording = self.recording
         return np.array(
-            [measure.worst_residual(x, recording.bars, recording.rest_lengths) for x in positions]
+            [_bars.worst_residual(x, recording.bars, recording.rest_lengths) for x in positions]
         )
 
 

@@ -8,9 +8,11 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from pliant import _bars
 from pliant._checked import ABOVE_0, POSITIVES, SEED, checked, whole
 from pliant._core import InputError
 from pliant._extras import need
+from pliant._openmm.child import TIME_LIMIT, Outcome, run_jobs
 from pliant.check import contest as side_by_side
 from pliant.check import ours, theirs
 from pliant.check.check_energy import check_energy, energy_job
@@ -24,8 +26,6 @@ from pliant.check.force_field.verdicts import findings_of, skipped
 from pliant.check.recording import Recording, read_recording
 from pliant.check.sample import Sample, take_sample
 from pliant.console import progress
-from pliant.lab.peers import measure
-from pliant.lab.peers.child import TIME_LIMIT, Outcome, run_jobs
 
 FRAMES = 20
 ENERGY_DISPLACEMENT = 0.1  #: Angstrom; of the copies whose energies are compared
@@ -176,7 +176,7 @@ def _ask_openmm(
     shown = for_constraints(sample)
     report.notes += note_on(sample, shown)
     broken = broken_copies(shown)
-    shaken = measure.displaced(sample.positions[:MOST_ENERGIES], ENERGY_DISPLACEMENT, seed)
+    shaken = _bars.displaced(sample.positions[:MOST_ENERGIES], ENERGY_DISPLACEMENT, seed)
     arena = side_by_side.prepare_contest(sample, displacements, seed + 1)
     resolved = ours.resolved_copies(recording, shaken, arena.tolerance)
     ways = () if recording.is_ensemble else theirs.ways_for(arena)

@@ -8,6 +8,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pliant import _bars
+from pliant._openmm.angles import MOST_BARS_WITH_ANGLES, why_no_angles
+from pliant._openmm.child import Job, Outcome
 from pliant.check.contest import (
     BUDGET_SECONDS,
     REPEATS,
@@ -17,8 +20,6 @@ from pliant.check.contest import (
     describe,
 )
 from pliant.check.sample import NM, constraint_job
-from pliant.lab.peers import ccma, measure
-from pliant.lab.peers.child import Job, Outcome
 
 
 @dataclass(frozen=True)
@@ -55,7 +56,7 @@ ALL_WAYS = (
 
 def ways_for(contest: Contest) -> tuple[Way, ...]:
     """The ways that are worth trying on this framework; says in contest.note why one is not."""
-    contest.note = ccma.why_no_angles(contest.sample.recording.bars)
+    contest.note = why_no_angles(contest.sample.recording.bars)
     if not contest.note:
         return ALL_WAYS
     return tuple(way for way in ALL_WAYS if not way.told_angles)
@@ -74,7 +75,7 @@ def contest_jobs(contest: Contest, ways: Sequence[Way]) -> list[Job]:
         more = shared | {"broken": broken} | (angles if way.told_angles else {})
         more |= {"intact": contest.intact * NM} if way.kind == "constrain_step" else {}
         jobs.append(constraint_job(contest.sample.recording, way.kind, contest.tolerance, **more))
-    if len(contest.sample.recording.bars) > ccma.MOST_BARS_WITH_ANGLES:
+    if len(contest.sample.recording.bars) > MOST_BARS_WITH_ANGLES:
         return jobs
     values = {**jobs[-1].values, "platform": "CPU"}
     jobs.append(Job(jobs[-1].kind, values, {**jobs[-1].arrays, "broken": broken[:, :1]}))
@@ -82,8 +83,8 @@ def contest_jobs(contest: Contest, ways: Sequence[Way]) -> list[Job]:
 
 
 def _angles_of(contest: Contest) -> dict[str, np.ndarray]:
-    triples = measure.bar_pairs(contest.sample.recording.bars, contest.intact.shape[1])
-    angles = [measure.angles_between(x, triples) for x in contest.intact]
+    triples = _bars.bar_pairs(contest.sample.recording.bars, contest.intact.shape[1])
+    angles = [_bars.angles_between(x, triples) for x in contest.intact]
     return {"triples": triples, "angles": np.array(angles)}
 
 
@@ -127,5 +128,5 @@ def cpu_note(ways: int, outcomes: Sequence[Outcome]) -> str:
     a, b = cpu.arrays["positions"], reference.arrays["positions"][:, :1]
     if np.array_equal(a, b, equal_nan=True):
         return "the CPU platform gives the same bits as the Reference platform"
-    furthest = measure.furthest_move(a, b) / NM
+    furthest = _bars.furthest_move(a, b) / NM
     return f"the CPU platform differs from the Reference platform by {furthest:.1e} A"

@@ -9,11 +9,11 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant._bars import lengths
 from pliant._core import InputError
 from pliant.check.recording import Recording
 from pliant.check.sample import choose_frames
 from pliant.compare.pairing import Pairing
-from pliant.lab.peers.measure import lengths
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup

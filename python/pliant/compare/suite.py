@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
+from pliant._bars import lengths
 from pliant._checked import checked, whole
 from pliant._core import InputError
 from pliant._extras import need
@@ -39,7 +40,6 @@ from pliant.compare.reference import read_reference
 from pliant.compare.residue_report import ResidueComparison
 from pliant.compare.residues import compare_residues
 from pliant.compare.traces import trace_of_atoms
-from pliant.lab.peers.measure import lengths
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe

@@ -8,33 +8,15 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 #include <vector>
 
-#include "pliant/base/parameter.hpp"
-#include "pliant/base/range.hpp"
+#include "pliant/base/option_fields.hpp"
 #include "pliant/run/run.hpp"
 
 namespace pliant {
 
-/// Where an option lies in a RunOptions. Text is always a name of some table.
-using RunPlace = std::variant<bool*, std::int64_t*, std::uint64_t*, double*, std::string*>;
-
-/// The headings under which a command lists options.
-enum class RunGroup : std::uint8_t { run, technique, perturbation };
-
 /// One option of a run.
-struct RunField {
-  std::string_view name;     ///< "max_sweeps": --max-sweeps, max_sweeps=, run/max_sweeps
-  RunGroup group;            ///< under which heading it stands
-  std::string_view summary;  ///< what it means, with its unit
-  Range range;               ///< what a number may be
-  RunPlace (*place)(RunOptions& options);
-  /// The names that a text may be, and what they are names of; null for what is no text.
-  std::vector<std::string_view> (*choices)() = nullptr;
-  std::string_view kind = {};
-  bool is_optional = false;  ///< 0 stands for "not used" and is in range too
-};
+using RunField = OptionField<RunOptions>;
 
 std::span<const RunField> run_fields();
 

@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "pliant/base/error.hpp"
-#include "pliant/base/range.hpp"
 #include "pliant/base/threads.hpp"
 #include "pliant/framework/residual.hpp"
 #include "pliant/sample/coarse_nodes.hpp"
@@ -215,19 +214,6 @@ class Sampling {
 };
 
 }  // namespace
-
-void check(const SampleOptions& options) {
-  if (options.frames < 1 || options.first_frame < 0)
-    throw OptionError("frames = " + std::to_string(options.frames) + " from " +
-                      std::to_string(options.first_frame) +
-                      ": must be from 1, beginning at 0 or later");
-  if (options.threads < 1)
-    throw OptionError("threads = " + std::to_string(options.threads) + ": must be from 1");
-  check_range("amplitude", options.amplitude, Range::positive);
-  check_range("contact_energy", options.contact_energy, Range::positive);
-  find_network(options.network);
-  find_sampler(options.sampler);
-}
 
 SampleSummary sample(const Framework& framework, std::span<const Vec3> start, NetworkNodes nodes,
                      const SampleOptions& options, const SampleObserver& observer) {

@@ -12,7 +12,7 @@
 #include "pliant/resolve/froda/body_plan.hpp"
 #include "pliant/sample/amplitudes.hpp"
 #include "pliant/sample/mode_displacement.hpp"
-#include "pliant/sample/sample.hpp"
+#include "pliant/sample/sample_options.hpp"
 #include "pliant/sample/small_sterics.hpp"
 #include "pliant/sample/torsion_moves.hpp"
 

@@ -12,6 +12,7 @@
 #include "pliant/base/graph.hpp"
 #include "pliant/base/grouped.hpp"
 #include "pliant/base/log.hpp"
+#include "pliant/base/option_fields.hpp"
 #include "pliant/base/parameter.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/base/range.hpp"
@@ -36,13 +37,11 @@
 #include "pliant/framework/torsion_preferences.hpp"
 #include "pliant/generate/fundamental_cycles.hpp"
 #include "pliant/generate/random_graphs.hpp"
-#include "pliant/laboratory/force_recorder.hpp"
 #include "pliant/laboratory/make_test_set.hpp"
 #include "pliant/laboratory/read_test_set.hpp"
-#include "pliant/laboratory/recorded_inputs.hpp"
-#include "pliant/laboratory/recorded_sample.hpp"
 #include "pliant/laboratory/test_results.hpp"
 #include "pliant/laboratory/test_set.hpp"
+#include "pliant/model/amplitude.hpp"
 #include "pliant/model/atom_graph.hpp"
 #include "pliant/model/contact_file.hpp"
 #include "pliant/model/contact_list.hpp"
@@ -104,6 +103,9 @@
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/resolve/walkers.hpp"
+#include "pliant/resume/force_recorder.hpp"
+#include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/resume/recorded_sample.hpp"
 #include "pliant/rigidity/pebble_game.hpp"
 #include "pliant/rigidity/rigid_clusters.hpp"
 #include "pliant/run/ensemble.hpp"
@@ -120,6 +122,8 @@
 #include "pliant/sample/mode_field.hpp"
 #include "pliant/sample/network_modes.hpp"
 #include "pliant/sample/sample.hpp"
+#include "pliant/sample/sample_fields.hpp"
+#include "pliant/sample/sample_options.hpp"
 #include "pliant/sample/sample_summary.hpp"
 #include "pliant/sample/samplers.hpp"
 #include "pliant/stream/imd_commands.hpp"
@@ -129,6 +133,7 @@
 #include "pliant/stream/imd_server.hpp"
 #include "pliant/stream/imd_session.hpp"
 #include "pliant/stream/sockets.hpp"
+#include "pliant/tasks/sample_task.hpp"
 #include "pliant/text/file_text.hpp"
 #include "pliant/text/output_file.hpp"
 
@@ -170,6 +175,7 @@ const Use uses[] = {
     of("pliant/base/graph.hpp", overload<Components(const Graph&)>(&find_components)),
     of_type<Grouped<int>>("pliant/base/grouped.hpp"),
     of_type<Log>("pliant/base/log.hpp"),
+    of("pliant/base/option_fields.hpp", &option_text),
     of_type<Parameter>("pliant/base/parameter.hpp"),
     of("pliant/base/random.hpp", &philox4x64),
     of("pliant/base/range.hpp", overload<bool(Range, double)>(&holds)),
@@ -182,6 +188,8 @@ const Use uses[] = {
     of("pliant/sample/mode_field.hpp", &mode_field),
     of("pliant/sample/network_modes.hpp", &network_modes),
     of("pliant/sample/sample.hpp", &sample),
+    of("pliant/sample/sample_fields.hpp", &sample_fields),
+    of_type<SampleOptions>("pliant/sample/sample_options.hpp"),
     of("pliant/sample/sample_summary.hpp", &FluctuationSums::rmsf),
     of("pliant/sample/samplers.hpp", &samplers),
     of("pliant/stream/imd_commands.hpp", &ImdCommandReader::next),
@@ -200,6 +208,7 @@ const Use uses[] = {
     of("pliant/molecule/sterics_lines.hpp", &usual_kind),
     of("pliant/molecule/structure/cell.hpp", &CellImages::widths),
     of_type<Structure>("pliant/molecule/structure/structure.hpp"),
+    of("pliant/model/amplitude.hpp", &choose_amplitude),
     of("pliant/model/atom_graph.hpp", &AtomGraph::are_bonded),
     of("pliant/model/contact_file.hpp", &parse_contacts),
     of("pliant/model/contact_list.hpp", &limits_of),
@@ -282,11 +291,12 @@ const Use uses[] = {
     of("pliant/record/topology_pdb.hpp", &write_topology_pdb),
     of("pliant/record/xml/graph_xml.hpp", &looks_like_xml),
     of("pliant/record/xml/write_graph_xml.hpp", &write_graph_xml),
-    of("pliant/laboratory/force_recorder.hpp", &ForceRecorder::publish),
+    of("pliant/tasks/sample_task.hpp", &SampleTask::run),
+    of("pliant/resume/force_recorder.hpp", &ForceRecorder::publish),
     of("pliant/laboratory/make_test_set.hpp", &make_test_set),
     of("pliant/laboratory/read_test_set.hpp", &read_test_set),
-    of("pliant/laboratory/recorded_inputs.hpp", &recorded_inputs),
-    of("pliant/laboratory/recorded_sample.hpp", &add_frames),
+    of("pliant/resume/recorded_inputs.hpp", &recorded_inputs),
+    of("pliant/resume/recorded_sample.hpp", &add_frames),
     of("pliant/laboratory/test_results.hpp", &summary_of),
     of("pliant/laboratory/test_set.hpp", &TestSet::save),
 };

@@ -223,12 +223,15 @@ def test_nothing_is_open_at_first(solver):
         fresh.ask("pull", forces=[])
 
 
-@pytest.mark.parametrize("path", [PEPTIDE, CAFFEINE], ids=lambda path: path.name)
+GLUCOSE = ROOT / "data/molecules/glucose.cif"  # a ring that takes other forms
+
+
+@pytest.mark.parametrize("path", [PEPTIDE, CAFFEINE, GLUCOSE], ids=lambda path: path.name)
 def test_frames_of_a_sample_are_those_of_the_library(solver, path):
     solver.open(path, "auto")
     drag(solver, steps=1)
     stands = solver.ask("state")
-    made = solver.ask("sample", frames=3, first=2, seed=5)["frames"]
+    made = solver.ask("sample", frames=3, first_frame=2, seed=5)["frames"]
     structure = pliant.read(str(path))
     structure.perceive_bonds()
     native = pliant.sample(structure, 3, seed=5, first_frame=2)

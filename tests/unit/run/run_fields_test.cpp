@@ -41,7 +41,7 @@ TEST(RunFields, EveryNumberIsHeldToItsRange) {
   for (const RunField& field : run_fields()) {
     SCOPED_TRACE(field.name);
     RunOptions options;
-    const RunPlace place = field.place(options);
+    const OptionPlace place = field.place(options);
     if (auto* real = std::get_if<double*>(&place)) {
       **real = -0.5;
     } else if (auto* whole = std::get_if<std::int64_t*>(&place)) {

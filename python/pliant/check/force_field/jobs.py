@@ -13,9 +13,9 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from pliant._openmm.child import Job, Outcome, run_jobs
 from pliant.check.force_field.molecule import Molecule
 from pliant.check.sample import NM
-from pliant.lab.peers.child import Job, Outcome, run_jobs
 
 WORKER = pathlib.Path(__file__).with_name("worker.py")
 MOST_PROCESSES = 8

@@ -13,6 +13,7 @@ import numpy as np
 
 from pliant import _core
 from pliant._core import H5mdReader, InputError, Structure
+from pliant._openmm.child import Job, Outcome
 from pliant._superposition import Superposition
 from pliant.check.force_field.jobs import Bench, Progress, deadline_in
 from pliant.check.force_field.minimised import (
@@ -24,7 +25,6 @@ from pliant.check.force_field.minimised import (
 )
 from pliant.check.force_field.molecule import Molecule, molecule_of, why_not
 from pliant.check.sample import NM, choose_frames
-from pliant.lab.peers.child import Job, Outcome
 
 MD_FRAMES = 3
 MD_STEP = 0.004  #: ps

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Minimises and moves proteins under amber14 and OBC2, in a process of its own.
 
-Run as ``peers/worker.py`` is. Units are OpenMM's: nm, u, kJ/mol. The platform is CPU with one
+Run as ``_openmm/worker.py`` is. Units are OpenMM's: nm, u, kJ/mol. The platform is CPU with one
 thread and deterministic forces, so that a job gives the same bits whatever runs beside it.
 
 OBC2 (Onufriev, Bashford and Case, Proteins 55 (2004) 383) is a GBSAOBCForce with the radii mbondi2:
@@ -20,8 +20,8 @@ import numpy as np
 import openmm
 from openmm import app
 
-from pliant.lab.peers import worker
-from pliant.lab.peers.worker import Arrays, Values
+from pliant._openmm import worker
+from pliant._openmm.worker import Arrays, Values
 
 FORCE_FIELD = "amber14/protein.ff14SB.xml"
 CUTOFF = 1.6  #: nm; water screens what charges further away do to an eightieth

@@ -14,8 +14,8 @@ import numpy as np
 
 import pliant
 from pliant import console
+from pliant._weightings import WEIGHTINGS
 from pliant.lab.bench.target import Target, read_target
-from pliant.lab.thesis import WEIGHTINGS
 
 TOLERANCES = (1e-6, 1e-10)
 BARS = ("bonds", "angles")

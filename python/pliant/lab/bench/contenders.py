@@ -12,13 +12,14 @@ import numpy as np
 
 import pliant
 from pliant._extras import need
+from pliant._openmm.angles import why_no_angles
+from pliant._openmm.child import Job, run_jobs
+from pliant._weightings import WEIGHTINGS
 from pliant.lab.bench.target import Target
-from pliant.lab.peers.ccma import Ccma, CcmaInDynamics, why_no_angles
-from pliant.lab.peers.child import Job, run_jobs
-from pliant.lab.thesis import WEIGHTINGS
+from pliant.lab.peers.ccma import Ccma, CcmaInDynamics
 
 if TYPE_CHECKING:
-    from pliant.lab.peers.child import Outcome
+    from pliant._openmm.child import Outcome
 
 
 TOLD_INTACT = ("shake",)  #: techniques to which the structure before the push makes a difference

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from pliant import _bars
 from pliant.lab.bench.stress_cases import Broken
-from pliant.lab.peers import measure
 
 MOST_BARS = 200  #: with more, it takes too long
 STARTS = 4
@@ -33,7 +33,7 @@ def least_squares_floor(start: Broken) -> np.ndarray | None:
 
         def residuals(values: np.ndarray, x: np.ndarray = x) -> np.ndarray:
             x[free] = values.reshape(-1, 3)
-            errors: np.ndarray = measure.lengths(x, start.bars) / start.rest_lengths - 1.0
+            errors: np.ndarray = _bars.lengths(x, start.bars) / start.rest_lengths - 1.0
             return errors
 
         def slopes(values: np.ndarray, x: np.ndarray = x) -> np.ndarray:

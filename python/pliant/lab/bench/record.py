@@ -16,8 +16,7 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant import console
-from pliant.lab.peers import measure
+from pliant import _bars, console
 
 STEPS, REPEATS = 1000, 5
 PERTURBATIONS = ("force", "force_all", "displacement")
@@ -218,7 +217,7 @@ def faults_of(
 
 def _residual(framework: pliant.Framework, positions: np.ndarray) -> float:
     bars = np.asarray(framework.bars, dtype=np.int64)
-    return measure.worst_residual(positions.astype(float), bars, framework.rest_lengths)
+    return _bars.worst_residual(positions.astype(float), bars, framework.rest_lengths)
 
 
 def print_report(found: Record) -> None:

@@ -16,8 +16,8 @@ from typing import Any
 import numpy as np
 
 import pliant
+from pliant import _bars
 from pliant.lab.bench.large_frameworks import KINDS
-from pliant.lab.peers import measure
 
 
 def resident(field: str) -> int | None:
@@ -44,8 +44,8 @@ def forget_peak() -> None:
 def measure_one(options: dict[str, Any]) -> dict[str, Any]:
     """Time and memory of building the framework, the plan, and of repairing it."""
     large = KINDS[options["kind"]](options["joints"], options["seed"])
-    broken = measure.displaced(large.positions, options["displacement"], options["seed"])
-    lengths = measure.lengths(large.positions, large.bars)
+    broken = _bars.displaced(large.positions, options["displacement"], options["seed"])
+    lengths = _bars.lengths(large.positions, large.bars)
     bars = large.bars.astype(np.uint32)
     joints, count = len(large.positions), len(bars)
     del large
@@ -68,7 +68,7 @@ def measure_one(options: dict[str, Any]) -> dict[str, Any]:
         "seconds": seconds,
         "stop": summary.stop.name,
         "sweeps": summary.sweeps,
-        "max_residual": measure.worst_residual(x, bars, lengths),
+        "max_residual": _bars.worst_residual(x, bars, lengths),
         "peak_bytes": peak - before if peak and before else None,
         "bytes": after - before if after and before else None,
     }

@@ -11,9 +11,8 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant import console
+from pliant import _bars, console
 from pliant.lab.bench.large_frameworks import KINDS
-from pliant.lab.peers import measure
 
 SIZES = (1e4, 1e6)
 TECHNIQUES = ("bfs_local", "blocks", "auto")
@@ -65,7 +64,7 @@ class Subject:
     def __init__(self, kind: str, size: int, technique: str, options: dict[str, Any]) -> None:
         large = KINDS[kind](size)
         self._bars = large.bars
-        self._lengths = measure.lengths(large.positions, large.bars)
+        self._lengths = _bars.lengths(large.positions, large.bars)
         self._framework = pliant.Framework(
             large.bars.astype(np.uint32), self._lengths, len(large.positions)
         )
@@ -90,7 +89,7 @@ class Subject:
             float, np.percentile(times, (25, 50, 75))
         )
         row.projections = float(np.mean(self._projections[warm_up:]))
-        row.max_residual = measure.worst_residual(self._state.positions, self._bars, self._lengths)
+        row.max_residual = _bars.worst_residual(self._state.positions, self._bars, self._lengths)
         if row.unconverged:
             row.faults.append(f"{row.unconverged} steps did not converge")
         elif not row.max_residual <= self._options["tolerance"] * (1 + 1e-9):

@@ -16,12 +16,13 @@ from typing import Any
 import numpy as np
 
 import pliant
+from pliant import _bars
 from pliant._extras import need
+from pliant._openmm.angles import MOST_BARS_WITH_ANGLES
+from pliant._openmm.child import Job, Outcome, run_jobs
 from pliant.lab.bench.least_squares import MOST_BARS, least_squares_floor
 from pliant.lab.bench.stress_cases import Broken, Case
-from pliant.lab.peers import measure
-from pliant.lab.peers.ccma import MOST_BARS_WITH_ANGLES, NM
-from pliant.lab.peers.child import Job, Outcome, run_jobs
+from pliant.lab.peers.ccma import NM
 
 WORKER = pathlib.Path(__file__).with_name("stress_worker.py")
 LIMIT_SECONDS = 30.0  #: for one technique on one case
@@ -234,7 +235,7 @@ def worst(start: Broken, x: np.ndarray) -> tuple[float, str]:
     if len(start.bars) == 0:
         return 0.0, ""
     with np.errstate(over="ignore", invalid="ignore", divide="ignore"):
-        residual = measure.relative_residuals(x, start.bars, start.rest_lengths)
+        residual = _bars.relative_residuals(x, start.bars, start.rest_lengths)
     bar = int(np.argmax(residual))
     a, b = start.bars[bar]
     return float(residual[bar]), f"{a} - {b}"
@@ -249,7 +250,7 @@ def _describe(case: Case, start: Broken, rows: list[StressRow]) -> StressCase:
     x = least_squares_floor(start)
     if x is None:
         return found
-    residual = measure.relative_residuals(x, start.bars, start.rest_lengths)
+    residual = _bars.relative_residuals(x, start.bars, start.rest_lengths)
     found.floor = float(np.sqrt(np.mean(residual**2)))
     found.floor_worst_bar = worst(start, x)[1]
     if case.feasible is False or (case.feasible is None and found.floor > case.tolerance):

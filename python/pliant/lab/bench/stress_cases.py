@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 import pliant
-from pliant.lab.peers import measure
+from pliant import _bars
 
 
 @dataclass
@@ -51,14 +51,14 @@ def broken(
     """From lists; masses default to 1, rest lengths to the distances there are."""
     x = np.asarray(positions, dtype=float).reshape(-1, 3)
     pairs = np.asarray(bars, dtype=np.int64).reshape(-1, 2)
-    rest = measure.lengths(x, pairs) if rest_lengths is None else np.array(rest_lengths, float)
+    rest = _bars.lengths(x, pairs) if rest_lengths is None else np.array(rest_lengths, float)
     made = Broken(x, pairs, rest, np.ones(len(x)) if masses is None else masses)
     return made if pinned is None else dataclasses.replace(made, pinned=pinned)
 
 
 def shaken(whole: Broken, size: float, seed: int = 0) -> Broken:
     """The same with every coordinate of joints that are not pinned off by `size` Angstrom."""
-    moved = measure.displaced(whole.positions, size, seed)
+    moved = _bars.displaced(whole.positions, size, seed)
     moved[whole.pinned] = whole.positions[whole.pinned]
     return Broken(moved, whole.bars, whole.rest_lengths, whole.masses, whole.pinned)
 

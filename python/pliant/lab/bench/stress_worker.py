@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What repairs a stress case, ours or OpenMM's, in a process of its own, as either may end it.
 
-Run as ``peers/worker.py`` is, and does its jobs too.
+Run as ``_openmm/worker.py`` is, and does its jobs too.
 """
 
 from __future__ import annotations
@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 import pliant
-from pliant.lab.peers import worker
+from pliant._openmm import worker
 
 
 def framework_of(job: Mapping[str, Any]) -> pliant.Framework:

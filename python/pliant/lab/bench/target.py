@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import pliant
-from pliant.lab.peers import measure
+from pliant import _bars
 
 
 @dataclass
@@ -25,11 +25,11 @@ class Target:
 
     def broken(self, displacement: float, seed: int) -> np.ndarray:
         """A copy, each coordinate off by a normal deviate of that standard deviation, Angstrom."""
-        return measure.displaced(self.positions, displacement, seed)
+        return _bars.displaced(self.positions, displacement, seed)
 
     def residual(self, positions: np.ndarray) -> float:
         """Largest |length - rest| / rest, measured here in double precision."""
-        return measure.worst_residual(positions, self.bars, self.rest_lengths)
+        return _bars.worst_residual(positions, self.bars, self.rest_lengths)
 
 
 def target_of(

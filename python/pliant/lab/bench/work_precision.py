@@ -14,6 +14,7 @@ from collections.abc import Callable, Sequence
 
 import numpy as np
 
+from pliant import _bars
 from pliant._extras import need
 from pliant.lab.bench.contenders import Contender, Repair, our_contenders, their_contenders
 from pliant.lab.bench.gromacs_race import race_gromacs
@@ -29,7 +30,6 @@ from pliant.lab.bench.work_precision_rows import (
     Row,
     WorkPrecision,
 )
-from pliant.lab.peers import measure
 
 REPEATS = 7
 LIMIT_SECONDS = 2.0  #: for one contender at one tolerance
@@ -152,7 +152,7 @@ def _first(
     same_task = "ccma_dynamics" if row.method.endswith("_dynamics") else "ccma"
     if (same_task, row.tolerance) in found.openmm_answers:
         there = found.openmm_answers[same_task, row.tolerance]
-        row.distance_to_ccma = measure.furthest_move(repair.positions, there)
+        row.distance_to_ccma = _bars.furthest_move(repair.positions, there)
     if row.outcome != WHOLE:
         _time(row, repair.seconds, len(found.target.bars))
     return []

@@ -12,11 +12,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from pliant._weightings import WEIGHTINGS
 from pliant.lab.experiment.compare import ALIKE, BY_FAR, EXTREMELY, Court
 from pliant.lab.experiment.settings import reverse_techniques
 from pliant.lab.experiment.statistics import Study, with_interval
 from pliant.lab.experiment.verdict import Statement, Verdict, verdict_of
-from pliant.lab.thesis import WEIGHTINGS
 
 RAGDOLL = ("random", 0.5)
 CYCLE = ("random", "bfs_cycle", "dfs_cycle")

@@ -12,11 +12,11 @@ from matplotlib.axes import Axes
 from matplotlib.patches import Rectangle
 from matplotlib.ticker import MaxNLocator
 
+from pliant._weightings import WEIGHTINGS
 from pliant.analyse.figures import style
 from pliant.lab.experiment.answer import Figure
 from pliant.lab.experiment.settings import reverse_techniques
 from pliant.lab.experiment.statistics import Statistics, Study, interval
-from pliant.lab.thesis import WEIGHTINGS
 
 DPI = 130
 LAST_BIN = 20  #: histograms gather what is above

@@ -11,8 +11,8 @@ import numpy as np
 import numpy.typing as npt
 
 import pliant
+from pliant._weightings import WEIGHTINGS
 from pliant.lab.experiment.answer import Table
-from pliant.lab.thesis import WEIGHTINGS
 
 THESIS = (
     "random", "bfs_cycle", "dfs_cycle", "bfs_reverse", "dfs_reverse", "bfs_adapt", "bfs_random",

@@ -1,2 +1,2 @@
 # SPDX-License-Identifier: MIT
-"""Other programs at work beside ours: rulers for both sides, and OpenMM in a child process."""
+"""Other programs at work beside ours: OpenMM's CCMA in this process, and GROMACS."""

@@ -2,7 +2,8 @@
 """OpenMM's CCMA in this very process, so that its time and ours are taken by the same clock.
 
 CCMA: Eastman and Pande, J. Chem. Theory Comput. 6 (2010) 434. OpenMM may abort the process on
-constraints that depend on each other: try them in a child process first (``child.run_jobs``).
+constraints that depend on each other: try them in a child process first
+(``_openmm.child.run_jobs``).
 """
 
 from __future__ import annotations
@@ -12,28 +13,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant.lab.peers import measure
+from pliant import _bars
 
 if TYPE_CHECKING:
     import openmm
 
 
 NM = 0.1  #: nanometres in an Angstrom
-MOST_ANGLES_PER_BAR = 20  #: with more, as of a star of bars, angles are left out
-MOST_BARS_WITH_ANGLES = 30_000  #: CCMA needs time that grows as the square of the bars to get ready
-
-
-def why_no_angles(bars: np.ndarray) -> str:
-    """Why CCMA is better not told the angles between these bars; empty if it is."""
-    degree = np.bincount(bars.ravel())
-    if len(bars) > MOST_BARS_WITH_ANGLES:
-        return (
-            f"OpenMM is given no angles: making a Context for more than {MOST_BARS_WITH_ANGLES} "
-            "bars takes minutes, and each frame with angles needs one of its own"
-        )
-    if np.sum(degree * (degree - 1) // 2) > MOST_ANGLES_PER_BAR * len(bars):
-        return "OpenMM is given no angles: too many bars share a joint"
-    return ""
 
 
 def openmm_version() -> str:
@@ -62,14 +48,14 @@ class Ccma:
         intact: np.ndarray,
         told_angles: bool = True,
     ) -> None:
-        from pliant.lab.peers import worker
+        from pliant._openmm import worker
 
         self._worker = worker
         job = {"masses": masses, "bars": bars, "rest_lengths": rest_lengths * NM}
         angles = None
         if told_angles:
-            job["triples"] = measure.bar_pairs(bars, len(masses))
-            angles = measure.angles_between(intact, job["triples"])
+            job["triples"] = _bars.bar_pairs(bars, len(masses))
+            angles = _bars.angles_between(intact, job["triples"])
         self._intact = intact * NM
         self._integrator = self._make_integrator()
         system = worker.make_system(job, angles)

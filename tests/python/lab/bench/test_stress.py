@@ -7,12 +7,12 @@ import math
 
 import numpy as np
 import pytest
+from pliant._openmm.child import Outcome
 from pliant.lab.bench import stress_cases, stress_table
 from pliant.lab.bench.command import main
 from pliant.lab.bench.least_squares import least_squares_floor
 from pliant.lab.bench.stress import _row, _their_row, stress, worst
 from pliant.lab.bench.stress_cases import Case, broken
-from pliant.lab.peers.child import Outcome
 
 import pliant
 

@@ -3,8 +3,10 @@
 
 import numpy as np
 import pytest
-from pliant.lab.peers import gromacs, measure
+from pliant.lab.peers import gromacs
 from pliant.lab.peers.gromacs import Gromacs, Program, Setting, lincs_settings
+
+from pliant import _bars
 
 COUNT = 3000  #: joints, of which all but the first two are free
 
@@ -43,7 +45,7 @@ def test_all_masses_are_pushed_alike_by_what_was_asked(scattered, precision):
     there = scattered.start[2:] - scattered.start.mean(axis=0)
     off = frames[5:] - frames[5:].mean(axis=(0, 1)) - (there - there.mean(axis=0))
     assert np.std(off) == pytest.approx(0.1, rel=0.03)  # and stay where they were
-    bar = measure.lengths(run.frames[-1], np.array([[0, 1]]))
+    bar = _bars.lengths(run.frames[-1], np.array([[0, 1]]))
     assert bar == pytest.approx([1.0], rel=1.1e-4)
 
 

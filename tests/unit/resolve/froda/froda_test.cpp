@@ -38,8 +38,7 @@ double worst_bar(const Framework& framework, std::span<const Vec3> x) {
 
 /// Each joint belongs to one body, which comes after the one it hangs on; a forest needs no cuts.
 TEST(BodyPlan, EveryJointBelongsToOneBody) {
-  for (const auto& entry :
-       std::filesystem::directory_iterator(molecules_folder())) {
+  for (const auto& entry : std::filesystem::directory_iterator(molecules_folder())) {
     const Molecule m = molecule(entry.path().filename().string());
     const auto plan = BodyPlan::make(m.framework);
     ASSERT_TRUE(plan);
@@ -53,8 +52,7 @@ TEST(BodyPlan, EveryJointBelongsToOneBody) {
 
 /// However hard the push, bonds and angles stay: also where loops were cut.
 TEST(FrodaSolver, BarsStayWholeWhateverThePush) {
-  for (const auto& entry :
-       std::filesystem::directory_iterator(molecules_folder())) {
+  for (const auto& entry : std::filesystem::directory_iterator(molecules_folder())) {
     const Molecule m = molecule(entry.path().filename().string());
     SCOPED_TRACE(entry.path().filename().string());
     const auto plan = BodyPlan::make(m.framework);

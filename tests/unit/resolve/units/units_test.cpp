@@ -29,9 +29,7 @@ Molecule molecule(const std::filesystem::path& file) {
           structure.positions};
 }
 
-Molecule named(const char* file) {
-  return molecule(molecules_folder() / file);
-}
+Molecule named(const char* file) { return molecule(molecules_folder() / file); }
 
 /// What stays after drawn positions are taken away.
 Framework without_drawing(const Framework& framework) {
@@ -42,8 +40,7 @@ Framework without_drawing(const Framework& framework) {
 /// on whatever. Rings of more than six atoms close by iteration, to the tolerance.
 TEST(Units, EveryMoleculeIsWholeAfterOnePass) {
   std::size_t seen = 0;
-  for (const auto& entry :
-       std::filesystem::directory_iterator(molecules_folder())) {
+  for (const auto& entry : std::filesystem::directory_iterator(molecules_folder())) {
     const Molecule m = molecule(entry.path());
     SCOPED_TRACE(m.name);
     ++seen;

@@ -13,6 +13,7 @@ from matplotlib.ticker import NullFormatter, ScalarFormatter
 
 import pliant
 from pliant import plotting
+from pliant._weightings import WEIGHTINGS
 from pliant.lab.experiment.answer import Answer, Figure, Table
 from pliant.lab.experiment.sweep_matrix import closing_rate, spectral_radius, sweep_matrix
 from pliant.lab.experiment.trials import (
@@ -24,7 +25,6 @@ from pliant.lab.experiment.trials import (
     digits,
     pushed_graphs,
 )
-from pliant.lab.thesis import WEIGHTINGS
 
 TITLE = "Why is bfs_cycle with weighting 1 inconsistent?"
 ORDER = 1

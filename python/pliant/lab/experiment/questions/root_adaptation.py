@@ -8,6 +8,7 @@ from pathlib import Path
 import numpy as np
 
 from pliant import plotting
+from pliant._weightings import WEIGHTINGS
 from pliant.lab.experiment.answer import Answer, Figure, Table
 from pliant.lab.experiment.trials import (
     Trial,
@@ -20,7 +21,6 @@ from pliant.lab.experiment.trials import (
     with_interval,
     work_of,
 )  # fmt: skip
-from pliant.lab.thesis import WEIGHTINGS
 
 TITLE = "Does adapting the root help?"
 ORDER = 2

@@ -8,22 +8,15 @@
 #include "pliant/framework/frame.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/sample/sample.hpp"
+#include "pliant/sample/sample_fields.hpp"
 
 namespace pliant {
-
-/// Every option by its path below /parameters: "sample/frames". A seed is text, since 64 bits
-/// without sign do not fit a Parameter.
-std::vector<NamedParameter> parameters_of(const SampleOptions& options);
 
 /// What a sample is given besides them. `start` (N, Angstrom).
 RunInputs sample_inputs(std::span<const Vec3> start, const NetworkNodes& nodes);
 
 /// The nodes that were recorded.
 NetworkNodes nodes_of(const RunInputs& inputs);
-
-/// Recorded options by the names and in the units of today: version 0.3.0 wrote contact_energy as
-/// sample/temperature, in kJ/mol.
-std::vector<NamedParameter> renewed(std::vector<NamedParameter> parameters);
 
 /// How a sample goes on: options of the frames that are missing, and of the last one that is there,
 /// which must come out with the same bits. Throws InputError naming the file and a path of it that

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""What we compute ourselves: lengths, energies, broken copies, bounds on what OpenMM may move."""
+"""Bars measured: lengths, residuals, energies; broken copies; triangles and pairs of bars.
+
+Besides ours, OpenMM is measured with it: what SETTLE may move, which angles CCMA asks for.
+"""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/laboratory/recorded_inputs.hpp"
+#include "pliant/resume/recorded_inputs.hpp"
 
 #include <algorithm>
 

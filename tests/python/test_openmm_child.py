@@ -3,8 +3,8 @@
 
 import numpy as np
 import pytest
-from pliant.lab.peers import child
-from pliant.lab.peers.child import Job, run_jobs
+from pliant._openmm import child
+from pliant._openmm.child import Job, run_jobs
 
 import pliant
 

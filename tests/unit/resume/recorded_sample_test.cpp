@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/laboratory/recorded_sample.hpp"
+#include "pliant/resume/recorded_sample.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,9 +9,9 @@
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
+#include "support/source_folder.hpp"
 #include "unit/record/recorded_runs.hpp"
 #include "unit/record/samples.hpp"
-#include "support/source_folder.hpp"
 
 namespace pliant {
 namespace recorded_sample_test {
@@ -24,8 +24,7 @@ struct Peptide {
 };
 
 Peptide peptide() {
-  Structure structure =
-      read_structure(molecule_file("cyclic_hexapeptide.pdb"));
+  Structure structure = read_structure(molecule_file("cyclic_hexapeptide.pdb"));
   perceive_bonds(structure);
   Peptide made;
   made.start = structure.positions;
@@ -153,7 +152,7 @@ TEST(RecordedSample, ParametersThatAreNoneAreTold) {
   EXPECT_EQ(fault(),
             "a.h5md: its sample cannot go on: /parameters/sample/amplitude has an invalid value");
   from.parameters.clear();
-  EXPECT_EQ(fault(), "a.h5md: its sample cannot go on: does not say /parameters/sample/amplitude");
+  EXPECT_EQ(fault(), "a.h5md: its sample cannot go on: does not say /parameters/sample/frames");
 }
 
 }  // namespace recorded_sample_test

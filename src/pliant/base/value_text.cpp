@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/base/option_text.hpp"
+#include "pliant/base/value_text.hpp"
 
 #include <charconv>
 
@@ -21,36 +21,36 @@ std::string whole_number_from(std::int64_t least) {
 
 }  // namespace
 
-void set_option(std::string_view name, std::string_view text, bool& place) {
+void set_value(std::string_view name, std::string_view text, bool& place) {
   if (text != "true" && text != "false") refuse(name, text, "true or false");
   place = text == "true";
 }
 
-void set_option(std::string_view name, std::string_view text, std::int64_t& place,
-                std::int64_t least) {
+void set_value(std::string_view name, std::string_view text, std::int64_t& place,
+               std::int64_t least) {
   const auto value = parse_integer(text);
   if (!value || *value < least) refuse(name, text, whole_number_from(least));
   place = *value;
 }
 
-void set_option(std::string_view name, std::string_view text, std::uint64_t& place) {
+void set_value(std::string_view name, std::string_view text, std::uint64_t& place) {
   const char* end = text.data() + text.size();
   const auto read = std::from_chars(text.data(), end, place);
   if (read.ec != std::errc() || read.ptr != end) refuse(name, text, whole_number_from(0));
 }
 
-void set_option(std::string_view name, std::string_view text, double& place) {
+void set_value(std::string_view name, std::string_view text, double& place) {
   const auto value = parse_real(text);
   if (!value) refuse(name, text, "a number");
   place = *value;
 }
 
-void set_option(std::string_view, std::string_view text, std::string& place) { place = text; }
+void set_value(std::string_view, std::string_view text, std::string& place) { place = text; }
 
-std::string option_text(bool value) { return value ? "true" : "false"; }
-std::string option_text(std::int64_t value) { return std::to_string(value); }
-std::string option_text(std::uint64_t value) { return std::to_string(value); }
-std::string option_text(double value) { return shortest_text(value); }
-std::string option_text(const std::string& value) { return value; }
+std::string value_text(bool value) { return value ? "true" : "false"; }
+std::string value_text(std::int64_t value) { return std::to_string(value); }
+std::string value_text(std::uint64_t value) { return std::to_string(value); }
+std::string value_text(double value) { return shortest_text(value); }
+std::string value_text(const std::string& value) { return value; }
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/laboratory/force_recorder.hpp"
+#include "pliant/resume/force_recorder.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: MIT
+#include "option_fields.hpp"
+
+#include <cctype>
+
+#include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
+#include "refusals.hpp"
+
+namespace pliant::python {
+
+const char* python_type(OptionPlace place) {
+  constexpr const char* types[] = {"bool", "int", "int", "float", "str"};
+  return types[place.index()];
+}
+
+std::string docstring(std::string_view summary) {
+  std::string text(summary);
+  text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+  if (!text.ends_with('.')) text += ".";
+  return text;
+}
+
+nb::object value_of(OptionPlace place) {
+  return std::visit([](const auto* value) { return nb::cast(*value); }, place);
+}
+
+void take_value(const OptionFacts& facts, OptionPlace place, nb::handle value) {
+  std::visit(
+      [&](auto* to) {
+        using Value = std::remove_pointer_t<decltype(to)>;
+        const char* type = python_type(place);
+        if constexpr (std::is_same_v<Value, std::int64_t>)
+          *to = argument_as<Value>(facts.name, value, type, facts.range == Range::positive ? 1 : 0);
+        else
+          *to = argument_as<Value>(facts.name, value, type);
+      },
+      place);
+}
+
+std::string argument_text(const OptionFacts& facts, OptionPlace place) {
+  return std::string(facts.name) + ": " + python_type(place) + " = " +
+         nb::cast<std::string>(nb::repr(value_of(place)));
+}
+
+std::string argument_doc(const OptionFacts& facts, OptionPlace place) {
+  const bool is_same = facts.in_python.empty();
+  std::string text = docstring(is_same ? facts.summary : facts.in_python);
+  for (std::size_t at = text.find('\n'); at != text.npos; at = text.find('\n', at + 1))
+    text.insert(at + 1, "    ");
+  return std::string(facts.name) + " : " + python_type(place) + "\n    " + text + "\n";
+}
+
+void refuse_former(const OptionFacts& facts, nb::dict given) {
+  const nb::str name(facts.former.name.data(), facts.former.name.size());
+  if (facts.former.name.empty() || !given.contains(name)) return;
+  const nb::object value = given[name];
+  nb::del(given[name]);
+  if (value.is_none()) return;
+  const double now = argument_as<double>(facts.former.name, value, "float") / facts.former.divisor;
+  const std::string option(facts.name), unit(facts.unit);
+  throw OptionError(std::string(facts.former.name) + " is now " + option + ", in " + unit + ": " +
+                    option + "=" + number_text(now, 6));
+}
+
+void refuse_unknown(const char* function, nb::handle first, nb::dict left) {
+  if (left.size() == 0) return;
+  nb::module_::import_("pliant._refusals")
+      .attr("refuse_call")(nb::module_::import_("pliant._core").attr(function),
+                           nb::make_tuple(first), left);
+  throw nb::type_error("an argument does not fit");  // refuse_call() raises for a name unknown
+}
+
+}  // namespace pliant::python

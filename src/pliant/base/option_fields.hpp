@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+// Tables of the options of a task: a row for each, with its name, meaning, unit and range, where it
+// lies and who may set it. The command's options, Python's keywords, the page's settings, the
+// parameters of a recorded file and check() come from such a table: an option is added there and is
+// there for all of them.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "pliant/base/parameter.hpp"
+#include "pliant/base/range.hpp"
+
+namespace pliant {
+
+/// Where an option lies. Text is always a name of some table.
+using OptionPlace = std::variant<bool*, std::int64_t*, std::uint64_t*, double*, std::string*>;
+
+/// Who may set an option. What only some may set, the others choose in a way of their own.
+struct OptionUsers {
+  bool command = true;
+  bool python = true;
+  bool page = true;
+  bool file = true;  ///< a recorded file, which a run or a sample goes on from
+};
+
+/// What an earlier version called an option.
+struct FormerOption {
+  std::string_view name = {};  ///< "": nothing else
+  double divisor = 1.0;        ///< a value in the unit of then, divided by this, is one of today
+};
+
+/// What an option is, wherever it lies.
+struct OptionFacts {
+  std::string_view name;     ///< "max_sweeps": --max-sweeps, max_sweeps=, run/max_sweeps
+  std::string_view group;    ///< the heading under which help lists it
+  std::string_view summary;  ///< what it means; in the command's words where those differ
+  Range range = Range::any;  ///< what a number may be
+  /// The names that a text may be, and what they are names of; null for what is no text.
+  std::vector<std::string_view> (*choices)() = nullptr;
+  std::string_view kind = {};
+  bool is_optional = false;           ///< 0 stands for "not used" and is in range too
+  std::string_view unit = {};         ///< of a number; "": it has none, or the summary says it
+  std::string_view in_python = {};    ///< the summary in the words of scripts; "": the same
+  std::string_view automatic = {};    ///< what a user may give in place of a choice, and gives if
+                                      ///< nothing; a task then chooses
+  std::int64_t most = INT64_MAX;      ///< whole numbers that the command takes
+  std::string_view unset_means = {};  ///< what the command does where it is not given, if that is
+                                      ///< not the default of the library
+  OptionUsers users = {};
+  FormerOption former = {};
+};
+
+/// A row of a table, for options of one kind.
+template <class Options>
+struct OptionField : OptionFacts {
+  OptionPlace (*place)(Options& options) = nullptr;
+};
+
+/// The place that a chain of members leads to; for `place` of a row:
+/// place_at<RunOptions, &RunOptions::resolve, &ResolveOptions::seed>.
+template <auto First, auto... Rest>
+OptionPlace follow_members(auto& from) {
+  if constexpr (sizeof...(Rest) == 0) {
+    return &(from.*First);
+  } else {
+    return follow_members<Rest...>(from.*First);
+  }
+}
+template <class Options, auto... Members>
+OptionPlace place_at(Options& options) {
+  return follow_members<Members...>(options);
+}
+
+/// Throws OptionError naming the option, its value and what it must be.
+void check_option(const OptionFacts& facts, OptionPlace place);
+
+/// Sets an option from text: "true" or "false", a number, a name. Throws OptionError naming it, the
+/// text and what was expected; ranges are check_option()'s matter.
+void set_option(const OptionFacts& facts, OptionPlace place, std::string_view text);
+
+/// The value as text that set_option() reads back to the same bits.
+std::string option_text(OptionPlace place);
+
+/// The value as files keep it. A seed is text, since 64 bits without sign do not fit a Parameter.
+Parameter parameter_of(OptionPlace place);
+
+/// The parameter of that path. Throws InputError where there is none.
+const Parameter& find_parameter(const std::vector<NamedParameter>& parameters,
+                                const std::string& path);
+
+/// Sets an option to what was recorded. Throws InputError naming a path that is missing or has an
+/// invalid value.
+void restore_option(const std::vector<NamedParameter>& parameters, const std::string& path,
+                    OptionPlace place);
+
+/// Places of options that are only read: a copy would take along what a run replays.
+template <class Options>
+Options& places_of(const Options& options) {
+  return const_cast<Options&>(options);
+}
+
+/// Options of a table as files keep them, each below `group`: "sample/seed".
+template <class Fields, class Options>
+std::vector<NamedParameter> option_parameters(std::string_view group, const Fields& fields,
+                                              const Options& options) {
+  std::vector<NamedParameter> values;
+  for (const auto& field : fields)
+    if (field.users.file)
+      values.emplace_back(std::string(group) + "/" + std::string(field.name),
+                          parameter_of(field.place(places_of(options))));
+  return values;
+}
+
+/// The inverse; what is not recorded stays. Throws as restore_option().
+template <class Fields, class Options>
+void restore_options(std::string_view group, const Fields& fields,
+                     const std::vector<NamedParameter>& parameters, Options& options) {
+  for (const auto& field : fields)
+    if (field.users.file)
+      restore_option(parameters, std::string(group) + "/" + std::string(field.name),
+                     field.place(options));
+}
+
+/// Leaves to the task what it can choose.
+template <class Fields, class Options>
+void leave_open(const Fields& fields, Options& options) {
+  for (const auto& field : fields)
+    if (!field.automatic.empty())
+      *std::get<std::string*>(field.place(options)) = std::string(field.automatic);
+}
+
+}  // namespace pliant

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/sample/sample_fields.hpp"
+
+#include <string>
+#include <utility>
+
+#include "pliant/base/choices.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/sample/elastic_network.hpp"
+#include "pliant/sample/samplers.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr std::string_view group = "Sampling";
+constexpr std::int64_t most_frames = 100'000'000;
+
+template <auto... Members>
+constexpr auto at = place_at<SampleOptions, Members...>;
+
+const SampleField table[] = {
+    {{.name = "frames",
+      .group = group,
+      .summary = "frames to write",
+      .range = Range::positive,
+      .in_python = "How many, from 1.",
+      .most = most_frames},
+     at<&SampleOptions::frames>},
+    {{.name = "first_frame",
+      .group = group,
+      .summary = "number of the first frame, if an ensemble is made in pieces",
+      .range = Range::zero_or_more,
+      .in_python = "Number of the first frame: a run may be made in pieces.",
+      .most = most_frames},
+     at<&SampleOptions::first_frame>},
+    // The command and Python take more than a number: see SampleAsked.
+    {{.name = "amplitude",
+      .group = group,
+      .summary = "how far frames go: r.m.s. fluctuation, averaged over residues",
+      .range = Range::positive,
+      .unit = "Angstrom",
+      .users = {.command = false, .python = false}},
+     at<&SampleOptions::amplitude>},
+    {{.name = "seed",
+      .group = group,
+      .summary = "seed of all random numbers",
+      .in_python = "Of all random numbers. Frames are a function of the model, the seed and their\n"
+                   "number."},
+     at<&SampleOptions::seed>},
+    {{.name = "threads",
+      .group = group,
+      .summary = "threads that share the frames",
+      .range = Range::positive,
+      .in_python = "From 1; changes no result.",
+      .most = 4096,
+      .unset_means = "all cores",
+      .users = {.page = false, .file = false}},
+     at<&SampleOptions::threads>},
+    {{.name = "network",
+      .group = group,
+      .summary = "elastic network; frames follow its modes",
+      .choices = [] { return names_of(networks()); },
+      .kind = "network",
+      .in_python = "A name in ``networks()``."},
+     at<&SampleOptions::network>},
+    {{.name = "sampler",
+      .group = group,
+      .summary = "way to move; auto: modes if there are residues, torsions for small molecules",
+      .choices = [] { return names_of(samplers()); },
+      .kind = "sampler",
+      .in_python = "A name in ``samplers()``, or ``auto``: ``modes`` where there are residues,\n"
+                   "``torsions`` of small molecules, which have no amplitude.",
+      .automatic = automatic_sampler},
+     at<&SampleOptions::sampler>},
+    {{.name = "contact_energy",
+      .group = group,
+      .summary = "of --sampler dilute, kcal/mol: it turns a contact of energy E off\n"
+                 "with probability exp(-|E| / X)",
+      .range = Range::positive,
+      .unit = "kcal/mol",
+      .in_python =
+          "Of sampler ``dilute`` (kcal/mol): a contact of energy E is off with probability\n"
+          "exp(-abs(E) / contact_energy).",
+      .former = {"temperature", kj_per_kcal}},
+     at<&SampleOptions::contact_energy>},
+};
+
+}  // namespace
+
+std::span<const SampleField> sample_fields() { return table; }
+
+void check(const SampleOptions& options) {
+  if (options.frames < 1 || options.first_frame < 0)
+    throw OptionError("frames = " + std::to_string(options.frames) + " from " +
+                      std::to_string(options.first_frame) +
+                      ": must be from 1, beginning at 0 or later");
+  for (const SampleField& field : sample_fields())
+    check_option(field, field.place(places_of(options)));
+}
+
+SampleOptions unset_sample_options() {
+  SampleOptions options;
+  leave_open(sample_fields(), options);
+  return options;
+}
+
+std::vector<NamedParameter> parameters_of(const SampleOptions& options) {
+  return option_parameters("sample", sample_fields(), options);
+}
+
+std::vector<NamedParameter> renewed(std::vector<NamedParameter> parameters) {
+  for (const SampleField& field : sample_fields()) {
+    if (field.former.name.empty()) continue;
+    const std::string former = "sample/" + std::string(field.former.name);
+    for (auto& [path, value] : parameters) {
+      if (path != former) continue;
+      path = "sample/" + std::string(field.name);
+      if (double* number = std::get_if<double>(&value)) *number /= field.former.divisor;
+    }
+  }
+  return parameters;
+}
+
+SampleOptions sample_options_from(std::vector<NamedParameter> parameters) {
+  SampleOptions options;
+  restore_options("sample", sample_fields(), renewed(std::move(parameters)), options);
+  return options;
+}
+
+}  // namespace pliant

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What a sample is asked for.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string>
+
+#include "pliant/base/log.hpp"
+
+namespace pliant {
+
+inline constexpr double usual_amplitude = 1.4;  // Angstrom
+
+/// What to sample: rows of sample_fields(). Checked once, when sample() begins.
+struct SampleOptions {
+  std::int64_t frames = 200;           ///< from 1
+  std::int64_t first_frame = 0;        ///< frames [first_frame, first_frame + frames) of the run
+  double amplitude = usual_amplitude;  ///< mean r.m.s. fluctuation of nodes (Angstrom), 0.01 to 10
+  std::uint64_t seed = 0;
+  std::int64_t threads = 1;        ///< from 1; changes no result
+  std::string network = "shared";  ///< a name in networks()
+  std::string sampler = "modes";   ///< a name in samplers()
+  /// kcal/mol, of `dilute`: a contact of energy E is off with probability exp(-|E| / this).
+  double contact_energy = 3.0;
+  /// Asked between batches of frames, each of which takes up to about a second.
+  std::function<bool()> should_stop = {};
+  Log log = {};  ///< of what would surprise
+};
+
+/// Throws OptionError naming the option, its value and its range.
+void check(const SampleOptions& options);
+
+}  // namespace pliant

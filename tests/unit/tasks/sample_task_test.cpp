@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/tasks/sample_task.hpp"
+
+#include <gtest/gtest.h>
+
+#include <vector>
+
+#include "pliant/sample/conformer_framework.hpp"
+#include "pliant/sample/sample_fields.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+#include "unit/tasks/sampled_molecules.hpp"
+
+namespace pliant {
+namespace sample_task_test {
+
+SampleAsked asked(const std::string& sampler, std::int64_t frames = 3) {
+  SampleOptions options = unset_sample_options();
+  options.frames = frames;
+  options.sampler = sampler;
+  return {options};
+}
+
+std::vector<Vec3> frames_of(const SampleTask& task) {
+  std::vector<Vec3> all;
+  task.run([&](const SampledFrame& frame) {
+    all.insert(all.end(), frame.positions.begin(), frame.positions.end());
+    return false;
+  });
+  return all;
+}
+
+TEST(SampleTask, ChoosesTheSampler) {
+  EXPECT_EQ(unset_sample_options().sampler, "auto");
+  const MolecularModel peptide = test::model_of("cyclic_hexapeptide.pdb");
+  const SampleTask modes(subject_of(peptide), asked("auto"));
+  EXPECT_EQ(modes.options().sampler, "modes");
+  EXPECT_EQ(modes.conformers(), nullptr);
+  EXPECT_EQ(&modes.framework(), &peptide.framework);
+  const MolecularModel butane = test::model_of("butane.sdf");
+  const SampleTask torsions(subject_of(butane), asked("auto"));
+  EXPECT_EQ(torsions.options().sampler, "torsions");
+  EXPECT_EQ(&torsions.framework(), torsions.conformers());
+}
+
+TEST(SampleTask, FramesAreThoseOfSample) {
+  const MolecularModel butane = test::model_of("butane.sdf");
+  const SampleTask task(subject_of(butane), asked("torsions"));
+  const Framework framework = conformer_framework(butane.framework, butane.positions);
+  std::vector<Vec3> expected;
+  sample(framework, butane.positions, task.nodes(), task.options(), [&](const SampledFrame& frame) {
+    expected.insert(expected.end(), frame.positions.begin(), frame.positions.end());
+    return false;
+  });
+  EXPECT_FALSE(expected.empty());
+  EXPECT_TRUE(test::same_bits(frames_of(task), expected));
+}
+
+// The framework of conformers is in the file: it is not made from itself once more.
+TEST(SampleTask, OneThatGoesOnTakesTheFrameworkAsItIs) {
+  const MolecularModel butane = test::model_of("butane.sdf");
+  const SampleTask task(subject_of(butane), asked("torsions"));
+  const SampleTask again({task.framework(), task.start(), task.nodes()}, task.options());
+  EXPECT_EQ(again.conformers(), nullptr);
+  EXPECT_TRUE(test::same_bits(frames_of(again), frames_of(task)));
+}
+
+TEST(SampleTask, AnAmplitudeIsTakenWhereThereIsOne) {
+  const MolecularModel peptide = test::model_of("cyclic_hexapeptide.pdb");
+  SampleAsked far = asked("modes");
+  far.amplitude = AmplitudeChoice{2.5, "2.5", "as given"};
+  EXPECT_EQ(SampleTask(subject_of(peptide), far).options().amplitude, 2.5);
+  far.options.sampler = "torsions_uniform";
+  const auto refusal = [&] {
+    return test::error_text<OptionError>([&] { SampleTask(subject_of(peptide), far); });
+  };
+  EXPECT_EQ(refusal(),
+            "amplitude: sampler torsions_uniform has none: how far torsions turn is drawn");
+  far.dashes = "--";
+  EXPECT_EQ(refusal(),
+            "--amplitude: sampler torsions_uniform has none: how far torsions turn is drawn");
+}
+
+TEST(SampleTask, OptionsAreHeldToTheirRanges) {
+  const MolecularModel butane = test::model_of("butane.sdf");
+  SampleAsked bad = asked("modes");
+  const auto refusal = [&] {
+    return test::error_text<OptionError>([&] { SampleTask(subject_of(butane), bad); });
+  };
+  bad.options.threads = 0;
+  EXPECT_EQ(refusal(), "threads = 0: must be from 1");
+  bad = asked("modes", 0);
+  EXPECT_EQ(refusal(), "frames = 0 from 0: must be from 1, beginning at 0 or later");
+  bad = asked("torsion");
+  EXPECT_EQ(refusal().rfind("no sampler named \"torsion\" (did you mean \"torsions\"?)", 0), 0U);
+}
+
+TEST(SampleTask, ItEndsWhereItIsToldTo) {
+  const MolecularModel peptide = test::model_of("cyclic_hexapeptide.pdb");
+  const SampleTask task(subject_of(peptide), asked("modes", 50));
+  const SampleSummary summary = task.run({}, [] { return true; });
+  EXPECT_TRUE(summary.stopped_by_caller);
+  EXPECT_LT(summary.frames, 50);
+}
+
+}  // namespace sample_task_test
+}  // namespace pliant
