@@ -3,12 +3,16 @@
 
 import os
 import signal
+from pathlib import Path
 
+import leftovers
 import pytest
 
 
-def pytest_configure():
-    """Shells start background jobs with Ctrl-C ignored; the tests that send it want it heard."""
+def pytest_configure(config):
+    """Nothing may be left behind. And shells start background jobs with Ctrl-C ignored; the tests
+    that send it want it heard."""
+    leftovers.watch(config, Path(__file__).parents[1])
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
 

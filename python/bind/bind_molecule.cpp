@@ -12,6 +12,7 @@
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/read/read.hpp"
+#include "refusals.hpp"
 #include "structure.hpp"
 #include "tables.hpp"
 
@@ -41,7 +42,7 @@ std::string assembly_from(const nb::handle& assembly) {
   if (assembly.is_none()) return {};
   if (nb::isinstance<nb::bool_>(assembly) ||
       (!nb::isinstance<nb::int_>(assembly) && !nb::isinstance<nb::str>(assembly)))
-    throw nb::type_error("assembly: expected an int or a str");
+    refuse_argument("assembly", assembly, "int | str | None", nb::none(), nb::none());
   return nb::cast<std::string>(nb::str(assembly));
 }
 

@@ -9,6 +9,7 @@ from collections.abc import Callable, Iterable, Sequence
 import numpy.typing as npt
 
 from pliant import _core
+from pliant._checked import WALKERS, checked
 from pliant._progress import begin
 from pliant._run import JointForce, Ordering, Sweep, _options, _start
 from pliant._run_outputs import Observer
@@ -17,6 +18,7 @@ from pliant._run_outputs import Observer
 ObserversOf = Callable[[int], Iterable[Observer | _core.H5mdRecorder]]
 
 
+@checked(shard=WALKERS)
 def run_ensemble(
     framework: _core.Framework,
     state: _core.State | npt.ArrayLike,

@@ -4,15 +4,19 @@
 from __future__ import annotations
 
 import ast
+import difflib
 import math
 import os
 import reprlib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, NoReturn
 
 #: whole numbers that 64 bits hold, with a sign and without
 _SIGNED = (-(2**63), 2**63 - 1)
 _UNSIGNED = (0, 2**64 - 1)
+
+#: of more arguments than these the list is no help
+MOST_LISTED = 8
 
 #: what arguments of a type must be, in words
 _WORDS = {
@@ -21,12 +25,15 @@ _WORDS = {
     "str": "a text",
     "bool": "True or False",
     "None": "None",
-    "os.PathLike": "a path",
-    "pathlib.Path": "a path",
-    "collections.abc.Callable": "a function",
-    "collections.abc.Sequence": "a sequence",
-    "numpy.typing.ArrayLike": "an array",
-    "numpy.typing.NDArray": "an array",
+    "PathLike": "a path",
+    "Path": "a path",
+    "Callable": "a function",
+    "Sweep": "a function",
+    "Iterable": "a sequence",
+    "Sequence": "a sequence",
+    "Mapping": "a dict",
+    "ArrayLike": "an array",
+    "NDArray": "an array",
 }
 
 
@@ -38,8 +45,8 @@ def refuse(
 
     if least is not None and most is not None and _is_whole(value):
         wanted = f"a whole number from {least} to {most}"
-        raise OptionError(f"{name} = {_shown(value)}: must be {wanted}")
-    raise TypeError(f"{name} = {_shown(value)}: must be {_wanted(annotation)}")
+        raise OptionError(f"{name} = {shown(value)}: must be {wanted}")
+    raise TypeError(f"{name} = {shown(value)}: must be {_wanted(annotation)}")
 
 
 def refuse_call(function: Any, positional: Sequence[object], named: Mapping[str, object]) -> None:
@@ -48,13 +55,25 @@ def refuse_call(function: Any, positional: Sequence[object], named: Mapping[str,
     parameters = _parameters(signature)
     is_method = next(iter(parameters), "") == "self"
     given = _given(_called(function), parameters, positional, named, is_method)
-    unfit = [name for name, value in given.items() if not _fits(value, parameters[name])]
+    unfit = [name for name, value in given.items() if not fits(value, parameters[name])]
     for name in unfit:
         refuse(name, given[name], parameters[name])
     for name, value in given.items():
         if _is_whole(value) and "int" in _kinds(parameters[name]):
             _refuse_out_of_range(name, int(value), parameters[name])  # type: ignore[call-overload]
     _refuse_contents(parameters, given)
+
+
+def refuse_unknown(function: str, names: Iterable[str], named: Iterable[str]) -> None:
+    """Raise TypeError for an argument that there is not, with the name that it is most like."""
+    known = list(names)
+    for name in named:
+        if name not in known:
+            like = difflib.get_close_matches(name, known, 1)
+            hint = f" (did you mean {like[0]!r}?)" if like else ""
+            if not like and len(known) <= MOST_LISTED:
+                hint = f"; known: {', '.join(known)}"
+            raise TypeError(f"{function}: has no argument {name!r}{hint}")
 
 
 def _called(function: Any) -> str:
@@ -98,10 +117,7 @@ def _given(
 ) -> dict[str, object]:
     """Arguments by name. Raises TypeError for names that there are not."""
     names = list(parameters)
-    for name in named:
-        if name not in parameters:
-            known = ", ".join(name for name in names if name != "self")
-            raise TypeError(f"{function}: has no argument {name!r}; known: {known}")
+    refuse_unknown(function, names[is_method:], named)
     given = {**dict(zip(names, positional, strict=False)), **named}
     if is_method:
         given.pop("self", None)
@@ -125,14 +141,14 @@ def _alternatives(annotation: str) -> Iterator[ast.expr]:
 
 
 def _kinds(annotation: str) -> list[str]:
-    """The names of the alternatives, without what stands in brackets."""
+    """The names of the alternatives, without modules and what stands in brackets."""
     bare = (
         one.value if isinstance(one, ast.Subscript) else one for one in _alternatives(annotation)
     )
-    return [ast.unparse(one) for one in bare]
+    return [ast.unparse(one).rpartition(".")[2] for one in bare]
 
 
-def _fits(value: object, annotation: str) -> bool:
+def fits(value: object, annotation: str) -> bool:
     """Whether a value may be of the type; True where that is not known."""
     return any(_is_of(value, kind) for kind in _kinds(annotation))
 
@@ -148,11 +164,15 @@ def _is_of(value: object, kind: str) -> bool:
         return value is None
     if kind == "str":
         return isinstance(value, str)
-    if kind in ("os.PathLike", "pathlib.Path"):
+    if kind in ("PathLike", "Path"):
         return isinstance(value, (str, os.PathLike))
-    if kind.startswith("collections.abc.Callable"):
+    if kind in ("Callable", "Sweep"):
         return callable(value)
-    if kind in ("collections.abc.Sequence", "list", "tuple"):
+    if kind == "Iterable":
+        return hasattr(value, "__iter__")
+    if kind == "Mapping":
+        return hasattr(value, "keys")
+    if kind in ("Sequence", "list", "tuple"):
         return hasattr(value, "__len__") and not isinstance(value, (str, bytes))
     return _is_object_of(value, kind)
 
@@ -161,7 +181,7 @@ def _is_object_of(value: object, kind: str) -> bool:
     """Whether it is an object of one of our classes."""
     from pliant import _core
 
-    known = getattr(_core, kind.rpartition(".")[2], None)
+    known = getattr(_core, kind, None)
     return isinstance(value, known) if isinstance(known, type) else True
 
 
@@ -172,11 +192,11 @@ def _is_whole(value: object) -> bool:
 def _wanted(annotation: str) -> str:
     """ "a whole number or None"."""
     kinds = _kinds(annotation)
-    words = [_WORDS.get(kind, f"a {kind.rpartition('.')[2]}") for kind in kinds]
+    words = [_WORDS.get(kind, f"a {kind}") for kind in kinds]
     return " or ".join(dict.fromkeys(words))
 
 
-def _shown(value: object) -> str:
+def shown(value: object) -> str:
     """The value in a few characters."""
     if isinstance(value, float) and math.isnan(value):
         return "nan"

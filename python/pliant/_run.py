@@ -12,6 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant import _core
+from pliant._checked import checked
 from pliant._output_names import is_pdb_name
 from pliant._run_outputs import (
     Observer,
@@ -35,6 +36,7 @@ JointForce = tuple[int, tuple[float, float, float]]
 Ordering = tuple[npt.ArrayLike, npt.ArrayLike, npt.ArrayLike]
 
 
+@checked()
 def run(
     framework: _core.Framework | _core.Structure | str | os.PathLike[str],
     state: _core.State | npt.ArrayLike | None = None,
@@ -202,6 +204,7 @@ def run(
         return _core.run_steps(framework, start, options, [recorder, *observers], forces)
 
 
+@checked()
 def continue_run(
     path: str | os.PathLike[str],
     steps: int | None = None,

@@ -16,6 +16,7 @@ import h5py
 import numpy as np
 
 from pliant import _hdf5, console
+from pliant._checked import checked
 from pliant._core import FileError, InputError, OptionError, check_hdf5_structure
 from pliant._hdf5_expansion import check_stored
 from pliant._recovered_file import (
@@ -80,6 +81,7 @@ class Recovery:
     lost: dict[str, str] = field(default_factory=dict)  #: what -> why
 
 
+@checked()
 def recover(
     broken: str | os.PathLike[str], good: str | os.PathLike[str], *, overwrite: bool = False
 ) -> Recovery:

@@ -23,8 +23,7 @@ from pliant.lab.validity.sources import (
     MissingSourceError,
     Source,
 )
-
-import pliant as library
+from told import read_written
 
 SOON = [
     (Source("5a7u.pdb", MDANALYSIS), "zinc, hydrogens, a side chain that is not whole"),
@@ -81,7 +80,7 @@ def is_sampled(pliant, tmp_path, source):
     assert positions.shape == (3, told["atoms"], 3)
     assert np.isfinite(positions).all()
     assert np.ptp(positions, axis=0).max() > 0.01
-    assert len(library.read(tmp_path / "x.pdb")) == told["atoms"]
+    assert len(read_written(tmp_path / "x.pdb")) == told["atoms"]
 
 
 @pytest.mark.parametrize("source", [row[0] for row in SOON], ids=lambda source: source.file)

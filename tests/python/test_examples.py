@@ -6,6 +6,7 @@ import itertools
 import networkx as nx
 import numpy as np
 import pytest
+import told
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -67,7 +68,8 @@ def test_converged_means_whole(name, technique):
     framework, positions = example.framework, example.positions
     positions += np.random.default_rng(4).normal(scale=0.05, size=positions.shape)
     try:
-        summary = pliant.resolve(framework, positions, technique, max_sweeps=500)
+        with told.of_fit(framework, technique):
+            summary = pliant.resolve(framework, positions, technique, max_sweeps=500)
     except pliant.OptionError as error:
         if "is for trees only" in str(error):
             assert example.facts.cycles > 0

@@ -92,7 +92,13 @@ def test_a_number_below_a_range_of_no_sign():
 def test_what_is_no_argument_at_all():
     with pytest.raises(TypeError) as error:
         pliant.sample(ETHANE, frame=3)
-    assert str(error.value).startswith("sample: has no argument 'frame'; known: structure, frames,")
+    assert str(error.value) == "sample: has no argument 'frame' (did you mean 'frames'?)"
+    with pytest.raises(TypeError) as error:
+        pliant.sample(ETHANE, colour=3)
+    assert str(error.value) == "sample: has no argument 'colour'"
+    with pytest.raises(TypeError) as error:
+        pliant.contacts(ETHANE, colour=3)
+    assert str(error.value) == "contacts: has no argument 'colour'; known: structure, hbond_cutoff"
     with pytest.raises(TypeError) as error:
         pliant.resolve(7, np.array(LINE))
     assert str(error.value) == "framework = 7: must be a Framework"

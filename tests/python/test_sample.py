@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+import told
 
 import pliant
 
@@ -12,7 +13,7 @@ MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 @pytest.fixture(scope="module")
 def kinase():
     """Adenylate kinase, 214 residues."""
-    structure = pliant.read(MDA.PDB_small)
+    structure = told.read_without_elements(MDA.PDB_small)
     structure.perceive_bonds()
     return structure
 
@@ -163,17 +164,20 @@ def test_the_amplitude_may_be_that_of_models_or_b_factors(kinase, tmp_path):
     with pliant.PdbRecorder(tmp_path / "models.pdb", kinase) as recorder:
         for frame in frames:
             recorder.record(frame)
-    found = pliant.sample(kinase, 1, amplitude=tmp_path / "models.pdb")
+    with pytest.warns(pliant.PliantWarning, match="the amplitude is from 3 models: few"):
+        found = pliant.sample(kinase, 1, amplitude=tmp_path / "models.pdb")
     assert found.amplitude_asked == pytest.approx(0.5 * np.sqrt(3 * 2 / 3), rel=0.05)
     assert found.amplitude_reason.startswith("3 models of ")
     with open(MDA.PDB_small) as file:
         b = np.array([float(line[60:66]) for line in file if line[12:16].strip() == "CA"])
-    found = pliant.sample(kinase, 1, amplitude="bfactors")
+    with pytest.warns(pliant.PliantWarning, match="the amplitude is from B factors, which contain"):
+        found = pliant.sample(kinase, 1, amplitude="bfactors")
     assert found.amplitude_asked == pytest.approx(np.sqrt(3 * b / (8 * np.pi**2)).mean(), rel=1e-6)
 
 
 def test_a_model_may_be_given_and_pieces_are_the_same(ensemble):
-    piece = pliant.sample(ensemble.model, frames=2, first_frame=5, seed=3, threads=2)
+    with pytest.warns(pliant.PliantWarning, match="frames reach an amplitude of 0.56 of the 1.40"):
+        piece = pliant.sample(ensemble.model, frames=2, first_frame=5, seed=3, threads=2)
     assert np.array_equal(piece.positions, ensemble.positions[5:7])
 
 

@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+import told
 
 import pliant
 
@@ -23,7 +24,7 @@ GAMMA = ("CG", "CG1", "OG", "OG1", "SG")
 
 @pytest.fixture(scope="module")
 def closed():
-    structure = pliant.read(MDA.PDB_closed)
+    structure = told.read_without_elements(MDA.PDB_closed)
     structure.perceive_bonds()
     return structure
 

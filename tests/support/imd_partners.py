@@ -45,7 +45,7 @@ def job(words, folder):
         yield started
     finally:
         started.process.kill()
-        started.process.wait()
+        started.process.wait(timeout=60)
         for stream in (started.process.stdout, started.process.stderr):
             stream.close()  # not read to the end: whoever else holds it would be waited for
 

@@ -11,6 +11,7 @@ import numpy as np
 import numpy.typing as npt
 
 from pliant._chains import chain_of
+from pliant._checked import POSITIVE, checked, having
 from pliant._core import Framework, InputError, PliantWarning, Structure
 from pliant._extras import need
 
@@ -21,6 +22,7 @@ if TYPE_CHECKING:
 _AROMATIC = {"ar", "aromatic", "1.5"}
 
 
+@checked(atoms=having("atoms", "a Universe or an AtomGroup"))
 def from_mdanalysis(
     atoms: MDAnalysis.Universe | MDAnalysis.AtomGroup, *, perceive_bonds: bool | None = None
 ) -> Structure:
@@ -63,6 +65,7 @@ def from_mdanalysis(
     return structure
 
 
+@checked(timestep=POSITIVE)
 def to_mdanalysis(
     source: Structure | Framework, positions: npt.ArrayLike | None = None, *, timestep: float = 1.0
 ) -> MDAnalysis.Universe:
@@ -128,7 +131,7 @@ def _elements(group: Any) -> list[str] | None:
         return None
     guess = _guesser()
     guessed = ["" if element == "DUMMY" else element for element in map(guess, names)]
-    warnings.warn("the universe has no elements: guessed from names", PliantWarning, stacklevel=3)
+    warnings.warn("the universe has no elements: guessed from names", PliantWarning, stacklevel=4)
     return guessed
 
 

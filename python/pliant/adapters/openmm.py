@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
+from pliant._checked import checked, having
 from pliant._core import Framework, PliantWarning, Structure
 from pliant._extras import need
 
@@ -19,6 +20,7 @@ if TYPE_CHECKING:
 _ANGSTROM_PER_NM = 10.0
 
 
+@checked(topology=having("atoms", "an openmm.app.Topology"))
 def from_openmm(
     topology: openmm.app.Topology, positions: Any, *, perceive_bonds: bool | None = None
 ) -> Structure:
@@ -62,6 +64,7 @@ def from_openmm(
     return structure
 
 
+@checked(system=having("getNumParticles", "an openmm.System"))
 def constraints_from_openmm(system: openmm.System, structure: Structure | None = None) -> Framework:
     """Return the framework whose bars are the distance constraints of an OpenMM system.
 
@@ -113,7 +116,7 @@ def _residue_ids(topology: openmm.app.Topology, atoms: list[Any]) -> list[int]:
         warnings.warn(
             f"residue id {odd!r} is no number: residues are numbered from 1",
             PliantWarning,
-            stacklevel=3,
+            stacklevel=4,
         )
         return [atom.residue.index + 1 for atom in atoms]
 

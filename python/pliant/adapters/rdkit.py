@@ -6,12 +6,14 @@ from __future__ import annotations
 import warnings
 from typing import TYPE_CHECKING, Any
 
+from pliant._checked import checked, having
 from pliant._core import InputError, PliantWarning, Structure
 
 if TYPE_CHECKING:
     from rdkit.Chem import Mol
 
 
+@checked(molecule=having("GetConformers", "an rdkit.Chem.Mol"))
 def from_rdkit(molecule: Mol, conformer: int = -1) -> Structure:
     """Return an RDKit molecule as a structure: its atoms, bonds with orders, and one conformer.
 
@@ -64,7 +66,7 @@ def _warn_of_implicit_hydrogens(molecule: Mol) -> None:
             f"hydrogens without positions are left out: {count}; Chem.AddHs(molecule, "
             "addCoords=True) gives them some",
             PliantWarning,
-            stacklevel=3,
+            stacklevel=4,
         )
 
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pliant._checked import checked, whole
 from pliant._core import InputError, OptionError
 from pliant._display import Displayed, Facts
 from pliant.analyse.found import ENSEMBLE
@@ -55,6 +56,7 @@ class Representatives(Displayed):
         return dict(vars(self))
 
 
+@checked(count=whole(1))
 def representatives(
     path: str | os.PathLike[str],
     count: int,

@@ -11,6 +11,7 @@ from typing import Any
 
 import MDAnalysis  # noqa: F401  (before pliant.analysis, which says that it lacks MDAnalysis itself)
 
+from pliant._checked import NOT_ZERO, PAIRS_OF_TEXTS, checked, whole
 from pliant._display import Displayed, Facts
 from pliant._progress import Stages
 from pliant.analyse.bar_verdict import Verdict, verdict
@@ -19,6 +20,7 @@ from pliant.analyse.study import Study, StudyOptions
 from pliant.analyse.summary import summary
 from pliant.analyse.verdicts import verdicts
 from pliant.analyse.write import check_folder, write_report
+from pliant.console import MOST_PROCESSES
 
 DPI = 150
 
@@ -49,6 +51,12 @@ class AnalysisReport(Displayed):
         return summary(self.study, self.outputs)
 
 
+@checked(
+    step=NOT_ZERO,
+    workers=whole(1, MOST_PROCESSES),
+    dpi=whole(50, 1200),
+    distances=PAIRS_OF_TEXTS,
+)
 def analyse(
     path: str | os.PathLike[str],
     output: str | os.PathLike[str] | None = None,

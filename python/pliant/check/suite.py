@@ -9,6 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pliant import _bars
+from pliant._checked import ABOVE_0, POSITIVES, SEED, checked, whole
 from pliant._core import InputError
 from pliant._extras import need
 from pliant._openmm.child import TIME_LIMIT, Outcome, run_jobs
@@ -31,6 +32,16 @@ ENERGY_DISPLACEMENT = 0.1  #: Angstrom; of the copies whose energies are compare
 MOST_ENERGIES = 10
 
 
+@checked(
+    frames=whole(1, name="all"),
+    displacements=POSITIVES,
+    seed=SEED,
+    time_limit=ABOVE_0,
+    starts=whole(1, name="all"),
+    long_starts=whole(0),
+    md_steps=whole(0),
+    total_limit=ABOVE_0,
+)
 def check(
     path: str | os.PathLike[str],
     *,

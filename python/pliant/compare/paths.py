@@ -18,6 +18,7 @@ from typing import Any
 
 import numpy as np
 
+from pliant._checked import checked, whole
 from pliant._core import InputError
 from pliant._extras import need
 from pliant.check.recording import read_recording
@@ -55,6 +56,7 @@ class PathComparison:
     notes: list[str] = field(default_factory=list)
 
 
+@checked(frames=whole(2, name="all"))
 def compare_paths(
     ours: str | os.PathLike[str],
     theirs: str | os.PathLike[str],

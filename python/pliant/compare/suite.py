@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant._bars import lengths
+from pliant._checked import checked, whole
 from pliant._core import InputError
 from pliant._extras import need
 from pliant._progress import Stages
@@ -49,6 +50,7 @@ LEAST_RESIDUES = 5  #: fewer are compared by atoms alone
 BINS = 36  #: of torsion angles: 10 degrees each
 
 
+@checked(frames=whole(2, name="all"))
 def compare(
     ours: str | os.PathLike[str],
     theirs: str | os.PathLike[str] | Sequence[str | os.PathLike[str]],

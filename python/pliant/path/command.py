@@ -12,8 +12,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pliant import console
-from pliant._core import OptionError, PathOptions
+from pliant._core import OptionError, PathOptions, read
 from pliant._output_names import check_trajectory_name, is_pdb_name
+from pliant._said import notes_told_by
 
 if TYPE_CHECKING:
     from pliant.path.found import MolecularPath, PathFrame, TightPlace
@@ -107,9 +108,11 @@ def _path(arguments: argparse.Namespace) -> int:
         atoms=arguments.atoms, step=arguments.step, both=arguments.both,
         backtrack=arguments.backtrack, seed=arguments.seed,
     )  # fmt: skip
+    with notes_told_by(console.note):
+        start, end = read(arguments.start), read(arguments.end)
     with console.progress("path") as show:
         path = walk.find(
-            arguments.start, arguments.end, options, arguments.output, arguments.overwrite,
+            start, end, options, arguments.output, arguments.overwrite,
             lambda done: show(done, walk.WHOLE),
         )  # fmt: skip
     if arguments.csv:

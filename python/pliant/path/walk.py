@@ -8,9 +8,9 @@ import time
 from collections.abc import Callable
 
 from pliant import _progress
+from pliant._checked import SEED, checked
 from pliant._core import (
     H5mdRecorder,
-    OptionError,
     PathEnds,
     PathOptions,
     PathWalk,
@@ -24,6 +24,7 @@ __all__ = ["PathEnds", "PathOptions", "PathWalk", "find", "path"]
 WHOLE = 100  #: of the distance, as bars show it: per cent
 
 
+@checked(seed=SEED)
 def path(
     start: Structure | str | os.PathLike[str],
     end: Structure | str | os.PathLike[str],
@@ -70,8 +71,6 @@ def path(
     FileError
         The output exists or cannot be written.
     """
-    if not 0 <= seed < 2**64:
-        raise OptionError(f"seed: expected 0 to 2^64 - 1, found {seed}")
     options = PathOptions(atoms=atoms, step=step, both=both, backtrack=backtrack, seed=seed)
     bar = _progress.begin("path", WHOLE)
     try:

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from pliant._checked import checked, whole
 from pliant._core import Graph, OptionError, Structure, models, write_topology_pdb
 from pliant._extras import need
 from pliant.adapters import from_mdanalysis
@@ -31,6 +32,7 @@ class Given:
     known: dict[str, Any] = field(default_factory=dict)
 
 
+@checked(height=whole(1))
 def view(source: Any, *, model: str = "auto", height: int = 560) -> PlayView:
     """Show a molecule or a trajectory in a notebook, on the page of ``pliant play``.
 

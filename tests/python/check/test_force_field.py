@@ -13,6 +13,7 @@ from pliant.check.force_field.minimised import ForceFieldReport, Minimised
 from pliant.check.force_field.molecule import molecule_of
 from pliant.check.force_field.study import Wanted, minimise_frames
 from pliant.check.force_field.verdicts import findings_of, is_usable, reached
+from told import read_without_elements
 
 import pliant
 
@@ -334,7 +335,7 @@ def test_what_was_not_minimised_is_called_partial():
 
 @pytest.mark.long
 def test_adenylate_kinase_is_usable_as_md_starts(tmp_path):
-    found = pliant.sample(pliant.read(MDA.PDB_small), frames=200)
+    found = pliant.sample(read_without_elements(MDA.PDB_small), frames=200)
     structure, start = found.model.structure, np.array(found.model.positions)
     chosen = found.positions[np.linspace(0, 199, 20).round().astype(int)]
     wanted = Wanted("all", 4, 250, time_limit=1200.0, total_limit=3600.0)

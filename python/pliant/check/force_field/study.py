@@ -57,13 +57,15 @@ def why_not_file(path: str) -> str:
 def start_of(path: str, structure: Structure, named: str | os.PathLike[str] | None) -> np.ndarray:
     """Positions (N, 3) of the structure that the ensemble began with.
 
-    Raises InputError when there is no such file or it has other atoms.
+    A molecule that the cell of the file cuts is made whole.
+
+    Raises InputError when there is no such file, it has other atoms, or a periodic box has cut it.
     """
     file = Path(path).with_suffix(".pdb") if named is None else Path(named)
     if not file.is_file():
         hint = "" if named is not None else "; name the start structure with --start"
         raise InputError(f"{file}: no such file{hint}")
-    other = _core.read(os.fspath(file), perceive_bonds=False)
+    other = _core.read(os.fspath(file))
     if len(other) != len(structure):
         raise InputError(f"{file}: expected {len(structure)} atoms, found {len(other)}")
     unlike = np.flatnonzero(np.asarray(other.names) != np.asarray(structure.names))
@@ -72,6 +74,7 @@ def start_of(path: str, structure: Structure, named: str | os.PathLike[str] | No
         raise InputError(
             f"{file}: atom {k}: expected '{structure.names[k]}', found '{other.names[k]}'"
         )
+    other.framework()  # refuses what is still cut
     return np.array(other.positions)
 
 

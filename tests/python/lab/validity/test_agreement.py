@@ -7,6 +7,7 @@ from pliant._sequence import LETTERS, aligned
 from pliant.analysis import agreement as alike
 from pliant.lab.validity.peers import Network, drawn_frames, network_of
 from pliant.lab.validity.trace import amino_part, trace_of
+from told import read_without_elements
 
 import pliant
 
@@ -15,7 +16,7 @@ MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 
 @pytest.fixture(scope="module")
 def structure():
-    return amino_part(pliant.read(MDA.PDB_small))
+    return amino_part(read_without_elements(MDA.PDB_small))
 
 
 @pytest.fixture(scope="module")

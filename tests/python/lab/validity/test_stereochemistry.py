@@ -3,6 +3,7 @@
 
 import numpy as np
 import pytest
+from told import read_without_elements
 
 import pliant
 
@@ -17,7 +18,7 @@ from pliant.lab.validity.trace import amino_part  # noqa: E402
 @pytest.fixture(scope="module")
 def model():
     """The first ten residues of adenylate kinase and more, with all hydrogens."""
-    return pliant.build_model(amino_part(pliant.read(MDA.PDB_small)))
+    return pliant.build_model(amino_part(read_without_elements(MDA.PDB_small)))
 
 
 @pytest.fixture(scope="module")
