@@ -8,6 +8,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/run/run.hpp"
 #include "pliant/run/run_fields.hpp"
 
 namespace pliant::python {

@@ -5,6 +5,7 @@
 #include <nanobind/stl/shared_ptr.h>
 
 #include "arrays.hpp"
+#include "pliant/perturb/pushers.hpp"
 #include "pliant/perturb/steering.hpp"
 #include "pushes.hpp"
 #include "tables.hpp"

@@ -24,9 +24,11 @@
 
 // molecule: files to structures, structures to frameworks
 #include "pliant/molecule/bars_file.hpp"            // bars, limits and sterics as text
+#include "pliant/molecule/bonds/bond_options.hpp"   // how bonds are perceived
 #include "pliant/molecule/bonds/bonds.hpp"          // bond perception
 #include "pliant/molecule/build_framework.hpp"      // bonds or angles to bars
 #include "pliant/molecule/read/read.hpp"            // PDB, mmCIF, XYZ, SDF
+#include "pliant/molecule/read/read_options.hpp"    // which model, which assembly
 #include "pliant/molecule/sterics_lines.hpp"        // the sterics of such a text
 #include "pliant/molecule/structure/cell.hpp"       // the periodic cell
 #include "pliant/molecule/structure/structure.hpp"  // atoms, positions, bonds
@@ -97,7 +99,8 @@
 #include "pliant/perturb/guide.hpp"         // where joints are asked to go
 #include "pliant/perturb/perturbation.hpp"  // the pushers that need no more than a name
 #include "pliant/perturb/push.hpp"          // what a step pushed
-#include "pliant/perturb/pusher.hpp"        // what breaks the bars; the table of pushers
+#include "pliant/perturb/pusher.hpp"        // what breaks the bars
+#include "pliant/perturb/pushers.hpp"       // the table of them
 #include "pliant/perturb/steering.hpp"      // forces from another thread
 #include "pliant/run/ensemble.hpp"          // many walkers; shards of them
 #include "pliant/run/force_settings.hpp"    // options that force files keep
@@ -105,6 +108,7 @@
 #include "pliant/run/replay_events.hpp"     // what a person did, once more
 #include "pliant/run/run.hpp"               // a motion shown to observers
 #include "pliant/run/run_fields.hpp"        // the table of its options
+#include "pliant/run/run_options.hpp"       // what it is asked for
 #include "pliant/run/run_summary.hpp"       // what a run did
 #include "pliant/run/steered_walk.hpp"      // a motion in somebody's hands
 
@@ -131,6 +135,7 @@
 
 // record: trajectories and graphs
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"  // a run in a file, to go on
+#include "pliant/record/h5md/h5md_header.hpp"             // what such a file says besides frames
 #include "pliant/record/h5md/h5md_reader.hpp"             // frames of any H5MD file
 #include "pliant/record/h5md/h5md_recorder.hpp"           // frames to an H5MD file
 #include "pliant/record/h5md/saved_part.hpp"              // some of the joints, to record

@@ -160,6 +160,20 @@ def test_no_circle_of_units_crosses_a_wing():
     )
 
 
+LARGEST_CIRCLE = 3  # units: a table, its rows and what both need
+
+
+def test_no_circle_of_units_is_large():
+    circles = {frozenset(circle) for circle in circles_of_units()}
+    refuse(
+        [
+            f"a circle of {len(circle)} units: {', '.join(sorted(circle))}"
+            for circle in sorted(circles, key=sorted)
+            if len(circle) > LARGEST_CIRCLE
+        ]
+    )
+
+
 # Sources that hold rows of a table which another header declares, or are compiled several times.
 WITHOUT_HEADER = re.compile(r"examples_\w+\.cpp|families\.cpp|lane_level\.cpp")
 

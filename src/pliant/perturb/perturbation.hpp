@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "pliant/perturb/pusher.hpp"
+#include "pliant/perturb/pushers.hpp"
 
 namespace pliant {
 

@@ -4,31 +4,15 @@
 #include <cmath>
 #include <string>
 
-#include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/perturb/guided_pushers.hpp"
 #include "pliant/perturb/past.hpp"
-#include "pliant/perturb/random_pushers.hpp"
-#include "pliant/perturb/replay.hpp"
 
 namespace pliant {
 namespace {
 
 /// 1 kJ/(mol Angstrom) / 1 u in Angstrom/ps^2.
 constexpr double acceleration_of_unit_force = 100.0;
-
-constexpr PusherEntry table[] = {
-    {"force", "a random force on one random joint, moved by Verlet (as in the thesis)", make_force},
-    {"force_all", "a random force on every joint, all moved by Verlet", make_force_all},
-    {"displacement", "every joint displaced in a random direction (as in FRODA)",
-     make_displacement},
-    {"replay", "given forces on given joints, one per step, moved by Verlet", make_replay},
-    {"rock", "given vectors there and back, such as a mode of an elastic network", make_rock},
-    {"pull", "groups pulled to given places, step by step", make_pull},
-    {"pair_distance", "pairs of groups brought to given distances, step by step",
-     make_pair_distance},
-};
 
 void require(bool ok, const char* name, double value, const char* range) {
   if (!ok) throw OptionError(std::string(name) + " = " + number_text(value) + ": must be " + range);
@@ -47,10 +31,6 @@ double gain(const PushCall& call, Joint joint) {
 }
 
 }  // namespace
-
-std::span<const PusherEntry> pushers() { return table; }
-
-const PusherEntry& find_pusher(std::string_view name) { return choose(pushers(), "pusher", name); }
 
 void move_by_verlet(const PushCall& call, const JointForce& push, State& state) {
   if (call.framework.is_pinned(push.joint)) return;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Pushers (perturbations, force fields, a hand at the mouse): what breaks the bars at the start of
-// a step. Several act one after another.
+// a step. Several act one after another. The table of them is in pushers.hpp.
 #pragma once
 
 #include <memory>
 #include <span>
-#include <string_view>
 #include <vector>
 
 #include "pliant/base/random.hpp"
@@ -54,19 +53,6 @@ struct PusherOptions {
   Guide guide = {};                              ///< of `rock`, `pull` and `pair_distance`
   std::vector<std::int64_t> replay_counts = {};  ///< of `replay`: (S) so many in each step
 };
-
-/// One row of the table of pushers.
-struct PusherEntry {
-  std::string_view name;
-  std::string_view summary;
-  /// The framework must outlive what is made. Throws OptionError where options make no sense.
-  std::unique_ptr<Pusher> (*make)(const Framework& framework, const PusherOptions& options);
-};
-
-std::span<const PusherEntry> pushers();
-
-/// The row of that name. Throws OptionError listing the known names.
-const PusherEntry& find_pusher(std::string_view name);
 
 /// Moves a joint by position Verlet under a force:
 ///   x_new = x + (1 - damping) (x - x_old) + a dt^2,   a [Angstrom/ps^2] = 100 F / m

@@ -11,7 +11,7 @@
 #include "pliant/base/log.hpp"
 #include "pliant/base/vec3.hpp"
 #include "pliant/framework/atom_table.hpp"
-#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_header.hpp"
 
 namespace pliant {
 

@@ -2,6 +2,7 @@
 #include "pliant/resume/recorded_sample.hpp"
 
 #include "pliant/base/error.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/tasks/sample_task.hpp"
 
 namespace pliant {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/run/motion.hpp"
 
+#include "pliant/perturb/pushers.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/run/walk.hpp"
 

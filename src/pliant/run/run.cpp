@@ -13,12 +13,6 @@ void check(const RunOptions& options) {
   check(options.technique);
 }
 
-std::int64_t replayed_steps(const RunOptions& options) {
-  const bool has_counts = !options.replay_counts.empty();
-  return static_cast<std::int64_t>(has_counts ? options.replay_counts.size()
-                                              : options.replay.size());
-}
-
 MotionOptions motion_of(const RunOptions& options, std::int64_t start, const Log& log) {
   std::vector<std::string> push = pushers_of(options.guide);
   if (replayed_steps(options) > 0) push = {"replay"};

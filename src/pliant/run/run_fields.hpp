@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "pliant/base/option_fields.hpp"
-#include "pliant/run/run.hpp"
+#include "pliant/run/run_options.hpp"
 
 namespace pliant {
 

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "pliant/run/run.hpp"
+#include "pliant/run/run_options.hpp"
 #include "pliant/run/stopwatch.hpp"
 
 namespace pliant {

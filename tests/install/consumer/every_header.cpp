@@ -61,8 +61,10 @@
 #include "pliant/model/torsions_of_residues.hpp"
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/bonds/bond_options.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/read/read.hpp"
+#include "pliant/molecule/read/read_options.hpp"
 #include "pliant/molecule/sterics_lines.hpp"
 #include "pliant/molecule/structure/cell.hpp"
 #include "pliant/molecule/structure/structure.hpp"
@@ -84,9 +86,11 @@
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/perturb/push.hpp"
 #include "pliant/perturb/pusher.hpp"
+#include "pliant/perturb/pushers.hpp"
 #include "pliant/perturb/steering.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
+#include "pliant/record/h5md/h5md_header.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/record/h5md/saved_part.hpp"
 #include "pliant/record/pdb_recorder.hpp"
@@ -114,6 +118,7 @@
 #include "pliant/run/replay_events.hpp"
 #include "pliant/run/run.hpp"
 #include "pliant/run/run_fields.hpp"
+#include "pliant/run/run_options.hpp"
 #include "pliant/run/run_summary.hpp"
 #include "pliant/run/steered_walk.hpp"
 #include "pliant/sample/b_factors.hpp"
@@ -203,8 +208,10 @@ const Use uses[] = {
     of("pliant/text/output_file.hpp", &write_text_file),
     of("pliant/molecule/bars_file.hpp", &write_bars_file),
     of("pliant/molecule/bonds/bonds.hpp", &perceive_bonds),
+    of_type<BondOptions>("pliant/molecule/bonds/bond_options.hpp"),
     of("pliant/molecule/build_framework.hpp", &build_framework),
     of("pliant/molecule/read/read.hpp", &formats),
+    of_type<ReadOptions>("pliant/molecule/read/read_options.hpp"),
     of("pliant/molecule/sterics_lines.hpp", &usual_kind),
     of("pliant/molecule/structure/cell.hpp", &CellImages::widths),
     of_type<Structure>("pliant/molecule/structure/structure.hpp"),
@@ -272,7 +279,8 @@ const Use uses[] = {
     of("pliant/perturb/guide.hpp", &pushers_of),
     of("pliant/perturb/perturbation.hpp", &perturbations),
     of("pliant/perturb/push.hpp", &Push::disturbed),
-    of("pliant/perturb/pusher.hpp", &pushers),
+    of("pliant/perturb/pusher.hpp", &apply_forces),
+    of("pliant/perturb/pushers.hpp", &pushers),
     of("pliant/perturb/steering.hpp", &Steering::release),
     of("pliant/run/ensemble.hpp", &run_ensemble),
     of("pliant/run/force_settings.hpp", &force_settings),
@@ -280,10 +288,12 @@ const Use uses[] = {
     of("pliant/run/replay_events.hpp", &replay_events),
     of("pliant/run/run.hpp", &run),
     of("pliant/run/run_fields.hpp", &run_fields),
+    of("pliant/run/run_options.hpp", &replayed_steps),
     of("pliant/run/run_summary.hpp", &add),
     of("pliant/run/steered_walk.hpp", &SteeredWalk::pull),
     of("pliant/record/h5md/h5md_checkpoint_reader.hpp", &read_checkpoint),
     of("pliant/record/h5md/h5md_reader.hpp", &H5mdReader::frames),
+    of_type<H5mdHeader>("pliant/record/h5md/h5md_header.hpp"),
     of("pliant/record/h5md/h5md_recorder.hpp", &H5mdRecorder::flush),
     of("pliant/record/pdb_recorder.hpp", &PdbRecorder::close),
     of("pliant/record/h5md/saved_part.hpp", &SavedPart::shown),

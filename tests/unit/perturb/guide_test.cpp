@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/error.hpp"
-#include "pliant/perturb/pusher.hpp"
+#include "pliant/perturb/pushers.hpp"
 #include "support/frameworks.hpp"
 
 namespace pliant {

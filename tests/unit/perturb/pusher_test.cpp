@@ -9,6 +9,7 @@
 #include "pliant/examples/examples.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/perturb/push_chain.hpp"
+#include "pliant/perturb/pushers.hpp"
 #include "pliant/perturb/steering.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"

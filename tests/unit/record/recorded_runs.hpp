@@ -9,6 +9,7 @@
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/run/run.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "support/frameworks.hpp"
 

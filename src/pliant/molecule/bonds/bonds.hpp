@@ -4,17 +4,10 @@
 #pragma once
 
 #include "pliant/base/log.hpp"
+#include "pliant/molecule/bonds/bond_options.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant {
-
-/// How bonds are perceived.
-struct BondOptions {
-  double slack = 0.45;          ///< Angstrom added to the sum of two covalent radii
-  double shortest = 0.4;        ///< Angstrom; closer atoms are not bonded
-  bool guess_distances = true;  ///< whether distances are looked at, at all
-  Log log = {};
-};
 
 /// Adds to `structure.bonds` what residue templates, links and distances tell; the bonds that are
 /// there stay. Linear in the number of atoms. Afterwards bonds are sorted by (a, b), each once.

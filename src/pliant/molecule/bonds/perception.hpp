@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/molecule/bonds/bonds.hpp"
+#include "pliant/molecule/bonds/bond_options.hpp"
 #include "pliant/molecule/structure/residue_templates.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 

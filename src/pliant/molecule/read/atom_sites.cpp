@@ -9,7 +9,7 @@
 
 #include "pliant/base/elements.hpp"
 #include "pliant/molecule/read/conformers.hpp"
-#include "pliant/molecule/read/pdb_element.hpp"
+#include "pliant/molecule/read/element_of_name.hpp"
 
 namespace pliant {
 namespace {

@@ -3,20 +3,15 @@
 
 #include <algorithm>
 
+#include "pliant/base/letters.hpp"
+
 namespace pliant {
 namespace {
-
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  return out;
-}
 
 /// What follows the dot of a tag, in lower case.
 std::string tail_of(std::string_view tag) {
   const std::size_t dot = tag.find('.');
-  return dot == std::string_view::npos ? std::string() : lower(tag.substr(dot + 1));
+  return dot == std::string_view::npos ? std::string() : lower_case(tag.substr(dot + 1));
 }
 
 }  // namespace
@@ -60,7 +55,7 @@ void CifBuilder::end_loop() const {
 /// Refuses a tag given twice in a block; returns its category: all before the dot.
 std::string CifBuilder::add_tag(std::string_view tag, std::size_t line) {
   last_tag_ = tag;
-  std::string key = lower(tag);
+  std::string key = lower_case(tag);
   if (in_frame_) return {};
   if (key.starts_with("_atom_site_") && !document_.blocks.empty())
     document_.blocks.back().has_fractions = true;

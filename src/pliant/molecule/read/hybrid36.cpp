@@ -4,13 +4,11 @@
 #include <algorithm>
 #include <charconv>
 
+#include "pliant/base/letters.hpp"
 #include "pliant/base/number.hpp"
 
 namespace pliant {
 namespace {
-
-bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 
 std::optional<std::int64_t> parse_in_base(std::string_view text, int base) {
   std::int64_t value = 0;

@@ -9,7 +9,7 @@
 
 #include "pliant/base/elements.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/molecule/read/pdb_element.hpp"
+#include "pliant/molecule/read/element_of_name.hpp"
 #include "pliant/molecule/read/reading.hpp"
 
 namespace pliant {

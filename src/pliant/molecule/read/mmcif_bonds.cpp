@@ -7,20 +7,14 @@
 #include <optional>
 #include <string>
 
+#include "pliant/base/letters.hpp"
 #include "pliant/base/number.hpp"
 
 namespace pliant {
 namespace {
 
-std::string lower(std::string_view text) {
-  std::string out(text);
-  for (char& c : out)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c + 32);
-  return out;
-}
-
 std::uint8_t order_of(std::string_view word) {
-  const std::string order = lower(word);
+  const std::string order = lower_case(word);
   if (order == "sing") return 1;
   if (order == "doub") return 2;
   if (order == "trip") return 3;
@@ -77,7 +71,7 @@ std::optional<LinkEnd> StructConnReader::end_of(std::size_t row, const std::stri
 }
 
 bool StructConnReader::is_bond(std::size_t row) {
-  const std::string type = lower(word(row, {"conn_type_id"}));
+  const std::string type = lower_case(word(row, {"conn_type_id"}));
   if (type.starts_with("covale") || type == "disulf" || type == "modres" || type == "metalc")
     return true;
   const auto text = [&] {

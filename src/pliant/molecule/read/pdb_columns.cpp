@@ -6,7 +6,7 @@
 
 #include "pliant/base/number.hpp"
 #include "pliant/molecule/read/hybrid36.hpp"
-#include "pliant/molecule/read/pdb_element.hpp"
+#include "pliant/molecule/read/element_of_name.hpp"
 #include "pliant/molecule/read/reading.hpp"
 
 namespace pliant {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/molecule/read/read.hpp"
 
-#include <algorithm>
 #include <array>
 #include <string>
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/letters.hpp"
 #include "pliant/molecule/read/assembly.hpp"
 #include "pliant/molecule/read/foreign.hpp"
 #include "pliant/molecule/read/mmcif.hpp"
@@ -34,10 +34,7 @@ const std::array<Format, 4> table{{
 
 /// The extension in lower case, below that of a compression: ".pdb" of "1ABC.PDB.gz".
 std::string extension_of(std::string_view name) {
-  std::string lower(name);
-  std::transform(lower.begin(), lower.end(), lower.begin(),
-                 [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return without_compression_suffix(lower).extension().string();
+  return without_compression_suffix(lower_case(name)).extension().string();
 }
 
 const Format* format_by_extension(std::string_view name) {

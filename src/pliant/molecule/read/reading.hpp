@@ -7,8 +7,9 @@
 #include <string_view>
 
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/read/read.hpp"
+#include "pliant/molecule/read/read_options.hpp"
 #include "pliant/molecule/read/remarks.hpp"
+#include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant {
 

@@ -3,7 +3,10 @@
 // mark and no binary bytes. Not for users: see read.hpp.
 #pragma once
 
-#include "pliant/molecule/read/read.hpp"
+#include <string_view>
+
+#include "pliant/molecule/read/read_options.hpp"
+#include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant {
 

@@ -5,13 +5,11 @@
 #include <array>
 
 #include "pliant/base/elements.hpp"
+#include "pliant/base/letters.hpp"
 #include "pliant/base/number.hpp"
 
 namespace pliant {
 namespace {
-
-bool is_letter(char c) { return (c >= 'A' && c <= 'Z') || (c >= 'a' && c <= 'z'); }
-bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 
 bool is_dummy(std::string_view word) {
   constexpr std::array<std::string_view, 9> dummies{"X",  "XX", "Xx", "Bq", "BQ",

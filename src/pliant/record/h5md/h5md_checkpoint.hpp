@@ -20,8 +20,9 @@
 #include <string>
 #include <vector>
 
+#include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_header.hpp"
 #include "pliant/record/h5md/h5md_static.hpp"
 #include "pliant/record/hdf5/hdf5_session.hpp"
 

@@ -6,8 +6,9 @@
 #include <optional>
 #include <vector>
 
+#include "pliant/framework/frame.hpp"
 #include "pliant/framework/limit_counts.hpp"
-#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_header.hpp"
 #include "pliant/record/h5md/h5md_series.hpp"
 
 namespace pliant {

@@ -13,7 +13,7 @@
 
 #include "pliant/base/log.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_header.hpp"
 
 namespace pliant {
 

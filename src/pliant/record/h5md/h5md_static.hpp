@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_header.hpp"
 
 namespace pliant {
 

@@ -14,7 +14,7 @@
 #include "pliant/record/h5md/h5md_checkpoint.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/record/h5md/h5md_frames.hpp"
-#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_header.hpp"
 #include "pliant/record/h5md/saved_part.hpp"
 #include "pliant/record/hdf5/committed_file.hpp"
 #include "pliant/record/hdf5/hdf5_session.hpp"

@@ -8,7 +8,7 @@
 
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/record/h5md/h5md_header.hpp"
 
 namespace pliant {
 
