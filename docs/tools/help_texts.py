@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from pathlib import Path
 
-TEXTS = Path(__file__).resolve().parents[2] / "tests" / "cli"
+TEXTS = Path(__file__).resolve().parents[2] / "tests" / "cli" / "help"
 
 INTRODUCTION = """# What --help prints
 

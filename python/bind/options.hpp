@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "bind.hpp"
-#include "orderings.hpp"
 #include "pliant/resolve/resolve.hpp"
-#include "techniques.hpp"
+#include "resolve/orderings.hpp"
+#include "resolve/techniques.hpp"
 
 namespace pliant::python {
 

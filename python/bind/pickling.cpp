@@ -7,7 +7,7 @@
 #include <optional>
 #include <type_traits>
 
-#include "limits.hpp"
+#include "framework/limits.hpp"
 #include "pliant/base/error.hpp"
 
 namespace pliant::python {

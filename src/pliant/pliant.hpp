@@ -3,15 +3,15 @@
 #pragma once
 
 // base: vectors, errors, messages, random numbers
-#include "pliant/base/choices.hpp"        // tables of named things
-#include "pliant/base/disjoint_sets.hpp"  // which things are together
-#include "pliant/base/elements.hpp"       // symbols, masses, radii
-#include "pliant/base/error.hpp"          // Error, InputError, OptionError, FileError
-#include "pliant/base/graph.hpp"          // nodes and edges; components, blocks
-#include "pliant/base/grouped.hpp"        // things in slots: what graphs are kept in
-#include "pliant/base/log.hpp"            // notes and warnings, through a callback
-#include "pliant/base/option_fields.hpp"  // tables of options
-#include "pliant/base/parameter.hpp"      // values of options in files
+#include "pliant/base/choices.hpp"               // tables of named things
+#include "pliant/base/elements.hpp"              // symbols, masses, radii
+#include "pliant/base/error.hpp"                 // Error, InputError, OptionError, FileError
+#include "pliant/base/graphs/disjoint_sets.hpp"  // which things are together
+#include "pliant/base/graphs/graph.hpp"          // nodes and edges; components, blocks
+#include "pliant/base/graphs/grouped.hpp"        // things in slots: what graphs are kept in
+#include "pliant/base/log.hpp"                   // notes and warnings, through a callback
+#include "pliant/base/option_fields.hpp"         // tables of options
+#include "pliant/base/parameter.hpp"             // values of options in files
 #include "pliant/base/random.hpp"   // draws as functions of (seed, domain, walker, step, joint)
 #include "pliant/base/range.hpp"    // what an option may be
 #include "pliant/base/threads.hpp"  // where there are any
@@ -23,54 +23,54 @@
 #include "pliant/text/output_file.hpp"  // files that are there whole or not at all
 
 // molecule: files to structures, structures to frameworks
-#include "pliant/molecule/bars_file.hpp"            // bars, limits and sterics as text
-#include "pliant/molecule/bonds/bond_options.hpp"   // how bonds are perceived
-#include "pliant/molecule/bonds/bonds.hpp"          // bond perception
-#include "pliant/molecule/build_framework.hpp"      // bonds or angles to bars
-#include "pliant/molecule/read/read.hpp"            // PDB, mmCIF, XYZ, SDF
-#include "pliant/molecule/read/read_options.hpp"    // which model, which assembly
-#include "pliant/molecule/sterics_lines.hpp"        // the sterics of such a text
-#include "pliant/molecule/structure/cell.hpp"       // the periodic cell
-#include "pliant/molecule/structure/structure.hpp"  // atoms, positions, bonds
+#include "pliant/molecule/bars_file.hpp"                 // bars, limits and sterics as text
+#include "pliant/molecule/bonds/bond_options.hpp"        // how bonds are perceived
+#include "pliant/molecule/bonds/bonds.hpp"               // bond perception
+#include "pliant/molecule/build_framework.hpp"           // bonds or angles to bars
+#include "pliant/molecule/read/read.hpp"                 // PDB, mmCIF, XYZ, SDF
+#include "pliant/molecule/read/shared/read_options.hpp"  // which model, which assembly
+#include "pliant/molecule/sterics_lines.hpp"             // the sterics of such a text
+#include "pliant/molecule/structure/cell.hpp"            // the periodic cell
+#include "pliant/molecule/structure/structure.hpp"       // atoms, positions, bonds
 
 // model: structures to models of molecules
-#include "pliant/model/amplitude.hpp"             // how far frames of an ensemble are to go
-#include "pliant/model/atom_graph.hpp"            // who is bonded to whom
-#include "pliant/model/contact_file.hpp"          // contacts as text
-#include "pliant/model/contact_list.hpp"          // contacts, and the limits that they are
-#include "pliant/model/dilution_picture.hpp"      // rigid clusters as hydrogen bonds go, drawn
-#include "pliant/model/hydrogen_bond_energy.hpp"  // of one hydrogen bond
-#include "pliant/model/hydrogen_bonds.hpp"        // hydrogen bonds and salt bridges
-#include "pliant/model/model.hpp"                 // the model of a molecule
-#include "pliant/model/prepare.hpp"               // waters out, hydrogens in
-#include "pliant/model/protonation.hpp"           // forms of residues
-#include "pliant/model/rigidity.hpp"              // rigid clusters, degrees of freedom
-#include "pliant/model/rigidity_dilution.hpp"     // the same as hydrogen bonds go
-#include "pliant/model/rigidity_network.hpp"      // atoms as bodies joined by bars
-#include "pliant/model/select_part.hpp"           // the atoms that a selection names
-#include "pliant/model/steric_table.hpp"          // least distances of atoms
-#include "pliant/model/survey.hpp"                // what there is and what is missing
-#include "pliant/model/tethers.hpp"               // hydrophobic tethers, metals
-#include "pliant/model/torsions_of_residues.hpp"  // rotamers, the Ramachandran plot
+#include "pliant/model/amplitude.hpp"              // how far frames of an ensemble are to go
+#include "pliant/model/atoms/atom_graph.hpp"       // who is bonded to whom
+#include "pliant/model/contacts/contact_file.hpp"  // contacts as text
+#include "pliant/model/contacts/contact_list.hpp"  // contacts, and the limits that they are
+#include "pliant/model/contacts/hydrogen_bond_energy.hpp"  // of one hydrogen bond
+#include "pliant/model/contacts/hydrogen_bonds.hpp"        // hydrogen bonds and salt bridges
+#include "pliant/model/contacts/tethers.hpp"               // hydrophobic tethers, metals
+#include "pliant/model/model.hpp"                          // the model of a molecule
+#include "pliant/model/prepare/prepare.hpp"                // waters out, hydrogens in
+#include "pliant/model/prepare/protonation.hpp"            // forms of residues
+#include "pliant/model/prepare/select_part.hpp"            // the atoms that a selection names
+#include "pliant/model/prepare/survey.hpp"                 // what there is and what is missing
+#include "pliant/model/rigidity/dilution_picture.hpp"  // rigid clusters as hydrogen bonds go, drawn
+#include "pliant/model/rigidity/rigidity.hpp"          // rigid clusters, degrees of freedom
+#include "pliant/model/rigidity/rigidity_dilution.hpp"  // the same as hydrogen bonds go
+#include "pliant/model/rigidity/rigidity_network.hpp"   // atoms as bodies joined by bars
+#include "pliant/model/steric_table.hpp"                // least distances of atoms
+#include "pliant/model/torsions_of_residues.hpp"        // rotamers, the Ramachandran plot
 
 // rigidity: what is rigid, by its graph alone
 #include "pliant/rigidity/pebble_game.hpp"     // bars that count, one by one
 #include "pliant/rigidity/rigid_clusters.hpp"  // what comes of them
 
 // framework: joints, bars and what is known of them
-#include "pliant/framework/atom_table.hpp"           // names of joints
-#include "pliant/framework/check_positions.hpp"      // can these positions carry the framework?
-#include "pliant/framework/contacts.hpp"             // pairs of joints near each other now
-#include "pliant/framework/disturbed.hpp"            // what a resolve has to look at
-#include "pliant/framework/feasibility.hpp"          // bars that cannot hold together
-#include "pliant/framework/fingerprint.hpp"          // whether two mean the same atoms
-#include "pliant/framework/frame.hpp"                // what a step shows
-#include "pliant/framework/framework.hpp"            // Framework, State
-#include "pliant/framework/graph.hpp"                // components, cycles, bridges, blocks
-#include "pliant/framework/joint_names.hpp"          // how text files speak of joints
-#include "pliant/framework/limit_counts.hpp"         // how many of them hold
-#include "pliant/framework/limits.hpp"               // distances held to intervals
-#include "pliant/framework/residual.hpp"             // length errors, violations and tolerances
+#include "pliant/framework/atom_table.hpp"                // names of joints
+#include "pliant/framework/disturbed.hpp"                 // what a resolve has to look at
+#include "pliant/framework/fingerprint.hpp"               // whether two mean the same atoms
+#include "pliant/framework/frame.hpp"                     // what a step shows
+#include "pliant/framework/framework.hpp"                 // Framework, State
+#include "pliant/framework/graph.hpp"                     // components, cycles, bridges, blocks
+#include "pliant/framework/joint_names.hpp"               // how text files speak of joints
+#include "pliant/framework/limits.hpp"                    // distances held to intervals
+#include "pliant/framework/measures/check_positions.hpp"  // can these positions carry the framework?
+#include "pliant/framework/measures/contacts.hpp"         // pairs of joints near each other now
+#include "pliant/framework/measures/feasibility.hpp"      // bars that cannot hold together
+#include "pliant/framework/measures/limit_counts.hpp"     // how many of them hold
+#include "pliant/framework/measures/residual.hpp"    // length errors, violations and tolerances
 #include "pliant/framework/sterics.hpp"              // how near joints may come
 #include "pliant/framework/torsion_preferences.hpp"  // turns about bonds that are usual
 
@@ -93,36 +93,36 @@
 #include "pliant/resolve/walkers.hpp"                  // many copies at once
 
 // perturb, run: the loop
-#include "pliant/perturb/force_events.hpp"  // what a person did, to repeat
-#include "pliant/perturb/force_file.hpp"    // pushes to replay
-#include "pliant/perturb/force_header.hpp"  // what force files were made for
-#include "pliant/perturb/guide.hpp"         // where joints are asked to go
-#include "pliant/perturb/perturbation.hpp"  // the pushers that need no more than a name
-#include "pliant/perturb/push.hpp"          // what a step pushed
-#include "pliant/perturb/pusher.hpp"        // what breaks the bars
-#include "pliant/perturb/pushers.hpp"       // the table of them
-#include "pliant/perturb/steering.hpp"      // forces from another thread
-#include "pliant/run/ensemble.hpp"          // many walkers; shards of them
-#include "pliant/run/force_settings.hpp"    // options that force files keep
-#include "pliant/run/motion.hpp"            // one walker, step by step
-#include "pliant/run/replay_events.hpp"     // what a person did, once more
-#include "pliant/run/run.hpp"               // a motion shown to observers
-#include "pliant/run/run_fields.hpp"        // the table of its options
-#include "pliant/run/run_options.hpp"       // what it is asked for
-#include "pliant/run/run_summary.hpp"       // what a run did
-#include "pliant/run/steered_walk.hpp"      // a motion in somebody's hands
+#include "pliant/perturb/force_files/force_events.hpp"  // what a person did, to repeat
+#include "pliant/perturb/force_files/force_file.hpp"    // pushes to replay
+#include "pliant/perturb/force_files/force_header.hpp"  // what force files were made for
+#include "pliant/perturb/guide.hpp"                     // where joints are asked to go
+#include "pliant/perturb/perturbation.hpp"              // the pushers that need no more than a name
+#include "pliant/perturb/push.hpp"                      // what a step pushed
+#include "pliant/perturb/pusher.hpp"                    // what breaks the bars
+#include "pliant/perturb/pushers.hpp"                   // the table of them
+#include "pliant/perturb/steering.hpp"                  // forces from another thread
+#include "pliant/run/ensemble.hpp"                      // many walkers; shards of them
+#include "pliant/run/force_settings.hpp"                // options that force files keep
+#include "pliant/run/motion.hpp"                        // one walker, step by step
+#include "pliant/run/replay_events.hpp"                 // what a person did, once more
+#include "pliant/run/run.hpp"                           // a motion shown to observers
+#include "pliant/run/run_fields.hpp"                    // the table of its options
+#include "pliant/run/run_options.hpp"                   // what it is asked for
+#include "pliant/run/run_summary.hpp"                   // what a run did
+#include "pliant/run/steered_walk.hpp"                  // a motion in somebody's hands
 
 // sample: what a molecule can do
-#include "pliant/sample/b_factors.hpp"        // which residues a crystal would show to move
-#include "pliant/sample/dense_matrix.hpp"     // by rows
-#include "pliant/sample/elastic_network.hpp"  // the table of networks
-#include "pliant/sample/mode_field.hpp"       // joints along one of them
-#include "pliant/sample/network_modes.hpp"    // directions in which residues move together
-#include "pliant/sample/sample.hpp"           // frames along them
-#include "pliant/sample/sample_fields.hpp"    // the table of its options
-#include "pliant/sample/sample_options.hpp"   // what it is asked for
-#include "pliant/sample/sample_summary.hpp"   // how exact, how far
-#include "pliant/sample/samplers.hpp"         // the table of ways to move
+#include "pliant/base/math/dense_matrix.hpp"          // by rows
+#include "pliant/sample/network/b_factors.hpp"        // which residues a crystal would show to move
+#include "pliant/sample/network/elastic_network.hpp"  // the table of networks
+#include "pliant/sample/network/mode_field.hpp"       // joints along one of them
+#include "pliant/sample/network/network_modes.hpp"    // directions in which residues move together
+#include "pliant/sample/sample.hpp"                   // frames along them
+#include "pliant/sample/sample_fields.hpp"            // the table of its options
+#include "pliant/sample/sample_options.hpp"           // what it is asked for
+#include "pliant/sample/sample_summary.hpp"           // how exact, how far
+#include "pliant/sample/samplers.hpp"                 // the table of ways to move
 
 // path: from one structure of a molecule to another
 #include "pliant/path/ends.hpp"          // what stands for what in both

@@ -10,7 +10,7 @@
 #include "bench/bench.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/random.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/resolve/walkers.hpp"

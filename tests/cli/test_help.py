@@ -51,7 +51,7 @@ def test_help_is_as_committed(page, pliant):
     ended = pliant(*PAGES[page], env={**os.environ, "COLUMNS": "100", "NO_COLOR": "1"})
     assert ended.code == 0
     assert ended.err == ""
-    path = Path(__file__).parent / f"{page}.help.txt"
+    path = Path(__file__).parent / "help" / f"{page}.help.txt"
     if os.environ.get("PLIANT_UPDATE_HELP"):
         path.write_text(ended.out)
     assert ended.out == path.read_text()

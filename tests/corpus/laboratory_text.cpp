@@ -8,7 +8,7 @@
 #include "pliant/laboratory/test_results.hpp"
 #include "pliant/molecule/bars_file.hpp"
 #include "pliant/order/ordering_file.hpp"
-#include "pliant/perturb/force_file.hpp"
+#include "pliant/perturb/force_files/force_file.hpp"
 #include "pliant/record/xml/graph_xml.hpp"
 
 namespace pliant {

@@ -7,7 +7,7 @@
 
 #include "pliant/generate/random_graphs.hpp"
 #include "pliant/order/ordering_file.hpp"
-#include "pliant/perturb/force_file.hpp"
+#include "pliant/perturb/force_files/force_file.hpp"
 #include "pliant/record/xml/graph_xml.hpp"
 #include "pliant/record/xml/write_graph_xml.hpp"
 #include "pliant/run/run.hpp"

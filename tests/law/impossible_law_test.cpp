@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "pliant/examples/examples.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 

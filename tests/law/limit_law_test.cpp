@@ -8,7 +8,7 @@
 
 #include "law/technique_cases.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/framework/contacts.hpp"
+#include "pliant/framework/measures/contacts.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/sweeps/limit_sweep.hpp"
 #include "pliant/resolve/walkers.hpp"

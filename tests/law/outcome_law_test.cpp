@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "law/technique_cases.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "support/rigidity.hpp"
 
 namespace pliant {

@@ -4,7 +4,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "pliant/framework/graph.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"

@@ -8,7 +8,7 @@
 #include <numbers>
 
 #include "pliant/examples/examples.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "pliant/resolve/techniques.hpp"
 #include "support/frameworks.hpp"

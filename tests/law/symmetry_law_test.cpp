@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a resolve must not depend on, and what it must conserve.
 #include "law/technique_cases.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 
 namespace pliant {
 namespace symmetry_law_test {

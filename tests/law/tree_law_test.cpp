@@ -9,7 +9,7 @@
 
 #include "pliant/examples/examples.hpp"
 #include "pliant/framework/graph.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/resolve/resolve.hpp"
 #include "support/error_text.hpp"

@@ -17,7 +17,7 @@ def test_results_do_not_depend_on_the_c_library():
     refuse(
         [
             f"{path.relative_to(ROOT)}:{number}: {match.group()} has other bits elsewhere: see "
-            "base/elementary.hpp"
+            "base/math/elementary.hpp"
             for path in sorted((ROOT / "src/pliant").rglob("*.?pp"))
             if str(path.relative_to(ROOT).parent) not in MAY
             for number, line in enumerate(path.read_text().splitlines(), 1)

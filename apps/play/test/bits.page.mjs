@@ -21,7 +21,7 @@ before(async () => { page = await sharedPage(); });
 
 /** {settings, rows: {file: {technique: hash}}} of the library. */
 function native(steps, model, file) {
-  const words = [join(root, 'tests/support/native_bits.py'), steps, model, file];
+  const words = [join(root, 'tests/support/python/native_bits.py'), steps, model, file];
   return JSON.parse(execFileSync(PYTHON, words.map(String), {encoding: 'utf8', stdio: ['ignore', 'pipe', 'ignore']}));
 }
 

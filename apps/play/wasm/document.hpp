@@ -15,7 +15,7 @@
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/path/path.hpp"
 #include "pliant/rigidity/rigid_clusters.hpp"
-#include "pliant/sample/elastic_network.hpp"
+#include "pliant/sample/network/elastic_network.hpp"
 #include "reply.hpp"
 
 namespace pliant::play {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 
 namespace pliant::play {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/framework/moved_blocks.hpp"
+#include "pliant/framework/measures/moved_blocks.hpp"
 
 namespace pliant::play {
 

@@ -8,7 +8,7 @@
 
 #include "document.hpp"
 #include "kept_residuals.hpp"
-#include "pliant/perturb/force_events.hpp"
+#include "pliant/perturb/force_files/force_events.hpp"
 #include "pliant/run/steered_walk.hpp"
 
 namespace pliant::play {

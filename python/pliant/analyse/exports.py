@@ -13,7 +13,7 @@ import numpy as np
 from pliant.analyse.figures.style import DOMAIN_COLOURS
 from pliant.analyse.found import ENSEMBLE
 from pliant.analyse.multi_model import write_models
-from pliant.analyse.scene import units_of_atoms
+from pliant.analyse.page.scene import units_of_atoms
 from pliant.analyse.study import known
 from pliant.analysis.frame_store import FrameStore
 from pliant.analysis.superposition import superpose_frames

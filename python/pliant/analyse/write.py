@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pliant._core import InputError
 from pliant.analyse.draw import Drawing
 from pliant.analyse.exports import save_exports
-from pliant.analyse.page import write_page
+from pliant.analyse.page.page import write_page
 from pliant.analyse.tables import save_tables
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/base/graph.hpp"
+#include "pliant/base/graphs/graph.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/base/vec3.hpp"
 #include "pliant/framework/atom_table.hpp"

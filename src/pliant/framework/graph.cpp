@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/framework/graph.hpp"
 
-#include "pliant/base/graph_search.hpp"
+#include "pliant/base/graphs/graph_search.hpp"
 
 namespace pliant {
 Components find_components(const Framework& framework) {

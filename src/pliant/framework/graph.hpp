@@ -3,7 +3,7 @@
 // blocks (biconnected components).
 #pragma once
 
-#include "pliant/base/graph.hpp"
+#include "pliant/base/graphs/graph.hpp"
 #include "pliant/framework/framework.hpp"
 
 namespace pliant {

@@ -8,8 +8,8 @@
 #include <span>
 #include <string>
 
-#include "pliant/base/elementary.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/math/elementary.hpp"
 
 namespace pliant {
 namespace {

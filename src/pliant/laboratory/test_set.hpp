@@ -20,7 +20,7 @@
 #include "pliant/generate/random_graphs.hpp"
 #include "pliant/laboratory/test_results.hpp"
 #include "pliant/order/ordering.hpp"
-#include "pliant/perturb/force_file.hpp"
+#include "pliant/perturb/force_files/force_file.hpp"
 #include "pliant/record/xml/graph_xml.hpp"
 #include "pliant/resolve/techniques.hpp"
 

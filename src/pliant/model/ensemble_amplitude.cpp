@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "pliant/base/error.hpp"
+#include "pliant/base/math/superposition.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/base/superposition.hpp"
-#include "pliant/model/residue_nodes.hpp"
+#include "pliant/model/atoms/residue_nodes.hpp"
 #include "pliant/molecule/read/read.hpp"
 #include "pliant/text/file_text.hpp"
 

@@ -7,9 +7,9 @@
 #include <utility>
 
 #include "pliant/base/error.hpp"
-#include "pliant/framework/contacts.hpp"
-#include "pliant/model/contact_file.hpp"
-#include "pliant/model/residue_chemistry.hpp"
+#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/model/atoms/residue_chemistry.hpp"
+#include "pliant/model/contacts/contact_file.hpp"
 #include "pliant/model/steric_table.hpp"
 #include "pliant/model/torsions_of_residues.hpp"
 #include "pliant/molecule/bonds/cut_bonds.hpp"

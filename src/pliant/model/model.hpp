@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/model/contact_list.hpp"
-#include "pliant/model/hydrogen_bonds.hpp"
-#include "pliant/model/prepare.hpp"
-#include "pliant/model/tethers.hpp"
+#include "pliant/model/contacts/contact_list.hpp"
+#include "pliant/model/contacts/hydrogen_bonds.hpp"
+#include "pliant/model/contacts/tethers.hpp"
+#include "pliant/model/prepare/prepare.hpp"
 #include "pliant/molecule/build_framework.hpp"
 
 namespace pliant {

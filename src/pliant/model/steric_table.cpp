@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "pliant/base/elements.hpp"
-#include "pliant/model/atom_graph.hpp"
-#include "pliant/model/residue_chemistry.hpp"
+#include "pliant/model/atoms/atom_graph.hpp"
+#include "pliant/model/atoms/residue_chemistry.hpp"
 
 namespace pliant {
 namespace {

@@ -7,9 +7,9 @@
 #include <numbers>
 #include <string_view>
 
-#include "pliant/model/atom_graph.hpp"
-#include "pliant/model/residue_chemistry.hpp"
-#include "pliant/model/side_chain_geometry.hpp"
+#include "pliant/model/atoms/atom_graph.hpp"
+#include "pliant/model/atoms/residue_chemistry.hpp"
+#include "pliant/model/prepare/side_chain_geometry.hpp"
 
 namespace pliant {
 namespace {

@@ -6,8 +6,8 @@
 #include <optional>
 #include <utility>
 
-#include "pliant/base/graph.hpp"
-#include "pliant/base/grouped.hpp"
+#include "pliant/base/graphs/graph.hpp"
+#include "pliant/base/graphs/grouped.hpp"
 
 namespace pliant {
 namespace {

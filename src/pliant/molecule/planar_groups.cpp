@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "pliant/base/grouped.hpp"
+#include "pliant/base/graphs/grouped.hpp"
 #include "pliant/molecule/aromaticity.hpp"
 
 namespace pliant {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "pliant/base/choices.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/order/traversal.hpp"
 
 namespace pliant {

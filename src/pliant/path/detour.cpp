@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "pliant/base/elementary.hpp"
+#include "pliant/base/math/elementary.hpp"
 #include "pliant/base/random.hpp"
 
 namespace pliant {

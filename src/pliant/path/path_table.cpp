@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/path/path_walker.hpp"
 #include "pliant/path/shared_contacts.hpp"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/framework/contacts.hpp"
+#include "pliant/framework/measures/contacts.hpp"
 #include "pliant/path/ends.hpp"
 
 namespace pliant {

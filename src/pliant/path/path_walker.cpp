@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "pliant/base/superposition.hpp"
+#include "pliant/base/math/superposition.hpp"
 
 namespace pliant {
 namespace {

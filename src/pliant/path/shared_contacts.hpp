@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/model/contact_list.hpp"
+#include "pliant/model/contacts/contact_list.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "pliant/base/error.hpp"
-#include "pliant/framework/kept_measure.hpp"
+#include "pliant/framework/measures/kept_measure.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/method/mass_centre.hpp"
 #include "pliant/resolve/method/method.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "pliant/perturb/force_file.hpp"
+#include "pliant/perturb/force_files/force_file.hpp"
 #include "pliant/text/output_file.hpp"
 
 namespace pliant {

@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pliant/base/disjoint_sets.hpp"
+#include "pliant/base/graphs/disjoint_sets.hpp"
 
 namespace pliant {
 

@@ -2,7 +2,7 @@
 // Where a rigid unit comes to lie: turned as its joints fit best, about a point or about a line.
 #pragma once
 
-#include "pliant/base/best_fit.hpp"
+#include "pliant/base/math/best_fit.hpp"
 
 namespace pliant {
 

@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "pliant/base/disjoint_sets.hpp"
+#include "pliant/base/graphs/disjoint_sets.hpp"
 
 namespace pliant {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "pliant/base/graph.hpp"
+#include "pliant/base/graphs/graph.hpp"
 #include "pliant/rigidity/unit_set.hpp"
 
 namespace pliant {

@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "pliant/base/grouped.hpp"
+#include "pliant/base/graphs/grouped.hpp"
 #include "pliant/framework/framework.hpp"
 
 namespace pliant {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/base/best_fit.hpp"
+#include "pliant/base/math/best_fit.hpp"
 
 namespace pliant {
 namespace {

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/rigidity/unit_set.hpp"
 
 namespace pliant {

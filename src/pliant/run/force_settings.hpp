@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "pliant/perturb/force_header.hpp"
+#include "pliant/perturb/force_files/force_header.hpp"
 #include "pliant/run/run.hpp"
 
 namespace pliant {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/perturb/force_events.hpp"
+#include "pliant/perturb/force_files/force_events.hpp"
 #include "pliant/run/run.hpp"
 
 namespace pliant {

@@ -5,7 +5,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/framework/check_positions.hpp"
+#include "pliant/framework/measures/check_positions.hpp"
 #include "pliant/perturb/pushers.hpp"
 #include "pliant/run/stopwatch.hpp"
 

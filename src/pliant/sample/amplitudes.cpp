@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "pliant/base/normal.hpp"
+#include "pliant/base/math/normal.hpp"
 
 namespace pliant {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <cstdint>
 
-#include "pliant/sample/dense_matrix.hpp"
+#include "pliant/base/math/dense_matrix.hpp"
 
 namespace pliant {
 

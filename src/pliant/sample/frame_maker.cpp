@@ -5,8 +5,8 @@
 #include <cmath>
 #include <ctime>
 
-#include "pliant/base/superposition.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/base/math/superposition.hpp"
+#include "pliant/framework/measures/residual.hpp"
 
 namespace pliant {
 namespace {

@@ -10,10 +10,10 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/threads.hpp"
-#include "pliant/framework/residual.hpp"
-#include "pliant/sample/coarse_nodes.hpp"
-#include "pliant/sample/conformer_framework.hpp"
+#include "pliant/framework/measures/residual.hpp"
+#include "pliant/sample/conformers/conformer_framework.hpp"
 #include "pliant/sample/frame_maker.hpp"
+#include "pliant/sample/network/coarse_nodes.hpp"
 
 namespace pliant {
 namespace {

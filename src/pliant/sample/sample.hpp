@@ -8,7 +8,7 @@
 #include <span>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/sample/elastic_network.hpp"
+#include "pliant/sample/network/elastic_network.hpp"
 #include "pliant/sample/sample_options.hpp"
 #include "pliant/sample/sample_summary.hpp"
 

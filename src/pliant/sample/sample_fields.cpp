@@ -6,7 +6,7 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/sample/elastic_network.hpp"
+#include "pliant/sample/network/elastic_network.hpp"
 #include "pliant/sample/samplers.hpp"
 
 namespace pliant {

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-#include "pliant/base/superposition.hpp"
+#include "pliant/base/math/superposition.hpp"
 
 namespace pliant {
 namespace {

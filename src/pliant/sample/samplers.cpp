@@ -7,14 +7,14 @@
 #include <utility>
 
 #include "pliant/base/choices.hpp"
-#include "pliant/base/elementary.hpp"
+#include "pliant/base/math/elementary.hpp"
 #include "pliant/base/random.hpp"
-#include "pliant/resolve/froda/body_plan.hpp"
+#include "pliant/resolve/froda/bodies/body_plan.hpp"
 #include "pliant/sample/amplitudes.hpp"
-#include "pliant/sample/mode_displacement.hpp"
+#include "pliant/sample/conformers/small_sterics.hpp"
+#include "pliant/sample/conformers/torsion_moves.hpp"
+#include "pliant/sample/network/mode_displacement.hpp"
 #include "pliant/sample/sample_options.hpp"
-#include "pliant/sample/small_sterics.hpp"
-#include "pliant/sample/torsion_moves.hpp"
 
 namespace pliant {
 namespace {

@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/sample/elastic_network.hpp"
+#include "pliant/sample/network/elastic_network.hpp"
 
 namespace pliant {
 

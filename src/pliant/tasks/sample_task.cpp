@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "pliant/base/error.hpp"
-#include "pliant/model/residue_nodes.hpp"
-#include "pliant/sample/conformer_framework.hpp"
+#include "pliant/model/atoms/residue_nodes.hpp"
+#include "pliant/sample/conformers/conformer_framework.hpp"
 #include "pliant/sample/sample_fields.hpp"
 #include "pliant/sample/samplers.hpp"
 

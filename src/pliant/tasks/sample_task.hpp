@@ -13,7 +13,7 @@
 #include "pliant/framework/framework.hpp"
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/model.hpp"
-#include "pliant/sample/elastic_network.hpp"
+#include "pliant/sample/network/elastic_network.hpp"
 #include "pliant/sample/sample.hpp"
 
 namespace pliant {

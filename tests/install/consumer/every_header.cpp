@@ -6,12 +6,13 @@
 #include <string_view>
 
 #include "pliant/base/choices.hpp"
-#include "pliant/base/disjoint_sets.hpp"
 #include "pliant/base/elements.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/base/graph.hpp"
-#include "pliant/base/grouped.hpp"
+#include "pliant/base/graphs/disjoint_sets.hpp"
+#include "pliant/base/graphs/graph.hpp"
+#include "pliant/base/graphs/grouped.hpp"
 #include "pliant/base/log.hpp"
+#include "pliant/base/math/dense_matrix.hpp"
 #include "pliant/base/option_fields.hpp"
 #include "pliant/base/parameter.hpp"
 #include "pliant/base/random.hpp"
@@ -21,18 +22,18 @@
 #include "pliant/base/version.hpp"
 #include "pliant/examples/examples.hpp"
 #include "pliant/framework/atom_table.hpp"
-#include "pliant/framework/check_positions.hpp"
-#include "pliant/framework/contacts.hpp"
 #include "pliant/framework/disturbed.hpp"
-#include "pliant/framework/feasibility.hpp"
 #include "pliant/framework/fingerprint.hpp"
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/framework/graph.hpp"
 #include "pliant/framework/joint_names.hpp"
-#include "pliant/framework/limit_counts.hpp"
 #include "pliant/framework/limits.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/check_positions.hpp"
+#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/feasibility.hpp"
+#include "pliant/framework/measures/limit_counts.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/framework/sterics.hpp"
 #include "pliant/framework/torsion_preferences.hpp"
 #include "pliant/generate/fundamental_cycles.hpp"
@@ -42,29 +43,29 @@
 #include "pliant/laboratory/test_results.hpp"
 #include "pliant/laboratory/test_set.hpp"
 #include "pliant/model/amplitude.hpp"
-#include "pliant/model/atom_graph.hpp"
-#include "pliant/model/contact_file.hpp"
-#include "pliant/model/contact_list.hpp"
-#include "pliant/model/dilution_picture.hpp"
-#include "pliant/model/hydrogen_bond_energy.hpp"
-#include "pliant/model/hydrogen_bonds.hpp"
+#include "pliant/model/atoms/atom_graph.hpp"
+#include "pliant/model/contacts/contact_file.hpp"
+#include "pliant/model/contacts/contact_list.hpp"
+#include "pliant/model/contacts/hydrogen_bond_energy.hpp"
+#include "pliant/model/contacts/hydrogen_bonds.hpp"
+#include "pliant/model/contacts/tethers.hpp"
 #include "pliant/model/model.hpp"
-#include "pliant/model/prepare.hpp"
-#include "pliant/model/protonation.hpp"
-#include "pliant/model/rigidity.hpp"
-#include "pliant/model/rigidity_dilution.hpp"
-#include "pliant/model/rigidity_network.hpp"
-#include "pliant/model/select_part.hpp"
+#include "pliant/model/prepare/prepare.hpp"
+#include "pliant/model/prepare/protonation.hpp"
+#include "pliant/model/prepare/select_part.hpp"
+#include "pliant/model/prepare/survey.hpp"
+#include "pliant/model/rigidity/dilution_picture.hpp"
+#include "pliant/model/rigidity/rigidity.hpp"
+#include "pliant/model/rigidity/rigidity_dilution.hpp"
+#include "pliant/model/rigidity/rigidity_network.hpp"
 #include "pliant/model/steric_table.hpp"
-#include "pliant/model/survey.hpp"
-#include "pliant/model/tethers.hpp"
 #include "pliant/model/torsions_of_residues.hpp"
 #include "pliant/molecule/bars_file.hpp"
-#include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/bonds/bond_options.hpp"
+#include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/read/read.hpp"
-#include "pliant/molecule/read/read_options.hpp"
+#include "pliant/molecule/read/shared/read_options.hpp"
 #include "pliant/molecule/sterics_lines.hpp"
 #include "pliant/molecule/structure/cell.hpp"
 #include "pliant/molecule/structure/structure.hpp"
@@ -79,9 +80,9 @@
 #include "pliant/path/path_table.hpp"
 #include "pliant/path/sequence.hpp"
 #include "pliant/path/trace.hpp"
-#include "pliant/perturb/force_events.hpp"
-#include "pliant/perturb/force_file.hpp"
-#include "pliant/perturb/force_header.hpp"
+#include "pliant/perturb/force_files/force_events.hpp"
+#include "pliant/perturb/force_files/force_file.hpp"
+#include "pliant/perturb/force_files/force_header.hpp"
 #include "pliant/perturb/guide.hpp"
 #include "pliant/perturb/perturbation.hpp"
 #include "pliant/perturb/push.hpp"
@@ -89,8 +90,8 @@
 #include "pliant/perturb/pushers.hpp"
 #include "pliant/perturb/steering.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
-#include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_header.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
 #include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/record/h5md/saved_part.hpp"
 #include "pliant/record/pdb_recorder.hpp"
@@ -121,11 +122,10 @@
 #include "pliant/run/run_options.hpp"
 #include "pliant/run/run_summary.hpp"
 #include "pliant/run/steered_walk.hpp"
-#include "pliant/sample/b_factors.hpp"
-#include "pliant/sample/dense_matrix.hpp"
-#include "pliant/sample/elastic_network.hpp"
-#include "pliant/sample/mode_field.hpp"
-#include "pliant/sample/network_modes.hpp"
+#include "pliant/sample/network/b_factors.hpp"
+#include "pliant/sample/network/elastic_network.hpp"
+#include "pliant/sample/network/mode_field.hpp"
+#include "pliant/sample/network/network_modes.hpp"
 #include "pliant/sample/sample.hpp"
 #include "pliant/sample/sample_fields.hpp"
 #include "pliant/sample/sample_options.hpp"
@@ -174,11 +174,11 @@ Signature* overload(Signature* function) {
 
 const Use uses[] = {
     of("pliant/base/choices.hpp", &edit_distance),
-    of("pliant/base/disjoint_sets.hpp", &DisjointSets::find),
+    of("pliant/base/graphs/disjoint_sets.hpp", &DisjointSets::find),
     of("pliant/base/elements.hpp", &element_mass),
     of("pliant/base/error.hpp", &quoted),
-    of("pliant/base/graph.hpp", overload<Components(const Graph&)>(&find_components)),
-    of_type<Grouped<int>>("pliant/base/grouped.hpp"),
+    of("pliant/base/graphs/graph.hpp", overload<Components(const Graph&)>(&find_components)),
+    of_type<Grouped<int>>("pliant/base/graphs/grouped.hpp"),
     of_type<Log>("pliant/base/log.hpp"),
     of("pliant/base/option_fields.hpp", &option_text),
     of_type<Parameter>("pliant/base/parameter.hpp"),
@@ -187,11 +187,11 @@ const Use uses[] = {
     of_type<Mutex>("pliant/base/threads.hpp"),
     of_type<Vec3>("pliant/base/vec3.hpp"),
     of("pliant/base/version.hpp", &version),
-    of("pliant/sample/b_factors.hpp", &relative_b_factors),
-    of("pliant/sample/dense_matrix.hpp", &dot_product),
-    of("pliant/sample/elastic_network.hpp", &networks),
-    of("pliant/sample/mode_field.hpp", &mode_field),
-    of("pliant/sample/network_modes.hpp", &network_modes),
+    of("pliant/sample/network/b_factors.hpp", &relative_b_factors),
+    of("pliant/base/math/dense_matrix.hpp", &dot_product),
+    of("pliant/sample/network/elastic_network.hpp", &networks),
+    of("pliant/sample/network/mode_field.hpp", &mode_field),
+    of("pliant/sample/network/network_modes.hpp", &network_modes),
     of("pliant/sample/sample.hpp", &sample),
     of("pliant/sample/sample_fields.hpp", &sample_fields),
     of_type<SampleOptions>("pliant/sample/sample_options.hpp"),
@@ -211,43 +211,43 @@ const Use uses[] = {
     of_type<BondOptions>("pliant/molecule/bonds/bond_options.hpp"),
     of("pliant/molecule/build_framework.hpp", &build_framework),
     of("pliant/molecule/read/read.hpp", &formats),
-    of_type<ReadOptions>("pliant/molecule/read/read_options.hpp"),
+    of_type<ReadOptions>("pliant/molecule/read/shared/read_options.hpp"),
     of("pliant/molecule/sterics_lines.hpp", &usual_kind),
     of("pliant/molecule/structure/cell.hpp", &CellImages::widths),
     of_type<Structure>("pliant/molecule/structure/structure.hpp"),
     of("pliant/model/amplitude.hpp", &choose_amplitude),
-    of("pliant/model/atom_graph.hpp", &AtomGraph::are_bonded),
-    of("pliant/model/contact_file.hpp", &parse_contacts),
-    of("pliant/model/contact_list.hpp", &limits_of),
-    of("pliant/model/dilution_picture.hpp", &draw_dilution),
-    of("pliant/model/hydrogen_bond_energy.hpp", &hydrogen_bond_energy),
-    of("pliant/model/hydrogen_bonds.hpp", &hydrogen_bonds),
+    of("pliant/model/atoms/atom_graph.hpp", &AtomGraph::are_bonded),
+    of("pliant/model/contacts/contact_file.hpp", &parse_contacts),
+    of("pliant/model/contacts/contact_list.hpp", &limits_of),
+    of("pliant/model/rigidity/dilution_picture.hpp", &draw_dilution),
+    of("pliant/model/contacts/hydrogen_bond_energy.hpp", &hydrogen_bond_energy),
+    of("pliant/model/contacts/hydrogen_bonds.hpp", &hydrogen_bonds),
     of("pliant/model/model.hpp", &build_model),
-    of("pliant/model/prepare.hpp", &prepare),
-    of("pliant/model/protonation.hpp", &protonation_of),
-    of("pliant/model/rigidity.hpp", &analyse_rigidity),
-    of("pliant/model/rigidity_dilution.hpp", &dilute_hydrogen_bonds),
-    of("pliant/model/rigidity_network.hpp", &rigidity_network),
+    of("pliant/model/prepare/prepare.hpp", &prepare),
+    of("pliant/model/prepare/protonation.hpp", &protonation_of),
+    of("pliant/model/rigidity/rigidity.hpp", &analyse_rigidity),
+    of("pliant/model/rigidity/rigidity_dilution.hpp", &dilute_hydrogen_bonds),
+    of("pliant/model/rigidity/rigidity_network.hpp", &rigidity_network),
     of("pliant/rigidity/pebble_game.hpp", &PebbleGame::rank),
     of("pliant/rigidity/rigid_clusters.hpp", &find_rigid_clusters),
-    of("pliant/model/select_part.hpp", &select_part),
+    of("pliant/model/prepare/select_part.hpp", &select_part),
     of("pliant/model/steric_table.hpp", &molecular_sterics),
-    of("pliant/model/survey.hpp", &survey),
-    of("pliant/model/tethers.hpp", &hydrophobic_tethers),
+    of("pliant/model/prepare/survey.hpp", &survey),
+    of("pliant/model/contacts/tethers.hpp", &hydrophobic_tethers),
     of("pliant/model/torsions_of_residues.hpp", &torsions_of_residues),
     of("pliant/framework/atom_table.hpp", overload<void(const AtomTable&)>(&check)),
-    of("pliant/framework/check_positions.hpp", &check_positions),
-    of("pliant/framework/contacts.hpp", &Contacts::update),
+    of("pliant/framework/measures/check_positions.hpp", &check_positions),
+    of("pliant/framework/measures/contacts.hpp", &Contacts::update),
     of_type<Disturbed>("pliant/framework/disturbed.hpp"),
-    of("pliant/framework/feasibility.hpp", &impossible_triangles),
+    of("pliant/framework/measures/feasibility.hpp", &impossible_triangles),
     of("pliant/framework/frame.hpp", overload<std::string_view(Stop)>(&name)),
     of_type<State>("pliant/framework/framework.hpp"),
     of("pliant/framework/graph.hpp", &graph_facts),
     of("pliant/framework/joint_names.hpp", &JointNames::word_for),
-    of_type<LimitCounts>("pliant/framework/limit_counts.hpp"),
+    of_type<LimitCounts>("pliant/framework/measures/limit_counts.hpp"),
     of("pliant/framework/fingerprint.hpp", &fingerprint_text),
     of("pliant/framework/limits.hpp", &limit_kinds),
-    of("pliant/framework/residual.hpp", &measure),
+    of("pliant/framework/measures/residual.hpp", &measure),
     of("pliant/framework/sterics.hpp", overload<void(const Sterics&, std::size_t)>(&check)),
     of("pliant/framework/torsion_preferences.hpp", &torsion_angle),
     of("pliant/examples/examples.hpp", &examples),
@@ -273,9 +273,9 @@ const Use uses[] = {
     of("pliant/path/path_table.hpp", &tight_places),
     of("pliant/path/sequence.hpp", &align),
     of("pliant/path/trace.hpp", &trace_of),
-    of("pliant/perturb/force_events.hpp", &write_force_events),
-    of("pliant/perturb/force_file.hpp", &write_force_file),
-    of("pliant/perturb/force_header.hpp", &write_force_header),
+    of("pliant/perturb/force_files/force_events.hpp", &write_force_events),
+    of("pliant/perturb/force_files/force_file.hpp", &write_force_file),
+    of("pliant/perturb/force_files/force_header.hpp", &write_force_header),
     of("pliant/perturb/guide.hpp", &pushers_of),
     of("pliant/perturb/perturbation.hpp", &perturbations),
     of("pliant/perturb/push.hpp", &Push::disturbed),

@@ -8,8 +8,8 @@ import shutil
 import numpy as np
 import pytest
 from browser import Page, chromium
-from pliant.analyse import page as report_page
 from pliant.analyse.command import main
+from pliant.analyse.page import page as report_page
 
 needs_browser = pytest.mark.skipif(chromium() is None, reason="no Chromium is installed")
 needs_viewer = pytest.mark.skipif(
@@ -237,7 +237,7 @@ def test_positions_in_the_page_are_those_of_the_file(report, peptide):
 
 def test_large_trajectories_are_thinned_and_the_page_says_so(report):
     from pliant.analyse import StudyOptions, study_trajectory
-    from pliant.analyse.scene import scene
+    from pliant.analyse.page.scene import scene
 
     study = study_trajectory(StudyOptions(str(report.parent.parent / "run.h5md")))
     small = scene(study, max_atoms=10, max_bytes=1000)

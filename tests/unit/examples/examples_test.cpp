@@ -7,7 +7,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/framework/graph.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "support/frameworks.hpp"
 #include "support/rigidity.hpp"
 

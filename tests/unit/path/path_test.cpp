@@ -8,8 +8,8 @@
 #include <numbers>
 
 #include "pliant/base/error.hpp"
-#include "pliant/base/superposition.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/base/math/superposition.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/read/read.hpp"
 #include "support/error_text.hpp"

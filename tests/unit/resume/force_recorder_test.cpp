@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "pliant/base/error.hpp"
-#include "pliant/perturb/force_events.hpp"
+#include "pliant/perturb/force_files/force_events.hpp"
 #include "pliant/perturb/steering.hpp"
 #include "pliant/run/force_settings.hpp"
 #include "pliant/run/replay_events.hpp"

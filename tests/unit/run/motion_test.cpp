@@ -5,7 +5,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/examples/examples.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/perturb/steering.hpp"
 #include "pliant/run/run.hpp"
 #include "support/error_text.hpp"

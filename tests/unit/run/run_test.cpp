@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "pliant/examples/examples.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 

@@ -3,7 +3,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/examples/examples.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/run/run.hpp"
 #include "support/frameworks.hpp"
 

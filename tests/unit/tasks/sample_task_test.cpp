@@ -5,7 +5,7 @@
 
 #include <vector>
 
-#include "pliant/sample/conformer_framework.hpp"
+#include "pliant/sample/conformers/conformer_framework.hpp"
 #include "pliant/sample/sample_fields.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"

@@ -12,7 +12,7 @@ from pliant.analyse.figures import flexibility_figures, mobility, series, torsio
 from pliant.analyse.figures.style import styled
 from pliant.analyse.found import ENSEMBLE, PATH, TRANSITION
 from pliant.analyse.names import has_backbone
-from pliant.analyse.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
+from pliant.analyse.page.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "pliant/base/cell_list.hpp"
 #include "pliant/base/elements.hpp"
+#include "pliant/base/math/cell_list.hpp"
 
 namespace pliant::perception {
 namespace {

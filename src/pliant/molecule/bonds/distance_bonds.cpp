@@ -6,9 +6,9 @@
 #include <cmath>
 #include <span>
 
-#include "pliant/base/cell_list.hpp"
 #include "pliant/base/elements.hpp"
-#include "pliant/base/grouped.hpp"
+#include "pliant/base/graphs/grouped.hpp"
+#include "pliant/base/math/cell_list.hpp"
 
 namespace pliant::perception {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 
-#include "pliant/base/cell_list.hpp"
+#include "pliant/base/math/cell_list.hpp"
 
 namespace pliant::perception {
 namespace {

@@ -5,7 +5,7 @@
 #include <map>
 #include <string>
 
-#include "pliant/base/grouped.hpp"
+#include "pliant/base/graphs/grouped.hpp"
 #include "pliant/molecule/bonds/cell_bonds.hpp"
 
 namespace pliant::perception {

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "pliant/base/grouped.hpp"
+#include "pliant/base/graphs/grouped.hpp"
 
 namespace pliant::perception {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 #include <string_view>
 
-#include "pliant/molecule/read/read_options.hpp"
+#include "pliant/molecule/read/shared/read_options.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/text/file_text.hpp"
 

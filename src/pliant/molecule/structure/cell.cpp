@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "pliant/base/elementary.hpp"
+#include "pliant/base/math/elementary.hpp"
 
 namespace pliant {
 namespace {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pliant/framework/frame.hpp"
-#include "pliant/framework/limit_counts.hpp"
+#include "pliant/framework/measures/limit_counts.hpp"
 #include "pliant/record/h5md/h5md_header.hpp"
 #include "pliant/record/h5md/h5md_series.hpp"
 

@@ -8,7 +8,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/number.hpp"
-#include "pliant/framework/feasibility.hpp"
+#include "pliant/framework/measures/feasibility.hpp"
 #include "pliant/record/xml/xml_document_internal.hpp"
 
 namespace pliant {

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
 
 namespace pliant {

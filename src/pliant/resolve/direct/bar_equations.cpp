@@ -6,7 +6,7 @@
 #include <limits>
 #include <utility>
 
-#include "pliant/base/grouped.hpp"
+#include "pliant/base/graphs/grouped.hpp"
 #include "pliant/resolve/direct/bar_loops.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
 

@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/resolve/direct/bar_elimination.hpp"
 #include "pliant/resolve/direct/sparse_ldl.hpp"
 

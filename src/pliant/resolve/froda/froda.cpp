@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/framework/kept_measure.hpp"
+#include "pliant/framework/measures/kept_measure.hpp"
 #include "pliant/resolve/blocks/ring_sweeps.hpp"
 #include "pliant/resolve/froda/froda_solver.hpp"
 #include "pliant/resolve/units/units.hpp"

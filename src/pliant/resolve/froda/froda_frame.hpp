@@ -9,9 +9,9 @@
 #include <vector>
 
 #include "pliant/framework/limits.hpp"
-#include "pliant/resolve/froda/articulated_step.hpp"
-#include "pliant/resolve/froda/near_pairs.hpp"
-#include "pliant/resolve/froda/working_trees.hpp"
+#include "pliant/resolve/froda/bodies/articulated_step.hpp"
+#include "pliant/resolve/froda/bodies/working_trees.hpp"
+#include "pliant/resolve/froda/near/near_pairs.hpp"
 
 namespace pliant {
 

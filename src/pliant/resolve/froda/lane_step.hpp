@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "pliant/resolve/froda/articulated_step.hpp"
+#include "pliant/resolve/froda/bodies/articulated_step.hpp"
 #include "pliant/resolve/lanes/lane_bodies.hpp"
 
 namespace pliant {

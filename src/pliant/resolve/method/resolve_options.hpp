@@ -6,7 +6,7 @@
 #include <functional>
 #include <span>
 
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 
 namespace pliant {
 

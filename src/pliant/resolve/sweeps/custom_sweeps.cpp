@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <vector>
 
-#include "pliant/framework/contacts.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/residual.hpp"
 
 namespace pliant {
 namespace {

@@ -14,9 +14,9 @@
 #include <span>
 #include <vector>
 
-#include "pliant/framework/contacts.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/resolve/sweeps/sweep_plan.hpp"
 
 namespace pliant {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/resolve/method/resolve_options.hpp"
 #include "pliant/resolve/method/technique.hpp"
 

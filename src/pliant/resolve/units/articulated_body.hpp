@@ -9,7 +9,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "pliant/base/best_fit.hpp"
+#include "pliant/base/math/best_fit.hpp"
 
 namespace pliant {
 

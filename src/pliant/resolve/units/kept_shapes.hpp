@@ -7,8 +7,8 @@
 #include <span>
 #include <vector>
 
-#include "pliant/base/best_fit.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/base/math/best_fit.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/rigidity/unit_set.hpp"
 
 namespace pliant {

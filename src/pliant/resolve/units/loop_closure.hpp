@@ -17,7 +17,7 @@
 #include <span>
 #include <vector>
 
-#include "pliant/base/best_fit.hpp"
+#include "pliant/base/math/best_fit.hpp"
 #include "pliant/rigidity/unit_graph.hpp"
 #include "pliant/rigidity/unit_shape.hpp"
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/framework/contacts.hpp"
-#include "pliant/framework/residual.hpp"
+#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/residual.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
 #include "pliant/resolve/sweeps/anderson.hpp"
 #include "pliant/resolve/sweeps/limit_sweep.hpp"

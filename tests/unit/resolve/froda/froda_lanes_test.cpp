@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "pliant/framework/contacts.hpp"
+#include "pliant/framework/measures/contacts.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/read/read.hpp"

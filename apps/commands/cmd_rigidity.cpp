@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: MIT
+// pliant rigidity: which parts of a molecule are rigid, by counting freedoms.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "command.hpp"
+#include "external.hpp"
+#include "messages.hpp"
+#include "options/molecule_input.hpp"
+#include "output/output_files.hpp"
+#include "output/rigidity_files.hpp"
+#include "output/rigidity_json.hpp"
+#include "output/rigidity_report.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/base/printable.hpp"
+#include "pliant/model/rigidity/dilution_picture.hpp"
+#include "pliant/model/rigidity/rings_of_six.hpp"
+#include "pliant/molecule/selection.hpp"
+
+namespace pliant::app {
+namespace {
+
+struct RigiditySettings {
+  MoleculeOptions molecule;
+  std::int64_t hydrogen_bond_bars = 5, tether_bars = 2;
+  bool ends_turn = true, dilution = false;
+  std::string free_angles, output, page;
+  bool overwrite = false, as_csv = false, as_json = false;
+};
+
+constexpr const char* summary =
+    "Counts degrees of freedom (body-bar pebble game, as FIRST does): which atoms move as\n"
+    "one (rigid clusters), which bonds can still rotate, and where there are more\n"
+    "constraints than needed.\n"
+    "\n"
+    "Each atom is a body with 6 freedoms. A bond that can rotate removes 5 of them (a\n"
+    "hinge), one that cannot (peptide, double, aromatic) 6, a hydrogen bond 5, a hydrophobic\n"
+    "contact 2. Those that remain are internal degrees of freedom: a ring of six single\n"
+    "bonds has none, a ring of seven has one. The count looks at the graph alone, not at\n"
+    "positions: it does not see that a ring of six moves as a boat, though not as a chair.\n"
+    "Contacts never break. So the answer depends on --hbond-cutoff: try\n"
+    "--dilution.";
+
+constexpr const char* footer =
+    "How to read it:\n"
+    "  flexibility  of a bond: 1 rotates freely, 1/7 in a ring of seven that moves as a whole,\n"
+    "               0 locked, below 0 locked by more bars than needed (redundant)\n"
+    "               of a residue: the mean of its N-CA and CA-C bonds\n"
+    "  dilution     hydrogen bonds are removed one by one, weakest first: the clusters that last\n"
+    "               longest are the core, and they come apart at hinges\n"
+    "\n"
+    "Examples:\n"
+    "  pliant rigidity protein.pdb\n"
+    "  pliant rigidity protein.pdb --dilution --page rigid.html\n"
+    "  pliant rigidity protein.pdb -o rigid && cd rigid && pymol show.pml\n"
+    "  pliant rigidity protein.pdb --csv > residues.csv";
+
+void add_options(CommandLine& line, RigiditySettings& settings) {
+  add_file_options(line, settings.molecule);
+  add_model_options(line, settings.molecule.kind);
+  line.start_group("Counting");
+  line.add_integer("--hbond-bars", settings.hydrogen_bond_bars, 1, freedoms_of_body,
+                   "how many freedoms a hydrogen bond or salt bridge removes");
+  line.add_integer("--tether-bars", settings.tether_bars, 0, freedoms_of_body,
+                   "how many a hydrophobic contact removes; 0 ignores these contacts");
+  line.add_opposite("--still-ends", settings.ends_turn,
+                    "an atom with a single bond does not rotate about it if a hydrogen bond "
+                    "holds it: D-H of D-H..A stays put");
+  line.add_text("--free-angles", settings.free_angles, "SELECTION",
+                "hold no angle at these atoms, which become ball joints: \"element O\" frees "
+                "Si-O-Si in a silicate");
+  line.add_flag("--dilution", settings.dilution,
+                "remove hydrogen bonds one by one, weakest first, starting at --hbond-cutoff");
+  line.start_group("Output");
+  line.add_text("-o,--output", settings.output, "FOLDER",
+                "write tables, PDB files with clusters and flexibility as B factors, scripts "
+                "for PyMOL and ChimeraX, and with --dilution a picture (dilution.svg)");
+  line.add_text("--page", settings.page, "FILE",
+                "write an HTML page: the molecule in 3-D coloured by cluster and by flexibility, "
+                "clusters by residues, with --dilution the plot (made by the Python package)");
+  line.add_flag("--overwrite", settings.overwrite, "replace the page, and files of that folder");
+  line.add_flag("--csv", settings.as_csv,
+                "print a table of residues, or with --dilution of the hydrogen bonds removed");
+  line.add_flag("--json", settings.as_json, "print one JSON object with all that was found");
+}
+
+void refuse_input_as_output(const RigiditySettings& settings) {
+  std::vector<std::string> outputs{settings.page};
+  for (const std::string& name : rigidity_file_names(settings.dilution))
+    if (!settings.output.empty())
+      outputs.push_back((std::filesystem::path(settings.output) / name).string());
+  refuse_same_files(inputs_of(settings.molecule), outputs);
+}
+
+void dilute(RigidityReport& report) {
+  const std::string file = std::filesystem::path(report.file).filename().string();
+  DrawnDilution drawn =
+      draw_dilution(report.model, report.rigidity.network, dilution_title(printable_name(file)));
+  report.dilution = std::move(drawn.rows);
+  report.dilution_svg = std::move(drawn.svg);
+}
+
+/// Path of the program that makes the page; "" where none is asked for.
+std::string page_program(const RigiditySettings& settings) {
+  if (settings.page.empty()) return "";
+  std::string path = find_external("rigidity-page");
+  if (path.empty())
+    throw InputError(
+        "--page is made by the Python package: install it (pip install pliant), so that "
+        "pliant-rigidity-page is on PATH");
+  return path;
+}
+
+int write_page(const std::string& program, const RigiditySettings& settings,
+               const RigidityReport& report) {
+  Arguments arguments{"-o", settings.page};
+  if (settings.overwrite) arguments.push_back("--overwrite");
+  return run_with_input(program, arguments, json_for_page(report).text());
+}
+
+RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
+  RigidityReport report;
+  report.file = settings.molecule.file;
+  report.model =
+      contact_model(read(settings.molecule, log), model_options_of(settings.molecule.kind, log));
+  RigidityOptions options;
+  options.hydrogen_bond_bars = static_cast<std::uint8_t>(settings.hydrogen_bond_bars);
+  options.tether_bars = static_cast<std::uint8_t>(settings.tether_bars);
+  options.ends_turn = settings.ends_turn;
+  if (!settings.free_angles.empty())
+    options.free_angles =
+        select_some_atoms(report.model.structure.atoms, settings.free_angles, "free-angles");
+  report.rigidity = analyse_rigidity(report.model.structure, report.model.contacts, options);
+  if (const std::string told = told_of_rings_of_six(report.rigidity.rings_of_six); !told.empty())
+    log.note(told);
+  if (settings.dilution) dilute(report);
+  return report;
+}
+
+}  // namespace
+
+int command_rigidity(const Arguments& arguments) {
+  CommandLine line("pliant rigidity", summary);
+  line.set_footer(footer);
+  RigiditySettings settings;
+  add_options(line, settings);
+  if (const int code = line.parse(arguments); code >= 0) return code;
+  if (settings.as_csv && settings.as_json) throw OptionError("--csv, --json: expected one of them");
+  if (settings.overwrite && settings.output.empty() && settings.page.empty())
+    throw OptionError("--overwrite: goes with --output or --page");
+  refuse_input_as_output(settings);
+  const std::string program = page_program(settings);
+  Messages messages(settings.as_json);
+  const RigidityReport report = report_of(settings, messages.log());
+  if (!settings.output.empty())
+    write_rigidity_folder(settings.output, report, settings.overwrite, messages.log());
+  if (!program.empty())
+    if (const int code = write_page(program, settings, report); code != exit_ok) return code;
+  if (settings.as_csv)
+    fmt::print("{}", settings.dilution ? dilution_as_csv(report) : residues_as_csv(report));
+  else if (settings.as_json)
+    print_json(json_of_rigidity(report) +
+               Json{{"warnings", messages.warnings()}, {"notes", messages.notes()}});
+  else
+    print_rigidity(report);
+  return exit_ok;
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: MIT
+#include "commands/continue_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <mutex>
+#include <thread>
+
+#include "command.hpp"
+#include "interrupt.hpp"
+#include "messages.hpp"
+#include "options/option_comparison.hpp"
+#include "options/recorded_settings.hpp"
+#include "output/print_run.hpp"
+#include "pliant/base/error.hpp"
+#include "pliant/record/h5md/h5md_reader.hpp"
+#include "pliant/run/ensemble.hpp"
+
+namespace pliant::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool is_there(const std::string& file) {
+  std::error_code error;
+  return fs::exists(file, error);
+}
+
+/// The settings are those of the first walker that was begun.
+std::int64_t first_begun(const RunSettings& settings) {
+  const std::int64_t end = settings.first_walker + settings.walkers;
+  for (std::int64_t walker = settings.first_walker; walker < end; ++walker)
+    if (is_there(output_of(settings, walker))) return walker;
+  const std::string name = output_of(settings, settings.first_walker);
+  if (is_ensemble(settings))
+    throw FileError(name + ": none of the files of these walkers is there");
+  const fs::path path(name);
+  const std::string of_walkers =
+      (path.parent_path() / (path.stem().string() + "-0" + path.extension().string())).string();
+  throw FileError(name + ": is not there" +
+                  (is_there(of_walkers)
+                       ? ", but " + of_walkers + " is: give --walkers or --shard as in the run"
+                       : ""));
+}
+
+class ContinuedRun {
+ public:
+  ContinuedRun(const RunSettings& settings, std::optional<std::int64_t> steps,
+               H5mdCheckpoint pattern, const Log& log, ProgressBar& progress)
+      : settings_(settings),
+        steps_(steps),
+        pattern_(std::move(pattern)),
+        options_(options_of(pattern_)),
+        log_(log),
+        progress_(progress),
+        frames_added_(static_cast<std::size_t>(settings.walkers)) {}
+
+  std::vector<RunSummary> run() {
+    const auto first = static_cast<std::uint64_t>(settings_.first_walker);
+    EnsembleOptions options{options_,
+                            {first, first + static_cast<std::uint64_t>(settings_.walkers)},
+                            static_cast<int>(settings_.threads)};
+    options.run.resolve.should_stop = interrupted;
+    std::vector<RunSummary> summaries = run_ensemble(
+        pattern_.framework, State(start()), options,
+        [&](std::uint64_t walker) { return watchers_of(static_cast<std::int64_t>(walker)); });
+    for (std::size_t k = 0; k < summaries.size(); ++k) summaries[k].frames = frames_added_[k];
+    return summaries;
+  }
+
+  const RunOptions& options() const { return options_; }
+
+ private:
+  /// Of walkers that have not begun.
+  std::vector<Vec3> start() const {
+    return pattern_.inputs.start.empty() ? pattern_.state.positions : pattern_.inputs.start;
+  }
+
+  Watchers watchers_of(std::int64_t walker) {
+    const std::string file = output_of(settings_, walker);
+    Watchers watchers;
+    if (walker == settings_.first_walker) watchers.log = log_;
+    if (!is_there(file)) {
+      watch(watchers, walker, begin(file, walker), 0);
+      return watchers;
+    }
+    H5mdCheckpoint from = read_checkpoint(file, steps_, log_);
+    check_same_run(from, walker);
+    const std::int64_t last_step = from.began + from.steps;
+    if (from.last_step >= last_step) {
+      from.state.step = last_step;  // there is nothing more to do
+    } else {
+      watch(watchers, walker, std::make_shared<H5mdRecorder>(from, record_options()), from.frames);
+    }
+    watchers.reached = {std::move(from.state), from.began};
+    return watchers;
+  }
+
+  H5mdOptions record_options() const {
+    H5mdOptions options = settings_.record;
+    options.log = log_;
+    return options;
+  }
+
+  void watch(Watchers& watchers, std::int64_t walker, std::shared_ptr<H5mdRecorder> recorder,
+             std::int64_t frames_before) {
+    std::int64_t& added = frames_added_[static_cast<std::size_t>(walker - settings_.first_walker)];
+    watchers.observers = {[this, recorder](const Frame& frame) {
+      recorder->record(frame);
+      show_progress();
+      return interrupted();
+    }};
+    watchers.on_end = [recorder, frames_before, &added](const RunSummary&, const State& state) {
+      recorder->end_run(state);
+      recorder->close();
+      added = recorder->frames() - frames_before;
+    };
+  }
+
+  void show_progress() {
+    const std::lock_guard hold(showing_);
+    progress_.show(++frames_shown_);
+  }
+
+  /// A walker of the run that was never begun. Its file says what the others say.
+  std::shared_ptr<H5mdRecorder> begin(const std::string& file, std::int64_t walker) const {
+    if (pattern_.inputs.start.empty())
+      throw FileError(file + ": is not there, and " + pattern_.path.string() +
+                      " does not say where walkers start");
+    const H5mdReader reader(pattern_.path);
+    H5mdHeader header;
+    header.bonds = reader.bonds();
+    header.bond_origin_names = reader.bond_origin_names();
+    header.masses = reader.masses();
+    header.creator_version = PLIANT_VERSION;
+    header.parameters = pattern_.parameters;
+    for (auto& [path, value] : header.parameters) {
+      if (path == "run/walker") value = walker;
+      if (path == "run/steps") value = options_.steps;
+    }
+    header.inputs = pattern_.inputs;
+    H5mdOptions options = record_options();
+    options.single = is_set("record/single");
+    options.compress = is_set("record/compress");
+    options.precision = recorded_precision();
+    return std::make_shared<H5mdRecorder>(file, pattern_.framework, header, options);
+  }
+
+  double recorded_precision() const {
+    for (const auto& [name, value] : pattern_.parameters)
+      if (name == "record/precision" && std::holds_alternative<double>(value))
+        return std::get<double>(value);
+    return 0.0;
+  }
+
+  bool is_set(const std::string& path) const {
+    for (const auto& [name, value] : pattern_.parameters)
+      if (name == path) return value == Parameter(true);
+    return false;
+  }
+
+  void check_same_run(const H5mdCheckpoint& other, std::int64_t walker) const {
+    const auto refuse = [&](const std::string& what) {
+      throw InputError(other.path.string() + ": is of another run than " + pattern_.path.string() +
+                       ": " + what + " differs");
+    };
+    const auto& a = pattern_.framework;
+    const auto& b = other.framework;
+    if (!std::ranges::equal(a.bars(), b.bars()) ||
+        !std::ranges::equal(a.rest_lengths(), b.rest_lengths()))
+      refuse("the framework");
+    if (other.parameters.size() != pattern_.parameters.size()) refuse("what its parameters are");
+    for (std::size_t k = 0; k < other.parameters.size(); ++k) {
+      const auto& [path, value] = other.parameters[k];
+      if (path == "run/steps") continue;
+      const Parameter expected = path == "run/walker" && is_ensemble(settings_)
+                                     ? Parameter(walker)
+                                     : pattern_.parameters[k].second;
+      if (path != pattern_.parameters[k].first || value != expected) refuse("/parameters/" + path);
+    }
+  }
+
+  const RunSettings& settings_;
+  std::optional<std::int64_t> steps_;
+  H5mdCheckpoint pattern_;
+  RunOptions options_;
+  const Log& log_;
+  ProgressBar& progress_;
+  std::mutex showing_;
+  std::int64_t frames_shown_ = 0;           ///< under the mutex
+  std::vector<std::int64_t> frames_added_;  ///< by walker
+};
+
+void check_steps(const H5mdCheckpoint& from, const Log& log) {
+  if (from.done > from.steps)
+    throw OptionError(
+        fmt::format("--steps {}: {} has {} steps already; steps are counted from the "
+                    "start of the run",
+                    from.steps, from.path.string(), from.done));
+  if (from.last_step >= from.began + from.steps)
+    log.note(fmt::format("{} has all of its {} steps; --steps N goes on up to step N",
+                         from.path.string(), from.steps));
+}
+
+void refuse_samples(const H5mdCheckpoint& from) {
+  if (from.is_sample())
+    throw InputError(from.path.string() +
+                     ": holds frames of pliant sample: pliant sample --continue goes on with them");
+}
+
+}  // namespace
+
+int continue_run(const CommandLine& line, RunSettings& settings) {
+  refuse_another_output(line, settings.output, settings.go_on);
+  number_walkers(line, settings);
+  settings.output = settings.go_on;
+  settings.topology = "none";
+  if (settings.threads == 0) settings.threads = std::thread::hardware_concurrency();
+  Messages messages(settings.json || settings.quiet);
+  const Log log = messages.log();
+  std::optional<std::int64_t> steps;
+  if (line.was_given("--steps")) steps = settings.run.steps;
+  const std::string first = output_of(settings, first_begun(settings));
+  H5mdCheckpoint pattern = read_checkpoint(first, steps, log);
+  refuse_samples(pattern);
+  check_options_again(line, settings, pattern);
+  check_steps(pattern, log);
+  // The file of one walker of several goes on as that walker.
+  if (!is_ensemble(settings))
+    settings.first_walker = static_cast<std::int64_t>(options_of(pattern).resolve.walker);
+  if (settings.dry_run) return exit_ok;
+  watch_for_interrupt();
+  ProgressBar progress(settings.walkers * pattern.steps / options_of(pattern).every, "frames",
+                       settings.quiet);
+  const Framework framework = pattern.framework;
+  ContinuedRun continued(settings, steps, std::move(pattern), log, progress);
+  const std::vector<RunSummary> summaries = continued.run();
+  settings.run = continued.options();
+  if (settings.json) {
+    print_run_json(settings, framework, summaries, messages.warnings());
+  } else if (!settings.quiet) {
+    print_run_table(settings, framework, summaries);
+  }
+  return exit_code_of(added_up(summaries));
+}
+
+}  // namespace pliant::app

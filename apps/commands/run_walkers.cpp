@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include "commands/run_walkers.hpp"
+
+#include <algorithm>
+#include <memory>
+#include <mutex>
+#include <optional>
+
+#include "commands/walker_sequence.hpp"
+#include "interrupt.hpp"
+#include "messages.hpp"
+#include "options/molecule_fields.hpp"
+#include "output/frame_output.hpp"
+#include "output/recorded_header.hpp"
+#include "pliant/resume/force_recorder.hpp"
+#include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/run/ensemble.hpp"
+#include "pliant/run/force_settings.hpp"
+#include "pliant/run/replay_events.hpp"
+
+namespace pliant::app {
+namespace {
+
+H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std::int64_t walker) {
+  H5mdHeader header = molecule_header(molecule.structure);
+  header.parameters = parameters_of(settings, molecule.framework, walker);
+  header.several_walkers = settings.one_file;
+  if (settings.one_file) return header;  // a run of several goes on from no one file
+  header.inputs =
+      recorded_inputs(settings.run.replay, settings.run.guide,
+                      settings.run.technique.ordering.get(), settings.run.replay_counts);
+  if (is_ensemble(settings)) header.inputs->start = molecule.structure.positions;
+  return header;
+}
+
+/// What the walkers share.
+struct Shared {
+  const RunSettings& settings;
+  const Molecule& molecule;
+  const Log& log;
+  ProgressBar& progress;
+  std::vector<Vec3>& last;
+  LiveRun* live;                                  ///< null: nobody looks
+  std::unique_ptr<WalkerSequence> sequence = {};  ///< of --one-file; else null
+  std::mutex showing = {};
+  std::int64_t steps_done = 0;  ///< under the mutex
+
+  void add_steps(std::int64_t steps) {
+    const std::lock_guard hold(showing);
+    progress.show(steps_done += steps);
+  }
+};
+
+FrameOutput output_for(const Shared& shared, std::int64_t walker) {
+  const RunSettings& settings = shared.settings;
+  return {output_of(settings, walker), shared.molecule.framework,
+          header_of(settings, shared.molecule, walker), settings.record};
+}
+
+/// One sidecar serves all walkers.
+void write_sidecar(const Shared& shared) {
+  const Structure& structure = shared.molecule.structure;
+  write_topology(shared.settings.topology, shared.molecule.framework, molecule_header(structure),
+                 structure.positions, shared.settings.record);
+}
+
+/// Records a walker's pushes, or nothing.
+std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t walker) {
+  const RunSettings& settings = shared.settings;
+  if (settings.record_forces.empty()) return {};
+  ForceFile forces;
+  forces.set(settings.run.perturb_options, settings.run.resolve.tolerance,
+             settings.run.resolve.max_sweeps);
+  // Such a run may go on for days.
+  const bool is_counted = shared.live != nullptr && replayed_steps(settings.run) == 0;
+  forces.settings = is_counted ? force_settings(settings.run) : push_settings(settings.run);
+  forces.header = force_header_of(settings.molecule, shared.molecule);
+  return std::optional<ForceRecorder>(
+      std::in_place, of_walker(settings, settings.record_forces, walker), settings.record.overwrite,
+      shared.molecule.framework, forces,
+      is_counted ? std::optional(LiveRun::longest_step) : std::nullopt);
+}
+
+/// The outputs of a walker.
+struct RecordedWalker {
+  Shared& shared;
+  std::int64_t walker;
+  std::optional<FrameOutput> recorder;  ///< none where there is one file for all
+  KeptFrames kept = {};
+  std::optional<ForceRecorder> forces;
+  std::int64_t last_step = 0;
+
+  RecordedWalker(Shared& shared_things, std::int64_t number)
+      : shared(shared_things), walker(number), forces(force_recorder(shared, walker)) {
+    if (!shared.sequence) recorder.emplace(output_for(shared, walker));
+  }
+
+  bool keeps_forces() const {
+    return !shared.settings.imd.keeps_forces_if_pulled || shared.live->was_pulled();
+  }
+
+  bool record(const Frame& frame) {
+    recorder ? recorder->record(frame) : kept.add(frame);
+    shared.add_steps(frame.step - last_step);
+    last_step = frame.step;
+    return interrupted() || (shared.live != nullptr && shared.live->was_killed());
+  }
+
+  /// One file for all holds whole walkers only.
+  void close(const RunSummary& summary, const State& state) {
+    if (recorder) {
+      recorder->end_run(state);
+      recorder->close();
+    } else if (!summary.stopped_by_caller) {
+      shared.sequence->end(walker, std::move(kept));
+    }
+    if (forces && keeps_forces()) forces->publish();
+  }
+};
+
+Watchers recorded(Shared& shared, std::int64_t walker) {
+  const auto outputs = std::make_shared<RecordedWalker>(shared, walker);
+  if (walker == shared.settings.first_walker) write_sidecar(shared);
+  Watchers watchers;
+  watchers.observers = {[outputs](const Frame& frame) { return outputs->record(frame); }};
+  if (outputs->forces)
+    watchers.on_push = [outputs](const Push& push) { outputs->forces->record(push); };
+  watchers.on_end = [outputs, &shared](const RunSummary& summary, const State& state) {
+    if (shared.live != nullptr) shared.live->finish();
+    outputs->close(summary, state);
+    if (!is_ensemble(shared.settings)) shared.last = state.positions;
+  };
+  if (walker == shared.settings.first_walker) watchers.log = shared.log;
+  if (shared.live != nullptr) {
+    // A port that nobody chose has to be said.
+    if (!shared.settings.quiet || shared.settings.imd.port == 0)
+      shared.live->say_where(shared.settings.topology);
+    watchers.hands = shared.live->hands();
+    watchers.onlooker = shared.live->onlooker();
+  }
+  return watchers;
+}
+
+/// What a person did, once more.
+RunSummary replay(Shared& shared) {
+  const Watchers watchers = recorded(shared, 0);
+  State state(shared.molecule.structure.positions);
+  ReplayOptions options{shared.settings.forces, shared.settings.run.every, interrupted, shared.log};
+  const RunSummary summary = replay_events(shared.molecule.framework, state, shared.settings.events,
+                                           options, watchers.observers);
+  watchers.on_end(summary, state);
+  return summary;
+}
+
+}  // namespace
+
+std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule& molecule,
+                                    const Log& log, std::vector<Vec3>& last, LiveRun* live) {
+  ProgressBar progress(settings.walkers * settings.run.steps, "steps", settings.quiet);
+  Shared shared{settings, molecule, log, progress, last, live};
+  if (!settings.events.empty()) return {replay(shared)};
+  if (settings.one_file)
+    shared.sequence = std::make_unique<WalkerSequence>(output_for(shared, settings.first_walker),
+                                                       settings.first_walker);
+  const auto first = static_cast<std::uint64_t>(settings.first_walker);
+  EnsembleOptions options{settings.run,
+                          {first, first + static_cast<std::uint64_t>(settings.walkers)},
+                          static_cast<int>(settings.threads)};
+  options.run.resolve.should_stop = [live] {
+    return interrupted() || (live != nullptr && live->was_killed());
+  };
+  std::vector<RunSummary> summaries = run_ensemble(
+      molecule.framework, State(molecule.structure.positions), options,
+      [&](std::uint64_t walker) { return recorded(shared, static_cast<std::int64_t>(walker)); });
+  if (shared.sequence) shared.sequence->close();
+  return summaries;
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+#include "options/model_input.hpp"
+
+#include <filesystem>
+
+#include "pliant/base/choices.hpp"
+
+namespace pliant::app {
+
+void add_model_options(CommandLine& line, ModelSettings& settings) {
+  line.start_group("Model");
+  line.add_real("--hbond-cutoff", settings.hbond_cutoff, Range::any,
+                "leave out hydrogen bonds that are weaker than this energy, kcal/mol");
+  line.add_text("--contacts", settings.contacts, "FILE",
+                "use the contacts in this file (as written by pliant contacts --csv or --json)");
+  line.add_flag("--keep-waters", settings.keep_waters, "do not remove waters");
+  line.add_flag("--fill-side-chains", settings.fill_side_chains,
+                "build missing side-chain atoms by rule (a guess: the data does not show them)");
+  line.add_flag("--all-hydrogens", settings.all_hydrogens,
+                "add hydrogens on carbon as well, and keep them clear of other atoms: for\n"
+                "starting MD; slower");
+  line.add_names("--protonate", settings.protonate, "",
+                 "protonation states, such as HIS57:HID,A:ASP25:ASH (default: from the hydrogens "
+                 "and names in the file, else pH 7)");
+  line.add_flag("--floppy", settings.floppy,
+                "drop the contacts of residues with a confidence (pLDDT) below 50");
+}
+
+void add_torsion_option(CommandLine& line, ModelSettings& settings) {
+  line.add_flag("--free-torsions", settings.free_torsions,
+                "do not pull side chains towards staggered torsions, nor phi and psi back to the\n"
+                "usual regions of the Ramachandran plot");
+}
+
+void check(const ModelSettings& settings) {
+  const ModelSettings usual;
+  const ModelEntry* model = nullptr;
+  if (!settings.name.empty()) model = &choose(models(), "model", settings.name);
+  const auto refuse = [](bool is_given, const char* option, const char* expected) {
+    if (is_given) throw OptionError(std::string(option) + ": goes with " + expected);
+  };
+  if (model == nullptr || !model->is_prepared) {
+    const char* expected = "--model molecule or --model protein";
+    refuse(settings.keep_waters, "--keep-waters", expected);
+    refuse(settings.fill_side_chains, "--fill-side-chains", expected);
+    refuse(settings.all_hydrogens, "--all-hydrogens", expected);
+    refuse(settings.free_torsions, "--free-torsions", expected);
+    refuse(!settings.protonate.empty(), "--protonate", expected);
+  }
+  if (model == nullptr || !model->has_contacts) {
+    refuse(settings.hbond_cutoff != usual.hbond_cutoff, "--hbond-cutoff", "--model protein");
+    refuse(!settings.contacts.empty(), "--contacts", "--model protein");
+    refuse(settings.floppy, "--floppy", "--model protein");
+  }
+}
+
+std::vector<NamedParameter> parameters_of(const ModelSettings& settings) {
+  if (settings.name.empty()) return {};
+  std::string forms;
+  for (const std::string& form : settings.protonate) forms += (forms.empty() ? "" : ",") + form;
+  return {{"model/kind", settings.name},
+          {"model/hbond_cutoff", settings.hbond_cutoff},
+          {"model/keep_waters", settings.keep_waters},
+          {"model/fill_side_chains", settings.fill_side_chains},
+          {"model/all_hydrogens", settings.all_hydrogens},
+          {"model/protonate", forms},
+          {"model/floppy", settings.floppy},
+          {"model/contacts", std::filesystem::path(settings.contacts).filename().string()}};
+}
+
+ModelOptions model_options_of(const ModelSettings& settings, const Log& log) {
+  ModelOptions options;
+  if (!settings.name.empty()) options.kind = choose(models(), "model", settings.name).kind;
+  options.prepare.keep_waters = settings.keep_waters;
+  options.prepare.fill_side_chains = settings.fill_side_chains;
+  options.prepare.all_hydrogens = settings.all_hydrogens;
+  options.prepare.protonate = settings.protonate;
+  options.torsions = settings.has_torsions && !settings.free_torsions;
+  options.prepare.floppy_below = settings.floppy ? disordered_below : 0.0;
+  options.hydrogen_bonds.cutoff = settings.hbond_cutoff;
+  options.contacts_file = settings.contacts;
+  options.log = log;
+  return options;
+}
+
+}  // namespace pliant::app

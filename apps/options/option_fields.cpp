@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+#include "options/option_fields.hpp"
+
+#include <algorithm>
+
+namespace pliant::app {
+namespace {
+
+/// Adds an option by the kind of its value.
+struct AddField {
+  CommandLine& line;
+  const OptionFacts& facts;
+  std::string option = option_name(facts.name);
+  std::string help = std::string(facts.summary);
+  std::string unset = std::string(facts.unset_means);
+
+  void operator()(bool* value) const { line.add_flag(option, *value, help); }
+  void operator()(std::uint64_t* value) const { line.add_seed(option, *value, help); }
+  void operator()(std::int64_t* value) const {
+    line.add_integer(option, *value, facts.range == Range::positive ? 1 : 0, facts.most, help,
+                     unset.empty() ? nullptr : unset.c_str());
+  }
+  void operator()(double* value) const {
+    line.add_real(option, *value, facts.range, help, facts.is_optional ? "" : nullptr);
+  }
+  void operator()(std::string* value) const {
+    std::vector<std::string_view> known = facts.choices();
+    if (!facts.automatic.empty()) known.insert(known.begin(), facts.automatic);
+    line.add_choice(option, *value, known, help);
+  }
+};
+
+}  // namespace
+
+std::string option_name(std::string_view field) {
+  std::string option = "--" + std::string(field);
+  std::replace(option.begin(), option.end(), '_', '-');
+  return option;
+}
+
+void add_option(CommandLine& line, const OptionFacts& facts, OptionPlace place) {
+  std::visit(AddField{line, facts}, place);
+  if (!facts.former.name.empty())
+    line.add_former_real(option_name(facts.former.name),
+                         option_name(facts.name) + ", in " + std::string(facts.unit),
+                         1.0 / facts.former.divisor);
+}
+
+}  // namespace pliant::app

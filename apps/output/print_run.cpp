@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "output/print_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "command.hpp"
+#include "output/json.hpp"
+#include "pliant/base/printable.hpp"
+#include "pliant/resolve/automatic.hpp"
+#include "pliant/resolve/techniques.hpp"
+
+namespace pliant::app {
+namespace {
+/// Of the walkers that were begun: each shows at least its start, or has no more to do.
+std::vector<std::string> outputs_of(const RunSettings& settings,
+                                    const std::vector<RunSummary>& summaries) {
+  if (settings.one_file) return {settings.output};
+  std::vector<std::string> outputs;
+  for (std::size_t k = 0; k < summaries.size(); ++k)
+    if (summaries[k].frames > 0 || !summaries[k].stopped_by_caller)
+      outputs.push_back(output_of(settings, settings.first_walker + std::int64_t(k)));
+  return outputs;
+}
+
+std::string worst_bar_of(const Framework& framework, const RunSummary& summary) {
+  if (framework.bar_count() == 0) return "";
+  return framework.label(framework.bars()[summary.worst_bar]);
+}
+
+/// "auto: blocks (the bars close no cycle: ...)", "bfs_cycle, weighting 0.5", "blocks".
+std::string technique_line(const Technique& technique, const Framework& framework) {
+  if (technique.name == "auto") {
+    const Choice choice = choose_technique(framework, technique);
+    return fmt::format("auto: {} ({})", choice.technique.name, choice.why);
+  }
+  if (!find_technique(technique.name).has_weighting) return technique.name;
+  return fmt::format("{}, weighting {}", technique.name, technique.weighting);
+}
+
+double microseconds_per_step(const RunSummary& summary) {
+  return summary.steps > 0 ? 1e6 * summary.seconds / double(summary.steps) : 0.0;
+}
+
+/// Walkers whose start, which is no step, could not be made whole.
+std::int64_t starts_left_broken(const std::vector<RunSummary>& summaries) {
+  return std::count_if(summaries.begin(), summaries.end(),
+                       [](const RunSummary& one) { return one.first_unconverged_step == 0; });
+}
+
+/// "3 of 20 steps, the first is step 5"; "20 of 20 steps, and the start".
+std::string unconverged_text(const RunSummary& summary, std::int64_t starts) {
+  std::string text =
+      fmt::format("{} of {} steps", summary.unconverged_steps - starts, summary.steps);
+  if (starts == 0)
+    return text + fmt::format(", the first is step {}", summary.first_unconverged_step);
+  return text + (starts == 1 ? ", and the start" : fmt::format(", and {} starts", starts));
+}
+
+Json run_json(const RunSettings& settings, const Framework& framework,
+              const std::vector<RunSummary>& summaries, const std::vector<std::string>& warnings) {
+  const RunSummary summary = added_up(summaries);
+  return {{"input", settings.molecule.file},
+          {"outputs", outputs_of(settings, summaries)},
+          {"topology", settings.topology},
+          {"technique", settings.run.technique.name},
+          {"technique_used", technique_used(framework, settings.run.technique).name},
+          {"weighting", settings.run.technique.weighting},
+          {"atoms", framework.joint_count()},
+          {"bars", framework.bar_count()},
+          {"steps", summary.steps},
+          {"frames", summary.frames},
+          {"sweeps_mean", summary.mean_sweeps()},
+          {"sweeps_max", summary.max_sweeps},
+          {"projections", summary.projections},
+          {"worst_residual", summary.worst_residual},
+          {"worst_bar", worst_bar_of(framework, summary)},
+          {"worst_step", summary.worst_step},
+          {"unconverged_steps", summary.unconverged_steps},
+          {"stopped_early", summary.stopped_by_caller},
+          {"seconds", summary.seconds},
+          {"perturb_seconds", summary.perturb_seconds},
+          {"resolve_seconds", summary.resolve_seconds},
+          {"record_seconds", summary.observe_seconds},
+          {"us_per_step", microseconds_per_step(summary)},
+          {"ns_per_bar_and_sweep", summary.ns_per_bar_and_sweep()},
+          {"warnings", warnings}};
+}
+
+/// What the run owes to its force file.
+Json forces_json(const RunSettings& settings) {
+  std::vector<std::pair<std::string, Json>> taken;
+  for (const auto& [name, value] : settings.taken_from_forces) taken.emplace_back(name, value);
+  return {{"forces", Json{{"file", settings.forces},
+                          {"version", settings.force_header->version},
+                          {"taken", Json::object(taken)}}}};
+}
+
+/// "a.forces (version 3): model protein, timestep 0.01".
+std::string forces_text(const RunSettings& settings) {
+  std::string text;
+  for (const auto& [name, value] : settings.taken_from_forces)
+    text += fmt::format("{} {} {}", text.empty() ? ":" : ",", name, printable_name(value));
+  return fmt::format("{} (version {}){}", printable_name(settings.forces),
+                     settings.force_header->version, text);
+}
+
+Json served_json(const ImdSummary& served) {
+  return {{"imd_clients", served.clients},           {"imd_clients_refused", served.refused},
+          {"imd_frames_sent", served.frames_sent},   {"imd_frames_dropped", served.frames_dropped},
+          {"imd_forces_taken", served.forces_taken}, {"imd_seconds_waited", served.seconds_waited}};
+}
+
+/// What the count of frames includes; a run that goes on has its start in the file already.
+const char* with_the_start(const RunSettings& settings) {
+  if (!settings.go_on.empty()) return "";
+  return is_ensemble(settings) ? ", with the start of each walker" : ", with the start";
+}
+
+}  // namespace
+
+RunSummary added_up(const std::vector<RunSummary>& summaries) {
+  RunSummary sum = summaries.front();
+  for (std::size_t k = 1; k < summaries.size(); ++k) add(sum, summaries[k]);
+  return sum;
+}
+
+int exit_code_of(const RunSummary& summary) {
+  if (summary.stopped_by_caller) return exit_interrupted;
+  return summary.unconverged_steps > 0 ? exit_unconverged : exit_ok;
+}
+
+void print_forces(const RunSettings& settings) {
+  if (!settings.force_header || settings.quiet) return;
+  if (settings.json) return print_json(forces_json(settings));
+  fmt::print("force file      {}\n", forces_text(settings));
+}
+
+void print_run_table(const RunSettings& settings, const Framework& framework,
+                     const std::vector<RunSummary>& summaries) {
+  const RunSummary summary = added_up(summaries);
+  print_forces(settings);
+  fmt::print("technique       {}\n", technique_line(settings.run.technique, framework));
+  fmt::print("steps           {}; {} frames recorded{}\n", summary.steps, summary.frames,
+             with_the_start(settings));
+  fmt::print("sweeps per step {:.1f} on average, {} at most\n", summary.mean_sweeps(),
+             summary.max_sweeps);
+  fmt::print("worst bar       {} off by {:.2e} of its length, after step {}\n",
+             worst_bar_of(framework, summary), summary.worst_residual, summary.worst_step);
+  fmt::print("time            {:.2f} s, {:.0f} us a step; resolving {:.1f} ns a bar and sweep\n",
+             summary.seconds, microseconds_per_step(summary), summary.ns_per_bar_and_sweep());
+  if (summary.unconverged_steps > 0)
+    fmt::print("not converged   {}\n", unconverged_text(summary, starts_left_broken(summaries)));
+  if (summary.stopped_by_caller) fmt::print("stopped early; all recorded frames are complete\n");
+  if (settings.topology != "none")
+    fmt::print("topology        {}\n", printable_name(settings.topology));
+  for (const std::string& output : outputs_of(settings, summaries))
+    fmt::print("trajectory      {}\n", printable_name(output));
+}
+
+void print_served(const ImdSummary& served) {
+  fmt::print("IMD             {} clients, {} frames sent, {} dropped, {} packets of forces\n",
+             served.clients, served.frames_sent, served.frames_dropped, served.forces_taken);
+  if (served.refused > 0) fmt::print("                {} clients refused\n", served.refused);
+  if (served.seconds_waited > 0.0)
+    fmt::print("                {:.2f} s waited for clients\n", served.seconds_waited);
+}
+
+void print_run_json(const RunSettings& settings, const Framework& framework,
+                    const std::vector<RunSummary>& summaries,
+                    const std::vector<std::string>& warnings) {
+  print_json(run_json(settings, framework, summaries, warnings));
+}
+
+void print_run_json(const RunSettings& settings, const Framework& framework,
+                    const std::vector<RunSummary>& summaries,
+                    const std::vector<std::string>& warnings, const GuideEnd& end,
+                    const std::optional<ImdSummary>& served) {
+  Json json = run_json(settings, framework, summaries, warnings);
+  if (settings.force_header) json = json + forces_json(settings);
+  if (served) json = json + served_json(*served);
+  print_json(settings.guide.empty() ? json : json + end.json());
+}
+
+}  // namespace pliant::app

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: MIT
+#include "output/sample_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+#include "command.hpp"
+#include "output/json.hpp"
+#include "pliant/base/printable.hpp"
+#include "pliant/sample/conformers/torsion_moves.hpp"
+#include "pliant/sample/samplers.hpp"
+
+namespace pliant::app {
+namespace {
+
+/// What moves in conformers, by name.
+struct Conformations {
+  std::vector<std::string> rotors, rings, rigid_rings, amines, amides;
+  std::size_t loop_bodies = 0;
+  bool are_loops_drawn = true;
+};
+
+std::string names_of(const Framework& framework, const std::vector<Joint>& atoms) {
+  std::string names;
+  for (Joint atom : atoms) names += (names.empty() ? "" : " ") + framework.label(atom);
+  return names;
+}
+
+/// None of a sampler that goes along modes.
+std::optional<Conformations> conformations_of(const SampleSettings& settings,
+                                              const SampledSystem& system) {
+  if (find_sampler(settings.sample.sampler).has_amplitude) return std::nullopt;
+  const Framework& framework = system.framework;
+  const auto plan = conformer_plan(framework, system.start);
+  if (!plan) return std::nullopt;
+  const TorsionMoves moves(framework, *plan, system.start);
+  Conformations found{{}, {}, {}, {}, {}, moves.loop_bodies(), moves.bent() == nullptr};
+  for (const Rotor& rotor : moves.rotors())
+    found.rotors.push_back(framework.label(Bar{rotor.a, rotor.b}));
+  for (const FlexibleRing& ring : moves.rings()) {
+    const std::string forms = std::to_string(ring.forms.size());
+    found.rings.push_back(names_of(framework, ring.atoms) + " (" + forms + " forms)");
+  }
+  for (const std::vector<Joint>& ring : moves.rigid_rings())
+    found.rigid_rings.push_back(names_of(framework, ring));
+  for (const Amine& amine : moves.amines()) found.amines.push_back(framework.label(amine.nitrogen));
+  for (const AmideTurn& amide : moves.amides())
+    found.amides.push_back(framework.label(Bar{amide.carbon, amide.nitrogen}));
+  return found;
+}
+
+std::string listed(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+void print_conformations(const Conformations& found) {
+  fmt::print("rotors          {}{}{}\n", found.rotors.size(), found.rotors.empty() ? "" : ": ",
+             listed(found.rotors));
+  fmt::print("rings           {}{}{}\n", found.rings.size(), found.rings.empty() ? "" : ": ",
+             listed(found.rings));
+  if (!found.rigid_rings.empty())
+    fmt::print("rigid rings     {}: {}\n", found.rigid_rings.size(), listed(found.rigid_rings));
+  if (!found.amines.empty())
+    fmt::print("amines          {}: {} inverts\n", found.amines.size(), listed(found.amines));
+  if (!found.amides.empty())
+    fmt::print("amides          {}: {} cis or trans\n", found.amides.size(), listed(found.amides));
+  if (found.loop_bodies > 0)
+    fmt::print("flexible loops  of {} rigid units, {}\n", found.loop_bodies,
+               found.are_loops_drawn ? "drawn and closed" : "bent at random");
+  fmt::print("                conformers show what is possible; how often is not claimed\n");
+}
+
+void print_amplitude(const SampleSettings& settings, const SampleSummary& summary) {
+  fmt::print("amplitude       asked {:.2f} A, reached {:.2f} A: an input, not a prediction\n",
+             summary.amplitude_asked, summary.amplitude_reached);
+  fmt::print("                asked: {}\n", printable_name(settings.chosen_amplitude.reason));
+  fmt::print("                frames show what can move; how often they occur is not claimed\n");
+}
+
+std::string worst_bar_of(const SampledSystem& system, const SampleSummary& summary) {
+  const Framework& framework = system.framework;
+  return framework.bar_count() == 0 ? "" : framework.label(framework.bars()[summary.worst_bar]);
+}
+
+void print_worst(const SampledSystem& system, const SampleSummary& summary) {
+  if (system.framework.bar_count() > 0)
+    fmt::print("worst bar       {} off by {:.1e} of its length\n", worst_bar_of(system, summary),
+               summary.max_residual);
+  fmt::print("worst contact   off by {:.3f} A; worst overlap {:.3f} A\n", summary.max_limit,
+             summary.max_overlap);
+}
+
+double ms_a_frame(const SampleSummary& summary) {
+  return 1e3 * summary.cpu_seconds / double(std::max<std::int64_t>(summary.frames, 1));
+}
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0.0;
+  for (double value : values) sum += value / double(values.size());
+  return sum;
+}
+
+std::vector<Json> numbers(const std::vector<double>& values) {
+  return {values.begin(), values.end()};
+}
+
+void print_table(const SampleSettings& settings, const SampledSystem& system,
+                 const SampleSummary& summary) {
+  fmt::print("model           {}: {} atoms, {} bars, {} contacts\n", system.kind,
+             system.framework.joint_count(), system.framework.bar_count(), system.contacts);
+  const auto conformations = conformations_of(settings, system);
+  const std::string network = conformations ? "" : ", network " + settings.sample.network;
+  fmt::print("frames          {}{}, sampler {}{}, seed {}\n", summary.frames,
+             settings.go_on.empty() ? "" : " added", settings.sample.sampler, network,
+             settings.sample.seed);
+  conformations ? print_conformations(*conformations) : print_amplitude(settings, summary);
+  fmt::print("RMSF            {:.2f} A over atoms, superposed; {:.2f} A between halves of frames\n",
+             mean_of(summary.rmsf), mean_of(summary.rmsf_error));
+  fmt::print("drawn again     {} frames; {} more needed a second attempt\n", summary.redrawn,
+             std::max<std::int64_t>(0, summary.rescued - summary.redrawn));
+  print_worst(system, summary);
+  fmt::print("time            {:.2f} s; {:.2f} ms of one core per frame\n", summary.seconds,
+             ms_a_frame(summary));
+  if (summary.failed > 0)
+    fmt::print("not resolved    {} frames, which are left out\n", summary.failed);
+  if (summary.stopped_by_caller) fmt::print("stopped early; all recorded frames are complete\n");
+  if (settings.topology != "none")
+    fmt::print("topology        {}\n", printable_name(settings.topology));
+  fmt::print("trajectory      {}\n", printable_name(settings.output));
+}
+
+void print_json_of(const SampleSettings& settings, const SampledSystem& system,
+                   const SampleSummary& summary, const std::vector<std::string>& warnings) {
+  const Conformations moving = conformations_of(settings, system).value_or(Conformations{});
+  const Json json{{"input", settings.molecule.file},
+                  {"output", settings.output},
+                  {"topology", settings.topology},
+                  {"model", system.kind},
+                  {"atoms", system.framework.joint_count()},
+                  {"bars", system.framework.bar_count()},
+                  {"contacts", system.contacts},
+                  {"sampler", settings.sample.sampler},
+                  {"network", settings.sample.network},
+                  {"frames", summary.frames},
+                  {"amplitude_asked", summary.amplitude_asked},
+                  {"amplitude_reached", summary.amplitude_reached},
+                  {"amplitude_is_input", true},
+                  {"amplitude_from", settings.chosen_amplitude.source},
+                  {"amplitude_reason", settings.chosen_amplitude.reason},
+                  {"rotors", moving.rotors},
+                  {"rings", moving.rings},
+                  {"rigid_rings", moving.rigid_rings},
+                  {"amines", moving.amines},
+                  {"amides", moving.amides},
+                  {"loop_units", moving.loop_bodies},
+                  {"redrawn", summary.redrawn},
+                  {"rescued", summary.rescued},
+                  {"failed", summary.failed},
+                  {"worst_residual", summary.max_residual},
+                  {"worst_bar", worst_bar_of(system, summary)},
+                  {"worst_limit", summary.max_limit},
+                  {"worst_overlap", summary.max_overlap},
+                  {"worst_closing", summary.max_closing},
+                  {"off_target", summary.mean_off_target},
+                  {"steps_mean", summary.mean_steps},
+                  {"rmsf", Json::array(numbers(summary.rmsf))},
+                  {"rmsf_error", Json::array(numbers(summary.rmsf_error))},
+                  {"stopped_early", summary.stopped_by_caller},
+                  {"seconds", summary.seconds},
+                  {"cpu_ms_per_frame", ms_a_frame(summary)},
+                  {"told", system.told},
+                  {"missing", system.missing},
+                  {"warnings", warnings}};
+  print_json(json);
+}
+
+}  // namespace
+
+void print_sample(const SampleSettings& settings, const SampledSystem& system,
+                  const SampleSummary& summary, const std::vector<std::string>& warnings) {
+  if (settings.json) {
+    print_json_of(settings, system, summary, warnings);
+  } else if (!settings.quiet) {
+    print_table(settings, system, summary);
+  }
+}
+
+int exit_code_of(const SampleSummary& summary) {
+  if (summary.stopped_by_caller) return exit_interrupted;
+  return summary.failed > 0 ? exit_unconverged : exit_ok;
+}
+
+}  // namespace pliant::app

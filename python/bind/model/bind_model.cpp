@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: MIT
+// Models of molecules: preparation, contacts, and the framework that they make.
+#include "arrays.hpp"
+#include "messages.hpp"
+#include "model/molecular_contacts.hpp"
+#include "molecule/structure.hpp"
+#include "pliant/base/choices.hpp"
+#include "pliant/model/model.hpp"
+#include "tables.hpp"
+
+namespace pliant::python {
+namespace {
+
+PrepareOptions prepare_options(bool keep_waters, std::vector<std::string> protonate,
+                               double floppy_below, bool fill_side_chains, bool all_hydrogens) {
+  PrepareOptions options;
+  options.all_hydrogens = all_hydrogens;
+  options.fill_side_chains = fill_side_chains;
+  options.keep_waters = keep_waters;
+  options.protonate = std::move(protonate);
+  options.floppy_below = floppy_below;
+  options.log = python_log();
+  return options;
+}
+
+Preparation prepare_structure(const Structure& structure, bool keep_waters, bool add_hydrogens,
+                              std::vector<std::string> protonate, double floppy_below,
+                              bool fill_side_chains, bool all_hydrogens) {
+  PrepareOptions options = prepare_options(keep_waters, std::move(protonate), floppy_below,
+                                           fill_side_chains, all_hydrogens);
+  options.add_hydrogens = add_hydrogens;
+  const nb::gil_scoped_release no_gil;
+  return prepare(structure, options);
+}
+
+nb::object contacts_of(const Structure& structure, double hbond_cutoff) {
+  ModelOptions options;
+  options.hydrogen_bonds.cutoff = hbond_cutoff;
+  return contacts_to_python(find_contacts(structure, options));
+}
+
+MolecularModel model_of(const Structure& structure, const std::string& model, bool keep_waters,
+                        std::vector<std::string> protonate, double floppy_below,
+                        double hbond_cutoff, const nb::object& contacts, const std::string& pin,
+                        bool fill_side_chains, bool all_hydrogens, bool free_torsions) {
+  ModelOptions options;
+  options.kind = choose(models(), "model", model).kind;
+  options.prepare = prepare_options(keep_waters, std::move(protonate), floppy_below,
+                                    fill_side_chains, all_hydrogens);
+  options.hydrogen_bonds.cutoff = hbond_cutoff;
+  options.pin = pin;
+  options.torsions = !free_torsions;
+  options.log = python_log();
+  if (!contacts.is_none()) options.contacts = contacts_from(contacts);
+  const nb::gil_scoped_release no_gil;
+  return build_model(structure, options);
+}
+
+std::vector<std::int64_t> origins_of(const Preparation& self) {
+  std::vector<std::int64_t> origins;
+  for (std::uint32_t atom : self.origin)
+    origins.push_back(atom == no_atom ? -1 : std::int64_t{atom});
+  return origins;
+}
+
+constexpr const char* prepare_doc =
+    R"(Makes a structure ready for a model: waters out, polar hydrogens in.
+
+Parameters
+----------
+structure : Structure
+    With its bonds, as ``read`` gives it.
+keep_waters : bool
+add_hydrogens : bool
+    Place polar hydrogens (on N, O, S) by rule where a residue has none.
+protonate : sequence of str
+    Forms of residues, as ``"HIS57:HID"`` or ``"A:ASP25:ASH"``; else as hydrogens, names or a table
+    for pH 7 say.
+floppy_below : float
+    Residues whose B factor (a confidence, pLDDT) is below are floppy; 0: none.
+fill_side_chains : bool
+    Build missing atoms of side chains by ideal geometry and the usual torsions that run least into
+    other atoms. A guess, which ``missing`` names.
+all_hydrogens : bool
+    Place hydrogens on carbon by rule as well (ideal angles, methyls staggered), where a carbon of an
+    amino acid, cap or nucleotide has none.
+
+Raises
+------
+InputError
+    Nothing but waters or CA atoms.
+OptionError
+    A form that there is not, or of no residue.
+)";
+
+constexpr const char* contacts_doc =
+    R"(Hydrogen bonds, salt bridges, hydrophobic tethers and metals of a structure as it stands.
+
+Parameters
+----------
+structure : Structure
+    With its bonds and polar hydrogens: that of ``prepare``.
+hbond_cutoff : float
+    kcal/mol: hydrogen bonds of no lower energy are left out.
+
+Returns
+-------
+(C,) array with fields
+    kind ("hydrogen_bond", "salt_bridge", "hydrophobic", "metal"); a, b (donor and acceptor, or two
+    atoms); hydrogen, base (-1: none); energy (kcal/mol); distance, least, most (a..b), hydrogen_most
+    (H..acceptor), base_least, base_most (H..base), Angstrom.
+)";
+
+constexpr const char* build_doc =
+    R"(The model of a molecule: structure, bars, limits and sterics.
+
+Parameters
+----------
+structure : Structure
+    With its bonds, as ``read`` gives it.
+model : str
+    A name in ``models()``: ``bonds``, ``angles``, ``molecule`` or ``protein``.
+keep_waters, protonate, floppy_below
+    As in ``prepare``.
+hbond_cutoff : float
+    As in ``contacts``.
+contacts : array, optional
+    Rows as ``contacts`` gives them, atoms of the prepared structure, in place of those found.
+pin : str
+    Selection of atoms that never move.
+fill_side_chains, all_hydrogens : bool
+    As in ``prepare``.
+free_torsions : bool
+    When it is sampled, do not pull side chains towards staggered torsions (the rotamers of Lovell
+    et al., Proteins 40 (2000) 389), nor phi and psi back to the usual regions of the Ramachandran
+    plot.
+
+Raises
+------
+InputError, OptionError
+    As ``prepare`` and ``Structure.framework`` do.
+)";
+
+void bind_preparation(nb::module_& module) {
+  nb::class_<Preparation>(module, "Preparation", "A structure made ready, and what was done to it.")
+      .def_ro("structure", &Preparation::structure, "The structure made ready.")
+      .def_prop_ro(
+          "origin", [](const Preparation& self) { return array_of(origins_of(self)); },
+          nb::rv_policy::reference,
+          "(N,) int64: the atom of the structure before that each atom is; -1: placed by rule.")
+      .def_prop_ro(
+          "floppy", [](const Preparation& self) { return mask_of(self.floppy); },
+          nb::rv_policy::reference, "(R,) bool: residues without contacts; empty: none are.")
+      .def_ro("steps", &Preparation::steps, "What was done, line by line.")
+      .def_ro("missing", &Preparation::missing, "What the structure lacks, line by line.");
+  module.def("prepare", &prepare_structure, "structure"_a, nb::kw_only(), "keep_waters"_a = false,
+             "add_hydrogens"_a = true, "protonate"_a = std::vector<std::string>{},
+             "floppy_below"_a = 0.0, "fill_side_chains"_a = false, "all_hydrogens"_a = false,
+             prepare_doc);
+}
+
+void bind_built_model(nb::module_& module) {
+  bind_row<ModelEntry>(module, "ModelEntry", "One row of the table of models.")
+      .def_ro("is_prepared", &ModelEntry::is_prepared, "Whether the structure is prepared first.")
+      .def_ro("has_sterics", &ModelEntry::has_sterics, "Whether atoms keep their distance.")
+      .def_ro("has_contacts", &ModelEntry::has_contacts, "Whether contacts hold.");
+  module.def(
+      "models", [] { return rows_of(models()); }, nb::rv_policy::reference,
+      "The table of models that ``build_model`` knows.");
+  nb::class_<MolecularModel>(module, "MolecularModel", "A molecule and what holds it.")
+      .def_prop_ro(
+          "kind", [](const MolecularModel& self) { return std::string(entry(self.kind).name); },
+          "Name of the row of ``models()``.")
+      .def_ro("structure", &MolecularModel::structure, "The structure made ready.")
+      .def_ro("framework", &MolecularModel::framework,
+              "Bars, limits (group k is contact k) and sterics.")
+      .def_prop_ro(
+          "positions",
+          [](nb::handle_t<MolecularModel> self) {
+            return view_of(nb::cast<MolecularModel&>(self).positions, self);
+          },
+          "(N, 3) float64 view, Angstrom: the start.")
+      .def_prop_ro(
+          "contacts", [](const MolecularModel& self) { return contacts_to_python(self.contacts); },
+          nb::sig("def contacts(self) -> numpy.typing.NDArray[numpy.void]"),
+          "(C,) what holds it besides bars and sterics, as ``contacts`` gives it.")
+      .def_ro("told", &MolecularModel::told, "What was done and found, line by line.")
+      .def_ro("missing", &MolecularModel::missing, "What the file lacks, line by line.");
+}
+
+}  // namespace
+
+void bind_model(nb::module_& module) {
+  const ModelOptions usual;
+  bind_preparation(module);
+  bind_built_model(module);
+  module.def("contacts", &contacts_of, "structure"_a, nb::kw_only(),
+             "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
+             nb::sig("def contacts(structure: Structure, *, hbond_cutoff: float = -1.0) -> "
+                     "numpy.typing.NDArray[numpy.void]"),
+             contacts_doc);
+  module.def("build_model", &model_of, "structure"_a, "model"_a = "protein", nb::kw_only(),
+             "keep_waters"_a = false, "protonate"_a = std::vector<std::string>{},
+             "floppy_below"_a = 0.0, "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
+             "contacts"_a = nb::none(), "pin"_a = "", "fill_side_chains"_a = false,
+             "all_hydrogens"_a = false, "free_torsions"_a = false,
+             nb::sig("def build_model(structure: Structure, model: str = \"protein\", *, "
+                     "keep_waters: bool = False, protonate: collections.abc.Sequence[str] = (), "
+                     "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
+                     "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
+                     "fill_side_chains: bool = False, all_hydrogens: bool = False, "
+                     "free_torsions: bool = False) -> MolecularModel"),
+             build_doc);
+}
+
+}  // namespace pliant::python

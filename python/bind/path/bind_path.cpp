@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: MIT
+// Paths between two structures of a molecule: what is matched, the walk, and what is told of it.
+#include "pliant/path/path.hpp"
+
+#include <nanobind/stl/shared_ptr.h>
+
+#include <atomic>
+
+#include "arrays.hpp"
+#include "interrupt.hpp"
+#include "locked.hpp"
+#include "messages.hpp"
+#include "path/trace.hpp"
+#include "pliant/base/number.hpp"
+
+namespace pliant::python {
+namespace {
+
+/// A walk that Ctrl-C stops.
+class PythonPathWalk {
+ public:
+  PythonPathWalk(std::shared_ptr<PathEnds> ends, PathOptions options)
+      : ends_(std::move(ends)), walk_(ends_, watched(std::move(options))) {}
+
+  bool advance() {
+    const Use use(in_use_);
+    watch_ = InterruptWatch();
+    bool goes_on = false;
+    {
+      const nb::gil_scoped_release no_gil;
+      goes_on = walk_.advance();
+    }
+    if (watch_.raised()) std::rethrow_exception(watch_.raised());
+    return goes_on;
+  }
+
+  /// Looks at the walk while no step is under way. Gives up the GIL.
+  template <class Look>
+  auto look(Look&& at) {
+    const Use use(in_use_);
+    const nb::gil_scoped_release no_gil;
+    return at(walk_);
+  }
+
+  const std::shared_ptr<PathEnds>& ends() const { return ends_; }
+
+ private:
+  /// One call at a time.
+  class Use {
+   public:
+    explicit Use(std::atomic<bool>& in_use) : in_use_(in_use) {
+      if (in_use_.exchange(true)) throw std::runtime_error("PathWalk: a step is under way");
+    }
+    ~Use() { in_use_ = false; }
+    Use(const Use&) = delete;
+    Use& operator=(const Use&) = delete;
+
+   private:
+    std::atomic<bool>& in_use_;
+  };
+
+  PathOptions watched(PathOptions options) {
+    options.should_stop = [this] { return watch_(); };
+    return options;
+  }
+
+  std::shared_ptr<PathEnds> ends_;
+  InterruptWatch watch_;
+  std::atomic<bool> in_use_{false};
+  PathWalk walk_;
+};
+
+void make_options(PathOptions* self, const std::string& atoms, double step, bool both,
+                  std::int64_t backtrack, std::uint64_t seed) {
+  PathOptions options;
+  options.atoms = find_path_atoms(atoms);
+  options.step = step;
+  options.both = both;
+  options.backtrack = backtrack;
+  options.seed = seed;
+  check(options);
+  new (self) PathOptions(std::move(options));
+}
+
+std::shared_ptr<PathEnds> matched(const Structure& start, const Structure& end,
+                                  PathOptions options) {
+  options.log = python_log();
+  const nb::gil_scoped_release no_gil;
+  return std::make_shared<PathEnds>(match_ends(start, end, options));
+}
+
+/// (F, N, 3) of the frames from one on.
+nb::ndarray<nb::numpy, double, nb::ndim<3>> positions_of(PythonPathWalk& self, std::size_t first) {
+  auto kept = std::make_unique<std::vector<Vec3>>();
+  const std::size_t joints = self.ends()->start.model.positions.size();
+  const std::size_t count = self.look([&](const PathWalk& walk) {
+    for (std::size_t k = first; k < walk.frame_count(); ++k) {
+      const auto positions = walk.frame(k).positions;
+      kept->insert(kept->end(), positions.begin(), positions.end());
+    }
+    return walk.frame_count() - std::min(first, walk.frame_count());
+  });
+  const std::vector<Vec3>* all = kept.release();
+  nb::capsule owner(all, [](void* p) noexcept { delete static_cast<std::vector<Vec3>*>(p); });
+  return {const_cast<Vec3*>(all->data()), {count, joints, 3}, owner};
+}
+
+void record_walk(PythonPathWalk& self, LockedRecorder& recorder) {
+  self.look([&](const PathWalk& walk) {
+    recorder.use([&](H5mdRecorder& file) {
+      for (std::size_t k = 0; k < walk.frame_count(); ++k) file.record(walk.frame(k));
+    });
+  });
+}
+
+constexpr const char* options_doc =
+    R"(What a path is asked for.
+
+Parameters
+----------
+atoms : str
+    Which are asked to arrive: ``CA`` (P of nucleotides) or ``heavy``, those of matched residues that
+    have the same name.
+step : float
+    r.m.s. distance of a step, Angstrom, above 0, at most 2.
+both : bool
+    Both structures go towards each other first.
+backtrack : int
+    How often to go back and try a detour where the path is stuck, 0 to 1000.
+seed : int
+    Of the detours.
+
+Raises
+------
+OptionError
+    One is out of range.
+)";
+
+void bind_options(nb::module_& module) {
+  const PathOptions usual;
+  nb::class_<PathOptions>(module, "PathOptions", options_doc)
+      .def("__init__", &make_options, nb::kw_only(), "atoms"_a = "CA", "step"_a = usual.step,
+           "both"_a = usual.both, "backtrack"_a = usual.backtrack, "seed"_a = usual.seed)
+      .def_prop_ro(
+          "atoms", [](const PathOptions& self) { return std::string(name(self.atoms)); },
+          "``CA`` or ``heavy``.")
+      .def_prop_ro(
+          "arrived_within", [](const PathOptions& self) { return arrived_within(self.atoms); },
+          "r.m.s. distance at which the end is reached, Angstrom.")
+      .def_ro("step", &PathOptions::step, "Angstrom.")
+      .def_ro("both", &PathOptions::both, "Whether both structures move.")
+      .def_ro("backtrack", &PathOptions::backtrack, "How often to go back.")
+      .def_ro("seed", &PathOptions::seed, "Of the detours.");
+}
+
+constexpr const char* ends_doc =
+    R"(Two structures of one molecule, matched: residues, atoms and contacts that both have.
+
+Residues are matched as ``match_residues`` does, ligands and metals by chain, number and name. Models
+are those of ``build_model``, with the contacts that both structures have; contacts of what is not
+matched are let go, and counted for neither.
+
+Parameters
+----------
+start, end : Structure
+    With their bonds, as ``read`` gives them.
+options : PathOptions
+
+Raises
+------
+InputError
+    They do not match, or have no residues of proteins or nucleic acids.
+)";
+
+void bind_ends(nb::module_& module) {
+  nb::class_<PathEnds>(module, "PathEnds", ends_doc)
+      .def(nb::new_(&matched), "start"_a, "end"_a, "options"_a = PathOptions())
+      .def_prop_ro(
+          "model", [](const PathEnds& self) -> const MolecularModel& { return self.start.model; },
+          nb::rv_policy::reference_internal,
+          "MolecularModel of the start, with the contacts that both have.")
+      .def_prop_ro(
+          "asked", [](const PathEnds& self) { return array_of(self.start.asked); },
+          nb::rv_policy::reference, "(K,) uint32: atoms of the model that are asked to arrive.")
+      .def_prop_ro(
+          "goal", [](const PathEnds& self) { return new_positions(self.goal); },
+          nb::rv_policy::reference, "(K, 3) float64: where the end has them, Angstrom.")
+      .def_ro("matched", &PathEnds::matched, "Residues.")
+      .def_prop_ro(
+          "only_start", [](const PathEnds& self) { return self.to_lose.size(); },
+          "Contacts that only the start has.")
+      .def_ro("only_end", &PathEnds::end_contacts, "Contacts that only the end has.")
+      .def_ro("source_of_end", &PathEnds::source_of_end, "Its file.")
+      .def_ro("notes", &PathEnds::notes, "How residues were matched, line by line.");
+}
+
+constexpr const char* walk_doc =
+    R"(A path as it is found, step by step.
+
+At each step the end is superposed on the molecule, whose residues are asked to go towards it by a
+fixed r.m.s. distance; technique ``froda`` then makes bars whole, keeps atoms apart and holds the
+contacts that both structures have (targeting: S. Wells et al., Phys. Biol. 2 (2005) S127; D. W.
+Farrell, K. Speranskiy, M. F. Thorpe, Proteins 78 (2010) 2908). The same ends, options and seed give
+the same bits. Two calls at once raise RuntimeError.
+
+Parameters
+----------
+ends : PathEnds
+    Matched with the same options.
+options : PathOptions
+)";
+
+template <class Result>
+auto looking(Result (PathWalk::*at)() const) {
+  return [at](PythonPathWalk& self) {
+    return self.look([&](const PathWalk& walk) { return (walk.*at)(); });
+  };
+}
+
+void bind_walk(nb::module_& module) {
+  nb::class_<PythonPathWalk>(module, "PathWalk", walk_doc)
+      .def(nb::init<std::shared_ptr<PathEnds>, PathOptions>(), "ends"_a,
+           "options"_a = PathOptions())
+      .def(
+          "advance", &PythonPathWalk::advance,
+          "One step at most, of either molecule. False once the walk has ended. Releases the GIL;\n"
+          "Ctrl-C takes the step back.")
+      .def_prop_ro("is_over", looking(&PathWalk::is_over), "Whether it has ended.")
+      .def_prop_ro("left", looking(&PathWalk::left),
+                   "How far the last frame is from the end, Angstrom.")
+      .def_prop_ro("attempts", looking(&PathWalk::attempts), "How often it went back.")
+      .def_prop_ro("notes", looking(&PathWalk::notes),
+                   "How residues were matched, where the ends met, why it ended.")
+      .def("__len__", looking(&PathWalk::frame_count))
+      .def("positions", &positions_of, "first"_a = 0, nb::rv_policy::reference,
+           "(F, N, 3) float64: frames of the start on the best way so far, from one on, Angstrom.")
+      .def(
+          "table",
+          [](PythonPathWalk& self) {
+            return self.look([&](const PathWalk& walk) { return table_of(walk); });
+          },
+          "What is told of these frames: PathFrame of each.")
+      .def("record", &record_walk, "recorder"_a, "Writes these frames to an H5mdRecorder.");
+}
+
+void bind_table(nb::module_& module) {
+  nb::class_<PathFrame>(module, "PathFrame", "One step of a path.")
+      .def("__repr__",
+           [](const PathFrame& self) {
+             return "<pliant.PathFrame " + std::to_string(self.step) + ": " +
+                    number_text(self.to_end, 3) + " Angstrom from the end>";
+           })
+      .def_ro("step", &PathFrame::step, "From 0.")
+      .def_ro("to_end", &PathFrame::to_end,
+              "r.m.s. distance of the matched atoms from the end, superposed, Angstrom.")
+      .def_ro("from_start", &PathFrame::from_start, "The same from the start.")
+      .def_ro("lost", &PathFrame::lost,
+              "Contacts that only the start has, and that are broken here.")
+      .def_ro("made", &PathFrame::made, "Contacts that only the end has, and that are there.")
+      .def_ro("max_residual", &PathFrame::max_residual, "Worst bar, share of its length.")
+      .def_ro("held_off", &PathFrame::held_off,
+              "Furthest that a contact that both have is outside its interval, Angstrom.")
+      .def_ro("overlap", &PathFrame::overlap,
+              "How much nearer than allowed two atoms are at most, Angstrom.")
+      .def_ro("tightest", &PathFrame::tightest,
+              "These two: \"A:LYS12 NZ - A:ASP54 OD1\"; empty where none are.");
+  nb::class_<TightPlace>(module, "TightPlace",
+                         "Two atoms too near each other, more than any others in some frames.")
+      .def("__repr__",
+           [](const TightPlace& self) {
+             return "<pliant.TightPlace " + self.atoms + ": " + number_text(self.overlap, 3) +
+                    " Angstrom>";
+           })
+      .def_ro("atoms", &TightPlace::atoms, "\"A:LYS12 NZ - A:ASP54 OD1\".")
+      .def_ro("overlap", &TightPlace::overlap, "How much nearer than allowed, at most, Angstrom.")
+      .def_ro("step", &TightPlace::step, "Where that is.")
+      .def_ro("frames", &TightPlace::frames, "Of which these two are the tightest.");
+  module.def(
+      "tight_places",
+      [](const std::vector<PathFrame>& frames, std::size_t count) {
+        return tight_places(frames, count);
+      },
+      "frames"_a, "count"_a = 3,
+      "Pairs of atoms that are the tightest of a frame, the most overlapping first; ``count`` at\n"
+      "most.");
+}
+
+}  // namespace
+
+void bind_path(nb::module_& module) {
+  bind_trace(module);
+  bind_options(module);
+  bind_ends(module);
+  bind_table(module);
+  bind_walk(module);
+}
+
+}  // namespace pliant::python

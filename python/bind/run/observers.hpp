@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// Observers as Python gives them: recorders, and whatever can be called with a frame.
+#pragma once
+
+#include "framework/frame.hpp"
+#include "locked.hpp"
+#include "pliant/run/run.hpp"
+
+namespace pliant::python {
+
+/// What a run did, and the state that it ended in.
+struct OwnedRunSummary : RunSummary {
+  nb::object state;
+};
+
+/// Whether a Python observer's answer asks to stop: if it is anything true. Needs the GIL.
+inline bool is_true(const nb::object& answer) {
+  if (answer.is_none()) return false;
+  const int truth = PyObject_IsTrue(answer.ptr());
+  if (truth < 0) throw nb::python_error();
+  return truth == 1;
+}
+
+/// Observes with a recorder, which needs no GIL.
+inline Observer recorder_observer(nb::handle object) {
+  LockedRecorder& shared = nb::cast<LockedRecorder&>(object);
+  return [&shared](const Frame& frame) {
+    shared.use([&](H5mdRecorder& recorder) { recorder.record(frame); });
+    return false;
+  };
+}
+
+/// Any observer, of frames that belong to `state`. Both must outlive it.
+inline Observer observer_of(nb::handle object, nb::handle state) {
+  if (nb::isinstance<LockedRecorder>(object)) return recorder_observer(object);
+  return [object, state](const Frame& frame) {
+    const nb::gil_scoped_acquire gil;
+    return is_true(object(OwnedFrame{frame, nb::borrow(state)}));
+  };
+}
+
+}  // namespace pliant::python

@@ -1,0 +1,181 @@
+# SPDX-License-Identifier: MIT
+"""The report page: one HTML file with everything in it, which asks no network for anything."""
+
+from __future__ import annotations
+
+import base64
+from collections.abc import Mapping, Sequence
+from html import escape
+from importlib import metadata
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pliant._core import techniques
+from pliant.analyse.figures.style import WIDE
+from pliant.analyse.found import ENSEMBLE
+from pliant.analyse.page.html import (
+    disclosure,
+    fact,
+    licence_of_viewer,
+    scripts,
+    sentence,
+    table,
+    template,
+    text_of,
+    version,
+    viewer,
+    viewer_script,
+)
+from pliant.analyse.page.methods import METHODS
+from pliant.analyse.page.page_tables import facts, tables, title
+from pliant.analyse.page.scene import scene
+from pliant.analyse.page.sections import SECTIONS
+from pliant.analyse.verdicts import verdicts, whole
+
+if TYPE_CHECKING:
+    from pliant.analyse.bar_verdict import Verdict
+    from pliant.analyse.figures import FigureKind
+    from pliant.analyse.study import Study
+
+
+MARKS = {"good": "✓", "mixed": "!", "bad": "✕", "open": "–"}
+
+
+def write_page(
+    study: Study,
+    figures: Sequence[tuple[FigureKind, Path]],
+    files: Sequence[Path],
+    path: Path,
+    dpi: int,
+) -> None:
+    """Writes the page. figures: [(FigureKind, PNG path)]; files: outputs to link to."""
+    text = page(study, figures, files, dpi)
+    Path(path).write_text(text, encoding="utf-8")
+
+
+def page(
+    study: Study, figures: Sequence[tuple[FigureKind, Path]], files: Sequence[Path], dpi: int
+) -> str:
+    """The page as text."""
+    javascript = viewer_script()
+    shown = scene(study) if javascript else None
+    return template("page.html").substitute(
+        generator=escape(f"pliant {version()}"),
+        title=escape(title(study)),
+        subtitle=escape(_subtitle(study)),
+        style=text_of("page.css"),
+        eyebrow="pliant analyse",
+        lead=_lead(study),
+        viewer=viewer(shown is not None),
+        facts="\n".join(fact(*row) for row in facts(study)),
+        notes=_notes(study, shown),
+        sections=_sections(study, figures, dpi),
+        details=_details(study, files),
+        footer=escape(f"pliant {version()} · MDAnalysis {metadata.version('MDAnalysis')}"),
+        scripts=scripts(javascript, shown) if shown else "",
+    )
+
+
+def _subtitle(study: Study) -> str:
+    parts = [f"{len(study.universe.atoms):,} atoms"]
+    if study.residuals is not None:
+        parts.append(f"{len(study.residuals.bars):,} bars")
+    parts.append(f"{len(study.frames):,} frames")
+    if study.steps is not None and study.kind != ENSEMBLE:
+        parts.append(f"steps {study.steps[0]:,} to {study.steps[-1]:,}")
+    run = study.record.parameters if study.record else {}
+    if "run/technique" in run:
+        parts.append(_technique(run))
+    parts.append(Path(study.options.path).name)
+    return " · ".join(parts)
+
+
+def _technique(run: Mapping[str, Any]) -> str:
+    """What a run was resolved with, from its parameters."""
+    used = run.get("run/technique_used", run["run/technique"])
+    weighted = any(row.name == used and row.has_weighting for row in techniques())
+    return f"{used}, weighting {run.get('run/weighting', '?')}" if weighted else used
+
+
+def _lead(study: Study) -> str:
+    """The verdict over all, and one line a question."""
+    judged = whole(study)
+    return (
+        f'<section class="verdict card {judged.kind}">\n'
+        f'<div class="mark" aria-hidden="true">{MARKS[judged.kind]}</div>\n'
+        f"<p><strong>{escape(judged.sentence)}</strong><span>{escape(judged.details)}</span></p>\n"
+        f'</section>\n<section class="verdicts card">\n{_verdicts(study)}\n</section>'
+    )
+
+
+def _verdicts(study: Study) -> str:
+    """One line a question; none is green while another has failed."""
+    made = verdicts(study).values()
+    failed = any(one.kind == "bad" for one in made)
+    return "\n".join(_verdict(one, failed) for one in made)
+
+
+def _verdict(one: Verdict, failed: bool) -> str:
+    colour = "open" if failed and one.kind == "good" else one.kind
+    return (
+        f'<div class="one {colour}"><div class="mark" aria-hidden="true">{MARKS[one.kind]}</div>'
+        f"<p><b>{escape(one.sentence)}</b> <span>{escape(one.details)}</span></p></div>"
+    )
+
+
+def _sections(study: Study, figures: Sequence[tuple[FigureKind, Path]], dpi: int) -> str:
+    """Each section that has anything: its heading, figures and tables."""
+    parts = []
+    numbers = tables(study)
+    for section in SECTIONS:
+        drawn = [_figure(study, kind, png, dpi) for kind, png in figures if kind.section == section]
+        told = [
+            table(one.headers, one.rows, one.caption) for one in numbers if one.section == section
+        ]
+        if drawn or told:
+            content = "\n".join(drawn + told)
+            parts.append(f'<h2>{section}</h2>\n<section class="figures">{content}</section>')
+    return "\n".join(parts)
+
+
+def _figure(study: Study, kind: FigureKind, png: Path, dpi: int) -> str:
+    caption = kind.caption(study)
+    content = Path(png).read_bytes()
+    width, height = (int.from_bytes(content[k : k + 4], "big") for k in (16, 20))  # of the PNG
+    tall = ' class="card tall"' if height > 0.9 * width else ' class="card"'
+    style = f"max-width:{min(100, 100 * width / dpi / WIDE[0]):.0f}%"
+    data = base64.b64encode(content).decode("ascii")
+    return (
+        f'<figure{tall}><img alt="{escape(caption)}" style="{style}" '
+        f'src="data:image/png;base64,{data}">'
+        f"<figcaption>{escape(caption)}</figcaption></figure>"
+    )
+
+
+def _notes(study: Study, shown: Mapping[str, Any] | None) -> str:
+    notes = [*study.notes]
+    notes += [f"No {name}: {why}." for name, why in study.skipped.items()]
+    if shown and shown["notes"]:
+        notes.append(f"To stay small, the 3-D view shows {' and '.join(shown['notes'])}.")
+    if not notes:
+        return ""
+    items = "".join(f"<li>{escape(sentence(note))}</li>" for note in notes)
+    return f'<h2>Please note</h2><section class="notes card"><ul>{items}</ul></section>'
+
+
+def _details(study: Study, files: Sequence[Path]) -> str:
+    parts = [
+        disclosure(
+            "Methods", "".join(f"<p><b>{escape(a)}.</b> {escape(b)}</p>" for a, b in METHODS)
+        )
+    ]
+    if study.record and study.record.parameters:
+        rows = [
+            (name, f"{value:g}" if isinstance(value, float) else str(value))
+            for name, value in sorted(study.record.parameters.items())
+        ]
+        parts.append(disclosure("Options of the run", table(("option", "value"), rows)))
+    links = "".join(f'<li><a href="{escape(f.name)}">{escape(f.name)}</a></li>' for f in files)
+    parts.append(disclosure("Files beside this page", f"<ul>{links}</ul>"))
+    parts.append(licence_of_viewer())
+    return "\n".join(parts)

@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""What ``pliant rigidity`` found, as a page."""

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+// Whether positions can carry a framework at all: finite, and not so far from the origin that the
+// spacing of doubles there swallows the bars.
+#pragma once
+
+#include <span>
+
+#include "pliant/base/log.hpp"
+#include "pliant/framework/measures/residual.hpp"
+
+namespace pliant {
+
+/// Throws InputError if there are not N positions, if one is not finite or beyond 1e150 Angstrom,
+/// or if the spacing of doubles there is no smaller than the shortest bar. Warns if the spacing
+/// alone exceeds the tolerance of the shortest bar, so that it cannot be met.
+void check_positions(const Framework& framework, std::span<const Vec3> positions,
+                     const Tolerance& tolerance, const Log& log);
+
+}  // namespace pliant

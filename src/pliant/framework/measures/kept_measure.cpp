@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/framework/measures/kept_measure.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pliant {
+
+KeptMeasure::KeptMeasure(const Framework& framework, const Tolerance& tolerance)
+    : framework_(framework), tolerance_(tolerance), squares_(framework.bar_count()) {
+  bars_.assign(framework.bars());
+  limits_.assign(std::span<const Limit>(framework.limits()));
+  bar_parts_.resize(bars_.size());
+  limit_parts_.resize(limits_.size());
+  sums_.assign(bars_.size() + 1, 0.0);
+  if (framework.sterics() != nullptr) contacts_ = std::make_unique<Contacts>(framework);
+}
+
+ResidualSummary KeptMeasure::measure(std::span<const Vec3> positions, LimitsOff off) {
+  ResidualSummary summary = measure_bars_and_limits(positions, off);
+  if (!summary.finite || !contacts_) return summary;
+  if (!renew_overlaps(positions)) {
+    summary.finite = summary.within = false;
+    return summary;
+  }
+  take_overlaps(summary);
+  return summary;
+}
+
+ResidualSummary KeptMeasure::measure_bars_and_limits(std::span<const Vec3> positions,
+                                                     LimitsOff off) {
+  look(positions);
+  renew_bars(positions);
+  renew_limits(positions, off);
+  ResidualSummary summary;
+  // What is not finite is rare: measure() stops at the first, and says which.
+  if (!take_bars(summary) || !take_limits(summary))
+    return pliant::measure(framework_, positions, tolerance_, off, contacts_.get());
+  if (framework_.bar_count() > 0)
+    summary.rms_relative = std::min(std::sqrt(sum_of_squares() / double(framework_.bar_count())),
+                                    summary.max_relative);
+  return summary;
+}
+
+void KeptMeasure::look(std::span<const Vec3> positions) {
+  if (!moved_.look(positions)) return;
+  has_moved_ = true;
+  bars_.note(moved_);
+  limits_.note(moved_);
+  overlaps_.note(moved_);
+}
+
+void KeptMeasure::renew_bars(std::span<const Vec3> positions) {
+  bars_.look_at_stale([&](std::size_t block) {
+    bar_parts_[block] = part_of_bars(positions, block);
+    right_sums_ = std::min(right_sums_, block);
+    visits_ += static_cast<std::int64_t>(bars_.last(block) - bars_.first(block));
+  });
+}
+
+void KeptMeasure::renew_limits(std::span<const Vec3> positions, LimitsOff off) {
+  if (!std::equal(off.begin(), off.end(), off_.begin(), off_.end())) {
+    off_.assign(off.begin(), off.end());
+    limits_.make_all_stale();
+  }
+  limits_.look_at_stale([&](std::size_t block) {
+    limit_parts_[block] = part_of_limits(positions, block);
+    visits_ += static_cast<std::int64_t>(limits_.last(block) - limits_.first(block));
+  });
+}
+
+/// False if positions cannot be listed.
+bool KeptMeasure::renew_overlaps(std::span<const Vec3> positions) {
+  if (has_moved_ && !contacts_->update(positions)) return false;
+  has_moved_ = false;
+  if (lists_made_ != contacts_->lists_made()) {
+    lists_made_ = contacts_->lists_made();
+    overlaps_.assign(contacts_->near());
+    overlap_parts_.resize(overlaps_.size());
+  }
+  overlaps_.look_at_stale([&](std::size_t block) {
+    overlap_parts_[block] = part_of_overlaps(positions, block);
+    visits_ += static_cast<std::int64_t>(overlaps_.last(block) - overlaps_.first(block));
+  });
+  return true;
+}
+
+KeptMeasure::Part KeptMeasure::part_of_bars(std::span<const Vec3> positions, std::size_t block) {
+  Part part;
+  const auto bars = framework_.bars();
+  const auto rests = framework_.rest_lengths();
+  for (std::size_t k = bars_.first(block); k < bars_.last(block); ++k) {
+    const double error = std::abs(residual(positions[bars[k].a], positions[bars[k].b], rests[k]));
+    const double relative = error / rests[k];
+    squares_[k] = relative * relative;
+    if (!(error <= tolerance_.of(rests[k]))) part.within = false;
+    if (!std::isfinite(error)) part.finite = false;
+    if (error > part.most_length) part.most_length = error;
+    part.take(relative, k);
+  }
+  return part;
+}
+
+KeptMeasure::Part KeptMeasure::part_of_limits(std::span<const Vec3> positions,
+                                              std::size_t block) const {
+  Part part;
+  const auto limits = framework_.limits();
+  for (std::size_t k = limits_.first(block); k < limits_.last(block); ++k) {
+    const Limit& limit = limits[k];
+    if (is_off(off_, static_cast<LimitIndex>(k))) continue;
+    const double length = distance(positions[limit.a], positions[limit.b]);
+    const double outside = std::abs(excess(limit, length));
+    if (!std::isfinite(length)) part.finite = false;
+    if (!(outside <= tolerance_.limit)) part.within = false;
+    part.take(outside, k);
+  }
+  return part;
+}
+
+KeptMeasure::Part KeptMeasure::part_of_overlaps(std::span<const Vec3> positions,
+                                                std::size_t block) const {
+  Part part;
+  const auto near = contacts_->near();
+  for (std::size_t k = overlaps_.first(block); k < overlaps_.last(block); ++k) {
+    const double overlap = near[k].least - distance(positions[near[k].a], positions[near[k].b]);
+    if (overlap > tolerance_.overlap) part.within = false;
+    part.take(overlap, k);
+  }
+  return part;
+}
+
+/// False if a length is not finite.
+bool KeptMeasure::take_bars(ResidualSummary& summary) const {
+  for (const Part& part : bar_parts_) {
+    if (!part.finite) return false;
+    summary.within = summary.within && part.within;
+    summary.max_length = std::max(summary.max_length, part.most_length);
+    if (!(part.most > summary.max_relative)) continue;
+    summary.max_relative = part.most;
+    summary.worst_bar = part.worst;
+  }
+  return true;
+}
+
+bool KeptMeasure::take_limits(ResidualSummary& summary) const {
+  for (const Part& part : limit_parts_) {
+    if (!part.finite) return false;
+    summary.within = summary.within && part.within;
+    if (!(part.most > summary.max_limit)) continue;
+    summary.max_limit = part.most;
+    summary.worst_limit = part.worst;
+  }
+  return true;
+}
+
+void KeptMeasure::take_overlaps(ResidualSummary& summary) const {
+  for (const Part& part : overlap_parts_) {
+    summary.within = summary.within && part.within;
+    if (!(part.most > summary.max_overlap)) continue;
+    const Contact& pair = contacts_->near()[part.worst];
+    summary.max_overlap = part.most;
+    summary.worst_overlap = {pair.a, pair.b};
+  }
+}
+
+/// One after the other, in the order of the bars, as measure() adds them up: from the first block
+/// on that was measured anew.
+double KeptMeasure::sum_of_squares() {
+  double sum = sums_[right_sums_];
+  for (std::size_t block = right_sums_; block < bars_.size(); ++block) {
+    for (std::size_t k = bars_.first(block); k < bars_.last(block); ++k) sum += squares_[k];
+    sums_[block + 1] = sum;
+  }
+  right_sums_ = bars_.size();
+  return sum;
+}
+
+}  // namespace pliant

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/model/contacts/polar_atoms.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pliant/model/atoms/residue_chemistry.hpp"
+#include "pliant/model/prepare/hydrogen_places.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr std::uint8_t carbon = 6, nitrogen = 7, oxygen = 8, phosphorus = 15, sulphur = 16;
+
+// Three bonds in a plane: the sum of their directions is shorter than this. It is 0 in a plane and
+// 1 at tetrahedral angles.
+constexpr double most_out_of_plane = 0.5;
+
+}  // namespace
+
+PolarAtoms::PolarAtoms(const Structure& structure, const AtomGraph& graph)
+    : structure_(structure), graph_(graph), has_hydrogens_(structure.atoms.residues.size(), false) {
+  for (std::uint32_t i = 0; i < structure.size(); ++i) {
+    if (!graph.is_hydrogen(i)) continue;
+    has_hydrogens_[structure.atoms.residue_of[i]] = true;
+    const std::uint32_t parent = graph.first_heavy(i);
+    if (parent == no_atom) continue;
+    const std::uint8_t element = structure.atoms.elements[parent];
+    if (element == nitrogen || element == oxygen) hydrogens_.push_back(i);
+  }
+  for (std::uint32_t i = 0; i < structure.size(); ++i)
+    if (is_acceptor(i)) acceptors_.push_back(i);
+}
+
+/// N of a residue without any hydrogen could be a donor as well: only ring N of two neighbours in
+/// known residues is sure.
+bool PolarAtoms::is_acceptor(std::uint32_t atom) const {
+  const std::uint8_t element = structure_.atoms.elements[atom];
+  if (element == oxygen) return true;
+  if (element != nitrogen || graph_.at(atom).size() != 2 || graph_.hydrogens_at(atom) > 0)
+    return false;
+  const std::uint32_t r = structure_.atoms.residue_of[atom];
+  const Residue& residue = structure_.atoms.residues[r];
+  if (is_amino_acid(residue)) return is_in(atom, "HIS") && structure_.atoms.names[atom] != "N";
+  return is_nucleotide(residue) || has_hydrogens_[r];
+}
+
+bool PolarAtoms::is_in(std::uint32_t atom, std::string_view residue) const {
+  return standard_name(structure_.atoms.residues[structure_.atoms.residue_of[atom]].name) ==
+         residue;
+}
+
+bool PolarAtoms::is_bonded_to(std::uint32_t atom, std::uint8_t element) const {
+  const auto links = graph_.at(atom);
+  return std::any_of(links.begin(), links.end(), [&](const Link& link) {
+    return structure_.atoms.elements[link.node] == element;
+  });
+}
+
+bool PolarAtoms::is_planar(std::uint32_t atom) const {
+  Vec3 sum;
+  for (const Link& link : graph_.at(atom))
+    sum += unit_vector(structure_.positions[link.node] - structure_.positions[atom]);
+  return norm(sum) < most_out_of_plane;
+}
+
+Hybridisation PolarAtoms::hybridisation(std::uint32_t atom) const {
+  using enum Hybridisation;
+  const std::size_t count = graph_.at(atom).size();
+  if (structure_.atoms.elements[atom] == nitrogen)
+    return count >= 4 || (count == 3 && !is_planar(atom)) ? sp3 : sp2;
+  if (is_bonded_to(atom, phosphorus) || is_bonded_to(atom, sulphur)) return sp3;
+  if (count <= 1) return sp2;
+  const std::uint32_t neighbour = graph_.first_heavy(atom);
+  const bool is_conjugated = graph_.hydrogens_at(atom) == 1 && neighbour != no_atom &&
+                             structure_.atoms.elements[neighbour] == carbon &&
+                             graph_.at(neighbour).size() == 3 && is_planar(neighbour);
+  return is_conjugated ? sp2 : sp3;
+}
+
+bool PolarAtoms::is_positive(std::uint32_t donor) const {
+  if (!structure_.charges.empty() && structure_.charges[donor] > 0) return true;
+  if (structure_.atoms.elements[donor] != nitrogen) return false;
+  if (graph_.at(donor).size() >= 4) return true;
+  const std::string& name = structure_.atoms.names[donor];
+  if (is_in(donor, "ARG")) return name == "NE" || name == "NH1" || name == "NH2";
+  return is_in(donor, "HIS") && (name == "ND1" || name == "NE2") && other_nitrogen_donates(donor);
+}
+
+/// Whether N on the far side of a C between two N has a hydrogen, as in charged His.
+bool PolarAtoms::other_nitrogen_donates(std::uint32_t donor) const {
+  for (const Link& link : graph_.at(donor))
+    for (const Link& next : graph_.at(link.node))
+      if (next.node != donor && structure_.atoms.elements[next.node] == nitrogen &&
+          graph_.hydrogens_at(next.node) > 0)
+        return true;
+  return false;
+}
+
+/// O of a carboxylate or phosphate: alone on its C or P beside another such O, without hydrogens.
+bool PolarAtoms::is_negative(std::uint32_t acceptor) const {
+  if (!structure_.charges.empty() && structure_.charges[acceptor] < 0) return true;
+  if (structure_.atoms.elements[acceptor] != oxygen || graph_.at(acceptor).size() != 1)
+    return false;
+  const std::uint32_t centre = graph_.at(acceptor)[0].node;
+  const std::uint8_t element = structure_.atoms.elements[centre];
+  if (element != carbon && element != phosphorus) return false;
+  const auto links = graph_.at(centre);
+  return std::count_if(links.begin(), links.end(), [&](const Link& link) {
+           return structure_.atoms.elements[link.node] == oxygen &&
+                  graph_.at(link.node).size() == 1;
+         }) >= 2;
+}
+
+Vec3 PolarAtoms::plane(std::uint32_t atom) const {
+  const auto at = [&](std::uint32_t i) { return structure_.positions[i]; };
+  const auto normal = [&](std::uint32_t centre, std::uint32_t one, std::uint32_t other) {
+    return unit_vector(cross(at(one) - at(centre), at(other) - at(centre)));
+  };
+  const auto links = graph_.at(atom);
+  if (links.size() >= 2) return normal(atom, links[0].node, links[1].node);
+  if (links.empty()) return {0.0, 0.0, 1.0};
+  const std::uint32_t neighbour = links[0].node;
+  std::vector<std::uint32_t> others;
+  for (const Link& link : graph_.at(neighbour))
+    if (link.node != atom) others.push_back(link.node);
+  if (others.empty()) return {0.0, 0.0, 1.0};
+  return normal(neighbour, others[0], others.size() > 1 ? others[1] : atom);
+}
+
+}  // namespace pliant

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/model/contacts/tethers.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "pliant/base/elements.hpp"
+#include "pliant/base/math/cell_list.hpp"
+#include "pliant/model/atoms/atom_graph.hpp"
+#include "pliant/model/atoms/near_atoms.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr std::uint8_t carbon = 6, nitrogen = 7, oxygen = 8, sulphur = 16;
+constexpr double carbon_radius = 1.7, sulphur_radius = 1.8;  // Angstrom, van der Waals (Bondi)
+constexpr double tether_energy = -1.0;                       // kcal/mol
+constexpr double metal_reach = 2.8;                          // Angstrom
+constexpr double metal_energy = -20.0;                       // kcal/mol: never diluted
+
+bool is_carbon_or_sulphur(const Structure& structure, std::uint32_t atom) {
+  const std::uint8_t element = structure.atoms.elements[atom];
+  return element == carbon || element == sulphur;
+}
+
+double radius(const Structure& structure, std::uint32_t atom) {
+  return structure.atoms.elements[atom] == sulphur ? sulphur_radius : carbon_radius;
+}
+
+/// C and S whose neighbours are C, S and H only.
+std::vector<std::uint32_t> hydrophobic_atoms(const Structure& structure) {
+  const AtomGraph graph(structure);
+  std::vector<std::uint32_t> atoms;
+  for (std::uint32_t i = 0; i < structure.size(); ++i) {
+    const auto links = graph.at(i);
+    if (is_carbon_or_sulphur(structure, i) &&
+        std::all_of(links.begin(), links.end(), [&](const Link& link) {
+          return graph.is_hydrogen(link.node) || is_carbon_or_sulphur(structure, link.node);
+        }))
+      atoms.push_back(i);
+  }
+  return atoms;
+}
+
+/// Whether two atoms belong to one residue or to neighbours in a chain.
+bool are_of_neighbours(const AtomTable& atoms, std::uint32_t a, std::uint32_t b) {
+  const std::uint32_t p = std::min(atoms.residue_of[a], atoms.residue_of[b]);
+  const std::uint32_t q = std::max(atoms.residue_of[a], atoms.residue_of[b]);
+  return q == p || (q == p + 1 && atoms.residues[p].chain == atoms.residues[q].chain);
+}
+
+bool is_free_metal(const Structure& structure, const AtomGraph& graph, std::uint32_t atom) {
+  return is_metal(structure.atoms.elements[atom]) && graph.at(atom).empty();
+}
+
+bool holds_metals(const Structure& structure, std::uint32_t atom) {
+  const std::uint8_t element = structure.atoms.elements[atom];
+  return element == nitrogen || element == oxygen || element == sulphur;
+}
+
+}  // namespace
+
+std::vector<MolecularContact> hydrophobic_tethers(const Structure& structure,
+                                                  const TetherOptions& options) {
+  const std::vector<std::uint32_t> atoms = hydrophobic_atoms(structure);
+  std::vector<Vec3> points;
+  for (std::uint32_t atom : atoms) points.push_back(structure.positions[atom]);
+  std::vector<MolecularContact> found;
+  const double furthest = 2.0 * sulphur_radius + options.reach;
+  CellList(points, furthest).for_each_pair([&](std::uint32_t i, std::uint32_t j, double squared) {
+    const std::uint32_t a = atoms[i], b = atoms[j];
+    const double usual = radius(structure, a) + radius(structure, b);
+    if (std::sqrt(squared) >= usual + options.reach) return;
+    if (are_of_neighbours(structure.atoms, a, b)) return;
+    MolecularContact contact{MolecularContactKind::hydrophobic, a, b};
+    contact.energy = tether_energy;
+    set_limits(contact, structure, usual, options.slack);
+    found.push_back(contact);
+  });
+  sort(found);
+  return found;
+}
+
+std::vector<MolecularContact> metal_contacts(const Structure& structure,
+                                             const ContactSlack& slack) {
+  const AtomGraph graph(structure);
+  std::vector<std::uint32_t> metals, holders;
+  for (std::uint32_t i = 0; i < structure.size(); ++i) {
+    if (is_free_metal(structure, graph, i)) metals.push_back(i);
+    if (holds_metals(structure, i)) holders.push_back(i);
+  }
+  const auto near = near_atoms(structure, metals, holders, metal_reach);
+  std::vector<MolecularContact> found;
+  for (std::size_t k = 0; k < metals.size(); ++k)
+    for (std::uint32_t holder : near.at(k)) {
+      MolecularContact contact{MolecularContactKind::metal, metals[k], holder};
+      contact.energy = metal_energy;
+      set_limits(contact, structure, 0.0, slack);
+      found.push_back(contact);
+    }
+  sort(found);
+  return found;
+}
+
+}  // namespace pliant

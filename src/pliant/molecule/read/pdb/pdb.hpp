@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Reading PDB (Protein Data Bank, fixed columns). Text that comes here has passed check_text(): it
+// has no byte order mark and no binary bytes. Not for users: see read.hpp.
+#pragma once
+
+#include <string_view>
+
+#include "pliant/molecule/read/shared/read_options.hpp"
+#include "pliant/molecule/structure/structure.hpp"
+
+namespace pliant {
+
+bool looks_like_pdb(std::string_view text);
+Structure read_pdb(const SourceText& source, const ReadOptions& options);
+
+}  // namespace pliant

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Force files with events: what a person did with a framework, to be repeated bit by bit. Any
+// number of forces in a step, joints that are held, settings that change.
+//
+//   pliant-forces 3          # then the header, see force_header.hpp
+//   set technique blocks     # an option of `pliant run`, from the next step on
+//   start                    # the start is made whole under the settings above, not the usual ones
+//   hold_back 0.2            # from here on no force moves its joint further in a step (Angstrom)
+//   pin C1 C7                # these joints are held from the next step on, and no others
+//   force C4 12.5 -3 0.25    # joint, force (x, y, z) in kJ/(mol Angstrom)
+//   step 350                 # so many steps under the forces above; there may be none
+//   wander 10                # so many steps of the pusher that `set perturb` names, and then of
+//                            # the forces above
+//
+// Version 2 has no header, start or hold_back, one step a line, and no forces before wander.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "pliant/perturb/force_files/force_header.hpp"
+#include "pliant/perturb/push.hpp"
+
+namespace pliant {
+
+/// Name and value of an option of a run; checked where it is used.
+struct SetOption {
+  std::string name, value;
+  friend bool operator==(const SetOption&, const SetOption&) = default;
+};
+/// All joints that are held.
+struct PinJoints {
+  std::vector<Joint> joints;
+};
+/// Steps under forces.
+struct PullStep {
+  std::vector<JointForce> forces;
+  std::int64_t count = 1;  ///< from 1
+};
+/// Steps of a random pusher.
+struct WanderSteps {
+  std::int64_t count = 1;               ///< from 1
+  std::vector<JointForce> forces = {};  ///< that act after it
+};
+/// How far a force may move its joint in a step from now on.
+struct HoldBack {
+  double longest_step;  ///< Angstrom, above 0
+};
+/// The start is made whole. Before the first step, and once at most; without it that is done
+/// before all events, under the usual settings.
+struct StartWalk {};
+
+struct ForceEvent {
+  std::variant<SetOption, PinJoints, PullStep, WanderSteps, HoldBack, StartWalk> what;
+  std::size_t line = 0;  ///< of the file, from 1; 0: of none
+};
+
+/// Throws InputError naming file, line and what was expected.
+std::vector<ForceEvent> parse_force_events(std::string_view text, std::string_view file_name,
+                                           const Framework& framework);
+
+/// The text that parse_force_events reads back to the same bits. Throws InputError as
+/// write_force_file does.
+std::string write_force_events(std::span<const ForceEvent> events, const Framework& framework,
+                               const ForceHeader& header = {});
+
+/// One more step under these forces, or of the random pusher and these forces. A step that is the
+/// same as the last ones, bit by bit, is counted with them.
+void add_pull(std::vector<ForceEvent>& events, std::span<const JointForce> forces);
+void add_wander(std::vector<ForceEvent>& events, std::span<const JointForce> forces = {});
+
+/// How many steps the events are.
+std::int64_t steps_of(std::span<const ForceEvent> events);
+
+}  // namespace pliant

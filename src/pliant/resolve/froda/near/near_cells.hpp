@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+// Places sorted into cells, to find which are near each other. Some may be moved afterwards without
+// sorting all anew.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "pliant/resolve/froda/near/near_hits.hpp"
+#include "pliant/resolve/froda/near/near_rules.hpp"
+
+namespace pliant {
+
+class NearCells {
+ public:
+  /// So many may be moved: they lie in no cell, and each is compared with all of them.
+  static constexpr std::size_t most_moved = 256;
+
+  /// The rules outlive it. `skin` (Angstrom): as that of the rules.
+  NearCells(const NearRules& rules, double skin) : rules_(rules), skin_(skin) {}
+  NearCells(const NearCells&) = delete;  // its rules lie beside it
+  NearCells& operator=(const NearCells&) = delete;
+
+  /// All places that the rules list, at `at` (places).
+  void sort(std::span<const Vec3> at);
+  /// Puts a sorted place elsewhere.
+  void move(Slot place, Vec3 at);
+  /// How many were moved since all were sorted.
+  std::size_t moved() const { return sorted_at_.size() - first_moved_; }
+
+  /// Calls found(place, other) once for each pair that is within reach and not excluded by its
+  /// mask. Nothing was moved.
+  template <class Found>
+  void visit_all(const Found& found);
+  /// The same for all pairs of one place.
+  template <class Found>
+  void visit(Slot place, const Found& found);
+
+ private:
+  struct SortedPlace {
+    Slot place;
+    std::uint16_t kind;
+  };
+  using Cell = std::array<std::uint32_t, 3>;
+
+  void set_cells(std::span<const Vec3> at);
+  void fill_cells(std::span<const Vec3> at);
+  Cell cell_of(Vec3 at) const;
+  std::uint32_t number_of(Cell cell) const;
+  void put(std::uint32_t to, Slot place, Vec3 at);
+  void add_run(std::uint32_t row, std::uint32_t low, std::uint32_t high);
+  void add_runs_after(Cell cell);
+  void add_runs_around(Cell cell);
+  std::span<const std::uint32_t> find_free(std::uint32_t k);
+  template <class Found>
+  void tell(std::uint32_t k, const Found& found);
+
+  const NearRules& rules_;
+  double skin_;
+  FindNearHits find_near_hits_ = near_hits_finders().back();
+  Vec3 low_;
+  double per_side_ = 1.0;  ///< of a cell, Angstrom^-1
+  Cell cells_{};           ///< along each axis
+  std::vector<std::uint32_t> cell_number_, first_in_cell_, next_;
+  // Places by cells, then those that were moved. The old entry of a moved place is put far away, so
+  // that nothing finds it.
+  std::vector<SortedPlace> sorted_at_;
+  std::vector<float> x_, y_, z_;
+  std::vector<std::uint32_t> index_of_;  ///< of each place among them
+  std::size_t first_moved_ = 0;
+  // the candidates for one place, as runs, and which of them are near
+  std::array<NearRun, 10> runs_{};
+  std::size_t run_count_ = 0;
+  std::vector<float> squares_;  ///< of distances to the one in hand
+  std::vector<std::uint32_t> hits_;
+};
+
+/// The cell that holds `at`, or the nearest one if it lies outside: a place that has left all cells
+/// is near none but those at the edge.
+inline NearCells::Cell NearCells::cell_of(Vec3 at) const {
+  const Vec3 from = per_side_ * (at - low_);
+  const auto along = [](double x, std::uint32_t cells) {
+    return std::min(x > 0.0 ? static_cast<std::uint32_t>(x) : 0U, cells - 1);
+  };
+  return {along(from.x, cells_[0]), along(from.y, cells_[1]), along(from.z, cells_[2])};
+}
+
+inline std::uint32_t NearCells::number_of(Cell cell) const {
+  return (cell[0] * cells_[1] + cell[1]) * cells_[2] + cell[2];
+}
+
+template <class Found>
+void NearCells::tell(std::uint32_t k, const Found& found) {
+  const Slot own = sorted_at_[k].place;
+  for (const std::uint32_t hit : find_free(k)) found(own, sorted_at_[hit].place);
+}
+
+template <class Found>
+void NearCells::visit_all(const Found& found) {
+  Cell cell{};
+  for (cell[0] = 0; cell[0] < cells_[0]; ++cell[0])
+    for (cell[1] = 0; cell[1] < cells_[1]; ++cell[1])
+      for (cell[2] = 0; cell[2] < cells_[2]; ++cell[2]) {
+        const std::uint32_t number = number_of(cell);
+        const std::uint32_t first = first_in_cell_[number], last = first_in_cell_[number + 1];
+        if (first == last) continue;
+        add_runs_after(cell);
+        for (std::uint32_t k = first; k < last; ++k) {
+          runs_[0].from = k + 1;
+          tell(k, found);
+        }
+      }
+}
+
+template <class Found>
+void NearCells::visit(Slot place, const Found& found) {
+  const std::uint32_t k = index_of_[place];
+  add_runs_around(cell_of({x_[k], y_[k], z_[k]}));
+  tell(k, found);
+}
+
+}  // namespace pliant

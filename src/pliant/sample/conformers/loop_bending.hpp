@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Bends flexible loops of bodies at random, where they cannot be drawn (loop_draws.hpp).
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "pliant/base/random.hpp"
+#include "pliant/resolve/froda/bodies/body_plan.hpp"
+
+namespace pliant {
+
+/// Of each body whether it is on a flexible loop: on the way from an end of a cut to where the ways
+/// from both ends meet.
+std::vector<bool> bodies_in_loops(const BodyPlan& plan);
+
+class LoopBending {
+ public:
+  /// The plan outlives it.
+  LoopBending(const BodyPlan& plan, std::vector<bool> is_in_loop)
+      : plan_(plan), is_in_loop_(std::move(is_in_loop)) {}
+
+  /// Bends joints of flexible loops, and what hangs on them, some way at random: a target only.
+  void push(RandomSequence& draws, std::span<Vec3> targets) const;
+
+ private:
+  Vec3 middle_of(const PlanBody& body, std::span<const Vec3> x) const;
+
+  const BodyPlan& plan_;
+  std::vector<bool> is_in_loop_;  ///< of each body
+};
+
+}  // namespace pliant

@@ -1,0 +1,84 @@
+# SPDX-License-Identifier: MIT
+"""--assembly: copies of chains that files state, in every command that reads a molecule."""
+
+import json
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+MOLECULES = Path(__file__).parents[3] / "data" / "molecules"
+PEPTIDE = MOLECULES / "cyclic_hexapeptide.pdb"
+
+REMARK = """\
+REMARK 350 BIOMOLECULE: 1
+REMARK 350 APPLY THE FOLLOWING TO CHAINS: {chain}
+REMARK 350   BIOMT1   1  1.000000  0.000000  0.000000        0.00000
+REMARK 350   BIOMT2   1  0.000000  1.000000  0.000000        0.00000
+REMARK 350   BIOMT3   1  0.000000  0.000000  1.000000        0.00000
+REMARK 350   BIOMT1   2 -1.000000  0.000000  0.000000       30.00000
+REMARK 350   BIOMT2   2  0.000000 -1.000000  0.000000        0.00000
+REMARK 350   BIOMT3   2  0.000000  0.000000  1.000000        0.00000
+"""
+
+
+@pytest.fixture
+def pair(tmp_path):
+    """The peptide, whose file states that two of them are one assembly."""
+    atoms = PEPTIDE.read_text()
+    chain = next(line for line in atoms.splitlines() if line.startswith(("ATOM", "HETATM")))[21]
+    path = tmp_path / "pair.pdb"
+    path.write_text(REMARK.format(chain="NULL" if chain == " " else chain) + atoms)
+    return path
+
+
+def test_info_names_them_and_counts_the_copies(pliant, pair):
+    one = json.loads(pliant("info", pair, "--json").out)
+    two = json.loads(pliant("info", pair, "--json", "--assembly", 1).out)
+    assert one["assemblies"] == two["assemblies"] == ["1"]
+    for what in ("atoms", "residues", "bonds", "bars", "components"):
+        assert two[what] == 2 * one[what], what
+    assert two["chains"] == 2
+    assert "assemblies           1   1: biological ones, which --assembly makes" in (
+        pliant("info", pair).out
+    )
+
+
+def test_contacts_and_samples_are_of_the_assembly(pliant, pair, tmp_path):
+    one = json.loads(pliant("contacts", pair, "--json").out)["contacts"]
+    two = json.loads(pliant("contacts", pair, "--json", "--assembly", 1).out)["contacts"]
+    assert len(two) == 2 * len(one)  # 30 Angstrom apart
+    ended = pliant("sample", pair, "-o", "o.h5md", "--assembly", 1, "--frames", 2, "--amplitude",
+                   0.4, "--quiet")  # fmt: skip
+    assert ended.code == 0, ended.err
+    with h5py.File(tmp_path / "o.h5md") as file:
+        assert file["parameters/input/assembly"][()] == b"1"
+        chains = file["parameters/topology/chain"][:]
+        assert len(np.unique(chains)) == 2
+        assert np.isfinite(file["particles/trajectory/position/value"][:]).all()
+    ended = pliant("sample", "--continue", "o.h5md", "--frames", 3, "--assembly", 1, "--quiet")
+    assert ended.code == 0, ended.err
+
+
+def test_runs_begin_at_the_copies(pliant, pair, tmp_path):
+    pliant("run", pair, "-o", "o.h5md", "--assembly", 1, "--steps", 2, "--quiet")
+    with h5py.File(tmp_path / "o.h5md") as file:
+        start = file["particles/trajectory/position/value"][0]
+    half = len(start) // 2
+    np.testing.assert_allclose(start[half:], start[:half] * [-1, -1, 1] + [30, 0, 0], atol=1e-4)
+
+
+@pytest.mark.parametrize("command", ["info", "contacts", "run", "sample"])
+def test_what_is_not_stated_is_refused(pliant, pair, tmp_path, command):
+    ended = pliant(command, pair, "--assembly", 2)
+    assert (ended.code, ended.err) == (
+        2,
+        f'pliant: error: no assembly "2" in {pair}: it states 1\n',
+    )
+    ended = pliant(command, PEPTIDE, "--assembly", 1)
+    assert (ended.code, ended.err) == (
+        2,
+        f'pliant: error: no assembly "1" in {PEPTIDE}: it states none\n',
+    )
+    assert [path.name for path in tmp_path.iterdir()] == ["pair.pdb"]

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""What force files say of how they were made, and what `pliant run --forces` makes of it."""
+
+import json
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
+SESSION = "set technique froda\nforce 4 900 40 -70\nstep 3\nforce 7 100 0 0\nstep\n"
+
+
+@pytest.fixture
+def forces(pliant, tmp_path):
+    """Random pushes for a model that is not the one that a run takes by itself."""
+    made = pliant("forcegen", PEPTIDE, "--model", "protein", "--count", 4, "-o", "f.txt")
+    assert made.code == 0, made.err
+    return tmp_path / "f.txt"
+
+
+@pytest.fixture
+def session(forces, tmp_path):
+    """What a page would write: the same header, and events."""
+    head = "".join(forces.read_text().partition("set ")[0])
+    (tmp_path / "s.txt").write_text(head + SESSION)
+    return tmp_path / "s.txt"
+
+
+def frames(path):
+    with h5py.File(path) as file:
+        return file["particles/trajectory/position/value"][:]
+
+
+@pytest.mark.parametrize("name", ["f.txt", "s.txt"])
+def test_the_model_comes_from_the_file(pliant, session, tmp_path, name):
+    ended = pliant("run", PEPTIDE, "--forces", name, "-o", "a.h5md", "--json")
+    assert ended.code == 0, ended.err
+    told = json.loads(ended.out)
+    assert (told["bars"], told["forces"]["version"]) == (950, 3)
+    assert told["forces"]["taken"]["model"] == "protein"
+    assert pliant("run", PEPTIDE, "--model", "protein", "--forces", name, "-o", "b.h5md").code == 0
+    np.testing.assert_array_equal(frames(tmp_path / "a.h5md"), frames(tmp_path / "b.h5md"))
+
+
+CONTRADICTIONS = [
+    (["--model", "bonds"], "--model bonds: f.txt was made with --model protein"),
+    (["--bars", "angles"], "--bars angles: f.txt was made with --model protein"),
+    (["--pin", "name CA"], "--pin name CA: f.txt was made without --pin"),
+    (["--all-hydrogens"], "--all-hydrogens: f.txt was made without --all-hydrogens"),
+    (["--tolerance", "0.001"], "--tolerance 0.001: f.txt was made with --tolerance 1e-06"),
+    (["--tolerance-length", "0.1"],
+     "--tolerance-length 0.1: f.txt was made with --tolerance 1e-06"),
+    (["--timestep", "0.02"], "--timestep 0.02: f.txt was made with --timestep 0.01"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("options", "message"), CONTRADICTIONS)
+def test_what_contradicts_the_file_is_refused(pliant, forces, tmp_path, options, message):
+    run = ("run", PEPTIDE, "--forces", "f.txt", *options)
+    ended = pliant(*run)
+    assert ended.code == 2
+    assert ended.err.splitlines()[-1] == (
+        f"pliant: error: {message}; leave the option out, or give --override-forces to go by the "
+        "command line"
+    )
+    assert not list(tmp_path.glob("*.h5md"))
+    if options[0] not in ("--bars", "--model", "--pin"):
+        assert pliant(*run, "--override-forces", "--dry-run").code == 0
+
+
+def test_any_technique_may_resolve_random_pushes(pliant, forces):
+    run = ("run", PEPTIDE, "--forces", "f.txt", "--dry-run", "--technique")
+    assert [pliant(*run, name).code for name in ("froda", "bfs_cycle", "newton")] == [0, 0, 0]
+
+
+def test_another_structure_is_refused(pliant, forces, tmp_path):
+    text = PEPTIDE.read_text()
+    (tmp_path / "moved.pdb").write_text(text)  # the name does not count
+    assert pliant("run", "moved.pdb", "--forces", "f.txt", "--dry-run").code == 0
+    atom = next(line for line in text.splitlines() if line.startswith("ATOM"))
+    moved = atom[:30] + f"{float(atom[30:38]) + 0.001:8.3f}" + atom[38:]
+    (tmp_path / "moved.pdb").write_text(text.replace(atom, moved, 1))
+    run = ("run", "moved.pdb", "--forces", "f.txt", "--dry-run")
+    ended = pliant(*run)
+    assert ended.code == 1
+    assert "f.txt: was made for another structure: with fingerprint " in ended.err
+    assert "as of moved.pdb; --override-forces replays it all the same" in ended.err
+    ended = pliant(*run, "--override-forces")
+    assert ended.code == 0 and "warning: f.txt: was made for another structure" in ended.err
+
+
+def test_another_number_of_joints_is_refused(pliant, tmp_path):
+    (tmp_path / "f.txt").write_text("pliant-forces 3\njoints 746\nforce 0 1 0 0\nstep\n")
+    ended = pliant("run", PEPTIDE, "--forces", "f.txt")
+    assert ended.code == 1
+    assert "f.txt: was made for another framework: of 746 joints, not 327" in ended.err
+
+
+def test_version_2_without_a_model_is_a_guess(pliant, tmp_path):
+    (tmp_path / "s.txt").write_text("pliant-forces 2\nset technique froda\nstep\n")
+    run = ("run", PEPTIDE, "--forces", "s.txt", "--dry-run")
+    assert (
+        "warning: s.txt: does not say for which structure, model and hydrogens it was made: 327 "
+        "joints and --bars bonds are a guess; give its --model or --bars\n" in pliant(*run).err
+    )
+    assert "warning" not in pliant(*run, "--model", "protein").err
+
+
+def test_a_dry_run_says_what_was_taken(pliant, forces):
+    run = ("run", PEPTIDE, "--forces", "f.txt", "--dry-run")
+    assert pliant(*run).out == (
+        "force file      f.txt (version 3): model protein, timestep 0.01, tolerance 1e-06, "
+        "max_sweeps 10000\n"
+    )
+    assert json.loads(pliant(*run, "--json").out)["forces"]["taken"]["timestep"] == "0.01"
+
+
+def test_a_replay_goes_on(pliant, forces, tmp_path):
+    run = ("run", PEPTIDE, "--forces", "f.txt")
+    assert pliant(*run, "-o", "whole.h5md").code == 0
+    assert pliant(*run, "-o", "part.h5md", "--steps", 2).code == 0
+    forces.unlink()
+    assert pliant("run", "--continue", "part.h5md", "--steps", 4).code == 0
+    np.testing.assert_array_equal(frames(tmp_path / "whole.h5md"), frames(tmp_path / "part.h5md"))
+
+
+def test_a_recorded_run_is_repeated_by_its_technique(pliant, tmp_path):
+    run = ("run", PEPTIDE, "--model", "angles", "--technique", "newton", "--damping", 0.25)
+    assert pliant(*run, "--steps", 4, "--record-forces", "f.txt", "-o", "a.h5md").code == 0
+    told = json.loads(pliant("run", PEPTIDE, "--forces", "f.txt", "-o", "b.h5md", "--json").out)
+    assert told["technique"] == "newton"
+    assert told["forces"]["taken"]["damping"] == "0.25"
+    np.testing.assert_array_equal(frames(tmp_path / "a.h5md"), frames(tmp_path / "b.h5md"))

@@ -1,0 +1,135 @@
+# SPDX-License-Identifier: MIT
+"""pliant sample, on a peptide."""
+
+import gzip
+import json
+import signal
+import subprocess
+import time
+from pathlib import Path
+
+import h5py
+import numpy as np
+import pytest
+
+PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "cyclic_hexapeptide.pdb"
+
+
+def test_frames_are_written_with_what_they_were_made_with(pliant, tmp_path):
+    ended = pliant(
+        "sample",
+        PEPTIDE,
+        "-o",
+        "out.h5md",
+        "--frames",
+        5,
+        "--amplitude",
+        0.4,
+        "--seed",
+        2,
+        "--json",
+    )
+    assert ended.code == 0, ended.err
+    told = json.loads(ended.out)
+    assert told["frames"] == 5
+    assert told["amplitude_is_input"] is True
+    assert told["worst_residual"] < 1e-10
+    with h5py.File(tmp_path / "out.h5md") as file:
+        positions = file["particles/trajectory/position/value"][:]
+        assert positions.shape == (5, told["atoms"], 3)
+        assert np.isfinite(positions).all()
+        assert file["parameters/sample"].attrs.get("amplitude", None) == pytest.approx(0.4) or (
+            file["parameters/sample/amplitude"][()] == pytest.approx(0.4)
+        )
+
+
+def test_threads_and_pieces_give_the_same_frames(pliant, tmp_path):
+    common = ("--amplitude", 0.4, "--quiet", "--topology", "none")
+    pliant("sample", PEPTIDE, "-o", "one.h5md", "--frames", 6, "--threads", 1, *common)
+    pliant("sample", PEPTIDE, "-o", "two.h5md", "--frames", 6, "--threads", 2, *common)
+    pliant("sample", PEPTIDE, "-o", "end.h5md", "--frames", 2, "--first-frame", 4, *common)
+
+    def frames(name):
+        with h5py.File(tmp_path / name) as file:
+            return file["particles/trajectory/position/value"][:]
+
+    assert np.array_equal(frames("one.h5md"), frames("two.h5md"))
+    assert np.array_equal(frames("one.h5md")[4:], frames("end.h5md"))
+
+
+def test_it_says_that_the_amplitude_is_an_input(pliant):
+    ended = pliant("sample", PEPTIDE, "--frames", 2, "--amplitude", 0.4)
+    assert "an input, not a prediction" in ended.out
+    assert "how often they occur is not claimed" in ended.out
+
+
+def test_what_exists_is_not_replaced(pliant, tmp_path):
+    (tmp_path / "out.h5md").write_text("mine")
+    ended = pliant("sample", PEPTIDE, "-o", "out.h5md")
+    assert ended.code == 1
+    assert ended.err == "pliant: error: out.h5md: exists; --overwrite replaces it\n"
+    assert (tmp_path / "out.h5md").read_text() == "mine"
+
+
+@pytest.mark.parametrize(
+    ("option", "value", "text"),
+    [
+        ("--network", "amn", "--network"),
+        ("--sampler", "mode", "--sampler"),
+        ("--amplitude", "0", "--amplitude"),
+        ("--frames", "0", "--frames"),
+    ],
+)
+def test_bad_options_end_with_2(pliant, option, value, text):
+    ended = pliant("sample", PEPTIDE, option, value)
+    assert ended.code == 2
+    assert text in ended.err
+
+
+def test_disulphides_close_without_a_last_move(pliant, tmp_path):
+    """Three bridges tie BPTI into loops; their bonds, by numpy, are those of the file."""
+    data = pytest.importorskip("MDAnalysisTests.datafiles")
+    folder = Path(data.__file__).parent / "data" / "mmcif"
+    (tmp_path / "bpti.cif").write_bytes(gzip.decompress((folder / "5PTI.cif.gz").read_bytes()))
+    ended = pliant("sample", "bpti.cif", "-o", "out.h5md", "--frames", 8, "--json")
+    assert ended.code == 0, ended.err
+    told = json.loads(ended.out)
+    assert told["frames"] == 8
+    assert told["worst_residual"] < 1e-10
+    assert 0.0 < told["worst_closing"] <= 0.3
+    lines = (tmp_path / "out.pdb").read_text().splitlines()
+    atoms = [line for line in lines if line.startswith(("ATOM", "HETATM"))]
+    sulphurs = [k for k, line in enumerate(atoms) if line[12:16].strip() == "SG"]
+    with h5py.File(tmp_path / "out.h5md") as file:
+        places = file["particles/trajectory/position/value"][:][:, sulphurs]
+    lengths = np.linalg.norm(places[:, :, None] - places[:, None], axis=3)
+    bridges = np.triu((lengths < 2.3).all(axis=0), 1)
+    assert bridges.sum() == 3
+    assert np.ptp(lengths[:, bridges], axis=0).max() < 1e-10
+
+
+def test_ctrl_c_leaves_a_readable_file(command, tmp_path):
+    run = subprocess.Popen(
+        [command, "sample", PEPTIDE, "-o", "long.h5md", "--frames", "10000000", "--quiet"],
+        cwd=tmp_path,
+        stderr=subprocess.PIPE,
+    )
+    while not (tmp_path / "long.h5md").exists() and run.poll() is None:
+        time.sleep(0.05)
+    time.sleep(0.5)
+    run.send_signal(signal.SIGINT)
+    assert run.wait(60) == 130, run.stderr.read()
+    with h5py.File(tmp_path / "long.h5md") as file:
+        assert np.isfinite(file["particles/trajectory/position/value"][:]).all()
+
+
+def test_one_residue_is_refused_and_loose_atoms_have_no_worst_bar(pliant, tmp_path):
+    (tmp_path / "one.xyz").write_text("1\nargon\nAr 0 0 0\n")
+    ended = pliant("sample", "one.xyz")
+    assert ended.code == 1
+    assert "one.xyz: holds one residue or atom: an ensemble needs two" in ended.err
+    assert [path.name for path in tmp_path.iterdir()] == ["one.xyz"]
+    (tmp_path / "two.xyz").write_text("2\nargon\nAr 0 0 0\nAr 0 0 9\n")
+    ended = pliant("sample", "two.xyz", "--frames", 2)
+    assert ended.code == 0
+    assert "worst contact" in ended.out and "worst bar" not in ended.out

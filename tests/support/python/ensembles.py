@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: MIT
+"""The command ``pliant ensemble``, what it made, and whether one process makes the same."""
+
+import json
+import os
+import random
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import h5py
+import numpy as np
+import psutil
+
+COMMAND = Path(os.environ.get("PLIANT_COMMAND", Path(sys.executable).parent / "pliant"))
+PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
+POSITION = "particles/trajectory/position"
+
+
+def call(*words, **options):
+    """Runs pliant with these words; the process that has ended."""
+    return subprocess.run(
+        [COMMAND, *map(str, words)], capture_output=True, text=True, timeout=280, **options
+    )
+
+
+def made(*words, code=0, **options):
+    """What ``pliant ensemble ... --json`` says."""
+    ended = call("ensemble", *words, "--json", **options)
+    assert ended.returncode == code, ended.stderr
+    return json.loads(ended.stdout)
+
+
+def frames_of(paths, names=("walker", "sweeps", "max_residual")):
+    """Positions, steps and observables of files, one after another."""
+    parts = []
+    for path in paths:
+        with h5py.File(path) as file:
+            datasets = [f"{POSITION}/value", f"{POSITION}/step", f"{POSITION}/time"]
+            datasets += [f"observables/{name}/value" for name in names]
+            parts.append([file[name][:] for name in datasets])
+    return [np.concatenate(one) for one in zip(*parts, strict=True)]
+
+
+def shards_of(folder):
+    return sorted((Path(folder) / "shards").glob("shard-*.h5md"))
+
+
+def same_bits(folder, whole, **names):
+    """Whether the shards have, together, the bits of one file."""
+    ours, theirs = frames_of(shards_of(folder), **names), frames_of([whole], **names)
+    return all(
+        a.dtype == b.dtype and a.tobytes() == b.tobytes() for a, b in zip(ours, theirs, strict=True)
+    )
+
+
+def workers_of(client):
+    """The processes in which the workers of a command that runs are."""
+    try:
+        children = psutil.Process(client.pid).children(recursive=True)
+        return [child for child in children if "spawn_main" in " ".join(child.cmdline())]
+    except psutil.Error:
+        return []
+
+
+def counted(folder):
+    """Shards that the manifest has."""
+    manifest = Path(folder) / "shards.jsonl"
+    return manifest.read_bytes().count(b"\n") if manifest.exists() else 0
+
+
+def wait_for_shards(client, folder, count):
+    """Until so many shards are counted; not if the command ends before."""
+    while counted(folder) < count and client.poll() is None:
+        time.sleep(0.02)
+
+
+def start(*words, **options):
+    """The command ``pliant ensemble``, under way."""
+    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
+    return subprocess.Popen([COMMAND, "ensemble", *map(str, words)], **pipes, **options)
+
+
+def kill_workers(client, folder, kills, first, gap, seed):
+    """Kills a worker at random after each `gap` shards; how many were killed."""
+    choice, killed = random.Random(seed), 0
+    for k in range(kills):
+        wait_for_shards(client, folder, first + k * gap)
+        there = workers_of(client)
+        while not there and client.poll() is None:  # the one before is being replaced
+            time.sleep(0.02)
+            there = workers_of(client)
+        if there:
+            choice.choice(there).kill()
+            killed += 1
+    return killed

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/perturb/force_files/force_events.hpp"
+
+#include <gtest/gtest.h>
+
+#include "pliant/base/error.hpp"
+#include "pliant/examples/examples.hpp"
+#include "pliant/run/replay_events.hpp"
+#include "support/error_text.hpp"
+#include "support/frameworks.hpp"
+
+namespace pliant {
+namespace force_events_test {
+
+const Framework& hexagon() {
+  static const Framework framework = framework_of(ring(6));
+  return framework;
+}
+
+std::vector<ForceEvent> parse(std::string_view text) {
+  return parse_force_events(text, "f.txt", hexagon());
+}
+
+std::string refusal(std::string_view text) {
+  return test::error_text<InputError>([&] { parse(text); });
+}
+
+std::string refused_replay(std::string_view text) {
+  State state(ring(6).positions);
+  ReplayOptions options;
+  options.file = "f.txt";
+  return test::error_text<InputError>(
+      [&] { replay_events(hexagon(), state, parse(text), options, {}); });
+}
+
+constexpr std::string_view session =
+    "pliant-forces 3\n"
+    "set technique bfs_cycle\n"
+    "set tolerance 1e-07\n"
+    "pin 0 3\n"
+    "force 1 40 0.1 -30\n"
+    "force 4 1e-300 5 6\n"
+    "step\n"
+    "step\n"
+    "pin\n"
+    "wander 12\n";
+
+TEST(ForceEvents, AreReadAndWrittenToTheSameBits) {
+  const std::vector<ForceEvent> events = parse(session);
+  ASSERT_EQ(events.size(), 7u);
+  EXPECT_EQ(std::get<SetOption>(events[1].what), (SetOption{"tolerance", "1e-07"}));
+  EXPECT_EQ(std::get<PinJoints>(events[2].what).joints, (std::vector<Joint>{0, 3}));
+  EXPECT_EQ(std::get<PullStep>(events[3].what).forces[1].force, (Vec3{1e-300, 5, 6}));
+  EXPECT_TRUE(std::get<PullStep>(events[4].what).forces.empty());
+  EXPECT_EQ(events[6].line, 10u);
+  EXPECT_EQ(steps_of(events), 14);
+  EXPECT_EQ(write_force_events(events, hexagon()), session);
+}
+
+TEST(ForceEvents, KnowTheirVersion) {
+  EXPECT_TRUE(has_force_events(session));
+  EXPECT_TRUE(has_force_events("pliant-forces 3\njoints 4\nwander 2\n"));
+  EXPECT_FALSE(has_force_events("pliant-forces 3\nset timestep 1\npush 1 0 0 1\n"));
+  EXPECT_TRUE(has_force_events("# of a page\n\npliant-forces 2 # version\r\n"));
+  EXPECT_FALSE(has_force_events("pliant-forces 1\n"));
+  EXPECT_FALSE(has_force_events(""));
+}
+
+TEST(ForceEvents, RefusalsNameFileAndLine) {
+  const std::string head = "pliant-forces 2\n";
+  EXPECT_EQ(refusal(""),
+            "f.txt: expected \"pliant-forces\" and a version from 1 to 3 first, found no text");
+  EXPECT_EQ(refusal("pliant-forces 4\n"),
+            "f.txt:1: expected \"pliant-forces\" and a version from 1 to 3, found \"pliant-forces "
+            "4\"");
+  EXPECT_EQ(refusal(head + "push 1 0 0 0\n"),
+            "f.txt:2: expected set, pin, force, step or wander, found \"push\"");
+  EXPECT_EQ(refusal(head + "set technique\n"),
+            "f.txt:2: set: expected a name and a value, found 1 fields");
+  EXPECT_EQ(refusal(head + "force 1 0 0\n"),
+            "f.txt:2: force: expected a joint and a force (x, y, z), found 3 fields");
+  EXPECT_EQ(refusal(head + "force 1 0 nan 0\nstep\n"),
+            "f.txt:2: force y: expected a finite number up to 1e100, found \"nan\"");
+  EXPECT_EQ(refusal(head + "force 1 0 0 1\npin 2\n"),
+            "f.txt:3: expected force or step after a force, found \"pin\"");
+  EXPECT_EQ(refusal(head + "force 1 0 0 1\n"), "f.txt:2: force: no step follows it");
+  EXPECT_EQ(refusal(head + "step 3\n"), "f.txt:2: step: expected nothing after it, found \"3\"");
+  EXPECT_EQ(refusal(head + "wander 0\n"),
+            "f.txt:2: wander: expected a whole number of steps from 1");
+  EXPECT_NE(refusal(head + "pin 6\n"), "");
+}
+
+TEST(ForceEvents, CountStepsThatAreTheSame) {
+  const std::string text =
+      "pliant-forces 3\nset seed 7\nstart\nhold_back 0.2\nforce 1 0 0 2\nstep 350\n"
+      "force 1 0 0 2\nwander 20\nwander 5\n";
+  const std::vector<ForceEvent> events = parse(text);
+  EXPECT_EQ(steps_of(events), 375);
+  EXPECT_EQ(write_force_events(events, hexagon()), text);
+  std::vector<ForceEvent> added;
+  const std::vector<JointForce> zero{{1, {0.0, 0.0, 0.0}}}, minus{{1, {0.0, 0.0, -0.0}}};
+  for (int k = 0; k < 1000; ++k) add_pull(added, zero);
+  add_pull(added, minus);
+  for (int k = 0; k < 3; ++k) add_wander(added);
+  EXPECT_EQ(write_force_events(added, hexagon()),
+            "pliant-forces 3\nforce 1 0 0 0\nstep 1000\nforce 1 0 0 -0\nstep\nwander 3\n");
+}
+
+TEST(ForceEvents, RefuseCountsThatAreNone) {
+  const std::string head = "pliant-forces 3\n";
+  for (const char* count : {"0", "-1", "x", "1 2", "9223372036854775807"})
+    EXPECT_EQ(refusal(head + "step " + count + "\n"),
+              "f.txt:2: step: expected a whole number of steps from 1");
+  EXPECT_EQ(refusal(head + "hold_back 0\n"), "f.txt:2: hold_back: expected a number above 0");
+  EXPECT_EQ(refusal(head + "step\nstart\n"), "f.txt:3: start: expected before all but set");
+}
+
+/// What a counted line does is what as many lines did in version 2.
+TEST(ReplayEvents, CountedStepsHaveTheBitsOfThoseWrittenOut) {
+  const std::string pull = "force 1 40 0.1 -30\n";
+  std::string written = "pliant-forces 2\nset damping 0.5\n";
+  for (int k = 0; k < 30; ++k) written += pull + "step\n";
+  State counted(ring(6).positions), listed(ring(6).positions);
+  replay_events(hexagon(), counted,
+                parse("pliant-forces 3\nset damping 0.5\n" + pull + "step 30\n"), {}, {});
+  replay_events(hexagon(), listed, parse(written), {}, {});
+  EXPECT_EQ(counted.positions, listed.positions);
+  EXPECT_EQ(counted.step, 30);
+}
+
+TEST(ReplayEvents, RefusalsOfSettingsNameTheLine) {
+  const std::string head = "pliant-forces 2\n";
+  EXPECT_EQ(refused_replay(head + "step\nset weighting 2\nstep\n"),
+            "f.txt:3: weighting = 2: must be from 0 to 1");
+  EXPECT_EQ(refused_replay(head + "set weighting half\n"),
+            "f.txt:2: weighting: expected a number, found \"half\"");
+  EXPECT_EQ(refused_replay(head + "set mass_weighted 1\n"),
+            "f.txt:2: mass_weighted: expected true or false, found \"1\"");
+}
+
+/// Shown are step 0, every third, and the last.
+TEST(ReplayEvents, ShowsWhatARunShows) {
+  State state(ring(6).positions);
+  std::vector<std::int64_t> shown;
+  ReplayOptions options;
+  options.every = 3;
+  const RunSummary summary =
+      replay_events(hexagon(), state, parse(session), options, {[&](const Frame& frame) {
+                      shown.push_back(frame.step);
+                      return false;
+                    }});
+  EXPECT_EQ(shown, (std::vector<std::int64_t>{0, 3, 6, 9, 12, 14}));
+  EXPECT_EQ(summary.steps, 14);
+  EXPECT_EQ(summary.frames, 6);
+  EXPECT_EQ(state.step, 14);
+}
+
+TEST(ReplayEvents, EndsWhereAnObserverAsks) {
+  State state(ring(6).positions);
+  const RunSummary summary = replay_events(hexagon(), state, parse(session), {},
+                                           {[](const Frame& frame) { return frame.step == 5; }});
+  EXPECT_TRUE(summary.stopped_by_caller);
+  EXPECT_EQ(state.step, 5);
+}
+
+}  // namespace force_events_test
+}  // namespace pliant
