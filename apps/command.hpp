@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A subcommand of pliant: one row of the table in commands.cpp, one cmd_*.cpp.
+// A subcommand of pliant: one row of the table in commands.cpp, one commands/cmd_*.cpp.
 #pragma once
 
 #include <string>

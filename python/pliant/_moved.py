@@ -33,6 +33,8 @@ MOVED = {
     "pliant.peers.measure": "pliant._bars",
     "pliant.peers.worker": "pliant._openmm.worker",
     "pliant.report": "pliant.analyse",
+    "pliant.report.page": "pliant.analyse.page.page",
+    "pliant.report.scene": "pliant.analyse.page.scene",
 }
 
 

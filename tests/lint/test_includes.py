@@ -6,6 +6,7 @@ import shutil
 import subprocess
 from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
+from itertools import takewhile
 from pathlib import Path
 
 import pytest
@@ -35,11 +36,19 @@ MAY_INCLUDE = {
 }
 
 # The wings of large folders, in order: each may include those before it. What lies in the folder
-# itself is its door and may include all of them.
+# itself stands where ITSELF stands; where that is nowhere, last: it is the door of its wings.
+ITSELF = "itself"
 WINGS = {
+    "base": (ITSELF, "graphs", "math"),
+    "framework": (ITSELF, "measures"),
     "molecule": ("structure", "read", "bonds"),
-    "record": ("hdf5", "h5md", "xml"),
+    "molecule/read": ("shared", "pdb", "cif", "sdf", "xyz"),
+    "model": ("atoms", "prepare", "contacts", ITSELF, "rigidity"),
+    "perturb": (ITSELF, "force_files"),
     "resolve": ("method", "sweeps", "direct", "blocks", "units", "lanes", "froda"),
+    "resolve/froda": ("bodies", "near"),
+    "sample": ("network", "rings", "conformers"),
+    "record": ("hdf5", "h5md", "xml"),
 }
 
 # Libraries that stay behind .cpp files, so that users of our headers need not have them.
@@ -65,31 +74,46 @@ def folder_of(path: Path) -> str:
     return parts[0] if len(parts) > 1 else ""
 
 
-def wing_of(name: str) -> str:
-    """The wing of `pliant/resolve/blocks/near_pass.hpp`: blocks; empty for a file of the door."""
-    parts = name.split("/")
-    return parts[2] if len(parts) > 3 else ""
+def wings_of(name: str) -> list[str]:
+    """The folders of `pliant/molecule/read/pdb/pdb.hpp`: molecule, read, pdb."""
+    return name.split("/")[1:-1]
 
 
-def may_enter(folder: str, wing: str, other: str) -> bool:
-    """Whether a file of `wing` may include one of the wing `other` of the same folder."""
-    wings = WINGS.get(folder, ())
-    if not wing:
-        return True
-    return other in wings[: wings.index(wing) + 1]
+def may_enter(mine: list[str], theirs: list[str]) -> bool:
+    """Whether a file of the folders `mine` may include one of `theirs`, both within one folder.
+
+    The row of the last folder that they share decides.
+    """
+    both = zip(mine, theirs, strict=False)
+    shared = len(list(takewhile(lambda pair: pair[0] == pair[1], both)))
+    row = WINGS.get("/".join(mine[:shared]), ())
+    row = row if ITSELF in row else (*row, ITSELF)
+    here, there = [(*folders, ITSELF)[shared] for folders in (mine, theirs)]
+    return row.index(there) <= row.index(here)
 
 
 def wrong_directions(path: Path) -> Iterator[str]:
     """One text for each include that goes against MAY_INCLUDE or WINGS."""
-    folder, wing = folder_of(path), wing_of(path.relative_to(LIBRARY.parent).as_posix())
+    folder, mine = folder_of(path), wings_of(path.relative_to(LIBRARY.parent).as_posix())
     allowed = (folder, *MAY_INCLUDE.get(folder, ()))
     for number, _, name in includes(path):
         if not name.startswith("pliant/"):
             continue
         if name.split("/")[1] not in allowed:
             yield f"{place(path, number)}: {folder} may not include {name}"
-        elif name.split("/")[1] == folder and not may_enter(folder, wing, wing_of(name)):
-            yield f"{place(path, number)}: {folder}/{wing} may not include {name}"
+        elif name.split("/")[1] == folder and not may_enter(mine, wings_of(name)):
+            yield f"{place(path, number)}: {'/'.join(mine)} may not include {name}"
+
+
+def test_wings_are_entered_one_way():
+    assert may_enter(["base", "math"], ["base"])  # the ground floor
+    assert not may_enter(["base"], ["base", "math"])
+    assert may_enter(["molecule"], ["molecule", "read", "pdb"])  # the door
+    assert not may_enter(["molecule", "read", "pdb"], ["molecule"])
+    assert may_enter(["molecule", "bonds"], ["molecule", "read"])
+    assert not may_enter(["molecule", "structure"], ["molecule", "read"])
+    assert may_enter(["molecule", "read", "cif"], ["molecule", "read", "shared"])
+    assert not may_enter(["molecule", "read", "shared"], ["molecule", "read", "pdb"])
 
 
 def test_every_folder_is_in_the_table():
@@ -114,8 +138,9 @@ def test_the_page_on_structure_tells_the_same():
 
 
 def test_every_wing_is_in_the_table():
-    wings = {(path.parent.name, path.name) for path in LIBRARY.glob("*/*") if path.is_dir()}
-    assert wings == {(folder, wing) for folder, row in WINGS.items() for wing in row}
+    folders = {path.relative_to(LIBRARY).as_posix() for path in LIBRARY.rglob("*") if path.is_dir()}
+    rows = {f"{folder}/{wing}" for folder, row in WINGS.items() for wing in row if wing != ITSELF}
+    assert folders - set(MAY_INCLUDE) == rows
 
 
 def unit_of(name: str) -> str:

@@ -43,7 +43,7 @@ COMMENT = re.compile(r"//.*")
 
 def ours(name: str, beside: Path) -> Path | None:
     """The file that a quoted include means, if it is one of ours."""
-    candidates = (ROOT / "src" / name, beside.parent / name)
+    candidates = (ROOT / "src" / name, ROOT / "apps" / name, beside.parent / name)
     return next((path for path in candidates if path.exists()), None)
 
 
