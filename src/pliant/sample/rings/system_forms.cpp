@@ -15,8 +15,8 @@ namespace {
 
 constexpr int starts = 300;
 constexpr double shift = 1.8;  // Angstrom: how far atoms go at most
-constexpr int relaxing_steps = 40;
-constexpr double relaxing = 0.05;
+constexpr int system_relaxing_steps = 40;
+constexpr double system_relaxing = 0.05;
 constexpr double soft_angle = 0.12;     // Angstrom
 constexpr double least_square = 0.135;  // Angstrom^2, that of six atoms 0.15 apart
 constexpr std::size_t most_forms = 60;
@@ -90,8 +90,8 @@ class SystemForms {
   }
 
   bool reach(std::vector<Vec3>& x) const {
-    for (int step = 0; step < relaxing_steps; ++step)
-      if (approach(all_, relaxing, x) == HUGE_VAL) return false;
+    for (int step = 0; step < system_relaxing_steps; ++step)
+      if (approach(all_, system_relaxing, x) == HUGE_VAL) return false;
     return meet(exact_, x) && keeps_angles(x) && keeps_hands(x);
   }
 
