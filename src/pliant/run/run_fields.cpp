@@ -23,7 +23,10 @@ constexpr std::string_view technique_group = "Technique";
 constexpr std::string_view perturbation_group = "Perturbation";
 
 const RunField table[] = {
-    {{.name = "steps", .group = run_group, .summary = "number of steps", .range = Range::zero_or_more},
+    {{.name = "steps",
+      .group = run_group,
+      .summary = "number of steps",
+      .range = Range::zero_or_more},
      at<&RunOptions::steps>},
     {{.name = "every",
       .group = run_group,
