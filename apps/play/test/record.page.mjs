@@ -73,10 +73,11 @@ test('a trajectory from a file is played, not pulled', async () => {
   await page.click('#play');
   await page.waitForFunction(() => P.stage.at === P.stage.frames.length - 1);
   assert.equal(await page.isDisabled('#technique'), true);
+  const before = page.complaints.length;
   await page.setInputFiles('#file', {name: 'no.h5md', mimeType: '', buffer: Buffer.from('\x89HDF\r\n\x1a\nno', 'latin1')});
   const damaged = 'expected an HDF5 file that can be read, found one that is damaged or cut short';
   assert.equal(await message(page), `no.h5md: ${damaged}`);
-  assert.deepEqual(page.complaints, []);
+  assert.deepEqual(page.complaints.slice(before), []);
   await openExample(page, 'alanine_dipeptide.pdb');
   assert.equal(await page.isDisabled('#technique'), false);
 });
