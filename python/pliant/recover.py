@@ -18,8 +18,9 @@ import numpy as np
 from pliant import _hdf5, console
 from pliant._checked import checked
 from pliant._core import FileError, InputError, OptionError, check_hdf5_structure
-from pliant._hdf5_expansion import check_stored
-from pliant._recovered_file import (
+from pliant._hdf5.expansion import check_stored
+from pliant._salvage import Salvage, StoredValues, dataset, rows, salvage
+from pliant._salvage.recovered_file import (
     CONTACT_STATES,
     POSITION,
     TRAJECTORY,
@@ -31,8 +32,7 @@ from pliant._recovered_file import (
     write_observable,
     write_static,
 )
-from pliant._salvage import Salvage, StoredValues, dataset, rows, salvage
-from pliant._superblock import mend_superblock
+from pliant._salvage.superblock import mend_superblock
 
 FRAMES_AT_ONCE = 64
 

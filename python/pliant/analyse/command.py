@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from pliant._core import OptionError
-from pliant._freed_memory import give_back_freed_memory
+from pliant.analyse.freed_memory import give_back_freed_memory
 from pliant.console import (
     EXIT_OK,
     MOST_PROCESSES,

@@ -15,7 +15,7 @@ import MDAnalysis
 import pliant.h5md_parser  # noqa: F401  (makes MDAnalysis read names and bonds from our files)
 from pliant import _hdf5
 from pliant._core import InputError
-from pliant._hdf5_expansion import check_stored
+from pliant._hdf5.expansion import check_stored
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe

@@ -14,7 +14,7 @@ from MDAnalysis import units
 from MDAnalysis.coordinates.H5MD import H5MDReader
 
 from pliant import _hdf5
-from pliant._hdf5_expansion import refused
+from pliant._hdf5.expansion import refused
 
 if TYPE_CHECKING:
     from MDAnalysis.coordinates.base import ProtoReader

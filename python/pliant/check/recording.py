@@ -14,7 +14,7 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import InputError
-from pliant._hdf5_expansion import check_stored
+from pliant._hdf5.expansion import check_stored
 from pliant.ensemble.plan import refuse_ensemble
 
 ANGSTROM_PER_UNIT = {"Angstrom": 1.0, "A": 1.0, "nm": 10.0, "pm": 0.01}

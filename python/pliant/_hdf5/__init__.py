@@ -18,7 +18,7 @@ import h5py
 import numpy as np
 
 from pliant._core import FileError, InputError, check_hdf5_structure, writer_of
-from pliant._hdf5_expansion import (
+from pliant._hdf5.expansion import (
     Item,
     check_chunks,
     check_stored,
@@ -27,7 +27,7 @@ from pliant._hdf5_expansion import (
     refused,
     texts_of,
 )
-from pliant._hdf5_probe import probe
+from pliant._hdf5.probe import probe
 
 #: Soft links that are followed on one path.
 MOST_LINKS = 16
