@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-SUPPORT = Path(__file__).parents[1] / "support" / "leftovers.py"
+SUPPORT = Path(__file__).parents[1] / "support" / "python" / "leftovers.py"
 
 CONFTEST = """
 from pathlib import Path
