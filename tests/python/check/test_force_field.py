@@ -28,7 +28,7 @@ PEPTIDE = MDA.PDB_small.replace("adk_open.pdb", "adk_open_10res.pdb")
 @pytest.fixture(scope="module")
 def sampled():
     """Ten residues of adenylate kinase, all hydrogens, no end."""
-    return pliant.sample(pliant.read(PEPTIDE), frames=3, seed=2)
+    return pliant.sample(read_without_elements(PEPTIDE), frames=3, seed=2)
 
 
 @pytest.fixture(scope="module")
