@@ -277,7 +277,10 @@ def test_without_a_start_structure_the_error_says_what_to_do(sampled, tmp_path, 
     report = pliant.check(path)
     assert report.force_field is None and report.passed
     assert report.findings[-1].notes[0].startswith("no force field: ")
-    with pytest.raises(pliant.InputError, match=r"expected 157 atoms, found 3341"):
+    with (
+        pytest.warns(pliant.PliantWarning, match="no element in columns 77-78: taken from"),
+        pytest.raises(pliant.InputError, match=r"expected 157 atoms, found 3341"),
+    ):
         pliant.check(path, force_field=True, start=MDA.PDB_small)
 
 
