@@ -19,6 +19,7 @@ from pliant.compare.paths import (  # noqa: E402
     straight_line,
 )
 from scipy.spatial.distance import cdist, directed_hausdorff  # noqa: E402
+from told import read_without_elements  # noqa: E402
 
 import pliant  # noqa: E402
 
@@ -28,7 +29,8 @@ DATA = MDA.PDB_small.rpartition("/")[0]
 @pytest.fixture(scope="module")
 def opening(tmp_path_factory):
     path = tmp_path_factory.mktemp("paths") / "opening.h5md"
-    pliant.path(f"{DATA}/adk_closed.pdb", f"{DATA}/adk_open.pdb", output=path)
+    ends = [read_without_elements(f"{DATA}/adk_{name}.pdb") for name in ("closed", "open")]
+    pliant.path(*ends, output=path)
     return path
 
 

@@ -37,7 +37,7 @@ def test_no_chain_comes_over(chainless):
 def test_no_table_names_it(chainless, tmp_path):
     path = tmp_path / "run.h5md"
     pliant.run(chainless, output=path, steps=5, perturb="displacement", displacement=0.05)
-    pliant.analyse(path, tmp_path / "out", dpi=40)
+    pliant.analyse(path, tmp_path / "out", dpi=50)
     for table in ("atoms", "residues"):
         with (tmp_path / "out" / f"{table}.csv").open() as file:
             assert {row["chain"] for row in csv.DictReader(file)} == {""}

@@ -3,6 +3,7 @@
 
 import importlib
 import pkgutil
+from contextlib import nullcontext
 
 import numpy as np
 import pytest
@@ -33,7 +34,9 @@ def page(name):
 @pytest.mark.parametrize("name", NAMES)
 def test_a_page_answers_with_a_verdict_tables_and_figures(name, tmp_path):
     module = page(name)
-    found = module.answer(tmp_path, 0, True)
+    of_all = pytest.warns(pliant.PliantWarning, match="goes from bar to bar")
+    with of_all if name == "new_techniques" else nullcontext():
+        found = module.answer(tmp_path, 0, True)
     assert found.title == module.TITLE
     assert any(letter.isdigit() for letter in found.verdict)
     assert "nan" not in found.verdict.split()
