@@ -98,3 +98,13 @@ def test_a_protein_of_md_with_all_its_water_is_sampled(pliant, tmp_path):
     assert (len(reader), len(structure)) == (2, 3345)
     for frame in range(2):
         assert longest(reader.positions(frame), structure.bonds) < 2.5
+
+
+def test_check_makes_its_start_whole_and_says_so(pliant, cut):
+    pytest.importorskip("openmm")
+    cut()
+    assert pliant("sample", PEPTIDE, "--frames", "2", "-o", "out.h5md").code == 0
+    few = ("--frames", "2", "--starts", "1", "--long-starts", "0", "--md-steps", "0")
+    ended = pliant("check", "out.h5md", "--start", "cut.pdb", "--no-picture", *few)
+    assert ended.code == 0, ended.err
+    assert f"note: {WHOLE}" in ended.err

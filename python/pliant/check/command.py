@@ -9,6 +9,7 @@ import sys
 from collections.abc import Sequence
 
 from pliant import console
+from pliant._said import notes_told_by
 
 EPILOG = """\
 Exit code: 0 if every check passed, 1 if one failed, 2 for a bad option. If OpenMM cannot do
@@ -89,21 +90,22 @@ def _check(arguments: argparse.Namespace) -> int:
     from pliant.check.report import print_report
     from pliant.check.suite import check
 
-    report = check(
-        arguments.file,
-        frames=arguments.frames,
-        displacements=arguments.displacements,
-        seed=arguments.seed,
-        time_limit=arguments.time_limit,
-        force_field=arguments.force_field,
-        starts=arguments.starts,
-        long_starts=arguments.long_starts,
-        md_steps=arguments.md_steps,
-        start=arguments.start,
-        total_limit=arguments.total_limit,
-        picture=None if arguments.no_picture else _picture_path(arguments),
-        quiet=arguments.quiet or arguments.json,
-    )
+    with notes_told_by(console.note):
+        report = check(
+            arguments.file,
+            frames=arguments.frames,
+            displacements=arguments.displacements,
+            seed=arguments.seed,
+            time_limit=arguments.time_limit,
+            force_field=arguments.force_field,
+            starts=arguments.starts,
+            long_starts=arguments.long_starts,
+            md_steps=arguments.md_steps,
+            start=arguments.start,
+            total_limit=arguments.total_limit,
+            picture=None if arguments.no_picture else _picture_path(arguments),
+            quiet=arguments.quiet or arguments.json,
+        )
     if arguments.json:
         console.print_json(report.as_json())
     else:
