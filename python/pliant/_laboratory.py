@@ -9,7 +9,7 @@ from __future__ import annotations
 
 import importlib
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import Any
 
 MISSING = (
@@ -31,26 +31,26 @@ NAMES = (
 )
 
 
-def bench() -> int:
-    """Runs ``pliant bench``; returns its exit code."""
-    return _run("bench")
+def bench(words: Sequence[str] | None = None) -> int:
+    """Runs ``pliant bench`` with these words, or those of the command; returns its exit code."""
+    return _run("bench", words)
 
 
-def experiment() -> int:
-    """Runs ``pliant experiment``; returns its exit code."""
-    return _run("experiment")
+def experiment(words: Sequence[str] | None = None) -> int:
+    """Runs ``pliant experiment``, as bench() does."""
+    return _run("experiment", words)
 
 
-def _run(command: str) -> int:
+def _run(command: str, words: Sequence[str] | None) -> int:
     module = f"pliant.lab.{command}.command"
     try:
-        main: Callable[[], int] = importlib.import_module(module).main
+        main: Callable[[Sequence[str] | None], int] = importlib.import_module(module).main
     except ModuleNotFoundError as error:
         if not module.startswith(f"{error.name}"):
             raise
         print(f"pliant {command}: error: {MISSING}", file=sys.stderr)
         return 1
-    return main()
+    return main(words)
 
 
 def leave_out(package: dict[str, Any]) -> None:

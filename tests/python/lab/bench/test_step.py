@@ -31,7 +31,7 @@ def test_local_techniques_look_at_as_many_bars_in_any_size():
 
 
 def test_broken_ends_are_named(monkeypatch):
-    monkeypatch.setattr(stepping.measure, "worst_residual", lambda *_: 1e-3)
+    monkeypatch.setattr(stepping._bars, "worst_residual", lambda *_: 1e-3)
     found = stepping.steps_of_pushes((100,), techniques=("blocks",), steps=2, rounds=1)
     assert found.faults == ["protein of 120, blocks: a bar is off by 1.0e-03 in the end"]
 
@@ -47,6 +47,6 @@ def test_the_command_prints_a_table_and_writes_csv(capsys, tmp_path, monkeypatch
     assert main([*words, "--csv", str(table)]) == 0
     assert "us a step" in capsys.readouterr().out
     assert [row["joints"] for row in csv.DictReader(table.open())] == ["100", "200"] * 3
-    monkeypatch.setattr(stepping.measure, "worst_residual", lambda *_: 1.0)
+    monkeypatch.setattr(stepping._bars, "worst_residual", lambda *_: 1.0)
     assert main([*words, "--json"]) == 1
     assert len(json.loads(capsys.readouterr().out)["rows"]) == 6
