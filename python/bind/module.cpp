@@ -5,6 +5,10 @@
 
 NB_MODULE(_core, module) {
   using namespace pliant::python;
+#ifdef NDEBUG
+  // What a script still holds when Python ends (a framework in a traceback, say) is no fault of it.
+  nanobind::set_leak_warnings(false);
+#endif
   module.doc() = "Compiled part of Pliant; use the names that the package pliant gives.";
   bind_base(module);
   bind_framework(module);
