@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The extension module pliant._core: calls one bind function for each folder of the library.
+#include <cstdlib>
+
 #include "bind.hpp"
 #include "refusals.hpp"
 
 NB_MODULE(_core, module) {
   using namespace pliant::python;
-#ifdef NDEBUG
-  // What a script still holds when Python ends (a framework in a traceback, say) is no fault of it.
-  nanobind::set_leak_warnings(false);
-#endif
+  // What a script still holds when Python ends (a framework in a traceback, say) is no fault of it:
+  // leaks are reported to those who look for them.
+  nanobind::set_leak_warnings(std::getenv("PLIANT_REPORT_LEAKS") != nullptr);
   module.doc() = "Compiled part of Pliant; use the names that the package pliant gives.";
   bind_base(module);
   bind_framework(module);

@@ -14,6 +14,8 @@ import pytest
 
 import pliant
 
+REPORTING = {**os.environ, "PLIANT_REPORT_LEAKS": "1"}
+
 # Made and dropped again and again; ends with cycles through observers and an exception.
 SCENARIO = """
 import gc, sys
@@ -57,6 +59,7 @@ def test_nothing_is_left_at_the_end(tmp_path):
         capture_output=True,
         text=True,
         check=False,
+        env=REPORTING,
     )
     assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
 
@@ -66,7 +69,7 @@ def test_the_report_of_leaks_is_on(tmp_path):
     script = "import ctypes, pliant; f = pliant.Framework([[0, 1]], [1])\n"
     script += "ctypes.pythonapi.Py_IncRef(ctypes.py_object(f))\n"
     done = subprocess.run(
-        [sys.executable, "-c", script], capture_output=True, text=True, check=False
+        [sys.executable, "-c", script], capture_output=True, text=True, check=False, env=REPORTING
     )
     assert "nanobind: leaked" in done.stderr
 
