@@ -15,7 +15,7 @@ import numpy as np
 from pliant._core import InputError, OptionError
 from pliant.analyse.store_reader import StoreReader
 from pliant.analysis.frame_index import FrameIndex
-from pliant.analysis.frame_store import FrameStore
+from pliant.analysis.frame_store import AT_ONCE_BYTES, FrameStore
 
 if TYPE_CHECKING:
     from pliant.analyse.study import Study
@@ -25,8 +25,6 @@ if TYPE_CHECKING:
 MEMORY_BYTES = 1 << 23
 #: ... and up to this one in a temporary file; more are read anew by each analysis
 HELD_BYTES = 1 << 30
-#: of positions that are read from a file at once
-AT_ONCE_BYTES = 1 << 21
 
 
 def choose_frames(study: Study) -> None:

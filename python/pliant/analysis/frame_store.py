@@ -81,7 +81,8 @@ class FrameStore:
         """Puts frames (f, m, 3) in their places, from number `first` on."""
         if self.array is not None:
             self.array[first : first + len(frames)] = frames
-        if self.array is not None or frames.size == 0:
+            return
+        if frames.size == 0:  # nothing to cast
             return
         data, at = np.ascontiguousarray(frames, dtype=self._dtype).data.cast("B"), first * self._row
         while data:
@@ -100,8 +101,7 @@ class FrameStore:
 
     def blocks(self, frames: np.ndarray | None = None) -> Iterator[np.ndarray]:
         """All frames, or those of these numbers, some at a time: (f, m, 3)."""
-        chosen = np.arange(len(self)) if frames is None else frames
-        for part in self.parts(chosen):
+        for part in self.parts(frames):
             yield self.take(part)
 
     def parts(self, frames: np.ndarray | None = None) -> list[np.ndarray]:
