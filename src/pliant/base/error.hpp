@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kinds of failure that callers may want to tell apart. Not converging is none of them: it is
-// an outcome, in ResolveSummary.
+// The kinds of failure that callers may want to tell apart. A resolve that does not converge is no
+// error: ResolveSummary says so.
 #pragma once
 
 #include <cstddef>

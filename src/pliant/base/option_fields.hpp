@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Tables of the options of a task: a row for each, with its name, meaning, unit and range, where it
-// lies and who may set it. The command's options, Python's keywords, the page's settings, the
-// parameters of a recorded file and check() come from such a table: an option is added there and is
-// there for all of them.
+// Tables of the options of a task. A row has an option's name, meaning, unit and range, where it is
+// stored and who may set it. The command's options, Python's keywords, the page's settings, the
+// parameters of a recorded file and check() all come from such a table.
 #pragma once
 
 #include <cstdint>
@@ -16,10 +15,10 @@
 
 namespace pliant {
 
-/// Where an option lies. Text is always a name of some table.
+/// Where an option is stored. A text is always a name from some table.
 using OptionPlace = std::variant<bool*, std::int64_t*, std::uint64_t*, double*, std::string*>;
 
-/// Who may set an option. What only some may set, the others choose in a way of their own.
+/// Who may set an option. Where some may not, their program chooses the value itself.
 struct OptionUsers {
   bool command = true;
   bool python = true;
@@ -29,27 +28,27 @@ struct OptionUsers {
 
 /// What an earlier version called an option.
 struct FormerOption {
-  std::string_view name = {};  ///< "": nothing else
-  double divisor = 1.0;        ///< a value in the unit of then, divided by this, is one of today
+  std::string_view name = {};  ///< "": no other name
+  double divisor = 1.0;        ///< a value in the former unit, divided by this, is one in today's
 };
 
-/// What an option is, wherever it lies.
+/// What an option is, wherever it is stored.
 struct OptionFacts {
   std::string_view name;     ///< "max_sweeps": --max-sweeps, max_sweeps=, run/max_sweeps
   std::string_view group;    ///< the heading under which help lists it
   std::string_view summary;  ///< what it means; in the command's words where those differ
   Range range = Range::any;  ///< what a number may be
-  /// The names that a text may be, and what they are names of; null for what is no text.
+  /// The names that a text may have, and what kind of thing they name; null unless it is a text.
   std::vector<std::string_view> (*choices)() = nullptr;
   std::string_view kind = {};
   bool is_optional = false;           ///< 0 stands for "not used" and is in range too
-  std::string_view unit = {};         ///< of a number; "": it has none, or the summary says it
+  std::string_view unit = {};  ///< of a number; "": none, or the summary says it
   std::string_view in_python = {};    ///< the summary in the words of scripts; "": the same
-  std::string_view automatic = {};    ///< what a user may give in place of a choice, and gives if
-                                      ///< nothing; a task then chooses
-  std::int64_t most = INT64_MAX;      ///< whole numbers that the command takes
-  std::string_view unset_means = {};  ///< what the command does where it is not given, if that is
-                                      ///< not the default of the library
+  std::string_view automatic = {};    ///< the value, and the default, that lets the task choose;
+                                      ///< "": the task never chooses
+  std::int64_t most = INT64_MAX;  ///< largest whole number that the command takes
+  std::string_view unset_means = {};  ///< what the command does without the option, if that is not
+                                      ///< the default of the library
   OptionUsers users = {};
   FormerOption former = {};
 };
@@ -60,8 +59,8 @@ struct OptionField : OptionFacts {
   OptionPlace (*place)(Options& options) = nullptr;
 };
 
-/// The place that a chain of members leads to; for `place` of a row:
-/// place_at<RunOptions, &RunOptions::resolve, &ResolveOptions::seed>.
+/// The member that a chain of members leads to; for `place` of a row: place_at<RunOptions,
+/// &RunOptions::resolve, &ResolveOptions::seed>.
 template <auto First, auto... Rest>
 OptionPlace follow_members(auto& from) {
   if constexpr (sizeof...(Rest) == 0) {
@@ -79,7 +78,7 @@ OptionPlace place_at(Options& options) {
 void check_option(const OptionFacts& facts, OptionPlace place);
 
 /// Sets an option from text: "true" or "false", a number, a name. Throws OptionError naming it, the
-/// text and what was expected; ranges are check_option()'s matter.
+/// text and what was expected. Ranges are checked by check_option(), not here.
 void set_option(const OptionFacts& facts, OptionPlace place, std::string_view text);
 
 /// The value as text that set_option() reads back to the same bits.
@@ -88,7 +87,7 @@ std::string option_text(OptionPlace place);
 /// The value as files keep it. A seed is text, since 64 bits without sign do not fit a Parameter.
 Parameter parameter_of(OptionPlace place);
 
-/// The parameter of that path. Throws InputError where there is none.
+/// Returns the parameter of that path. Throws InputError where there is none.
 const Parameter& find_parameter(const std::vector<NamedParameter>& parameters,
                                 const std::string& path);
 
@@ -97,7 +96,7 @@ const Parameter& find_parameter(const std::vector<NamedParameter>& parameters,
 void restore_option(const std::vector<NamedParameter>& parameters, const std::string& path,
                     OptionPlace place);
 
-/// Places of options that are only read: a copy would take along what a run replays.
+/// Lets the functions above read options that are const; a copy would copy the forces of a replay.
 template <class Options>
 Options& places_of(const Options& options) {
   return const_cast<Options&>(options);
@@ -115,7 +114,8 @@ std::vector<NamedParameter> option_parameters(std::string_view group, const Fiel
   return values;
 }
 
-/// The inverse; what is not recorded stays. Throws as restore_option().
+/// Sets options from recorded parameters. Fields that files do not keep are left as they are.
+/// Throws as restore_option().
 template <class Fields, class Options>
 void restore_options(std::string_view group, const Fields& fields,
                      const std::vector<NamedParameter>& parameters, Options& options) {
@@ -125,7 +125,7 @@ void restore_options(std::string_view group, const Fields& fields,
                      field.place(options));
 }
 
-/// Leaves to the task what it can choose.
+/// Sets to "automatic" every option that the task can choose.
 template <class Fields, class Options>
 void leave_open(const Fields& fields, Options& options) {
   for (const auto& field : fields)

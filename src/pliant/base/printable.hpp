@@ -7,12 +7,12 @@
 
 namespace pliant {
 
-/// `text` with control characters (but tab and line end) and bytes that are no UTF-8 as \xNN, so
-/// that no terminal takes them for orders. Letters of all scripts stay.
+/// `text` with control characters (except tab and line end) and bytes that are not UTF-8 written as
+/// \xNN, so that no terminal obeys them. Letters of all scripts are kept.
 std::string printable(std::string_view text);
 
-/// A file's name as messages have it: as it is, or in double quotes with \xNN where it holds
-/// characters that printable() writes so, tabs, line ends or double quotes.
+/// A file's name as messages show it: unchanged, or in double quotes with \xNN where it holds
+/// double quotes, tabs, line ends or characters that printable() escapes.
 std::string printable_name(std::string_view name);
 
 }  // namespace pliant

@@ -45,7 +45,7 @@ std::array<std::uint64_t, 4> philox4x64(std::array<std::uint64_t, 4> counter,
 class RandomSequence {
  public:
   explicit RandomSequence(const RandomKey& key) : key_(key) {}
-  /// The same with its first 256 bits, philox4x64 of the key, drawn already.
+  /// A sequence whose first 256 bits, philox4x64 of the key, have been drawn already.
   RandomSequence(const RandomKey& key, const std::array<std::uint64_t, 4>& first)
       : key_(key), block_(first), has_first_(true) {}
 
@@ -56,7 +56,7 @@ class RandomSequence {
   /// Uniform on the unit sphere (Marsaglia 1972: rejection, then one square root; no trigonometry,
   /// whose last bits differ between C libraries).
   Vec3 direction();
-  /// Uniform on the unit circle in the plane z = 0 (the same way).
+  /// Uniform on the unit circle in the plane z = 0, by the same method.
   Vec3 direction_in_plane();
 
  private:
@@ -66,8 +66,9 @@ class RandomSequence {
   bool has_first_ = false;
 };
 
-/// out[i] = RandomSequence(key of joint key.joint + i).direction(), or direction_in_plane(): the
-/// same numbers as one by one in half the time, for generators of several joints go side by side.
+/// out[i] = RandomSequence(key with joint key.joint + i).direction(), or direction_in_plane(). The
+/// numbers are those drawn one by one, in half the time: generators of several joints run side by
+/// side.
 void random_directions(RandomKey key, bool planar, std::span<Vec3> out);
 
 }  // namespace pliant

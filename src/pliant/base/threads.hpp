@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Threads, where the system has them: in WebAssembly (WASI) there is one, and all is done by it.
+// Threads where the system has them. WebAssembly (WASI) has none: there one call does all the work.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@ namespace pliant {
 
 #ifdef __wasi__
 
-/// Nobody to wait for.
+/// A mutex for a program with one thread: does nothing.
 struct Mutex {
   void lock() {}
   void unlock() {}
@@ -29,8 +29,8 @@ void run_in_threads(std::size_t, const Work& work) {
 
 using Mutex = std::mutex;
 
-/// Calls work(0) in this thread and work(1) ... work(count - 1) in others, and waits for them. Work
-/// takes what is to be done from a place that all share, so that a single call does all of it; it
+/// Calls work(0) in this thread and work(1) ... work(count - 1) in others, and waits for them. The
+/// calls take their tasks from a shared queue, so that a single call can do all of them. `work`
 /// must not throw.
 template <class Work>
 void run_in_threads(std::size_t count, const Work& work) {

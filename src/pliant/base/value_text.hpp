@@ -9,8 +9,7 @@
 
 namespace pliant {
 
-/// Puts what a text says into the place of an option. Throws OptionError naming the option, what
-/// was expected and the text.
+/// Sets an option from text. Throws OptionError naming the option, what was expected and the text.
 void set_value(std::string_view name, std::string_view text, bool& place);
 void set_value(std::string_view name, std::string_view text, std::int64_t& place,
                std::int64_t least = std::numeric_limits<std::int64_t>::min());

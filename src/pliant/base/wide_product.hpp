@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The product of two 64-bit numbers in full: what counter-based random numbers are made of.
+// The full 128-bit product of two 64-bit numbers, from which counter-based random numbers are made.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ struct WideProduct {
   friend bool operator==(WideProduct, WideProduct) = default;
 };
 
-/// By halves of 32 bits, for processors that multiply no wider: schoolbook multiplication.
+/// Schoolbook multiplication of 32-bit halves, for processors without a wider product.
 constexpr WideProduct wide_product_of_halves(std::uint64_t a, std::uint64_t b) {
   constexpr std::uint64_t half = 0xffffffffu;
   const std::uint64_t a0 = a & half, a1 = a >> 32, b0 = b & half, b1 = b >> 32;
@@ -21,8 +21,8 @@ constexpr WideProduct wide_product_of_halves(std::uint64_t a, std::uint64_t b) {
   return {a1 * b1 + (middle >> 32) + (other >> 32), other << 32 | (low & half)};
 }
 
-/// One instruction where the processor has it; elsewhere (32 bits, WebAssembly) a type of 128 bits
-/// would be a call of a function for each product.
+/// One instruction where the processor has it. Elsewhere (32 bits, WebAssembly) a 128-bit type
+/// would cost a function call for each product.
 #if defined(__x86_64__) || defined(__aarch64__) || defined(__powerpc64__) || \
     defined(__riscv) && __riscv_xlen == 64
 constexpr WideProduct wide_product(std::uint64_t a, std::uint64_t b) {

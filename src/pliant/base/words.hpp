@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of a line of the text files that are ours: set apart by blanks, with "#" beginning a
-// comment.
+// The words of a line of Pliant's own text files, separated by blanks; "#" begins a comment.
 #pragma once
 
 #include <string_view>
@@ -13,7 +12,7 @@ using Words = std::vector<std::string_view>;
 /// Views into `line`, in their order; a carriage return is a blank.
 Words words_of(std::string_view line);
 
-/// Whether a text is read back as one word: not empty, no blank and no "#" in it.
+/// Whether `text` is read back as one word: it is not empty and has no blank and no "#" in it.
 bool is_word(std::string_view text);
 
 }  // namespace pliant

@@ -11,19 +11,19 @@ namespace pliant {
 
 class DisjointSets {
  public:
-  /// Each number alone.
+  /// Makes each number a set by itself.
   void reset(std::size_t count) {
     parent_.resize(count);
     std::iota(parent_.begin(), parent_.end(), 0U);
   }
 
-  /// The lowest number of the set; halves paths on its way.
+  /// Returns the lowest number of the set that holds k; halves paths on its way.
   std::uint32_t find(std::uint32_t k) {
     while (parent_[k] != k) k = parent_[k] = parent_[parent_[k]];
     return k;
   }
 
-  /// False if both were in one set already.
+  /// Unites the sets of a and b. Returns false if both were in one set already.
   bool unite(std::uint32_t a, std::uint32_t b) {
     a = find(a);
     b = find(b);

@@ -28,7 +28,8 @@ class GraphOf {
 
   /// No nodes.
   GraphOf() = default;
-  /// `edges`, an array, have ends a and b, below `nodes`; fewer than 2^31 of them.
+  /// Takes an array of `edges` whose ends a and b are below `nodes`; there are fewer than 2^31
+  /// edges.
   template <class Edges>
   GraphOf(std::size_t nodes, const Edges& edges)
       : links_(nodes, [&](const auto& put) {

@@ -9,8 +9,8 @@
 
 namespace pliant {
 
-/// Lists of things, one a slot. Their beginnings are held as `Index`, which must be able to count
-/// all things.
+/// Lists of things, one list for each slot. `Index` is the type of the beginnings of the lists; it
+/// must be able to count all things.
 template <class Thing, class Index = std::uint32_t>
 class Grouped {
  public:
@@ -38,20 +38,22 @@ class Grouped {
     things_.reserve(things);
   }
 
-  std::size_t size() const { return first_.size() - 1; }  ///< slots
+  std::size_t size() const { return first_.size() - 1; }  ///< number of slots
   std::span<const Thing> at(std::size_t slot) const {
     return {things_.data() + first_[slot], things_.data() + first_[slot + 1]};
   }
   std::span<Thing> at(std::size_t slot) {
     return {things_.data() + first_[slot], things_.data() + first_[slot + 1]};
   }
-  /// The place of the first thing of a slot in things().
+  /// Index of the first thing of a slot in things().
   std::size_t begin_of(std::size_t slot) const { return first_[slot]; }
-  std::span<const Thing> things() const { return things_; }  ///< of all slots
+  /// the things of all slots, one slot after the other
+  std::span<const Thing> things() const { return things_; }
   std::span<Thing> things() { return things_; }
 
  private:
-  std::vector<Index> first_ = std::vector<Index>(1, Index{0});  ///< (slots + 1) into things_
+  /// (slots + 1) indices into things_
+  std::vector<Index> first_ = std::vector<Index>(1, Index{0});
   std::vector<Thing> things_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Best fits of a rigid shape to points (superposition, least squares): any rotation, or a turn
-// about an axis only. Both in closed form but for the eigenvectors of a 4 x 4 matrix, without
-// trigonometry, whose last bits differ between C libraries. Neither ever reflects: the mirror image
-// of a shape is another shape, and which of the two fits better is told.
+// Best fits of a rigid shape to points (superposition, least squares), by any rotation or by a turn
+// about an axis. Both are in closed form but for the eigenvectors of a 4 x 4 matrix, and without
+// trigonometry, whose last bits differ between C libraries. Neither reflects unless the caller
+// allows it; then the result says whether the mirror image fits better.
 #pragma once
 
 #include <cmath>
@@ -18,10 +18,11 @@ struct Rotation {
   Vec3 operator()(Vec3 p) const { return {dot(x, p), dot(y, p), dot(z, p)}; }
 };
 
-/// About a unit axis, by the angle whose half has the tangent t (Cayley): 2 t to second order.
+/// The turn about a unit axis by the angle whose half has the tangent t (Cayley): 2 t to second
+/// order.
 Rotation turn_about(Vec3 axis, double t);
 
-/// First b, then a.
+/// The rotation that applies b first, then a.
 Rotation product(const Rotation& a, const Rotation& b);
 
 /// x -> rotation(x) + shift.
@@ -29,7 +30,7 @@ struct RigidMotion {
   Rotation rotation;
   Vec3 shift;
   Vec3 operator()(Vec3 p) const { return rotation(p) + shift; }
-  /// First a turn about the point `through`, then this.
+  /// The motion that first turns about the point `through`, then moves as this one does.
   RigidMotion after(const Rotation& turn, Vec3 through) const {
     return {product(rotation, turn), (*this)(through - turn(through))};
   }
@@ -50,9 +51,9 @@ class RotationFit {
     z_ += s.z * target;
   }
 
+  /// fitted: `out` is the best rotation. mirrored: the best rotation of the mirror image (all signs
+  /// changed), which was allowed and fits better. undefined: shape or targets are all at the origin.
   enum class Fit { fitted, mirrored, undefined, not_finite };
-  /// mirrored: the rotation is that of the shape turned inside out (all signs changed), which fits
-  /// better and was allowed. undefined: shape or targets are all at the origin.
   Fit solve(bool mirror_allowed, Rotation& out) const;
 
  private:

@@ -27,8 +27,8 @@ class CellList {
   template <class Visit>
   void for_each_pair(const Visit& visit) const;
 
-  /// The points (ascending) that share their cell with more than `most` - 1 others: where the
-  /// points are so dense that pairs would not be linear in their number.
+  /// Returns the points (ascending) that share their cell with `most` others or more. Where points
+  /// are so dense, the number of pairs is no longer linear in the number of points.
   std::vector<std::uint32_t> points_in_cells_above(std::size_t most) const;
 
  private:

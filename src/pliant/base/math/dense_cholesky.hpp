@@ -10,20 +10,20 @@
 
 namespace pliant {
 
-/// Eight vectors, number by number.
+/// Eight vectors: entry k holds the k-th number of each.
 using EightVectors = std::vector<std::array<double, 8>>;
 
 /// A = U^T U. Sums go in one fixed order.
 class DenseCholesky {
  public:
-  /// Of `a` (n x n), of which the upper triangle is looked at. A pivot that is not above 1e-14 of
-  /// the largest diagonal entry is set to that.
+  /// Factorizes `a` (n x n), of which only the upper triangle is read. A pivot that is not above
+  /// 1e-14 of the largest diagonal entry is set to that.
   explicit DenseCholesky(DenseMatrix a);
 
   /// Solves A x = b in place.
   void solve(EightVectors& b) const;
 
-  /// (n) the diagonal of the inverse; n^3 / 3 operations.
+  /// (n) the diagonal of the inverse; takes n^3 / 3 operations.
   std::vector<double> inverse_diagonal() const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Numbers of the normal distribution (Gaussian), the same bits on every machine.
+// Normally distributed (Gaussian) random numbers, the same bits on every machine.
 #pragma once
 
 #include <span>

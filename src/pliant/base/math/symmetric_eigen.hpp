@@ -16,11 +16,12 @@ struct EigenPairs {
   DenseMatrix vectors;         ///< row k belongs to values[k]; unit length
 };
 
-/// Of `a` (n x n, symmetric, finite), which is used up. About 5 n^3 operations.
+/// Eigenvalues and eigenvectors of `a` (n x n, symmetric, finite), which is overwritten. About 5
+/// n^3 operations.
 EigenPairs symmetric_eigen(DenseMatrix a);
 
-/// Turns a vector's sign so that of its numbers of largest size, to within a millionth of it, the
-/// first is positive.
+/// Chooses a vector's sign: the first of its entries of largest size (to within 1e-6) becomes
+/// positive.
 void make_sign_canonical(std::span<double> vector);
 
 }  // namespace pliant
