@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Undoing a compression piece by piece, in memory that does not grow with what the file holds.
+// Decompression piece by piece, in memory that does not grow with the contents of the file.
 #pragma once
 
 #include <cstddef>
@@ -11,9 +11,9 @@ namespace pliant {
 
 /// What one step of a Decoder did.
 struct Decoded {
-  std::size_t made = 0;     ///< bytes written to the room
-  bool is_end = false;      ///< the member of the file is complete
-  std::string damage = {};  ///< what is wrong with the data, in words; "": nothing
+  std::size_t made = 0;  ///< bytes written to `room`
+  bool is_end = false;  ///< this member of the file is complete
+  std::string damage = {};  ///< what is wrong with the data, in words; "" if nothing is
 };
 
 /// Expands the members of a compressed file, one after the other.
@@ -24,9 +24,9 @@ class Decoder {
   Decoder(const Decoder&) = delete;
   Decoder& operator=(const Decoder&) = delete;
 
-  /// Fills `room` as far as `bytes` tell, and takes off `bytes` what it has used.
+  /// Fills `room` as far as `bytes` allow, and removes from `bytes` what has been used.
   virtual Decoded step(std::string_view& bytes, std::span<char> room) = 0;
-  /// Makes ready for a new member.
+  /// Prepares for a new member.
   virtual void restart() = 0;
 };
 

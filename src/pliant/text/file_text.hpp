@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// From a path to text that can be read: bytes in bounded memory, compression undone, encodings
-// told.
+// From a path to text: bytes in bounded memory, compression undone, encodings recognized.
 #pragma once
 
 #include <cstddef>
@@ -18,22 +17,22 @@ struct SourceText {
   std::string_view text;  ///< all of it, without a UTF-8 byte order mark
 };
 
-/// The input is larger than the caller allows: whether it is wrong was not looked at.
+/// The input is larger than the caller allows. Its contents have not been checked.
 class TooLargeError : public InputError {
  public:
   using InputError::InputError;
 };
 
-/// Bytes of a file, and of what it expands to, beyond which it is refused unless a caller says
-/// otherwise: 2 GB, 1 GB where addresses have 32 bits. And the most that a caller may say.
+/// A file is refused if it, or what it expands to, has more than usual_text bytes: 2 GB, or 1 GB
+/// where addresses have 32 bits. Callers may choose another limit, up to largest_text.
 inline constexpr std::size_t usual_text =
     std::size_t{sizeof(std::size_t) > 4 ? 2u : 1u} * 1000000000;
 inline constexpr std::size_t largest_text = std::size_t{1} << (sizeof(std::size_t) > 4 ? 32 : 30);
 
-/// All bytes of a regular file, pipe or socket, gzip, bzip2 and xz undone (by their magic bytes).
-/// Throws FileError with the system's reason, for directories and devices too; TooLargeError for
-/// more than `most` bytes, before they are in memory; InputError for other compressions and damaged
-/// files.
+/// Reads all bytes of a regular file, pipe or socket; gzip, bzip2 and xz are recognized by their
+/// magic bytes and undone. Throws FileError with the system's reason, for directories and devices
+/// too; TooLargeError for more than `most` bytes, before they are in memory; InputError for other
+/// compressions and damaged files.
 std::string read_bytes(const std::filesystem::path& path, std::size_t most = usual_text);
 
 /// Whether there is a file, folder or pipe of this name. (WebAssembly has no std::filesystem.)
@@ -45,8 +44,8 @@ std::string megabytes(std::size_t bytes);
 /// The same text without a UTF-8 byte order mark.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// Throws InputError for an empty text, UTF-16, UTF-32 and binary bytes (naming the line of the
-/// first); no byte of them gets into the message.
+/// Throws InputError for an empty text, UTF-16, UTF-32 and binary bytes, naming the line of the
+/// first. The message contains none of those bytes.
 void check_text(const SourceText& source);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// An output that takes its name only when it is worth it, and that no second run writes to.
+// An output file that gets its name only when it is complete, and that only one process writes to.
 #pragma once
 
 #include <filesystem>
@@ -11,17 +11,17 @@ namespace pliant {
 /// A new file beside its final name, locked against other writers as long as it is open.
 ///
 /// The lock is an open file description lock (fcntl F_OFD_SETLK) far beyond the end of the file,
-/// which neither readers nor HDF5's own locks (flock) meet. Where the file system has no locks
-/// there is none.
+/// which conflicts neither with readers nor with HDF5's own locks (flock). File systems without
+/// locks give no such protection.
 class OutputFile {
  public:
-  /// Creates the file under a temporary name in the directory of `target` (".NAME.partial", which
-  /// takes the place of what a killed writer left there); a symbolic link is followed. Throws
-  /// FileError with the system's reason when that cannot be, or when publish() could not succeed:
-  /// `target` exists and `overwrite` is false, it is not a regular file, or it is being written.
+  /// Creates the file under a temporary name in the directory of `target` (".NAME.partial",
+  /// replacing what a killed writer left there); a symbolic link is followed. Throws FileError with
+  /// the system's reason when that fails, or when publish() could not succeed: `target` exists and
+  /// `overwrite` is false, it is not a regular file, or another process is writing it.
   OutputFile(const std::filesystem::path& target, bool overwrite);
-  /// Opens a file that is there, as it is, to be written on. Throws FileError when it is not a
-  /// regular file, cannot be written, or is being written.
+  /// Opens an existing file, unchanged, for writing. Throws FileError when it is not a regular
+  /// file, cannot be written, or is being written.
   explicit OutputFile(const std::filesystem::path& existing);
   /// Deletes the file unless it was published.
   ~OutputFile();
@@ -32,11 +32,11 @@ class OutputFile {
   /// Appends all of `text`. Throws FileError with the system's reason.
   void write(std::string_view text) const;
   const std::filesystem::path& target() const { return target_; }
-  /// Gives the file its final name. With `overwrite` it replaces what has that name, at once and
-  /// as a whole. Throws as the constructor does.
+  /// Gives the file its final name. With `overwrite` it replaces an existing file of that name
+  /// atomically. Throws as the constructor does.
   void publish();
   bool is_published() const { return published_; }
-  /// Has the folder's entry written to the disk.
+  /// Flushes the folder's entry to the disk.
   void sync_name() const;
   void close();
 
@@ -53,15 +53,14 @@ class OutputFile {
   int descriptor_ = -1;
 };
 
-/// Who is writing the file now: "process 123", "another recorder" where that cannot be told, ""
-/// for nobody.
+/// Who is writing the file now: "process 123", "another recorder" if the process is unknown, "" for
+/// nobody.
 std::string writer_of(const std::filesystem::path& path);
 
-/// Writes a file that is there as a whole or not at all. Throws as OutputFile does.
+/// Writes a complete file or none at all. Throws as OutputFile does.
 void write_text_file(const std::filesystem::path& path, std::string_view text, bool overwrite);
 
-/// Makes a folder and those above it, where they are missing. Throws FileError with the system's
-/// reason.
+/// Makes a folder and its missing parents. Throws FileError with the system's reason.
 void make_folder(const std::filesystem::path& path);
 
 }  // namespace pliant

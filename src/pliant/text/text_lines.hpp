@@ -7,8 +7,8 @@
 
 namespace pliant {
 
-/// Walks over the lines of a text. A value: a copy remembers the place. Linear in the text's length
-/// also where it holds no LF at all.
+/// Walks over the lines of a text. A copy keeps its own place. Takes linear time even where the
+/// text has no LF.
 class Lines {
  public:
   explicit Lines(std::string_view text) : text_(text), lf_(text.find('\n')), cr_(text.find('\r')) {}
@@ -35,7 +35,7 @@ class Lines {
   /// Number of the current line, from 1; 0 before the first.
   std::size_t number() const { return number_; }
 
-  /// Bytes not walked over yet.
+  /// Bytes that lie beyond the current line.
   std::size_t bytes_left() const { return text_.size() - at_; }
 
  private:

@@ -8,8 +8,8 @@
 
 namespace pliant {
 
-/// Null where this build has no liblzma. A file that needs more than 256 MiB to expand (`xz -9`
-/// makes files that need 65) counts as damaged. Throws std::bad_alloc.
+/// Null where this build has no liblzma. A file that needs more than 256 MiB to expand counts as
+/// damaged (files made by `xz -9` need 65). Throws std::bad_alloc.
 std::unique_ptr<Decoder> make_xz_decoder();
 
 }  // namespace pliant
