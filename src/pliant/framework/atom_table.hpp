@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Names for joints (atoms): what messages call them and what trajectory files record.
+// Atom table: names of joints, for messages and trajectory files.
 #pragma once
 
 #include <cstdint>
@@ -10,7 +10,7 @@ namespace pliant {
 
 /// One residue of a macromolecule, or the whole of a small molecule.
 struct Residue {
-  std::string name;           ///< "LYS"; "UNK" where a molecule file gives none; "" of graphs
+  std::string name;  ///< "LYS"; "UNK" if a molecule file gives none; "" in a graph
   std::int64_t number = 1;    ///< author's number; may be negative
   char insertion_code = ' ';  ///< ' ' for none
   std::string chain;          ///< author's chain name; "" for none
@@ -28,9 +28,9 @@ struct AtomTable {
 
   std::size_t size() const { return names.size(); }
 
-  /// "A:LYS12:CA" where there is a chain, "LYS12:CA" without one, "C1(4)" (name and serial) where
-  /// the molecule is a single residue, "a" where that has no name. Control and non-ASCII bytes are
-  /// escaped as \xNN.
+  /// "A:LYS12:CA", or "LYS12:CA" without a chain; "C1(4)" (name and serial) where the molecule is a
+  /// single residue, "a" if that residue has no name. Control and non-ASCII bytes are escaped as
+  /// \xNN.
   std::string label(std::size_t atom) const;
 };
 

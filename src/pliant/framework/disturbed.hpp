@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Disturbed: which joints may have left the places at which every bar was whole.
+// Disturbed: the joints that may have left the places at which every bar was whole.
 #pragma once
 
 #include <span>
@@ -8,12 +8,12 @@
 
 namespace pliant {
 
-/// What a resolve has to look at. Where few joints were disturbed a technique that knows how looks
-/// only at what they reach, at a cost that does not depend on the size of the framework.
+/// Where a resolve has to look. If few joints were disturbed, some techniques look only at what
+/// these reach, at a cost that does not depend on the size of the framework.
 struct Disturbed {
   Joint root = 0;                      ///< where the technique begins
   bool all = true;                     ///< any joint may have moved, or some bar was broken before
-  std::span<const Joint> joints = {};  ///< unless `all`: those that moved; the root is one of them
+  std::span<const Joint> joints = {};  ///< if not `all`: the joints that moved, the root among them
 };
 
 }  // namespace pliant

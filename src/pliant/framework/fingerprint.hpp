@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Fingerprints: whether two machines, or a file and a command, mean the same atoms in the same
-// places.
+// Fingerprints: they tell whether two machines, or a file and a command, have the same atoms in the
+// same places.
 #pragma once
 
 #include <cstdint>
@@ -12,15 +12,15 @@
 
 namespace pliant {
 
-/// Of all bits of these positions: FNV-1a of 64 bits (Fowler, Noll, Vo), bytes from the lowest one
-/// on, the same on every machine. No protection against those who mean to deceive.
+/// A hash of all bits of the positions: FNV-1a of 64 bits (Fowler, Noll, Vo), bytes from the lowest
+/// one on, the same on every machine. It does not protect against deliberate collisions.
 std::uint64_t fingerprint(std::span<const Vec3> positions);
 
-/// Of the same, and of names, elements and residue names: of a structure as it was read. Chains,
-/// numbers and bonds do not count.
+/// A hash of a structure as it was read: positions, names, elements and residue names, but neither
+/// chains nor numbers nor bonds.
 std::uint64_t fingerprint(const AtomTable& atoms, std::span<const Vec3> positions);
 
-/// 16 hexadecimal digits.
+/// The fingerprint as 16 hexadecimal digits.
 std::string fingerprint_text(std::uint64_t fingerprint);
 
 }  // namespace pliant

@@ -37,11 +37,12 @@ struct Frame {
   Vec3 force;                          ///< on root_joint, kJ/(mol Angstrom); 0 if none
   double max_limit = 0.0;    ///< largest distance of a limit outside its interval (Angstrom)
   double max_overlap = 0.0;  ///< largest overlap of two joints (Angstrom)
-  /// (N) Angstrom, one step earlier: with them the run can go on from here. Empty: not known.
+  /// (N) Angstrom, one step earlier, from which a run can continue; empty if not known.
   std::span<const Vec3> previous = {};
-  std::span<const std::uint8_t> limits_off = {};  ///< (L) 1: this limit is off; empty: none is
-  std::int64_t redraws = 0;  ///< of a sample: draws given up before this one was resolved
-  std::int64_t walker = 0;   ///< whose frame it is, where one file holds those of several
+  /// (L) 1: the limit is switched off; empty: all are on
+  std::span<const std::uint8_t> limits_off = {};
+  std::int64_t redraws = 0;  ///< draws that a sampler rejected before this frame was resolved
+  std::int64_t walker = 0;  ///< the walker it belongs to, where one file holds several
 };
 
 }  // namespace pliant

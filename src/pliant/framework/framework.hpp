@@ -36,12 +36,12 @@ struct FrameworkParts {
   std::vector<double> masses = {};              ///< (N) u, in [1e-150, 1e150]; empty: all 1
   std::vector<Joint> pinned = {};               ///< joints that never move
   std::shared_ptr<const AtomTable> atoms = {};  ///< names of the joints; may be null
-  /// (N) Angstrom, a place of each joint at which every bar has its rest length, if one is known:
-  /// the shape of parts that bars make rigid, chirality included. May be empty.
+  /// (N) Angstrom, positions at which every bar has its rest length, if some are known; else empty.
+  /// They give the shape, chirality included, of parts that bars make rigid.
   std::vector<Vec3> drawn = {};
   bool planar = false;             ///< pushes leave the z of every joint as it is
-  std::vector<Limit> limits = {};  ///< (L) distances held to intervals; of no pair that has a bar
-  std::shared_ptr<const Sterics> sterics = {};  ///< how near joints may come; null: any
+  std::vector<Limit> limits = {};  ///< (L) distances held to intervals; never of a pair with a bar
+  std::shared_ptr<const Sterics> sterics = {};  ///< how near joints may come; null: no lower bound
   std::shared_ptr<const TorsionPreferences> torsion_preferences = {};  ///< null: none
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Facts of the graph under a framework: connected components, independent cycles, bridges and
+// Properties of the graph of a framework: connected components, independent cycles, bridges and
 // blocks (biconnected components).
 #pragma once
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How text files speak of joints: by the name that belongs to one joint alone, else by its index.
+// How text files refer to joints: by name if it is unique, else by index.
 #pragma once
 
 #include <string>
@@ -11,18 +11,19 @@
 
 namespace pliant {
 
-/// Both ways between joints and words; looks at every name once, when it is made. The framework
-/// must outlive it.
+/// Translates between joints and words. Reads all names once, when it is made. The framework must
+/// outlive it.
 class JointNames {
  public:
   explicit JointNames(const Framework& framework);
 
-  /// The joint whose name is `word`, else, if `word` is a number, the joint of that index, from 0.
-  /// Throws InputError at `place` if there is none or if several joints have the name.
+  /// Returns the joint whose name is `word`; if none has it and `word` is a number, the joint of
+  /// that index, from 0. Throws InputError at `place` if there is none or if several joints have
+  /// the name.
   Joint find(std::string_view word, const Place& place) const;
 
-  /// A word by which find() finds that joint: its name if it has one of its own, else its index.
-  /// Throws InputError, beginning with `file`, where even the index is the name of other joints.
+  /// Returns a word by which find() finds the joint: its name if that is unique, else its index.
+  /// Throws InputError, beginning with `file`, where the index is the name of another joint.
   std::string word_for(Joint joint, std::string_view file) const;
 
  private:

@@ -30,7 +30,8 @@ std::string_view name(LimitKind kind);
 /// The kind of that name. Throws OptionError listing the known names.
 LimitKind find_limit_kind(std::string_view name);
 
-/// Contacts of molecules have their energies in kcal/mol, limits and files of frames in kJ/mol.
+/// kJ in a kcal: energies of molecular contacts are in kcal/mol, those of limits and of files of
+/// frames in kJ/mol.
 inline constexpr double kj_per_kcal = 4.184;
 
 inline constexpr std::uint32_t no_limit_group = ~std::uint32_t{0};
@@ -41,8 +42,8 @@ struct Limit {
   double least = 0.0;                                     ///< 0: a cable
   double most = std::numeric_limits<double>::infinity();  ///< infinite: a strut
   LimitKind kind = LimitKind::given;
-  double energy = 0.0;                   ///< kJ/mol, what it takes to break it; 0: not known
-  std::uint32_t group = no_limit_group;  ///< limits of one group stand for one thing together
+  double energy = 0.0;  ///< kJ/mol needed to break it; 0: not known
+  std::uint32_t group = no_limit_group;  ///< limits with the same group stand for one contact
   friend bool operator==(const Limit&, const Limit&) = default;
 };
 
@@ -52,7 +53,7 @@ inline double excess(const Limit& limit, double distance) {
   return distance < limit.least ? distance - limit.least : 0.0;
 }
 
-/// Which limits of a framework a walker has switched off: (L) 1 is off. Empty: none is.
+/// Which limits of a framework a walker has switched off: (L), 1 for off. Empty if all are on.
 using LimitsOff = std::span<const std::uint8_t>;
 
 inline bool is_off(LimitsOff off, LimitIndex limit) { return !off.empty() && off[limit] != 0; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sterics (excluded volume, hard spheres): how near joints may come that no bar joins.
+// Sterics (excluded volume, hard spheres): least distances of joints that no bar joins.
 #pragma once
 
 #include <cstdint>
@@ -8,10 +8,10 @@
 
 namespace pliant {
 
-/// A pair with a least distance of its own, in place of the table's.
+/// A pair with its own least distance, which replaces the table's.
 struct OwnDistance {
   std::uint32_t a = 0, b = 0;  ///< joints
-  double least = 0.0;          ///< Angstrom; 0: the two may come as near as they like
+  double least = 0.0;  ///< Angstrom; 0: no lower bound
   friend bool operator==(const OwnDistance&, const OwnDistance&) = default;
 };
 
@@ -22,13 +22,14 @@ struct Sterics {
   std::size_t kind_count = 0;             ///< K
   std::vector<std::uint16_t> kinds = {};  ///< (N) kind of each joint, below K
   std::vector<double> least = {};         ///< (K * K) Angstrom, symmetric; 0: none
-  std::vector<OwnDistance> own = {};      ///< pairs that differ from all that follows from above
-  std::vector<std::uint32_t> units = {};  ///< (N) joints of one number never touch; or empty
-  int excluded_bonds = 3;                 ///< pairs up to so many bonds apart never touch; from 0
-  /// (joint, joint) what counts as bonds for excluded_bonds; empty: all bars.
+  std::vector<OwnDistance> own = {};  ///< pairs whose least distance is none of the above
+  /// (N) joints with the same number never touch; may be empty
+  std::vector<std::uint32_t> units = {};
+  int excluded_bonds = 3;  ///< pairs up to this many bonds apart never touch; from 0
+  /// Pairs of joints that count as bonds for excluded_bonds; empty: all bars.
   std::vector<std::pair<std::uint32_t, std::uint32_t>> bonds = {};
 
-  /// Of two joints by their kinds alone (Angstrom).
+  /// Least distance of two joints by their kinds alone (Angstrom).
   double of_kinds(std::uint32_t a, std::uint32_t b) const {
     return least[kinds[a] * kind_count + kinds[b]];
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Torsion preferences: turns about bonds that cost little while they are usual. They pull, and
+// Torsion preferences: usual ranges of torsions about bonds. A resolve pulls towards them, but they
 // never decide whether a frame is whole.
 #pragma once
 
@@ -16,11 +16,11 @@ namespace pliant {
 /// 180 and 300 degrees.
 struct StaggeredTorsion {
   std::array<std::uint32_t, 4> joints{};
-  double free = 0.0;  ///< radians, up to pi / 3: the whole circle
+  double free = 0.0;  ///< radians, up to pi / 3, which is the whole circle
 };
 
-/// phi (joints 0-1-2-3) and psi (1-2-3-4) of a residue: usual in regions as large as those of
-/// backbone_reach() times `reach`.
+/// phi (joints 0-1-2-3) and psi (1-2-3-4) of a residue: usual where backbone_reach() is at most
+/// `reach`.
 struct BackboneTorsions {
   std::array<std::uint32_t, 5> joints{};
   double reach = 1.0;
@@ -31,7 +31,7 @@ struct TorsionPreferences {
   std::vector<BackboneTorsions> backbone = {};
 };
 
-/// The same as columns, for files.
+/// The same data as columns, for files.
 struct TorsionColumns {
   std::vector<std::uint32_t> staggered = {};  ///< (S * 4) joints
   std::vector<double> free = {};              ///< (S) radians
@@ -46,20 +46,20 @@ TorsionPreferences torsion_preferences_of(const TorsionColumns& columns);
 /// of range, a reach that is not finite and above 0.
 void check(const TorsionPreferences& preferences, std::size_t joint_count);
 
-/// The torsion a-b-c-d, radians, from -pi to pi; 0 where three lie on a line. The same bits
-/// everywhere.
+/// The torsion a-b-c-d from -pi to pi (radians); 0 if three points lie on a line. The same bits on
+/// every machine.
 double torsion_angle(Vec3 a, Vec3 b, Vec3 c, Vec3 d);
 
-/// How far a torsion is from the nearest of 60, 180 and 300 degrees; radians, signed.
+/// Difference of a torsion from the nearest of 60, 180 and 300 degrees (radians, signed).
 double off_staggered(double torsion);
 
-/// By how much phi and psi are outside the regions of the Ramachandran plot where residues other
-/// than glycine and proline lie (the 99 % contours of Lovell et al., Proteins 50 (2003) 437, drawn
-/// as ellipses): 1 at the edge of the nearest, below 1 inside.
+/// How far phi and psi are outside the regions of the Ramachandran plot where residues other than
+/// glycine and proline lie (the 99 % contours of Lovell et al., Proteins 50 (2003) 437, drawn as
+/// ellipses): 1 at the edge of the nearest region, below 1 inside.
 double backbone_reach(double phi, double psi);
 
-/// How phi and psi would have to turn to come to the edge of the nearest region of that reach;
-/// nothing where they are in one. Radians.
+/// The turns of phi and psi (radians) that lead to the edge of the nearest region of that reach; 0
+/// inside a region.
 struct BackboneTurn {
   double phi = 0.0, psi = 0.0;
 };

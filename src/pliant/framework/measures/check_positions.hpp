@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Whether positions can carry a framework at all: finite, and not so far from the origin that the
-// spacing of doubles there swallows the bars.
+// Checks that positions can carry a framework: they are finite, and not so far from the origin that
+// rounding swallows the bars.
 #pragma once
 
 #include <span>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bars that cannot hold together whatever the positions: triangles that break their inequality.
+// Bars that no positions can satisfy: triangles that violate the triangle inequality.
 #pragma once
 
 #include <string>
@@ -9,8 +9,8 @@
 
 namespace pliant {
 
-/// For each triangle of bars whose longest bar exceeds the sum of the others (by more than
-/// rounding) a sentence that names its three bars; at most `most` of them. O(B^1.5).
+/// Returns a sentence for each triangle of bars whose longest bar exceeds the sum of the others by
+/// more than rounding; it names the three bars. At most `most` sentences. O(B^1.5).
 std::vector<std::string> impossible_triangles(const Framework& framework, std::size_t most = 10);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Measures one walker again and again: what has not moved since is not measured anew.
+// Measures one walker again and again, looking only at what has moved.
 #pragma once
 
 #include <memory>
@@ -11,24 +11,24 @@
 
 namespace pliant {
 
-/// Gives what measure() gives, bit for bit, whatever was measured before. Positions are compared
-/// with those of the last call; where they are the same bits, so are the lengths. Not for two
-/// threads at once.
+/// Returns what measure() returns, bit for bit, whatever was measured before. Bars, limits and near
+/// pairs are measured anew only if the bits of a position near them have changed since the last
+/// call. Not thread-safe.
 class KeptMeasure {
  public:
-  /// The framework outlives it.
+  /// The framework must outlive it.
   KeptMeasure(const Framework& framework, const Tolerance& tolerance);
 
-  /// As measure() of these `positions` (N).
+  /// Measures `positions` (N) as measure() does.
   ResidualSummary measure(std::span<const Vec3> positions, LimitsOff off = {});
-  /// The same of bars and limits alone: overlaps are told as none.
+  /// Measures only bars and limits; the result has no overlaps.
   ResidualSummary measure_bars_and_limits(std::span<const Vec3> positions, LimitsOff off = {});
 
-  /// Bars, limits and near pairs that were measured so far.
+  /// Number of bars, limits and near pairs measured so far.
   std::int64_t visits() const { return visits_; }
 
  private:
-  /// What a block of pairs has: where the largest is, of bars by their own length.
+  /// The largest value of one group of pairs; for bars also the largest length error (Angstrom).
   struct Part {
     double most = 0.0, most_length = 0.0;
     std::uint32_t worst = 0;
@@ -61,9 +61,9 @@ class KeptMeasure {
   bool has_moved_ = true;  ///< since contacts_ looked
   PairBlocks bars_, limits_, overlaps_;
   std::vector<Part> bar_parts_, limit_parts_, overlap_parts_;
-  std::vector<double> squares_;  ///< (bars) of relative errors
-  std::vector<double> sums_;     ///< (blocks of bars + 1) of all squares before each
-  std::size_t right_sums_ = 0;   ///< so many of them are
+  std::vector<double> squares_;  ///< (bars) squared relative errors
+  std::vector<double> sums_;  ///< (groups of bars + 1) sum of squares before each group
+  std::size_t right_sums_ = 0;  ///< how many of sums_ are up to date
   std::vector<std::uint8_t> off_;
   std::int64_t visits_ = 0;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How many of the things that limits stand for (molecular contacts) hold at given positions.
+// Counts how many of the contacts that limits stand for hold at given positions.
 #pragma once
 
 #include <algorithm>
@@ -14,22 +14,23 @@
 
 namespace pliant {
 
-/// What a thing that limits stand for does in a frame. Numbers are those of recorded files.
+/// What a contact does in a frame. The numbers are those of recorded files.
 enum class ContactState : std::uint8_t {
-  held,    ///< on, each limit within its interval
-  broken,  ///< on, some limit is not
-  off      ///< switched off, wherever its joints are
+  held,  ///< switched on, all limits within their intervals
+  broken,  ///< switched on, some limit is not within its interval
+  off  ///< switched off, whatever the distances
 };
 
-/// Limits of one group stand for one thing; a limit of no group stands for one of its own.
+/// Numbers of contacts. Limits of one group stand for one contact; a limit in no group is a contact
+/// by itself.
 struct LimitCounts {
-  std::int64_t held = 0;    ///< on, each limit within its interval
-  std::int64_t broken = 0;  ///< on, some limit is not
-  std::int64_t off = 0;     ///< switched off, wherever its joints are
+  std::int64_t held = 0;  ///< as ContactState
+  std::int64_t broken = 0;
+  std::int64_t off = 0;
   friend bool operator==(const LimitCounts&, const LimitCounts&) = default;
 };
 
-/// Counts them frame by frame.
+/// Counts contacts frame by frame.
 class LimitCounter {
  public:
   explicit LimitCounter(std::span<const Limit> limits) : limits_(limits.begin(), limits.end()) {
@@ -43,11 +44,12 @@ class LimitCounter {
     }
   }
 
-  /// How many things there are.
+  /// Number of contacts.
   std::size_t size() const { return things_; }
 
-  /// `positions` in Angstrom; `off` (L) or empty. A limit is within its interval up to `tolerance`
-  /// (Angstrom); one whose length is not finite is not. Not for two threads at once.
+  /// Counts the contacts at `positions` (Angstrom) with limits switched off by `off` ((L) or
+  /// empty). A limit is within its interval up to `tolerance` (Angstrom), and never if its length
+  /// is not finite. Not thread-safe.
   LimitCounts count(std::span<const Vec3> positions, LimitsOff off, double tolerance) {
     found_.assign(things_, ContactState::held);
     for (LimitIndex k = 0; k < limits_.size(); ++k) {
@@ -64,12 +66,12 @@ class LimitCounter {
             std::ranges::count(found_, ContactState::off)};
   }
 
-  /// (size()) Of each thing, as count() found it last, in the order of each thing's first limit.
+  /// (size()) the state of each contact at the last count(), in the order of their first limits.
   std::span<const ContactState> states() const { return found_; }
 
  private:
   std::vector<Limit> limits_;
-  std::vector<std::uint32_t> thing_;  ///< (L) that each limit stands for
+  std::vector<std::uint32_t> thing_;  ///< (L) the contact that each limit stands for
   std::size_t things_ = 0;
   std::vector<ContactState> found_;  ///< of the last count()
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Residual (length error) of bars, violations of limits and sterics, and the one place where
-// tolerances are defined. The resolver, the tests and the recorder all ask here.
+// Residuals (length errors) of bars, violations of limits and sterics, and the one definition of
+// tolerances, used by the resolver, the tests and the recorder.
 #pragma once
 
 #include <span>
@@ -38,15 +38,15 @@ struct ResidualSummary {
   Bar worst_overlap = {};      ///< the joints of max_overlap; both 0 when none overlap
 };
 
-/// Whether every bar is within the tolerance; looks no further than the first that is not, and at
-/// neither limits nor sterics.
+/// Whether every bar is within the tolerance. Stops at the first that is not; ignores limits and
+/// sterics.
 bool is_whole(const Framework& framework, std::span<const Vec3> positions,
               const Tolerance& tolerance);
 
-/// Measures all bars at `positions` (N), limits that are not `off`, and overlaps: linear in their
-/// number. `contacts` are this framework's, kept from call to call; without them they are made.
-/// A length that is not finite gives finite = within = false, with worst_bar or worst_limit naming
-/// where.
+/// Measures all bars at `positions` (N), the limits that are not `off`, and overlaps, in linear
+/// time. `near_pairs` are this framework's, kept from call to call; without them they are found
+/// anew. If a length is not finite, `finite` and `within` are false and worst_bar or worst_limit
+/// says where.
 ResidualSummary measure(const Framework& framework, std::span<const Vec3> positions,
                         const Tolerance& tolerance = {}, LimitsOff off = {},
                         Contacts* contacts = nullptr);
