@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rows of the table of examples, by where they come from; private to the folder.
+// Rows of the table of examples, by origin; private to the folder.
 #pragma once
 
 #include <memory>
@@ -10,7 +10,7 @@
 
 namespace pliant {
 
-// Sources of more than one of the files.
+// Sources that several of the files cite.
 inline constexpr std::string_view closed_form = "closed form";
 inline constexpr std::string_view pyrigi =
     "PyRigi 06cee707, frameworkDB.py and test_infinitesimal.py";
@@ -27,15 +27,15 @@ struct ExampleRow {
   std::shared_ptr<const Sterics> sterics = {};
 };
 
-/// A sketch whose bars are spelled with a letter a joint, as the thesis prints them: "ab bc".
+/// A sketch whose bars are written as pairs of letters, one letter for each joint: "ab bc".
 Sketch spelled(std::string_view bars, std::vector<Vec3> positions);
 
 std::vector<ExampleRow> thesis_examples();       ///< figures of the thesis
 std::vector<ExampleRow> family_examples();       ///< the families at small sizes
 std::vector<ExampleRow> rigidity_examples();     ///< known ranks
 std::vector<ExampleRow> planar_examples();       ///< known ranks, in the plane z = 0
-std::vector<ExampleRow> projection_examples();   ///< systems that other programs are tested with
-std::vector<ExampleRow> feasibility_examples();  ///< at and beyond the edge of what can be
+std::vector<ExampleRow> projection_examples();  ///< systems that test other programs
+std::vector<ExampleRow> feasibility_examples();  ///< at and beyond the limits of feasibility
 std::vector<ExampleRow> limit_examples();        ///< with limits and sterics
 
 }  // namespace pliant

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Examples: families of frameworks by size, and a table of tiny named frameworks about which the
-// facts are known from elsewhere. Tests, benchmarks and documentation all iterate the same table.
+// Examples: families of frameworks by size, and a table of tiny named frameworks with known
+// properties. Tests, benchmarks and documentation all use the same table.
 #pragma once
 
 #include <optional>
@@ -36,20 +36,21 @@ Sketch star(std::size_t leaves);
 Sketch complete(std::size_t joints);
 /// A square grid of rows x columns unit cells in the plane z = 0.
 Sketch grid(std::size_t rows, std::size_t columns);
-/// `sketch` with a bar more between each two joints that share a neighbour, as bond angles give it;
-/// the new bars follow the old ones. Pairs that have a bar already get none.
+/// `sketch` with additional bars, after the old ones, between joints that share a neighbour, as
+/// bond angles give them. Pairs that have a bar already get none.
 Sketch with_angles(Sketch sketch);
-/// `sketch` with each joint moved by `size` Angstrom in a random direction: a generic position.
+/// `sketch` with each joint displaced by `size` Angstrom in a random direction, which makes its
+/// positions generic.
 Sketch shaken(Sketch sketch, double size, std::uint64_t seed = 0);
 
-/// What is known of an example from closed forms, the literature or another program.
+/// Properties of an example known from closed forms, the literature or another program.
 struct ExampleFacts {
   std::size_t components = 1;
   std::size_t cycles = 0;                         ///< independent cycles
   std::size_t bridges = 0;                        ///< bars on no cycle
   std::size_t blocks = 0;                         ///< biconnected components of two or more bars
-  bool feasible = true;                           ///< at some positions all is as it must be
-  bool whole = true;                              ///< the example's positions are such
+  bool feasible = true;  ///< there are positions that satisfy all constraints
+  bool whole = true;  ///< the positions of the example do
   std::optional<std::size_t> rank = {};           ///< of the rigidity matrix at the positions
   std::optional<std::size_t> rigid_motions = {};  ///< independent rigid motions: 3, 5 or 6
   std::optional<std::size_t> flexes = {};         ///< true internal degrees of freedom, in space
