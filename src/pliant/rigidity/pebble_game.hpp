@@ -11,7 +11,7 @@
 
 namespace pliant {
 
-/// A rigid body in space moves and turns in so many ways.
+/// Degrees of freedom of a rigid body in space.
 inline constexpr std::uint32_t freedoms_of_body = 6;
 
 /// The (6,6) pebble game (Lee, Streinu, Discrete Math. 308 (2008) 1425; Jacobs, Hendrickson, J.
@@ -21,21 +21,22 @@ inline constexpr std::uint32_t freedoms_of_body = 6;
 /// general directions that is the rank of the rigidity matrix (Tay, J. Combin. Theory B 36 (1984)
 /// 95).
 ///
-/// Bodies that are found to be rigid against each other become one, with six pebbles, so that no
-/// search goes through them again. Memory is linear in the number of bodies, whatever the number of
-/// bars; time is near linear where pebbles are near, as they are in molecules. Deterministic.
+/// Bodies that are found to be rigid against each other are merged into one with six pebbles, so
+/// that no search goes through them again. Memory is linear in the number of bodies, whatever the
+/// number of bars; time is nearly linear if pebbles are near, as in molecules. Deterministic.
 class PebbleGame {
  public:
   explicit PebbleGame(std::size_t bodies);
 
-  /// Puts `bars` bars between two bodies; how many of them are independent of all bars before them.
+  /// Puts `bars` bars between two bodies. Returns how many of them are independent of all earlier
+  /// bars.
   std::uint32_t add(std::uint32_t a, std::uint32_t b, std::uint32_t bars);
 
-  /// Whether two bodies are rigid against each other. If so, they are one from now on.
+  /// Whether two bodies are rigid against each other. If so, they are merged.
   bool are_locked(std::uint32_t a, std::uint32_t b);
 
-  /// The lowest body among those that are known to be rigid with `body`. After are_locked() was
-  /// asked of the ends of every edge, these are the rigid clusters.
+  /// The lowest body among those known to be rigid with `body`. Once are_locked() has been asked
+  /// for the ends of every edge, these are the rigid clusters.
   std::uint32_t cluster_of(std::uint32_t body) { return clusters_.find(body); }
 
   /// Independent bars so far: the rank of the rigidity matrix.
@@ -43,9 +44,10 @@ class PebbleGame {
 
  private:
   static constexpr std::uint32_t free = ~std::uint32_t{0};
-  /// Where the bars lead to which the pebbles of a body were given; `free` for a pebble at hand.
+  /// For each pebble of a body the body at the other end of its bar; `free` if the pebble is not
+  /// used.
   using Pebbles = std::array<std::uint32_t, freedoms_of_body>;
-  /// The body, and the pebble of it, from which a search came.
+  /// The body from which a search came, and the pebble that it followed.
   struct Step {
     std::uint32_t from = free;
     std::uint32_t pebble = 0;
@@ -63,9 +65,9 @@ class PebbleGame {
   void merge_reached();
 
   DisjointSets clusters_;
-  std::vector<Pebbles> pebbles_;      ///< (bodies); of the lowest body of a cluster
-  std::vector<Step> steps_;           ///< (bodies) of the search in hand
-  std::vector<std::uint32_t> marks_;  ///< (bodies) the last search that reached it
+  std::vector<Pebbles> pebbles_;  ///< (bodies) valid for the lowest body of each cluster
+  std::vector<Step> steps_;  ///< (bodies) of the current search
+  std::vector<std::uint32_t> marks_;  ///< (bodies) number of the last search that reached it
   std::vector<bool> has_bars_;        ///< (bodies)
   std::vector<std::uint32_t> reached_;
   std::uint32_t search_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// How rigid units hang together (body-bar-hinge framework): connections, the loops they close, and
-// which loops leave no freedom, so that their units are one.
+// The graph of rigid units (body-bar-hinge framework): connections, the loops they close, and which
+// loops are rigid, so that their units merge.
 #pragma once
 
 #include <cstdint>
@@ -15,19 +15,20 @@ namespace pliant {
 struct UnitConnection {
   Joint a = 0, b = 0;
   bool is_hinge() const { return a != b; }
-  /// Ways in which one unit moves against another.
+  /// Degrees of freedom of one unit against another.
   int freedom() const { return is_hinge() ? 1 : 3; }
 };
 
-using UnitNode = std::uint32_t;  ///< of UnitGraph::links
+using UnitNode = std::uint32_t;  ///< node of UnitGraph::links
 
-/// Units and connections as the two kinds of nodes of one graph. Units that share a joint and hang
-/// together by hinges at it need no connection more: without loops the graph is a forest.
+/// Units and connections as the two kinds of nodes of one graph. Units that share a joint and are
+/// connected there by hinges already get no further connection, so that without loops the graph is
+/// a forest.
 struct UnitGraph {
   std::size_t units = 0;
   std::vector<UnitConnection> connections;
   Graph links;    ///< node u < units is a unit, node units + c a connection
-  Blocks blocks;  ///< of links; a block that is no bridge is a loop or several
+  Blocks blocks;  ///< of links; a block that is not a bridge holds one loop or more
 
   bool is_unit(UnitNode node) const { return node < units; }
   const UnitConnection& connection(UnitNode node) const { return connections[node - units]; }
@@ -36,18 +37,18 @@ struct UnitGraph {
 
 UnitGraph connect_units(const Framework& framework, const UnitSet& set);
 
-/// Units of which some are loops of the units before.
+/// Units after some loops were merged.
 struct MergedUnits {
   UnitSet set;
-  std::vector<std::uint32_t> of_unit;  ///< the new unit of each old one
+  std::vector<std::uint32_t> of_unit;  ///< the new unit of each old unit
 };
 
-/// Unites what loops make rigid, again and again: loops of hinges with at most six ways to move (n
-/// hinges leave n - 6: rings of up to six atoms, and what is fused of them), then whole blocks that
-/// have as many equations as freedoms.
+/// Merges rigid loops until none is left: loops of hinges with at most six degrees of freedom (n
+/// hinges leave n - 6, so these are rings of up to six atoms and what is fused to them), then whole
+/// blocks with as many equations as freedoms.
 MergedUnits merge_rigid_loops(const Framework& framework, UnitSet set);
 
-/// Unites what is left of loops: each becomes one unit that changes its shape.
+/// Merges all remaining loops: each becomes one unit that can change its shape.
 MergedUnits merge_all_loops(const Framework& framework, UnitSet set);
 
 }  // namespace pliant

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Rigid units of a framework (rigid clusters, FRODA's ghost templates) as its graph gives them: an
-// atom with its neighbours whose distances are all fixed, grown by every joint that three bars hold
-// in place.
+// Rigid units of a framework (rigid clusters, FRODA's ghost templates) by its graph: an atom with
+// its neighbours if all their distances are fixed, extended by every joint that three bars hold in
+// place.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace pliant {
 
-/// Sets of joints, one a unit, each in ascending order.
+/// Sets of joints, one for each unit, in ascending order.
 using UnitSet = Grouped<Joint>;
 
 /// Which units each joint is in, ascending.
@@ -26,13 +26,13 @@ class UnitsOfJoints {
   void common(Joint a, Joint b, std::vector<std::uint32_t>& out) const;
 
  private:
-  Grouped<std::uint32_t> units_;  ///< of each joint
+  Grouped<std::uint32_t> units_;  ///< (N) units of each joint
 };
 
-/// Units of three or more joints, then a rod (a unit of two joints) for each bar that none of them
-/// holds. A unit begins at a triangle of bars and takes in joints that have bars to three joints of
-/// it not on one line. Joints with more than 256 bars are in rods only. O(bars^1.5) at worst,
-/// linear where joints have few bars.
+/// Units of three or more joints, followed by a rod (a unit of two joints) for each bar that is in
+/// none of them. A unit begins with a triangle of bars and grows by joints that have bars to three
+/// joints of it which are not on a line. Joints with more than 256 bars are in rods only.
+/// O(bars^1.5) at worst, linear where joints have few bars.
 UnitSet find_units(const Framework& framework);
 
 }  // namespace pliant

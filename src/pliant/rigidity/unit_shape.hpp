@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shapes of rigid units: where the joints of each lie against one another.
+// Shapes of rigid units: the relative positions of their joints.
 #pragma once
 
 #include <span>
@@ -12,21 +12,21 @@ namespace pliant {
 
 /// What is known of the shape of a unit before any positions are seen.
 enum class ShapeKind : std::uint8_t {
-  rod,      ///< two joints: the rest length says all
-  drawn,    ///< as the framework is drawn
-  lengths,  ///< from a bar between each two joints: may be its own mirror image
+  rod,  ///< two joints, given by the rest length
+  drawn,  ///< from the drawn positions of the framework
+  lengths,  ///< from a bar between each two joints; the mirror image is possible, too
   unknown,  ///< only its bars are known
 };
 
 struct UnitShapes {
   std::vector<ShapeKind> kinds;  ///< (U)
-  /// As UnitSet::joints, from the first joint of its unit (Angstrom); none where the framework is
-  /// drawn.
+  /// Positions of the joints of each unit relative to its first joint (Angstrom), in the order of
+  /// UnitSet::things(); empty where the framework is drawn.
   std::vector<Vec3> points;
 };
 
-/// Where the joints of a unit lie, in the order of UnitSet::at (Angstrom), whether the framework is
-/// drawn or the shape comes from lengths. Where drawn the points are gathered into `room`.
+/// Positions of the joints of a unit in the order of UnitSet::at (Angstrom), from the drawn
+/// positions or from lengths. Drawn positions are gathered into `room`.
 std::span<const Vec3> points_of(const Framework& framework, const UnitSet& set,
                                 const UnitShapes& shapes, std::size_t unit,
                                 std::vector<Vec3>& room);
@@ -34,10 +34,10 @@ std::span<const Vec3> points_of(const Framework& framework, const UnitSet& set,
 /// The rest length of the bar between two joints (Angstrom); 0 if there is none.
 double rod_length(const Framework& framework, Joint a, Joint b);
 
-/// Takes drawn positions where the framework has them. Else places the joints of units whose joints
-/// all have bars to each other by these lengths (classical multidimensional scaling: Torgerson,
-/// Psychometrika 17 (1952) 401); lengths that fit no shape in space within the tolerance, and units
-/// that lack a bar, are unknown.
+/// Takes drawn positions where the framework has them. Otherwise places the joints of units that
+/// have a bar between each two joints, by their lengths (classical multidimensional scaling:
+/// Torgerson, Psychometrika 17 (1952) 401). Shapes are unknown where a bar is missing or where no
+/// shape in space has these lengths within the tolerance.
 UnitShapes find_unit_shapes(const Framework& framework, const UnitSet& set,
                             const Tolerance& tolerance);
 
