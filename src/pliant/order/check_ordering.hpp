@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The validator of orderings, for tests and debug builds.
+// Validates orderings, for tests and debug builds.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct OrderingPromise {
   bool tree_bars = true;  ///< bars marked as tree bars form a forest
 };
 
-/// What is wrong with `ordering` as an ordering of `framework`; "" if nothing is.
+/// Says what is wrong with `ordering` as an ordering of `framework`; "" if nothing is.
 std::string check_ordering(const Framework& framework, const Ordering& ordering,
                            const OrderingPromise& promise = {});
 

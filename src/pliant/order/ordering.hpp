@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Orderings (schedules): in which sequence a sweep visits the bars, and from which end each bar is
-// looked at. The table `orderings()` holds those of the thesis "Motion Simulation of Geometric
-// Constraint Structures", chapter 5, and `input`.
+// Orderings (schedules): the sequence in which a sweep visits the bars, and from which end it looks
+// at each. The table `orderings()` holds `input` and the orderings of the thesis "Motion Simulation
+// of Geometric Constraint Structures", chapter 5.
 #pragma once
 
 #include <span>
@@ -22,7 +22,7 @@ struct OrderedBar {
 };
 using Ordering = std::vector<OrderedBar>;
 
-/// Buffers that orderings use again and again, so that a repeated call allocates nothing.
+/// Buffers that orderings reuse, so that repeated calls allocate nothing.
 struct OrderScratch {
   std::vector<std::uint8_t> joint_mark, bar_mark;
   std::vector<Joint> queue;
@@ -37,16 +37,16 @@ struct OrderRequest {
   Joint root = 0;                        ///< the pushed joint, where traversals begin
   std::int64_t sweep = 0;                ///< 0 for the first sweep of a resolve
   RandomKey key = {};                    ///< seed, walker and step
-  std::span<const Vec3> positions = {};  ///< (N) Angstrom, at this moment
+  std::span<const Vec3> positions = {};  ///< (N) Angstrom, current positions
   const Ordering* before = nullptr;      ///< the last sweep's ordering; null in the first sweep
-  const Ordering* given = nullptr;       ///< what `input` takes in place of the bars' own order
+  const Ordering* given = nullptr;  ///< the ordering for `input`; null: the order of the bars
 };
 
 /// What happens after the first sweep of a resolve.
 enum class Repeat : std::uint8_t {
   same,     ///< the same ordering in each sweep
   reverse,  ///< backwards, forwards, backwards, ...
-  reorder,  ///< the ordering is asked again before each sweep
+  reorder,  ///< a new ordering before each sweep
 };
 
 /// One row of the table of orderings.
@@ -54,7 +54,7 @@ struct OrderingEntry {
   std::string_view name;
   std::string_view summary;
   Repeat repeat;
-  bool forests_only;  ///< leaves non-tree bars out, so only forests are resolved by it
+  bool forests_only;  ///< leaves non-tree bars out, so that it resolves only forests
   void (*order)(const OrderRequest& request, OrderScratch& scratch, Ordering& out);
 };
 

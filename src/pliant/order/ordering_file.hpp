@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ordering files (the thesis' constraint files): the sequence in which a sweep visits the bars,
-// stated bar by bar.
+// Ordering files (the thesis' constraint files): the sequence in which a sweep visits the bars, one
+// bar a line.
 //
 //   pliant-ordering 1
 //   bar a b tree             # near joint, far joint: the weighting shares the correction

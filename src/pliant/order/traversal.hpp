@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Breadth-first and depth-first traversals of the joints that list the bars they meet. Neighbours
-// are met in the order of the bars in the input; components that the root does not reach follow,
-// each from its lowest joint. Linear in joints + bars, never recursive.
+// Breadth-first and depth-first traversals of the joints that list the bars they visit. Neighbours
+// are visited in the order of the bars in the input. Components that the root does not reach
+// follow, each from its lowest joint. Linear in joints + bars, never recursive.
 #pragma once
 
 #include "pliant/order/ordering.hpp"
