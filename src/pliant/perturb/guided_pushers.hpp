@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pushers that follow a Guide. What they do follows from the step and the positions alone.
+// The pushers that follow a Guide. Their pushes depend only on the step and the positions.
 #pragma once
 
 #include <memory>
@@ -8,16 +8,16 @@
 
 namespace pliant {
 
-/// There and back along a field, as a triangular wave: at step s joint i has been asked for u(s)
-/// rock_i, u from 0 to 1, to -1 and to 0 again in a period. Never ends.
+/// Moves joints back and forth along a field in a triangular wave: at step s joint i has been
+/// displaced by u(s) rock_i; in a period u goes from 0 to 1, to -1 and to 0 again. Never ends.
 std::unique_ptr<Pusher> make_rock(const Framework& framework, const PusherOptions& options);
 
-/// Moves each group as a whole towards where it is pulled, `displacement` a step at most; ends once
-/// all have arrived, within guide_slack.
+/// Moves each group as a whole towards its target by at most `displacement` a step; ends once all
+/// groups have arrived, within guide_slack.
 std::unique_ptr<Pusher> make_pull(const Framework& framework, const PusherOptions& options);
 
-/// Moves both groups of each pair along the line of their centres, half each, `displacement` a step
-/// at most; ends once all pairs are reached, within guide_slack.
+/// Moves both groups of each pair along the line between their centres, half each, by at most
+/// `displacement` a step; ends once all distances are reached, within guide_slack.
 std::unique_ptr<Pusher> make_pair_distance(const Framework& framework,
                                            const PusherOptions& options);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where the joints of a walker were one and two steps ago: Verlet's velocities, and the way back.
+// Positions of a walker one and two steps ago, for Verlet's velocities and for taking a step back.
 #pragma once
 
 #include <span>
@@ -9,20 +9,20 @@
 
 namespace pliant {
 
-/// Keeps state.previous up to date, and what it was before. Where it is known which joints the last
-/// steps moved, at a cost of those alone. It knows nothing that does not follow from the state.
+/// Keeps state.previous up to date, and a copy of its value before. Costs only as much as the last
+/// steps moved, if it is known which joints these were. All that it knows follows from the state.
 class Past {
  public:
-  /// A step begins: state.previous becomes where the joints are.
+  /// Begins a step: state.previous becomes the current positions.
   void begin_step(State& state);
-  /// Only these joints have moved since begin_step(); of any step that this is not said of, any.
+  /// Says that only these joints have moved since begin_step(). Without such a call, any may have.
   void only_moved(std::span<const Joint> joints, std::span<const Joint> more);
-  /// Positions and previous positions as they were before begin_step().
+  /// Restores positions and previous positions as they were before begin_step().
   void take_back_step(State& state);
-  /// Somebody else may have changed the state.
+  /// Must be called when others may have changed the state.
   void forget() { last_.is_known = before_last_.is_known = false; }
 
-  /// (N) since begin_step(): what state.previous was before it.
+  /// (N) state.previous as it was before begin_step().
   std::span<const Vec3> older() const { return older_; }
 
  private:

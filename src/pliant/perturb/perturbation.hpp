@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Perturbations: the pushers that a run can be given by name alone.
+// Perturbations: the pushers that a run takes by name alone.
 #pragma once
 
 #include <span>

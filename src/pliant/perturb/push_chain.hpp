@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The pushers of one walker, one after another in each step, and the way back from it.
+// The pushers of one walker, which act one after another in each step.
 #pragma once
 
 #include <memory>
@@ -12,23 +12,23 @@ namespace pliant {
 
 class PushChain {
  public:
-  /// The framework must outlive it. Of the key, seed and walker count.
+  /// The framework must outlive it. Only the seed and the walker of `key` are used.
   PushChain(const Framework& framework, const PerturbOptions& options, const RandomKey& key)
       : framework_(framework), timestep_(options.timestep), damping_(options.damping), key_(key) {}
 
-  /// Acts after those that are there already. The first one's random numbers are those of the seed,
-  /// each other's belong to its place.
+  /// Adds a pusher that acts after the earlier ones. The first draws its random numbers from the
+  /// seed itself, each other one from a seed that depends on its position in the chain.
   void add(std::shared_ptr<Pusher> pusher);
 
-  /// Begins the next step: counts it, and lets all push. Throws what a pusher throws; the state is
-  /// then as before.
+  /// Begins the next step: increases its number and calls all pushers. Throws what a pusher throws;
+  /// the state is then unchanged.
   void push(State& state);
-  /// What the last push() did.
+  /// The result of the last push().
   const Push& pushed() const { return push_; }
-  /// Whether all pushers have said that their last push was their last; where there is none, never.
+  /// Whether all pushers have ended; false if there is none.
   bool is_over() const { return is_over_; }
 
-  /// As before the last push(), bit by bit.
+  /// Undoes the last push(), bit by bit.
   void take_back(State& state);
   Past& past() { return past_; }
 

@@ -14,7 +14,7 @@ namespace pliant {
 struct PusherEntry {
   std::string_view name;
   std::string_view summary;
-  /// The framework must outlive what is made. Throws OptionError where options make no sense.
+  /// The framework must outlive the pusher. Throws OptionError for bad options.
   std::unique_ptr<Pusher> (*make)(const Framework& framework, const PusherOptions& options);
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pushers that draw what they do: force, force_all, displacement.
+// Pushers with random pushes: force, force_all, displacement.
 #pragma once
 
 #include <memory>

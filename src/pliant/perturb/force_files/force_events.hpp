@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Force files with events: what a person did with a framework, to be repeated bit by bit. Any
-// number of forces in a step, joints that are held, settings that change.
+// Force files with events: what a person did with a framework, to be replayed bit by bit. A step
+// may have any number of forces; joints may be held, and settings changed.
 //
 //   pliant-forces 3          # then the header, see force_header.hpp
 //   set technique blocks     # an option of `pliant run`, from the next step on
@@ -27,7 +27,7 @@
 
 namespace pliant {
 
-/// Name and value of an option of a run; checked where it is used.
+/// Name and value of an option of a run; checked when it is used.
 struct SetOption {
   std::string name, value;
   friend bool operator==(const SetOption&, const SetOption&) = default;
@@ -44,19 +44,19 @@ struct PullStep {
 /// Steps of a random pusher.
 struct WanderSteps {
   std::int64_t count = 1;               ///< from 1
-  std::vector<JointForce> forces = {};  ///< that act after it
+  std::vector<JointForce> forces = {};  ///< act after the pusher
 };
-/// How far a force may move its joint in a step from now on.
+/// How far a force may move its joint in a step, from this event on.
 struct HoldBack {
   double longest_step;  ///< Angstrom, above 0
 };
-/// The start is made whole. Before the first step, and once at most; without it that is done
-/// before all events, under the usual settings.
+/// Makes the start whole. At most once, before the first step; without it this happens before all
+/// events, under the usual settings.
 struct StartWalk {};
 
 struct ForceEvent {
   std::variant<SetOption, PinJoints, PullStep, WanderSteps, HoldBack, StartWalk> what;
-  std::size_t line = 0;  ///< of the file, from 1; 0: of none
+  std::size_t line = 0;  ///< line of the file, from 1; 0 if not from a file
 };
 
 /// Throws InputError naming file, line and what was expected.
@@ -68,12 +68,12 @@ std::vector<ForceEvent> parse_force_events(std::string_view text, std::string_vi
 std::string write_force_events(std::span<const ForceEvent> events, const Framework& framework,
                                const ForceHeader& header = {});
 
-/// One more step under these forces, or of the random pusher and these forces. A step that is the
-/// same as the last ones, bit by bit, is counted with them.
+/// Adds a step under these forces, or of the random pusher and these forces. A step with the same
+/// bits as the last one only increases its count.
 void add_pull(std::vector<ForceEvent>& events, std::span<const JointForce> forces);
 void add_wander(std::vector<ForceEvent>& events, std::span<const JointForce> forces = {});
 
-/// How many steps the events are.
+/// Number of steps in the events.
 std::int64_t steps_of(std::span<const ForceEvent> events);
 
 }  // namespace pliant

@@ -13,7 +13,7 @@ namespace pliant {
 /// Takes the lines of a force file one after the other, until the header is over.
 class ForceHeaderReader {
  public:
-  /// Whether the line was of the header, or empty. Throws InputError at `place`.
+  /// Returns whether the line was empty or belonged to the header. Throws InputError at `place`.
   bool take(const Words& words, std::string_view line, const Place& place);
   /// Throws InputError if there was no first line.
   void end(std::string_view file) const;

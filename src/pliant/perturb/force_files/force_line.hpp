@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One line of a force file that is a joint and a force on it; of both versions.
+// One line of a force file with a joint and a force on it; the same in all versions.
 #pragma once
 
 #include <string>
@@ -11,10 +11,10 @@
 
 namespace pliant {
 
-/// "push C1 12.5 -3 0.25", in words. Throws InputError at `place`.
+/// Parses the words of "push C1 12.5 -3 0.25". Throws InputError at `place`.
 JointForce force_of(const Words& words, const JointNames& names, const Place& place);
 
-/// The line, which force_of() reads back to the same bits. Throws as JointNames::word_for.
+/// Returns the line, which force_of() reads back to the same bits. Throws as JointNames::word_for.
 std::string force_line(std::string_view word, const JointForce& force, const JointNames& names);
 
 }  // namespace pliant
