@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// PDB recorder (trajectory writer): frames as the models of one PDB file, for viewers. H5MD holds
-// more, in full precision, and survives the death of its writer.
+// PDB recorder (trajectory writer): frames as models of one PDB file, for viewers. H5MD holds more,
+// in full precision, and survives the death of the writer.
 #pragma once
 
 #include <cstdint>
@@ -15,10 +15,10 @@
 
 namespace pliant {
 
-/// Writes each frame as a MODEL to a file beside its final name, which it takes when it is closed
-/// with at least one model: half a model is never seen under that name. Positions in Angstrom to
-/// 0.001; steps, times and observables are left out, as the format has no place for them; neither
-/// has it one for atoms past 10^8. CONECT records follow the last model.
+/// Writes each frame as a MODEL to a temporary file, which gets its final name when it is closed
+/// with at least one model, so that the named file is always complete. Positions are in Angstrom to
+/// 0.001. The format has no place for steps, times and observables, nor for atoms past 10^8. CONECT
+/// records follow the last model.
 class PdbRecorder {
  public:
   /// Throws FileError as H5mdRecorder does.
@@ -34,8 +34,8 @@ class PdbRecorder {
   void record(std::span<const Vec3> positions);
   void record(const Frame& frame) { record(frame.positions); }
 
-  /// Ends the file and gives it its name; without a model there is none. Closing again does
-  /// nothing. Throws FileError. What is not closed is deleted.
+  /// Ends the file and renames it, or deletes it if it has no model. Closing again does nothing.
+  /// Throws FileError. A recorder that is not closed deletes its file.
   void close();
 
   std::int64_t models() const;

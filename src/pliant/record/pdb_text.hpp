@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Records of PDB files (wwPDB format 3.3), written to a text.
+// Formats records of PDB files (wwPDB format 3.3).
 #pragma once
 
 #include <cstddef>
@@ -16,15 +16,15 @@
 
 namespace pliant {
 
-/// What did not fit, said once of each kind.
+/// Counts what did not fit, to be reported once for each kind.
 struct PdbCuts {
   std::size_t atom_names = 0, residue_names = 0, chains = 0, bonds = 0;
 
   void tell(const std::string& file, const Log& log) const;
 };
 
-/// Records of the same atoms. Throws InputError naming the atom whose position, residue number or
-/// bond has no room in the columns. Keeps the table of atoms by reference.
+/// Records of one table of atoms, kept by reference. Throws InputError naming the atom whose
+/// position, residue number or bond does not fit its columns.
 class PdbText {
  public:
   /// `hybrid36_bonds`: bonds of atoms past 99,999 are written, too.
@@ -32,21 +32,21 @@ class PdbText {
       : atoms_(atoms), hybrid36_bonds_(hybrid36_bonds) {}
 
   void add_title(const std::string& title);
-  /// A line of text of up to 69 characters.
+  /// Adds a remark of up to 69 characters.
   void add_remark(const std::string& text);
-  /// Serials are 1 to N in the order of the joints, hybrid-36 past 99,999. TER between chains.
-  /// `b_factors` (N), from -99.99 to 999.99, or none: 0.
+  /// Serials are 1 to N in the order of the joints, hybrid-36 past 99,999. TER separates chains.
+  /// `b_factors` (N) from -99.99 to 999.99; 0 if empty.
   void add_atoms(std::span<const Vec3> positions, std::span<const double> b_factors = {});
-  /// The same as a model, numbered from 1.
+  /// Adds the atoms as a model, numbered from 1.
   void add_model(std::int64_t number, std::span<const Vec3> positions);
   void add_bonds(std::span<const RecordedBond> bonds);
   void add_end() { text_ += "END\n"; }
-  /// Throws as add_atoms() where an atom has no room; adds nothing.
+  /// Throws as add_atoms() if the atom does not fit; adds nothing.
   void check_atom(std::size_t atom, Vec3 position) const;
 
   const std::string& text() const { return text_; }
   void clear() { text_.clear(); }
-  /// Of everything that was added.
+  /// What did not fit since the object was made.
   const PdbCuts& cuts() const { return cuts_; }
 
  private:

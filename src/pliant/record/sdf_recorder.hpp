@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// SDF recorder: frames as the records of one SDF file, as conformers are given to docking and
-// cheminformatics programs. V2000 where 999 atoms and bonds suffice, else V3000 (Biovia, CTfile
-// formats, 2020).
+// SDF recorder: frames as records of one SDF file, the usual form of conformers for docking and
+// cheminformatics programs. V2000 up to 999 atoms and bonds, else V3000 (Biovia, CTfile formats,
+// 2020).
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@
 
 namespace pliant {
 
-/// What an SDF file says of a molecule beside elements and bonds. Each row has N numbers, or none.
+/// Properties of a molecule besides elements and bonds. Each column has N numbers or none.
 struct SdfMolecule {
   std::string title = "";               ///< first line of each record
   std::vector<std::int8_t> charges;     ///< formal
@@ -25,9 +25,9 @@ struct SdfMolecule {
   std::vector<std::uint8_t> radicals;   ///< 1 singlet, 2 doublet, 3 triplet; 0: none
 };
 
-/// Writes each frame as a record, with its number as the data item "frame", to a file beside its
-/// final name, which it takes when it is closed with at least one record. Positions in Angstrom to
-/// 0.0001. Bonds of no known order are written as single bonds.
+/// Writes each frame as a record, with its number as the data item "frame", to a temporary file,
+/// which gets its final name when it is closed with at least one record. Positions are in Angstrom
+/// to 0.0001. Bonds of unknown order are written as single bonds.
 class SdfRecorder {
  public:
   struct Options {
@@ -45,7 +45,8 @@ class SdfRecorder {
   /// the columns (-9999.9999 to 99999.9999 Angstrom); FileError where it cannot be written.
   void record(const Frame& frame);
 
-  /// Gives the file its name; without a record there is none. What is not closed is deleted.
+  /// Renames the file, or deletes it if it has no record. A recorder that is not closed deletes its
+  /// file.
   void close();
 
  private:

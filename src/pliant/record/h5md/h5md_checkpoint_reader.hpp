@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A run or a sample in an H5MD file, as it can go on: its framework, its state and what it was
-// given.
+// Reads a run or a sample from an H5MD file so that it can continue: framework, state and inputs.
 #pragma once
 
 #include <cstdint>
@@ -14,17 +13,18 @@
 
 namespace pliant {
 
-/// A run in a file, as it can go on; or a sample, whose steps are its frames and which has no
-/// state.
+/// A run or a sample that can continue from a file. The steps of a sample are its frames, and it
+/// has no state.
 struct H5mdCheckpoint {
   std::filesystem::path path;
-  State state;                 ///< to step on from
-  std::int64_t number = 0;     ///< of the checkpoint; 0 of a sample
-  std::int64_t began = 0;      ///< the step of the first frame; of a sample, that was asked for
-  std::int64_t frames = 0;     ///< that stay; a last one that is none of every N-th does not
-  std::int64_t last_step = 0;  ///< of them; the state's is a later or an earlier one
-  std::int64_t steps = 0;      ///< that the run is to do in all
-  std::int64_t done = 0;       ///< steps of it that frames or the state show
+  State state;  ///< the state to continue from
+  std::int64_t number = 0;  ///< of the checkpoint; 0 in a sample
+  std::int64_t began = 0;  ///< step of the first frame; in a sample, of the first frame asked for
+  std::int64_t frames = 0;  ///< frames that are kept; the last is dropped unless it is an N-th one
+  /// step of the last of these frames; may differ from that of the state
+  std::int64_t last_step = 0;
+  std::int64_t steps = 0;  ///< total number of steps of the run
+  std::int64_t done = 0;  ///< steps of the run that the frames or the state show
   Framework framework{FrameworkParts{}};
   std::vector<NamedParameter> parameters;
   RunInputs inputs;
@@ -32,9 +32,9 @@ struct H5mdCheckpoint {
   bool is_sample() const { return inputs.is_sample(); }
 };
 
-/// Reads what a run or a sample goes on from. `steps`: how many it is to do in all; default: as it
-/// was to.
-/// Throws FileError and InputError as H5mdReader does; InputError where the file has no checkpoint.
+/// Reads what a run or a sample continues from. `steps`: the total number of steps; as recorded by
+/// default. Throws FileError and InputError as H5mdReader does; InputError where the file has no
+/// checkpoint.
 H5mdCheckpoint read_checkpoint(const std::filesystem::path& path,
                                std::optional<std::int64_t> steps = {}, const Log& log = {});
 

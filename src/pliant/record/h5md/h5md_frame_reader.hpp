@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of an H5MD file that grows with each frame, as it is read.
+// Reads the time-dependent part of an H5MD file.
 #pragma once
 
 #include <cstdint>
@@ -15,16 +15,16 @@
 
 namespace pliant {
 
-/// Steps or times: one a frame (explicit), or a start and an increment, or nothing.
+/// Steps or times: one a frame (explicit), or a start and an increment, or none.
 class Counter {
  public:
-  /// What lies at `path`, if anything does.
+  /// Opens what is at `path`, if anything is.
   Counter(std::int64_t file, const std::string& path);
 
   bool exists() const { return dataset_.has_value(); }
   bool is_explicit() const { return exists() && !dataset_->extents().empty(); }
   const Hdf5Dataset& dataset() const { return *dataset_; }
-  /// How many frames it covers; all there can be unless explicit.
+  /// Number of frames covered; the largest possible number unless explicit.
   std::uint64_t count() const;
   /// T is double or std::int64_t.
   template <class T>
@@ -35,11 +35,10 @@ class Counter {
   double increment_ = 1.0, offset_ = 0.0;
 };
 
-/// Frames of one group of an open HDF5 file; see H5mdReader, which this is the inside of. Callers
-/// hold an Hdf5Session.
+/// Frames of one group of an open HDF5 file; implements H5mdReader. Callers hold an Hdf5Session.
 class FrameReader {
  public:
-  /// `asked` is the group's name or "". Messages through `log` begin with `file_name`.
+  /// `asked` is the name of the group, or "". Messages through `log` begin with `file_name`.
   FrameReader(std::int64_t file, const std::string& asked, const std::string& file_name,
               const Log& log);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What an H5MD file is asked to hold besides frames, and how it is written.
+// Options of recording, and the contents of an H5MD file besides frames.
 #pragma once
 
 #include <cstdint>
@@ -17,22 +17,22 @@ namespace pliant {
 struct H5mdOptions {
   bool single = false;     ///< positions as 32-bit floats: half the size, 1e-7 relative
   bool compress = false;   ///< shuffle and gzip 1: about 0.8 of the size, ten times the time
-  double precision = 0.0;  ///< positions are rounded by half of this at most (Angstrom), which
-                           ///< makes them compress well, and compressed; 0: as they are. What is
-                           ///< told of a frame, and the checkpoint, are those before it
-  /// Joints to record, ascending; empty: all. The file is then one of these alone, with the bars,
-  /// bonds and limits among them, without sterics, and no run goes on from it. Observables are of
-  /// all joints, but for counts of contacts.
+  /// positions are rounded by at most half of this (Angstrom) so that they compress well, and
+  /// compressed; 0: not rounded. Observables and checkpoints use the unrounded positions
+  double precision = 0.0;
+  /// Joints to record, ascending; empty: all. The file then has only these, with the bars, bonds
+  /// and limits among them, but without sterics and checkpoints. Observables are those of all
+  /// joints, except for counts of contacts.
   std::vector<Joint> saved = {};
   bool overwrite = false;      ///< replace an existing file once the new one has a frame
-  double flush_seconds = 1.0;  ///< frames are committed to the file this often (s); 0: each frame;
-                               ///< infinity: the first and the last only, so that the same frames
-                               ///< give the same bytes, however long they took
-  bool durable = false;        ///< a commit waits for the disk (fsync): it survives a power cut
+  /// interval between commits (s); 0: after each frame; infinity: only the first and the last, so
+  /// that equal frames give equal bytes
+  double flush_seconds = 1.0;
+  bool durable = false;  ///< each commit waits for the disk (fsync) and survives a power cut
   Log log = {};                ///< where warnings go
 };
 
-/// A bond of the atom table: chemistry, which need not be a bar.
+/// A chemical bond of the atom table, with or without a bar.
 struct RecordedBond {
   Joint a = 0, b = 0;
   std::uint8_t origin = 0;  ///< index into the names of origins
@@ -41,34 +41,34 @@ struct RecordedBond {
   friend bool operator==(const RecordedBond&, const RecordedBond&) = default;
 };
 
-/// What a run, or a sample, is given besides its framework and its parameters. It is recorded so
-/// that it can go on from the file.
+/// The inputs of a run or a sample besides framework and parameters, recorded so that it can
+/// continue from the file.
 struct RunInputs {
-  std::vector<Vec3> start = {};                     ///< (N) Angstrom; or empty: not kept
-  std::vector<Joint> replay_joints = {};            ///< (R) of a replay
+  std::vector<Vec3> start = {};  ///< (N) Angstrom; or empty if not kept
+  std::vector<Joint> replay_joints = {};  ///< (R) joints of a replay
   std::vector<Vec3> replay_forces = {};             ///< (R) kJ/(mol Angstrom)
-  std::vector<std::int64_t> replay_counts = {};     ///< (S) of each step; or none: one force each
+  std::vector<std::int64_t> replay_counts = {};  ///< (S) forces of each step; empty: one in each
   std::vector<Vec3> guide_rock = {};                ///< (N) Angstrom, or none
   std::int64_t guide_period = 0;                    ///< steps; 0: no guide
-  std::vector<Joint> pull_joints = {};              ///< (P) of all groups, one after another
-  std::vector<std::uint32_t> pull_groups = {};      ///< (P) from 0
+  std::vector<Joint> pull_joints = {};  ///< (P) joints of all groups, one after another
+  std::vector<std::uint32_t> pull_groups = {};  ///< (P) group of each, from 0
   std::vector<Vec3> pull_to = {};                   ///< (K) Angstrom
-  std::vector<Joint> pair_joints = {};              ///< (P) of all groups, one after another
+  std::vector<Joint> pair_joints = {};  ///< (P) joints of all groups, one after another
   std::vector<std::uint32_t> pair_groups = {};      ///< (P) 2 k and 2 k + 1: the groups of pair k
   std::vector<double> pair_least = {};              ///< (K) Angstrom
   std::vector<double> pair_most = {};               ///< (K) Angstrom
-  std::vector<BarIndex> ordering_bars = {};         ///< (V) of an ordering that was given
+  std::vector<BarIndex> ordering_bars = {};  ///< (V) of a given ordering
   std::vector<Joint> ordering_near = {};            ///< (V)
   std::vector<std::uint8_t> ordering_is_tree = {};  ///< (V)
-  std::vector<Vec3> node_positions = {};            ///< (M) Angstrom, of a sample's network
+  std::vector<Vec3> node_positions = {};  ///< (M) Angstrom, nodes of a sample's network
   std::vector<std::uint32_t> node_chains = {};      ///< (M)
   std::vector<std::int64_t> node_of_joint = {};     ///< (N) -1: none
 
-  /// Frames of a sample need no state: they go on after the last one.
+  /// A sample needs no state: it continues after its last frame.
   bool is_sample() const { return !node_positions.empty(); }
 };
 
-/// What a file says in addition to the framework and the frames.
+/// Contents of a file besides framework and frames.
 struct H5mdHeader {
   std::vector<RecordedBond> bonds;
   std::vector<std::string> bond_origin_names;  ///< what RecordedBond::origin means; may be empty
@@ -76,10 +76,11 @@ struct H5mdHeader {
   std::string creator = "pliant";
   std::string creator_version = "";
   std::string author = "unknown";
-  std::vector<NamedParameter> parameters;  ///< every option of the run; no path twice
-  std::optional<RunInputs> inputs = {};    ///< with them a run or sample can go on from the file
-  bool several_walkers = false;  ///< frames are of one walker after another (Frame::walker), the
-                                 ///< steps of each beginning anew; goes without inputs
+  std::vector<NamedParameter> parameters;  ///< all options of the run, with distinct paths
+  std::optional<RunInputs> inputs = {};  ///< needed for a run or a sample to continue from the file
+  /// frames are of one walker after another (Frame::walker), each with its own steps; not allowed
+  /// with inputs
+  bool several_walkers = false;
 };
 
 }  // namespace pliant

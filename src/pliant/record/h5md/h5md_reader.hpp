@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// H5MD reader (trajectory reader): frames, names, bars and parameters of an H5MD file, ours or
-// another program's.
+// H5MD reader (trajectory reader): frames, names, bars and parameters of an H5MD file, written by
+// Pliant or by another program.
 #pragma once
 
 #include <cstdint>
@@ -23,41 +23,41 @@ struct H5mdReadOptions {
   Log log = {};  ///< where notes and warnings go
 };
 
-/// An open H5MD file. Frames are read when they are asked for; memory is taken for what the file
-/// holds, never for what it says to hold. Links and datasets that lead to other files are refused.
+/// An open H5MD file. Frames are read on demand; memory is bounded by what the file contains, not
+/// by what it claims. Links and datasets that lead to other files are refused.
 ///
 /// Every call throws FileError when HDF5 cannot read (the message ends with its reason) and
-/// InputError when what was read makes no sense; both name the file and the path within it.
+/// InputError when the data make no sense; both name the file and the path within it.
 class H5mdReader {
  public:
-  /// Opens the file. While a recorder writes it, a read that meets a commit half done is repeated
-  /// in the file opened anew, which may then have more frames; after two seconds of that it throws
-  /// FileError "is being written by ...". Notes how many frames are left out
-  /// when positions, steps and times differ in number; warns when steps do not increase,
-  /// unless the file holds several walkers.
+  /// Opens the file. While a recorder writes it, a read that meets an unfinished commit is repeated
+  /// in the file opened anew, which may then have more frames; after two seconds it throws
+  /// FileError "is being written by ...". Notes how many frames are left out when positions, steps
+  /// and times differ in number; warns when steps do not increase, unless the file holds several
+  /// walkers.
   explicit H5mdReader(const std::filesystem::path& path, const H5mdReadOptions& options = {});
   ~H5mdReader();
   H5mdReader(H5mdReader&&) noexcept;
   H5mdReader& operator=(H5mdReader&&) noexcept;
 
-  std::int64_t frames() const;           ///< with positions, step and time
-  std::int64_t frames_left_out() const;  ///< with one or two of the three only
+  std::int64_t frames() const;  ///< frames with positions, step and time
+  std::int64_t frames_left_out() const;  ///< frames that lack one or two of these
   std::size_t joint_count() const;
   const std::string& group() const;  ///< "trajectory"
-  /// "double" or "single", say: the type of the positions in the file.
+  /// Size of a coordinate in the file: 8 for double precision, 4 for single.
   std::size_t bytes_per_coordinate() const;
 
-  /// Positions of frame 0 to frames() - 1 (Angstrom), converted from nm, pm and what numbers the
-  /// file has. InputError names the first joint whose position is not finite: the frame is damaged.
+  /// Positions of frame 0 to frames() - 1 (Angstrom), converted from the file's unit and type.
+  /// Throws InputError naming the first joint whose position is not finite: the frame is damaged.
   std::vector<Vec3> positions(std::int64_t frame) const;
   void read_positions(std::int64_t frame, std::span<Vec3> positions) const;
-  std::int64_t step(std::int64_t frame) const;  ///< the frame's number where the file has no steps
+  std::int64_t step(std::int64_t frame) const;  ///< number of the frame if there are no steps
   bool has_time() const;
-  double time(std::int64_t frame) const;  ///< ps; InputError where the file has no times
+  double time(std::int64_t frame) const;  ///< ps; throws InputError if there are no times
 
-  /// Names of what is recorded once a frame as a number, sorted: "max_residual", "thermo/energy".
+  /// Names of all observables with one number a frame, sorted: "max_residual", "thermo/energy".
   std::vector<std::string> observables() const;
-  /// At most frames() values in the file's unit; truth values are 0 and 1.
+  /// Returns at most frames() values in the file's unit; truth values are 0 and 1.
   std::vector<double> observable(const std::string& name) const;
 
   std::shared_ptr<const AtomTable> atoms() const;  ///< null where the file has no atom table
@@ -66,14 +66,14 @@ class H5mdReader {
   std::vector<double> masses() const;              ///< (N) u; empty where the file has none
   std::vector<Joint> pinned() const;
   std::vector<Limit> limits() const;  ///< (L); empty where the file has none
-  /// How our own part of the file is laid out: 1 (to version 0.1.0) or 2, which may have limits.
+  /// Version of our own part of the file: 1 (to version 0.1.0) or 2, which may have limits.
   int schema() const;
   std::vector<RecordedBond> bonds() const;
   std::vector<std::string> bond_origin_names() const;
-  /// The scalars below /parameters, sorted by path, but for those of our own groups.
+  /// The scalars below /parameters, sorted by path, without those of our own groups.
   std::vector<NamedParameter> parameters() const;
 
-  /// The framework that was recorded. Throws InputError where the file has no bars.
+  /// The recorded framework. Throws InputError where the file has no bars.
   Framework framework() const;
 
  private:

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // H5MD recorder (trajectory writer, reporter): writes frames to an H5MD 1.1 file that MDAnalysis,
-// h5py and every other HDF5 program open, at any moment and after any death of the writer.
+// h5py and every other HDF5 program can open at any moment, even after the writer was killed.
 #pragma once
 
 #include <cstdint>
@@ -20,53 +20,50 @@ class H5mdWriter;
 ///
 /// Frames are gathered in memory and committed together: the first at once, then about every
 /// `flush_seconds`, up to five times a second where some megabytes have gathered, on flush(), on
-/// close() and by the destructor. The order of writes within a commit is such that the file opens
-/// after the writer was killed at any moment, with every frame committed before, and while the
-/// writer lives.
+/// close() and by the destructor. Whenever the writer is killed, and while it lives, the file can
+/// be opened and has every committed frame.
 ///
-/// Where the header has the inputs of a run, what the run can go on from (a checkpoint) is
-/// committed with the first frame, then about every `flush_seconds`, and by end_run(). A sample
-/// goes on after its last frame.
+/// If the header has the inputs of a run, a checkpoint is committed with the first frame, then
+/// about every `flush_seconds`, and by end_run(). A sample continues after its last frame.
 ///
-/// A failed write (disk full, file size limit) ends the recording: the frames committed before it
-/// stay readable, later calls throw the same error, and the destructor does nothing.
+/// A failed write (disk full, file size limit) ends the recording: the frames committed before
+/// remain readable, later calls throw the same error, and the destructor does nothing.
 class H5mdRecorder {
  public:
-  /// Creates the file under a temporary name (".NAME.partial"). It takes its name with its first
-  /// frame; until then an existing file is as it was.
-  /// Throws FileError (with the system's reason) when the directory is missing, the file exists
-  /// and may not be overwritten, is not a regular file, or is being written by another recorder
-  /// (named by its process id); OptionError on bad options or parameters.
+  /// Creates the file under a temporary name (".NAME.partial"), and renames it with the first
+  /// frame; until then an existing file is unchanged. Throws FileError (with the system's reason)
+  /// when the directory is missing, the file exists and may not be overwritten, is not a regular
+  /// file, or is being written by another recorder (named by its process id); OptionError for bad
+  /// options or parameters.
   H5mdRecorder(const std::filesystem::path& path, const Framework& framework,
                const H5mdHeader& header = {}, const H5mdOptions& options = {});
-  /// Goes on in a file where read_checkpoint() says that it ends. Frames up to there, which the run
-  /// shows again, are not recorded a second time; the last must have the bits that the file has. Of
-  /// the options, `single`, `compress`, `saved` and `overwrite` are not looked at. Throws FileError
-  /// when the file cannot be written, or is being written, or has been since it was read.
+  /// Continues a file at the frame where read_checkpoint() ends it. Frames up to there, which the
+  /// run shows again, are not recorded twice; the last must have the same bits as in the file. The
+  /// options `single`, `compress`, `saved` and `overwrite` are ignored. Throws FileError when the
+  /// file cannot be written, is being written, or has been since it was read.
   explicit H5mdRecorder(const H5mdCheckpoint& from, const H5mdOptions& options = {});
   ~H5mdRecorder();
   H5mdRecorder(H5mdRecorder&&) noexcept;
   H5mdRecorder& operator=(H5mdRecorder&&) noexcept;
 
-  /// Adds one frame. Throws InputError when the number of positions is not that of the joints,
-  /// when a position (naming the joint) or the time is not finite, or when the step does not
-  /// increase (of the same walker, where there are several); FileError when it cannot be written,
-  /// or the recorder is closed.
+  /// Adds one frame. Throws InputError when the number of positions is not that of the joints, a
+  /// position (naming the joint) or the time is not finite, or the step of a walker does not
+  /// increase; FileError when the frame cannot be written, or the recorder is closed.
   void record(const Frame& frame);
 
-  /// The run of the frames ends in this state: commits both, so that it can go on from there. Only
-  /// where the header has inputs, and a frame was recorded.
+  /// Commits the frames and the final state of the run, from which it can continue. Has no effect
+  /// without inputs in the header, or before the first frame.
   void end_run(const State& state);
 
-  /// Commits what was recorded: it survives whatever happens to this process.
+  /// Commits all recorded frames, which then survive the end of this process.
   void flush();
 
-  /// Commits and closes the file; closing or flushing it again does nothing. Throws FileError,
-  /// which the destructor would only log.
+  /// Commits and closes the file; closing or flushing it again does nothing. Throws FileError; the
+  /// destructor only logs it.
   void close();
 
-  std::int64_t frames() const;            ///< recorded
-  std::int64_t committed_frames() const;  ///< recorded, and certain to be in the file
+  std::int64_t frames() const;  ///< recorded frames
+  std::int64_t committed_frames() const;  ///< recorded frames that are certainly in the file
   const std::filesystem::path& path() const;
 
  private:

@@ -12,12 +12,12 @@
 
 namespace pliant {
 
-/// The shape of a series on the disk.
+/// Shape of a series in the file.
 struct SeriesLayout {
   std::vector<std::uint64_t> row;  ///< extents of one row; empty: a number
   std::uint64_t chunk_rows = 256;  ///< rows a chunk
   bool compress = false;           ///< shuffle and gzip 1; chunk_rows must be 1
-  bool fill_with_nan = false;      ///< what readers see where a chunk was lost
+  bool fill_with_nan = false;  ///< value that readers see in place of a lost chunk
 };
 
 /// Rows are added in memory, then written together.
@@ -27,8 +27,8 @@ class Series {
   Series(std::int64_t location, const std::string& path, std::int64_t file_type,
          std::int64_t memory_type, const SeriesLayout& layout = {});
 
-  /// Opens the dataset at `path`, to go on after its first `rows` rows. Throws FileError if it has
-  /// fewer.
+  /// Opens the dataset at `path`, to continue after its first `rows` rows. Throws FileError if it
+  /// has fewer.
   Series(std::int64_t location, const std::string& path, std::int64_t memory_type,
          std::uint64_t rows);
 
@@ -39,8 +39,8 @@ class Series {
   void add_bytes(std::span<const std::byte> bytes) {
     waiting_.insert(waiting_.end(), bytes.begin(), bytes.end());
   }
-  /// Appends `rows` waiting rows to the dataset, or writes them over such as an interrupted commit
-  /// has left beyond the last row. Throws FileError.
+  /// Appends `rows` waiting rows to the dataset, overwriting what an interrupted commit left beyond
+  /// the last row. Throws FileError.
   void write(std::uint64_t rows);
   /// Cuts off all rows beyond those that were written. Throws FileError.
   void cut();
@@ -58,9 +58,9 @@ class Series {
   std::string path_;
   Hid memory_type_;
   Hid dataset_;
-  bool row_is_chunk_ = false;           ///< and has in memory the bytes that it has in the file
-  std::vector<std::uint64_t> extents_;  ///< with the rows that count
-  std::uint64_t rows_there_ = 0;        ///< with those of an interrupted commit
+  bool row_is_chunk_ = false;  ///< and has the same bytes in memory as in the file
+  std::vector<std::uint64_t> extents_;  ///< of the valid rows
+  std::uint64_t rows_there_ = 0;  ///< number of rows, those of an interrupted commit included
   std::vector<std::byte> waiting_;
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of our H5MD files that does not depend on time.
+// The time-independent part of our H5MD files.
 #pragma once
 
 #include <cstdint>
@@ -13,14 +13,14 @@ namespace pliant {
 namespace h5md {
 inline constexpr char trajectory[] = "/particles/trajectory";
 inline constexpr char position[] = "/particles/trajectory/position";
-/// (N) index of each joint in the molecule, where a file has some of its joints only, whose number
-/// is the attribute joints_of_whole
+/// (N) index of each joint in the molecule, if the file has only some joints. The attribute
+/// joints_of_whole is the number of joints in the molecule.
 inline constexpr char id[] = "/particles/trajectory/id";
 inline constexpr char observables[] = "/observables";
 inline constexpr char bars[] = "/connectivity/bars";
 inline constexpr char bonds[] = "/connectivity/bonds";
 inline constexpr char limits[] = "/connectivity/limits";  // (L, 2) joints
-/// value (F, C) of the C things that limits stand for, in the order of each one's first limit
+/// value (F, C): states of C contacts, in the order of their first limits
 inline constexpr char contact_states[] = "/connectivity/contact_states";
 inline constexpr char limit[] = "/parameters/limit";  // least, most, kind, energy, group
 /// kind, least, own, own_least, unit, bonds_apart, bonds
@@ -33,14 +33,14 @@ inline constexpr char checkpoint[] = "/parameters/checkpoint";  // see h5md_chec
 inline constexpr char topology[] = "/parameters/topology";      // the atom table, bonds' origins
 }  // namespace h5md
 
-/// Whether a path below /parameters is in a group of ours.
+/// Whether a path below /parameters is in one of our groups.
 bool is_own_parameter(const std::string& path);
 
-/// Writes everything but frames and observables into the new HDF5 file `file` (hid_t).
-/// Throws FileError, and OptionError on a parameter's path that is empty or taken.
+/// Writes everything except frames and observables into the new HDF5 file `file` (hid_t). Throws
+/// FileError, and OptionError for a parameter's path that is empty or taken.
 void write_static_part(std::int64_t file, const Framework& framework, const H5mdHeader& header);
 
-/// Says which joints of a molecule of `joint_count` joints the file has (H5MD's element id).
+/// Writes which joints of a molecule of `joint_count` joints the file has (H5MD's element id).
 void write_saved_joints(std::int64_t file, const std::vector<std::uint32_t>& joints,
                         std::size_t joint_count);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of an H5MD file that does not depend on time, as it is read.
+// Reads the time-independent part of an H5MD file.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace pliant {
 
-/// See H5mdReader, which this is the inside of. Callers hold an Hdf5Session.
+/// Implements H5mdReader. Callers hold an Hdf5Session.
 class StaticReader {
  public:
   /// `file` is a hid_t, `group` a name below /particles.
@@ -24,7 +24,7 @@ class StaticReader {
   std::vector<double> rest_lengths() const;
   std::vector<double> masses() const;
   std::vector<Joint> pinned() const;
-  bool planar() const;  ///< whether it is a linkage of the plane
+  bool planar() const;  ///< whether the framework is planar
   std::vector<Limit> limits() const;
   std::shared_ptr<const Sterics> sterics() const;  ///< null where the file has none
   std::shared_ptr<const TorsionPreferences> torsion_preferences() const;  ///< null: none

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is inside an H5mdRecorder: the file, its series and its checkpoint, and when they are
-// committed.
+// Implements H5mdRecorder: the file, its series and its checkpoint, and when they are committed.
 #pragma once
 
 #include <chrono>
@@ -27,7 +26,7 @@ class H5mdWriter {
  public:
   H5mdWriter(const std::filesystem::path& path, const Framework& framework,
              const H5mdHeader& header, const H5mdOptions& options);
-  /// Goes on after the frames that stay.
+  /// Continues after the frames that are kept.
   H5mdWriter(const H5mdCheckpoint& from, const H5mdOptions& options);
   ~H5mdWriter();
 
@@ -65,7 +64,7 @@ class H5mdWriter {
   const std::size_t joint_count_;
   const std::shared_ptr<const AtomTable> atoms_;
   const H5mdOptions options_;
-  // Destroyed from the last to the first: HDF5 lets go of the file before it is closed.
+  // Destroyed in reverse order: HDF5 releases the file before it is closed.
   OutputFile output_;
   CommittedFile file_;
   Hid hdf5_;
@@ -75,9 +74,9 @@ class H5mdWriter {
   std::int64_t frames_ = 0, committed_frames_ = 0;
   std::int64_t last_step_ = std::numeric_limits<std::int64_t>::min();
   std::int64_t last_walker_ = 0;
-  std::int64_t known_to_ = last_step_;  ///< steps to this one were recorded by an earlier run
+  std::int64_t known_to_ = last_step_;  ///< steps up to this one were recorded by an earlier run
   Clock::time_point last_commit_ = Clock::now(), last_checkpoint_ = {};
-  std::string failure_;  // what all later calls throw
+  std::string failure_;  // error that all later calls throw
 };
 
 }  // namespace pliant

@@ -1,26 +1,26 @@
 // SPDX-License-Identifier: MIT
-// A file of data and metadata blocks whose metadata reaches the disk in commits only, in an order
-// that leaves a readable file behind wherever the writer is killed (ordered, "soft" updates).
+// A file of data and metadata blocks. Metadata reaches the disk only in commits, in an order that
+// leaves a readable file behind wherever the writer is killed (ordered, "soft" updates).
 //
-// HDF5 by itself writes metadata in the order of its cache: a writer killed in between leaves
-// chunk trees that point to nowhere. Within a commit of CommittedFile
-//   1. blocks that were never written before come first: nothing refers to them yet;
-//   2. then the superblock, which says how long the file is;
+// HDF5 by itself writes metadata in the order of its cache: a writer killed in between leaves chunk
+// trees that point nowhere. A commit of CommittedFile writes
+//   1. first blocks that were never written before: nothing refers to them yet;
+//   2. then the superblock, which holds the length of the file;
 //   3. then chunk tree nodes in place, parents before children: a split has put the right half
 //      into a new node by 1, and the left half shrinks only when its parent knows the new one;
 //   4. then the other blocks in place, which are object headers with the new extents; those named
 //      to write_last() are the last, in that order.
-// Where rows are taken away, the order is another: headers first, then trees, then data, then the
-// superblock, so that what a reader is led to is there.
+// When rows are removed, the order is another: headers first, then trees, then data, then the
+// superblock, so that everything a reader is led to exists.
 //
-// A reader asks how long the file is before it reads the superblock: the file is always longer than
-// the superblock says by what the next commit may add, until it is closed.
+// Readers determine the length of the file before they read the superblock. Until it is closed, the
+// file is therefore longer than the superblock says, by as much as the next commit may add.
 //
-// A kill stops a write between two pages of the file, never within one. Tree nodes lie within one
-// page (the driver aligns them); what they count and what they hold are written apart all the same,
-// so that a disk that fails within a page leaves no entry counted that is not there. What lies in
-// two pages is written from its end, because an object header has its extents before the address of
-// its chunk tree.
+// A kill interrupts a write between two pages of the file, never within one. Tree nodes lie within
+// one page (the driver aligns them). Their counts and entries are still written separately, so that
+// a disk that fails within a page never leaves a count of missing entries. Blocks in two pages are
+// written from their end, because an object header has its extents before the address of its chunk
+// tree.
 #pragma once
 
 #include <sys/types.h>
@@ -40,30 +40,30 @@ enum class BlockKind : std::uint8_t { data, superblock, tree_node, other_metadat
 
 /// Writes to an open file descriptor. Nothing throws: after the first failed write (errno in
 /// failure()) nothing more reaches the disk, but metadata can still be written and read back, so
-/// that the library above can go on and close in peace.
+/// that HDF5 can close the file normally.
 class CommittedFile {
  public:
-  /// Does not own `descriptor`, which is open for reading and writing. What the file holds is
-  /// committed. `durable`: a commit waits until it is on the disk.
+  /// Does not own `descriptor`, which must be open for reading and writing. The file's present
+  /// contents count as committed. `durable`: a commit waits until it is on the disk.
   explicit CommittedFile(int descriptor, bool durable = false);
 
-  /// Data goes to the disk at once, metadata with the next commit.
+  /// Writes data at once, and metadata with the next commit.
   void write(BlockKind kind, std::uint64_t address, std::span<const std::byte> bytes);
-  /// What was written, committed or not; zeros beyond.
+  /// Reads what was written, committed or not; zeros beyond the end.
   void read(std::uint64_t address, std::span<std::byte> bytes) const;
 
-  /// How long the file is said to be (end of allocated space).
+  /// Sets the nominal length of the file (end of allocated space).
   void set_end(std::uint64_t end) { end_ = end; }
   std::uint64_t end() const { return end_; }
-  /// How long the file is, with what waits for a commit.
+  /// Length of the file with what waits for a commit.
   std::uint64_t size() const;
 
   /// Addresses of the blocks that a commit writes last, in this order.
   void write_last(std::vector<std::uint64_t> addresses) { last_ = std::move(addresses); }
   void commit();
-  /// Rows are taken away until the next commit: data waits for it too.
+  /// Says that rows are removed: until the next commit data waits, too.
   void shrink() { shrinks_ = true; }
-  /// After the last commit: the file becomes as long as the superblock says.
+  /// Cuts the file to the length in the superblock. Only after the last commit.
   void trim();
 
   /// errno of the first write that failed, or 0.

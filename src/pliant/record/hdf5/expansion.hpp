@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How much memory a dataset may take when it is read: in proportion to what its file holds.
+// Bounds the memory for reading a dataset, in proportion to what the file stores.
 #pragma once
 
 #include <cstdint>
@@ -7,30 +7,30 @@
 
 namespace pliant {
 
-/// Bytes of a dataset that are asked for, and what the file holds of it.
+/// Size of a dataset in memory, and in the file.
 struct Expansion {
-  std::uint64_t values = 0;     ///< bytes of all values that are wanted
-  std::uint64_t at_once = 0;    ///< bytes of those that are in memory at the same time
+  std::uint64_t values = 0;  ///< bytes of all values to be read
+  std::uint64_t at_once = 0;  ///< bytes of those that are in memory at the same time
   std::uint64_t chunk = 0;      ///< bytes of one chunk once it is unpacked; 0: not chunked
-  std::uint64_t stored = 0;     ///< bytes of all its values in the file, packed or not
-  std::uint64_t chunks = 1;     ///< how many chunks these are
-  std::uint64_t file_size = 0;  ///< bytes: chunks may state the same place in the file twice
-  /// So many bytes of values may be asked for though they were never written: HDF5 fills them in.
+  std::uint64_t stored = 0;  ///< bytes of all its values as stored, compressed or not
+  std::uint64_t chunks = 1;  ///< number of stored chunks
+  std::uint64_t file_size = 0;  ///< bytes; several chunks may refer to the same place in the file
+  /// Bytes of values that may be missing from the file: HDF5 fills them in.
   std::uint64_t unwritten = 0;
 };
 
-/// Product that stops at the largest number.
+/// Product, limited to the largest number.
 std::uint64_t times(std::uint64_t a, std::uint64_t b);
 
-/// Up to here a chunk may be made whatever the file holds.
+/// A chunk up to this size is accepted whatever the file stores.
 inline constexpr std::uint64_t harmless_chunk = std::uint64_t{1} << 24;
-/// From here on chunks and values must not be much larger than what the file holds of them. A chunk
-/// of one frame reaches it at 2.8 million atoms.
+/// From this size on, chunks and values must not be much larger than what is stored. A chunk of one
+/// frame has this size at 2.8 million atoms.
 inline constexpr std::uint64_t large_expansion = std::uint64_t{1} << 26;
 
-/// Why these bytes are not asked for; empty if they may be. HDF5 unpacks a chunk as a whole, and
-/// deflate makes a thousand bytes of one: what is large must have a hundredth of its size in the
-/// file. Coordinates of molecules pack by ten at most.
+/// Says why the dataset is refused; empty if it is not. HDF5 decompresses a chunk as a whole, and
+/// deflate can expand a byte to a thousand, so large datasets must occupy a hundredth of their size
+/// in the file. Coordinates of molecules compress by at most ten.
 std::string refusal_of(const Expansion& expansion);
 
 }  // namespace pliant

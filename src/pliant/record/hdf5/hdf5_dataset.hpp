@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A dataset of an HDF5 file that nobody vouches for: nothing is read that the file does not hold.
+// A dataset of an untrusted HDF5 file: reads only what the file holds.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace pliant {
 
 enum class ValueClass { integer, real, truth, named, text, other };
 
-/// An open dataset whose values lie within the file and can be decoded here.
+/// An open dataset whose values are in the file and can be decoded.
 class Hdf5Dataset {
  public:
   /// Throws FileError on a filter that is not installed and on values in other files, InputError
@@ -38,7 +38,7 @@ class Hdf5Dataset {
   std::vector<std::int64_t> integers() const;
   std::vector<std::string> texts() const;
 
-  /// Throws InputError unless `values` values can be in the file, in proportion to what it holds:
+  /// Throws InputError unless the file can hold `values` values, in proportion to its size: see
   /// expansion.hpp.
   void check_plausible(std::uint64_t values) const;
   /// Names of an enumeration type by value, "" for those without; empty for other types.

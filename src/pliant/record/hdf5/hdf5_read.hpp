@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading HDF5 files that nobody vouches for: no way out of the file, no memory for what is only
-// stated, and errors that name the path. Identifiers are HDF5's hid_t.
+// Reading untrusted HDF5 files: nothing outside the file is opened, no memory is taken for data
+// that the file does not hold, and errors name the path. Identifiers are HDF5's hid_t.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace pliant {
 
-/// Opens a file for reading, once its structure was looked at: HDF5 can crash on a wrong byte.
+/// Opens a file for reading after checking its structure, because HDF5 can crash on a wrong byte.
 /// Throws FileError with a reason that says what to do, and InputError where the file is damaged;
 /// neither names the file.
 Hid open_hdf5(const std::filesystem::path& path);
@@ -21,7 +21,7 @@ Hid open_hdf5(const std::filesystem::path& path);
 /// Whether `path` leads to an object within the file. Throws FileError on a link that leaves the
 /// file.
 bool has_object(std::int64_t location, const std::string& path);
-/// A group or dataset; throws like has_object, and when there is none.
+/// Opens a group or dataset. Throws as has_object, and when there is none.
 Hid open_object(std::int64_t location, const std::string& path);
 /// Names in the group, sorted; empty if there is no such group.
 std::vector<std::string> names_in(std::int64_t location, const std::string& group);

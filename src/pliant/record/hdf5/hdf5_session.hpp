@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The HDF5 library behind a door: owned identifiers, one lock, silence, and reasons for errors.
-// HDF5's own header is included by .cpp files of this folder only.
+// Access to the HDF5 library: owned identifiers, one lock, no messages, and reasons for errors.
+// Only .cpp files of this folder include HDF5's own header.
 #pragma once
 
 #include <cstdint>
@@ -53,20 +53,20 @@ class Hdf5Session {
   void* printer_argument_ = nullptr;
 };
 
-/// What HDF5's error stack gives as the innermost reason, or "unknown reason".
+/// Returns the innermost reason on HDF5's error stack, or "unknown reason".
 std::string hdf5_reason();
 
 /// Throws FileError("cannot `what`: `reason`").
 [[noreturn]] void throw_hdf5_error(std::string_view what);
 
-/// Takes what an HDF5 call returned: throws FileError when it is negative.
+/// Returns `status`, the result of an HDF5 call. Throws FileError when it is negative.
 template <class Status>
 Status checked(Status status, std::string_view what) {
   if (status < 0) throw_hdf5_error(what);
   return status;
 }
 
-/// The same for identifiers, which the Hid then owns.
+/// Returns a checked identifier that closes itself.
 inline Hid owned(std::int64_t id, Hid::Closer closer, std::string_view what) {
   return {checked(id, what), closer};
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Groups, datasets and attributes of a new HDF5 file, in the few shapes that H5MD needs.
-// Identifiers are HDF5's hid_t; everything throws FileError naming what could not be written.
+// Writes groups, datasets and attributes of a new HDF5 file in the few shapes that H5MD needs.
+// Identifiers are HDF5's hid_t; all functions throw FileError naming what could not be written.
 #pragma once
 
 #include <cstdint>
@@ -15,15 +15,15 @@
 
 namespace pliant {
 
-/// A group at `path` below `location`; groups on the way are made too.
+/// Makes a group at `path` below `location`, and missing groups on the way.
 Hid make_group(std::int64_t location, const std::string& path);
 
 /// Scalar UTF-8 string of variable length: the only kind that MDAnalysis takes as a unit.
 void write_text_attribute(std::int64_t object, const char* name, const std::string& text);
 void write_integer_attribute(std::int64_t object, const char* name, std::span<const int> values);
-/// Without dimensions.
+/// Writes a scalar.
 void write_real_attribute(std::int64_t object, const char* name, double value);
-/// As write_integer_attribute, but without dimensions.
+/// Writes a scalar.
 void write_integer_attribute(std::int64_t object, const char* name, int value);
 void write_text_attribute(std::int64_t object, const char* name,
                           std::span<const std::string> texts);
@@ -54,20 +54,20 @@ Hid write_named_numbers(std::int64_t location, const std::string& path,
 /// (n) strings of the length of the longest, UTF-8, padded with NUL.
 Hid write_texts(std::int64_t location, const std::string& path,
                 const std::vector<std::string>& texts);
-/// A dataset without dimensions.
+/// Writes a scalar dataset.
 void write_parameter(std::int64_t location, const std::string& path, const Parameter& value);
 
-/// Writes over the integer at `path`.
+/// Overwrites the integer at `path`.
 void rewrite_integer(std::int64_t location, const std::string& path, std::int64_t value);
 
-/// Enumeration of one byte, as used above.
+/// Enumeration types of one byte, for the functions above.
 Hid boolean_type();
 Hid named_number_type(std::span<const std::string> names);
 
-/// Where the object at `path` is in the file.
+/// Address of the object at `path` in the file.
 std::uint64_t object_address(std::int64_t location, const std::string& path);
 
-/// `text`, or, if it is not UTF-8, with each byte above 127 as \xNN: readers decode or fail.
+/// `text`, or, if it is not UTF-8, with each byte above 127 as \xNN so that readers can decode it.
 std::string as_utf8(const std::string& text);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bytes of a file that may be damaged, read field by field within bounds.
+// Reads fields of a file that may be damaged, within bounds.
 #pragma once
 
 #include <cstddef>
@@ -12,25 +12,25 @@
 
 namespace pliant {
 
-/// HDF5's address of what is not there, at eight bytes.
+/// HDF5's address for "none", in eight bytes.
 inline constexpr std::uint64_t no_address = ~std::uint64_t{0};
 
 /// "tree node at byte 96".
 std::string place_in_file(std::string_view what, std::uint64_t address);
 
-/// Little-endian fields of a block, one after the other. Everything throws InputError
-/// ("is damaged: WHAT: WHY") where the block ends before the field does.
+/// Little-endian fields of a block, one after another. All functions throw InputError ("is damaged:
+/// WHAT: WHY") where the block ends before the field does.
 class StructureFields {
  public:
   /// `what` names the block in errors. Does not own the bytes.
   StructureFields(std::span<const std::byte> bytes, std::string what)
       : bytes_(bytes), what_(std::move(what)) {}
 
-  std::uint64_t number(std::size_t width);  ///< of 1 to 8 bytes
+  std::uint64_t number(std::size_t width);  ///< width of 1 to 8 bytes
   void skip(std::size_t count);
-  /// The next `count` bytes as a block of their own.
+  /// Returns the next `count` bytes as a separate block.
   StructureFields part(std::size_t count, std::string_view what);
-  /// Text up to a NUL, which is passed.
+  /// Text up to a NUL, which is skipped.
   std::string text();
   /// Throws unless these characters come next.
   void signature(std::string_view characters);
@@ -50,7 +50,7 @@ class StructureFields {
   std::size_t at_ = 0;
 };
 
-/// A regular file that is open for reading.
+/// A regular file opened for reading.
 class StructureFile {
  public:
   /// Throws FileError.
@@ -60,8 +60,8 @@ class StructureFile {
   StructureFile& operator=(const StructureFile&) = delete;
 
   std::uint64_t size() const { return size_; }
-  /// Bytes [address, address + count), which lie within the file. Throws InputError if it has
-  /// become shorter.
+  /// Returns bytes [address, address + count), which must lie within the file. Throws InputError if
+  /// the file has become shorter.
   std::vector<std::byte> read(std::uint64_t address, std::size_t count) const;
 
  private:
@@ -69,7 +69,7 @@ class StructureFile {
   std::uint64_t size_ = 0;
 };
 
-/// Bob Jenkins' lookup3 with a start of 0, which HDF5 has for a checksum of metadata.
+/// Bob Jenkins' lookup3 with initial value 0, HDF5's checksum of metadata.
 std::uint32_t structure_checksum(std::span<const std::byte> bytes);
 
 }  // namespace pliant

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Messages in the header of an HDF5 object that may be damaged: decoded, or refused.
-// HDF5 File Format Specification 3.0, IV.A.2.
+// Messages in object headers of an HDF5 file that may be damaged: decoded, or refused. HDF5 File
+// Format Specification 3.0, IV.A.2.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@
 
 namespace pliant {
 
-/// Where the values of a dataset are.
+/// Location of the values of a dataset.
 struct LayoutFacts {
   enum Kind { compact, contiguous, chunked, unknown } kind = unknown;
   std::uint64_t address = no_address;
@@ -29,7 +29,7 @@ struct ObjectFacts {
   std::optional<std::uint64_t> fill_bytes;
   bool is_filtered = false;
   bool has_links = false;
-  bool is_unchecked = false;  ///< a message was left out
+  bool is_unchecked = false;  ///< some message was not checked
 };
 
 /// One message of a header: `type` and `flags` as in the file.
@@ -39,10 +39,10 @@ struct HeaderMessage {
   bool has_checksum;
 };
 
-/// Adds what a message says. Throws InputError when it cannot be.
+/// Adds what a message says to `facts`. Throws InputError if it is invalid.
 void add_message(StructureWalk& walk, const HeaderMessage& message, ObjectFacts& facts);
 
-/// Throws InputError when the parts of an object do not fit together.
+/// Throws InputError if the parts of an object contradict each other.
 void check_object_facts(StructureWalk& walk, const ObjectFacts& facts,
                         const StructureFields& header);
 

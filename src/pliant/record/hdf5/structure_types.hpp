@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Datatypes and dataspaces of an HDF5 file that may be damaged: decoded, or refused.
-// HDF5 File Format Specification 3.0, IV.A.2.b and IV.A.2.d.
+// Datatypes and dataspaces of an HDF5 file that may be damaged: decoded, or refused. HDF5 File
+// Format Specification 3.0, IV.A.2.b and IV.A.2.d.
 #pragma once
 
 #include <cstdint>
@@ -10,28 +10,28 @@
 
 namespace pliant {
 
-/// What is known of a datatype.
+/// Properties of a datatype.
 struct TypeFacts {
   std::uint64_t bytes = 0;          ///< of one value
   bool is_variable = false;         ///< its values are in global heaps
   std::uint64_t item_bytes = 0;     ///< of one item of such a value
-  bool has_variable_parts = false;  ///< members or elements that are variable: not looked into
+  bool has_variable_parts = false;  ///< has variable members or elements, which are not checked
 };
 
-/// Thrown where a datatype is of a format that is not known here.
+/// Thrown for a datatype of an unknown format.
 struct UnknownDatatype {};
 
-/// Reads a datatype. Throws InputError when it is none that HDF5 can write, or UnknownDatatype.
+/// Reads a datatype. Throws InputError when it is invalid, or UnknownDatatype.
 TypeFacts check_datatype(StructureFields& fields, int level = 0);
 
-/// Extents of a dataset; none for a single value.
+/// Extents of a dataset; empty for a single value.
 struct SpaceFacts {
   std::vector<std::uint64_t> extents;
   std::uint64_t count = 1;  ///< of values
 };
 
-/// Reads a dataspace. Throws InputError when it is none. Too many values to count are the largest
-/// number.
+/// Reads a dataspace. Throws InputError when it is invalid. A count that overflows becomes the
+/// largest number.
 SpaceFacts check_dataspace(StructureFields& fields);
 
 }  // namespace pliant

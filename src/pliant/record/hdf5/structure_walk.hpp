@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What is shared while the structure of an HDF5 file is walked through: its bytes, which of them
-// are taken by what, and what still has to be looked at.
+// State of a walk through the structure of an HDF5 file: its bytes, which blocks are in use, and
+// what remains to be visited.
 #pragma once
 
 #include <cstdint>
@@ -15,49 +15,50 @@
 
 namespace pliant {
 
-/// Sizes of tree nodes and group nodes, which the superblock states.
+/// Sizes of tree nodes and group nodes, from the superblock.
 struct StructureSizes {
   std::uint64_t group_leaf = 4, group_node = 16, chunk_node = 32;
 };
 
-/// Each block is read once, and no two overlap: what is walked through ends.
+/// Each block is read once, and blocks must not overlap, so that the walk terminates.
 class StructureWalk {
  public:
   explicit StructureWalk(const StructureFile& file) : file_(file), end_(file.size()) {}
 
-  /// Reads a block of metadata and takes its bytes. Throws InputError where it is not in the file.
+  /// Reads a block of metadata and marks it as used. Throws InputError where it is not in the file.
   std::vector<std::byte> block(std::uint64_t address, std::uint64_t bytes, const std::string& what);
-  /// Takes bytes of values, which may be taken again as a whole.
+  /// Marks bytes of values as used. The same bytes may be used again as a whole.
   void take_values(std::uint64_t address, std::uint64_t bytes, const std::string& what);
-  /// Reads bytes that were taken.
+  /// Reads bytes that are marked as used.
   std::vector<std::byte> read(std::uint64_t address, std::size_t bytes) const {
     return file_.read(address, bytes);
   }
   /// Throws InputError if blocks overlap.
   void check_overlaps();
 
-  /// Where the file ends, as its superblock says.
+  /// Sets the end of the file according to its superblock.
   void set_end(std::uint64_t end) { end_ = end; }
   std::uint64_t end() const { return end_; }
   std::uint64_t file_size() const { return file_.size(); }
 
-  /// An object that something leads to.
+  /// Adds an object to be visited.
   void visit_later(std::uint64_t object) { objects_.push_back(object); }
-  /// One that was not looked at yet.
+  /// Returns an object that was not visited yet.
   std::optional<std::uint64_t> next_object();
 
-  /// A group of the old format: where its tree and its heap are.
+  /// The tree and the heap of a group of the old format.
   struct Table {
     std::uint64_t tree, heap;
   };
-  /// Groups may be nested deeper than calls can be.
+  /// Adds a group to be visited; groups may be nested too deeply for recursion.
   void visit_later(Table table) { tables_.push_back(table); }
   std::optional<Table> next_table();
 
-  /// False if it was entered before. Throws InputError where it was something else.
+  /// Returns false if the address was entered before. Throws InputError if it was entered as
+  /// something else.
   bool enter(std::uint64_t address, const std::string& what);
 
-  /// There is something that is not checked: of formats that our files do not have.
+  /// Notes that something was not checked: formats that our files do not have.
   void leave_unchecked() { is_complete_ = false; }
   bool is_complete() const { return is_complete_; }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading a file that somebody may be writing: tried again, until it is said who is in the way.
+// Reading a file that another process may be writing: repeated for a while, then an error that
+// names the writer.
 #pragma once
 
 #include <chrono>
@@ -13,14 +14,13 @@
 
 namespace pliant {
 
-/// Whether somebody has written to the file in the last seconds.
+/// Whether the file was written within the last seconds.
 bool is_new(const std::filesystem::path& path);
 
-/// Returns what `read` returns. While the file is being written, a failure may come from a commit
-/// that is half done: after a FileError, or an InputError that speaks of damage, `read` is then
-/// called again, for two seconds.
-/// Throws what `read` threw last, with the file's name before it; FileError "is being written by
-/// ..." where the writer is still at it.
+/// Returns what `read` returns. While the file is being written, an unfinished commit can make it
+/// fail: after a FileError, or an InputError about damage, `read` is called again for up to two
+/// seconds. Throws the last error of `read`, with the file's name before it; FileError "is being
+/// written by ..." if the writer is still active.
 template <class Read>
 auto while_written(const std::filesystem::path& path, const Read& read) {
   using Clock = std::chrono::steady_clock;

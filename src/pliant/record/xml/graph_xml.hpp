@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Graph XML: a framework with its positions in a text file, as StructGen of the thesis wrote them.
+// Graph XML: a framework with its positions in a text file, the format of the thesis' StructGen.
 //
 //   <graph dimension="3">
 //     <joint id="a" x="0" y="0" z="0" mass="12" pinned="true"/>
@@ -8,9 +8,10 @@
 //     <cycle joints="a b c"/>
 //   </graph>
 //
-// Positions and lengths are in Angstrom, masses in u. mass, pinned, length and cycle may be left
-// out: 1, false, the distance of the joints, and no word on cycles. dimension="2" is a framework of
-// the plane: joints without z have z = 0, and no push changes the z of a joint.
+// Positions and lengths are in Angstrom, masses in u. Without mass, pinned or length, a mass of 1,
+// a joint that is not pinned, and the distance of the joints are assumed; cycles are optional.
+// dimension="2" makes a planar framework: joints without z have z = 0, and no push changes the z of
+// a joint.
 #pragma once
 
 #include <filesystem>
@@ -24,7 +25,7 @@
 
 namespace pliant {
 
-/// What a graph XML file holds. The ids of joints are the names of `framework`'s atoms.
+/// Contents of a graph XML file. The ids of joints are the names of the framework's atoms.
 struct GraphFile {
   Framework framework;
   std::vector<Vec3> positions;             ///< (N) Angstrom
@@ -34,8 +35,8 @@ struct GraphFile {
 /// Whether a text looks like XML.
 bool looks_like_xml(std::string_view text);
 
-/// Throws InputError naming file, line and attribute; FileError if the file cannot be read.
-/// Warns of bars that cannot hold together and of bars given twice.
+/// Throws InputError naming file, line and attribute; FileError if the file cannot be read. Warns
+/// of bars that cannot all have their rest lengths, and of bars given twice.
 GraphFile read_graph_xml(const std::filesystem::path& path, const Log& log = {});
 GraphFile parse_graph_xml(const SourceText& source, const Log& log = {});
 

@@ -10,8 +10,8 @@
 
 namespace pliant {
 
-/// The text that parse_graph_xml reads back to the same bits.
-/// Throws InputError if the number of positions is not that of the joints.
+/// Returns text that parse_graph_xml reads back to the same bits. Throws InputError if the number
+/// of positions is not that of the joints.
 std::string write_graph_xml(const Framework& framework, std::span<const Vec3> positions,
                             std::span<const std::vector<Joint>> cycles = {});
 

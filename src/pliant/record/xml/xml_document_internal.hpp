@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A parsed XML text whose elements know their line: the one way from XML text to elements. Document
-// types are refused before the parser sees the text, so no entity is expanded and no file fetched.
+// A parsed XML text whose elements know their lines. Document types are refused before the parser
+// sees the text, so that no entity is expanded and no file fetched.
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,13 @@ class XmlDocument {
   pugi::xml_node root() const { return document_.document_element(); }
   Place place_of(pugi::xml_node node) const;
 
-  /// Refuses elements and attributes of `node` that are none of these, and text in it.
+  /// Refuses other elements or attributes in `node` than these, and text.
   void expect_elements(pugi::xml_node node, XmlNames names) const;
   void expect_attributes(pugi::xml_node node, XmlNames names) const;
 
   std::string_view required(pugi::xml_node node, const char* name) const;
   double real(pugi::xml_node node, const char* name) const;
-  /// A whole number from `least`.
+  /// A whole number that is at least `least`.
   std::int64_t integer(pugi::xml_node node, const char* name, std::int64_t least = 0) const;
 
  private:
@@ -43,7 +43,7 @@ class XmlDocument {
   pugi::xml_document document_;
 };
 
-/// `text` as it stands in an attribute.
+/// `text` escaped for an attribute.
 std::string xml_escaped(std::string_view text);
 
 }  // namespace pliant

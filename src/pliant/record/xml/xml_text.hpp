@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What XML must be before a parser sees it: UTF-8, without a document type, not nested deeply.
+// Checks of XML before it is parsed: UTF-8, no document type, not nested deeply.
 #pragma once
 
 #include <cstddef>
@@ -10,15 +10,15 @@
 
 namespace pliant {
 
-/// Elements may be nested this deep. A graph needs two levels; parsers that recurse need a limit.
+/// Deepest nesting of elements. A graph needs two levels; parsers that recurse need a limit.
 inline constexpr std::size_t deepest_xml = 64;
 
-/// Throws InputError: empty or binary text, UTF-16, bytes that are not UTF-8 (naming the offset),
-/// a document type and entities other than XML's own five (none is ever expanded), elements deeper
-/// than deepest_xml.
+/// Throws InputError for empty or binary text, UTF-16, bytes that are not UTF-8 (naming the
+/// offset), a document type, entities other than XML's own five, and elements deeper than
+/// deepest_xml.
 void check_xml_text(const SourceText& source);
 
-/// Line numbers of offsets in a text, from 1.
+/// Finds the lines of offsets in a text, from 1.
 class LineIndex {
  public:
   explicit LineIndex(std::string_view text);
