@@ -4,7 +4,7 @@
 // Below /parameters/checkpoint:
 //   state (2, 5 + 6 N + L)  two states, written alternately, so that one is always whole:
 //     number of the checkpoint (the larger is the later), step, time (ps), two halves of a digest,
-//     positions (3 N), previous positions (3 N), limits that are off (L, 1 for off); none for samples
+//     positions (3 N), previous positions (3 N), limits that are off (L, 1 for off); not of samples
 //   mass (N) u, drawn (N, 3)   where /particles does not have their exact bits
 //   start (N, 3)               where several walkers do not start from the drawn positions
 //   replay_joint (R), replay_force (R, 3) kJ/(mol Angstrom)   in a replay
