@@ -37,10 +37,10 @@ inline constexpr LengthChoice length_choices[] = {
     {"geometry", LengthSource::geometry, "the distances in the file"},
     {"table", LengthSource::table, "standard lengths by element pair and bond order"}};
 
-/// A bar between any two atoms, in place of the one that its atoms may have otherwise.
+/// A bar between any two atoms, which replaces the bar that they may have already.
 struct StatedBar {
   Bar bar;
-  std::optional<double> length;  ///< Angstrom; nothing: as the structure has it
+  std::optional<double> length;  ///< Angstrom; by default the distance in the structure
   friend bool operator==(const StatedBar&, const StatedBar&) = default;
 };
 
@@ -49,19 +49,18 @@ struct BuildOptions {
   LengthSource lengths = LengthSource::geometry;
   std::string pin = "";     ///< selection of atoms that never move; "": none
   bool use_masses = true;   ///< give joints their atoms' masses (u)
-  bool may_be_cut = false;  ///< build it even of a molecule that a periodic box has cut
+  bool may_be_cut = false;  ///< accept a molecule that a periodic box has cut
   Log log = {};
   std::vector<StatedBar> stated = {};           ///< in addition to `bars`; no pair twice
   std::vector<Limit> limits = {};               ///< joints are atoms
   std::shared_ptr<const Sterics> sterics = {};  ///< null: none
   std::shared_ptr<const TorsionPreferences> torsion_preferences = {};  ///< null: none
-  std::string stated_in = "";  ///< the file that states these three, for messages; "": none
+  std::string stated_in = "";  ///< file that states these bars, limits and sterics, for messages
 };
 
-/// The framework of a structure whose bonds are known.
-/// Throws InputError as refuse_cut() does (unless it may be cut, or bars are none), naming both
-/// atoms of a bar of length 0, or what Framework does not take of stated bars, limits and sterics;
-/// OptionError on a bad selection.
+/// The framework of a structure whose bonds are known. Throws InputError as refuse_cut() does
+/// (unless the molecule may be cut, or bars are none), for a bar of length 0 (naming both atoms),
+/// and for stated bars, limits and sterics that Framework refuses; OptionError for a bad selection.
 Framework build_framework(const Structure& structure, const BuildOptions& options = {});
 
 }  // namespace pliant

@@ -7,13 +7,13 @@
 namespace pliant {
 
 /// Whether a structure is a drawing rather than a flat molecule such as benzene. All z are 0, there
-/// are more than three atoms, and the file does not say that it is 3-D. And either bonds do not
-/// have the lengths of bonds (within 0.15 Angstrom of standard_bond_length), or a carbon with
-/// single bonds alone has three or more of them in the plane; or the file says 2-D, and it shows no
-/// hydrogen and bonds of one length. Linear.
+/// are more than three atoms, and the file does not say that it is 3-D. In addition one of these
+/// holds: the bonds do not have the lengths of bonds (within 0.15 Angstrom of
+/// standard_bond_length); a carbon with only single bonds has three or more of them in the plane;
+/// or the file says 2-D, and shows no hydrogen and bonds of one length. Linear.
 bool is_drawing(const Structure& structure);
 
-/// Throws InputError, which says how to make a 3-D structure, if it is a drawing.
+/// Throws InputError, which says how to make a 3-D structure, if the structure is a drawing.
 void refuse_drawing(const Structure& structure);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The words of the selection language and what they look at. Not for users: see selection.hpp.
+// The keywords of the selection language and what they test. Internal: users call selection.hpp.
 #pragma once
 
 #include <compare>
@@ -22,7 +22,7 @@ struct Range {
   Number first, last;
 };
 
-/// The atoms with what is worked out once for each residue.
+/// The atoms with data worked out once for each residue.
 struct Subject {
   const AtomTable& atoms;
   std::vector<const ResidueTemplate*> shapes;  ///< (R)
@@ -45,23 +45,23 @@ using Holds = bool (*)(const Subject&, std::size_t atom);
 using Text = std::string_view (*)(const Subject&, std::size_t atom);
 using NumberOf = Number (*)(const Subject&, std::size_t atom);
 
-/// What a word looks at: exactly one of these is set.
+/// What a keyword tests: exactly one of these is set.
 struct Meaning {
   Holds holds = nullptr;
   Text text = nullptr;
   NumberOf number = nullptr;
 };
 
-/// A word with what it looks at.
+/// A keyword with what it tests.
 struct Term {
   SelectionWord word;
   Meaning meaning;
 };
 
-/// The term of a word; null if there is none.
+/// The term of a keyword; null if there is none.
 const Term* find_term(std::string_view word);
 
-/// Whether `text` fits `pattern`, where * is any run of characters and ? any single one.
+/// Whether `text` matches `pattern`, where * is any run of characters and ? any single one.
 bool fits(std::string_view pattern, std::string_view text, bool any_case);
 
 }  // namespace pliant::selection

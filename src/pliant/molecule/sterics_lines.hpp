@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the lines of a bars file say of sterics: gathered line by line, put together at the end,
-// since a joint may be said to be of a kind before the kind's distances are.
+// The sterics in a bars file: gathered line by line and put together at the end, because the kind
+// of a joint may come before the distances of that kind.
 #pragma once
 
 #include <map>
@@ -18,10 +18,10 @@ namespace pliant {
 /// The kind of joints that touch nothing.
 inline constexpr std::string_view no_kind = "none";
 
-/// The kind of a joint of which no line says one: the symbol of its element.
+/// The kind of a joint that has no line: the symbol of its element.
 std::string_view usual_kind(const Framework& joints, Joint joint);
 
-/// Sterics and what their kinds are called: "" is the kind of joints that touch nothing.
+/// Sterics and the names of their kinds: "" is the kind of joints that touch nothing.
 struct NamedSterics {
   Sterics sterics;
   std::vector<std::string> kind_names;
@@ -29,13 +29,13 @@ struct NamedSterics {
 
 class StericsLines {
  public:
-  /// The add functions throw InputError at `place` for what is given twice or makes no sense.
+  /// The add functions throw InputError at `place` for repeated or invalid values.
   void add_least(std::string_view one, std::string_view other, double least, const Place& place);
   void add_kind(Joint joint, std::string_view name, const Place& place);
   void add_own(Joint a, Joint b, double least, const Place& place);
   void add_bonds_apart(int bonds, const Place& place);
 
-  /// Nothing if no line told a distance. Kinds are in the order of their names, the nameless last.
+  /// Returns nothing if no line gave a distance. Kinds are sorted by name, the nameless one last.
   /// Throws InputError naming `file` and the line of a kind without distances.
   std::optional<NamedSterics> put_together(const Framework& joints, std::string_view file) const;
 
@@ -48,7 +48,7 @@ class StericsLines {
   void check_kinds(const Place& file) const;
 
   std::map<std::pair<std::string, std::string>, double> least_;  ///< names in their order
-  std::map<std::string, std::uint16_t, std::less<>> kinds_;      ///< those that least_ names
+  std::map<std::string, std::uint16_t, std::less<>> kinds_;  ///< the kinds named in least_
   std::map<Joint, StatedKind> stated_;
   std::map<std::pair<Joint, Joint>, std::size_t> own_lines_;
   std::vector<OwnDistance> own_;

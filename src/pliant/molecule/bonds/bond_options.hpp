@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How bonds are perceived: what the steps of perception are given.
+// Options of bond perception.
 #pragma once
 
 #include "pliant/base/log.hpp"
@@ -10,7 +10,7 @@ namespace pliant {
 struct BondOptions {
   double slack = 0.45;          ///< Angstrom added to the sum of two covalent radii
   double shortest = 0.4;        ///< Angstrom; closer atoms are not bonded
-  bool guess_distances = true;  ///< whether distances are looked at, at all
+  bool guess_distances = true;  ///< whether distances are used
   Log log = {};
 };
 

@@ -9,14 +9,13 @@
 
 namespace pliant {
 
-/// Adds to `structure.bonds` what residue templates, links and distances tell; the bonds that are
-/// there stay. Linear in the number of atoms. Afterwards bonds are sorted by (a, b), each once.
-/// A molecule that the structure's periodic cell cuts is made whole: its atoms are moved by edges
-/// of the cell until all of its bonds are short, which a note tells. Other positions stay.
+/// Adds to `structure.bonds` the bonds found by residue templates, links and distances. Existing
+/// bonds are kept; afterwards bonds are sorted by (a, b) without repetition. Linear in the number
+/// of atoms. A molecule that the periodic cell cuts is made whole: its atoms are moved by edges of
+/// the cell until all its bonds are short; a note says so. Other positions do not change.
 void perceive_bonds(Structure& structure, const BondOptions& options = {});
 
-/// The last of this alone: makes molecules whole along the bonds that `structure` has. True if any
-/// atom was moved.
+/// Makes molecules whole along the bonds that `structure` has. Returns whether any atom was moved.
 bool make_whole(Structure& structure, const Log& log = {});
 
 }  // namespace pliant

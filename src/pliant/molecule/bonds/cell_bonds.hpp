@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bonds through the faces of a periodic cell: a step of bond perception. Not for users: see
+// Bonds through the faces of a periodic cell: a step of bond perception. Internal: users call
 // bonds.hpp.
 #pragma once
 
@@ -10,19 +10,19 @@
 
 namespace pliant::perception {
 
-/// A bond a-b, where b has to be shifted to be beside a.
+/// A bond a-b, and the shift that brings b next to a.
 struct CellBond {
   std::uint32_t a, b;
   CellShift shift;
 };
 
-/// The bonds of atoms that the cell has parted, after the other steps of perception: bonds of the
-/// file and of templates that are too long, links, and bonds by distance within a residue, each
-/// where an image of the second atom is as near as bonded atoms are. Linear.
+/// Finds the bonds of atoms separated by the faces of the cell, after the other steps of
+/// perception: bonds of the file and of templates that are too long, links, and bonds by distance
+/// within a residue, where an image of the second atom is within bonding distance. Linear.
 std::vector<CellBond> cell_bonds(const Perception& perception);
 
-/// Longer than this (Angstrom) a bond that a file states is looked for through the cell. The
-/// longest true ones are those of metals.
+/// A bond of the file that is longer than this (Angstrom) is searched for through the cell. The
+/// longest true bonds are those of metals.
 inline constexpr double longest_stated = 4.0;
 
 }  // namespace pliant::perception

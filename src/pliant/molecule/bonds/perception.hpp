@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The steps of bond perception and what they share. Not for users: see bonds.hpp.
+// The steps of bond perception and what they share. Internal: users call bonds.hpp.
 #pragma once
 
 #include <string>
@@ -11,14 +11,14 @@
 
 namespace pliant::perception {
 
-/// The atoms [first, last) of one residue. A residue of the file makes several pieces when its
-/// names repeat: waters and residues that all have one number.
+/// The atoms [first, last) of one residue. A residue of the file gives several pieces when its
+/// names repeat: waters, and residues that all have one number.
 struct ResiduePiece {
   std::uint32_t first = 0, last = 0;
   const ResidueTemplate* shape = nullptr;  ///< null where the residue is unknown
 };
 
-/// Counts one kind of oddity and keeps its first case, so that it is said once.
+/// Counts one kind of oddity and keeps its first case, to report it once.
 struct Tally {
   std::size_t count = 0;
   std::string first;
@@ -30,20 +30,20 @@ struct Tally {
   }
 };
 
-/// What the steps hand on to each other.
+/// Data that the steps of perception pass on.
 struct Perception {
   const Structure& structure;
   const BondOptions& options;
   std::vector<AtomKey> keys;          ///< (N) names in one spelling
-  std::vector<bool> excluded;         ///< (N) gets no bond but the file's
-  std::vector<bool> settled;          ///< (N) a template tells all bonds within the residue
+  std::vector<bool> excluded;  ///< (N) keeps only the bonds of the file
+  std::vector<bool> settled;  ///< (N) a template gives all bonds within the residue
   std::vector<ResiduePiece> pieces;   ///< in the order of the atoms
-  std::vector<Bond> bonds;            ///< the file's, then what each step adds; may repeat pairs
-  Tally unplaced;                     ///< atoms with a placeholder for a position
-  Tally repeated;                     ///< atoms that lie on an atom of the same name
-  Tally stretched;                    ///< template bonds too long to be true
-  std::vector<Bond> stretched_bonds;  ///< these
-  std::vector<Bond> parted_links;     ///< consecutive pieces that no link joins as they lie
+  std::vector<Bond> bonds;  ///< those of the file, then those of each step; may repeat pairs
+  Tally unplaced;  ///< atoms with placeholder positions
+  Tally repeated;  ///< atoms at the position of an atom of the same name
+  Tally stretched;  ///< template bonds that are too long
+  std::vector<Bond> stretched_bonds;  ///< these bonds
+  std::vector<Bond> parted_links;  ///< consecutive pieces whose link is too long
   Tally crowded;                      ///< atoms too close to too many others
 
   explicit Perception(const Structure& structure, const BondOptions& options);
@@ -63,11 +63,11 @@ struct Perception {
 // never as close as this.
 inline constexpr double longest_link = 2.0;
 
-/// A bond of a template longer than this (Angstrom) is none: a periodic box has cut the molecule,
-/// or the name means another atom than we think.
+/// A bond of a template longer than this (Angstrom) is rejected: a periodic box has cut the
+/// molecule, or the name means another atom here.
 double longest_template_bond(const Structure& structure, std::uint32_t a, std::uint32_t b);
 
-/// Sorts by (a, b) and keeps of each pair the best origin, with the best known order. Linear.
+/// Sorts by (a, b) and keeps for each pair the best origin, with the best known order. Linear.
 void sort_and_merge(std::vector<Bond>& bonds, std::size_t atom_count);
 
 }  // namespace pliant::perception

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bonds within residues that templates know: a step of bond perception. Not for users: see
+// Bonds within residues that have templates: a step of bond perception. Internal: users call
 // bonds.hpp.
 #pragma once
 
@@ -7,7 +7,7 @@
 
 namespace pliant::perception {
 
-/// Splits residues into pieces and bonds the atoms that templates know.
+/// Splits residues into pieces and adds the bonds of their templates.
 void add_template_bonds(Perception& perception);
 
 }  // namespace pliant::perception

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading molecules: the table of formats, and the one function that callers use.
+// Reading molecules: the table of formats, and the function that callers use.
 #pragma once
 
 #include <filesystem>
@@ -17,20 +17,20 @@ struct Format {
   std::string_view name;                         ///< "pdb"
   std::string_view summary;                      ///< one line for help
   std::span<const std::string_view> extensions;  ///< ".pdb", ".ent"
-  bool (*looks_like)(std::string_view text);     ///< whether the content could be this format
+  bool (*looks_like)(std::string_view text);  ///< whether the content could have this format
   Structure (*read)(const SourceText& source, const ReadOptions& options);
 };
 
 std::span<const Format> formats();
 
-/// Reads one model of a molecule file; gzip, bzip2 and xz are undone by content.
-/// Bonds are those the file states: perceive_bonds() adds the others.
-/// Throws InputError (file, line, field, expected, found), TooLargeError, FileError (with the
-/// system's reason), OptionError (unknown format, no such model or assembly, model 0, max_input of
-/// 0 or beyond largest_text).
+/// Reads one model of a molecule file; gzip, bzip2 and xz are recognized by content and undone.
+/// Returns only the bonds that the file states: perceive_bonds() adds the others. Throws InputError
+/// (file, line, field, expected, found), TooLargeError, FileError (with the system's reason),
+/// OptionError (unknown format, no such model or assembly, model 0, max_input of 0 or beyond
+/// largest_text).
 Structure read_structure(const std::filesystem::path& path, const ReadOptions& options = {});
 
-/// The same for text in memory. `source.name` gives the extension.
+/// Reads text in memory. `source.name` gives the extension.
 Structure read_structure(const SourceText& source, const ReadOptions& options = {});
 
 }  // namespace pliant

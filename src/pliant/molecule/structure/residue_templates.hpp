@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Residue templates: which atoms of amino acids, nucleotides, caps and water are bonded, by name.
+// Residue templates: the bonds of amino acids, nucleotides, caps and water, by atom names.
 #pragma once
 
 #include <cstdint>
@@ -10,22 +10,22 @@ namespace pliant {
 
 enum class ResidueKind : std::uint8_t { amino_acid, cap, nucleotide, water };
 
-/// An atom name in one spelling, eight characters at most, packed so that comparing is one
-/// instruction; 0 for an empty or a longer name.
+/// An atom name in one spelling, at most eight characters, packed so that names can be compared in
+/// one instruction; 0 for an empty or a longer name.
 using AtomKey = std::uint64_t;
 
-/// The key of an atom's name: "1HB" is "HB1", "C1*" is "C1'", and where `is_hydrogen` deuterium's
-/// "DB1" is "HB1".
+/// The key of an atom name: "1HB" is "HB1", "C1*" is "C1'"; if `is_hydrogen`, deuterium's "DB1" is
+/// "HB1".
 AtomKey atom_key(std::string_view name, bool is_hydrogen);
 
-/// What is known of a residue by its name. Atoms are numbered by their place in `names`.
+/// What a residue's name implies. Atoms are numbered by their index in `names`.
 struct ResidueTemplate {
   struct Edge {
     std::uint8_t a, b;
     std::uint8_t order;  ///< 1, 2, 3; 4 aromatic
   };
   ResidueKind kind = ResidueKind::amino_acid;
-  std::vector<AtomKey> names;  ///< sorted; all spellings in use, so some exclude each other
+  std::vector<AtomKey> names;  ///< sorted; all spellings in use, so that some exclude each other
   std::vector<Edge> edges;
 
   static constexpr int none = -1;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Structure: the chemistry that a file holds. Atoms with names, elements and positions, and the
-// bonds that the file itself states.
+// Structure: the chemistry in a file. Atoms with names, elements and positions, and the bonds that
+// the file states.
 #pragma once
 
 #include <array>
@@ -16,7 +16,7 @@
 
 namespace pliant {
 
-/// Where a bond is known from, best first.
+/// How a bond is known, best first.
 enum class BondOrigin : std::uint8_t {
   file,      ///< the file states it (CONECT, SSBOND, LINK, struct_conn, SDF bond block)
   residue,   ///< template of a standard residue
@@ -43,16 +43,16 @@ struct Structure {
   AtomTable atoms;
   std::vector<Vec3> positions;          ///< (N) Angstrom
   std::vector<Bond> bonds;              ///< sorted by (a, b), each pair once
-  std::vector<std::int8_t> charges;     ///< (N) formal charges that the file gives; empty: none
-  std::vector<std::uint16_t> isotopes;  ///< (N) mass numbers that the file gives, 0 else; or empty
-  std::vector<std::uint8_t> radicals;   ///< (N) 1 singlet, 2 doublet, 3 triplet, 0 none; or empty
+  std::vector<std::int8_t> charges;  ///< (N) formal charges in the file; empty: none
+  std::vector<std::uint16_t> isotopes;  ///< (N) mass numbers in the file, or 0; empty: none
+  std::vector<std::uint8_t> radicals;  ///< (N) 1 singlet, 2 doublet, 3 triplet, 0 none; or empty
   std::vector<float> b_factors;  ///< (N) Angstrom^2, or a confidence; empty: the format has none
   std::vector<bool> chain_end;   ///< (R) the chain ends after this residue (TER); empty: not known
   std::size_t model = 1;         ///< which model or frame this is, from 1
   std::size_t model_count = 1;   ///< models or frames in the file
-  std::vector<std::string> assemblies;  ///< biological ones that the file states, by name
-  std::optional<Cell> cell;             ///< periodic; nothing: none is known
-  std::uint8_t dimensions = 0;          ///< 2 or 3 where the file says so (SDF), else 0
+  std::vector<std::string> assemblies;  ///< names of the biological assemblies in the file
+  std::optional<Cell> cell;  ///< periodic cell, if known
+  std::uint8_t dimensions = 0;  ///< 2 or 3 if the file says so (SDF), else 0
 
   std::size_t size() const { return positions.size(); }
 };

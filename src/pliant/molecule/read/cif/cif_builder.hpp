@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes a CifDocument of what the grammar finds, tag by tag and value by value, and refuses what
+// Builds a CifDocument from what the grammar finds, tag by tag and value by value, and refuses what
 // the grammar lets pass.
 #pragma once
 
@@ -40,7 +40,8 @@ class CifBuilder {
   }
   void end_loop() const;
 
-  /// Both ends of a text field call this: where one is not closed, the last call was its begin.
+  /// Called at both ends of a text field: if a field is not closed, the last call marked its
+  /// beginning.
   void text_field_mark(std::size_t line) { text_field_line_ = line; }
 
   std::size_t loop_line() const { return loop_line_; }
@@ -56,7 +57,7 @@ class CifBuilder {
   CifDocument& document_;
   std::unordered_set<std::string> tags_;  // of the block, in lower case
   std::string_view last_tag_;
-  CifTable* table_ = nullptr;  // of the tag or loop that is read; null where nobody asked for it
+  CifTable* table_ = nullptr;  // table of the current tag or loop; null if nobody asked for it
   bool in_frame_ = false;
   std::size_t loop_line_ = 0, loop_width_ = 0, loop_values_ = 0, row_line_ = 0;
   std::size_t text_field_line_ = 0;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The tables of a CIF file (STAR syntax), as places in its text. The grammar is gemmi's; only
-// cif_document.cpp sees it.
+// The tables of a CIF file (STAR syntax), as positions in its text. The grammar is gemmi's; only
+// cif_document.cpp includes it.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace pliant {
 
-/// A value as it stands in the text, with its quotes.
+/// A value as written in the text, with its quotes.
 struct CifValue {
   std::uint32_t offset = 0, size = 0;
 };
@@ -24,7 +24,7 @@ struct CifTable {
   std::string category;           ///< "_atom_site", in lower case
   std::vector<std::string> tags;  ///< without category, in lower case: "cartn_x"
   std::vector<CifValue> values;   ///< row by row
-  std::size_t line = 0;           ///< where it begins
+  std::size_t line = 0;  ///< line of its beginning
   bool is_loop = false;
 
   std::size_t rows() const { return tags.empty() ? 0 : values.size() / tags.size(); }
@@ -43,7 +43,7 @@ struct CifBlock {
   const CifTable* table(std::string_view category) const;
 };
 
-/// The categories of a file that were asked for.
+/// The requested categories of a file.
 struct CifDocument {
   std::string_view text;
   std::vector<CifBlock> blocks;
@@ -54,7 +54,7 @@ struct CifDocument {
   std::string_view word(CifValue value) const;
 };
 
-/// Tells the lines of values; all together in one walk over the text when asked for in its order.
+/// Finds the lines of values; in a single pass over the text if asked in the order of the text.
 class CifLines {
  public:
   explicit CifLines(std::string_view text) : text_(text) {}

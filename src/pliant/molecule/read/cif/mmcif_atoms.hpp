@@ -10,14 +10,14 @@
 
 namespace pliant {
 
-/// "1.234(5)" is 1.234 with its standard uncertainty.
+/// "1.234" for "1.234(5)", a value with its standard uncertainty.
 std::string_view without_uncertainty(std::string_view text);
 
-/// Reads the atoms of the `wanted` model (counted by order of appearance from 1; none where there
-/// are fewer); `model_count` becomes the number of models. Names, chains and residue numbers are
-/// the author's (auth_...), as users of the literature and of other programs know them; label_...
-/// where those are missing. A chain ends where label_asym_id changes. Throws InputError for missing
-/// columns and for values that are not what they should be.
+/// Reads the atoms of the `wanted` model (counted by order of appearance from 1; no atoms if there
+/// are fewer); sets `model_count` to the number of models. Names, chains and residue numbers are
+/// the author's (auth_...), as in the literature and other programs, or label_... where those are
+/// missing. A chain ends where label_asym_id changes. Throws InputError for missing columns and
+/// invalid values.
 AtomSites read_atom_sites(const CifDocument& document, const CifTable& table, std::size_t wanted,
                           std::size_t& model_count, Remarks& remarks);
 

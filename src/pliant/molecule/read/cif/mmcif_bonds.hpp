@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bonds that mmCIF files state: struct_conn between residues, chem_comp_bond inside them.
+// Bonds in mmCIF files: struct_conn between residues, chem_comp_bond inside them.
 #pragma once
 
 #include <vector>
@@ -9,13 +9,13 @@
 
 namespace pliant {
 
-/// The links of a struct_conn table that are bonds: types covale, covale_..., disulf, modres, and
-/// metalc, which a PDB file states by LINK and CONECT. Hydrogen bonds and the rest are none; each
-/// type is told once.
+/// Returns the links of a struct_conn table that are bonds: types covale, covale_..., disulf,
+/// modres, and metalc, which a PDB file states by LINK and CONECT. Other types, such as hydrogen
+/// bonds, are left out with one remark each.
 std::vector<StatedLink> struct_conn_links(const CifDocument& document, const CifTable& table,
                                           Remarks& remarks);
 
-/// Adds the bonds of a chem_comp_bond table to `structure.bonds`, in every residue of the
+/// Adds the bonds of a chem_comp_bond table to `structure.bonds`, in every residue with the
 /// component's name that has both atoms.
 void add_component_bonds(const CifDocument& document, const CifTable& table, Structure& structure);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading PDB (Protein Data Bank, fixed columns). Text that comes here has passed check_text(): it
-// has no byte order mark and no binary bytes. Not for users: see read.hpp.
+// Reads PDB (Protein Data Bank, fixed columns). The text must have passed check_text(): it has no
+// byte order mark and no binary bytes. Internal: users call read.hpp.
 #pragma once
 
 #include <string_view>

@@ -10,11 +10,11 @@
 
 namespace pliant {
 
-/// Names of the assemblies ("1", "2") that the lines of REMARK 350 state, in their order.
+/// Names of the assemblies ("1", "2") in the lines of REMARK 350, in their order.
 std::vector<std::string> pdb_assembly_names(const std::vector<PdbLine>& remark_350);
 
-/// The assembly of that name. Throws InputError naming the line of what is no row of a matrix, or
-/// where rows are missing.
+/// The assembly of that name. Throws InputError naming the line of an invalid or missing row of a
+/// matrix.
 Assembly pdb_assembly(const std::vector<PdbLine>& remark_350, const std::string& name,
                       const Remarks& remarks);
 

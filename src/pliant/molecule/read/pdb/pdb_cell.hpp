@@ -9,8 +9,8 @@
 
 namespace pliant {
 
-/// The cell of a CRYST1 record: lengths in columns 7-33, angles in 34-54. Nothing where it is none,
-/// as that of 1 1 1 Angstrom; with a warning where its columns are not six numbers.
+/// The cell of a CRYST1 record: lengths in columns 7-33, angles in 34-54. Nothing for a dummy cell
+/// such as 1 1 1 Angstrom; nothing and a warning where the columns are not six numbers.
 std::optional<Cell> pdb_cell(const PdbLine& line, Remarks& remarks);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fixed columns of PDB records (wwPDB format 3.3), cut and read strictly.
+// Fixed columns of PDB records (wwPDB format 3.3), read strictly.
 #pragma once
 
 #include <cstdint>
@@ -20,8 +20,8 @@ struct PdbLine {
   std::size_t number;
 };
 
-/// x, y, z of an ATOM or HETATM record. Throws InputError where a field is blank, cut short or not
-/// a number, where a tab stands in the columns, and where the serial number has shifted them.
+/// x, y, z of an ATOM or HETATM record. Throws InputError where a field is blank, truncated or not
+/// a number, the columns contain a tab, or a long serial number has shifted them.
 Vec3 pdb_position(const PdbLine& line, const Remarks& remarks);
 
 /// Names of a residue and its chain.
@@ -29,24 +29,24 @@ struct PdbNames {
   std::string_view residue, chain;
 };
 
-/// The residue name that begins in column `first` and the chain in column `first` + 4. What stands
-/// in the column between belongs to the residue's name ("TIP3", "NALA"), unless the three columns
-/// before name a standard residue: then it is the first of a chain of two letters.
+/// The residue name that begins in column `first` and the chain in column `first` + 4. The column
+/// between belongs to the residue name ("TIP3", "NALA"), unless the three columns before it name a
+/// standard residue: then it is the first letter of a two-letter chain.
 PdbNames pdb_names(std::string_view line, std::size_t first);
 
 /// Residue of an ATOM or HETATM record. A digit in the insertion-code column after a full number is
-/// its fifth digit (warned of).
-/// `previous` gives the number where the field has overflowed to "****".
+/// its fifth digit (with a warning). `previous` gives the number where the field has overflowed to
+/// "****".
 Residue pdb_residue(const PdbLine& line, const Residue& previous, Remarks& remarks);
 
-/// Occupancy (columns 55-60); 1 where it is blank; 1 with a warning where it is not a number.
-/// Warns of a B factor (columns 61-66) that is none, too: both are so in a renamed PQR file.
+/// Occupancy (columns 55-60); 1 where it is blank; 1 with a warning where it is not a number. Also
+/// warns of an invalid B factor (columns 61-66): renamed PQR files have both.
 float pdb_occupancy(const PdbLine& line, Remarks& remarks);
 
-/// Columns 61-66; 0 where they are blank or no number, which pdb_occupancy warns of.
+/// B factor (columns 61-66); 0 where it is blank or invalid, of which pdb_occupancy warns.
 float pdb_b_factor(const PdbLine& line);
 
-/// Formal charge (columns 79-80: "2+", "+2", "1-"); 0 where blank; 0 with a warning for the rest.
+/// Formal charge (columns 79-80: "2+", "+2", "1-"); 0 where blank; 0 with a warning otherwise.
 std::int8_t pdb_charge(const PdbLine& line, Remarks& remarks);
 
 /// Whether the residue number has overflowed to "****".

@@ -9,8 +9,8 @@
 
 namespace pliant {
 
-/// The links that SSBOND and LINK records state. A residue number that is none is warned of, and
-/// the record left out.
+/// The links of SSBOND and LINK records. A record with an invalid residue number is left out with a
+/// warning.
 std::vector<StatedLink> pdb_links(const std::vector<PdbLine>& records, Remarks& remarks);
 
 }  // namespace pliant

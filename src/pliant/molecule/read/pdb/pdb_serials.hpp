@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Serial numbers of PDB atoms: read in every way that files overflow their five columns, and looked
-// up by the CONECT records.
+// Serial numbers of PDB atoms: reads all the ways in which files overflow the five columns, and
+// finds atoms for CONECT records.
 #pragma once
 
 #include <cstdint>
@@ -12,17 +12,17 @@
 
 namespace pliant {
 
-/// Reads the serial numbers of a file's atoms, one after the other.
+/// Reads the serial numbers of a file's atoms, one after another.
 class PdbSerials {
  public:
-  /// The serial of an ATOM or HETATM record (columns 7-11; 12 where it has six digits). Where the
-  /// field holds no number ("*****") it is the one before plus 1, warned of once.
+  /// The serial of an ATOM or HETATM record (columns 7-11, or 12 for six digits). If the field
+  /// holds no number ("*****"), returns the previous serial plus 1 and warns once.
   std::int64_t next(const PdbLine& line, Remarks& remarks);
 
-  /// Whether next() gave a number that the file holds, as CONECT can name no other.
+  /// Whether the file contains the last serial; only such serials can occur in CONECT records.
   bool last_was_given() const { return given_; }
 
-  /// Whether numbers are hexadecimal from some atom on, as VMD writes them.
+  /// Whether serials have become hexadecimal, as VMD writes them.
   bool hexadecimal() const { return hexadecimal_; }
 
  private:
@@ -37,13 +37,13 @@ class PdbSerials {
 /// Finds atoms by serial number.
 class SerialIndex {
  public:
-  /// `serials` of the listed atoms; those where `given` is false cannot be found.
+  /// Takes the `serials` of the listed atoms; those whose `given` is false cannot be found.
   SerialIndex(const std::vector<std::int64_t>& serials, const std::vector<bool>& given);
 
   enum class Match { none, one, several };
   struct Found {
     Match match;
-    std::uint32_t atom;  ///< where match is one
+    std::uint32_t atom;  ///< valid if match is one
   };
   Found find(std::int64_t serial) const;
 

@@ -8,10 +8,10 @@
 
 namespace pliant {
 
-/// Reads what follows the counts line (the current one): `counts` from it, V2000.
+/// Reads the blocks after the V2000 counts line, which is the current line.
 void read_mol_v2000(Lines& lines, MolBlock& block);
 
-/// Atoms and bonds of a V2000 counts line (three columns each).
+/// Numbers of atoms and bonds in a V2000 counts line (three columns each).
 struct MolCounts {
   std::size_t atoms = 0, bonds = 0;
 };

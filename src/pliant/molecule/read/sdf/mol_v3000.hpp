@@ -6,7 +6,7 @@
 
 namespace pliant {
 
-/// Reads what follows the counts line (the current one), V3000.
+/// Reads the blocks after the V3000 counts line, which is the current line.
 void read_mol_v3000(Lines& lines, MolBlock& block);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Biological assemblies (biological units): copies of chains, each turned and shifted as the file
+// Biological assemblies (biological units): copies of chains, rotated and shifted as the file
 // states.
 #pragma once
 
@@ -21,31 +21,31 @@ struct RigidMotion {
   friend bool operator==(const RigidMotion&, const RigidMotion&) = default;
 };
 
-/// First `second`, then `first`: the product of their matrices in this order.
+/// The motion that applies `second`, then `first`: the product of their matrices in this order.
 RigidMotion product(const RigidMotion& first, const RigidMotion& second);
 
-/// Chains, and what each of them is copied by.
+/// Chains, and the motions that make their copies.
 struct AssemblyPart {
   std::vector<std::string> chains;  ///< as AtomSites::instances names them
   std::vector<RigidMotion> motions;
 };
 
-/// Copies of all its parts together.
+/// An assembly: the copies of all its parts.
 using Assembly = std::vector<AssemblyPart>;
 
-/// More motions than any file has; a few bytes could ask for billions.
+/// Largest number of motions, more than any file has: a few bytes could ask for billions.
 inline constexpr std::size_t most_motions = 10000;
 
-/// Throws OptionError naming those that the file states unless `wanted` is one of them.
+/// Throws OptionError, listing the assemblies of the file, unless `wanted` is one of them.
 void check_assembly(const std::vector<std::string>& stated, const std::string& wanted,
                     const Remarks& remarks);
 
-/// Puts the copies in place of the atoms of `sites.structure`: by motion, in the order of the file.
-/// The first copy of a chain keeps its name, others take the first character that is free (A to Z,
-/// a to z, 0 to 9), then two. Atoms that a motion takes to within 0.5 Angstrom of their own copy,
-/// as on an axis of symmetry, are there once. Serial numbers are 1 to N anew where there are
-/// several copies. Notes which chains there are; warns of atoms on axes. Throws InputError where no
-/// chain of it is there, or it would have more than 20 million atoms.
+/// Replaces the atoms of `sites.structure` by the copies, motion by motion, in the order of the
+/// file. The first copy of a chain keeps its name, others get the first free character (A to Z, a
+/// to z, 0 to 9), then two characters. Atoms that a motion moves to within 0.5 Angstrom of their
+/// own copy, as on a symmetry axis, occur once. Serials are renumbered from 1 where there are
+/// several copies. Notes the chains; warns of atoms on axes. Throws InputError if no chain of the
+/// assembly is there, or if it would have more than 20 million atoms.
 void make_assembly(AtomSites& sites, const std::string& name, const Assembly& assembly,
                    Remarks& remarks);
 

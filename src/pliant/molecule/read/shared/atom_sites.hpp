@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The atoms that a macromolecular file lists, before one conformer of each residue is chosen.
+// The atoms listed in a macromolecular file, before one conformer of each residue is chosen.
 #pragma once
 
 #include <cstdint>
@@ -18,24 +18,24 @@ struct AtomSites {
   std::vector<char> conformers;      ///< (N) alternate location; ' ' for none
   std::vector<float> occupancies;    ///< (N)
   std::vector<std::uint32_t> lines;  ///< (N) line of the file
-  /// What assemblies are made of, where that is not the author's chains: label_asym_id.
+  /// Chains of assemblies where those are not the author's: label_asym_id.
   std::vector<std::string> instances;
   std::vector<std::uint32_t> instance_of;  ///< (N) index into instances; empty: none are given
 
   std::size_t size() const { return structure.size(); }
 };
 
-/// What choose_atoms says of an atom that it leaves out.
+/// Index that choose_atoms returns for an atom that it leaves out.
 inline constexpr std::uint32_t left_out = std::numeric_limits<std::uint32_t>::max();
 
-/// Leaves one conformer of each residue: of the alternate locations that share an atom name, the
-/// one with the highest mean occupancy, the first of the file on a tie (so that atoms of a residue
-/// come from one conformer; two residue names at one position count as conformers, too). Leaves
-/// out atoms that repeat name and position of another of their residue. Says each once.
-/// Returns for each listed atom its index afterwards, or left_out. O(N log N).
+/// Keeps one conformer of each residue: of the alternate locations that share an atom name, the one
+/// with the highest mean occupancy, or the first of the file on a tie (so that the atoms of a
+/// residue come from one conformer; two residue names at one position count as conformers, too).
+/// Leaves out atoms that repeat name and position of another atom of their residue. Reports each
+/// kind once. Returns the new index of each listed atom, or left_out. O(N log N).
 std::vector<std::uint32_t> choose_atoms(AtomSites& sites, Remarks& remarks);
 
-/// Warns of atoms at (9999.999, 9999.999, 9999.999), as some programs write for "not known".
+/// Warns of atoms at (9999.999, 9999.999, 9999.999), which some programs write for "not known".
 void warn_of_placeholders(const AtomSites& sites, Remarks& remarks);
 
 }  // namespace pliant

@@ -14,9 +14,9 @@ struct ConformerAtom {
   float occupancy;
 };
 
-/// Whether each atom stays. Conformers that share no atom name do not compete: both can stay. An
-/// atom without a conformer stays unless a chosen conformer has its name. O(N log N) for a number
-/// of conformers that is bounded by the number of characters.
+/// Whether each atom is kept. Conformers that share no atom name do not compete: both can be kept.
+/// An atom without a conformer is kept unless a chosen conformer has its name. O(N log N) for a
+/// number of conformers that is bounded by the number of characters.
 std::vector<bool> choose_conformers(const std::vector<ConformerAtom>& atoms);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Elements by the names of atoms and of their residues, where a file says nothing else.
+// Elements from the names of atoms and their residues, where a file does not state them.
 #pragma once
 
 #include <cstdint>
@@ -7,18 +7,18 @@
 
 namespace pliant {
 
-/// Amino acids, nucleotides, caps and water under their usual names: their atoms are of the
-/// elements H, C, N, O, P, S only (and Se in MSE).
+/// Whether the name is a usual one of amino acids, nucleotides, caps or water, whose atoms have
+/// only the elements H, C, N, O, P, S (and Se in MSE).
 bool is_standard_residue(std::string_view name);
 
-/// Names of four letters that begin like a standard residue: "TIP3", "NALA".
+/// Whether a name of four letters begins like a standard residue: "TIP3", "NALA".
 bool is_long_residue_name(std::string_view name);
 
-/// The element that an atom name (columns 13-16, with its blanks) stands for: " CA " is carbon,
-/// "CA  " calcium unless the residue is standard; 0 where it tells none.
+/// The element of an atom name (columns 13-16, with its blanks): " CA " is carbon, "CA  " calcium
+/// unless the residue is standard; 0 if the name gives none.
 std::uint8_t element_of_pdb_name(std::string_view padded_name, std::string_view residue_name);
 
-/// The same for a name without its blanks, as mmCIF has it.
+/// The same for a name without blanks, as in mmCIF.
 std::uint8_t element_of_bare_name(std::string_view name, std::string_view residue_name);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Fixed columns of a line, counted from 1 as the definitions of formats do.
+// Fixed columns of a line, counted from 1 as in the definitions of formats.
 #pragma once
 
 #include <cstddef>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How a molecule is read: what every reader is given besides the text.
+// Options of reading a molecule, which every reader gets.
 #pragma once
 
 #include <cstddef>
@@ -13,9 +13,10 @@ namespace pliant {
 /// How to read; checked by read_structure.
 struct ReadOptions {
   std::size_t model = 1;               ///< which model, frame or record, from 1
-  std::string assembly = "";           ///< a biological one that the file states; "": as it is
+  std::string assembly = "";  ///< name of a biological assembly; "": the atoms as listed
   std::string format = "";             ///< a name in formats(); "": by extension, then by content
-  std::size_t max_input = usual_text;  ///< bytes of the file and of what it expands to
+  /// largest size of the file, and of what it expands to (bytes)
+  std::size_t max_input = usual_text;
   Log log = {};                        ///< where notes and warnings go
 };
 

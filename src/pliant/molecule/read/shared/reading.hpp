@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What all readers share: strict coordinates, the choice of a model, and the checks that end a
-// reading.
+// Functions shared by all readers: strict coordinates, the choice of a model, and the final checks.
 #pragma once
 
 #include <cstddef>
@@ -20,16 +19,17 @@ inline constexpr double largest_coordinate = 1e9;
 /// Throws InputError on anything but a finite number within +-largest_coordinate.
 double parse_coordinate(std::string_view text, const Place& place, std::string_view field);
 
-/// Throws OptionError unless the file has the model that is asked for; sets structure.model and
+/// Throws OptionError unless the file has the requested model; sets structure.model and
 /// model_count; notes "frame 1 of 2 used" where there are several. `noun` is "model" or "frame".
 void take_model_count(Structure& structure, std::size_t count, const ReadOptions& options,
                       std::string_view noun, Remarks& remarks);
 
-/// Sorts bonds by (a, b) and merges equal pairs: the highest order wins. True if any were merged.
+/// Sorts bonds by (a, b) and merges equal pairs, keeping the highest order. Returns whether any
+/// were merged.
 bool sort_bonds(std::vector<Bond>& bonds);
 
-/// The end of every reading: refuses a molecule whose atoms all lie at one point, warns of bonds
-/// between atoms at one point, names source and format, and tells the remarks.
+/// Ends every reading: refuses a molecule whose atoms all lie at one point, warns of bonds between
+/// atoms at one point, sets source and format, and reports the remarks.
 Structure finish(Structure structure, const SourceText& source, std::string_view format,
                  Remarks& remarks);
 

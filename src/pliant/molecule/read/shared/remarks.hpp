@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a reader has to say about a file: each kind of finding once, with its first line and how
-// often it came up.
+// Findings of a reader about a file: each kind once, with its first line and the number of cases.
 #pragma once
 
 #include <cstddef>
@@ -13,19 +12,19 @@
 
 namespace pliant {
 
-/// Collects findings while a file is read; tell() hands them to the log afterwards.
+/// Collects findings while a file is read; tell() sends them to the log afterwards.
 class Remarks {
  public:
   Remarks(std::string_view file, const Log& log) : file_(file), log_(log) {}
 
-  /// One more finding of `kind` (a string literal). `text` is a callable that gives the message:
-  /// it is called for the first finding of its kind only. Line 0 means the file as a whole.
+  /// Adds a finding of `kind` (a string literal). `text` is a callable that returns the message; it
+  /// is called only for the first finding of its kind. Line 0 means the whole file.
   template <class Text>
   void warn(std::string_view kind, std::size_t line, Text&& text) {
     if (!seen_before(kind)) add(kind, Severity::warning, at({file_, line}, text()));
   }
 
-  /// The same for what is as it should be.
+  /// Adds a finding that is no problem.
   template <class Text>
   void note(std::string_view kind, std::size_t line, Text&& text) {
     if (!seen_before(kind)) add(kind, Severity::note, at({file_, line}, text()));
@@ -36,7 +35,7 @@ class Remarks {
   std::string_view file() const { return file_; }
   Place place(std::size_t line) const { return {file_, line}; }
 
-  /// Sends all to the log, in the order of first findings; "(and 3 more)" ends what was repeated.
+  /// Sends all to the log, in the order of first findings; repeated ones end with "(and 3 more)".
   void tell();
 
  private:

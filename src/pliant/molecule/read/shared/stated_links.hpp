@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bonds between residues that records state one by one: SSBOND and LINK of PDB, struct_conn of
-// mmCIF. What becomes a bond and what does not is the same for both formats.
+// Bonds between residues given by single records: SSBOND and LINK of PDB, struct_conn of mmCIF. The
+// same rules decide for both formats which links become bonds.
 #pragma once
 
 #include <string>
@@ -12,14 +12,14 @@
 
 namespace pliant {
 
-/// One end of a stated link.
+/// One end of a link.
 struct LinkEnd {
   AtomAddress address;
-  char conformer = ' ';       ///< alternate location that is meant; ' ' for any
+  char conformer = ' ';  ///< alternate location; ' ' for any
   std::string_view symmetry;  ///< operator; "" for the identity
 };
 
-/// A stated link.
+/// A link between two atoms as a file states it.
 struct StatedLink {
   LinkEnd ends[2];
   std::string_view record;  ///< "SSBOND", for messages
@@ -27,10 +27,10 @@ struct StatedLink {
   std::uint8_t order = 0;
 };
 
-/// Adds the bonds of `links` to `sites.structure.bonds`. A bond of a metal is one, as in CONECT:
-/// what the file states is kept, so that a metal stays in its site and the PDB and the mmCIF file
-/// of one entry agree. Left out, each said once: links to copies by symmetry and of atoms that are
-/// not there; silently, those of alternate locations that are not used.
+/// Adds the bonds of `links` to `sites.structure.bonds`. Bonds of metals are kept, as in CONECT, so
+/// that a metal remains in its site and the PDB and the mmCIF file of an entry agree. Left out with
+/// one remark each: links to symmetry copies and of missing atoms; without a remark: links of
+/// alternate locations that are not used.
 void add_stated_links(AtomSites& sites, const std::vector<StatedLink>& links, Remarks& remarks);
 
 }  // namespace pliant

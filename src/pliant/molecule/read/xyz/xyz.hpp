@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Reading XYZ and extended XYZ. Text that comes here has passed check_text(): it has no byte order
-// mark and no binary bytes. Not for users: see read.hpp.
+// Reads XYZ and extended XYZ. The text must have passed check_text(): it has no byte order mark and
+// no binary bytes. Internal: users call read.hpp.
 #pragma once
 
 #include <string_view>
