@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far the frames of another ensemble go: the mean RMSF of the residues that it shares.
+// The amplitude of another ensemble: the mean RMSF of the residues that it shares with a structure.
 #pragma once
 
 #include <cstdint>
@@ -15,20 +15,20 @@
 
 namespace pliant {
 
-/// Gathers frames of another program's or experiment's ensemble by the residues of ours: chain,
-/// number and insertion code; without chains where that finds more and ours has a single one.
+/// Gathers frames from another program or an experiment. Residues are matched by chain, number and
+/// insertion code; the chain is ignored if that finds more and our structure has a single chain.
 class EnsembleFluctuation {
  public:
-  /// Of the structure that is to be sampled.
+  /// Takes the structure that is to be sampled.
   explicit EnsembleFluctuation(const Structure& ours);
 
-  /// A frame (N); frames may hold different atoms. `source` is for messages.
-  /// Throws InputError where the frame has fewer than half of our residues, or calls more than half
-  /// of those by other names.
+  /// Adds a frame (N); frames may have different atoms. `source` is for messages. Throws InputError
+  /// if the frame has fewer than half of our residues, or different names for more than half of
+  /// those.
   void add(const AtomTable& atoms, std::span<const Vec3> positions, const std::string& source);
 
-  /// Mean RMSF of the residues that all frames have, superposed on their mean.
-  /// Throws InputError where there are fewer than two frames.
+  /// Mean RMSF of the residues that all frames have, superposed on their mean. Throws InputError if
+  /// there are fewer than two frames.
   AmplitudeChoice choice(const std::string& source, const Log& log) const;
 
  private:
@@ -43,19 +43,20 @@ class EnsembleFluctuation {
   void refuse_strangers(const AtomTable& atoms, std::span<const std::int64_t> places,
                         const std::string& source) const;
 
-  std::vector<Residue> residues_;        ///< (K) ours
-  std::vector<std::string> atom_names_;  ///< (K) at which their nodes are
+  std::vector<Residue> residues_;  ///< (K) of our structure
+  std::vector<std::string> atom_names_;  ///< (K) names of the atoms of their nodes
   bool has_one_chain_ = true;
   std::vector<std::vector<Vec3>> frames_;  ///< (F, K)
   std::vector<bool> is_everywhere_;        ///< (K) residues that all frames have
 };
 
-/// Of the models of a PDB or mmCIF file. Throws as EnsembleFluctuation and read_structure() do.
+/// Amplitude of the models of a PDB or mmCIF file. Throws as EnsembleFluctuation and
+/// read_structure() do.
 AmplitudeChoice ensemble_amplitude(const std::filesystem::path& path, const Structure& structure,
                                    const Log& log);
 
-/// Of the frames of a trajectory; `Reader` has frames(), atoms() and positions(frame) as H5mdReader
-/// has. Throws InputError where it names no atoms, else as EnsembleFluctuation.
+/// Amplitude of the frames of a trajectory. `Reader` has frames(), atoms() and positions(frame) as
+/// H5mdReader has. Throws InputError if it has no atom names, and as EnsembleFluctuation.
 template <class Reader>
 AmplitudeChoice trajectory_amplitude(const Reader& reader, const std::string& source,
                                      const Structure& structure, const Log& log) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The model of a molecule: what holds it. A table of kinds, from bonds alone to all that a protein
-// has: bars, sterics, hydrogen bonds, salt bridges and hydrophobic tethers.
+// The model of a molecule: the constraints that hold it. A table of models, from bonds alone to
+// those of a protein: bars, sterics, hydrogen bonds, salt bridges and hydrophobic tethers.
 #pragma once
 
 #include <optional>
@@ -38,6 +38,7 @@ std::span<const ModelEntry> models();
 const ModelEntry& entry(ModelKind kind);
 
 /// The model that fits a structure: protein where it has amino or nucleic residues, else molecule.
+/// The default model of a structure: protein if it has amino or nucleic residues, else molecule.
 ModelKind usual_model(const Structure& structure);
 
 struct ModelOptions {
@@ -45,36 +46,35 @@ struct ModelOptions {
   PrepareOptions prepare = {};
   HydrogenBondOptions hydrogen_bonds = {};
   TetherOptions tethers = {};
-  bool sterics = true;   ///< whether models that have sterics get them
-  bool torsions = true;  ///< whether these get torsion preferences, which sample() heeds
-  /// Contacts in place of those that would be found; atoms of the prepared structure.
+  bool sterics = true;  ///< allow sterics; not all models have them
+  bool torsions = true;  ///< torsion preferences with the sterics; sample() heeds them
+  /// Contacts that replace those to be found; atoms of the prepared structure.
   std::optional<std::vector<MolecularContact>> contacts = std::nullopt;
-  std::string contacts_file =
-      "";                   ///< the same from a file (read_contacts), after preparation; "": none
+  std::string contacts_file = "";  ///< a file of such contacts (read_contacts); "": none
   std::string pin = "";     ///< selection of atoms that never move; "": none
-  bool may_be_cut = false;  ///< build it even of a molecule that a periodic box has cut
+  bool may_be_cut = false;  ///< accept a molecule that a periodic box has cut
   Log log = {};
 };
 
-/// A structure made ready, and the framework that holds it.
+/// A prepared structure and its framework.
 struct MolecularModel {
   ModelKind kind = ModelKind::protein;
   Structure structure;
-  Framework framework;          ///< bars, limits (group k is contact k), sterics
-  std::vector<Vec3> positions;  ///< (N) Angstrom, the start; every limit and least distance holds
+  Framework framework;  ///< bars, limits (group k is contact k), sterics
+  std::vector<Vec3> positions;  ///< (N) Angstrom, start; satisfies all limits and least distances
   std::vector<MolecularContact> contacts;
-  std::vector<std::string> told;     ///< what was done and found, line by line
-  std::vector<std::string> missing;  ///< what the file lacks
+  std::vector<std::string> told;  ///< what was done and found, one sentence each
+  std::vector<std::string> missing;  ///< what the structure lacks
 };
 
-/// The model of a structure whose bonds are known (perceive_bonds). Kinds that are prepared go
-/// through prepare(). Pairs of atoms nearer than the table of sterics says keep their own distance;
-/// limits of pairs that have a bar are left out. Linear in the number of atoms.
-/// Throws as refuse_cut(), prepare(), read_contacts() and build_framework() do.
+/// Builds the model of a structure whose bonds are known (perceive_bonds), after prepare() for
+/// models that need it. Pairs of atoms that are nearer than the table of sterics allows keep their
+/// own distance; limits of pairs with a bar are left out. Linear in the number of atoms. Throws as
+/// refuse_cut(), prepare(), read_contacts() and build_framework() do.
 MolecularModel build_model(const Structure& structure, const ModelOptions& options = {});
 
-/// The contacts that the model of `kind` has: hydrogen bonds, salt bridges, tethers, metals; those
-/// of floppy residues left out. `floppy` (R) may be empty.
+/// Finds the contacts of the model of `kind`: hydrogen bonds, salt bridges, tethers, metals,
+/// without those of floppy residues. `floppy` (R) may be empty.
 std::vector<MolecularContact> find_contacts(const Structure& structure, const ModelOptions& options,
                                             const std::vector<bool>& floppy = {});
 

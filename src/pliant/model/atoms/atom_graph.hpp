@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The bonds of a structure as a graph, with the questions that chemistry asks of it.
+// The bonds of a structure as a graph, with the queries that chemistry needs.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,7 @@ namespace pliant {
 
 inline constexpr std::uint32_t no_atom = ~std::uint32_t{0};
 
-/// Who is bonded to whom. The structure must outlive it.
+/// Neighbours of each atom over bonds. The structure must outlive it.
 class AtomGraph {
  public:
   explicit AtomGraph(const Structure& structure);
@@ -22,12 +22,12 @@ class AtomGraph {
   std::span<const Link> at(std::uint32_t atom) const { return graph_.at(atom); }
   bool is_hydrogen(std::uint32_t atom) const { return structure_.atoms.elements[atom] == 1; }
   std::size_t hydrogens_at(std::uint32_t atom) const;
-  /// Bonded atoms that are not hydrogen, ascending by bond.
+  /// Bonded atoms other than hydrogen, in the order of the bonds.
   std::vector<std::uint32_t> heavy_at(std::uint32_t atom) const;
-  /// The first of them but `except`; no_atom if there is none.
+  /// The first of these that is not `except`; no_atom if there is none.
   std::uint32_t first_heavy(std::uint32_t atom, std::uint32_t except = no_atom) const;
   bool are_bonded(std::uint32_t a, std::uint32_t b) const;
-  /// Bonded, or bonded to one atom.
+  /// Whether two atoms are bonded to each other or to a common atom.
   bool are_within_two_bonds(std::uint32_t a, std::uint32_t b) const;
 
  private:
@@ -35,7 +35,7 @@ class AtomGraph {
   Graph graph_;
 };
 
-/// The atoms of each residue, which are consecutive, and how to find one by name.
+/// The atoms of each residue, which are consecutive, found by name.
 class ResidueAtoms {
  public:
   explicit ResidueAtoms(const AtomTable& atoms);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Atoms near some atoms, by a cell list: linear in their number.
+// Finds atoms near given atoms with a cell list, in linear time.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 
 namespace pliant {
 
-/// For each of `centres` (in their order) those of `others` within `reach` Angstrom, ascending; an
-/// atom is not near itself. Neither list names an atom twice.
+/// For each of `centres` (in their order) the atoms of `others` within `reach` Angstrom, ascending,
+/// without the centre itself. Neither list may contain an atom twice.
 Grouped<std::uint32_t> near_atoms(const Structure& structure,
                                   std::span<const std::uint32_t> centres,
                                   std::span<const std::uint32_t> others, double reach);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Hydrogens on carbon placed by rule: ideal angles, methyls staggered; the same each time, on every
-// machine. 1.09 Angstrom from sp3 carbon, 1.08 from sp2.
+// Places hydrogens on carbon by rule: ideal angles, staggered methyls, 1.09 Angstrom from sp3
+// carbon, 1.08 from sp2. Deterministic on every machine.
 #pragma once
 
 #include <vector>
@@ -11,9 +11,8 @@
 namespace pliant {
 
 /// The hydrogens on carbon that amino acids, caps and nucleotides of `structure` lack, in the order
-/// of their parents. A carbon that has a hydrogen is left as it is, and so is one whose heavy
-/// neighbours are not all there. Ligands and unusual residues get none: there is no rule for them.
-/// Linear in the number of atoms.
+/// of their parents. Carbons with a hydrogen, or with a missing heavy neighbour, get none; nor do
+/// ligands and unusual residues, for which there is no rule. Linear in the number of atoms.
 std::vector<PlacedHydrogen> place_carbon_hydrogens(const Structure& structure);
 
 }  // namespace pliant

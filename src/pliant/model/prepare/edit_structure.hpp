@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Taking atoms out of a structure and putting some in: every column and bond follows.
+// Removes atoms from a structure and adds others, with all columns and bonds.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@
 
 namespace pliant {
 
-/// A structure made of another, and which atom of that each of its atoms is; no_atom: a new one.
+/// A structure made from another, and the original index of each atom; no_atom for a new one.
 struct EditedStructure {
   Structure structure;
   std::vector<std::uint32_t> origin;  ///< (N)
 };
 
-/// An atom to put in, into the residue of `parent`, after all others.
+/// An atom to be added to the residue of `parent`, after its other atoms.
 struct NewAtom {
   std::uint32_t parent;
   std::string name;
@@ -26,10 +26,10 @@ struct NewAtom {
   bool is_bonded = true;  ///< to the parent
 };
 
-/// Without the atoms that are marked (N); residues that lose all atoms go, too.
+/// Removes the marked atoms (N), and residues that lose all atoms.
 EditedStructure without_atoms(const Structure& structure, const std::vector<bool>& is_out);
 
-/// With `added` atoms besides. Serial numbers are 1 to N anew if there are any.
+/// Adds atoms. Serials are renumbered from 1 if there are any.
 EditedStructure with_atoms(const Structure& structure, const std::vector<NewAtom>& added);
 
 }  // namespace pliant

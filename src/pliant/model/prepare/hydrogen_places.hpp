@@ -1,19 +1,19 @@
 // SPDX-License-Identifier: MIT
-// Where a hydrogen lies by the geometry of its parent. Cosines of whole tens of degrees are from a
-// table, so that places have the same bits on every machine.
+// Positions of hydrogens from the geometry of their parents. Cosines of multiples of 10 degrees
+// come from a table, so that positions have the same bits on every machine.
 #pragma once
 
 #include "pliant/base/vec3.hpp"
 
 namespace pliant {
 
-/// Along `v`, of length 1; some vector of length 1 where `v` has no direction.
+/// The unit vector along `v`; an arbitrary unit vector if `v` has no direction.
 Vec3 unit_vector(Vec3 v);
 
-/// Of length 1 and at right angles to `u`, which has length 1.
+/// A unit vector at right angles to the unit vector `u`.
 Vec3 perpendicular_to(Vec3 u);
 
-/// cos and sin of the angle at the parent.
+/// Cosine and sine of the angle at the parent.
 struct BondAngle {
   double cosine, sine;
 };
@@ -24,22 +24,22 @@ inline constexpr BondAngle thiol_angle{-0.10452846326765347, 0.9945218953682733}
 /// cos of `tens` * 10 degrees.
 double cosine_of_tens(int tens);
 
-/// Places about the bond from `neighbour` to `parent`, torsions counted from `reference`.
+/// Positions about the bond from `neighbour` to `parent`, with torsions relative to `reference`.
 class Spin {
  public:
   Spin(Vec3 reference, Vec3 neighbour, Vec3 parent);
-  /// `length` Angstrom from the parent, at a torsion of `tens` * 10 degrees; 0: beside the
-  /// reference.
+  /// The position `length` Angstrom from the parent, at a torsion of `tens` * 10 degrees; 0 is cis
+  /// to the reference.
   Vec3 at(double length, BondAngle angle, int tens) const;
 
  private:
   Vec3 parent_, along_, beside_, across_;
 };
 
-/// Against the sum of the bonds from `parent` to `one` and `other`.
+/// The position opposite to the sum of the bonds from `parent` to `one` and `other`.
 Vec3 against_both(Vec3 parent, Vec3 one, Vec3 other, double length);
 
-/// Above (`side` = 1) or below (-1) the plane of two bonds, at the tetrahedral angle.
+/// The position above (`side` = 1) or below (-1) the plane of two bonds, at the tetrahedral angle.
 Vec3 out_of_plane(Vec3 parent, Vec3 one, Vec3 other, double length, double side);
 
 }  // namespace pliant

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Polar hydrogens (on N, O and S) placed by rule: the same each time, on every machine.
+// Places polar hydrogens (on N, O and S) by rule. Deterministic on every machine.
 //
 // N-H between two heavy neighbours lies on the bisector, 1.01 Angstrom from N; NH2 of amides,
 // guanidinium and bases lie in the plane at 120 degrees. O-H (0.96 Angstrom) and N-H3 are at 109.5
 // degrees, S-H (1.34) at 96 degrees; their torsion is scanned in steps of 10 degrees for the lowest
 //   E(phi) = 0.02 cos(3 phi) - sum over O nearer than 2.7 Angstrom to H of
 //            cos^2(X-H..O) exp(-(d(H..O) - 1.8)^2 / 0.3)
-// with -0.02 cos(2 phi) in place of the first term where the bond keeps H in a plane (Tyr, COOH).
+// with -0.02 cos(2 phi) as the first term if the bond keeps H in a plane (Tyr, COOH).
 #pragma once
 
 #include <cstdint>
@@ -26,13 +26,13 @@ struct PlacedHydrogen {
 };
 
 /// The polar hydrogens that amino acids and nucleotides of `structure` lack, in the order of their
-/// parents. The backbone and the side chain of a residue that have a hydrogen are left as they are,
-/// but for side chains whose form is asked for. Chains begin with NH3, chain breaks with NH.
-/// Linear in the number of atoms.
+/// parents. A backbone or side chain that has some hydrogen gets no more, except side chains whose
+/// form was asked for. Chains begin with NH3, after chain breaks with NH. Linear in the number of
+/// atoms.
 std::vector<PlacedHydrogen> place_polar_hydrogens(const Structure& structure,
                                                   const Protonation& protonation);
 
-/// Whether an atom of an amino acid is of its backbone: N, CA, C, O, OXT.
+/// Whether an atom of an amino acid belongs to its backbone: N, CA, C, O, OXT.
 bool is_backbone(const std::string& name);
 
 }  // namespace pliant

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Preparation: from a structure as files have it to one that a model can be built of. What is taken
-// out, renamed, added or missing is told line by line.
+// Preparation: makes a structure from a file ready for a model. Each removal, renaming, addition or
+// gap is reported.
 #pragma once
 
 #include <string>
@@ -15,42 +15,42 @@ namespace pliant {
 
 struct PrepareOptions {
   bool keep_waters = false;
-  bool fill_side_chains = false;            ///< their missing atoms by rule: see side_chains.hpp
-  bool add_hydrogens = true;                ///< polar hydrogens by rule where there are none
-  bool all_hydrogens = false;               ///< those on carbon as well
+  bool fill_side_chains = false;  ///< complete side chains by rule: see side_chains.hpp
+  bool add_hydrogens = true;  ///< polar hydrogens by rule, where there are none
+  bool all_hydrogens = false;  ///< hydrogens on carbon, too
   std::vector<std::string> protonate = {};  ///< "HIS57:HID", "A:ASP25:ASH"
-  /// Models whose B factors are a confidence (pLDDT): contacts of residues below are left out; 0:
-  /// of none.
+  /// For models whose B factors are a confidence (pLDDT): leave out contacts of residues below this
+  /// value; 0: of none.
   double floppy_below = 0.0;
-  Log log = {};  ///< what is told goes here too: what is missing or guessed as a warning
+  Log log = {};  ///< also receives the notes; what is missing or guessed is a warning
 };
 
-/// A structure made ready, and what was done to it.
+/// A prepared structure, and what was done to it.
 struct Preparation {
   Structure structure;
-  /// (N) the atom of the structure before that each atom is; no_atom: placed by rule.
+  /// (N) index of each atom before preparation; no_atom: placed by rule.
   std::vector<std::uint32_t> origin;
-  std::vector<std::string> steps;    ///< told line by line, in the order in which it was done
-  std::vector<std::string> missing;  ///< what the structure lacks and no rule fills
-  std::vector<bool> floppy;          ///< (R) residues whose contacts are left out; empty: none
+  std::vector<std::string> steps;  ///< what was done, one sentence each, in order
+  std::vector<std::string> missing;  ///< what the structure lacks and no rule adds
+  std::vector<bool> floppy;  ///< (R) residues whose contacts are left out; empty: none
 };
 
-/// Below this a model's residue is likely to have no fixed structure (pLDDT; Tunyasuvunakool et
-/// al., Nature 596 (2021) 590).
+/// A residue with less pLDDT is likely to have no fixed structure (Tunyasuvunakool et al., Nature
+/// 596 (2021) 590).
 inline constexpr double disordered_below = 50.0;
 
-/// Makes ready a structure whose bonds are known (perceive_bonds):
-/// - waters are taken out, unless they are to be kept;
-/// - selenium of MSE (and SEC) becomes the sulphur of MET (CYS), where it is;
-/// - ligands and metals stay, with the bonds that the file or distances tell;
-/// - side chains are completed by rule, if they are to be;
-/// - amino acids get their CB by rule, in a structure that has no side chain at all;
+/// Prepares a structure whose bonds are known (perceive_bonds):
+/// - waters are removed, unless they are to be kept;
+/// - selenium of MSE (and SEC) becomes the sulphur of MET (CYS), at the same position;
+/// - ligands and metals are kept, with the bonds from the file or by distance;
+/// - side chains are completed by rule, if asked for;
+/// - amino acids get their CB by rule, in a structure without any side chain;
 /// - polar hydrogens (on N, O, S) are placed by rule where a residue's part has no hydrogen, with
-///   protonation as protonation.hpp says; hydrogens of the structure stay;
-/// - hydrogens on carbon are placed by rule where a carbon has none, if all are asked for.
-/// Deterministic; linear in the number of atoms.
-/// Throws OptionError for a `protonate` that names no residue or no form of it; InputError naming
-/// the structure's file if nothing but waters or CA atoms is there.
+///   protonation according to protonation.hpp; existing hydrogens are kept;
+/// - hydrogens on carbon are placed by rule where a carbon has none, if asked for.
+/// Deterministic; linear in the number of atoms. Throws OptionError for a `protonate` that names no
+/// residue or no form of it; InputError naming the structure's file if it has nothing but waters or
+/// CA atoms.
 Preparation prepare(const Structure& structure, const PrepareOptions& options = {});
 
 }  // namespace pliant

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Protonation: which form of a titratable residue there is. By what is asked for, by the residue's
-// name (HID, ASH), by its hydrogens, else by a table for pH 7.
+// Protonation: the form of each titratable residue, as asked for, by the residue's name (HID, ASH),
+// by its hydrogens, or else by a table for pH 7.
 #pragma once
 
 #include <cstdint>
@@ -17,27 +17,26 @@ namespace pliant {
 struct ProtonationForm {
   std::string_view name;     ///< "HID"
   std::string_view residue;  ///< "HIS"
-  std::string_view aliases;  ///< names of force fields that say this form
+  std::string_view aliases;  ///< names of this form in force fields
   std::string_view summary;  ///< "hydrogen on ND1"
 };
 
-/// The forms that can be asked for.
+/// The forms that users can ask for.
 std::span<const ProtonationForm> protonation_forms();
 
 /// The form of each residue.
 struct Protonation {
-  std::vector<std::string> forms;  ///< (R) a name of the table, else the residue's standard name
-  std::vector<bool> is_asked_for;  ///< (R) whether `wanted` says it, whatever hydrogens there are
+  std::vector<std::string> forms;  ///< (R) a name of the table, or the residue's standard name
+  std::vector<bool> is_asked_for;  ///< (R) whether `wanted` names the form, whatever the hydrogens
 };
 
 /// The forms of a structure whose bonds are known.
 ///
-/// `wanted` are "HIS57:HID" or, where several chains have that residue, "A:HIS57:HID". Otherwise:
-/// names that say a form (HID, HSE, GLUP, CYX) hold; Asp and Glu carry no hydrogen, Lys and Arg are
-/// charged; Cys bonded to more than its carbon or near a metal has none; His carries its hydrogen
-/// on NE2, but on ND1 where NE2 is at a metal, or where only ND1 has an O within 3.3 Angstrom; on
-/// neither where both are at metals (HIN).
-/// Throws OptionError naming what is wrong with a `wanted`.
+/// `wanted` are "HIS57:HID" or, if several chains have that residue, "A:HIS57:HID". For other
+/// residues: names of a form (HID, HSE, GLUP, CYX) decide; Asp and Glu have no hydrogen, Lys and
+/// Arg are charged; Cys has none if bonded to more than its carbon or near a metal; His has its
+/// hydrogen on NE2, but on ND1 if NE2 is at a metal or only ND1 has an O within 3.3 Angstrom, and
+/// on neither if both are at metals (HIN). Throws OptionError naming what is wrong with a `wanted`.
 Protonation protonation_of(const Structure& structure, const std::vector<std::string>& wanted);
 
 }  // namespace pliant

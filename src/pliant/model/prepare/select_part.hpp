@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The part of a structure that a selection names: waters and ligands left out by a word.
+// Reduces a structure to a selection, for example without waters and ligands.
 #pragma once
 
 #include <string_view>
@@ -9,9 +9,9 @@
 
 namespace pliant {
 
-/// The atoms that `selection` names (words of select_atoms), as if the file held no others. Bonds
-/// must be known (perceive_bonds): those to atoms that are left out vanish, and a warning says how
-/// many. Throws OptionError if the selection cannot be understood or names no atom.
+/// Keeps the atoms of `selection` (as in select_atoms), as if the file held no others. Bonds must
+/// be known (perceive_bonds): those to atoms that are left out are removed, and a warning gives
+/// their number. Throws OptionError if the selection is invalid or selects no atom.
 Structure select_part(const Structure& structure, std::string_view selection, const Log& log = {});
 
 }  // namespace pliant

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// One side chain that is not whole: where its atoms are, and where those that are missing lie for
-// each choice of torsions.
+// An incomplete side chain: the atoms that it has, and the positions of missing atoms for each
+// choice of torsions.
 #pragma once
 
 #include <cstdint>
@@ -15,28 +15,29 @@
 
 namespace pliant {
 
-/// An atom that was placed.
+/// A placed atom.
 struct PlacedAtom {
   Vec3 position;
   std::uint8_t element;
 };
 
-/// The side chain of a residue of the twenty amino acids.
+/// The side chain of one of the twenty amino acids.
 class SideChain {
  public:
   SideChain(const Structure& structure, const ResidueAtoms& residues, std::uint32_t residue);
 
   std::uint32_t residue() const { return residue_; }
   std::span<const SideChainAtom> rows() const { return rows_; }
-  std::span<const SideChainTurns> turns() const { return turns_; }  ///< usual ones; may be empty
+  /// usual torsions; may be empty
+  std::span<const SideChainTurns> turns() const { return turns_; }
   bool is_proline() const { return !rows_.empty() && rows_.front().residue == "PRO"; }
-  /// Whether the backbone is there, and no atom is missing between others.
+  /// Whether the backbone is complete, and no atom is missing between others.
   bool can_be_built() const;
-  std::vector<std::string> missing() const;  ///< names of the atoms that are
+  std::vector<std::string> missing() const;  ///< names of the missing atoms
 
   /// The missing atoms with torsions `turn`, in the order of missing().
   std::vector<PlacedAtom> placed(const SideChainTurns& turn);
-  /// How far the ring of proline is from closed as it was placed last: squared, Angstrom^2.
+  /// Error in closing proline's ring as it was placed last: squared, Angstrom^2.
   double strain() const;
 
  private:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How side chains are built: lengths and angles of R. A. Engh, R. Huber, Acta Cryst. A 47 (1991)
-// 392, and the torsions that are usual (S. C. Lovell et al., Proteins 40 (2000) 389), in tens of
-// degrees, the commonest first.
+// Geometry of side chains: lengths and angles of R. A. Engh, R. Huber, Acta Cryst. A 47 (1991) 392,
+// and the usual torsions (S. C. Lovell et al., Proteins 40 (2000) 389), in tens of degrees, the
+// commonest first.
 #pragma once
 
 #include <array>
@@ -13,9 +13,9 @@
 
 namespace pliant {
 
-/// Where an atom lies: `length` Angstrom from `parent`, at an `angle` (degrees) to `neighbour`,
-/// and about that bond from `reference` by the `chi`-th torsion that is free, or, where that is 0,
-/// by `turn` tens of degrees.
+/// Position of an atom: `length` Angstrom from `parent`, at an `angle` (degrees) to `neighbour`,
+/// with a torsion about that bond from `reference`: the `chi`-th free torsion, or, if `chi` is 0,
+/// `turn` tens of degrees.
 struct SideChainAtom {
   std::string_view residue, name, reference, neighbour, parent;
   std::uint8_t element;
@@ -24,19 +24,19 @@ struct SideChainAtom {
   std::int8_t turn;
 };
 
-/// Rows of an amino acid, each after the atoms that it is placed by; CB has none.
+/// Rows of an amino acid, each after the atoms that it refers to; CB has none.
 std::span<const SideChainAtom> side_chain_geometry(std::string_view standard);
 
-/// Where CB lies by N, CA and C of an ideal residue.
+/// Position of CB from N, CA and C of an ideal residue.
 Vec3 ideal_cb(Vec3 n, Vec3 ca, Vec3 c);
 
-/// Two atoms of a residue that close a ring of its side chain.
+/// Two atoms of a residue whose bond closes a ring of its side chain.
 struct RingBond {
   std::string_view residue, one, other;
 };
 std::span<const RingBond> ring_bonds();
 
-/// chi 1 to 4, tens of degrees.
+/// chi 1 to 4 in tens of degrees.
 using SideChainTurns = std::array<std::int8_t, 4>;
 
 /// The usual torsions of a residue.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Side chains that a structure lacks, built by rule: ideal lengths and angles, and of the usual
-// torsions those that run least into other atoms. A guess: no data showed these atoms.
+// Builds missing side chains by rule: ideal lengths and angles, and those usual torsions that
+// overlap least with other atoms. This is a guess: no data showed these atoms.
 #pragma once
 
 #include <cstdint>
@@ -12,23 +12,24 @@
 
 namespace pliant {
 
-/// A side chain of which atoms were built.
+/// A side chain with built atoms.
 struct BuiltSideChain {
   std::uint32_t residue;
   std::string atoms;     ///< "CG CD OE1 OE2"
-  double overlap = 0.0;  ///< deepest, Angstrom below the least distance of two atoms; 0: none
+  /// largest overlap, Angstrom below the least distance of two atoms; 0: none
+  double overlap = 0.0;
 };
 
-/// A structure with its side chains complete where that could be done.
+/// A structure whose side chains are complete where that was possible.
 struct BuiltSideChains {
   EditedStructure edited;
   std::vector<BuiltSideChain> built;
-  std::vector<std::uint32_t> left;  ///< residues that lack N, CA or C, or an atom amid others
+  std::vector<std::uint32_t> left;  ///< residues that lack N, CA or C, or an atom between others
 };
 
-/// Builds the side-chain atoms that the twenty amino acids lack; atoms that are there stay.
-/// Residues choose one after the other, then once more among all. Deterministic; linear in the
-/// number of atoms.
+/// Builds the missing side-chain atoms of the twenty amino acids and keeps existing atoms. Residues
+/// choose their torsions one after another, then once more with all others in place. Deterministic;
+/// linear in the number of atoms.
 BuiltSideChains build_side_chains(const Structure& structure);
 
 }  // namespace pliant

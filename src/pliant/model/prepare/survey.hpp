@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a structure holds and what it lacks: what `pliant info` and preparation tell.
+// What a structure contains and lacks, for `pliant info` and preparation.
 #pragma once
 
 #include <cstdint>
@@ -10,35 +10,35 @@
 
 namespace pliant {
 
-/// A residue that lacks atoms, and which.
+/// A residue that lacks atoms, and their names.
 struct IncompleteResidue {
   std::uint32_t residue;
   std::string atoms;  ///< "CG CD OE1 OE2"
 };
 
-/// Two residues of one chain, one after the other, that no bond joins.
+/// Two consecutive residues of a chain that no bond joins.
 struct ChainBreak {
   std::uint32_t before, after;
 };
 
-/// Counts and places; residues are indices.
+/// Counts and residue indices.
 struct Survey {
   std::size_t amino_acids = 0, nucleotides = 0, waters = 0;
   std::size_t hydrogens = 0;
-  std::vector<std::uint32_t> without_hydrogens;  ///< amino acids and nucleotides that have none
-  std::vector<std::uint32_t> modified;           ///< residues of a chain with a name not known
-  std::vector<std::uint32_t> ligands;            ///< residues of no known kind, more than one atom
-  std::vector<std::uint32_t> metals;             ///< residues that are one metal atom
-  std::vector<std::uint32_t> ions;               ///< residues that are one other atom
+  std::vector<std::uint32_t> without_hydrogens;  ///< amino acids and nucleotides without any
+  std::vector<std::uint32_t> modified;  ///< residues of a chain with an unknown name
+  std::vector<std::uint32_t> ligands;  ///< residues of no known kind, with more than one atom
+  std::vector<std::uint32_t> metals;  ///< residues that are a single metal atom
+  std::vector<std::uint32_t> ions;  ///< residues that are a single other atom
   std::vector<IncompleteResidue> incomplete;     ///< side chains
   std::vector<ChainBreak> breaks;
   std::vector<Bond> disulphides;  ///< between two S
-  bool is_backbone_only = false;  ///< amino acids, and none has a side chain
-  bool is_ca_only = false;        ///< amino acids, and CA is all they have
+  bool is_backbone_only = false;  ///< there are amino acids, and none has a side chain
+  bool is_ca_only = false;  ///< there are amino acids, and they have only CA
   bool has_confidence = false;    ///< B factors look like pLDDT: one value a residue, up to 100
 };
 
-/// Of a structure whose bonds are known. Linear in the number of atoms.
+/// Surveys a structure whose bonds are known. Linear in the number of atoms.
 Survey survey(const Structure& structure);
 
 /// "A:LYS12", "LYS12" without a chain; "HEM" where the structure is a single residue.
@@ -48,10 +48,11 @@ std::string residue_label(const AtomTable& atoms, std::uint32_t residue);
 std::string listed_residues(const AtomTable& atoms, const std::vector<std::uint32_t>& residues,
                             std::size_t most = 4);
 
-/// "ligands: A:HEM301", one line a kind: modified residues, ligands, metals, ions, disulphides.
+/// Lists modified residues, ligands, metals, ions and disulphides, one line a kind: "ligands:
+/// A:HEM301".
 std::vector<std::string> found_parts(const Structure& structure, const Survey& survey);
 
-/// What is missing, one line each: hydrogens excepted, which preparation places.
+/// Lists what is missing, one line each, except hydrogens, which preparation places.
 std::vector<std::string> missing_parts(const Structure& structure, const Survey& survey);
 
 /// (R) mean B factor of each residue.

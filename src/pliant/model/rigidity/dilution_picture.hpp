@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The dilution plot: which residues are rigid together as hydrogen bonds go, one line each time
-// that clusters of residues change, as FIRST draws it (Hespenheide, Rader, Thorpe, Kuhn, J. Mol.
-// Graph. Model. 21 (2002) 195). An SVG picture.
+// The dilution plot, an SVG picture: which residues are rigid together as hydrogen bonds are
+// removed, with a line for each change of the clusters of residues, as FIRST draws it (Hespenheide,
+// Rader, Thorpe, Kuhn, J. Mol. Graph. Model. 21 (2002) 195).
 #pragma once
 
 #include <cstddef>
@@ -14,31 +14,31 @@
 
 namespace pliant {
 
-/// Clusters that are drawn have one of so many colours.
+/// Number of colours of clusters.
 inline constexpr std::size_t cluster_colours = 14;
 
-/// Of clusters, the largest first, so many have a colour: at most cluster_colours; where there are
-/// chains of amino acids those of 20 atoms or more (a side chain alone stays grey), else all.
+/// How many clusters, the largest first, get a colour: at most cluster_colours. In chains of amino
+/// acids only clusters of 20 atoms or more do (a side chain alone is grey), otherwise all.
 std::size_t coloured_clusters(const Structure& structure, const ClusterList& clusters);
 
-/// "#0072b2": of a cluster, from 0; colours come again after the last. The first six are told apart
-/// without seeing red and green (Okabe, Ito, Color Universal Design, 2008).
+/// The colour of a cluster, from 0, as "#0072b2". Colours repeat after the last. The first six can
+/// be distinguished without seeing red and green (Okabe, Ito, Color Universal Design, 2008).
 std::string cluster_colour(std::size_t cluster);
 
-/// Rows of a dilution, and the picture of them.
+/// The rows of a dilution and their picture.
 class DilutionPicture {
  public:
-  /// Residues are those of `structure` that have CA, or P or C4'; others are left out.
+  /// Shows the residues of `structure` that have CA, or P or C4'.
   explicit DilutionPicture(const Structure& structure);
 
-  /// As dilute_hydrogen_bonds() shows rows: from no hydrogen bond to all.
+  /// Adds a row; rows come as from dilute_hydrogen_bonds(), from no hydrogen bond to all.
   void add(const DilutionRow& row, const ClusterList& clusters);
 
-  /// `energies`: of the hydrogen bonds, the strongest first, kcal/mol.
+  /// `energies` are those of the hydrogen bonds, the strongest first, kcal/mol.
   std::string svg(const std::string& title, const std::vector<double>& energies) const;
 
  private:
-  /// The cluster of each residue; `none` where fewer than three share it.
+  /// The cluster of each residue; `none` if fewer than three residues share it.
   struct Line {
     std::size_t hydrogen_bonds;
     std::vector<std::uint32_t> cluster;
@@ -49,7 +49,7 @@ class DilutionPicture {
   const Residue& residue(std::size_t k) const;
 
   const Structure& structure_;
-  std::vector<std::uint32_t> atoms_;  ///< one a residue that is shown
+  std::vector<std::uint32_t> atoms_;  ///< one for each residue shown
   std::vector<Line> lines_;
 };
 
@@ -59,7 +59,7 @@ struct DrawnDilution {
   std::string svg;
 };
 
-/// Of a picture: "ubi.pdb: rigid clusters of residues as hydrogen bonds go".
+/// The title of a picture: "ubi.pdb: rigid clusters of residues as hydrogen bonds go".
 std::string dilution_title(const std::string& molecule);
 
 /// Dilutes a network of this model (dilute_hydrogen_bonds) and draws it. `title` is plain text.

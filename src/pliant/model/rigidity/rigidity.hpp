@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What of a molecule is rigid and what is flexible: rigid clusters of atoms, degrees of freedom,
-// redundant bars, and the flexibility of bonds and residues.
+// Rigid and flexible parts of a molecule: rigid clusters of atoms, degrees of freedom, redundant
+// bars, and the flexibility of bonds and residues.
 #pragma once
 
 #include <span>
@@ -11,22 +11,23 @@
 
 namespace pliant {
 
-/// How flexible a residue is.
+/// Flexibility of a residue.
 struct ResidueFlexibility {
-  double index = 0.0;          ///< the mean of its bonds that may turn; 0 where there are none
-  std::uint32_t bonds = 0;     ///< so many of them
-  std::uint32_t flexible = 0;  ///< of these, between different clusters
-  std::uint32_t cluster = 0;   ///< the largest that has an atom of it
+  double index = 0.0;  ///< mean over its bonds that may turn; 0 if there are none
+  std::uint32_t bonds = 0;  ///< number of these bonds
+  std::uint32_t flexible = 0;  ///< those between different clusters
+  std::uint32_t cluster = 0;  ///< the largest with an atom of the residue
 };
 
 struct Rigidity {
   RigidityNetwork network;
-  RigidClusters found;                       ///< bodies are atoms
-  std::vector<double> flexibility;           ///< (E) of each edge: flexibility_indices()
+  RigidClusters found;  ///< with atoms as bodies
+  std::vector<double> flexibility;  ///< (E) flexibility_indices() of the edges
   std::vector<ResidueFlexibility> residues;  ///< (R)
   std::size_t hinges = 0;                    ///< bonds that may turn
-  std::size_t flexible_bonds = 0;            ///< of these, between different clusters
-  std::size_t rings_of_six = 0;              ///< of bonds that may turn: a boat moves, uncounted
+  std::size_t flexible_bonds = 0;  ///< those between different clusters
+  /// rings of six bonds that may turn: boats can move, which the count does not show
+  std::size_t rings_of_six = 0;
 
   bool is_flexible(std::size_t edge) const {
     const BodyEdge& at = network.edges[edge];
@@ -35,18 +36,18 @@ struct Rigidity {
 };
 
 /// Counts the freedoms of a structure with its bonds, hydrogens and contacts (body-bar pebble game:
-/// pebble_game.hpp; network: rigidity_network.hpp). Residues with atoms N, CA and C are rated by
-/// N-CA and CA-C, others by all bonds between two atoms of theirs. Linear memory, near linear time.
-/// Throws as rigidity_network().
+/// pebble_game.hpp; network: rigidity_network.hpp). The flexibility of residues with atoms N, CA
+/// and C is that of N-CA and CA-C; in other residues all bonds between their atoms count. Linear
+/// memory, nearly linear time. Throws as rigidity_network().
 Rigidity analyse_rigidity(const Structure& structure, std::span<const MolecularContact> contacts,
                           const RigidityOptions& options = {});
 
-/// A structure made ready, and its contacts: what build_model() has without bars and sterics.
+/// A prepared structure and its contacts: build_model() without bars and sterics.
 struct ContactModel {
   Structure structure;
   std::vector<MolecularContact> contacts;
-  std::vector<std::string> told;     ///< what was done, line by line
-  std::vector<std::string> missing;  ///< what the file lacks
+  std::vector<std::string> told;  ///< what was done, one sentence each
+  std::vector<std::string> missing;  ///< what the structure lacks
 };
 
 /// Prepares a structure and finds its contacts, or takes those of the options. Linear in the number

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A molecule as bodies joined by bars, for counting its freedoms as FIRST does: each atom is a
-// body, bonds and molecular contacts are edges.
+// A molecule as bodies joined by bars, as FIRST counts freedoms: each atom is a body, bonds and
+// contacts are edges.
 #pragma once
 
 #include <cstdint>
@@ -13,42 +13,41 @@
 
 namespace pliant {
 
-/// Bars of what is no bond. A hinge has five; a bond that does not turn six.
+/// Numbers of bars of edges that are not bonds. A hinge has five; a bond that does not turn six.
 struct RigidityOptions {
   std::uint8_t hydrogen_bond_bars = 5;  ///< salt bridges too; 1 to 6
   std::uint8_t tether_bars = 2;         ///< 0 to 6; 0 leaves tethers out
   std::uint8_t metal_bars = 5;          ///< between a metal without bonds and an atom; 0 to 6
-  /// Whether the bond to an atom that has no other bond turns where a hydrogen bond holds that
-  /// atom, as FIRST has it: D-H of D-H..A, and A-B where A has no other neighbour than B.
+  /// Whether the bond to an atom without other bonds turns if a hydrogen bond holds that atom, as
+  /// in FIRST: D-H of D-H..A, and A-B if B is the only neighbour of A.
   bool ends_turn = true;
-  /// Atoms at which no angle is held (Si-O-Si of a silicate): a ball joint of all that is bonded
-  /// there. Each needs a neighbour that has several bonds and whose own angles are held.
+  /// Atoms at which no angle is fixed (Si-O-Si of a silicate): ball joints of their neighbours.
+  /// Each needs a neighbour with several bonds whose own angles are fixed.
   std::vector<std::uint32_t> free_angles = {};
 };
 
-/// Edges of the network. The first ones are Structure::bonds in their order, then come metals and
-/// tethers, then hydrogen bonds and salt bridges from the lowest energy to the highest.
+/// Edges of the network: first Structure::bonds in their order, then metals and tethers, then
+/// hydrogen bonds and salt bridges from the lowest energy to the highest.
 struct RigidityNetwork {
   std::size_t atoms = 0;
   std::vector<BodyEdge> edges;          ///< (E)
   std::size_t bonds = 0;                ///< edges that are bonds
-  std::size_t first_hydrogen_bond = 0;  ///< the edge
-  std::vector<std::uint32_t> contacts;  ///< (E - bonds) the contact of each further edge
-  /// Edges that are bonds to an atom with no other bond, which turn as a hydrogen bond holds it.
+  std::size_t first_hydrogen_bond = 0;  ///< index of that edge
+  std::vector<std::uint32_t> contacts;  ///< (E - bonds) contact of each other edge
+  /// Bonds to an atom without other bonds, which turn because a hydrogen bond holds the atom.
   std::vector<std::uint32_t> turning_ends;
 
   bool is_bond(std::size_t edge) const { return edge < bonds; }
   std::uint32_t contact_of(std::size_t edge) const { return contacts[edge - bonds]; }
 };
 
-/// The network of a structure whose bonds are known (perceive_bonds) and of its contacts.
-/// Six bars: double, triple and aromatic bonds, amides and their kin (find_locked_bonds), and bonds
-/// to an atom that has no other bond, as its turning moves nothing. Five: all other bonds.
-/// At an atom whose angles are free, which counts as a point: six to the first neighbour whose
-/// angles are held, three to each other such neighbour, four to an atom that has no other bond, and
-/// one to another atom whose angles are free.
-/// Throws InputError if a contact names an atom that there is not; OptionError for too many bars,
-/// and for an atom whose angles cannot be free.
+/// The network of a structure whose bonds are known (perceive_bonds) and of its contacts. Six bars:
+/// double, triple and aromatic bonds, amides and the like (find_locked_bonds), and bonds to an atom
+/// without other bonds, whose turning moves nothing. Five bars: all other bonds. An atom with free
+/// angles counts as a point: it has six bars to its first neighbour with fixed angles, three to
+/// each other such neighbour, four to an atom without other bonds, and one to another atom with
+/// free angles. Throws InputError if a contact has an atom that does not exist; OptionError for too
+/// many bars, and for an atom whose angles cannot be free.
 RigidityNetwork rigidity_network(const Structure& structure,
                                  std::span<const MolecularContact> contacts,
                                  const RigidityOptions& options = {});

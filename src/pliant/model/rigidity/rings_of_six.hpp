@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rings of six hinges: what a count of freedoms calls rigid, though a boat moves.
+// Rings of six hinges: rigid by counting, although a boat can move.
 #pragma once
 
 #include <array>
@@ -11,13 +11,13 @@
 
 namespace pliant {
 
-/// Rings of six bonds with five bars each, without a bond across: cyclohexane, sugars. Six hinges
-/// leave 6 - 6 = 0 freedoms, whatever the positions. At fixed lengths and angles a chair has none
-/// indeed; a boat has one, and goes through twist-boats. Atoms in order round the ring, from the
-/// lowest. Linear in the number of atoms.
+/// Rings of six bonds with five bars each and no bond across, as in cyclohexane and sugars. By
+/// counting, six hinges leave 6 - 6 = 0 freedoms, whatever the positions. At fixed lengths and
+/// angles this is true of a chair, but a boat has one freedom and moves through twist-boats.
+/// Returns the atoms in order round each ring, from the lowest. Linear in the number of atoms.
 std::vector<std::array<std::uint32_t, 6>> rings_of_six(const RigidityNetwork& network);
 
-/// "1 ring of six bonds that may turn: ...": what to think of the count; "" where there is none.
+/// How to read the count: "1 ring of six bonds that may turn: ..."; "" if there is no ring.
 std::string told_of_rings_of_six(std::size_t rings);
 
 }  // namespace pliant
