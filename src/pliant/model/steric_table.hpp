@@ -15,7 +15,7 @@
 namespace pliant {
 
 /// Names of the kinds of atom in the order of their numbers: C N NH O OH S H HC M X. NH and OH have
-/// hydrogens, or lack all theirs in the file; H is polar, HC on carbon, M a metal, X any other; F
+/// hydrogens, or may have some that the file lacks; H is polar, HC on carbon, M a metal, X any other; F
 /// counts as O; P, Se and other halogens count as S.
 std::vector<std::string_view> steric_kind_names();
 
