@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Makes frames: asks a sampler, resolves, and tries again where that fails. Independent frames are
+// Makes frames: asks a sampler, resolves, and repeats where that fails. Independent frames are
 // resolved in SIMD lanes.
 #pragma once
 
@@ -14,34 +14,35 @@
 
 namespace pliant {
 
-/// A frame and how it came about.
+/// A frame and how it was made.
 struct MadeFrame {
   bool is_made = false;
   std::vector<Vec3> positions;           ///< (N)
-  std::vector<Vec3> before;              ///< (N) of a walk, one step earlier; else empty
+  std::vector<Vec3> before;  ///< (N) of a walk, one step earlier; otherwise empty
   std::vector<std::uint8_t> limits_off;  ///< (L) or empty
   double max_residual = 0.0, rms_residual = 0.0;
   BarIndex worst_bar = 0;
   FrodaOutcome outcome;  ///< of the last step
   double off_target = 0.0;
-  int redraws = 0;          ///< draws after the first, of all its steps
-  bool is_rescued = false;  ///< by blind steps, or drawn again
+  int redraws = 0;  ///< number of draws after the first, over all steps
+  bool is_rescued = false;  ///< resolved by blind or patient steps, or drawn again
   std::int64_t steps = 0;
   double cpu_seconds = 0.0;
 };
 
-/// Not for two threads at once; each has its own.
+/// Not thread-safe: each thread has its own.
 class FrameMaker {
  public:
-  /// All outlive it.
+  /// All must outlive it.
   FrameMaker(const Framework& framework, const BodyPlan& plan, const Sampler& sampler);
 
-  /// Frame `number`, which begins at `now`; `before` is where the step before began.
+  /// Makes frame `number`, which begins at `now`; `before` is where the step before began.
   void make(std::int64_t number, std::span<const Vec3> now, std::span<const Vec3> before,
             MadeFrame& out);
-  /// Whether it has lanes: frames do not begin at others, and take one step each.
+  /// Whether it has lanes: then no frame depends on others, and each takes one step.
   bool has_lanes() const { return lanes_ != nullptr; }
-  /// Frames `first` and on, which all begin at `now`: the same as one by one. Has lanes.
+  /// Makes frames from `first` on, which all begin at `now`, with the bits of make(). Only with
+  /// lanes.
   void make_many(std::int64_t first, std::span<const Vec3> now, std::span<MadeFrame> out);
 
  private:
@@ -61,7 +62,7 @@ class FrameMaker {
   FrodaSolver solver_;
   std::unique_ptr<FrodaLanes> lanes_;  ///< null: frames are made one by one
   FrameRequest request_;
-  std::vector<FrameRequest> requests_;  ///< of many
+  std::vector<FrameRequest> requests_;  ///< of make_many()
   std::vector<FrodaJob> jobs_;
   std::vector<Vec3> now_, before_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Samples the flexibility of a framework: frames with exact geometry around a start, along the
-// modes of an elastic network or by another way of the table.
+// modes of an elastic network or by another sampler.
 #pragma once
 
 #include <cstdint>
@@ -18,22 +18,23 @@ namespace pliant {
 struct SampledFrame {
   std::int64_t frame = 0;
   std::span<const Vec3> positions;           ///< (N) Angstrom
-  std::span<const std::uint8_t> limits_off;  ///< (L) 1: was off; empty: none was
+  /// (L) 1: the limit was switched off; empty: all were on
+  std::span<const std::uint8_t> limits_off;
   double max_residual = 0.0, rms_residual = 0.0;
   double max_limit = 0.0, max_overlap = 0.0;  ///< Angstrom
-  int redraws = 0;  ///< draws that were given up before this one was resolved
+  int redraws = 0;  ///< draws that were rejected before this one was resolved
   std::int64_t steps = 0;
 };
 
-/// Sees each frame, in their order, on the thread that called sample(). True: stop.
+/// Receives the frames in order, on the thread that called sample(). Returns true to stop.
 using SampleObserver = std::function<bool(const SampledFrame&)>;
 
-/// Samples frames about `start` (N, Angstrom), at which all bars are whole. Each frame of `modes`
-/// and `dilute` is a function of the framework, the start, the seed and its number alone, and so
-/// the same for any number of threads and in whatever pieces a run is made. Frames that cannot be
-/// resolved are drawn anew, and told; none is shown that is not whole.
-/// Throws OptionError, for bad options and nodes, and for frameworks with pinned joints or in a
-/// plane; InputError if the start is not whole or limits do not hold there.
+/// Samples frames about `start` (N, Angstrom), at which all bars must be whole. Each frame of
+/// `modes` and `dilute` depends only on the framework, the start, the seed and its number, and so
+/// neither on the number of threads nor on how a run is divided. Frames that cannot be resolved are
+/// drawn again, and the summary counts them; every frame shown is whole. Throws OptionError for bad
+/// options and nodes, and for frameworks with pinned joints or in a plane; InputError if the start
+/// is not whole or violates limits.
 SampleSummary sample(const Framework& framework, std::span<const Vec3> start, NetworkNodes nodes,
                      const SampleOptions& options, const SampleObserver& observer);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a sample is asked for.
+// Options of a sample.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +21,11 @@ struct SampleOptions {
   std::int64_t threads = 1;        ///< from 1; changes no result
   std::string network = "shared";  ///< a name in networks()
   std::string sampler = "modes";   ///< a name in samplers()
-  /// kcal/mol, of `dilute`: a contact of energy E is off with probability exp(-|E| / this).
+  /// kcal/mol, for `dilute`: a contact of energy E is off with probability exp(-|E| / this).
   double contact_energy = 3.0;
-  /// Asked between batches of frames, each of which takes up to about a second.
+  /// Called between batches of frames, which take up to about a second; true ends the sample.
   std::function<bool()> should_stop = {};
-  Log log = {};  ///< of what would surprise
+  Log log = {};  ///< receives warnings
 };
 
 /// Throws OptionError naming the option, its value and its range.

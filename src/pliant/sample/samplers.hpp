@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ways to move (samplers): where each frame is asked to go, and which contacts it is free of. A
-// table of them; what is asked for is then resolved with exact geometry.
+// Samplers: they choose a target for each frame, and the contacts that are off in it. Targets are
+// then resolved with exact geometry.
 #pragma once
 
 #include <cstdint>
@@ -17,29 +17,30 @@ namespace pliant {
 class BodyPlan;
 struct SampleOptions;
 
-/// What one frame is asked for.
+/// The target of one frame.
 struct FrameRequest {
   std::vector<Vec3> targets;             ///< (N) Angstrom
-  std::vector<Vec3> from;                ///< (N) with all bars whole; empty: where it begins
-  std::vector<std::uint8_t> limits_off;  ///< (L) 1: off in this frame; empty: none is
+  std::vector<Vec3> from;  ///< (N) whole start of the resolve; empty: where the frame begins
+  /// (L) 1: the limit is switched off in this frame; empty: all are on
+  std::vector<std::uint8_t> limits_off;
 };
 
-/// Asks for frames. Of several threads each may ask at once.
+/// Makes requests for frames. Several threads may call it at once.
 class Sampler {
  public:
   virtual ~Sampler() = default;
-  /// Whether a frame begins at the one before, and not at the start.
+  /// Whether a frame begins at the one before, not at the start.
   virtual bool is_walk() const { return false; }
-  /// Steps from where a frame begins to where it ends, each asked for and resolved.
+  /// Number of steps from the beginning of a frame to its end, each requested and resolved.
   virtual int steps_a_frame() const { return 1; }
-  /// Fills `request` for step `step` of a frame. `attempt` counts how often this was not resolved.
-  /// `now` (N) is where the step begins, `before` where the step before it did. A function of the
-  /// arguments and the seed alone.
+  /// Fills `request` for step `step` of a frame. `attempt` is the number of failed attempts at it.
+  /// `now` (N) is where the step begins, `before` where the step before it began. Depends only on
+  /// the arguments and the seed.
   virtual void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
                    std::span<const Vec3> before, FrameRequest& request) const = 0;
 };
 
-/// What samplers are made with; all outlive them.
+/// What samplers are made from; all must outlive them.
 struct SamplerSetting {
   const Framework& framework;
   const BodyPlan& plan;
@@ -53,14 +54,14 @@ struct SamplerEntry {
   std::string_view name;
   std::string_view summary;
   std::unique_ptr<Sampler> (*make)(const SamplerSetting& setting);
-  bool has_amplitude = true;  ///< whether the amplitude tells how far frames go
+  bool has_amplitude = true;  ///< whether the amplitude determines how far frames go
 };
 
 std::span<const SamplerEntry> samplers();
 
-/// What suits a molecule: `torsions` for a single one of no residues of chains (`has_residues`), of
-/// at most 2000 atoms and 64 rotors; else `modes`. Several molecules move against each other by
-/// `modes`, which torsions do not.
+/// The default sampler of a molecule: `torsions` for a single molecule without residues of chains
+/// (`has_residues`), with at most 2000 atoms and 64 rotors; otherwise `modes`, since torsions do
+/// not move molecules against each other.
 std::string_view usual_sampler(const Framework& framework, std::span<const Vec3> start,
                                bool has_residues);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One form of flexible loops in the making: places of their joints, copies at the cuts too, which
+// One new form of flexible loops: the positions of their joints, copies at the cuts included, which
 // turn about hinges until the loops are closed.
 #pragma once
 
@@ -16,28 +16,29 @@ namespace pliant {
 
 class LoopClosing {
  public:
-  /// Both outlive it. `x` (N, Angstrom): loops are closed. `reach`: how many times as far as atoms
-  /// must be apart they are asked to be, but those that may make a hydrogen bond.
+  /// Both must outlive it. `x` (N, Angstrom) has closed loops. Atoms that cannot form a hydrogen
+  /// bond are kept `reach` times their least distance apart.
   LoopClosing(const BodyPlan& plan, const LoopPlan& loops, std::span<const Vec3> x, double reach);
 
   /// Draws the torsions, which opens the loops.
+  /// Draws the torsions, which opens the loops.
   void open(RandomSequence& draws, TorsionDraw how);
-  /// Closes the loops roughly, without overlaps, and with usual torsions if `how` says so.
+  /// Closes the loops approximately, without overlaps, and with usual torsions if `how` says so.
   void relax(TorsionDraw how);
-  /// Closes the loops to rounding, by small turns; false if that fails.
+  /// Closes the loops to rounding by small turns; returns false if that fails.
   bool close();
-  /// What relaxing makes small, but gaps.
+  /// What relax() minimizes, without the gaps.
   double strain(TorsionDraw how) const;
 
   void write(std::span<Vec3> x) const;
 
  private:
-  /// A torsion, and how it changes with each of its four places.
+  /// A torsion and its gradient with respect to its four positions.
   struct Bend {
     Turn now;
     std::array<Vec3, 4> gradient;
   };
-  /// What is asked of a distance: off by so much, and how much it counts.
+  /// A term for a distance: its error and its weight.
   struct Wish {
     double off = 0.0, weight = 0.0;
   };
@@ -58,9 +59,9 @@ class LoopClosing {
   const BodyPlan& plan_;
   const LoopPlan& loops_;
   double reach_;
-  double farthest_ = 0.0;       ///< Angstrom: of pairs further apart nothing is asked
-  std::vector<Vec3> x_;         ///< of places
-  std::vector<Turn> at_start_;  ///< of torsions
+  double farthest_ = 0.0;  ///< largest distance of pairs that have a term (Angstrom)
+  std::vector<Vec3> x_;  ///< (places)
+  std::vector<Turn> at_start_;  ///< (torsions)
   LoopEquations equations_;
 };
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// Draws forms of flexible loops (large rings, macrocycles): torsions round the loop by chance,
-// which leave it open, then steps of Gauss and Newton (Levenberg, Marquardt) over the torsions that
-// close it, turn torsions towards usual ones and take overlaps away, and at last Newton's alone
-// until it is closed to rounding. Only torsions turn: lengths, angles and handedness stay exact.
+// Draws forms of flexible loops (large rings, macrocycles). Random torsions leave a loop open;
+// Gauss-Newton steps (Levenberg, Marquardt) over its torsions then close it, turn torsions towards
+// usual ones and remove overlaps; Newton steps close it to rounding. Only torsions turn: lengths,
+// angles and handedness remain exact.
 #pragma once
 
 #include <span>
@@ -16,13 +16,13 @@ namespace pliant {
 
 class LoopDraws {
  public:
-  /// `plan` outlives it.
+  /// `plan` must outlive it.
   LoopDraws(const BodyPlan& plan, LoopPlan loops) : plan_(plan), loops_(std::move(loops)) {}
 
   const LoopPlan& loops() const { return loops_; }
 
-  /// Gives the loops of `x` (N, Angstrom) another form, and moves what hangs on them. Leaves `x` as
-  /// it is if no draw can be closed.
+  /// Gives the loops of `x` (N, Angstrom) another form, and moves what hangs on them. Does not
+  /// change `x` if no draw can be closed.
   void draw(RandomSequence& draws, TorsionDraw how, std::span<Vec3> x) const;
 
  private:

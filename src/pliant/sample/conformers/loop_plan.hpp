@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What turns in flexible loops (large rings) of a molecule: hinges of the plan's tree, torsions
-// round the loops, and the gaps at which loops were cut.
+// Moving parts of flexible loops (large rings): hinges of the plan's tree, torsions round the
+// loops, and the gaps at which loops were cut.
 #pragma once
 
 #include <array>
@@ -14,29 +14,29 @@
 
 namespace pliant {
 
-/// A hinge of a loop, and the places that turn with it.
+/// A hinge of a loop, and the places that it turns.
 struct LoopHinge {
-  Slot a, b;         ///< on its axis
+  Slot a, b;  ///< on its axis
   Slot first, last;  ///< [first, last) turn
   bool turns(Slot place) const { return place >= first && place < last; }
 };
 
-/// A torsion about a bond of a loop. Of a bond that was cut its four places are on both sides.
+/// A torsion about a bond of a loop. At a bond that was cut its four places are on both sides.
 struct LoopTorsion {
   std::array<Slot, 4> at;
   BondTurn kind;
-  std::int64_t hinge;  ///< which turns it alone, -1: none
-  bool is_forward;     ///< whether the hinge turns the last place, and not the first
+  std::int64_t hinge;  ///< the only hinge that turns it, -1: none
+  bool is_forward;  ///< whether the hinge turns the last place (not the first)
 };
 
-/// Whether two atoms may make a hydrogen bond, as what.
+/// Whether, and how, two atoms may take part in a hydrogen bond.
 enum class HydrogenBond : std::uint8_t {
   none,
   to_hydrogen,  ///< hydrogen of N or O, and O or N
   beside_it,    ///< N or O that bears hydrogen, and O or N
 };
 
-/// Two joints whose distance loops change, but no rotor does, and how near they may come.
+/// Two joints whose distance changes with loops, but with no rotor, and their least distance.
 struct LoopPair {
   Slot i, j;
   double least;  ///< Angstrom
@@ -49,8 +49,8 @@ struct LoopPlan {
   std::vector<LoopPair> pairs;
 };
 
-/// `is_in_loop`: of each body. `is_rotor`: of each body, whether its hinge is drawn by itself. Of
-/// loops that have other joints than hinges the plan has no hinges: they cannot be drawn.
+/// `is_in_loop`: for each body. `is_rotor`: for each body whether its hinge is drawn separately.
+/// Without hinges for loops with joints other than hinges: they cannot be drawn.
 LoopPlan plan_loops(const Framework& framework, const BodyPlan& plan,
                     const BondChemistry& chemistry, const std::vector<bool>& is_in_loop,
                     const std::vector<bool>& is_rotor);

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How deep atoms of a small molecule overlap, pair by pair: quicker than a list of neighbours
-// there.
+// Overlaps of atoms of a small molecule, pair by pair: faster there than a neighbour list.
 #pragma once
 
 #include <span>
@@ -13,11 +12,11 @@ namespace pliant {
 
 class SmallSterics {
  public:
-  /// Of a framework without sterics, or of more than 300 joints, nothing is looked at.
+  /// Has no pairs if the framework has no sterics or more than 300 joints.
   explicit SmallSterics(const Framework& framework);
 
   std::span<const Contact> pairs() const { return pairs_; }
-  /// Sum of squares of depths at `x` (N), Angstrom^2.
+  /// Sum of squared overlaps at `x` (N), Angstrom^2.
   double overlap(std::span<const Vec3> x) const;
 
  private:

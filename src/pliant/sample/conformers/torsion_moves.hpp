@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
-// Ways in which a small molecule takes another conformation, each exact in every bar:
-// - rotors: what hangs beyond a bond turns about it;
+// Moves of a small molecule to another conformation, each exact in every bar:
+// - rotors: atoms beyond a bond turn about it;
 // - rings, and systems of small rings that share bonds, take another form (ring_moves.hpp): chair,
-//   twist-boat, mirror image. What hangs on an atom is moved rigidly with the bonds of the ring
-//   there, so that axial becomes equatorial, and handedness (chirality) is kept;
-// - nitrogen of amines inverts: the smallest of what it bears is turned to the other side of the
-//   other two bonds;
+//   twist-boat, mirror image. Substituents move rigidly with the bonds of the ring at their atom:
+//   axial ones become equatorial; handedness (chirality) does not change;
+// - nitrogen of amines inverts: its smallest substituent moves to the other side of the other two
+//   bonds;
 // - tertiary amides turn from cis to trans, where no bar reaches across them;
-// - flexible loops (rings of seven and more) get new torsions and are closed (loop_draws.hpp);
-// those
-//   of which nothing is known but bodies are bent at random, step by step (loop_bending.hpp).
+// - flexible loops (rings of seven and more) get new torsions and are closed (loop_draws.hpp), or
+//   are bent at random, step by step, if they are only known as bodies (loop_bending.hpp).
 #pragma once
 
 #include <optional>
@@ -29,21 +28,22 @@
 
 namespace pliant {
 
-/// A bond that can be turned about.
+/// A bond about which part of the molecule turns.
 struct Rotor {
-  Joint a, b;                  ///< the bond; what is beyond b moves
+  Joint a, b;  ///< the bond; the atoms beyond b move
   Joint beyond_a, beyond_b;    ///< the torsion is beyond_a - a - b - beyond_b
-  BondTurn kind;               ///< where its torsions usually are
+  BondTurn kind;  ///< the kind of its usual torsions
   std::vector<Joint> turning;  ///< joints that move
 };
 
-/// Nitrogen that inverts, the two atoms that stay, and what moves, the atom bonded to it first.
+/// Nitrogen that inverts, two neighbours that do not move, and the atoms that do, the third
+/// neighbour first.
 struct Amine {
   Joint nitrogen, one, other;
   std::vector<Joint> turning;
 };
 
-/// An amide that turns by 180 degrees, and what moves: the smaller side.
+/// An amide that turns by 180 degrees, and the atoms that move: those of the smaller side.
 struct AmideTurn {
   Joint carbon, nitrogen;
   std::vector<Joint> turning;
@@ -51,28 +51,28 @@ struct AmideTurn {
 
 class TorsionMoves {
  public:
-  /// All outlive it. `start` (N, Angstrom).
+  /// All must outlive it. `start` (N, Angstrom).
   TorsionMoves(const Framework& framework, const BodyPlan& plan, std::span<const Vec3> start);
 
   std::span<const Rotor> rotors() const { return rotors_; }
   std::span<const FlexibleRing> rings() const { return rings_; }
-  /// Rings and ring systems that do not lie in a plane and keep the form of the start.
+  /// Rings and ring systems that are not planar and keep the form of the start.
   std::span<const std::vector<Joint>> rigid_rings() const { return rigid_rings_; }
   std::span<const Amine> amines() const { return amines_; }
   std::span<const AmideTurn> amides() const { return amides_; }
-  /// Rigid units (bodies of the plan) of flexible loops.
+  /// Number of rigid units (bodies of the plan) in flexible loops.
   std::size_t loop_bodies() const { return loop_bodies_; }
   bool empty() const {
     return rotors_.empty() && rings_.empty() && amines_.empty() && amides_.empty() &&
            loop_bodies_ == 0;
   }
 
-  /// Gives each ring of `x` (N, Angstrom) one of its forms, by chance: of three draws two take a
-  /// chair, if there are any.
+  /// Gives each ring of `x` (N, Angstrom) a random form; two of three draws take a chair, if there
+  /// is one.
   void draw_rings(RandomSequence& draws, std::span<Vec3> x) const;
-  /// Inverts each amine of `x` or not, by chance.
+  /// Inverts each amine of `x` with probability one half.
   void draw_amines(RandomSequence& draws, std::span<Vec3> x) const;
-  /// Turns each amide of `x` to its other form or not, by chance.
+  /// Turns each amide of `x` to its other form with probability one half.
   void draw_amides(RandomSequence& draws, std::span<Vec3> x) const;
   /// Draws all torsions of `x`.
   void turn_rotors(RandomSequence& draws, TorsionDraw how, std::span<Vec3> x) const;
@@ -81,7 +81,7 @@ class TorsionMoves {
   void draw_loops(RandomSequence& draws, TorsionDraw how, std::span<Vec3> x) const {
     if (drawn_) drawn_->draw(draws, how, x);
   }
-  /// Null: flexible loops are drawn, or there are none.
+  /// Null if flexible loops are drawn, or if there are none.
   const LoopBending* bent() const { return bent_ ? &*bent_ : nullptr; }
 
  private:
@@ -92,7 +92,7 @@ class TorsionMoves {
   bool is_in_one_body(std::span<const Joint> atoms) const;
   void find_amines(const BondChemistry& chemistry);
   void find_amides(const BondChemistry& chemistry);
-  /// Whether it is the joint's own place, and not a copy at a cut.
+  /// Whether it is the joint's own place, not a copy at a cut.
   bool is_own(Slot place) const { return plan_.place_of(plan_.joint_at()[place]) == place; }
   bool holds_bars(std::span<const Vec3> x) const;
   bool holds_limits(std::span<const Bar> pairs, std::span<const Vec3> x) const;
@@ -102,7 +102,7 @@ class TorsionMoves {
   const BodyPlan& plan_;
   std::span<const Vec3> start_;
   std::size_t loop_bodies_ = 0;
-  std::vector<bool> is_rotor_;  ///< of each body
+  std::vector<bool> is_rotor_;  ///< (bodies)
   std::optional<LoopDraws> drawn_;
   std::optional<LoopBending> bent_;
   std::vector<Rotor> rotors_;

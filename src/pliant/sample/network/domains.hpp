@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Domains: nodes that keep their distances to each other in the lowest modes.
+// Domains: sets of nodes that keep their distances to each other in the lowest modes.
 #pragma once
 
 #include <cstdint>
@@ -15,11 +15,11 @@ namespace pliant {
 /// 1409), found along chains of nearest neighbours in O(n^2) (Murtagh, Comput. J. 26 (1983) 354).
 class AverageLinkage {
  public:
-  /// Of `distances` (n x n, symmetric, from 0 up).
+  /// Takes `distances` (n x n, symmetric, not negative).
   explicit AverageLinkage(DenseMatrix distances);
 
-  /// The number of the cluster of each of the n things, where the last merges are undone until
-  /// there are `count` clusters; numbered in the order of their first members.
+  /// The cluster of each of the n items when there are `count` clusters, numbered in the order of
+  /// their first members.
   std::vector<std::uint32_t> cut(std::size_t count) const;
 
  private:
@@ -29,7 +29,7 @@ class AverageLinkage {
   };
 
   std::size_t things_;
-  std::vector<Merge> merges_;  ///< by height
+  std::vector<Merge> merges_;  ///< sorted by height
 };
 
 /// The r.m.s. change of the distance of each two nodes in a Gaussian of modes (rows of 3n numbers)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Elastic networks: springs between the nodes of a molecule, of which each stands for a residue. A
-// table of them; formulas and sources are in the README of this folder.
+// Elastic networks: springs between nodes, each of which represents a residue. A table of them;
+// formulas and sources are in the README of this folder.
 #pragma once
 
 #include <cstdint>
@@ -15,23 +15,21 @@ namespace pliant {
 
 inline constexpr std::uint32_t no_node = ~std::uint32_t{0};
 
-/// What moves together: a node for each residue (alpha carbon), nucleotide or heavy atom of a
-/// ligand.
+/// Nodes of a network: one for each residue (alpha carbon), nucleotide or heavy atom of a ligand.
 struct NetworkNodes {
   std::vector<Vec3> positions;          ///< (M) Angstrom
-  std::vector<std::uint32_t> chain;     ///< (M) nodes of one unbroken chain follow each other
-  std::vector<std::uint32_t> of_joint;  ///< (N) the node that each joint goes with, or no_node
-  /// How many Angstrom of these nodes stand for one of nodes that are residues: above 1 where a
-  /// node stands for several.
+  std::vector<std::uint32_t> chain;  ///< (M) nodes of an unbroken chain are consecutive
+  std::vector<std::uint32_t> of_joint;  ///< (N) node with which each joint moves, or no_node
+  /// Factor of the cut-offs of springs: above 1 if a node represents several residues.
   double scale = 1.0;
 };
 
-/// Throws OptionError unless there are two nodes or more, each with a chain, and each joint's node
+/// Throws OptionError unless there are at least two nodes, each with a chain, and each joint's node
 /// exists; InputError if a position is not finite.
 void check(const NetworkNodes& nodes, std::size_t joint_count);
 
-/// Spring constants between nodes, apart from those along the chain: what weakens contacts weakens
-/// the former only.
+/// Spring constants between nodes. Those along the chain are separate, because cuts weaken only the
+/// others.
 struct Springs {
   DenseMatrix contacts;  ///< (M x M) symmetric, 0 on the diagonal; any unit
   DenseMatrix chain;     ///< (M x M) likewise
@@ -41,7 +39,7 @@ struct Springs {
 struct NetworkEntry {
   std::string_view name;
   std::string_view summary;
-  /// Nodes move along springs only (anisotropic); else alike in all directions.
+  /// Nodes move along springs only (anisotropic); otherwise equally in all directions.
   bool has_directions;
   /// The covariance is averaged over cuts into 1, 2, 3 and 4 domains.
   bool has_domains;
@@ -53,13 +51,13 @@ std::span<const NetworkEntry> networks();
 /// The row of that name. Throws OptionError listing the known names.
 const NetworkEntry& find_network(std::string_view name);
 
-/// The matrix of second derivatives of the energy of springs k at rest: (3M x 3M) where they have
-/// directions, blocks -k n n^T for n along the spring; else (M x M), Kirchhoff's matrix.
+/// The matrix of second derivatives of the energy of springs k at rest: with directions (3M x 3M),
+/// with blocks -k n n^T for n along the spring; otherwise (M x M), the Kirchhoff matrix.
 DenseMatrix stiffness(std::span<const Vec3> positions, const DenseMatrix& springs,
                       bool has_directions);
 
-/// What stiffness() does not hold: shifts and turns of the whole (up to 6 x 3M), or shifts
-/// (1 x M); rows of unit length at right angles.
+/// The null space of stiffness(): shifts and turns of the whole (up to 6 x 3M), or shifts (1 x M),
+/// in orthonormal rows.
 DenseMatrix rigid_motions(std::span<const Vec3> positions, bool has_directions);
 
 }  // namespace pliant

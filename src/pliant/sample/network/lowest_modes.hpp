@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The lowest eigenvalues above zero of a large symmetric matrix with a known null space, with their
-// eigenvectors.
+// The lowest eigenvalues above zero, and their eigenvectors, of a large symmetric matrix with a
+// known null space.
 #pragma once
 
 #include <cstddef>
@@ -11,16 +11,14 @@
 
 namespace pliant {
 
-/// The `count` lowest eigenpairs of `a` (n x n, symmetric, no eigenvalue below zero) that are no
-/// part of its null space: those above 1e-9 of the largest diagonal entry. `still` (z x n,
-/// rows of unit length at right angles) are directions known to be in the null space. Fewer come
-/// back where there are fewer.
+/// The `count` lowest eigenpairs of `a` (n x n, symmetric, positive semidefinite) above 1e-9 of the
+/// largest diagonal entry. `still` (z x n, orthonormal rows) are known directions of the null
+/// space. Returns fewer if there are fewer.
 ///
-/// Up to 300 rows by symmetric_eigen(). Above, in a Krylov space of the inverse that grows by
-/// blocks (block Lanczos; Grimes, Lewis, Simon, SIAM J. Matrix Anal. Appl. 15 (1994) 228), until
-/// the residuals are below 1e-9 of the eigenvalues: n^3 / 3 operations for the factors and some
-/// hundred products of 2 n^2. A block has eight vectors, and so up to eight equal eigenvalues are
-/// found.
+/// Up to 300 rows symmetric_eigen() is used. Above, the Krylov space of the inverse grows by blocks
+/// (block Lanczos; Grimes, Lewis, Simon, SIAM J. Matrix Anal. Appl. 15 (1994) 228), until the
+/// residuals are below 1e-9 of the eigenvalues: n^3 / 3 operations for the factors and some hundred
+/// products of 2 n^2. A block has eight vectors, so that up to eight equal eigenvalues are found.
 EigenPairs lowest_modes(DenseMatrix a, const DenseMatrix& still, std::size_t count);
 
 }  // namespace pliant

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// From modes of nodes to displacements of all joints: each goes with its node, and turns with the
-// node's neighbours.
+// From modes of nodes to displacements of all joints: each joint moves with its node, and rotates
+// as the node's neighbours do.
 //
 //   d(x) = u_i + w_i x (x - x_i),   w_i = argmin sum_j |u_j - u_i - w x (x_j - x_i)|^2
 //
-// over nodes j within 8 Angstrom of i. No node goes further than a cap: linear displacements of
-// ends of chains would tear what they carry.
+// over nodes j within 8 Angstrom of i. Displacements of nodes are limited, because large linear
+// displacements of chain ends would tear what hangs on them.
 #pragma once
 
 #include <array>
@@ -18,18 +18,19 @@
 
 namespace pliant {
 
-/// How far a node goes at most (Angstrom).
+/// Largest displacement of a node (Angstrom).
 inline constexpr double largest_node_move = 8.0;
 
 class ModeDisplacement {
  public:
-  /// `nodes` as the modes have them; `start` (N) are the joints, each of which goes with its node,
-  /// or if it has none with the nearest.
+  /// `nodes` are those of the modes; `start` (N) are the joints, each of which moves with its node,
+  /// or with the nearest if it has none.
   ModeDisplacement(const NetworkNodes& nodes, NetworkModes modes, std::span<const Vec3> start);
 
   std::size_t mode_count() const { return modes_.variances.size(); }
 
-  /// out[j] (N, Angstrom) of joint j for `amplitudes` (K) in standard deviations of the modes.
+  /// out[j] (N, Angstrom) is the displacement of joint j for `amplitudes` (K) in standard
+  /// deviations of the modes.
   void displacements(std::span<const double> amplitudes, std::span<Vec3> out) const;
 
  private:
@@ -41,7 +42,8 @@ class ModeDisplacement {
   std::vector<Vec3> nodes_, start_;
   std::vector<std::uint32_t> of_joint_;
   Grouped<std::uint32_t> neighbours_;
-  std::vector<std::array<double, 9>> inverse_;  ///< of sum |r|^2 - r r^T, or 0 if it has none
+  /// inverse of sum |r|^2 - r r^T, or 0 if it is singular
+  std::vector<std::array<double, 9>> inverse_;
 };
 
 }  // namespace pliant

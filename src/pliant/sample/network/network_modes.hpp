@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Modes of an elastic network (normal modes, principal components of its Gaussian): directions in
-// which the nodes move together, and how far.
+// Modes of an elastic network (normal modes, principal components of its Gaussian): collective
+// directions of the nodes, and their variances.
 #pragma once
 
 #include <string_view>
@@ -18,16 +18,16 @@ struct NetworkModes {
 
 inline constexpr std::size_t usual_mode_count = 60;
 
-/// The `count` modes of largest variance of a network of the table, or as many as there are; in the
-/// unit of 1 / its springs. With domains: of the mean covariance of the network and of the same cut
-/// into 2, 3 and 4 domains, where springs between domains are a tenth; the covariance of each is
-/// that of its `count` lowest modes, divided by its trace. Signs are canonical.
-/// Takes the cube of the number of nodes: coarsened() first. They pass check(). Throws OptionError
-/// on an unknown name.
+/// The `count` modes of largest variance of a network of the table, or all if there are fewer;
+/// variances are in units of 1 / spring. With domains, these are the modes of the mean covariance
+/// of the network and of the same network cut into 2, 3 and 4 domains, where springs between
+/// domains are a tenth; each covariance is that of the `count` lowest modes, divided by its trace.
+/// Signs are canonical. Takes the cube of the number of nodes: call coarsened() first. Nodes must
+/// pass check(). Throws OptionError for an unknown name.
 NetworkModes network_modes(const NetworkNodes& nodes, std::string_view network = "shared",
                            std::size_t count = usual_mode_count);
 
-/// Scales variances so that the r.m.s. fluctuation of nodes, meant over nodes, is `amplitude`
+/// Scales variances so that the mean over nodes of the r.m.s. fluctuation is `amplitude`
 /// (Angstrom).
 void scale_to(double amplitude, NetworkModes& modes);
 

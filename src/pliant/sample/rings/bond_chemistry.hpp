@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the bars of a molecule say of its chemistry: which are bonds, by length and elements, and
-// with that where rings are and which atoms are tetrahedral.
+// Chemistry derived from the bars of a molecule: bonds by length and elements, then rings and
+// tetrahedral atoms.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace pliant {
 
-/// A ring that shares no bond with another, in its order.
+/// The atoms, in order, of a ring that shares no bond with another.
 using SimpleRing = std::vector<Joint>;
 
-/// Of a framework whose joints are atoms; of another, nothing is known.
+/// The chemistry of a framework whose joints are atoms; without atoms there are no bonds.
 class BondChemistry {
  public:
   /// `start` (N, Angstrom). The framework must outlive it.
@@ -24,45 +24,45 @@ class BondChemistry {
   bool is_hydrogen(Joint atom) const { return element(atom) == 1; }
   bool is_oxygen(Joint atom) const { return element(atom) == 8; }
   bool is_nitrogen(Joint atom) const { return element(atom) == 7; }
-  /// Of a hydrogen bond: hydrogen of N or O, or what bears it; and O or N.
+  /// Donors of hydrogen bonds are hydrogen of N or O and its parent, acceptors O and N.
   bool donates(Joint atom) const;
   bool accepts(Joint atom) const { return is_oxygen(atom) || is_nitrogen(atom); }
-  /// Nitrogen that makes a tertiary amide with one of its neighbours.
+  /// Whether nitrogen forms a tertiary amide with one of its neighbours.
   bool is_acylated(Joint nitrogen) const;
-  /// Carbon with three bonds in a plane, at which oxygen or sulphur ends.
+  /// Whether it is carbon with three bonds in a plane, one of them to terminal O or S.
   bool is_acyl(Joint atom) const;
-  /// Bonds to other atoms than hydrogen.
+  /// Number of bonds to atoms other than hydrogen.
   int heavy_bonds_at(Joint atom) const;
-  /// Whether its bonds lie about it as about sp3 carbon; false where they lie in a plane.
+  /// Whether its bonds are arranged as in sp3 carbon; false if they lie in a plane.
   bool is_tetrahedral(Joint atom) const;
-  /// CH3, NH3 and their like: nothing but hydrogens beyond the bond from `from`.
+  /// Whether the bond from `from` has only hydrogens beyond `atom`: CH3, NH3 and the like.
   bool spins_alike(Joint from, Joint atom) const;
-  /// Its bonds lie in a plane, or it is nitrogen or oxygen of an amide or ester, which may be drawn
-  /// less flat than it is.
+  /// Whether its bonds lie in a plane, or it is nitrogen or oxygen of an amide or ester, which
+  /// files may show less flat than it is.
   bool is_conjugated(Joint atom) const;
-  /// The atom bonded to `atom`, but `except`, that torsions are counted from: no hydrogen if that
-  /// can be; `atom` itself if there is none.
+  /// The neighbour of `atom`, other than `except`, that torsions refer to: no hydrogen if possible;
+  /// `atom` itself if there is no neighbour.
   Joint reference(Joint atom, Joint except) const;
-  /// Rings of five atoms or more, by their lowest atom.
+  /// Rings of five atoms or more, in the order of their lowest atoms.
   std::vector<SimpleRing> simple_rings() const;
-  /// Bonds of each set of rings that share bonds.
+  /// The bonds of each set of rings that share bonds.
   std::vector<std::vector<Bar>> ring_blocks() const;
   bool is_bonded(Joint a, Joint b) const;
-  /// Atoms that are reached from `atom` without passing `walls`, itself left out.
+  /// Atoms that can be reached from `atom` without passing `walls`, without `atom` itself.
   std::vector<Joint> beyond(Joint atom, const std::vector<Joint>& walls) const;
   bool is_in_ring(Joint atom) const { return is_in_ring_[atom]; }
-  /// An atom of a ring, three bonds in a plane, its neighbours in the ring planar as well: benzene,
-  /// pyridine, naphthalene.
+  /// Whether it is a ring atom with three bonds in a plane, and planar neighbours in the ring:
+  /// benzene, pyridine, naphthalene.
   bool is_aryl(Joint atom) const;
-  /// Whether what stands beside it in its ring bears more than hydrogens, on both sides.
+  /// Whether both neighbours in its ring have substituents other than hydrogen.
   bool is_flanked(Joint aryl) const;
-  /// Whether carbon `c` and nitrogen `n` are bonded as a tertiary amide: oxygen or sulphur ends at
-  /// the carbon, the nitrogen bears no hydrogen, and the bond is in no ring. In a plane each.
+  /// Whether the bond from carbon `c` to nitrogen `n` is that of a tertiary amide: the carbon has
+  /// terminal O or S, the nitrogen no hydrogen, both are planar, and the bond is in no ring.
   bool is_tertiary_amide(Joint c, Joint n) const;
   /// Whether the bond from carbon `c` to oxygen `o` is that of an ester: O=C-O-R.
   bool is_ester(Joint c, Joint o) const;
-  /// Nitrogen with three bonds that do not lie in a plane: an amine, which inverts; but in rings of
-  /// three, where it may keep its handedness, and in amides.
+  /// Whether it is nitrogen with three bonds that do not lie in a plane, which inverts (an amine).
+  /// Not in rings of three, where it may keep its handedness, nor in amides.
   bool is_amine(Joint atom) const;
 
  private:

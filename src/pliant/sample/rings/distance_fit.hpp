@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves a few points by the least until distances between them are as wanted.
+// Moves a few points as little as possible to given distances.
 #pragma once
 
 #include <cstddef>
@@ -14,11 +14,12 @@ struct WantedDistance {
   double square;  ///< Angstrom^2
 };
 
-/// A step of Gauss-Newton of least change; the worst share by which a squared distance was off
-/// before. `damped`, of the largest diagonal entry: distances need not be met, the less the larger.
+/// Makes the Gauss-Newton step of least change. Returns the largest relative error of a squared
+/// distance before the step. `damped`, in units of the largest diagonal entry, lets distances
+/// deviate; the larger, the more.
 double approach(const std::vector<WantedDistance>& wanted, double damped, std::vector<Vec3>& x);
 
-/// Until all distances are met to rounding; false if that fails.
+/// Repeats approach() until all distances are exact to rounding. Returns false if that fails.
 bool meet(const std::vector<WantedDistance>& wanted, std::vector<Vec3>& x);
 
 }  // namespace pliant

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The forms that a ring can take with all its lengths and angles: chairs and twist-boats of six
-// atoms, the mirror image of any ring.
+// The forms of a ring with given lengths and angles: chairs and twist-boats of six atoms, and the
+// mirror image of any ring.
 #pragma once
 
 #include <span>
@@ -12,20 +12,20 @@ namespace pliant {
 
 /// One form of a ring.
 struct RingForm {
-  std::vector<Vec3> positions;  ///< (n) Angstrom, somewhere
-  bool is_chair = false;        ///< torsions of both signs in turn, all round a ring of six
+  std::vector<Vec3> positions;  ///< (n) Angstrom, at an arbitrary place
+  bool is_chair = false;  ///< a ring of six with torsions of alternating signs
 };
 
-/// Whether it is a ring of six with torsions of both signs in turn.
+/// Whether it is a ring of six with torsions of alternating signs.
 bool is_chair(std::span<const Vec3> ring);
 
-/// Forms of a ring of n atoms in order (n from 5, Angstrom); the ring itself is the first. First
-/// those that have its distances across one and two bonds: the mirror image, and of six atoms what
-/// Gauss-Newton steps reach from an even chair and the six twist-boats. Then, of five atoms from
-/// ten envelopes, of six from the chairs and twist-boats (D. Cremer, J. A. Pople, J. Am. Chem. Soc.
-/// 97 (1975) 1354), those that keep the bonds and come as near to the angles as some damped steps
-/// bring them. Bonds between two atoms of which `is_flat` (n) keep the size of their torsion, to 12
-/// degrees. Two forms differ by 0.15 Angstrom (r.m.s.), of five atoms by 0.08.
+/// Forms of a ring of n >= 5 atoms in order (Angstrom), the given form first. Next come those with
+/// its exact distances across one and two bonds: the mirror image, and for six atoms the results of
+/// Gauss-Newton steps from an even chair and the six twist-boats. Then those that keep the bonds
+/// and approach the angles in a number of damped steps: from ten envelopes of five atoms, and from
+/// the chairs and twist-boats of six (D. Cremer, J. A. Pople, J. Am. Chem. Soc. 97 (1975) 1354).
+/// Bonds between two atoms with `is_flat` (n) keep the size of their torsion to 12 degrees. Two
+/// forms differ by 0.15 Angstrom (r.m.s.), or 0.08 for five atoms.
 std::vector<RingForm> ring_forms(std::span<const Vec3> ring, const std::vector<bool>& is_flat);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rings and ring systems that have several forms, and how a molecule is given one of them.
+// Rings and ring systems with several forms, and how a molecule is given one of them.
 #pragma once
 
 #include <cstddef>
@@ -12,28 +12,27 @@
 
 namespace pliant {
 
-/// A ring or ring system, and what hangs on each of its atoms.
+/// A ring or ring system, and the branches at each of its atoms.
 struct FlexibleRing {
   std::vector<Joint> atoms;
-  std::vector<std::vector<std::size_t>> neighbours;  ///< of each atom, places in `atoms`
+  std::vector<std::vector<std::size_t>> neighbours;  ///< for each atom, indices into `atoms`
   std::vector<std::vector<Joint>> branches;
-  std::vector<Bar> angles;      ///< pairs that its forms may change, within limits
-  std::vector<RingForm> forms;  ///< the first is that of the start
+  std::vector<Bar> angles;  ///< pairs whose distances may change within limits
+  std::vector<RingForm> forms;  ///< the form of the start is the first
 };
 
-/// All that do not lie in a plane at `start` (N, Angstrom): rings that share no bond with another,
-/// those of seven and more only if `with_large`, and systems of small rings. Whether they hold bars
-/// and limits of the framework is not looked at.
+/// All that are not planar at `start` (N, Angstrom): rings that share no bond with another, those
+/// of seven and more only if `with_large`, and systems of small rings. Does not check whether the
+/// forms satisfy bars and limits of the framework.
 std::vector<FlexibleRing> flexible_rings(const Framework& framework, const BondChemistry& chemistry,
                                          std::span<const Vec3> start, bool with_large);
 
-/// Pairs whose distance the forms of rings change, of all rings that `flexible_rings` gives more
-/// than one form.
+/// Pairs whose distance changes between the forms of rings with more than one form.
 std::vector<Bar> soft_pairs(const Framework& framework, const BondChemistry& chemistry,
                             std::span<const Vec3> start);
 
-/// Gives a ring of x (N) this form, superposed on the one it has, its branches moved as the bonds
-/// of the ring at their atom are.
+/// Gives a ring of x (N) this form, superposed on its present one, and moves the branches with the
+/// bonds of the ring at their atom.
 void take_form(const FlexibleRing& ring, const RingForm& form, std::span<Vec3> x);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Rings that pucker: which they are, and the distances that hold their angles.
+// Rings that pucker, and the distances that hold their angles.
 #pragma once
 
 #include <span>
@@ -9,17 +9,17 @@
 
 namespace pliant {
 
-/// Atoms: larger rings change by their torsions (loop_draws.hpp).
+/// Number of atoms; larger rings change by their torsions (loop_draws.hpp).
 constexpr std::size_t largest_small_ring = 6;
 
-/// Rings that share no bond with another and do not lie in a plane (0.1 Angstrom) at `start` (N).
+/// Rings that share no bond with another and are not planar (0.1 Angstrom) at `start` (N).
 std::vector<SimpleRing> puckered_rings(const BondChemistry& chemistry, std::span<const Vec3> start);
 
-/// Sorts pairs by a, then b, and leaves each once.
+/// Sorts pairs by a, then b, and removes repetitions.
 void sort_pairs(std::vector<Bar>& pairs);
 
-/// Of a ring of five or six the pairs, a < b, across those angles at its atoms that have a bond of
-/// the ring for a side, sorted; they give way when the ring takes another form. Else none.
+/// For a ring of five or six: pairs, a < b, sorted, across the angles at its atoms with a bond of
+/// the ring as a side, which change when the ring takes another form. Empty for other rings.
 std::vector<Bar> ring_angles(const SimpleRing& ring, const BondChemistry& chemistry);
 
 }  // namespace pliant

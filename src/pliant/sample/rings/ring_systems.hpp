@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Rings of at most six atoms that share bonds (fused, bridged: decalin, steroids, norbornane).
+// Systems of rings of at most six atoms that share bonds (fused, bridged: decalin, steroids,
+// norbornane).
 #pragma once
 
 #include <cstddef>
@@ -11,16 +12,16 @@ namespace pliant {
 
 struct RingSystem {
   std::vector<Joint> atoms;                          ///< ascending
-  std::vector<std::vector<std::size_t>> neighbours;  ///< of each atom, places in `atoms`
+  std::vector<std::vector<std::size_t>> neighbours;  ///< for each atom, indices into `atoms`
   std::vector<std::vector<std::size_t>> rings;       ///< of at most six atoms each, in order
 };
 
-/// Systems that are made of such rings alone, and have an atom that is neither aromatic nor planar;
-/// of at most 64 bonds.
+/// Systems that consist only of such rings, have at most 64 bonds, and have an atom that is neither
+/// aromatic nor planar.
 std::vector<RingSystem> ring_systems(const BondChemistry& chemistry);
 
-/// Pairs, a < b, across those angles at tetrahedral atoms of the system that have a bond of it for
-/// a side, sorted: they give way when it takes another form.
+/// Pairs, a < b, sorted, across the angles at tetrahedral atoms with a bond of the system as a
+/// side, which change when the system takes another form.
 std::vector<Bar> system_angles(const RingSystem& system, const BondChemistry& chemistry);
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The forms that a system of small rings which share bonds can take.
+// The forms of a system of small rings that share bonds.
 #pragma once
 
 #include <span>
@@ -12,11 +12,11 @@
 
 namespace pliant {
 
-/// Forms of a system with all bars of the framework between its atoms but those across
-/// `system_angles`, which may be off by 0.12 Angstrom, and with the handedness of each atom at
-/// which three bonds of the system meet. The first is that of `start`. What Gauss-Newton steps
-/// reach from 300 starts, always the same ones: the system as it is or pressed flat, atoms shifted
-/// at random. Two forms differ by 0.37 Angstrom (root of the sum of squares).
+/// Forms of a system that satisfy all bars between its atoms, except those across `system_angles`,
+/// which may deviate by 0.12 Angstrom, and that keep the handedness of each atom with three bonds
+/// of the system. That of `start` is the first. The others result from Gauss-Newton steps from 300
+/// fixed starts: the system as it is or flattened, with atoms shifted at random. Two forms differ
+/// by 0.37 Angstrom (root of the sum of squares).
 std::vector<RingForm> system_forms(const RingSystem& system, const Framework& framework,
                                    const BondChemistry& chemistry, std::span<const Vec3> start);
 
