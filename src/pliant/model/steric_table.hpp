@@ -15,8 +15,8 @@
 namespace pliant {
 
 /// Names of the kinds of atom in the order of their numbers: C N NH O OH S H HC M X. NH and OH have
-/// hydrogens, or may have some that the file lacks; H is polar, HC on carbon, M a metal, X any other; F
-/// counts as O; P, Se and other halogens count as S.
+/// hydrogens, or may have some that the file lacks; H is polar, HC on carbon, M a metal, X any
+/// other; F counts as O; P, Se and other halogens count as S.
 std::vector<std::string_view> steric_kind_names();
 
 /// The sterics of a structure whose bonds are known: kinds, table, and bonds for exclusion (up to
