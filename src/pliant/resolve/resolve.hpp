@@ -16,8 +16,8 @@
 
 namespace pliant {
 
-/// Resolves again and again with one technique on one framework, without allocating after the
-/// first call. Holds the plan of the last root joint. Not for two threads at once.
+/// Resolves repeatedly with one technique on one framework, without allocating after the first
+/// call. Holds the plan of the last root joint. Not thread-safe.
 class Resolver {
  public:
   /// The framework must outlive the resolver.
@@ -27,8 +27,8 @@ class Resolver {
   ~Resolver();
   Resolver(Resolver&&) noexcept;
 
-  /// Moves `positions` (N, Angstrom) until all bars are within the tolerance or a limit is met.
-  /// If a length stops being finite they are put back as they were.
+  /// Moves `positions` (N, Angstrom) until all bars are within the tolerance or a limit is reached.
+  /// If a length stops being finite, the positions are restored.
   ///
   /// `disturbed` says what may be broken; its root is where orderings begin. Where it lists joints,
   /// nothing else has moved since all bars were whole: techniques that know how (`blocks`,
@@ -36,36 +36,36 @@ class Resolver {
   /// the framework, and the others do as ever. The summary's residuals are then those of the bars
   /// at the joints listed and at moved(), and rms_residual is -1.
   ///
-  /// `step` is the step number that random draws depend on. `reference` (N, or none, Angstrom) are
-  /// whole positions before the push, in which `shake` looks for the directions of the bars; other
-  /// techniques do not look at it.
-  /// Throws OptionError if the number of positions is wrong or a joint does not exist.
+  /// Random draws depend on the step number `step`. `reference` (N, or none, Angstrom) are whole
+  /// positions before the push, from which `shake` takes the directions of the bars; other
+  /// techniques ignore it. Throws OptionError if the number of positions is wrong or a joint does
+  /// not exist.
   ResolveSummary resolve(std::span<Vec3> positions, const Disturbed& disturbed,
                          std::int64_t step = 0, std::span<const Vec3> reference = {});
 
-  /// The same where any joint may have moved; `root` is the pushed one.
+  /// The same if any joint may have moved; `root` is the pushed one.
   ResolveSummary resolve(std::span<Vec3> positions, Joint root = 0, std::int64_t step = 0,
                          std::span<const Vec3> reference = {}) {
     return resolve(positions, Disturbed{root}, step, reference);
   }
 
-  /// The same where nothing but `root` has moved since all bars were whole.
+  /// The same if only `root` has moved since all bars were whole.
   ResolveSummary resolve_near(std::span<Vec3> positions, Joint root, std::int64_t step = 0,
                               std::span<const Vec3> reference = {}) {
     return resolve(positions, Disturbed{root, false, {&root, 1}}, step, reference);
   }
 
-  /// Random draws are this walker's from now on (ResolveOptions::walker).
+  /// Sets the walker of later random draws (ResolveOptions::walker).
   void set_walker(std::uint64_t walker);
-  /// Limits that are off from now on: (L) 1 for off, or empty for none (State::limits_off).
-  /// Throws OptionError if there are as many neither as limits nor none.
+  /// Sets the limits that are off from now on: (L) 1 for off, or empty for none
+  /// (State::limits_off). Throws OptionError if the number is neither that of the limits nor 0.
   void set_limits_off(std::span<const std::uint8_t> off);
   /// Throws what resolve() throws for such arguments.
   void check_arguments(std::span<const Vec3> positions, const Disturbed& disturbed,
                        std::span<const Vec3> reference) const;
 
-  /// The joints, apart from those disturbed, that the last resolve moved; a disturbed joint may be
-  /// among them. Nothing if any joint may have moved.
+  /// The joints that the last resolve moved, without those disturbed unless it moved them, too.
+  /// Nothing if any joint may have moved.
   std::optional<std::span<const Joint>> moved() const;
 
  private:

@@ -11,21 +11,21 @@
 
 namespace pliant {
 
-/// Where a push began and where it led, (N) each.
+/// Positions before and after a push, (N) each.
 struct WayOfPush {
   std::span<const Vec3> from, to;
 };
 
 class BlockSolver {
  public:
-  /// `blocks` are the bars of each; the framework must outlive it.
+  /// `blocks` has the bars of each block; the framework must outlive it.
   BlockSolver(const Framework& framework, const Technique& technique, const Tolerance& tolerance,
               std::span<const std::vector<BarIndex>> blocks);
 
-  /// False if a block is so entangled (hubs of many bars) that it is left to sweeps.
+  /// False if some block has hubs of so many bars that it is left to sweeps.
   bool holds_all() const { return holds_all_; }
   std::size_t count() const { return parts_.size(); }
-  /// Calls `look` with each joint of a block that is held.
+  /// Calls `look` with each joint of a block that is solved here.
   template <class Look>
   void each_joint(std::uint32_t block, Look look) const {
     const auto joints = parts_[block]->joints;
@@ -33,24 +33,25 @@ class BlockSolver {
   }
 
   /// Some block has so many bars a joint that damping is needed (BarNewton::is_overbraced).
+  /// Whether some block has so many bars a joint that damping is needed (BarNewton::is_overbraced).
   bool any_overbraced() const;
-  /// What the loops over a block look at.
+  /// The pattern of a block's equations, for loops over its bars.
   BarPattern pattern(std::uint32_t block) const { return equations_.pattern(*parts_[block]); }
-  /// The same with `entry` held still.
+  /// The same with `entry` held fixed.
   BarPattern hold(std::uint32_t block, Joint entry) {
     equations_.hold(*parts_[block], entry);
     return pattern(block);
   }
 
-  /// Makes the block whole with `entry` held still, random draws depending on `key`, adding to the
-  /// summary's counts. False if it is not held or Newton's method stalled: positions are then as
-  /// good as they got.
+  /// Makes the block whole with `entry` held fixed; random draws depend on `key`. Adds to the
+  /// summary's counts. Returns false if the block is left to sweeps or Newton's method stalls, with
+  /// the best positions found.
   bool solve(std::uint32_t block, Joint entry, const RandomKey& key, std::span<Vec3> positions,
              ResolveSummary& summary);
 
-  /// The same for a block that could not follow a push: carried along with `entry`, it follows half
-  /// of it, a quarter, or none, which is whole if the block was whole before the push. None of its
-  /// joints but `entry` may be pinned.
+  /// Solves a block that could not follow a push: it is carried along with `entry`, and its joints
+  /// follow the push by half, a quarter or nothing. The last is whole if the block was whole before
+  /// the push. No joint except `entry` may be pinned.
   bool go_part_of_the_way(std::uint32_t block, Joint entry, const RandomKey& key,
                           const WayOfPush& way, std::span<Vec3> positions, ResolveSummary& summary);
 

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Technique `blocks`: bridges exact in one outward pass, every block (ring system) alone by Newton.
+// Technique `blocks`: bridges exactly in one outward pass, and each block (ring system) by Newton's
+// method.
 //
-// The bridges and blocks of a graph hang together as a tree. Going outward from the root, a bridge
-// is made whole by moving its far end alone, which breaks nothing that was made whole before; a
-// block is made whole with the joint by which it is entered held still, which breaks nothing
-// either. One pass therefore resolves any molecule of chains and rings.
+// The bridges and blocks of a graph form a tree. Going outward from the root, a bridge is made
+// whole by moving its far end alone, and a block with the joint of its entry held fixed. Neither
+// breaks bars that were made whole before, so that one pass resolves any molecule of chains and
+// rings.
 #pragma once
 
 #include <memory>

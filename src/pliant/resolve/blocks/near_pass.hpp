@@ -11,23 +11,23 @@
 
 namespace pliant {
 
-/// Breadth first from each disturbed joint over broken bars and blocks. A bar that is whole is left
-/// alone and nothing behind it is looked at. A bond behind which the chain bends passes on a part
-/// of the push only, so the region is small.
+/// Breadth first from each disturbed joint over broken bars and blocks. Whole bars are left alone
+/// and end the search. A bond behind which the chain bends passes on only a part of the push, so
+/// that the region is small.
 class NearPass {
  public:
   /// All three must outlive it.
   NearPass(const Framework& framework, const OutwardPlanner& planner, BlockSolver& blocks,
            const Tolerance& tolerance);
 
-  /// Notes in call.moved. False if a block could not be resolved.
+  /// Notes moved joints in call.moved. Returns false if a block could not be resolved.
   bool run(const ResolveCall& call, ResolveSummary& summary);
 
  private:
   static constexpr BarIndex no_bar = ~BarIndex{0};
   struct Reached {
     Joint joint;
-    BarIndex over;  ///< the bridge over which it was reached, if it was one
+    BarIndex over;  ///< the bridge over which it was reached, if any
   };
 
   bool run_from(Joint joint, const ResolveCall& call, ResolveSummary& summary);
@@ -40,9 +40,9 @@ class NearPass {
   BlockSolver& blocks_;
   Tolerance tolerance_;
   std::vector<Reached> reached_;          ///< in the pass from one joint
-  std::vector<std::uint8_t> is_entered_;  ///< by block
+  std::vector<std::uint8_t> is_entered_;  ///< (blocks)
   std::vector<std::uint32_t> entered_;
-  std::vector<Vec3> before_;  ///< of the joints of a block, to tell which it moves
+  std::vector<Vec3> before_;  ///< of a block's joints, to find which ones moved
 };
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The outward pass: bridges and blocks in an order in which each hangs on what came before.
+// The outward pass: bridges and blocks in an order in which each is connected to earlier ones.
 #pragma once
 
 #include <limits>
@@ -12,12 +12,12 @@ namespace pliant {
 
 inline constexpr auto no_block = std::numeric_limits<std::uint32_t>::max();
 
-/// One thing to make whole: a bridge (near joint whole already, far joint to move), or a block of
+/// A step of the pass: a bridge (near joint placed already, far joint to be moved), or a block of
 /// two or more bars entered at `near`.
 struct OutwardStep {
   Joint near = 0;
-  Joint far = 0;                   ///< of a bridge
-  BarIndex bar = 0;                ///< of a bridge
+  Joint far = 0;  ///< for a bridge
+  BarIndex bar = 0;  ///< for a bridge
   std::uint32_t block = no_block;  ///< index into OutwardPlanner::blocks(); no_block for a bridge
 };
 
@@ -29,11 +29,11 @@ class OutwardPlanner {
   /// Blocks of two or more bars, each with its bars in the order of the input.
   std::span<const std::vector<BarIndex>> blocks() const { return blocks_; }
 
-  /// The index into blocks() of a bar's block; no_block for a bridge.
+  /// Index into blocks() of a bar's block; no_block for a bridge.
   std::uint32_t block_of(BarIndex bar) const { return block_of_bar_[bar]; }
 
-  /// Fills `out`. Components that hold pinned joints begin at the lowest of these, the root's
-  /// component else at the root, others at their lowest joint.
+  /// Fills `out`. A component with pinned joints begins at the lowest of these; otherwise the
+  /// root's component begins at the root, and others at their lowest joint.
   void plan(Joint root, std::vector<OutwardStep>& out);
 
  private:

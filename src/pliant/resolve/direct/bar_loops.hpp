@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// The loops of Newton's method on bars that one walker and eight walkers in lanes share: Real is
-// double or Lanes, Vec is Vec3 or LaneVec3. One source makes them the same arithmetic, bit by bit.
+// The loops of Newton's method on bars, shared by one walker and eight walkers in lanes: Real is
+// double or Lanes, Vec is Vec3 or LaneVec3. One source gives the same arithmetic, bit by bit.
 //
-// Arrays of Real and Vec begin with the part's first bar, joint or entry; BarPattern counts from
-// the first part on.
+// Arrays of Real and Vec begin with the part's first bar, joint or entry; indices of BarPattern
+// count from the first part.
 #pragma once
 
 #include "pliant/base/vec3.hpp"
@@ -11,10 +11,10 @@
 
 namespace pliant {
 
-/// Steps that did not pay after which iterations are given up: of BarNewton, of shake, of
+/// Number of steps without gain after which iterations end: of BarNewton, of shake, of
 /// NearestPoint.
 inline constexpr int newton_bad_steps = 3, shake_bad_steps = 5, nearest_bad_steps = 3;
-/// NearestPoint's conjugate gradients end when the error is this part of what it was.
+/// Relative error at which the conjugate gradients of NearestPoint end.
 inline constexpr double inner_accuracy = 1e-2;
 inline constexpr int most_inner_iterations = 40;
 
@@ -34,16 +34,15 @@ inline void fill_gram(const BarPattern& part, const Vec* directions, double damp
   }
 }
 
-/// A pivot below this part of the diagonal entry is rounding: the column depends on earlier ones.
+/// A pivot below this share of the diagonal entry is rounding: the column depends on earlier ones.
 inline constexpr double vanishing_pivot = 1e-11;
 
-/// Factors in place. Calls `drop` with the truth of each pivot's vanishing; such columns are left
-/// out.
+/// Factors in place. Calls `drop` with whether each pivot vanishes; such columns are left out.
 template <class Real, class Drop>
 inline void factor_columns(const LdlPattern& ldl, std::uint32_t first, std::uint32_t end,
                            Real* diagonal, Real* inverse, Real* lower, Drop drop) {
   const std::uint32_t first_entry = ldl.column_begin[first];
-  // What the diagonal was before eliminating, to see a pivot vanish beside it.
+  // The diagonal before elimination, to recognize vanishing pivots.
   for (std::uint32_t k = 0; k < end - first; ++k) inverse[k] = Real(vanishing_pivot) * diagonal[k];
   for (std::uint32_t k = first; k < end; ++k) {
     const Real pivot = diagonal[k - first];
@@ -63,7 +62,7 @@ inline void factor_columns(const LdlPattern& ldl, std::uint32_t first, std::uint
   }
 }
 
-/// Solves in place with what factor_columns made.
+/// Solves in place with the factors of factor_columns.
 template <class Real>
 inline void solve_columns(const LdlPattern& ldl, std::uint32_t first, std::uint32_t end,
                           const Real* inverse, const Real* lower, Real* b) {
@@ -75,14 +74,14 @@ inline void solve_columns(const LdlPattern& ldl, std::uint32_t first, std::uint3
   }
   for (std::uint32_t k = end; k-- > first;) {
     Real value = b[k - first] * inverse[k - first];
-    // A column left out has no entries to take part with: its factor is 0.
+    // A column that was left out has no entries to be divided: its factor is 0.
     for (std::uint32_t p = ldl.column_begin[k]; p < ldl.column_begin[k + 1]; ++p)
       value -= lower[p - first_entry] * b[ldl.rows[p] - first];
     b[k - first] = value;
   }
 }
 
-/// v -= W J^T lambda, of joints from bars.
+/// v -= W J^T lambda: from bars to joints.
 template <class Real, class Vec>
 inline void pull_joints(const BarPattern& part, const Vec* directions, const Real* lambda, Vec* v) {
   const std::uint32_t first = part.bars.begin, first_joint = part.joints.begin;
@@ -94,7 +93,7 @@ inline void pull_joints(const BarPattern& part, const Vec* directions, const Rea
   }
 }
 
-/// out = J v, of bars from joints.
+/// out = J v: from joints to bars.
 template <class Real, class Vec>
 inline void stretch_bars(const BarPattern& part, const Vec* directions, const Vec* v, Real* out) {
   const std::uint32_t first = part.bars.begin, first_joint = part.joints.begin;
@@ -104,7 +103,7 @@ inline void stretch_bars(const BarPattern& part, const Vec* directions, const Ve
   }
 }
 
-/// out += W (sum of lambda_k times the Laplacian of bar k) v, of joints.
+/// out += W (sum of lambda_k times the Laplacian of bar k) v, for joints.
 template <class Real, class Vec>
 inline void bend_joints(const BarPattern& part, const Real* lambda, const Vec* v, Vec* out) {
   const std::uint32_t first = part.bars.begin, first_joint = part.joints.begin;
@@ -116,7 +115,7 @@ inline void bend_joints(const BarPattern& part, const Real* lambda, const Vec* v
   }
 }
 
-/// sum of m_j v_j w_j over `count` joints.
+/// Sum of m_j v_j w_j over `count` joints.
 template <class Real, class Vec>
 inline Real weighted_product(const double* masses, const Vec* v, const Vec* w,
                              std::uint32_t count) {
@@ -126,10 +125,10 @@ inline Real weighted_product(const double* masses, const Vec* v, const Vec* w,
   return sum.x + sum.y + sum.z;
 }
 
-/// A move below this part of the coordinates is rounding.
+/// A move below this share of the coordinates is rounding.
 inline constexpr double rounding_of_coordinates = 16.0 * 0x1p-52;
 
-/// The square of the largest move, in units of the error that the bars of its joint are allowed.
+/// The square of the largest move, in units of the error allowed for the bars of its joint.
 template <class Real, class Vec>
 inline Real asked_squared(const double* allowed, const Vec* x, const Vec* move,
                           std::uint32_t count) {

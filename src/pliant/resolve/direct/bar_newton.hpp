@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Newton's method on the bars of one part of BarEquations, all at once. Each iteration is the
-// smallest weighted move that satisfies the bars to first order, so the error squares from one to
+// Newton's method on all bars of one part of BarEquations. Each iteration makes the smallest
+// weighted move that satisfies the bars to first order, so that the error is squared from one to
 // the next.
 //
-// Where bars are redundant (planar centres, cages with angles) J W J^T is singular or nearly so.
-// Then its diagonal is raised in proportion to the error left (Levenberg, Marquardt), which costs
-// iterations but no accuracy, for redundant bars ask for nothing that others forbid.
+// With redundant bars (planar centres, cages with angles) J W J^T is singular or nearly so. Its
+// diagonal is then raised in proportion to the error (Levenberg, Marquardt), which costs iterations
+// but no accuracy, because redundant bars do not contradict the others.
 #pragma once
 
 #include <functional>
@@ -16,32 +16,31 @@
 
 namespace pliant {
 
-/// Asked before each iteration; false ends it.
+/// Called before each iteration; false ends the solution.
 using MayGoOn = std::function<bool()>;
 
-/// How solving a part went.
+/// The result of solving a part.
 struct PartResult {
   bool whole = false;
   std::int64_t iterations = 0;
   std::int64_t dropped_bars = 0;  ///< dependent bars left out of the last matrix
-  /// The largest move towards the nearest whole positions that was still asked for (Angstrom); -1
-  /// where these were not looked for.
+  /// Largest move towards the nearest whole positions that remained to be made (Angstrom); -1 if
+  /// these were not sought.
   double off_nearest = -1.0;
 };
 
-/// Scratch for making parts of `equations` whole. Appending parts afterwards is allowed.
+/// Makes parts of `equations` whole. Parts may be appended afterwards.
 class BarNewton {
  public:
   explicit BarNewton(BarEquations& equations) : equations_(equations) {}
 
   /// Moves equations.positions() of the part until its bars are within the tolerance, or the error
-  /// stops falling: the positions are then as good as they got. Coincident joints and lengths that
-  /// are not finite are left as they are.
-  /// `key` is what pushes out of local minima depend on.
+  /// stops falling, which leaves the best positions found. Coincident joints and lengths that are
+  /// not finite are not repaired. Pushes out of local minima depend on `key`.
   PartResult make_whole(BarEquations::Part part, const RandomKey& key, const MayGoOn& may_go_on);
 
-  /// Rings and cages of bonds have one to one and a half bars a joint; with 1-3 bars there are two
-  /// and more, and where centres are planar some depend on others.
+  /// Whether damping is needed. Rings and cages of bonds have one to one and a half bars a joint;
+  /// with 1-3 bars there are two and more, some of which are redundant at planar centres.
   static bool is_overbraced(BarEquations::Part part);
 
  private:
@@ -56,10 +55,10 @@ class BarNewton {
   void copy(Part part, std::span<const Vec3> from, std::span<Vec3> to) const;
 
   BarEquations& equations_;
-  std::vector<Vec3> best_;    ///< of the joints of the equations, since the last push
-  std::vector<Vec3> least_;   ///< and of all
-  std::vector<bool> pushed_;  ///< of the joints
-  bool ended_ = false;        ///< there is to be no other iteration
+  std::vector<Vec3> best_;  ///< of the joints, since the last push
+  std::vector<Vec3> least_;  ///< the same over all pushes
+  std::vector<bool> pushed_;  ///< (joints)
+  bool ended_ = false;  ///< no further iteration is allowed
 };
 
 }  // namespace pliant

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// What the direct methods `newton` and `shake` share: they take each component alone, leave whole
-// ones untouched, part coincident joints first, count, and hand what they cannot finish to sweeps.
-// Joints always move by their inverse masses: that is what these methods are.
+// What the direct methods `newton` and `shake` share: they solve each component separately, skip
+// whole ones, part coincident joints first, count, and leave the rest to sweeps. Joints always move
+// by their inverse masses, as these methods are defined.
 #pragma once
 
 #include <memory>
@@ -18,7 +18,7 @@ class ComponentEquations {
  public:
   ComponentEquations(const Framework& framework, const Tolerance& tolerance);
 
-  /// Some component is left to sweeps: its bars are too entangled.
+  /// Whether some component is left to sweeps because of too many entries in its factors.
   bool entangled() const { return entangled_; }
   std::span<const BarEquations::Part> parts() const { return parts_; }
   BarEquations& equations() { return equations_; }
@@ -33,13 +33,13 @@ class ComponentEquations {
 class PartSolver {
  public:
   virtual ~PartSolver() = default;
-  /// Begins at `broken` (of the joints of the equations); joints that coincided there have parted
-  /// at equations.positions(). Leaves its answer there.
+  /// Starts from `broken` (of the joints of the equations) and from equations.positions(), where
+  /// coincident joints have been parted. Leaves its result there.
   virtual PartResult solve(BarEquations::Part part, std::span<const Vec3> broken,
                            const ResolveCall& call, const MayGoOn& may_go_on) = 0;
 };
 
-/// A solver for the parts of these equations.
+/// Makes a solver for the parts of these equations.
 using MakePartSolver = std::unique_ptr<PartSolver> (*)(BarEquations& equations);
 
 std::unique_ptr<Method> make_direct_method(const Framework& framework,

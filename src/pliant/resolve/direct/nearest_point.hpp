@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
-// The nearest whole positions: of all positions x at which the bars of a part are whole, those that
-// minimise 1/2 sum_j m_j |x_j - y_j|^2, y being the broken ones (projection onto the constraint
-// manifold in the mass-weighted norm). With d, J, W of BarEquations and M = W^-1 the conditions are
+// The nearest whole positions: among the positions x at which the bars of a part are whole those
+// that minimise 1/2 sum_j m_j |x_j - y_j|^2, where y are the broken ones (projection onto the
+// constraint manifold in the mass-weighted norm). With d, J, W of BarEquations and M = W^-1 the
+// conditions are (Karush, Kuhn, Tucker)
 //
-//   M (x - y) + J(x)^T lambda = 0,   |d_k| = L_k                                (Karush, Kuhn,
-//   Tucker)
+//   M (x - y) + J(x)^T lambda = 0,   |d_k| = L_k
 //
-// and the Lagrange-Newton step (sequential quadratic programming) minimises
-// 1/2 s^T H s + (M (x - y) + J^T lambda)^T s over J s = -C with H = M + sum_k lambda_k (Laplacian
-// of bar k). s = n + t: n = -W J^T (J W J^T)^-1 C restores the bars, t keeps them to first order
-// and is found by conjugate gradients preconditioned with the projection onto such moves (Gould,
-// Hribar, Nocedal, SIAM J. Sci. Comput. 23 (2001) 1376), so that J W J^T is the only matrix ever
-// factored.
+// and the Lagrange-Newton step (sequential quadratic programming) minimises 1/2 s^T H s + (M (x -
+// y) + J^T lambda)^T s over J s = -C with H = M + sum_k lambda_k (Laplacian of bar k). s = n + t,
+// where n = -W J^T (J W J^T)^-1 C restores the bars, and t, which keeps them to first order, is
+// found by conjugate gradients preconditioned with the projection onto such moves (Gould, Hribar,
+// Nocedal, SIAM J. Sci. Comput. 23 (2001) 1376), so that only J W J^T is ever factored.
 #pragma once
 
 #include <vector>
@@ -20,10 +19,10 @@
 
 namespace pliant {
 
-/// What moves are weighed by, of the joints of the equations.
+/// Scales of moves, for the joints of the equations.
 struct JointScales {
   std::vector<double> masses;   ///< u; 0 for pinned joints
-  std::vector<double> allowed;  ///< Angstrom, the least error that any of its bars is allowed
+  std::vector<double> allowed;  ///< Angstrom, least error allowed for any bar of the joint
 };
 JointScales joint_scales(const BarEquations& equations);
 
@@ -31,8 +30,8 @@ class NearestPoint {
  public:
   explicit NearestPoint(BarEquations& equations) : equations_(equations), newton_(equations) {}
 
-  /// Moves equations.positions() of the part to whole positions nearest to `broken` (of the joints
-  /// of the equations, in mass-weighted distance), beginning where they are.
+  /// Moves equations.positions() of the part to the whole positions nearest to `broken` (of the
+  /// joints of the equations, in mass-weighted distance), starting from equations.positions().
   PartResult find(BarEquations::Part part, std::span<const Vec3> broken, const RandomKey& key,
                   const MayGoOn& may_go_on);
 

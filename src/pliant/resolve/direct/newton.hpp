@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Technique `newton`: the whole positions nearest to the broken ones in the mass-weighted distance.
+// Technique `newton`: finds the whole positions nearest to the broken ones in mass-weighted
+// distance.
 #pragma once
 
 #include <memory>

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: MIT
-// L D L^T (square-root free Cholesky) of very sparse symmetric matrices whose pattern stays the
-// same while their values change. What goes where is found out once and kept as one list of places,
-// so that a factorization is a single run through memory without search, branch or allocation:
-// molecules have two or three entries a column, where general solvers spend their time on
-// book-keeping.
+// L D L^T (square-root free Cholesky) of very sparse symmetric matrices with a fixed pattern and
+// changing values. The positions of all entries are found once, so that a factorization is a single
+// run through memory without search, branch or allocation. Molecules have two or three entries a
+// column, for which general solvers spend most time on book-keeping.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +13,7 @@
 
 namespace pliant {
 
-/// Several matrices beside one another on one diagonal: consecutive columns that no entry joins.
+/// Several matrices on one diagonal, as consecutive columns without common entries.
 class SparseLdl {
  public:
   /// An entry below the diagonal.
@@ -24,12 +23,12 @@ class SparseLdl {
   /// Columns that are factored together.
   using Range = PartRange;
 
-  /// Appends a matrix of `size` columns; `entries` count columns and rows from 0, in any order.
-  /// Returns its columns, or none (and appends nothing) where the factor would have too many
+  /// Appends a matrix of `size` columns; `entries` number its columns and rows from 0, in any
+  /// order. Returns its columns, or none (and appends nothing) if the factor would have too many
   /// entries to be of use.
   Range append(std::uint32_t size, std::vector<Entry> entries);
 
-  /// Entries below the diagonal of column k, those included that only factoring fills.
+  /// Entries below the diagonal of column k, with fill.
   Range column(std::uint32_t k) const { return {column_begin_[k], column_begin_[k + 1]}; }
   std::uint32_t row(std::uint32_t entry) const { return rows_[entry]; }
   std::size_t entry_count() const { return rows_.size(); }
@@ -41,10 +40,10 @@ class SparseLdl {
   std::span<double> diagonal() { return diagonal_; }
   std::span<double> lower() { return lower_; }
 
-  /// Columns whose pivot vanishes beside the diagonal entry they began with (they depend on earlier
-  /// ones) are left out: their unknown will be 0. Returns how many.
+  /// Factors a matrix. Columns whose pivot vanishes relative to their original diagonal entry
+  /// depend on earlier ones and are left out: their unknown will be 0. Returns how many.
   std::int64_t factor(Range range);
-  /// Solves in place; `b` has the length of the whole diagonal.
+  /// Solves in place; `b` is as long as the whole diagonal.
   void solve(Range range, std::span<double> b) const;
 
  private:
@@ -56,7 +55,7 @@ class SparseLdl {
   std::vector<std::uint32_t> rows_;
   std::vector<std::uint64_t> target_begin_{0};  ///< (columns + 1) into targets_
   std::vector<std::uint32_t>
-      targets_;  ///< for each pair of entries of a column: the one they change
+      targets_;  ///< the entry that each pair of entries of a column changes
   std::vector<double> diagonal_, inverse_, lower_;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Technique `froda`: rigid units pulled to where a push left their joints, by their torsions, and
-// out of each other until limits and sterics hold.
+// Technique `froda`: rigid units are pulled by their torsions to where a push left their joints,
+// and pushed apart until limits and sterics hold.
 #pragma once
 
 #include <memory>
@@ -9,9 +9,9 @@
 
 namespace pliant {
 
-/// Begins where the bars were whole before the push (ResolveCall::reference), or if that is not
-/// known at what `units_nearest` makes of the positions. Frameworks with pinned joints, of the
-/// plane or with many loops of units, and what it leaves broken, are resolved as by `anderson`.
+/// Starts from the whole positions before the push (ResolveCall::reference), or, if these are not
+/// known, from the result of `units_nearest`. Frameworks with pinned joints, in a plane or with
+/// many loops of units are resolved as by `anderson`, and so is what it leaves broken.
 std::unique_ptr<Method> make_froda(const Framework& framework, const Technique& technique,
                                    const ResolveOptions& options);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// One frame on its way: where its joints are, where the push wants them, which contacts are broken,
-// and so what its next step is asked for. Who takes the steps is left open: a FrodaSolver alone, or
-// FrodaLanes for eight frames at once.
+// The state of one frame: positions of its joints, the targets of the push, the broken contacts,
+// and the request for its next step. A FrodaSolver takes the steps of one frame, FrodaLanes those
+// of eight at once.
 #pragma once
 
 #include <memory>
@@ -16,61 +16,61 @@
 namespace pliant {
 
 struct FrodaOptions {
-  double limit = 0.08;    ///< Angstrom: how far a limit may be outside its interval
-  double overlap = 0.08;  ///< Angstrom: how much nearer than allowed two joints may be
-  /// Angstrom: steps end where both are below this, or gain no more.
+  double limit = 0.08;  ///< Angstrom by which a limit may be outside its interval
+  double overlap = 0.08;  ///< Angstrom by which two joints may be nearer than allowed
+  /// Angstrom: steps end when both are below this, or when nothing more is gained.
   double goal = 0.02;
-  /// Sees contacts at every step, and takes conjugate gradients in each: for pushes of more than
-  /// some Angstrom, through which chains must not pass each other.
+  /// Considers contacts at every step, with conjugate gradients in each: for pushes of several
+  /// Angstrom, during which chains must not pass through each other.
   bool is_careful = false;
-  int conjugate_gradients = 2;  ///< of careful steps
-  double leg = 2.0;             ///< Angstrom: targets on the way are no further apart
-  int last_steps = 60;          ///< that contacts alone get
-  /// Torsion preferences pull, in steps that see contacts. For frames that are made from one start:
-  /// in a run, whose steps add up, they would hold back what is pushed on and on.
+  int conjugate_gradients = 2;  ///< iterations of careful steps
+  double leg = 2.0;  ///< Angstrom: largest distance between intermediate targets
+  int last_steps = 60;  ///< number of steps for contacts alone
+  /// Torsion preferences pull in steps that consider contacts. Only for frames from one start: in a
+  /// run, whose steps add up, they would resist continued pushes.
   bool has_torsion_preferences = false;
 };
 
 struct FrodaOutcome {
-  /// Limits and least distances hold, loops are closed, and to close them no joint went further
+  /// Limits and least distances hold, loops are closed, and closing them moved no joint by more
   /// than 0.3 Angstrom at the end.
   bool is_whole = false;
   double max_limit = 0.0;    ///< largest distance of a limit outside its interval (Angstrom)
   double max_overlap = 0.0;  ///< largest overlap (Angstrom)
   double max_closing = 0.0;  ///< largest move of a joint by the steps that closed loops (Angstrom)
   int steps = 0;
-  /// Over all steps: bodies that were looked at. Not those of molecules that nothing touched.
+  /// Bodies visited, over all steps. Molecules that nothing touched do not count.
   std::int64_t visits = 0;
 };
 
-/// Not for two threads at once.
+/// Not thread-safe.
 class FrodaFrame {
  public:
-  /// Both outlive it. `unit` (Angstrom): of the lengths by which steps are bounded, 1 for
+  /// Both must outlive it. `unit` (Angstrom) is the unit of lengths that bound steps, 1 for
   /// molecules.
   FrodaFrame(const Framework& framework, const BodyPlan& plan, double unit = 1.0);
 
-  /// `start` (N, Angstrom): all bars are whole. `target` (N): where the push wants the joints.
+  /// `start` (N, Angstrom): whole positions. `target` (N): where the push wants the joints.
   void begin(std::span<const Vec3> start, std::span<const Vec3> target, const FrodaOptions& options,
              LimitsOff limits_off);
 
-  // Each of these says in request() what the next step is asked for; false: there is none. All
-  // pulls come first, then contacts alone, then loops.
-  /// To targets at a share of the push. If it sees contacts, the step mends them too.
+  // Each of these puts the request for the next step into request(), or returns false if there is
+  // none. Pulls come first, then steps for contacts alone, then those that close loops.
+  /// Pulls to targets at a share of the push. If it sees contacts, the step repairs them, too.
   void ask_for_pull(double share, bool sees_contacts);
   bool ask_for_careful_pull();
-  bool ask_for_contacts();  ///< until all hold or nothing is gained any more
+  bool ask_for_contacts();  ///< until all hold or nothing more is gained
   bool ask_for_closing();   ///< until loops are closed
 
-  int legs() const { return legs_; }  ///< targets, at most a leg apart, the last one included
+  int legs() const { return legs_; }  ///< number of targets, at most a leg apart, with the last one
   const StepRequest& request() const { return request_; }
-  std::span<Vec3> positions() { return x_; }  ///< of places, from the frame's own origin
+  std::span<Vec3> positions() { return x_; }  ///< of places, relative to the frame's own origin
   const WorkingTrees& working() const { return working_; }
 
-  /// After a step has moved the positions.
+  /// To be called after a step has moved the positions.
   void note_step();
   bool has_broken_contacts();  ///< at the start of a pull
-  /// The outcome; writes `out` (N).
+  /// Returns the result and writes `out` (N).
   FrodaOutcome finish(std::span<Vec3> out);
 
  private:
@@ -98,15 +98,15 @@ class FrodaFrame {
   std::unique_ptr<NearPairs> pairs_;  ///< null: no sterics
   Vec3 origin_;
   std::vector<Vec3> x_, start_, push_, target_, before_;  ///< of places, from the origin
-  double target_share_ = 0.0;                             ///< of the push, at which targets are
+  double target_share_ = 0.0;  ///< share of the push at the present targets
   std::size_t bodies_with_targets_ = 0;
   std::vector<ContactRow> rows_;
   StepRequest request_;
-  bool is_looked_at_ = false;  ///< rows_ and worst_ are those of x_
+  bool is_looked_at_ = false;  ///< rows_ and worst_ belong to x_
   Violation worst_;
   int legs_ = 1;
-  int pulls_ = 0, pushes_ = 0, closings_ = 0;  ///< that were asked for
-  // of contacts alone
+  int pulls_ = 0, pushes_ = 0, closings_ = 0;  ///< numbers of requests
+  // Progress of steps for contacts alone.
   double least_ = 0.0;
   int since_gain_ = 0;
   bool springs_let_go_ = false;

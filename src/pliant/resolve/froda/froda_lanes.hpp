@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Resolves many frames of one framework by careful steps, eight at once in SIMD lanes. When a frame
-// is whole, the next one takes its lane. Frames are bit for bit those of a FrodaSolver.
+// is finished, the next one takes its lane. Frames are bit for bit those of a FrodaSolver.
 #pragma once
 
 #include <array>
@@ -20,21 +20,22 @@ struct FrodaJob {
   FrodaOutcome outcome = {};
 };
 
-/// Not for two threads at once.
+/// Not thread-safe.
 class FrodaLanes {
  public:
-  /// Whether frames of this plan are worth lanes: no loops are cut, and eight frames are not too
-  /// much for a processor's cache.
+  /// Whether frames of this plan profit from lanes: no loops are cut, and eight frames fit a
+  /// processor's cache.
   static bool can_take(const BodyPlan& plan);
 
-  /// Both outlive it; can_take(plan). Steps are those of a FrodaSolver of unit 1.
+  /// Both must outlive it, and can_take(plan) must hold. Steps are those of a FrodaSolver of unit
+  /// 1.
   FrodaLanes(const Framework& framework, const BodyPlan& plan,
              const LaneKernels& kernels = *lane_levels().front());
 
-  FrodaLanes(const FrodaLanes&) = delete;  // points to what it holds
+  FrodaLanes(const FrodaLanes&) = delete;  // points to its own members
   FrodaLanes& operator=(const FrodaLanes&) = delete;
 
-  /// `options` are careful.
+  /// `options` must be careful.
   void resolve(std::span<FrodaJob> jobs, const FrodaOptions& options);
 
  private:

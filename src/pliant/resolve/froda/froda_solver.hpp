@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Resolves a framework with limits and sterics from any push, in torsion space: rigid units stay
-// exact at every step while they are pulled towards where the joints were pushed, and are then
-// pushed until every limit and every least distance holds. How and why: ../README.md, froda.
+// Resolves a framework with limits and sterics after any push, in torsion space: rigid units remain
+// exact at every step while they are pulled towards the pushed joints, and are then pushed until
+// every limit and every least distance holds. See ../README.md, froda.
 #pragma once
 
 #include <span>
@@ -10,16 +10,16 @@
 
 namespace pliant {
 
-/// Not for two threads at once.
+/// Not thread-safe.
 class FrodaSolver {
  public:
-  /// Both outlive it. `unit` (Angstrom): of the lengths by which steps are bounded and damped, 1
+  /// Both must outlive it. `unit` (Angstrom) is the unit of lengths that bound and damp steps, 1
   /// for molecules.
   FrodaSolver(const Framework& framework, const BodyPlan& plan, double unit = 1.0);
 
-  /// `start` (N, Angstrom): all bars are whole. `target` (N): where the push wants the joints.
-  /// Writes `out` (N; may be either): bars as whole as at the start, to rounding. A function of its
-  /// arguments alone.
+  /// `start` (N, Angstrom): whole positions. `target` (N): where the push wants the joints. Writes
+  /// `out` (N; may be either): bars as whole as at the start, to rounding. Depends on the arguments
+  /// alone.
   FrodaOutcome resolve(std::span<const Vec3> start, std::span<const Vec3> target,
                        std::span<Vec3> out, const FrodaOptions& options = {},
                        LimitsOff limits_off = {});

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The step of an ArticulatedStep for eight frames at once, in SIMD lanes, to the same bits.
-// Contacts, which differ from frame to frame, are added one by one.
+// Contacts, which differ between frames, are added one by one.
 #pragma once
 
 #include <array>
@@ -12,21 +12,21 @@
 
 namespace pliant {
 
-/// A frame that takes a step: its positions (places) and what the step is asked for.
+/// A frame that takes a step: its positions (places) and the request of the step.
 struct LaneStepFrame {
-  Vec3* x = nullptr;  ///< null: nobody is in this lane
+  Vec3* x = nullptr;  ///< null: the lane is empty
   const StepRequest* request = nullptr;
 };
 
 class LaneStep {
  public:
-  /// The plan outlives it, and has bodies and no cut loops. All bodies take part. `kernels`: of a
-  /// level.
+  /// The plan must outlive it, and has bodies but no cut loops. All bodies take part. `kernels` are
+  /// those of a level.
   LaneStep(const BodyPlan& plan, const LaneKernels& kernels);
-  LaneStep(const LaneStep&) = delete;  // points to what it holds
+  LaneStep(const LaneStep&) = delete;  // points to its own members
   LaneStep& operator=(const LaneStep&) = delete;
 
-  /// One step of each frame, with as many conjugate gradients for all; one frame at least.
+  /// Makes one step of each frame, with the same number of conjugate gradients; at least one frame.
   void step(std::span<const LaneStepFrame, lane_count> frames);
 
  private:
@@ -43,14 +43,14 @@ class LaneStep {
   const BodyPlan& plan_;
   const LaneKernels& kernels_;
   std::array<LaneStepFrame, lane_count> frames_;
-  LaneMask refined_ = 0;  ///< which have contacts, and so conjugate gradients
+  LaneMask refined_ = 0;  ///< lanes with contacts, and so with conjugate gradients
   int conjugate_gradients_ = 0;
   std::vector<LaneBody> bodies_;
   std::vector<LaneInertia> inertia_;
   std::vector<LaneTurn> turns_;
   std::vector<LaneSpring> springs_;
   std::vector<TurnSpring> no_springs_;
-  std::vector<LaneVector> x_, targets_;  ///< of places
+  std::vector<LaneVector> x_, targets_;  ///< (places)
   std::vector<LaneMotion> motion_;
   std::vector<LaneTwist> forces_, left_, image_, twists_, direction_, sum_, first_;
   std::vector<LaneValue> left_of_turns_, angles_, direction_angles_, sum_angles_, first_angles_;

@@ -9,7 +9,7 @@ namespace pliant::PLIANT_LANE_LEVEL {
 namespace {
 
 constexpr double infinity = __builtin_huge_val();
-constexpr std::size_t look_ahead = 16;  ///< bars between two questions whether to go on
+constexpr std::size_t look_ahead = 16;  ///< bars between two checks whether to go on
 
 template <class Bar>
 PLIANT_LANE_INLINE Lanes error_of(const Bar& bar, const LaneVec3& from, const LaneVec3& to) {
@@ -73,8 +73,9 @@ LaneResiduals measure(LaneList<LaneBar> bars, const LaneVector* positions, bool 
   return sum_squares ? measure_bars<true>(bars, x) : measure_bars<false>(bars, x);
 }
 
-/// Both ends are at hand, and the arithmetic waits for square roots and divisions: looking whether
-/// the bar is whole now costs next to nothing, which it does in a pass of its own.
+/// Checks that bars are whole while it carries them: both ends are at hand, and the arithmetic
+/// waits for square roots and divisions, so that this costs next to nothing, unlike a separate
+/// pass.
 LaneMask carry(LaneList<LaneBar> bridges, LaneVector* positions) {
   LaneVec3* x = vectors(positions);
   Mask well = Mask::all(true);
@@ -118,7 +119,8 @@ LaneMask sweep(LaneList<LaneVisit> visits, bool backwards, LaneVector* positions
   return coincident.bits();
 }
 
-/// Lanes of `whole` that still are after visits [from, to); `from` becomes where that ended.
+/// Returns the lanes of `whole` that are still whole after visits [from, to); sets `from` to the
+/// last visit.
 Mask look_at(const LaneVisit* visits, std::size_t& from, std::size_t to, const LaneVec3* x,
              Mask whole, Mask& infinite) {
   while (from < to && whole.bits() != 0) {

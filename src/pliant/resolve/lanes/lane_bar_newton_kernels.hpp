@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Newton's method on bars in lanes: the counterparts of BarNewton (blocks) and ShakeSolver; a part
-// of lane_level.cpp. Technique `newton` is in lane_nearest_kernels.hpp.
+// Newton's method on bars in lanes, as BarNewton (blocks) and ShakeSolver do it; a part of
+// lane_level.cpp. Technique `newton` is in lane_nearest_kernels.hpp.
 #pragma once
 
 #include "pliant/resolve/lanes/lane_part.hpp"
@@ -18,7 +18,8 @@ LaneResult result_of(Mask whole, Lanes iterations, Lanes dropped) {
   return result;
 }
 
-/// As BarNewton::step: the new error in units of what is allowed, infinite where it cannot go on.
+/// As BarNewton::step. Returns the new error in units of what is allowed; infinite if it cannot go
+/// on.
 PLIANT_LANE_INLINE Lanes newton_step(Part& part) {
   part.factor(part.directions);
   part.move(part.directions);
@@ -28,7 +29,7 @@ PLIANT_LANE_INLINE Lanes newton_step(Part& part) {
   return select(errors.finite & ~errors.coincident, error, infinity);
 }
 
-/// As BarNewton::make_whole, as far as BarNewton::iterate.
+/// As BarNewton::make_whole, except what follows BarNewton::iterate.
 LaneResult block_newton(const BarPattern& pattern, const LaneRoom& room, LaneVector* positions) {
   Part part(pattern, room);
   part.take(vectors(positions));
@@ -54,7 +55,7 @@ LaneResult block_newton(const BarPattern& pattern, const LaneRoom& room, LaneVec
   return result_of(~hopeless & (best <= 1.0), iterations, dropped);
 }
 
-/// Directions of the bars at the reference, where they have one there.
+/// Directions of the bars at the reference, where they have one.
 void take_directions(Part& part, const LaneVec3* reference) {
   const BarPattern& pattern = part.pattern;
   for (std::uint32_t k = pattern.bars.begin, i = 0; k < pattern.bars.end; ++k, ++i) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Bodies that hang on each other, in eight walkers at once: what a step in torsion space does to
-// all of them. The counterpart of ArticulatedPass and ArticulatedStep (resolve/froda), with the
-// same bits in each lane.
+// Operations of a step in torsion space on connected bodies in eight walkers at once. They do what
+// ArticulatedPass and ArticulatedStep (resolve/froda) do, with the same bits in each lane.
 #pragma once
 
 #include <cstddef>
@@ -37,7 +36,8 @@ struct LaneMotion {
   LaneVector rx, ry, rz, shift;
 };
 
-/// The bodies and what a step keeps of them. During a step only gather() and go_inward() change it.
+/// The bodies and what a step stores for them. During a step only gather() and go_inward() change
+/// it.
 struct LaneForest {
   LaneList<LaneBody> bodies;
   std::size_t turn_count;
@@ -47,7 +47,7 @@ struct LaneForest {
   const LaneSpring* springs;  ///< of turns
 };
 
-/// How bodies and turns move, or what pulls on them: values of bodies, then of turns.
+/// Motions of bodies and turns, or forces on them: values of bodies, then of turns.
 struct LaneMoves {
   LaneTwist* twists;
   LaneValue* angles;
@@ -61,12 +61,12 @@ struct LaneBodyKernels {
   void (*push_inward)(const LaneForest& forest, LaneMoves forces);
   void (*go_outward)(const LaneForest& forest, const LaneTwist* forces, LaneMoves out);
 
-  /// The sum over bodies and turns of forces times moves.
+  /// The scalar product of forces and moves over bodies and turns.
   LaneValue (*product)(const LaneForest& forest, LaneMoves forces, LaneMoves moves);
-  /// ArticulatedStep::apply_matrix, but for its rows.
+  /// ArticulatedStep::apply_matrix without its rows.
   LaneValue (*apply_matrix)(const LaneForest& forest, const LaneVector* x, LaneMoves direction,
                             LaneTwist* image);
-  /// forces -= step times what turns resist by themselves times their angles.
+  /// forces -= step times the turns' own resistance times their angles.
   void (*resist)(const LaneForest& forest, const LaneValue& step, const LaneValue* angles,
                  LaneValue* forces);
 
@@ -75,13 +75,13 @@ struct LaneBodyKernels {
   /// y = x + factor y.
   void (*add_to_scaled)(const LaneValue* x, const LaneValue& factor, std::size_t count,
                         LaneValue* y);
-  /// y = x in those lanes.
+  /// y = x in these lanes.
   void (*copy)(LaneMask lanes, const LaneValue* x, std::size_t count, LaneValue* y);
 
-  /// ArticulatedStep::share_of: how much of the step is taken.
+  /// ArticulatedStep::share_of: the share of the step that is taken.
   LaneValue (*share_of)(const LaneForest& forest, const LaneVector* x, LaneMoves moves,
                         const LaneValue& bound, double largest_turn);
-  /// ArticulatedStep::move; `room` is of bodies.
+  /// ArticulatedStep::move; `room` has an entry for each body.
   void (*move)(const LaneForest& forest, LaneMoves moves, const LaneValue& share, LaneMotion* room,
                LaneVector* x);
 };

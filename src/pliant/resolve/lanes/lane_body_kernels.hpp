@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The kernels of lane_bodies.hpp; a part of lane_level.cpp. What is not said here is said in
-// ArticulatedPass and ArticulatedStep, operation by operation.
+// The kernels of lane_bodies.hpp; a part of lane_level.cpp. Comments are in ArticulatedPass and
+// ArticulatedStep, which do the same operations.
 #pragma once
 
 #include "pliant/resolve/lanes/lane_twist_kernels.hpp"

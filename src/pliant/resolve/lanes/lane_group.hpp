@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Up to eight walkers on their way through the lanes: taken in, resolved, given back as they end.
+// Up to eight walkers in lanes: they are taken in, resolved, and given back as they end.
 #pragma once
 
 #include <memory>
@@ -13,13 +13,13 @@ namespace pliant {
 
 class LaneGroup {
  public:
-  /// `kernels` and what `method` was made from outlive it.
+  /// `kernels` and what `method` was made from must outlive it.
   LaneGroup(const Framework& framework, const Tolerance& tolerance, const LaneKernels& kernels,
             std::unique_ptr<LaneMethod> method);
 
-  /// Moves the positions of one to eight walkers and fills their summaries, but for the seconds.
-  /// Returns which ended; the others have not been moved, and are to be resolved alone. Walkers
-  /// have references of one size, or all none.
+  /// Moves the positions of one to eight walkers and fills their summaries, except for the seconds.
+  /// Returns the lanes that ended; the others have not been moved, and are to be resolved alone.
+  /// The references of the walkers have one size, or are all empty.
   LaneMask resolve(std::span<const WalkerPositions> walkers, std::span<ResolveSummary> summaries,
                    Joint root, Measured measured);
 
@@ -27,7 +27,7 @@ class LaneGroup {
   void take_in();
   template <class RowOf>
   void gather(RowOf row_of, std::vector<LaneVector>& out) const;
-  /// Gives back the walkers that ended, and tells which did.
+  /// Gives back the walkers that ended, and returns their lanes.
   LaneMask end(const LaneEnds& ends, Measured measured);
   LaneMask end_if_confirmed(LaneMask lanes, Stop stop, Measured measured);
   LaneMask give_back(LaneMask lanes, Stop stop);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Positions of walkers into lanes and back; a part of lane_level.cpp.
+// Moves positions of walkers into lanes and back; a part of lane_level.cpp.
 #pragma once
 
 #include "pliant/resolve/lanes/lane_kernels.hpp"
@@ -22,7 +22,7 @@ PLIANT_LANE_INLINE void store(const Doubles& row, double* to) {
   __builtin_memcpy(to, &row, sizeof row);
 }
 
-/// A matrix of doubles as wide as a register, by rows, transposed.
+/// Transposes a matrix of doubles as wide as a register, given by rows.
 PLIANT_LANE_INLINE void transpose(Doubles (&r)[width]) {
   Doubles s[width];
 #if PLIANT_LANE_BYTES == 64
@@ -71,8 +71,8 @@ void gather(const double* const* rows, std::size_t count, LaneValue* to) {
     for (int lane = 0; lane < 8; ++lane) out[i].set(lane, rows[lane][i]);
 }
 
-/// Doubles ahead of a write at which its memory is asked for: eight rows are more than processors
-/// foresee by themselves, and writing waits for what is not near (a fifth of a whole resolve).
+/// Prefetches so many doubles ahead of a write: processors do not foresee eight rows by themselves,
+/// and writes wait for distant memory (a fifth of a whole resolve).
 constexpr std::size_t written_ahead = 64;
 
 void scatter(const LaneValue* from, std::size_t count, double* const* rows) {

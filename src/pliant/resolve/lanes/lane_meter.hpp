@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What measure() tells of the bars of one walker, of all that stand in the lanes.
+// measure() of the bars of all walkers in lanes.
 #pragma once
 
 #include <vector>
@@ -11,12 +11,12 @@ namespace pliant {
 
 class LaneMeter {
  public:
-  /// `kernels` outlive it.
+  /// `kernels` must outlive it.
   LaneMeter(const Framework& framework, const Tolerance& tolerance, const LaneKernels& kernels);
 
-  /// Those of `lanes` (all of which stopped so) in which every length is finite, and within the
-  /// tolerance if they are said to have converged. Writes their residuals to the summaries, as
-  /// far as they are wanted.
+  /// Returns the lanes among `lanes` (all of which stopped so) in which every length is finite, and
+  /// within the tolerance if they should have converged. Writes their residuals to the summaries,
+  /// as far as they are wanted.
   LaneMask confirm(const LaneVector* positions, LaneMask lanes, Stop stop, Measured measured,
                    ResolveSummary* summaries) const;
 

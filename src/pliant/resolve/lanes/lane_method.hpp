@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What techniques that resolve eight walkers at once are made of on the inside.
+// The interface of techniques that resolve eight walkers at once.
 #pragma once
 
 #include <memory>
@@ -12,22 +12,22 @@
 
 namespace pliant {
 
-/// How lanes ended. Those named nowhere are resolved alone, from their start.
+/// How lanes ended. Lanes in no set are resolved alone, from their start.
 struct LaneEnds {
-  LaneMask whole = 0;       ///< every bar has been seen to be whole where it is
-  LaneMask converged = 0;   ///< believed whole
-  LaneMask max_sweeps = 0;  ///< the limit is met
-  LaneMask stopped = 0;     ///< by the caller's wish
-  LaneMask left = 0;        ///< not ended yet
+  LaneMask whole = 0;  ///< every bar was found to be whole at its final positions
+  LaneMask converged = 0;  ///< presumably whole
+  LaneMask max_sweeps = 0;  ///< the limit was reached
+  LaneMask stopped = 0;  ///< by the caller
+  LaneMask left = 0;  ///< not ended yet
 };
 
-/// One resolve of up to eight walkers that share the root.
+/// One resolve of up to eight walkers with the same root.
 struct LaneCall {
-  LaneVector* positions = nullptr;        ///< (N) to be moved
+  LaneVector* positions = nullptr;  ///< (N) are moved
   const LaneVector* reference = nullptr;  ///< (N) positions before the push, or none
   Joint root = 0;
   LaneMask lanes = 0;                   ///< those that hold a walker
-  ResolveSummary* summaries = nullptr;  ///< of each lane that holds one; counts begin at 0
+  ResolveSummary* summaries = nullptr;  ///< of each lane with a walker; counts begin at 0
 
   /// Calls `add(summary, lane)` for each of these lanes.
   template <class Add>
@@ -37,21 +37,21 @@ struct LaneCall {
   }
 };
 
-/// Ends lanes exactly as Method::resolve would have ended alone, bit by bit. One resolve is begin()
-/// and, while lanes are left, go_on(): what lanes end with is to be taken out before the next,
-/// which moves the joints of all.
+/// Ends each lane exactly as Method::resolve alone would, bit by bit. A resolve is begin() and,
+/// while lanes are left, go_on(). Lanes that ended must be taken out before the next call, which
+/// moves the joints of all.
 class LaneMethod {
  public:
   virtual ~LaneMethod() = default;
-  /// Ends what need not be moved.
+  /// Ends lanes that need not be moved.
   virtual LaneEnds begin(const LaneCall& call) { return {.left = call.lanes}; }
-  /// Goes on with the lanes that are left to where some may have ended. Counts in the summaries.
+  /// Continues with the lanes that are left until some may have ended. Counts in the summaries.
   virtual LaneEnds go_on(const LaneCall& call, LaneMask left) = 0;
-  /// Whether it looks at LaneCall::reference.
+  /// Whether it needs LaneCall::reference.
   virtual bool needs_reference() const { return false; }
 };
 
-/// What a lane method is made from; all outlive it.
+/// What a lane method is made from; all must outlive it.
 struct LaneSetting {
   const Framework& framework;
   const Technique& technique;
@@ -59,10 +59,10 @@ struct LaneSetting {
   const LaneKernels& kernels;
 };
 
-/// The framework's bars with what each is allowed, in the framework's sequence.
+/// The framework's bars with the error that each is allowed, in the framework's sequence.
 std::vector<LaneBar> lane_bars(const Framework& framework, const Tolerance& tolerance);
 
-/// Memory for the largest of some parts.
+/// Memory for the largest of several parts.
 class LaneScratch {
  public:
   void fit(const BarPattern& part);

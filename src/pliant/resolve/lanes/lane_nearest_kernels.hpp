@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The nearest whole positions in lanes: the counterpart of NearestPoint::iterate, with which almost
-// every walker ends; a part of lane_level.cpp.
+// The nearest whole positions in lanes, as NearestPoint::iterate finds them, which is enough for
+// almost every walker; a part of lane_level.cpp.
 #pragma once
 
 #include "pliant/resolve/lanes/lane_bar_newton_kernels.hpp"
@@ -8,7 +8,7 @@
 namespace pliant::PLIANT_LANE_LEVEL {
 namespace {
 
-/// A part on its way to its nearest point; what is not said here is said in NearestPoint.
+/// A part during the search for its nearest point. Comments are in NearestPoint.
 struct Nearest {
   Part part;
   const double *masses, *allowed;
@@ -127,7 +127,7 @@ struct Nearest {
     });
   }
 
-  /// NearestPoint::polish of the lanes `done`, into part.best; x stays.
+  /// NearestPoint::polish of the lanes `done`, into part.best; does not change x.
   void polish(Mask done, const Errors& before) {
     copy(part.x, curved);
     add(restoring, part.x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One part of BarEquations in lanes: the counterpart of BarEquations and SparseLdl; a part of
+// One part of BarEquations in lanes, with the operations of BarEquations and SparseLdl; a part of
 // lane_level.cpp.
 #pragma once
 
@@ -9,13 +9,13 @@
 namespace pliant::PLIANT_LANE_LEVEL {
 namespace {
 
-/// What BarEquations::measure finds, of each lane.
+/// Results of BarEquations::measure in each lane.
 struct Errors {
   Lanes worst = 0.0;
   Mask whole = Mask::all(true), finite = Mask::all(true), coincident = Mask::all(false);
 };
 
-/// One part in its room.
+/// One part with its scratch.
 struct Part {
   const BarPattern& pattern;
   LaneVec3 *x, *best, *directions, *along;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Sweeps of an ordering over eight walkers at once: each bar is projected in all of them before the
-// next. Walkers that are whole leave; the others sweep on.
+// next. Walkers that are whole leave; the others continue.
 #pragma once
 
 #include "pliant/resolve/lanes/lane_method.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Twists and inertias in lanes, as body_kernels.hpp of resolve/froda has them; a part of
+// Operations on twists and inertias in lanes, as in body_kernels.hpp of resolve/froda; a part of
 // lane_level.cpp.
 #pragma once
 
@@ -9,7 +9,7 @@
 namespace pliant::PLIANT_LANE_LEVEL {
 namespace {
 
-constexpr double least_inertia = 1e-6;  // as body_kernels.cpp has it
+constexpr double least_inertia = 1e-6;  // as in body_kernels.cpp
 
 PLIANT_LANE_INLINE const Lanes* numbers(const LaneValue* x) {
   return reinterpret_cast<const Lanes*>(x);
@@ -57,7 +57,7 @@ PLIANT_LANE_INLINE void multiply(const Lanes* m, const Lanes* s, Lanes* out) {
 
 constexpr int entry_of(int i, int j) { return i * (i + 1) / 2 + j; }
 
-/// L D L^T of six by six.
+/// L D L^T of a 6 x 6 matrix.
 PLIANT_LANE_INLINE void solve_root(const Lanes* inertia, const Lanes* force, double square_unit,
                                    Lanes* v) {
   Lanes m[21];

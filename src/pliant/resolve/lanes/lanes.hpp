@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // One number of each of eight walkers (lanes) side by side in SIMD registers, with the arithmetic
 // of double: each operation rounds in each lane exactly as it does alone (IEEE 754), so that a
-// walker's numbers do not depend on who stands beside it, nor on how wide the registers are.
+// walker's numbers depend neither on its neighbours nor on the width of the registers.
 //
 // Written in the vector extensions of gcc and clang. The same source is compiled once for each
-// level of instructions, in a namespace of that level: no function of one level can be linked into
-// another. Nothing but the kernels of lane_level.cpp includes this header.
+// level of instructions, in a namespace of that level, so that no function of one level is linked
+// into another. Only the kernels of lane_level.cpp include this header.
 #pragma once
 
 #include <cstdint>
@@ -58,11 +58,11 @@ struct Mask {
   friend PLIANT_LANE_INLINE Mask operator~(const Mask& a) {
     return made_of<Mask>([&](int i) { return ~a.v[i]; });
   }
-  friend PLIANT_LANE_INLINE Mask operator!(const Mask& a) { return ~a; }  // as of a bool
+  friend PLIANT_LANE_INLINE Mask operator!(const Mask& a) { return ~a; }  // as !bool
   PLIANT_LANE_INLINE Mask& operator&=(const Mask& b) { return *this = *this & b; }
   PLIANT_LANE_INLINE Mask& operator|=(const Mask& b) { return *this = *this | b; }
 
-  /// Bit l of `bits` for lane l.
+  /// The mask with bit l of `bits` in lane l.
   static PLIANT_LANE_INLINE Mask of(unsigned bits) {
     return made_of<Mask>([&](int i) {
       Integers one_bit;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Keeps the centre of mass where a method that goes outward does not.
+// Restores the centre of mass after methods that go outward.
 #pragma once
 
 #include <memory>
@@ -8,9 +8,8 @@
 
 namespace pliant {
 
-/// A method that does as `method`, and then shifts every component without pinned joints so that
-/// its centre of mass is where it was before: no force from outside acts on it. Looks at all
-/// joints.
+/// Returns a method that does as `method`, and then shifts every component without pinned joints so
+/// that its centre of mass is where it was before, as without external forces. Visits all joints.
 std::unique_ptr<Method> keep_mass_centre(const Framework& framework,
                                          std::unique_ptr<Method> method);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Which joints a resolve has moved, in the order in which they moved first, and where they were.
+// The joints that a resolve has moved, in the order of their first moves, and their old positions.
 #pragma once
 
 #include <algorithm>
@@ -11,7 +11,7 @@
 
 namespace pliant {
 
-/// A set of joints that is cleared in the time that its members take, not the framework.
+/// A set of joints that can be cleared in time proportional to its members, not the framework.
 class MovedJoints {
  public:
   void clear() {
@@ -21,7 +21,7 @@ class MovedJoints {
     holds_all_ = false;
   }
 
-  /// Any joint may move from now on, from these positions (N).
+  /// Any joint may move from now on; their present positions are given (N).
   void note_all(std::span<const Vec3> positions) {
     clear();
     before_.assign(positions.begin(), positions.end());
@@ -33,7 +33,7 @@ class MovedJoints {
     if (is_in_.size() < joint_count) is_in_.resize(joint_count, 0);
   }
 
-  /// Notes that `joint` is about to leave `position`; what a joint's first note says stays.
+  /// Notes that `joint` is about to leave `position`; only its first note counts.
   void note(Joint joint, Vec3 position) {
     if (is_in_[joint]) return;
     is_in_[joint] = 1;
@@ -42,10 +42,10 @@ class MovedJoints {
   }
 
   bool holds_all() const { return holds_all_; }
-  /// Those noted one by one.
+  /// The joints noted one by one.
   std::span<const Joint> joints() const { return joints_; }
 
-  /// (N) where all joints were, if holds_all().
+  /// (N) old positions of all joints, if holds_all().
   std::span<const Vec3> before() const {
     return holds_all_ ? std::span<const Vec3>(before_) : std::span<const Vec3>();
   }
@@ -58,7 +58,7 @@ class MovedJoints {
  private:
   std::vector<std::uint8_t> is_in_;  ///< empty until reserve()
   std::vector<Joint> joints_;
-  std::vector<Vec3> before_;  ///< of joints_, or of all
+  std::vector<Vec3> before_;  ///< of joints_, or of all joints
   bool holds_all_ = false;
 };
 

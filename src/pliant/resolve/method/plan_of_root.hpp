@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A plan that depends on the root alone is kept until the root changes.
+// Keeps a plan that depends only on the root until the root changes.
 #pragma once
 
 #include <optional>
@@ -11,11 +11,11 @@ namespace pliant {
 /// Remembers the root of the plan that its owner holds.
 class PlanOfRoot {
  public:
-  /// Calls `plan(root)` unless the last one made is of this root.
+  /// Calls `plan(root)` unless the last plan has this root.
   template <class Plan>
   void prepare(Joint root, Plan plan) {
     if (root_ == root) return;
-    root_.reset();  // in case it throws half way
+    root_.reset();  // in case it throws
     plan(root);
     root_ = root;
   }

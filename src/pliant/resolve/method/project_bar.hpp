@@ -5,7 +5,7 @@
 //   x_near += s_near C n,    x_far -= s_far C n,           s_near + s_far = 1
 //
 // so that the bar has its rest length L afterwards (Jakobsen, "Advanced character physics", GDC
-// 2001; thesis figure 2.4). Where both joints coincide there is no n: `escape` gives one.
+// 2001; thesis figure 2.4). If both joints coincide there is no n, and `escape` gives one.
 #pragma once
 
 #include <cmath>
@@ -16,7 +16,7 @@
 
 namespace pliant {
 
-/// The direction in which the coincident joints of a bar leave each other: random, by its key.
+/// The direction in which coincident joints of a bar separate: random, from its key.
 inline Vec3 escape_direction(RandomKey key, BarIndex bar, bool planar) {
   key.domain = Domain::escape;
   key.joint = bar;
@@ -43,7 +43,7 @@ inline void project_bar(Vec3& near, Vec3& far, double rest, double near_share, d
   far -= far_share * excess;
 }
 
-/// The same where the far joint takes all: `near` is looked at, not touched.
+/// The same where the far joint takes all: `near` does not move.
 template <class Escape>
 inline void carry_far(Vec3 near, Vec3& far, double rest, Escape&& escape) {
   const Vec3 delta = far - near;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How hard a resolve tries: tolerance, limit of sweeps, seed.
+// Options of a resolve: tolerance, limit of sweeps, seed.
 #pragma once
 
 #include <cstdint>
@@ -13,19 +13,19 @@ namespace pliant {
 /// A bar that a sweep has just repaired.
 struct RepairedBar {
   BarIndex bar = 0;
-  Joint near = 0, far = 0;          ///< in the ordering that is swept
+  Joint near = 0, far = 0;  ///< as in the ordering that is swept
   std::span<const Vec3> positions;  ///< (N) Angstrom, now; valid during the call only
 };
 
-/// How hard to try. Checked once, when a Resolver is made.
+/// Options of a resolve. Checked once, when a Resolver is made.
 struct ResolveOptions {
   Tolerance tolerance = {};                ///< when a bar counts as whole
   std::int64_t max_sweeps = 10000;         ///< give up after this many sweeps; from 1
   std::uint64_t seed = 0;                  ///< for random orderings and coincident joints
   std::uint64_t walker = 0;                ///< which of several independent runs this is
-  std::function<bool()> should_stop = {};  ///< asked after each sweep; true ends the resolve
-  /// For a person who wants to watch: shown each visit to a bar. Techniques that are orderings know
-  /// how, the others refuse it; walkers are then not resolved in lanes. Changes no result.
+  std::function<bool()> should_stop = {};  ///< called after each sweep; true ends the resolve
+  /// Called after each visit to a bar, for a person who watches. Only techniques that are orderings
+  /// support it; the others refuse it. Walkers are then not resolved in lanes. Changes no result.
   std::function<void(const RepairedBar&)> on_bar = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a resolve did: why it stopped, how far it came, what it took.
+// Summary of a resolve: why it stopped, its accuracy, its cost.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@
 
 namespace pliant {
 
-/// What a resolve did. Numbers start at -1 so that "never ran" is visible.
+/// What a resolve did. Numbers start at -1, which means "never ran".
 struct ResolveSummary {
   Stop stop = Stop::stopped_by_caller;
   std::int64_t sweeps = -1;       ///< passes over the ordering in one direction
@@ -24,8 +24,8 @@ struct ResolveSummary {
   std::int64_t dropped_bars = -1;
   /// Direct methods: sweeps, among `sweeps`, that finished what the method could not.
   std::int64_t finishing_sweeps = -1;
-  /// `newton`: the largest move towards the nearest whole positions that was still asked for at the
-  /// last look (Angstrom); the last move has been made after it.
+  /// `newton`: the largest move towards the nearest whole positions that remained at the last check
+  /// (Angstrom), before the last move was made.
   double off_nearest = -1.0;
 
   double max_limit = -1.0;     ///< largest distance of a limit outside its interval (Angstrom)
@@ -38,7 +38,7 @@ struct ResolveSummary {
   std::string brief(const Framework& framework) const;
 };
 
-/// Takes over what `measured` says of limits and overlaps.
+/// Copies the limits and overlaps of `measured`.
 void note_violations(const ResidualSummary& measured, ResolveSummary& summary);
 
 }  // namespace pliant

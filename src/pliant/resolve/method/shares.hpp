@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Shares: how much of a bar's correction each of its joints takes.
+// Shares of a bar's correction that its two joints take.
 #pragma once
 
 #include <utility>
@@ -9,13 +9,13 @@
 
 namespace pliant {
 
-/// Shares (near, far) of a correction. They sum to 1; both are 0 when both joints are pinned. A
+/// Shares (near, far) of a correction. They sum to 1, or are both 0 when both joints are pinned. A
 /// pinned joint takes nothing, and its partner all.
 std::pair<double, double> shares(const Technique& technique, const OrderedBar& visit,
                                  const Framework& framework);
 
-/// Shares (a, b) of a correction between two joints that no bar joins: half and half, or by inverse
-/// masses. They sum to 1; a pinned joint takes nothing, both are 0 when both are pinned.
+/// Shares (a, b) of a correction between two joints without a bar: equal, or by inverse masses.
+/// They sum to 1; a pinned joint takes nothing, and both are 0 when both are pinned.
 std::pair<double, double> equal_shares(const Framework& framework, Joint a, Joint b,
                                        bool mass_weighted);
 

@@ -14,24 +14,25 @@
 
 namespace pliant {
 
-/// One sweep of somebody's own making: moves `positions` (N, Angstrom) nearer to where all bars are
-/// whole. `sweep` counts from 0 in each resolve. What it throws leaves the resolve, and positions
-/// are put back. Pinned joints, and the height of what lies in a plane, stay whatever it does.
+/// One custom sweep: moves `positions` (N, Angstrom) nearer to positions at which all bars are
+/// whole. `sweep` counts from 0 in each resolve. An exception leaves the resolve, and positions are
+/// restored. Pinned joints, and z in a planar framework, do not change whatever it does.
 using CustomSweep = std::function<void(std::span<Vec3> positions, std::int64_t sweep)>;
 
-/// The name of a technique that has a CustomSweep; it is none in techniques().
+/// The name of a technique with a CustomSweep, which is not in techniques().
 inline constexpr const char* custom_technique = "custom";
 
 /// How broken bars are resolved.
 struct Technique {
   std::string name = "auto";  ///< a name in techniques(), or `custom` with a sweep
   /// Share of the correction that the far joint of a tree bar takes, in [0, 1]; the near joint
-  /// takes the rest. Non-tree bars are always shared half and half. The thesis has 0.5, 0.75, 1.
+  /// takes the rest. Non-tree bars are always shared equally. The thesis has 0.5, 0.75, 1.
   double weighting = 0.5;
   bool mass_weighted = false;  ///< multiply shares by inverse masses
-  /// For `input` alone: this ordering, each bar once, in place of the bars' own. Null: none.
+  /// Only for `input`: an ordering with each bar once, in place of the order of the bars. Null:
+  /// none.
   std::shared_ptr<const Ordering> ordering = {};
-  /// For `custom` alone: called until all bars are whole, from whatever thread resolves.
+  /// Only for `custom`: called until all bars are whole, from the thread that resolves.
   CustomSweep sweep = {};
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One of several walkers that are resolved at once, and what is asked about where they end.
+// One of several walkers that are resolved at once, and which residuals are measured at the end.
 #pragma once
 
 #include <cstdint>
@@ -12,13 +12,13 @@ namespace pliant {
 
 /// One walker of a call.
 struct WalkerPositions {
-  std::uint64_t walker = 0;              ///< its number: what its random draws depend on
-  std::span<Vec3> positions;             ///< (N) Angstrom, to be moved
-  std::span<const Vec3> reference = {};  ///< as of Resolver::resolve
-  LimitsOff limits_off = {};             ///< as of Resolver::set_limits_off
+  std::uint64_t walker = 0;  ///< its number, on which its random draws depend
+  std::span<Vec3> positions;  ///< (N) Angstrom, are moved
+  std::span<const Vec3> reference = {};  ///< as in Resolver::resolve
+  LimitsOff limits_off = {};  ///< as in Resolver::set_limits_off
 };
 
-/// What the summaries of walkers tell of their residuals. All bars are looked at in any case.
+/// Which residuals the summaries of walkers contain. All bars are checked in any case.
 enum class Measured {
   nothing,       ///< max_residual and rms_residual are -1
   max_residual,  ///< rms_residual is -1

@@ -4,10 +4,10 @@
 //
 //   gamma = argmin | f - dF gamma |,     x_next = g - dG gamma
 //
-// (Walker, Ni, SIAM J. Numer. Anal. 49 (2011) 1715). On a linear sequence it is GMRES in disguise;
-// on sweeps near whole bars it finds in a few of them what they alone approach geometrically.
-// The weights of all g add up to 1, so what every sweep keeps (the centre of mass, pinned joints)
-// is kept, and moving or turning everything moves or turns the result.
+// (Walker, Ni, SIAM J. Numer. Anal. 49 (2011) 1715). On a linear sequence it is equivalent to
+// GMRES; near whole bars, where sweeps converge geometrically, it needs only a few of them. The
+// weights of all g add up to 1, so that what every sweep preserves (the centre of mass, pinned
+// joints) is preserved, and moving or rotating everything moves or rotates the result.
 #pragma once
 
 #include <array>
@@ -20,9 +20,9 @@ namespace pliant {
 
 class AndersonMixing {
  public:
-  static constexpr std::size_t most_columns = 5;  ///< differences remembered
+  static constexpr std::size_t most_columns = 5;  ///< number of differences kept
 
-  /// Makes room for sequences of `count` vectors, so that nothing after allocates.
+  /// Makes room for sequences of `count` vectors, so that later calls allocate nothing.
   void reserve(std::size_t count);
   /// Forgets everything before.
   void restart() {
@@ -30,8 +30,8 @@ class AndersonMixing {
     has_last_ = false;
   }
 
-  /// Replaces `f` = g(x) - x by the x to go on with. False if there is nothing to go by yet, or
-  /// nothing finite: `f` is then left as it was.
+  /// Replaces `f` = g(x) - x by the next x. Returns false, without changing `f`, if there are no
+  /// differences yet, or if they are not finite.
   bool mix(std::span<Vec3> f, std::span<const Vec3> g);
 
  private:

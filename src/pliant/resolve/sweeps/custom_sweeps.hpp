@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sweeps that somebody else makes, a function in C++ or in Python, until all bars are whole.
+// Custom sweeps, a function in C++ or in Python, until all bars are whole.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace pliant {
 
-/// The method of a technique that has a sweep of its own (Technique::sweep).
+/// The method of a technique with a custom sweep (Technique::sweep).
 std::unique_ptr<Method> make_custom_sweeps(const Framework& framework, const Technique& technique,
                                            const ResolveOptions& options);
 

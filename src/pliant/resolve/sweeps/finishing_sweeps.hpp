@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Sweeps of all bars for what a direct method could not finish: redundant bars far from whole,
+// Sweeps of all bars that a direct method could not finish: redundant bars far from whole,
 // coincident joints, impossible lengths.
 #pragma once
 
@@ -9,10 +9,11 @@
 
 namespace pliant {
 
-/// Plain sweeps by `bfs_reverse` 0.5, counted as finishing_sweeps. Takes memory from its first use.
+/// Plain sweeps by `bfs_reverse` 0.5, counted as finishing_sweeps. Allocates memory at its first
+/// use.
 class FinishingSweeps {
  public:
-  /// Both outlive it.
+  /// Both must outlive it.
   FinishingSweeps(const Framework& framework, bool mass_weighted, const ResolveOptions& options)
       : framework_(framework), technique_{"bfs_reverse", 0.5, mass_weighted}, options_(options) {}
 

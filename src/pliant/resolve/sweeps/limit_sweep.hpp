@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// The part of a sweep that comes after its bars: limits in their order, then overlaps by joints.
+// The part of a sweep that follows the bars: limits in their order, then overlaps by joints.
 //
-// What is outside its interval by more than half the tolerance is projected to there, as a bar of
-// that length would be (Gauss-Seidel with inequalities; Jakobsen, GDC 2001); the rest is left
-// alone. Bars, held a thousand times closer, need that room to become whole where limits are taut:
-// without it sweeps come near ever more slowly. Which pairs
-// overlap is decided once, after the limits, so that no skin of the list of pairs and no moment at
-// which it was made can show in the result.
+// A limit that is outside its interval by more than half the tolerance is projected to that
+// distance, as a bar of that length (Gauss-Seidel with inequalities; Jakobsen, GDC 2001); others
+// are left alone. Bars, whose tolerance is a thousand times smaller, need that room to become whole
+// where limits are taut: without it sweeps converge ever more slowly. The overlapping pairs are
+// determined once, after the limits, so that neither the skin of the list of pairs nor the time at
+// which it was made affects the result.
 #pragma once
 
 #include <memory>
@@ -23,18 +23,18 @@ namespace pliant {
 
 class LimitSweep {
  public:
-  /// The framework must outlive it. Shares are half and half, or by inverse masses.
+  /// The framework must outlive it. Shares are equal, or by inverse masses.
   LimitSweep(const Framework& framework, bool mass_weighted, const Tolerance& tolerance,
              double skin = 1.0);
 
-  /// Takes the limits that are not `off` from now on.
+  /// From now on considers only limits that are not `off`.
   void begin(LimitsOff off);
 
-  /// Projects each violated limit, then each pair that overlaps, once. Returns how many limits and
-  /// pairs were looked at. Positions that are not finite are left for look() to find.
+  /// Projects each violated limit, then each pair that overlaps, once. Returns the number of limits
+  /// and pairs visited. Does nothing about positions that are not finite, which look() finds.
   std::int64_t sweep(std::span<Vec3> positions, const RandomKey& key);
 
-  /// Is everything within the tolerance?
+  /// Returns whether everything is within the tolerance.
   Look look(std::span<const Vec3> positions);
 
  private:
@@ -57,7 +57,7 @@ class LimitSweep {
   std::vector<Contact> overlaps_;
 };
 
-/// What sweeps a framework's limits and sterics; null where it has none.
+/// Makes the sweep of a framework's limits and sterics; null if it has none.
 std::unique_ptr<LimitSweep> make_limit_sweep(const Framework& framework, bool mass_weighted,
                                              const Tolerance& tolerance);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A planned sweep: bars in the order of their visits, each with all that the kernel needs.
+// A planned sweep: bars in the order of their visits, each with all data for the kernel.
 #pragma once
 
 #include <functional>
@@ -13,13 +13,13 @@
 
 namespace pliant {
 
-/// A visit with everything that the kernel needs beside it in memory.
+/// A visit with all data for the kernel side by side in memory.
 struct PlannedBar {
-  Joint near, far;  ///< places in the positions that are swept
+  Joint near, far;  ///< indices into the positions that are swept
   double rest, near_share, far_share;
   double allowed;  ///< largest |length - rest| that counts as whole
   BarIndex bar;
-  bool planar;  ///< joints that coincide part in the plane
+  bool planar;  ///< coincident joints separate in the plane
 };
 
 /// `visit` with its shares and tolerance.
@@ -34,17 +34,17 @@ class SweepPlan {
   void add(const PlannedBar& visit) { visits_.push_back(visit); }
   std::size_t size() const { return visits_.size(); }
 
-  /// Projects each bar once. `key` gives the directions in which coincident joints part.
+  /// Projects each bar once. `key` gives the directions in which coincident joints separate.
   void sweep(std::span<Vec3> positions, const RandomKey& key, bool backwards = false) const;
 
-  /// The same, and shows each bar after its visit.
+  /// The same, and calls a function after each visit.
   void sweep_watched(std::span<Vec3> positions, const RandomKey& key, bool backwards,
                      const std::function<void(const RepairedBar&)>& on_bar) const;
 
-  /// Is every bar whole? Begins where the last look found a broken bar, so that as long as much is
-  /// broken a look costs next to nothing.
+  /// Returns whether every bar is whole. Begins where the last call found a broken bar, so that it
+  /// costs next to nothing while much is broken.
   Look look(std::span<const Vec3> positions);
-  /// Forgets where the last look ended, so that a resolve depends on no resolve before it.
+  /// Forgets where the last look() ended, so that a resolve does not depend on earlier ones.
   void begin() { hint_ = 0; }
 
  private:

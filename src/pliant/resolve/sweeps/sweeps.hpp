@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Sweeps of an ordering (nonlinear Gauss-Seidel; SHAKE's way of going through its constraints, one
-// after another, each seeing what the ones before it did).
+// Sweeps of an ordering (nonlinear Gauss-Seidel; as SHAKE visits its constraints, one after
+// another, each seeing the effect of earlier ones).
 #pragma once
 
 #include <memory>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The shapes of rigid units that lengths alone do not tell from others nearby: a flat group that is
-// a little off its plane has the same lengths as its mirror image.
+// Shapes of rigid units that have neighbours with the same lengths: a flat group slightly off its
+// plane has the same lengths as its mirror image.
 #pragma once
 
 #include <cstdint>
@@ -15,25 +15,26 @@ namespace pliant {
 
 class KeptShapes {
  public:
-  /// Units of four or more joints as the framework is drawn: those that bars to three joints each
-  /// make rigid, and flat ones that are made of them by small loops (aromatic rings). None where
-  /// the framework has no drawn positions, or is of the plane.
+  /// Takes units of four or more joints as the framework is drawn: those made rigid by bars to
+  /// three joints each, and flat ones joined from these by small loops (aromatic rings). None if
+  /// the framework has no drawn positions, or is planar.
   KeptShapes(const Framework& framework, const Tolerance& tolerance);
 
   bool empty() const { return units_.size() == 0; }
 
-  /// Notes the units that do not have their drawn shape at `positions` (N), by more than bars
-  /// within their tolerance allow, and had it at `reference` (N, or none). True if there are any.
+  /// Notes the units that deviate from their drawn shape at `positions` (N) by more than bars
+  /// within their tolerance allow, but did not at `reference` (N, or none). Returns whether there
+  /// are any.
   bool find_bent(std::span<const Vec3> positions, std::span<const Vec3> reference);
 
-  /// Brings the units noted, and those around them, near their drawn shapes: each is put where it
-  /// fits best, each joint into the middle of where its units have it, again and again (as FRODA
-  /// does: Wells et al., Phys. Biol. 2 (2005) S127). Keeps the centre of mass; leaves pinned
+  /// Brings these units, and those around them, near their drawn shapes: repeatedly, each unit is
+  /// placed where it fits best, and each joint at the mean of its positions in its units (as FRODA
+  /// does: Wells et al., Phys. Biol. 2 (2005) S127). Keeps the centre of mass; does not move pinned
   /// joints.
   void straighten(std::span<Vec3> positions);
 
  private:
-  /// Where the drawn shape comes to lie: x -> rotation(x - from) + to.
+  /// Placement of the drawn shape: x -> rotation(x - from) + to.
   struct Fit {
     Vec3 from, to;
     Rotation rotation;
@@ -52,12 +53,13 @@ class KeptShapes {
   const Framework& framework_;
   Tolerance tolerance_;
   UnitSet units_;
-  std::vector<double> allowed_;  ///< how far a joint of each unit may be off its shape (Angstrom)
+  /// largest deviation of a joint of each unit from its shape (Angstrom)
+  std::vector<double> allowed_;
   UnitsOfJoints at_joint_{UnitSet{}, 0};
-  std::vector<std::uint32_t> bent_, around_;  ///< around_: what is fitted with what is bent
-  std::vector<std::uint8_t> is_around_;       ///< of units
+  std::vector<std::uint32_t> bent_, around_;  ///< around_: units fitted together with the bent ones
+  std::vector<std::uint8_t> is_around_;  ///< (units)
   std::vector<Vec3> sums_;                    ///< (N)
-  std::vector<double> counts_;                ///< (N) of units around that hold the joint
+  std::vector<double> counts_;  ///< (N) number of units in around_ with the joint
   std::vector<double> weights_;               ///< (N) in fits
 };
 

@@ -2,14 +2,14 @@
 // Closes loops of rigid units by their torsions (ring closure, inverse kinematics of closed
 // chains).
 //
-// The units are placed outward along a tree, each where it fits best; where the tree leaves a loop
-// open two units have different places for the same joints. The gaps r are closed by the smallest
-// change of the torsions d that does so to first order, again and again:
+// The units are placed outward along a tree, each where it fits best. Where the tree leaves a loop
+// open, two units have different positions for the same joints. Repeatedly, the gaps r are closed
+// by the smallest change d of the torsions that does so to first order:
 //
 //   d = - J^T (J J^T)^-1 r,   J = dr/dd: n x (x - a) for a joint x beyond a hinge n through a
 //
 // (Gauss, Newton; of least norm as in Deuflhard, Newton Methods for Nonlinear Problems, 4.4). A
-// step that does not pay is halved. Bonds and angles stay exact all the while.
+// step without gain is halved. Bonds and angles remain exact throughout.
 #pragma once
 
 #include <array>
@@ -25,39 +25,39 @@ namespace pliant {
 
 class LoopClosure {
  public:
-  /// Of the units of `set`, whose shapes are all known, hanging together as `graph` says. Null if
-  /// the loops are too many for dense equations. Nothing of this needs to outlive it.
+  /// Makes it from the units of `set`, whose shapes must be known, connected as in `graph`. Null if
+  /// there are too many loops for dense equations. The arguments need not outlive it.
   static std::optional<LoopClosure> make(const UnitSet& set, const UnitShapes& shapes,
                                          const UnitGraph& graph);
 
-  /// Moves `positions` (N) until no gap is wider than `gap` (Angstrom). False, and nothing moved,
-  /// if the gaps stop closing.
+  /// Moves `positions` (N) until no gap is wider than `gap` (Angstrom). Returns false, without
+  /// moving anything, if the gaps stop closing.
   bool close(std::span<Vec3> positions, double gap);
 
  private:
-  /// A unit on the loops, placed with copies of its joints of its own.
+  /// A unit on the loops, with its own copies of its joints.
   struct LoopUnit {
     std::uint32_t first = 0, count = 0;  ///< into joints_, shape_, places_
-    std::int32_t parent = -1;            ///< place in units_; the parent comes before
-    std::uint32_t a = 0, b = 0;          ///< places of the shared joints with the parent in joints_
+    std::int32_t parent = -1;  ///< index into units_; a smaller one
+    std::uint32_t a = 0, b = 0;  ///< indices in joints_ of the joints shared with the parent
     std::uint32_t own_a = 0, own_b = 0;  ///< the same joints as the unit's own
     std::uint32_t first_turn = 0;        ///< into turns_: one for a hinge, three for a ball
     std::uint32_t turns = 0;
     bool mirror_allowed = false;
   };
-  /// Two copies of one joint that must meet.
+  /// Two copies of one joint that must coincide.
   struct Gap {
-    std::uint32_t one, other;  ///< places in joints_
+    std::uint32_t one, other;  ///< indices into joints_
     std::int32_t unit, other_unit;
     std::uint32_t first;  ///< of its equations: three, or two for the second joint of a hinge
-    /// Of the second joint of a hinge: where the first is at `other_unit`, a place in joints_.
+    /// For the second joint of a hinge: index in joints_ of the first one at `other_unit`.
     std::optional<std::uint32_t> first_of_hinge;
     std::size_t equations() const { return first_of_hinge ? 2 : 3; }
   };
   struct Turn {
     Vec3 axis, through;
   };
-  /// The way from a unit to the first one: which units turn one end of the gap in hand.
+  /// The path from a unit to the first one: which ends of the present gap the unit turns.
   enum class Way : std::uint8_t { neither, one, other, both };
 
   LoopClosure() = default;
@@ -89,7 +89,7 @@ class LoopClosure {
   std::array<Vec3, 3> directions_;
   std::vector<Turn> turns_;
   std::vector<RigidMotion> motions_;
-  std::vector<Way> way_;  ///< of units: on the way to which ends of the gap in hand
+  std::vector<Way> way_;  ///< (units) on the path to these ends of the present gap
   std::vector<double> jacobian_, matrix_, residual_, step_;
   std::vector<std::vector<std::uint32_t>> rows_of_turn_;  ///< of jacobian_, not 0, ascending
 };

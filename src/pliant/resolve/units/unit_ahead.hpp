@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: MIT
-// The outward pass that looks ahead: places every unit once, as UnitPass does, but each where what
-// hangs on it can still come near its joints, and not only where its own joints fit best.
+// The outward pass that looks ahead: places every unit once, as UnitPass does, but where the units
+// beyond it can still come near their joints, not only where its own joints fit best.
 //
-// A pass that looks at one unit at a time is unstable: what it cannot correct at one unit, the
-// next has to bear with the lever between them, and the error grows by a factor from unit to unit
-// until it is a swing. So the cost of each place of a unit for all that hangs on it,
-// sum w |x - t|^2 with their best turns, is found first, going inward, to second order about the
-// place that the unit would have alone (its nominal place); then, going outward, each unit takes
-// the turn q that costs least from where its hinge came to lie:
+// A pass that considers one unit at a time is unstable: an error that it cannot correct at one unit
+// acts on the next with a lever, and grows by a factor from unit to unit. Therefore the cost of
+// each placement of a unit for everything beyond it, sum w |x - t|^2 with its best turns, is first
+// found going inward, to second order about the placement that the unit would have alone (its
+// nominal placement). Then, going outward, each unit takes the turn q that costs least given the
+// placement of its hinge:
 //
 //   inward    p_child -= u (s . p_child) / d,  I_child -= u u^T / d,  p_child -= I_child c,
 //             I += I_child,  p += p_child
 //   outward   q = (s . p - u . v) / d
 //
-// I, p: inertia and force of the unit's own joints and of what its children add. c: a twist, how
-// the child's hinge lies when this unit's nominal place carries it, against the child's nominal
-// place. v: the same as the hinge came to lie.
+// I, p: inertia and force of the unit's own joints with the contributions of its children. c: the
+// twist from the child's nominal placement to where this unit's nominal placement carries its
+// hinge. v: the same for the hinge's final placement.
 //
 // This is the optimal feedback of a linear system with quadratic cost (Bellman; Jacobson and Mayne,
-// Differential Dynamic Programming, 1970) with articulated body inertias as its matrices; what is
-// left out of second order at one unit is seen and corrected at the next.
+// Differential Dynamic Programming, 1970) with articulated body inertias as its matrices; errors of
+// second order at one unit are corrected at the next.
 #pragma once
 
 #include <span>
@@ -33,13 +33,13 @@ namespace pliant {
 class UnitAhead {
  public:
   /// Places all units of the plan near `targets` (N), and writes every joint of `positions` (N)
-  /// that is not pinned. The shapes of all steps are set; Still units that are held have theirs in
-  /// `positions`. False, with anything in `positions`, if a unit or a hinge has no direction or
-  /// something is not finite.
+  /// that is not pinned. The shapes of all steps must be set; Still units that are held have theirs
+  /// in `positions`. Returns false, with undefined `positions`, if a unit or a hinge has no
+  /// direction or something is not finite.
   bool place(UnitPlan& plan, std::span<Vec3> positions, std::span<const Vec3> targets);
 
  private:
-  /// Where the own system of a unit lies: HingePoint or place from a point, to space.
+  /// Maps a unit's own coordinates, as HingePoint or relative to a point, to space.
   struct Place {
     Vec3 origin, along{1, 0, 0}, u{0, 1, 0}, v{0, 0, 1};
     Vec3 operator()(HingePoint at) const {
@@ -54,7 +54,7 @@ class UnitAhead {
   struct HingedUnit {
     Inertia inertia{};  ///< about the origin of `place`
     Twist force{};
-    Place place;  ///< nominal
+    Place place;  ///< nominal placement
     std::array<BodyTurn, 3> turns;
     std::size_t turn_count = 0;
   };
@@ -77,7 +77,7 @@ class UnitAhead {
 
   std::span<const Vec3> targets_;
   std::vector<HingedUnit> units_;  ///< of the steps of the plan
-  std::vector<Vec3> nominal_;      ///< (N) in the nominal place of the unit that places the joint
+  std::vector<Vec3> nominal_;  ///< (N) in the nominal placement of the unit that places the joint
 };
 
 }  // namespace pliant

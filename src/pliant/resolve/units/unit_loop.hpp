@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// A unit that changes its shape, or whose shape nobody knows: loops of rigid units with freedom
-// left (macrocycles, disulphides), rings without drawn positions. Made whole where it is, on its
-// own; after that the pass may carry it about like any other unit.
+// A unit whose shape changes or is not known: loops of rigid units with freedom (macrocycles,
+// disulphides), and rings without drawn positions. It is made whole separately, where it is; the
+// pass may then move it like any other unit.
 #pragma once
 
 #include <memory>
@@ -14,22 +14,22 @@ namespace pliant {
 
 class UnitLoop {
  public:
-  /// `joints` of the unit, ascending, and all bars between them.
+  /// `joints` of the unit are ascending; it has all bars between them.
   UnitLoop(const Framework& framework, std::span<const Joint> joints,
            std::span<const BarIndex> bars, const Technique& technique,
            const ResolveOptions& options);
 
-  /// Has loops closed by torsions from now on: `rigid` are the units of which this one is made, in
-  /// joints of the framework. Without, or where that fails, technique `blocks` does it.
+  /// Closes loops by torsions from now on: `rigid` are the units that make up this one, in joints
+  /// of the framework. Otherwise, or if that fails, technique `blocks` is used.
   void close_by_torsions(UnitSet rigid, const UnitShapes& shapes);
 
-  /// Finds a shape in which all bars of the unit are within half the tolerance (the pass adds its
-  /// own rounding), near where its joints are. Where that fails, and the positions before the push
-  /// are given, it goes half of the way from there, a quarter, or none; else it begins a little way
-  /// off. Moves none of `call.positions`. False if it fails: the shape is then as good as it got.
+  /// Finds a shape with all bars of the unit within half the tolerance (the pass adds its own
+  /// rounding), near the present positions. If that fails, and positions before the push are given,
+  /// the unit follows the push by half, a quarter, or nothing; else it starts slightly displaced.
+  /// Does not move `call.positions`. Returns false if it fails, with the best shape found.
   bool find_shape(const ResolveCall& call);
 
-  /// The places of the joints of the unit that find_shape() found.
+  /// Positions of the joints of the unit from find_shape().
   std::span<const Vec3> shape() const { return positions_; }
 
  private:
@@ -43,7 +43,7 @@ class UnitLoop {
   Tolerance tolerance_;
   std::unique_ptr<Method> blocks_;
   std::optional<LoopClosure> closure_;
-  double widest_gap_ = 0.0;      ///< that leaves every bar within the tolerance (Angstrom)
+  double widest_gap_ = 0.0;  ///< that leaves every bar within the tolerance (Angstrom)
   double shortest_ = 0.0;        ///< rest length (Angstrom)
   std::vector<Vec3> positions_;  ///< of joints_
 };

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
-// The nearest place of a tree of rigid units: turns all hinges at once so that the joints come as
-// near as they can to given points, sum w |x - t|^2 least.
+// The nearest placement of a tree of rigid units: turns all hinges at once so that the joints come
+// as near as possible to given points, with least sum w |x - t|^2.
 //
-// An outward pass fits each unit to its own joints and swings all that hangs on it; this counts
-// what hangs on it too. One step of Gauss and Newton's method for all torsions is what the
-// acceleration of a chain of rigid bodies at rest under forces w (t - x) is, and is found in linear
-// time as that is, by articulated body inertias (Featherstone, Int. J. Robot. Res. 2 (1983) 13):
-// inward
+// An outward pass fits each unit to its own joints and swings all units beyond it; here these
+// count, too. A Gauss-Newton step for all torsions equals the acceleration of a chain of rigid
+// bodies at rest under forces w (t - x), which articulated body inertias give in linear time
+// (Featherstone, Int. J. Robot. Res. 2 (1983) 13): inward
 //
 //   u_k = I_k s_k,  d_k = s_k . u_k,  I_parent += I_k - u_k u_k^T / d_k,
 //   p_parent += p_k - u_k (s_k . p_k) / d_k
 //
 // then outward q_k = (s_k . p_k - u_k . v_parent) / d_k, v_k = v_parent + s_k q_k. I: 6 x 6 inertia
-// of the joints of the unit, p: force and moment on them, s: the twist of the hinge, v: twist.
+// of the joints of the unit, p: force and moment on them, s: twist of the hinge, v: twist of the
+// unit.
 #pragma once
 
 #include <memory>
@@ -28,13 +28,13 @@ class UnitNearest {
  public:
   /// Moves `positions` (N), at which the units of the plan are placed, by rigid motions of the
   /// units about their connections towards `targets` (N), until a step gains less than a thousandth
-  /// of the sum. Components with pinned joints stay.
+  /// of the sum. Does not move components with pinned joints.
   void approach(UnitPlan& plan, std::span<Vec3> positions, std::span<const Vec3> targets);
 
  private:
-  /// What a pass knows of one unit: going inward it has an inertia and a force, going outward it
-  /// gets a twist in place of the force, and moved it has a motion in place of the inertia. They
-  /// share their room: on long chains there are millions of bodies.
+  /// Data of one unit: going inward it has an inertia and a force, going outward a twist in place
+  /// of the force, and when moved a motion in place of the inertia. They share memory, because long
+  /// chains have millions of bodies.
   struct HingedUnit {
     union {
       Inertia inertia;
@@ -46,7 +46,7 @@ class UnitNearest {
     };
 
     HingedUnit() { begin(); }
-    /// Without inertia and force.
+    /// Sets inertia and force to 0.
     void begin() {
       std::construct_at(&inertia);
       std::construct_at(&force);
@@ -73,9 +73,10 @@ class UnitNearest {
   void set_motion(const UnitStep& step, std::size_t index, double share);
 
   std::vector<HingedUnit> units_;  ///< of the steps of the plan
-  std::vector<BodyTurn> turns_;    ///< of all bodies: hinges have one, what begins a component none
+  /// of all bodies: a hinge has one, a body that begins a component none
+  std::vector<BodyTurn> turns_;
   std::vector<std::uint32_t> first_turn_;  ///< of each unit, and one more
-  std::vector<Vec3> kept_;                 ///< where the step began
+  std::vector<Vec3> kept_;  ///< positions at the beginning of the step
   Vec3 origin_;
 };
 

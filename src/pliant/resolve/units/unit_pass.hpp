@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The outward pass over rigid units: each is placed as a whole, exactly, where it fits its joints
-// best among the places that what was placed before leaves it. Every joint is written once.
+// best, as far as earlier placements allow. Every joint is written once.
 //
 //   free   R = argmin sum w |t - tm - R (s - sm)|^2      (Horn 1987), x = tm + R (s - sm)
 //   ball   the same about the joint shared with what is placed
 //   hinge  tan t = sum w (u t2 - v t1) / sum w (u t1 + v t2), x = a + z n + turned (u, v)
 //
-// s: shape, t: joints as they are, n: along the hinge. Shapes are drawn or known from lengths to
+// s: shape, t: present joints, n: along the hinge. Shapes are drawn or known from lengths to
 // rounding and every placement is a rigid motion to rounding, so that the bars of the last unit of
-// a chain are as exact as those of the first. Two units share no more than a hinge, and so a
-// molecule whose bars fix all bonds and angles is exact after one pass.
+// a chain are as exact as those of the first. Two units share at most a hinge. Therefore a molecule
+// whose bars fix all bonds and angles is exact after one pass.
 #pragma once
 
 #include <memory>
@@ -25,20 +25,20 @@ namespace pliant {
 
 class UnitPass {
  public:
-  /// `units` as find_units() gives them; the framework outlives it.
+  /// `units` are those of find_units(); the framework must outlive it.
   UnitPass(const Framework& framework, UnitSet units, const Technique& technique,
            const ResolveOptions& options);
 
   enum class Placement { placed, unfit, not_finite };
-  /// Finds the shapes of units that have none, each alone, then places all. unfit: a unit was
-  /// left as it was (no shape, or its joints all at one point), or pinned joints hold one wrongly.
+  /// Finds the shapes of units without one, each separately, then places all. unfit: a unit was not
+  /// changed (no shape, or all joints at one point), or pinned joints do not fit one.
   Placement run(const ResolveCall& call);
 
-  /// After run(): places all anew near `targets` (N), looking ahead (UnitAhead). unfit: as run(),
-  /// and if some unit has no direction; anything may be in the positions then.
+  /// After run(): places all again near `targets` (N), looking ahead (UnitAhead). unfit: as in
+  /// run(), or if some unit has no direction; positions are then undefined.
   Placement look_ahead(const ResolveCall& call, std::span<const Vec3> targets);
 
-  /// After run(): turns all hinges at once towards the nearest place to `targets` (N), weighted by
+  /// After run(): turns all hinges at once to the placement nearest to `targets` (N), weighted by
   /// mass or not, and places every unit once more, exactly.
   Placement approach(const ResolveCall& call, std::span<const Vec3> targets);
 
@@ -61,7 +61,7 @@ class UnitPass {
   UnitForest forest_;
   UnitPlan plan_;
   std::vector<std::unique_ptr<UnitLoop>> loops_;  ///< of units without a shape
-  std::vector<UnitLoop*> loop_of_;                ///< of each unit up to the last that has one
+  std::vector<UnitLoop*> loop_of_;  ///< of each unit up to the last that has one
   UnitAhead ahead_;
   UnitNearest nearest_;
   std::vector<Vec3> approached_;

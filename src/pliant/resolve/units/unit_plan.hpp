@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The outward pass over rigid units, planned: which unit comes when, by which joints it hangs on
-// what was placed before, and where its other joints lie seen from there.
+// The plan of an outward pass over rigid units: the order of the units, the joints that connect
+// each to earlier ones, and the coordinates of its other joints relative to these.
 #pragma once
 
 #include <span>
@@ -13,7 +13,7 @@
 
 namespace pliant {
 
-/// What an outward pass needs of a graph of units, in a fifth of the memory.
+/// The links of a graph of units, in a fifth of the memory.
 struct UnitLinks {
   std::size_t units = 0;
   std::vector<UnitConnection> connections;
@@ -27,24 +27,24 @@ struct UnitForest {
   UnitSet set;        ///< without any loops
   UnitLinks links;    ///< of `set`
   UnitShapes shapes;  ///< of `set`; loops with freedom are unknown
-  UnitSet rigid;      ///< whose shape is known if it is drawn, or complete; none if `set` says all
-  std::vector<std::uint32_t> of_rigid;  ///< the unit in `set` of each rigid one
+  UnitSet rigid;  ///< units whose shape is known if drawn or complete; none if `set` has them
+  std::vector<std::uint32_t> of_rigid;  ///< the unit in `set` that contains each rigid one
 
   bool has_unknown() const;
 };
 
 UnitForest find_unit_forest(const Framework& framework, UnitSet units, const Tolerance& tolerance);
 
-/// A joint to place, or that a unit held still or a rod moves along with it.
+/// A joint to place, or to be moved along with a fixed unit or a rod.
 class JointInUnit {
  public:
   Joint joint = 0;
-  double weight = 1.0;  ///< in the fit; the heaviest of a unit has 1
+  double weight = 1.0;  ///< in the fit; 1 for the heaviest joint of a unit
 
-  /// Of a unit that turns about a point: its place from there (Angstrom).
+  /// In a unit that turns about a point: position relative to it (Angstrom).
   Vec3 from_point() const { return {at_.along, at_.u, at_.v}; }
   void set_from_point(Vec3 from) { at_ = {from.x, from.y, from.z}; }
-  /// Of a unit that turns about a hinge.
+  /// In a unit that turns about a hinge.
   HingePoint from_hinge() const { return at_; }
   void set_from_hinge(HingePoint at) { at_ = at; }
 
@@ -52,13 +52,13 @@ class JointInUnit {
   HingePoint at_;
 };
 
-/// One unit to place. Its joints have their place from what it turns about.
+/// One unit to place. The coordinates of its joints are relative to what it turns about.
 struct UnitStep {
-  /// Nothing is placed: best fit, turned about the weighted centroid.
+  /// No joint is placed: best fit, turned about the weighted centroid.
   struct Free {};
-  /// Nothing is placed, and it has its shape already: stays.
+  /// No joint is placed, and it has its shape already: does not move.
   struct Still {};
-  /// Shares joint `a` with what is placed: best rotation about it.
+  /// Shares joint `a` with placed units: best rotation about it.
   struct Ball {};
   /// Shares joints `a` and `b`: best torsion about the line through them.
   struct Hinge {
@@ -66,36 +66,36 @@ struct UnitStep {
     double length = 0.0;  ///< Angstrom
     double spread = 0.0;  ///< sum of weight times squared distance from the line
   };
-  /// Two joints, of which `a` is placed: `b` follows on the line.
+  /// Two joints, of which `a` is placed: `b` is placed on the line through them.
   struct Rod {
     Joint b;
     double length = 0.0;  ///< Angstrom
   };
   using Entry = std::variant<Free, Still, Ball, Hinge, Rod>;
 
-  Entry entry;         ///< how it meets what is placed
-  double scale = 1.0;  ///< of the weights: the mass of the heaviest joint (u), or 1
+  Entry entry;  ///< its connection to placed units
+  double scale = 1.0;  ///< of the weights: mass of the heaviest joint (u), or 1
   std::uint32_t unit = 0;
-  Joint a = 0;                         ///< where it hangs; of a free or still unit any joint of it
+  Joint a = 0;  ///< the shared joint; any joint of a free or still unit
   std::uint32_t first = 0, count = 0;  ///< joints to place, in UnitPlan::joints
-  std::int32_t parent = -1;            ///< the step on which it hangs; -1: first of its component
+  std::int32_t parent = -1;  ///< the step of the unit that it hangs on; -1: first of its component
   bool mirror_allowed = false;
-  bool is_held = false;  ///< hangs on pinned joints alone
-  bool is_known = true;  ///< else its shape is to be set each time
+  bool is_held = false;  ///< connected to pinned joints only
+  bool is_known = true;  ///< otherwise its shape is to be set each time
 
   template <class Kind>
   bool is() const {
     return std::holds_alternative<Kind>(entry);
   }
-  /// Whether it begins a component that nothing holds: moves as a whole.
+  /// Whether it begins a component without pinned joints, which moves as a whole.
   bool moves_freely() const { return parent < 0 && !is_held; }
-  /// In how many ways it turns against what is placed before: hinges have one.
+  /// Degrees of freedom of its turns relative to placed units: 1 for a hinge.
   std::size_t turns() const {
     if (is<Rod>()) return 2;  // not about itself
     if (is<Still>() || moves_freely()) return 0;
     return is<Hinge>() ? 1 : 3;
   }
-  /// Joint `b` of a hinge or rod; null of the others.
+  /// Joint `b` of a hinge or rod; otherwise null.
   const Joint* second() const {
     if (const auto* hinge = std::get_if<Hinge>(&entry)) return &hinge->b;
     if (const auto* rod = std::get_if<Rod>(&entry)) return &rod->b;
@@ -106,18 +106,19 @@ struct UnitStep {
 /// Plans passes from any root; linear in joints.
 class UnitPlan {
  public:
-  /// Both outlive it. Fits are weighted by mass, or all joints count the same.
+  /// Both must outlive it. Fits are weighted by mass, or all joints have equal weights.
   UnitPlan(const Framework& framework, const UnitForest& forest, bool mass_weighted);
 
-  /// A component with pinned joints begins at the unit that holds them all; if there is none it is
-  /// left out. The root's component begins at a unit of the root, others at their lowest joint's.
+  /// A component with pinned joints begins at the unit that holds them all, and is left out if
+  /// there is none. The root's component begins at a unit of the root, others at a unit of their
+  /// lowest joint.
   void plan(Joint root);
 
   std::span<UnitStep> steps() { return steps_; }
   std::span<JointInUnit> joints(const UnitStep& step) {
     return {joints_.data() + step.first, step.count};
   }
-  /// Writes where the joints of a step lie, from the shape of its unit (as UnitSet::at).
+  /// Writes the positions of the joints of a step, from the shape of its unit (as UnitSet::at).
   void set_shape(UnitStep& step, std::span<const Vec3> points);
 
  private:
@@ -134,14 +135,14 @@ class UnitPlan {
   const UnitForest& forest_;
   bool mass_weighted_;
   UnitsOfJoints units_of_;
-  std::vector<std::vector<Joint>> pins_;  ///< of each component that has any
+  std::vector<std::vector<Joint>> pins_;  ///< of each component with pinned joints
   std::vector<UnitStep> steps_;
   std::vector<JointInUnit> joints_;
   std::vector<bool> seen_;    ///< nodes of the graph of units
   std::vector<bool> placed_;  ///< joints
   std::vector<std::uint32_t> waiting_;
   std::vector<std::int32_t> step_of_;  ///< of units
-  std::vector<Vec3> points_;           ///< of the unit in hand
+  std::vector<Vec3> points_;  ///< of the present unit
 };
 
 }  // namespace pliant

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The normal equations of a step in torsion space, solved in linear time. The steps of all torsions
-// solve (H + sum w g g^T) q = f; H is the mass matrix of the bodies, which articulated body
-// inertias invert in one pass inward and one outward (Featherstone, Int. J. Robot. Res. 2 (1983)
-// 13).
+// Solves the normal equations of a step in torsion space in linear time. The steps q of all
+// torsions solve (H + sum w g g^T) q = f. H is the mass matrix of the bodies, which articulated
+// body inertias invert in one pass inward and one outward (Featherstone, Int. J. Robot. Res. 2
+// (1983) 13).
 #pragma once
 
 #include <span>
@@ -15,18 +15,18 @@
 
 namespace pliant {
 
-/// Two places that are to move apart along `along`, from j to i, by `gap` (Angstrom; below 0:
+/// Two places that should move apart by `gap` along `along`, from j to i (Angstrom; negative:
 /// together).
 struct ContactRow {
   Slot i = 0, j = 0;
   Vec3 along;
   double gap = 0.0, weight = 0.0;
 
-  /// What a unit force along the row does to the body of a place at x.
+  /// Direction of the row for the body of a place at x: the effect of a unit force.
   Twist direction(Vec3 x) const { return twist_of(cross(x, along), along); }
 };
 
-/// How all bodies and turns move.
+/// The motions of all bodies and turns.
 struct BodyMotions {
   std::vector<Twist> twists;   ///< of bodies
   std::vector<double> angles;  ///< of turns, radians
@@ -34,34 +34,35 @@ struct BodyMotions {
 
 class ArticulatedPass {
  public:
-  /// One way in which a body turns against its parent.
+  /// One way in which a body turns relative to its parent.
   struct Turn {
     Twist s{}, u{};
     double inverse = 0.0;  ///< 1 / (s . u + damping)
     double force = 0.0;    ///< s . p and the spring, going inward
   };
 
-  /// Plan and trees outlive it; bodies of other trees are left out of all below. `damping`
-  /// (Angstrom^2) is added to what a turn moves; `square_unit`: of lengths, Angstrom^2.
+  /// Plan and trees must outlive it; bodies of other trees are ignored. `damping` (Angstrom^2) is
+  /// added to the inertia of each turn; `square_unit` is the square of the unit of length
+  /// (Angstrom^2).
   ArticulatedPass(const BodyPlan& plan, const WorkingTrees& working, double damping,
                   double square_unit);
 
-  /// Inertias of the bodies at `x` (places, near the origin), the forces that pull them to
-  /// `targets` (places; empty: none), and their turns.
+  /// Computes the inertias of the bodies at `x` (places, near the origin), the forces that pull
+  /// them to `targets` (places; empty: none), and their turns.
   void gather(std::span<const Vec3> x, std::span<const Vec3> targets);
-  /// Adds each row as a directional mass of `factor` times its weight on each of its two bodies.
+  /// Adds each row as a directional mass of `factor` times its weight on both of its bodies.
   void add_rows(std::span<const Vec3> x, std::span<const ContactRow> rows, double factor);
-  /// Takes turns out of inertias and forces, from the last body to the roots. `springs` (turns)
-  /// pull on them; empty: none do.
+  /// Eliminates turns from inertias and forces, from the last body to the roots. `springs` (turns)
+  /// pull on them; empty: none.
   void go_inward(std::span<const TurnSpring> springs = {});
-  /// Does to other forces, of bodies and (empty: none) of turns, what go_inward() did to those that
-  /// were gathered.
+  /// Eliminates turns from other forces, of bodies and, if not empty, of turns, as go_inward() did
+  /// from the gathered ones.
   void push_inward(std::vector<Twist>& forces, std::span<const double> of_turns = {});
-  /// How bodies move under `forces`, which have gone inward last.
+  /// The motions of bodies under `forces`, which must have gone inward last.
   void go_outward(const std::vector<Twist>& forces, BodyMotions& out) const;
 
-  /// Takes the turns of a body, on which `of_turns` pull (turns; empty: nothing), out of a force on
-  /// it alone, and calls note(turn, its force).
+  /// Eliminates the turns of a body, with forces `of_turns` (turns; empty: 0), from a force on it
+  /// alone, and calls note(turn, its force).
   template <class Note>
   void carry(std::uint32_t body, Twist& force, const Note& note,
              std::span<const double> of_turns = {}) const {
@@ -73,7 +74,7 @@ class ArticulatedPass {
       note(t, along);
     }
   }
-  /// How a root moves under a force.
+  /// The motion of a root under a force.
   Twist answer_of_root(std::uint32_t root, const Twist& force) const {
     return froda::solve6(inertia_[root], force, square_unit_);
   }

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
-// One step of Gauss and Newton's method in torsion space, in linear time: bodies that hang on each
-// other move towards places asked for, and contacts that are broken are mended.
+// One step of the Gauss-Newton method in torsion space, in linear time: connected bodies move
+// towards targets, and broken contacts are repaired.
 //
-// A contact joins two bodies that need not hang together, which would spoil the tree; by
+// A contact joins two bodies that need not be connected, which would spoil the tree. By
 //
 //   (n.(v_i - v_j) - C)^2 <= 2 (n.v_i - C/2)^2 + 2 (n.v_j + C/2)^2
 //
-// it falls apart into one directional mass on each of them. The step is then that of a majorant, so
-// that it never overshoots; conjugate gradients with it as their preconditioner come nearer to the
-// step of the sum itself. Where loops of bodies were cut, the step is corrected so that they close;
-// steps that are asked for nothing close them by Newton's method.
+// it is split into one directional mass on each of them. The step is then that of a majorant, so
+// that it never overshoots; conjugate gradients with it as their preconditioner approach the step
+// of the sum itself. If loops of bodies were cut, the step is corrected so that they close; steps
+// with an empty request close them by Newton's method.
 #pragma once
 
 #include <memory>
@@ -23,33 +23,32 @@ namespace pliant {
 
 namespace froda {
 
-// Of a step, alone and in lanes.
+// Constants of a step, alone and in lanes.
 inline constexpr double largest_turn = 0.5;  // radians
 inline constexpr double damping = 10.0;
 inline constexpr double tiny = 1e-30;
-/// Of each of the two directional masses of a row, so that their sum is above the row.
+/// Factor of both directional masses of a row, which makes their sum an upper bound of the row.
 inline constexpr double majorant = 2.0;
 
 }  // namespace froda
 
-/// What a step is asked for.
+/// The request of a step.
 struct StepRequest {
   std::span<const Vec3> targets = {};  ///< (places) where each should come to; empty: stay
   std::span<const ContactRow> rows = {};
-  std::span<const TurnSpring> springs = {};  ///< (turns) what pulls on them; empty: nothing
-  double bound = 1.0;                        ///< Angstrom: no body goes further
-  int conjugate_gradients = 0;               ///< products inside the step
+  std::span<const TurnSpring> springs = {};  ///< (turns) springs on them; empty: none
+  double bound = 1.0;  ///< largest displacement of a body (Angstrom)
+  int conjugate_gradients = 0;  ///< iterations inside the step
 };
 
 class ArticulatedStep {
  public:
-  /// Plan and trees outlive it: it moves these trees alone. Ten times the square of `unit`
-  /// (Angstrom) is added to what a turn moves: damping.
+  /// Plan and trees must outlive it: it moves only these trees. Ten times the square of `unit`
+  /// (Angstrom) is added to the inertia of each turn as damping.
   ArticulatedStep(const BodyPlan& plan, const WorkingTrees& working, double unit = 1.0);
 
-  /// Moves `x` (places, Angstrom, near the origin): bodies turn about their hinges, whose shapes
-  /// stay as they are to rounding. How far the one that goes furthest goes, to first order
-  /// (Angstrom).
+  /// Moves `x` (places, Angstrom, near the origin): bodies turn about their hinges and keep their
+  /// shapes to rounding. Returns the largest displacement of a body, to first order (Angstrom).
   double step(std::span<Vec3> x, const StepRequest& request);
 
  private:
@@ -60,7 +59,7 @@ class ArticulatedStep {
     }
   };
 
-  /// How much of a step is taken, and how far it then moves some body (Angstrom).
+  /// The share of a step that is taken, and the largest displacement of a body then (Angstrom).
   struct Share {
     double of_step, furthest;
   };
@@ -81,7 +80,7 @@ class ArticulatedStep {
   std::unique_ptr<CutClosing> closing_;  ///< null: no loops
   BodyMotions motions_;
   std::vector<Motion> motion_;
-  // of conjugate gradients
+  // Scratch of conjugate gradients.
   std::vector<Twist> left_, room_, image_;
   std::vector<double> left_of_turns_;
   BodyMotions direction_, sum_;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What the inner loops of a step in torsion space do with twists and inertias, besides what
-// articulated_body.hpp has.
+// Operations on twists and inertias in the inner loops of a step in torsion space, besides those of
+// articulated_body.hpp.
 #pragma once
 
 #include <array>
@@ -11,7 +11,7 @@
 
 namespace pliant::froda {
 
-// Loops go over plain pointers: without optimization they take a third of the time.
+// Loops use plain pointers: without optimization they take a third of the time.
 
 inline void add_scaled(double factor, const Twist& x, Twist& y) {
   const double* const from = x.data();
@@ -19,18 +19,18 @@ inline void add_scaled(double factor, const Twist& x, Twist& y) {
   for (std::size_t k = 0; k < 6; ++k) to[k] += factor * from[k];
 }
 
-/// Its sum in pairs, as that of product().
+/// Scalar product, summed in pairs as in product().
 inline double dot(const Twist& one, const Twist& other) {
   const double *const a = one.data(), *const b = other.data();
   return ((a[0] * b[0] + a[1] * b[1]) + (a[2] * b[2] + a[3] * b[3])) + (a[4] * b[4] + a[5] * b[5]);
 }
 
-/// How fast a twist moves the point x.
+/// Velocity of the point x under a twist.
 inline Vec3 velocity(const Twist& twist, Vec3 x) {
   return lower_of(twist) + cross(upper_of(twist), x);
 }
 
-/// m s, its sums in pairs: half the time of sums one by one.
+/// m s, summed in pairs, which takes half the time.
 inline Twist product(const Inertia& inertia, const Twist& twist) {
   const double *const m = inertia.data(), *const s = twist.data();
   return {
@@ -54,7 +54,7 @@ inline void add_direction(double weight, const Twist& direction, Inertia& inerti
   }
 }
 
-/// Moments of points, from which the inertia of a body and the force on it follow.
+/// Moments of points, from which the inertia of a body and the force on it are computed.
 class PointSums {
  public:
   void add(Vec3 x) {
@@ -79,8 +79,9 @@ class PointSums {
   Vec3 sum_;
 };
 
-/// Solves m v = force by L D L^T. A little is added to the diagonal: directions without inertia (a
-/// rod about itself) stay. `square_unit`: of lengths, Angstrom^2.
+/// Solves m v = force by L D L^T. A small number is added to the diagonal, so that directions
+/// without inertia (a rod about itself) do not move. `square_unit` is the square of the unit of
+/// length (Angstrom^2).
 Twist solve6(Inertia m, Twist force, double square_unit);
 
 }  // namespace pliant::froda

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The rigid units of a framework as a forest of bodies that hang on each other by hinges, numbered
-// so that each joint belongs to the body that moves it and the joints of a body follow each other.
+// The rigid units of a framework as a forest of bodies connected by hinges, numbered so that each
+// joint belongs to the body that moves it and the joints of a body are consecutive.
 #pragma once
 
 #include <cstdint>
@@ -12,34 +12,34 @@
 
 namespace pliant {
 
-/// A place in the plan's own numbering of joints.
+/// The index of a joint in the plan's own numbering, called a place.
 using Slot = std::uint32_t;
 
-/// A rigid unit, hanging on its parent by a hinge, a ball, or not at all.
+/// A rigid unit, connected to its parent by a hinge, a ball joint, or not at all.
 struct PlanBody {
-  std::int32_t parent = -1;      ///< comes before; -1: moves freely
+  std::int32_t parent = -1;  ///< index of an earlier body; -1: moves freely
   Slot first = 0, last = 0;      ///< its own joints, [first, last)
-  Slot a = 0, b = 0;             ///< the joints that it shares with its parent; a == b: a ball
-  std::uint32_t first_turn = 0;  ///< of its turns, among those of all bodies
+  Slot a = 0, b = 0;  ///< joints shared with its parent; equal for a ball joint
+  std::uint32_t first_turn = 0;  ///< first of its turns among those of all bodies
   std::uint32_t turns() const { return parent < 0 ? 0 : (a == b ? 3 : 1); }
 };
 
-/// Bodies [first, last) that hang together, their root first.
+/// Bodies [first, last) that are connected, the root first.
 struct BodyTree {
   std::uint32_t first = 0, last = 0;
 };
 
-/// Where a loop of bodies was cut: two places of one joint, which must come to lie together.
+/// A cut of a loop of bodies: two places of one joint, which must coincide.
 struct LoopCut {
   Slot copy, joint;
 };
 
 class BodyPlan {
  public:
-  /// Bodies of the framework's rigid units; rings that are rigid are one body. Each component
-  /// begins at the middle of its longest path of bodies. Where bodies hang together in loops, a
-  /// body has copies of the joints at which the loop was cut. Null if there are pinned joints, or
-  /// if nothing is known of the shape of the framework (it is not drawn) but its loops.
+  /// Makes the bodies of the framework's rigid units; rigid rings are one body. Each component
+  /// begins at the middle of its longest path of bodies. Where bodies form loops, a body has copies
+  /// of the joints at which a loop was cut. Null if there are pinned joints, or if the framework
+  /// has loops and is not drawn.
   static std::optional<BodyPlan> make(const Framework& framework);
 
   std::span<const PlanBody> bodies() const { return bodies_; }
@@ -47,7 +47,7 @@ class BodyPlan {
   std::uint32_t tree_of(std::uint32_t body) const { return tree_of_[body]; }
   std::size_t turn_count() const { return turn_count_; }
   std::size_t place_count() const { return joint_at_.size(); }
-  std::span<const Joint> joint_at() const { return joint_at_; }  ///< of each place, copies too
+  std::span<const Joint> joint_at() const { return joint_at_; }  ///< of each place, copies included
   Slot place_of(Joint joint) const { return place_of_[joint]; }
   std::span<const std::uint32_t> body_at() const { return body_at_; }  ///< of each place
   std::span<const LoopCut> cuts() const { return cuts_; }
@@ -58,7 +58,7 @@ class BodyPlan {
 
   std::vector<PlanBody> bodies_;
   std::vector<BodyTree> trees_;
-  std::vector<std::uint32_t> tree_of_;  ///< of each body
+  std::vector<std::uint32_t> tree_of_;  ///< (bodies)
   std::size_t turn_count_ = 0;
   std::vector<Joint> joint_at_;
   std::vector<Slot> place_of_;

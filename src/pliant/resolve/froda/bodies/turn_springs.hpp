@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Torsion preferences as springs on the turns of bodies. A spring on a turn stands in the normal
-// equations of articulated bodies where the damping of that turn does, so that it costs nothing
-// there.
+// Torsion preferences as springs on the turns of bodies. In the normal equations of articulated
+// bodies the spring of a turn is added where its damping is, at no cost.
 #pragma once
 
 #include <array>
@@ -14,23 +13,24 @@
 
 namespace pliant {
 
-/// What pulls on one turn.
+/// The spring on one turn.
 struct TurnSpring {
   double weight = 0.0;  ///< Angstrom^2
-  double force = 0.0;   ///< weight times the angle that it wants, radians
+  double force = 0.0;  ///< weight times the wanted angle (radians)
 };
 
 class TurnSprings {
  public:
-  /// Those preferences whose bonds are hinges of the plan; others cannot turn, or close loops.
+  /// Takes the preferences whose bonds are hinges of the plan; other bonds cannot turn, or close
+  /// loops.
   TurnSprings(const Framework& framework, const BodyPlan& plan);
 
   bool empty() const { return staggered_.empty() && backbone_.empty(); }
-  /// (turns) what pulls on `x` (places); where nothing does both are 0.
+  /// (turns) the springs at `x` (places); 0 where a turn has none.
   std::span<const TurnSpring> at(std::span<const Vec3> x, double weight);
 
  private:
-  /// Of a hinge: which turn, and the sign by which it adds to a torsion; 0: no hinge.
+  /// The turn of a bond, and the sign by which it changes a torsion; sign 0 if it is no hinge.
   struct Hinge {
     std::uint32_t turn = 0;
     double sign = 0.0;
@@ -39,7 +39,7 @@ class TurnSprings {
     std::array<Slot, 4> places;
     Hinge hinge;
     double free;
-    double least;  ///< of -cos 3t of a torsion t that is free, as a square with its sign
+    double least;  ///< least -cos 3t of a torsion t without a pull, squared with its sign
   };
   struct Backbone {
     std::array<Slot, 5> places;

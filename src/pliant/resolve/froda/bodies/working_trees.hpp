@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which trees of a plan of bodies a resolve moves: a tree that nothing pulls on and no contact
-// touches stays where it is to the last bit, so that no step has to look at it.
+// The trees of a plan of bodies that a resolve moves. A tree on which nothing pulls and which no
+// contact touches does not move by a bit, so that no step has to visit it.
 #pragma once
 
 #include <cstdint>
@@ -11,10 +11,10 @@
 
 namespace pliant {
 
-/// A set of trees that is cleared in the time that its members take.
+/// A set of trees that can be cleared in time proportional to its members.
 class WorkingTrees {
  public:
-  /// The plan outlives it. Begins with all trees.
+  /// The plan must outlive it. Starts with all trees.
   explicit WorkingTrees(const BodyPlan& plan) : plan_(plan), is_in_(plan.trees().size(), 0) {
     add_all();
   }
@@ -38,12 +38,12 @@ class WorkingTrees {
   }
 
   bool holds(std::uint32_t tree) const { return is_in_[tree] != 0; }
-  /// Of these trees, parents first.
+  /// Bodies of these trees, parents first.
   std::span<const std::uint32_t> bodies() const { return bodies_; }
 
  private:
   const BodyPlan& plan_;
-  std::vector<std::uint8_t> is_in_;     ///< of each tree
+  std::vector<std::uint8_t> is_in_;  ///< (trees)
   std::vector<std::uint32_t> numbers_;  ///< of those in it
   std::vector<std::uint32_t> bodies_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Places sorted into cells, to find which are near each other. Some may be moved afterwards without
-// sorting all anew.
+// Places sorted into cells, to find near ones. Some may be moved afterwards without sorting all
+// anew.
 #pragma once
 
 #include <algorithm>
@@ -16,23 +16,23 @@ namespace pliant {
 
 class NearCells {
  public:
-  /// So many may be moved: they lie in no cell, and each is compared with all of them.
+  /// Largest number of moved places: they are in no cell, and each is compared with all of them.
   static constexpr std::size_t most_moved = 256;
 
-  /// The rules outlive it. `skin` (Angstrom): as that of the rules.
+  /// The rules must outlive it. `skin` (Angstrom) is that of the rules.
   NearCells(const NearRules& rules, double skin) : rules_(rules), skin_(skin) {}
-  NearCells(const NearCells&) = delete;  // its rules lie beside it
+  NearCells(const NearCells&) = delete;  // holds a reference to rules beside it
   NearCells& operator=(const NearCells&) = delete;
 
-  /// All places that the rules list, at `at` (places).
+  /// Sorts all places that the rules list, at `at` (places).
   void sort(std::span<const Vec3> at);
-  /// Puts a sorted place elsewhere.
+  /// Moves a sorted place.
   void move(Slot place, Vec3 at);
-  /// How many were moved since all were sorted.
+  /// Number of places that were moved since all were sorted.
   std::size_t moved() const { return sorted_at_.size() - first_moved_; }
 
   /// Calls found(place, other) once for each pair that is within reach and not excluded by its
-  /// mask. Nothing was moved.
+  /// mask. Only before any place was moved.
   template <class Found>
   void visit_all(const Found& found);
   /// The same for all pairs of one place.
@@ -63,23 +63,23 @@ class NearCells {
   FindNearHits find_near_hits_ = near_hits_finders().back();
   Vec3 low_;
   double per_side_ = 1.0;  ///< of a cell, Angstrom^-1
-  Cell cells_{};           ///< along each axis
+  Cell cells_{};  ///< number along each axis
   std::vector<std::uint32_t> cell_number_, first_in_cell_, next_;
-  // Places by cells, then those that were moved. The old entry of a moved place is put far away, so
-  // that nothing finds it.
+  // Places by cells, followed by those that were moved. The old entry of a moved place is put far
+  // away, so that nothing finds it.
   std::vector<SortedPlace> sorted_at_;
   std::vector<float> x_, y_, z_;
-  std::vector<std::uint32_t> index_of_;  ///< of each place among them
+  std::vector<std::uint32_t> index_of_;  ///< (places) index into these
   std::size_t first_moved_ = 0;
-  // the candidates for one place, as runs, and which of them are near
+  // Candidates for one place as runs, and which of them are near.
   std::array<NearRun, 10> runs_{};
   std::size_t run_count_ = 0;
-  std::vector<float> squares_;  ///< of distances to the one in hand
+  std::vector<float> squares_;  ///< of distances to the present place
   std::vector<std::uint32_t> hits_;
 };
 
-/// The cell that holds `at`, or the nearest one if it lies outside: a place that has left all cells
-/// is near none but those at the edge.
+/// The cell that contains `at`, or the nearest one if it is outside: a place outside all cells is
+/// near only to those at the edge.
 inline NearCells::Cell NearCells::cell_of(Vec3 at) const {
   const Vec3 from = per_side_ * (at - low_);
   const auto along = [](double x, std::uint32_t cells) {

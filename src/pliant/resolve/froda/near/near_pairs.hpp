@@ -12,22 +12,22 @@
 
 namespace pliant {
 
-/// Two places i < j and how near they may come (Angstrom).
+/// Two places i < j and their least distance (Angstrom).
 struct NearPair {
   Slot i, j;
   double least;
 };
 
-/// Which pairs a caller finds too near depends neither on the skin nor on when the list was made.
-/// Each place has its pairs listed where it was last looked at: where few have gone far, the pairs
-/// of these alone are listed anew.
+/// The pairs that turn out too near depend neither on the skin nor on when the list was made. Each
+/// place has its pairs listed at a position of its own: if few places have moved far, only the
+/// pairs of these are listed anew.
 class NearPairs {
  public:
-  /// Both outlive it; the framework has sterics. `skin` (Angstrom): a place is listed anew before
-  /// it has moved by more than half of it.
+  /// Both must outlive it; the framework has sterics. `skin` (Angstrom): a place is listed anew
+  /// before it has moved by more than half of it.
   NearPairs(const Framework& framework, const BodyPlan& plan, double skin = 0.5);
 
-  /// Makes the list right for `x` (places, Angstrom, finite, within 1e4 of the origin).
+  /// Brings the list up to date for `x` (places, Angstrom, finite, within 1e4 of the origin).
   void update(std::span<const Vec3> x);
   std::span<const NearPair> pairs() const { return pairs_; }  ///< by i, then j
   std::int64_t lists_made() const { return lists_made_; }
@@ -45,9 +45,9 @@ class NearPairs {
   double skin_;
   std::size_t places_;
   std::int64_t lists_made_ = 0;
-  std::vector<Vec3> listed_at_;           ///< where each place was when its pairs were listed
-  std::vector<double> square_moves_;      ///< of each place since then
-  std::vector<std::uint8_t> is_renewed_;  ///< of each place
+  std::vector<Vec3> listed_at_;  ///< (places) position when its pairs were listed
+  std::vector<double> square_moves_;  ///< (places) since then
+  std::vector<std::uint8_t> is_renewed_;  ///< (places)
   std::vector<Slot> renewed_;
   std::vector<NearPair> pairs_, unsorted_, sorted_, kept_;
   std::vector<std::uint32_t> first_of_;
