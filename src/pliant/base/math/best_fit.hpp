@@ -52,7 +52,7 @@ class RotationFit {
   }
 
   /// fitted: `out` is the best rotation. mirrored: the best rotation of the mirror image (all signs
-  /// changed), which was allowed and fits better. undefined: shape or targets are all at the origin.
+  /// changed), which was allowed and fits better. undefined: shape or targets are at the origin.
   enum class Fit { fitted, mirrored, undefined, not_finite };
   Fit solve(bool mirror_allowed, Rotation& out) const;
 
