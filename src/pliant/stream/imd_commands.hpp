@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What an IMD client says, read from bytes that come in any pieces. Clients are not trusted: the
-// first thing that is no command ends the session.
+// The commands of an IMD client, read from bytes that arrive in arbitrary pieces. Clients are not
+// trusted: the first invalid command ends the session.
 #pragma once
 
 #include <cstddef>
@@ -16,8 +16,8 @@ namespace pliant {
 /// One packet of a client.
 struct ImdCommand {
   ImdType type = ImdType::go;
-  std::int32_t value = 0;               ///< of rate and wait
-  std::vector<JointForce> forces = {};  ///< of forces, kJ/(mol Angstrom)
+  std::int32_t value = 0;  ///< for rate and wait
+  std::vector<JointForce> forces = {};  ///< for forces, kJ/(mol Angstrom)
 };
 
 class ImdCommandReader {
@@ -26,13 +26,13 @@ class ImdCommandReader {
 
   void take(std::span<const std::byte> bytes);
 
-  /// The next packet that is whole; nothing if there is none. Throws InputError that says what is
-  /// no command: an unknown or unexpected type, forces on atoms that there are not, twice on one,
-  /// or not finite, or more of them than atoms. A packet that cannot be right is refused by its
-  /// header, before its body has come.
+  /// Returns the next complete packet; nothing if there is none. Throws InputError naming what is
+  /// wrong: an unknown or unexpected type, forces on atoms that do not exist, twice on one, or not
+  /// finite, or more forces than atoms. An invalid packet is refused by its header, before its body
+  /// has arrived.
   std::optional<ImdCommand> next();
 
-  /// Whether a packet has begun to come and is not whole.
+  /// Whether part of a packet has arrived.
   bool is_within_packet() const { return !bytes_.empty(); }
 
  private:
@@ -42,7 +42,7 @@ class ImdCommandReader {
   ImdFormat format_;
   std::size_t joint_count_;
   Bytes bytes_;
-  std::vector<std::uint8_t> is_pulled_;  ///< (N) within forces()
+  std::vector<std::uint8_t> is_pulled_;  ///< (N) used in forces()
 };
 
 }  // namespace pliant

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// What a run and the thread that serves its IMD clients share: frames one way, wishes the other.
-// The run never waits for a client that is slow or silent, unless it is told to.
+// Data shared by a run and the thread that serves its IMD clients: frames one way, requests the
+// other. The run never waits for a slow or silent client unless asked to.
 #pragma once
 
 #include <atomic>
@@ -21,12 +21,12 @@
 
 namespace pliant {
 
-/// What came of serving, all clients together.
+/// Summary of serving all clients.
 struct ImdSummary {
-  std::int64_t clients = 0;         ///< that followed the run
-  std::int64_t refused = 0;         ///< that were turned away, or lost their connection
-  std::int64_t frames_sent = 0;     ///< as a whole
-  std::int64_t frames_dropped = 0;  ///< that a client was too slow for
+  std::int64_t clients = 0;  ///< clients that followed the run
+  std::int64_t refused = 0;  ///< clients turned away, or whose connection failed
+  std::int64_t frames_sent = 0;  ///< complete frames
+  std::int64_t frames_dropped = 0;  ///< frames for which a client was too slow
   std::int64_t forces_taken = 0;    ///< packets of forces
   double seconds_waited = 0.0;      ///< by the run: for a client, or because one paused it
 };
@@ -34,51 +34,52 @@ struct ImdSummary {
 class ImdExchange {
  public:
   struct Options {
-    bool waits = false;      ///< for a client, and for a slow one
+    bool waits = false;  ///< the run waits for a client, and for slow ones
     bool can_kill = false;   ///< clients may end the run
-    std::int64_t every = 1;  ///< a frame in so many steps, unless a client asks for another rate
+    std::int64_t every = 1;  ///< a frame every so many steps, unless a client asks for another rate
     std::function<bool()> should_stop = {};  ///< ends waiting
   };
 
   ImdExchange(const Options& options, std::shared_ptr<Steering> steering);
 
-  // Of the run.
-  /// After each step: waits while it is paused or has to wait; true if some client is to be given a
-  /// frame of it.
+  // Called by the run.
+  /// After each step: waits while the run is paused or has to wait. Returns whether some client is
+  /// to get a frame of it.
   bool wants(std::int64_t step);
-  /// The frame that was wanted: coordinates, and what is said before them to each client.
+  /// Takes the frame that was wanted: its coordinates, and a function that makes the head for each
+  /// client.
   using MakeHead = std::function<Bytes(const ImdCounts&)>;
   void put(std::shared_ptr<Bytes> coordinates, const MakeHead& head_for);
-  /// A buffer for coordinates, with whatever is in it.
+  /// Returns a buffer for coordinates, with arbitrary contents.
   std::shared_ptr<Bytes> buffer();
   bool was_killed() const { return is_killed_.load(std::memory_order_relaxed); }
-  /// No more frames come: the clients are to be sent what is left.
+  /// Says that no more frames come: clients get what is left.
   void finish();
-  /// Says what there is to be told.
+  /// Logs the messages that are waiting.
   void tell(const Log& log);
   ImdSummary summary();
 
-  // Of the thread.
+  // Called by the thread.
   const Descriptor& woken() const { return wake_; }
   bool is_finishing();
-  /// A client follows from now on, until it ends.
+  /// Adds a client, which follows until end_client().
   ImdFollower& begin_client();
-  /// What it pulled and held is free; the other clients do not notice.
+  /// Removes a client, and releases what it pulled and held. Other clients are not affected.
   void end_client(ImdFollower& client);
-  /// Counts a client that was not served, or no longer is, and tells why.
+  /// Counts a client that was refused or is no longer served, and keeps the reason for tell().
   void refuse(const std::string& message);
-  /// All that there was for the client is on its way: it gets a frame of the next step that it asks
-  /// for, the newest there can be.
+  /// Says that everything for the client has been sent: it gets a frame of the next step that it
+  /// asks for, the newest possible.
   void set_ready(ImdFollower& client);
-  /// The next frame to be sent; false if there is none.
+  /// Takes the next frame to be sent; returns false if there is none.
   bool next_frame(ImdFollower& client, ImdOutgoing& frame);
-  /// A frame that has been sent as a whole.
+  /// Takes back a frame that was sent completely.
   void take_back(ImdOutgoing sent);
   void pause(ImdFollower& client, bool is_paused);
   void set_rate(ImdFollower& client, std::int64_t every);
   void set_waits(bool waits);
   void pull(ImdFollower& client, const std::vector<JointForce>& forces);
-  /// Ends the run, where clients may; else it is said that `name` asked for it.
+  /// Ends the run if clients may; otherwise logs that `name` asked for it.
   void kill(const std::string& name);
 
  private:
@@ -92,7 +93,7 @@ class ImdExchange {
   const std::shared_ptr<Steering> steering_;
   const Descriptor wake_;
   std::atomic<bool> is_killed_{false}, has_messages_{false};
-  std::mutex mutex_;  ///< of what follows
+  std::mutex mutex_;  ///< guards the following members
   std::condition_variable changed_;
   std::list<ImdFollower> followers_;  ///< in the order in which they came
   std::vector<std::shared_ptr<Bytes>> spare_;

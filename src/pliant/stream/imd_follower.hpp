@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// One of the clients of a run: what it asked for, and what waits to be sent to it.
+// One of the clients of a run: its requests, and the frames waiting for it.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace pliant {
 
-/// A frame as it goes out to one client.
+/// A frame as sent to one client.
 struct ImdOutgoing {
   Bytes head;                             ///< for this client alone
   std::shared_ptr<Bytes> body = nullptr;  ///< the coordinates, which all clients share
@@ -22,17 +22,17 @@ struct ImdOutgoing {
 };
 
 struct ImdFollower {
-  std::int64_t every = 1;               ///< a frame in so many steps
-  std::vector<JointForce> forces = {};  ///< its pull, each joint once
-  std::deque<ImdOutgoing> frames = {};  ///< that wait to be sent
+  std::int64_t every = 1;  ///< a frame every so many steps
+  std::vector<JointForce> forces = {};  ///< its pulls, each joint once
+  std::deque<ImdOutgoing> frames = {};  ///< waiting to be sent
   ImdCounts counts = {};
-  bool is_paused = false;  ///< it holds the run
-  bool is_ready = false;   ///< all that there was for it is on its way
-  bool gets_next = false;  ///< the frame that is about to be put
+  bool is_paused = false;  ///< it has paused the run
+  bool is_ready = false;  ///< everything for it has been sent
+  bool gets_next = false;  ///< it gets the next frame
 };
 
-/// The pulls of all: forces on one joint are added up, in the order in which the clients came.
-/// Those of one client alone are as it sent them.
+/// The pulls of all clients: forces on one joint are added in the order in which the clients came.
+/// Those of a single client are as it sent them.
 std::vector<JointForce> forces_of(const std::list<ImdFollower>& followers);
 
 }  // namespace pliant

@@ -10,25 +10,25 @@
 
 namespace pliant {
 
-/// How long a client is waited for.
+/// How long the server waits for a client.
 struct ImdPatience {
   using Milliseconds = std::chrono::milliseconds;
-  /// For GO, after the handshake. The specification asks for 1 s; imdclient first makes room for 10
-  /// MB of frames, which of a few atoms takes most of that, and more on a busy machine.
+  /// For GO after the handshake. The specification asks for 1 s, but imdclient first allocates 10
+  /// MB of frames, which with few atoms takes most of that, and more on a busy machine.
   Milliseconds go{5000};
   Milliseconds packet{5000};    ///< for the next byte of a packet
-  Milliseconds reading{10000};  ///< that it takes a byte of what there is for it
-  Milliseconds finish{10000};   ///< at the end, for a client that takes nothing more
+  Milliseconds reading{10000};  ///< for it to take a byte of what is waiting
+  Milliseconds finish{10000};  ///< at the end, for a client that takes nothing more
 };
 
-/// Never waits itself: whoever serves many polls for all of them.
+/// Never blocks: the thread that serves it polls for all sessions.
 class ImdSession {
  public:
   using Clock = std::chrono::steady_clock;
 
   ImdSession(Peer peer, const ImdFormat& format, std::size_t joint_count, ImdExchange& exchange,
              const ImdPatience& patience = {});
-  /// The exchange then knows nothing of this client.
+  /// Removes this client from the exchange.
   ~ImdSession();
   ImdSession(const ImdSession&) = delete;
   ImdSession& operator=(const ImdSession&) = delete;
@@ -36,12 +36,12 @@ class ImdSession {
   const std::string& name() const { return peer_.name; }
   int socket() const { return peer_.socket.get(); }
 
-  /// What poll() is to look for. Takes up the next frame where the last one has gone.
+  /// The events that poll() should wait for. Takes the next frame when the last one has been sent.
   short events();
-  /// When step() is to be called at the latest.
+  /// Latest time for the next step().
   Clock::time_point deadline() const;
-  /// Does what there is to be done, `found` being what poll() has found; false: the session is
-  /// over. Throws InputError for what no client may do.
+  /// Handles the events `found` by poll(). Returns false if the session is over. Throws InputError
+  /// for an invalid command.
   bool step(short found);
 
  private:
@@ -67,12 +67,12 @@ class ImdSession {
   ImdExchange& exchange_;
   ImdPatience patience_;
   ImdCommandReader reader_;
-  ImdFollower* follower_ = nullptr;  ///< once it follows
+  ImdFollower* follower_ = nullptr;  ///< null until it follows
   Phase phase_ = Phase::greeting;
-  Clock::time_point since_ = Clock::now();  ///< the last progress of what is waited for
-  Clock::time_point took_ = since_;  ///< when the client took a byte, or was given one to take
+  Clock::time_point since_ = Clock::now();  ///< last progress of the current phase
+  Clock::time_point took_ = since_;  ///< when the client took a byte, or was given one
   bool is_paused_ = false;
-  bool is_ready_ = false;  ///< as the exchange has been told
+  bool is_ready_ = false;  ///< whether the exchange has it as ready
   ImdOutgoing out_;
   std::size_t sent_ = 0;  ///< bytes of out_
 };

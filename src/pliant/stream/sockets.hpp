@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// TCP sockets, closed when they go.
+// TCP sockets, closed by their owners' destructors.
 #pragma once
 
 #include <string>
@@ -7,7 +7,7 @@
 
 namespace pliant {
 
-/// A file descriptor of its own.
+/// Owns a file descriptor.
 class Descriptor {
  public:
   Descriptor() = default;
@@ -26,25 +26,25 @@ class Descriptor {
   int number_ = -1;
 };
 
-/// A socket that listens, and where.
+/// A listening socket and its address.
 struct Listener {
   Descriptor socket;
   int port = 0;
-  bool is_loopback = true;  ///< only programs of this machine reach it
+  bool is_loopback = true;  ///< can be reached only from this machine
 };
 
-/// Port 0: any free one. Throws FileError naming host and port.
+/// Listens on a port; 0 takes any free one. Throws FileError naming host and port.
 Listener listen_on(const std::string& host, int port);
 
-/// Someone who connects.
+/// A client that connects.
 struct Peer {
-  Descriptor socket;  ///< does not block; none: whoever knocked has gone
+  Descriptor socket;  ///< does not block; none if the client has gone
   std::string name;   ///< "127.0.0.1:43210"
 };
 
 Peer accept_peer(const Listener& listener);
 
-/// What one thread writes to wake another that polls.
+/// A descriptor that one thread writes to and thereby wakes another that polls.
 Descriptor make_wake();
 void wake(const Descriptor& descriptor);
 void sleep_again(const Descriptor& descriptor);
