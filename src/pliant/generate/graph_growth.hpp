@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A random graph while it grows: joints at random positions, bars between them.
+// A random graph under construction: joints at random positions, and bars.
 #pragma once
 
 #include <vector>
@@ -14,21 +14,21 @@ class GraphGrowth {
 
   /// A joint at a random position in the box.
   Joint add_joint();
-  /// Two joints with a bar between them (the thesis' createBar-joint-pair): the new one.
+  /// Adds a joint with a bar to `from` (the thesis' createBar-joint-pair). Returns the joint.
   Joint add_bar_and_joint(Joint from);
   void add_bar(Joint a, Joint b);
 
-  /// A random tree below `root`: each joint of a level gets 1 to `children` children, for `depth`
-  /// levels; or as many joints as the options ask for, each below a random joint.
+  /// Adds a random tree below `root`: each joint of a level gets 1 to `children` children, for
+  /// `depth` levels; or as many joints as the options ask for, each below a random joint.
   void add_tree(Joint root);
-  /// A random closed chain of 3 to `ring` joints through `start`: its joints in order.
+  /// Adds a random closed chain of 3 to `ring` joints through `start`. Returns its joints in order.
   std::vector<Joint> add_ring(Joint start);
-  /// A chain of 1 to `ring` new joints from `from` to `to` (bars only if `count` is 0).
+  /// Adds a chain of `count` new joints from `from` to `to`; only a bar if `count` is 0.
   void add_path(Joint from, Joint to, std::uint64_t count);
-  /// Random trees of depth 1 to `depth` at some of `joints`.
+  /// Adds random trees of depth 1 to `depth` at some of `joints`.
   void hang_trees(const std::vector<Joint>& joints);
-  /// A bar between a random pair of joints that none joins yet. Throws OptionError if there is no
-  /// such pair.
+  /// Adds a bar between a random pair of joints without one. Throws OptionError if there is no such
+  /// pair.
   void add_closing_bar();
 
   std::uint64_t draw(std::uint64_t bound) { return draws_.below(bound); }

@@ -14,33 +14,37 @@
 
 namespace pliant {
 
-/// Sizes of random graphs. The thesis gives none; these make graphs of about ten to fifty joints.
+/// Sizes of random graphs. The thesis gives none; the defaults make graphs of about ten to fifty
+/// joints.
 struct GenerateOptions {
   std::int64_t depth = 4;     ///< levels of a tree below its root, from 1
-  std::int64_t children = 3;  ///< most children of a joint, from 1; the number is random
-  std::int64_t ring = 8;      ///< most joints of a closed chain, from 3; the number is random
+  /// largest number of children of a joint, from 1; the number is random
+  std::int64_t children = 3;
+  /// largest number of joints of a closed chain, from 3; the number is random
+  std::int64_t ring = 8;
   std::int64_t cycles = 3;    ///< non-tree bars of an n-cycle, from 0
-  std::int64_t joints = 0;    ///< joints of a tree; 0: as depth and children have it
-  double box = 10.0;          ///< edge of the box that positions are drawn from (Angstrom)
+  std::int64_t joints = 0;  ///< joints of a tree; 0: determined by depth and children
+  double box = 10.0;  ///< edge of the box from which positions are drawn (Angstrom)
 };
 
-/// Throws OptionError naming the option, its value and its range, and for sizes that make more than
-/// 10^8 joints on average.
+/// Throws OptionError naming the option, its value and its range, and for sizes with more than 10^8
+/// joints on average.
 void check(const GenerateOptions& options);
 
 /// A random framework with its positions, at which all bars are whole.
 struct GeneratedGraph {
   Framework framework;
   std::vector<Vec3> positions;             ///< (N) Angstrom
-  std::vector<std::vector<Joint>> cycles;  ///< the thesis' cycle set: one cycle per non-tree bar
+  std::vector<std::vector<Joint>> cycles;  ///< the thesis' cycle set: a cycle for each non-tree bar
 };
 
-/// One way of making a graph of a class.
+/// A way of making graphs of a class.
 struct GraphClass {
   std::string_view name;    ///< "tree", "1-cycle-bar", ...
   std::string_view family;  ///< "tree", "1-cycle", "2-cycle", "n-cycle"
   std::string_view summary;
-  /// `key` says which graph: its seed, and walker = number of the graph. Its domain is set here.
+  /// `key` identifies the graph by its seed and by walker, the number of the graph. Its domain is
+  /// set here.
   GeneratedGraph (*make)(const GenerateOptions& options, const RandomKey& key);
 };
 
@@ -50,13 +54,12 @@ std::span<const GraphClass> graph_classes();
 /// The row of that name. Throws OptionError listing the known names.
 const GraphClass& find_graph_class(std::string_view name);
 
-/// Why `framework` is not of a class: it must be connected, with the class' number of independent
-/// cycles (of an n-cycle, options.cycles). "" if it is of the class.
+/// Says why `framework` does not belong to a class: it must be connected, with the number of
+/// independent cycles of the class (options.cycles for an n-cycle). "" if it belongs to it.
 std::string class_fault(const GraphClass& kind, const GenerateOptions& options,
                         const Framework& framework);
 
-/// Makes a graph and checks that it is of its class. Throws Error if it is not, which would be a
-/// bug.
+/// Makes a graph and checks its class. Throws Error if it is wrong, which would be a bug.
 GeneratedGraph generate(const GraphClass& kind, const GenerateOptions& options,
                         const RandomKey& key);
 
