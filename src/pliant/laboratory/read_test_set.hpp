@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Reading test sets that make_test_set.hpp or others wrote.
+// Reads test sets that make_test_set.hpp or other programs wrote.
 #pragma once
 
 #include <filesystem>
@@ -8,9 +8,9 @@
 
 namespace pliant {
 
-/// Reads results.xml and every graph, ordering and force file that it names.
-/// Throws InputError naming file, line, what was expected and found: nothing may be missing, of
-/// another class, or of other settings. Throws FileError.
+/// Reads results.xml and every graph, ordering and force file that it names. Throws InputError
+/// naming file, line, what was expected and found, also for anything missing, of another class, or
+/// with other settings. Throws FileError.
 TestSet read_test_set(const std::filesystem::path& directory);
 
 }  // namespace pliant

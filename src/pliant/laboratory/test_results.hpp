@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What one heuristic (technique and weighting) did with the forces of one graph of a test set: a
+// Results of one heuristic (technique and weighting) for the forces of one graph of a test set: a
 // table of one row a force, and its summary.
 #pragma once
 
@@ -14,20 +14,21 @@ namespace pliant {
 
 /// One force, resolved.
 struct TestRow {
-  std::int64_t sweeps = 0;  ///< one direction counts as one, as the thesis counts iterations
-  std::int64_t passes = 0;  ///< of the reverse techniques forwards and backwards together count one
+  std::int64_t sweeps = 0;  ///< one direction counts as one, as in the thesis
+  /// in the reverse techniques forwards and backwards together count as one
+  std::int64_t passes = 0;
   std::int64_t projections = 0;  ///< bars looked at
   bool converged = false;
   double final_residual = 0.0;  ///< largest |length - rest| / rest
 };
 
-/// Of the sweeps over all forces of a graph.
+/// Statistics of the sweeps over all forces of a graph.
 struct TestSummary {
   std::int64_t forces = 0;
-  std::int64_t converged = 0;  ///< how many of them
+  std::int64_t converged = 0;  ///< number of forces that converged
   double mean = 0.0;
-  std::int64_t mode = 0;  ///< the smallest of the most frequent
-  double sd = 0.0;        ///< with n - 1; 0 of one force
+  std::int64_t mode = 0;  ///< the smallest of the most frequent values
+  double sd = 0.0;  ///< with n - 1; 0 for a single force
 
   friend bool operator==(const TestSummary&, const TestSummary&) = default;
 };

@@ -26,10 +26,10 @@
 
 namespace pliant {
 
-/// What all graphs of a test set share; kept in results.xml.
+/// Settings shared by all graphs of a test set; kept in results.xml.
 struct TestSettings {
   std::uint64_t seed = 0;
-  std::int64_t forces = 50;        ///< pushes of each graph, from 1
+  std::int64_t forces = 50;  ///< number of pushes for each graph, from 1
   double force = 50.0;             ///< size of each, kJ/(mol Angstrom)
   double timestep = 0.01;          ///< ps
   double tolerance_length = 0.01;  ///< largest |length - rest| of a whole bar (Angstrom)
@@ -37,13 +37,13 @@ struct TestSettings {
   GenerateOptions sizes = {};
 };
 
-/// A technique with a weighting, and what it did if that is known.
+/// A technique with a weighting, and its results if known.
 struct TestHeuristic {
   std::string technique;
   double weighting = 0.5;
   std::optional<TestSummary> results = {};
 
-  std::string name() const;  ///< "bfs_cycle-0.5": its folder
+  std::string name() const;  ///< "bfs_cycle-0.5", the name of its folder
 };
 
 struct TestGraph {
@@ -52,7 +52,7 @@ struct TestGraph {
   GraphFile graph;
   Ordering ordering = {};
   std::vector<ForceFile> force_files = {};
-  std::deque<TestHeuristic> heuristics = {};  ///< adding one leaves the others where they are
+  std::deque<TestHeuristic> heuristics = {};  ///< adding one does not move the others
 
   std::vector<JointForce> pushes() const;  ///< of all force files, in their order
 };
@@ -63,7 +63,7 @@ struct TestClass {
   std::vector<TestGraph> graphs = {};
 };
 
-/// Which heuristic of which graph.
+/// Identifies a heuristic of a graph.
 struct TestPlace {
   std::string_view kind;  ///< name of the class
   std::int64_t graph = 0;
@@ -76,17 +76,17 @@ struct TestSet {
   TestSettings settings;
   std::vector<TestClass> classes = {};
 
-  /// Throws OptionError listing the names there are.
+  /// Throws OptionError listing the existing names.
   const TestClass& class_named(std::string_view name) const;
-  /// Writes results.xml anew, at once and as a whole.
+  /// Writes results.xml atomically.
   void save() const;
-  /// Writes the table of a heuristic, one row a push, and notes its summary; save() puts that into
-  /// results.xml. A heuristic that the set does not name yet is added.
-  /// Throws OptionError for a class, graph or technique that is unknown; InputError for rows that
-  /// are not one a push or hold what is no number; FileError.
+  /// Writes the table of a heuristic, one row a push, and keeps its summary, which save() writes to
+  /// results.xml. A heuristic that the set does not have is added. Throws OptionError for a class,
+  /// graph or technique that is unknown; InputError for rows that are not one a push or contain
+  /// invalid numbers; FileError.
   const TestSummary& write_results(const TestPlace& place, std::span<const TestRow> rows);
-  /// The table again. Throws OptionError where there is none, InputError if it is not what
-  /// results.xml says.
+  /// Reads the table back. Throws OptionError if there is none, InputError if it contradicts
+  /// results.xml.
   std::vector<TestRow> read_results(const TestPlace& place) const;
 };
 
