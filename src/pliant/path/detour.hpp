@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A detour of a way that is stuck: back to a place before, then aside.
+// A detour of a way that is stuck: back to an earlier place, then sideways.
 #pragma once
 
 #include <cstdint>
@@ -10,20 +10,20 @@
 
 namespace pliant {
 
-/// (R) random directions that change slowly along the residues, the longest of length 1. They
-/// depend on the seed and the attempt alone.
+/// (R) random directions that vary smoothly along the residues, the longest of length 1. They
+/// depend only on the seed and the attempt.
 std::vector<Vec3> smooth_field(std::size_t residues, std::uint64_t attempt, std::uint64_t seed);
 
 class Detour {
  public:
-  /// From some places before the last of a way that is stuck: further back, and further aside, the
-  /// more attempts there were (from 1). The walker, which must outlive it, is put there.
+  /// Starts some places before the end of a way that is stuck: the more attempts (from 1), the
+  /// further back and sideways. Moves the walker, which must outlive it, there.
   Detour(PathWalker& walker, const Way& stuck, std::span<const Vec3> goal, std::uint64_t attempt,
          std::uint64_t seed);
 
-  /// One step at most, which is added to the way. False once the detour has ended.
+  /// Makes at most one step and adds it to the way. Returns false once the detour has ended.
   bool advance();
-  /// From the start, with the places of the detour.
+  /// The way from the start, detour included.
   Way& way() { return way_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Steps on a way: towards one goal after another, until nothing is gained.
+// Steps on a way: towards one goal after another, until nothing more is gained.
 #pragma once
 
 #include <optional>
@@ -10,17 +10,18 @@
 
 namespace pliant {
 
-/// A way ends where so many steps together gain less than least_gain (Angstrom).
+/// A way ends when path_patience steps together gain less than least_gain (Angstrom).
 inline constexpr std::size_t path_patience = 8;
 inline constexpr double least_gain = 0.02;
-inline constexpr double path_near = 0.5;  ///< a goal that is not the last is reached, Angstrom
+/// Angstrom at which an intermediate goal counts as reached
+inline constexpr double path_near = 0.5;
 inline constexpr std::size_t most_path_steps = 2000;
 
-/// Where one walker was, and how far each place is from the last goal.
+/// The places of one walker, and their distances from the last goal.
 struct Way {
   std::vector<SharedPlace> places;
   std::vector<double> left;        ///< Angstrom
-  std::vector<std::string> notes;  ///< why it ended, if not for want of gain
+  std::vector<std::string> notes;  ///< why it ended, unless steps gained too little
 
   void add(SharedPlace place, double apart) {
     places.push_back(std::move(place));
@@ -30,12 +31,12 @@ struct Way {
   Way first(std::size_t count) const;
 };
 
-/// Whether steps still gain.
+/// Decides whether steps still gain.
 class Patience {
  public:
-  /// step: r.m.s. length of steps; begun: how far the goal is (Angstrom).
+  /// step: r.m.s. length of steps; begun: first distance of the goal (Angstrom).
   Patience(double step, double begun);
-  /// Notes how far the goal is; whether the last steps gained too little.
+  /// Notes the distance of the goal. Returns whether the last steps gained too little.
   bool is_over(double left);
 
  private:
@@ -43,16 +44,16 @@ class Patience {
   std::vector<double> seen_;
 };
 
-/// Goals before the last only show the way: one is left for the next where it is near, or where a
-/// step gains little.
+/// Intermediate goals only show the way: the next one replaces a goal that is near, or towards
+/// which a step gains little.
 class March {
  public:
-  /// Goes on from where the walker is, the last place of the way. goals: of K places each, at least
-  /// one. Walker and way must outlive it.
+  /// Continues from the walker's position, the last place of the way. goals: at least one, of K
+  /// positions each. Walker and way must outlive it.
   March(PathWalker& walker, Way& way, std::vector<std::vector<Vec3>> goals, double step);
 
-  /// One step at most, which is added to the way. False where the way has ended. Of a step that was
-  /// stopped nothing is kept, and it may be asked for again.
+  /// Makes at most one step and adds it to the way. Returns false where the way has ended. A step
+  /// that was stopped leaves no trace and may be repeated.
   bool advance();
 
  private:

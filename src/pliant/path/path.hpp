@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Path (targeting, morphing): a way from one structure of a molecule to another, each frame whole.
-// At each step the other structure is superposed on the molecule, whose residues are asked to go
-// towards it by a fixed r.m.s. distance; technique `froda` then makes bars whole, keeps atoms apart
-// and holds the contacts that both structures have. Those of one alone are let go (S. Wells et al.,
-// Phys. Biol. 2 (2005) S127; D. W. Farrell, K. Speranskiy, M. F. Thorpe, Proteins 78 (2010) 2908).
+// Path (targeting, morphing): a sequence of whole frames from one structure of a molecule to
+// another. At each step the other structure is superposed on the molecule, whose residues are asked
+// to move towards it by a fixed r.m.s. distance; technique `froda` then makes bars whole, keeps
+// atoms apart and holds the contacts that both structures have. Contacts that only one has are
+// released (S. Wells et al., Phys. Biol. 2 (2005) S127; D. W. Farrell, K. Speranskiy, M. F. Thorpe,
+// Proteins 78 (2010) 2908).
 #pragma once
 
 #include <cstdint>
@@ -18,31 +19,32 @@
 
 namespace pliant {
 
-/// A path as it is found, step by step. The same ends, options and seed give the same bits. Not for
-/// two threads at once.
+/// A path that is found step by step. The same ends, options and seed give the same bits. Not
+/// thread-safe.
 class PathWalk {
  public:
-  /// The ends were matched with the same options. Throws OptionError, and InputError as Motion.
+  /// The ends must have been matched with the same options. Throws OptionError, and InputError as
+  /// Motion.
   PathWalk(std::shared_ptr<const PathEnds> ends, const PathOptions& options);
   ~PathWalk();
   PathWalk(PathWalk&&) noexcept;
 
-  /// One step at most, of either molecule. False where the walk has ended: then nothing moves any
-  /// more. A step that should_stop cut short leaves all as it was.
+  /// Makes at most one step of either molecule. Returns false when the walk has ended. A step that
+  /// should_stop cuts short changes nothing.
   bool advance();
   bool is_over() const;
 
-  /// Frames of the start on the best way so far, which grows with the steps of the first; a detour
-  /// takes its place once it has come nearer. After the end they are the path.
+  /// Number of frames of the start on the best way so far. It grows with the steps of the first
+  /// way; a detour replaces that once it has come nearer. After the end these are the path.
   std::size_t frame_count() const;
-  /// One of them, numbered from 0; 0.01 ps apart, for a path has no time. Positions stay valid as
-  /// long as it is a frame of this walk.
+  /// A frame, numbered from 0; times are 0.01 ps apart, since a path has no time. Positions remain
+  /// valid as long as the frame belongs to this walk.
   Frame frame(std::size_t number) const;
-  /// How far the last of them is from the end (Angstrom).
+  /// Distance of the last frame from the end (Angstrom).
   double left() const;
-  /// How often it went back and tried again.
+  /// Number of detours tried.
   std::int64_t attempts() const;
-  /// How residues were matched, where the ends met, why it ended.
+  /// How residues were matched, where the ends met, and why the walk ended.
   std::vector<std::string> notes() const;
 
   const std::shared_ptr<const PathEnds>& ends() const;
@@ -53,27 +55,26 @@ class PathWalk {
   std::unique_ptr<Plan> plan_;
 };
 
-/// A path, and what it took.
+/// A path and its costs.
 struct MolecularPath {
   std::shared_ptr<const PathEnds> ends;
   std::vector<std::vector<Vec3>>
       positions;                   ///< (F) of N each, Angstrom; atoms of the start's model
   std::vector<PathFrame> frames;   ///< (F) the start first
-  std::vector<std::string> notes;  ///< how residues were matched, where the ends met, why
-                                   ///< it ended
-  std::int64_t attempts = 0;       ///< times that it went back and tried again
-  bool has_arrived = false;        ///< whether the last frame is at the end
+  std::vector<std::string> notes;  ///< how residues were matched, where the ends met, why it ended
+  std::int64_t attempts = 0;  ///< number of detours tried
+  bool has_arrived = false;  ///< the last frame has reached the end
 };
 
-/// What is told of the frames that a walk has so far.
+/// The table of the frames that a walk has so far.
 std::vector<PathFrame> table_of(const PathWalk& walk);
 
-/// What a walk has found so far.
+/// The path that a walk has found so far.
 MolecularPath found_by(const PathWalk& walk);
 
-/// Moves `start` towards `end`, another structure of the same molecule, until nothing is gained or
-/// should_stop asks for an end. Both with their bonds (perceive_bonds).
-/// Throws OptionError, and InputError where the two do not match.
+/// Moves `start` towards `end`, another structure of the same molecule, until nothing more is
+/// gained or should_stop asks for an end. Both must have their bonds (perceive_bonds). Throws
+/// OptionError, and InputError if the two do not match.
 MolecularPath find_path(const Structure& start, const Structure& end,
                         const PathOptions& options = {});
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is told of a path, frame by frame.
+// The table of a path: measures of each frame.
 #pragma once
 
 #include <cstdint>
@@ -17,37 +17,37 @@ struct PathFrame {
   std::int64_t step = 0;
   double to_end = 0.0;  ///< r.m.s. distance of the asked atoms from the end, superposed, Angstrom
   double from_start = 0.0;    ///< the same from the start
-  std::int64_t lost = 0;      ///< contacts that only the start has, and that are broken here
-  std::int64_t made = 0;      ///< contacts that only the end has, and that are there
-  double max_residual = 0.0;  ///< worst bar, share of its length
-  double held_off = 0.0;      ///< furthest that a contact of both is outside its interval, Angstrom
-  double overlap = 0.0;       ///< how much nearer than allowed two atoms are at most, Angstrom
-  std::string tightest;       ///< these two: "A:LYS12 NZ - A:ASP54 OD1"; empty where none are
+  std::int64_t lost = 0;  ///< broken contacts among those that only the start has
+  std::int64_t made = 0;  ///< formed contacts among those that only the end has
+  double max_residual = 0.0;  ///< worst bar, relative to its length
+  double held_off = 0.0;  ///< largest distance of a shared contact outside its interval, Angstrom
+  double overlap = 0.0;  ///< by how much two atoms are nearer than allowed, Angstrom
+  std::string tightest;  ///< these two: "A:LYS12 NZ - A:ASP54 OD1"; empty if there are none
 };
 
-/// Looks at frames of the molecule of the start.
+/// Measures frames of the molecule of the start.
 class PathTable {
  public:
   /// The ends must outlive it.
   explicit PathTable(const PathEnds& ends);
 
-  /// Of positions (N, Angstrom) whose worst bar is off by max_residual of its length.
+  /// Measures positions (N, Angstrom), whose worst bar has the relative error max_residual.
   PathFrame row(std::int64_t step, std::span<const Vec3> positions, double max_residual);
 
  private:
   void find_tightest(std::span<const Vec3> positions, PathFrame& row);
 
   const PathEnds& ends_;
-  std::vector<Vec3> begun_;  ///< (K) Angstrom, where the asked atoms were at the start
+  std::vector<Vec3> begun_;  ///< (K) Angstrom, asked atoms at the start
   Contacts near_;
 };
 
 /// Two atoms that are too near each other, more than any others in some frames.
 struct TightPlace {
   std::string atoms;        ///< "A:LYS12 NZ - A:ASP54 OD1"
-  double overlap = 0.0;     ///< how much nearer than allowed, at most, Angstrom
-  std::int64_t step = 0;    ///< where that is
-  std::int64_t frames = 0;  ///< of which these two are the tightest
+  double overlap = 0.0;  ///< by how much at most, Angstrom
+  std::int64_t step = 0;  ///< of the largest overlap
+  std::int64_t frames = 0;  ///< number of frames in which these two are the tightest
 };
 
 /// Pairs of atoms that are the tightest of a frame, the most overlapping first; at most `count`.

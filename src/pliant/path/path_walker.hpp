@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Moves one molecule towards given places of its asked atoms, step by step, every step whole.
+// Moves one molecule towards given positions of its asked atoms, step by step, every step whole.
 #pragma once
 
 #include <cstdint>
@@ -13,7 +13,7 @@
 
 namespace pliant {
 
-/// Where a walker was, and what it took to get there.
+/// A place of a walker, and the cost of the step to it.
 struct PathPlace {
   std::vector<Vec3> positions;  ///< (N) Angstrom
   std::int64_t sweeps = 0, projections = 0;
@@ -22,30 +22,30 @@ struct PathPlace {
 
 using SharedPlace = std::shared_ptr<const PathPlace>;
 
-/// How a step of a walker ended. Unless it is whole, nothing has moved.
+/// How a step of a walker ended. Only a whole step moves anything.
 enum class StepEnd : std::uint8_t { whole, not_whole, stopped };
 
 class GoalPusher;
 
 class PathWalker {
  public:
-  /// The side must outlive it. A step that should_stop cuts short is told as stopped.
+  /// The side must outlive it. A step that should_stop cuts short ends as stopped.
   PathWalker(const PathSide& side, std::function<bool()> should_stop);
 
-  /// Asks for a step of r.m.s. `length` (Angstrom) towards goal (K), or all the way if that is
-  /// nearer. drift: (R) Angstrom, by which each matched residue is asked to go besides; or none.
+  /// Makes a step of r.m.s. `length` (Angstrom) towards goal (K), or all the way if that is nearer.
+  /// drift: (R) Angstrom, an additional displacement asked of each matched residue; or empty.
   StepEnd step(std::span<const Vec3> goal, double length, std::span<const Vec3> drift = {});
-  /// The same without drift; one that cannot be made whole is asked for anew, half as long, and
-  /// again.
+  /// The same without drift. A step that cannot be made whole is repeated with half the length, and
+  /// so on.
   StepEnd whole_step(std::span<const Vec3> goal, double length);
 
-  /// Goes on from a place where it was before.
+  /// Continues from an earlier place.
   void put(SharedPlace place);
 
   const PathSide& side() const { return side_; }
   const SharedPlace& now() const { return now_; }
-  std::vector<Vec3> asked() const;  ///< (K) Angstrom, where the asked atoms are
-  /// r.m.s. distance of the asked atoms from places (K), which are superposed (Angstrom).
+  std::vector<Vec3> asked() const;  ///< (K) Angstrom, positions of the asked atoms
+  /// r.m.s. distance of the asked atoms from `goal` (K) after superposition (Angstrom).
   double apart(std::span<const Vec3> goal) const;
 
  private:
@@ -57,13 +57,13 @@ class PathWalker {
   SharedPlace now_;
 };
 
-/// (K) Angstrom: from each of `here` to its goal, which is superposed first.
+/// (K) Angstrom: vectors from `here` to the goals, which are superposed first.
 std::vector<Vec3> ways(std::span<const Vec3> here, std::span<const Vec3> goal);
 
-/// r.m.s. length of moves (Angstrom); 0 of none.
+/// r.m.s. length of moves (Angstrom); 0 if there are none.
 double rms(std::span<const Vec3> moves);
 
-/// The asked atoms of a side at `positions` (N).
+/// Positions of a side's asked atoms at `positions` (N).
 std::vector<Vec3> asked_of(const PathSide& side, std::span<const Vec3> positions);
 
 }  // namespace pliant

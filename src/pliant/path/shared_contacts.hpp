@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts of two structures of one molecule: which of them both have.
+// Finds the contacts that two structures of one molecule share.
 #pragma once
 
 #include <cstdint>
@@ -15,27 +15,27 @@
 
 namespace pliant {
 
-/// Which residue of one structure is which of the other, by their indices.
+/// Matched residues of two structures, by their indices.
 struct ResiduePairing {
   std::vector<std::uint32_t> ours, theirs;  ///< (M)
 };
 
-/// The same, and besides residues that have the same chain, number and name in both: ligands,
-/// metals.
+/// `matched`, and besides residues with the same chain, number and name in both: ligands, metals.
 ResiduePairing with_ligands(const Structure& ours, const Structure& theirs, ResiduePairing matched);
 
-/// An atom as both structures call it: which match its residue is, and its name there.
+/// An atom in both structures: the index of its residue's match, and its name.
 using MatchedName = std::pair<std::uint32_t, std::string_view>;
 
-/// Atoms of matched residues by name. The structure must outlive it, where it is.
+/// Atoms of matched residues by name. The structure must outlive it and not move.
 class MatchedAtoms {
  public:
   MatchedAtoms(const Structure& structure, std::span<const std::uint32_t> residues);
 
-  /// Nothing of atoms of other residues, and of those whose name a later atom of theirs has.
+  /// Nothing for atoms of other residues, and for those whose name a later atom of the residue has.
   std::optional<MatchedName> name_of(std::uint32_t atom) const;
   std::optional<std::uint32_t> atom_of(const MatchedName& name) const;
-  /// The same name for atoms that a turn of the side chain would swap: OD1 of ASP for its OD2.
+  /// The name of the atom that a rotation of the side chain would exchange with it: OD1 of ASP for
+  /// OD2.
   std::optional<MatchedName> name_alike(std::uint32_t atom) const;
 
  private:
@@ -44,17 +44,17 @@ class MatchedAtoms {
   std::map<MatchedName, std::uint32_t> atoms_;
 };
 
-/// The contacts of two structures, told apart. Those of atoms that are not matched are in none.
+/// The contacts of two structures, compared. Contacts of unmatched atoms are in none of the lists.
 struct SharedContacts {
-  std::vector<MolecularContact> ours, theirs;            ///< that both have
-  std::vector<MolecularContact> only_ours, only_theirs;  ///< that one has alone
+  std::vector<MolecularContact> ours, theirs;  ///< contacts that both have
+  std::vector<MolecularContact> only_ours, only_theirs;  ///< contacts that only one has
 };
 
 SharedContacts share_contacts(std::span<const MolecularContact> ours, const MatchedAtoms& our_atoms,
                               std::span<const MolecularContact> theirs,
                               const MatchedAtoms& their_atoms);
 
-/// How far the distance of a contact is outside its interval (Angstrom), 0 within.
+/// How far the length of a contact is outside its interval (Angstrom); 0 within.
 double outside(const MolecularContact& contact, std::span<const Vec3> positions);
 
 }  // namespace pliant

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Trace: the residues of a polymer by one atom each, the alpha carbon of amino acids and P of
-// nucleotides.
+// Trace: the residues of a polymer, each represented by one atom: the alpha carbon of amino acids,
+// P of nucleotides.
 #pragma once
 
 #include <cstdint>
@@ -16,15 +16,15 @@ namespace pliant {
 
 enum class PolymerKind : std::uint8_t { amino, nucleic };
 
-/// "CA" or "P": the atom that stands for a residue of that kind.
+/// "CA" or "P": the atom that represents a residue of that kind.
 std::string_view trace_atom(PolymerKind kind);
 
 /// One residue of a trace.
 struct TracedResidue {
-  std::uint32_t atom = 0;  ///< that stands for it
+  std::uint32_t atom = 0;  ///< that represents it
   Residue residue;
   PolymerKind kind = PolymerKind::amino;
-  char letter = 'X';  ///< X for a name that is not known
+  char letter = 'X';  ///< X for an unknown name
 };
 
 /// R residues in the order of the file.
@@ -32,8 +32,8 @@ class Trace {
  public:
   Trace() = default;
 
-  /// Notes a residue. One of nucleotides is left out unless its name is known: phosphates of others
-  /// are none.
+  /// Adds a residue. A residue with P is left out unless it is a known nucleotide, since others can
+  /// be phosphates.
   void add(std::uint32_t atom, Residue residue, PolymerKind kind);
 
   std::size_t size() const { return residues_.size(); }
@@ -42,14 +42,14 @@ class Trace {
 
   /// "A:LYS12", or "LYS12" where the file names no chain.
   std::string label(std::size_t residue) const;
-  /// "A:1-3, A:74-76": residues, rising, those next to each other as one.
+  /// "A:1-3, A:74-76": rising residues, consecutive ones as a range.
   std::string ranges(std::span<const std::uint32_t> residues) const;
 
  private:
   std::vector<TracedResidue> residues_;
 };
 
-/// Of a structure: each carbon called CA and each phosphorus called P.
+/// The trace of a structure: each carbon called CA and each phosphorus called P.
 Trace trace_of(const Structure& structure);
 
 }  // namespace pliant
