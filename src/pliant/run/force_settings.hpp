@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options of a run that a force file keeps besides those that each of them has.
+// Options of a run in a force file, besides those that every force file has.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace pliant {
 
-/// Options that are not as usual, without timestep, tolerance and max_sweeps, of which
-/// ForceFile::set takes care: of a run whose perturbation is to be made again from its seed.
+/// Options with unusual values, except timestep, tolerance and max_sweeps (see ForceFile::set), for
+/// a run whose perturbation is to be repeated from its seed.
 std::vector<ForceSetting> force_settings(const RunOptions& options);
 
-/// The same of a run whose pushes are all listed: what made them is of no matter then. A technique
+/// The same for a run whose pushes are all listed, without the options that made them. A technique
 /// that is a function has no name to be kept.
 std::vector<ForceSetting> push_settings(const RunOptions& options);
 

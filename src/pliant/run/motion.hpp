@@ -17,64 +17,65 @@
 
 namespace pliant {
 
-/// What a Motion does. Checked once, when it is made.
+/// Options of a Motion. Checked once, when it is made.
 struct MotionOptions {
   Technique technique = {};
-  ResolveOptions resolve = {};  ///< its walker is not looked at
+  ResolveOptions resolve = {};  ///< its walker is ignored
   std::vector<std::string> push = {
       "force"};                         ///< names in pushers(), in the order in which they act
-  PerturbOptions perturb = {};          ///< of all of them
-  std::vector<JointForce> replay = {};  ///< of pusher `replay`: one force a step
+  PerturbOptions perturb = {};  ///< for all of them
+  /// for pusher `replay`: forces, one a step or by replay_counts
+  std::vector<JointForce> replay = {};
   std::int64_t replay_from = 0;         ///< the step after which replays and guides begin
-  Guide guide = {};                     ///< of pushers `rock`, `pull` and `pair_distance`
+  Guide guide = {};  ///< for pushers `rock`, `pull` and `pair_distance`
   Log log = {};
-  std::vector<std::int64_t> replay_counts = {};  ///< (S) forces of each step; empty: one
+  std::vector<std::int64_t> replay_counts = {};  ///< (S) number of forces in each step; empty: one
 };
 
 /// Throws OptionError naming the option, its value and its range.
 void check(const MotionOptions& options);
 
-/// One walker. The state is all that its way depends on: a Motion made with a copy of state() goes
-/// on bit by bit as this one does, whatever the technique and the pushers of the table, also where
-/// a step did not converge. Call start() to begin; step() alone to go on. Not for two threads at
-/// once.
+/// One walker. Its further course depends only on the state: a Motion made with a copy of state()
+/// continues bit by bit as this one does, whatever the technique and the pushers of the table, even
+/// after a step that did not converge. Call start() to begin, step() alone to continue. Not
+/// thread-safe.
 class Motion {
  public:
   /// The framework must outlive it. Random draws are those of `walker`. Throws OptionError, and
   /// InputError for positions that cannot carry the framework.
   Motion(const Framework& framework, State state, const MotionOptions& options = {},
          std::uint64_t walker = 0);
-  /// Steps on a state that lives elsewhere, and longer.
+  /// Moves a state that is stored elsewhere, which must outlive it.
   Motion(const Framework& framework, std::reference_wrapper<State> state,
          const MotionOptions& options = {}, std::uint64_t walker = 0);
   ~Motion();
   Motion(Motion&&) noexcept;
 
-  /// Acts in each step after the pushers that are there already.
+  /// Adds a pusher, which acts in each step after the earlier ones.
   void add(std::shared_ptr<Pusher> pusher);
 
-  /// Resolves the positions first if a bar is broken, at rest afterwards.
+  /// Resolves the positions first if a bar is broken; the walker is then at rest.
   Frame start();
-  /// Pushes and resolves. A step that does not converge is told as such. Of one with
-  /// Stop::not_finite the push is taken back; one that should_stop cut short is taken back whole:
-  /// the state is as before, and the frame says Stop::stopped_by_caller. Throws what a pusher
-  /// throws; the state is then as before the step.
+  /// Pushes and resolves. The frame says whether the step converged. With Stop::not_finite the push
+  /// is taken back; if should_stop cut the step short, all of it is: the state is unchanged, and
+  /// the frame says Stop::stopped_by_caller. Throws what a pusher throws; the state is then
+  /// unchanged.
   Frame step();
 
-  /// step() without the look at all bars that a frame needs. False if the step was cut short.
+  /// step() without measuring all bars for a frame. Returns false if the step was cut short.
   bool advance();
-  /// Where the walker is, measured. Valid until the next step.
+  /// The present frame, measured. Valid until the next step.
   Frame frame();
-  /// What pushed in the last step.
+  /// The push of the last step.
   const Push& pushed() const;
 
   const State& state() const;
-  /// The state, to be changed before the next step; ask again each time.
+  /// The state, to be changed before the next step; call it again each time.
   State& change_state();
-  /// Its frames are those that have been asked for.
+  /// Summary of the steps; its frames are those that were asked for.
   const RunSummary& summary() const;
-  /// Whether should_stop or stop() asked for an end, or all pushers have nothing more to push.
-  /// step() may be called all the same.
+  /// Whether should_stop or stop() asked for an end, or all pushers have ended. step() may still be
+  /// called.
   bool is_over() const;
   void stop();
 

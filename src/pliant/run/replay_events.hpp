@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Replaying what a person did (force files with events) as a run.
+// Replays what a person did (force files with events) as a run.
 #pragma once
 
 #include <functional>
@@ -13,28 +13,28 @@
 
 namespace pliant {
 
-/// How to show it.
+/// Options of a replay.
 struct ReplayOptions {
   std::string_view file = "force file";    ///< for messages
-  std::int64_t every = 1;                  ///< show every so many steps (and step 0); from 1
+  std::int64_t every = 1;  ///< interval of the frames shown (with step 0); from 1
   std::function<bool()> should_stop = {};  ///< asked after each sweep and step
   Log log = {};
 };
 
-/// Whether all settings and pins make sense for this framework, one after the other; makes no step.
-/// Throws as replay_events() does for those that make none.
+/// Checks that all settings and pins are valid for this framework, in order, without making a step.
+/// Throws as replay_events() does for invalid ones.
 void check_events(const Framework& framework, const State& state,
                   std::span<const ForceEvent> events, std::string_view file = "force file");
 
-/// Steps `state` on as the events say, from the usual options on: the same framework, state and
-/// events give the same bits as when they were made. Step 0 is shown, every `every`-th and the
-/// last. Throws InputError naming file and line of an event that makes no sense, and as run().
+/// Moves `state` through the events, starting from the usual options: the same framework, state and
+/// events give the bits of the original. Step 0, every `every`-th step and the last are shown.
+/// Throws InputError naming file and line of an invalid event, and as run().
 RunSummary replay_events(const Framework& framework, State& state,
                          std::span<const ForceEvent> events, const ReplayOptions& options,
                          const std::vector<Observer>& observers);
 
-/// Options as a file records them of a run that these events make of `options`: the settings after
-/// the last event, as many steps, and the loosest tolerance of any, by which all frames are judged.
+/// The options that a file records for a run with these events: the settings after the last event,
+/// the number of steps, and the loosest tolerance, by which all frames are judged.
 RunOptions options_after(RunOptions options, std::span<const ForceEvent> events,
                          const Framework& framework);
 

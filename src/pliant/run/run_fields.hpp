@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The table of the options of a run: name, meaning, unit and range of each, and where it lies. The
-// command's options, Python's keywords, the parameters of a recorded file and check() all come from
-// it: an option is added here and is there for all of them.
+// The table of the options of a run: name, meaning, unit, range and place of each. The command's
+// options, Python's keywords, the parameters of a recorded file and check() all come from it.
 #pragma once
 
 #include <cstdint>
@@ -24,29 +23,29 @@ std::span<const RunField> run_fields();
 const RunField& find_run_field(std::string_view name);
 
 /// Sets an option from text: "true" or "false", a number, a name. Throws OptionError naming it, the
-/// text and what was expected; ranges are check_fields()' matter.
+/// text and what was expected. Ranges are checked by check_fields(), not here.
 void set_run_field(RunOptions& options, std::string_view name, std::string_view text);
 
 /// The value of an option as text that set_run_field() reads back to the same bits.
 std::string run_field_text(const RunOptions& options, const RunField& field);
 
-/// Throws OptionError naming the first option that is out of its range or no known name, the value
-/// and what it must be.
+/// Throws OptionError for the first option that is out of its range or no known name, naming it,
+/// the value and what it must be.
 void check_fields(const RunOptions& options);
 
-/// What is recorded as the perturbation of a run that replayed a force file with events. Nothing
-/// goes on with such a run.
+/// The perturbation recorded for a run that replayed a force file with events. Such a run cannot
+/// continue.
 inline constexpr std::string_view events_perturbation = "events";
 
-/// Every option by its path below /parameters: "run/max_sweeps". Two things more: "run/walker", and
-/// "run/technique_used", what `auto` chose for this framework. A seed is text, since 64 bits
-/// without sign do not fit a Parameter; of a replay "run/perturb" is "replay",
-/// of a guide "rock", "pull" or "pair_distance", joined by "+".
+/// Every option by its path below /parameters: "run/max_sweeps". Two more are "run/walker", and
+/// "run/technique_used", the choice of `auto` for this framework. A seed is text, since 64 bits
+/// without sign do not fit a Parameter. In a replay "run/perturb" is "replay", with a guide "rock",
+/// "pull" or "pair_distance", joined by "+".
 std::vector<NamedParameter> parameters_of(const RunOptions& options, const Framework& framework);
 
-/// The inverse: options of a recorded run. Without what is not recorded: a technique's own ordering
-/// or sweep, the forces of a replay, and a guide. Throws InputError naming a path that is missing
-/// or has an invalid value.
+/// Reads the options of a recorded run, without what is not recorded: a technique's own ordering or
+/// sweep, the forces of a replay, and a guide. Throws InputError naming a path that is missing or
+/// has an invalid value.
 RunOptions run_options_from(const std::vector<NamedParameter>& parameters);
 
 /// Whether the recorded run followed a guide. Throws InputError where the file does not say.

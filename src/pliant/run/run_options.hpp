@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run is asked for, of one walker or of several, and who looks on.
+// Options of a run of one walker or several, and its observers.
 #pragma once
 
 #include <cstdint>
@@ -15,52 +15,55 @@
 
 namespace pliant {
 
-/// Looks at a frame; true asks the run to stop after it.
+/// Receives a frame; returns true to stop the run after it.
 using Observer = std::function<bool(const Frame&)>;
 
-/// Looks in at a run while it goes, whatever `every` says. Changes nothing in it.
+/// Looks at a run while it continues, whatever `every` is. Must not change it.
 struct Onlooker {
-  /// Asked after each step, and after the start, if set; it may wait. True: look at this one.
+  /// Called after each step, and after the start, if set; it may wait. True: wants this frame.
   std::function<bool(std::int64_t step)> wants = {};
   std::function<void(const Frame&)> look = {};
 };
 
 /// What a run does. Checked once, at its start.
+/// Options of a run. Checked once, at its start.
 struct RunOptions {
   Technique technique = {};
   ResolveOptions resolve = {};    ///< its seed and walker are those of the whole run
   std::string perturb = "force";  ///< a name in perturbations()
   PerturbOptions perturb_options = {};
-  std::vector<JointForce> replay = {};  ///< if not empty: these forces, one a step, in place of
-                                        ///< `perturb`; the run ends with the last one
-  std::vector<std::int64_t> replay_counts = {};  ///< (S) of them in each step; empty: one
-  Guide guide = {};           ///< if not empty, and nothing is replayed: it is followed
-                              ///< in place of `perturb`, until has_arrived()
+  /// if not empty: these forces replace `perturb`; the run ends with the last one
+  std::vector<JointForce> replay = {};
+  std::vector<std::int64_t> replay_counts = {};  ///< (S) number of forces in each step; empty: one
+  /// if not empty, and nothing is replayed: it replaces `perturb`, until has_arrived()
+  Guide guide = {};
   std::int64_t steps = 1000;  ///< steps to do; from 0
-  std::int64_t every = 1;     ///< show every so many steps (and step 0); from 1
-  /// The step at which the run began, if the state is one that it has reached: steps count from
-  /// there, and nothing is resolved or shown before the next step. None: it begins here.
+  std::int64_t every = 1;  ///< interval of the frames shown (with step 0); from 1
+  /// The step at which the run began, if it continues one: steps count from there, and nothing is
+  /// resolved or shown before the next step. None: it begins here.
   std::optional<std::int64_t> began = {};
-  std::function<void(const Push&)> on_push = {};    ///< told the push of each step once it is done
-  std::vector<std::shared_ptr<Pusher>> hands = {};  ///< act in each step after what pushes it
+  /// called with the push of each step after the step
+  std::function<void(const Push&)> on_push = {};
+  std::vector<std::shared_ptr<Pusher>> hands = {};  ///< act in each step after the other pushers
   Onlooker onlooker = {};
-  LaneOptions lanes = {};  ///< of run_walkers; changes no result
+  LaneOptions lanes = {};  ///< for run_walkers; changes no result
   Log log = {};
 };
 
-/// Steps that are replayed; 0: the run is no replay.
+/// Number of replayed steps; 0 if the run is no replay.
 std::int64_t replayed_steps(const RunOptions& options);
 
 /// One of several walkers that run together.
+/// is moved
 struct WalkerRun {
   State& state;              ///< stepped on
-  std::uint64_t number = 0;  ///< in place of RunOptions::resolve.walker
+  std::uint64_t number = 0;  ///< replaces RunOptions::resolve.walker
   std::vector<Observer> observers = {};
-  std::function<void(const Push&)> on_push = {};    ///< in place of RunOptions::on_push
-  std::vector<std::shared_ptr<Pusher>> hands = {};  ///< in place of RunOptions::hands
-  Onlooker onlooker = {};                           ///< in place of RunOptions::onlooker
-  Log log = {};                                     ///< in place of RunOptions::log
-  std::optional<std::int64_t> began = {};           ///< in place of RunOptions::began
+  std::function<void(const Push&)> on_push = {};  ///< replaces RunOptions::on_push
+  std::vector<std::shared_ptr<Pusher>> hands = {};  ///< replaces RunOptions::hands
+  Onlooker onlooker = {};  ///< replaces RunOptions::onlooker
+  Log log = {};  ///< replaces RunOptions::log
+  std::optional<std::int64_t> began = {};  ///< replaces RunOptions::began
 };
 
 }  // namespace pliant

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a run tells of one walker, to whom and when.
+// Shows one walker to its observers.
 #pragma once
 
 #include <algorithm>
@@ -12,7 +12,7 @@ namespace pliant {
 /// Shows a walker, a Motion or a Walk, to the observers of a run.
 class Showing {
  public:
-  /// What is referred to must outlive it; `start` is the step that the walker begins at.
+  /// What is referred to must outlive it; `start` is the first step of the walker.
   Showing(const std::vector<Observer>& observers, const std::function<void(const Push&)>& on_push,
           const Onlooker& onlooker, const RunOptions& options, std::int64_t start)
       : observers_(observers),
@@ -32,7 +32,7 @@ class Showing {
   /// Whether this step is shown even if nobody asks to stop.
   bool is_due(std::int64_t step) const { return step >= last_step_ || step % every_ == 0; }
 
-  /// Tells of a step that has been done.
+  /// Shows a step that has been done to whoever wants to see it.
   template <class Walker>
   void tell(Walker& walker) {
     if (on_push_) on_push_(walker.pushed());
@@ -50,7 +50,7 @@ class Showing {
     show(walker, frame);
   }
 
-  /// With the time that observers took, and the frames that they were shown.
+  /// `summary` with the time that observers took, and the number of frames that they were shown.
   RunSummary with_observers(RunSummary summary) const {
     summary.frames = frames_;
     summary.observe_seconds += seconds_;
@@ -85,7 +85,7 @@ class Showing {
   std::int64_t frames_ = 0;
 };
 
-/// What each walker of a run does, from the step `start` on.
+/// Options for each walker of a run, from the step `start` on.
 MotionOptions motion_of(const RunOptions& options, std::int64_t start, const Log& log);
 
 }  // namespace pliant

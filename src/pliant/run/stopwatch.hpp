@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Wall time, added up.
+// Measures wall time.
 #pragma once
 
 #include <chrono>
 
 namespace pliant {
 
-/// Adds the time until its end to a sum of seconds.
+/// Adds its lifetime to a sum of seconds.
 class Stopwatch {
  public:
   explicit Stopwatch(double& seconds) : seconds_(seconds) {}

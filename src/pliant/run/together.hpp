@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Walkers in step with each other, resolved at once where their pushes are alike.
+// Walkers in step with each other, resolved together if their pushes are alike.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace pliant {
 
 class Together {
  public:
-  /// All outlive it. Throws as run().
+  /// All must outlive it. Throws as run().
   Together(const Framework& framework, std::span<WalkerRun> walkers, const RunOptions& options);
 
   std::vector<RunSummary> run();
@@ -20,7 +20,7 @@ class Together {
   struct Shown {
     Walk walk;
     Showing showing;
-    bool goes_on;  ///< from the middle of its run
+    bool goes_on;  ///< continues an earlier run
 
     bool is_over() const { return showing.is_over(walk); }
   };

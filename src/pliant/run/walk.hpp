@@ -23,19 +23,19 @@ class Walk {
   void push();
   /// What a resolve has to look at after the push.
   Disturbed disturbed() const;
-  /// Whether positions after the push are numbers; only then there is anything to resolve.
+  /// Whether positions after the push are finite; only then is there anything to resolve.
   bool is_finite_after_push() const;
   ResolveSummary resolve(Resolver& resolver);
-  /// False if the step was cut short, and taken back.
+  /// Returns false if the step was cut short, and taken back.
   bool finish(ResolveSummary resolved);
-  /// Back to the last whole step if a push has not been finished.
+  /// Takes back a push that has not been finished.
   void take_back_push();
 
   Frame frame();
   const Push& pushed() const { return pushers_.pushed(); }
   const State& state() const { return state_; }
   std::span<Vec3> positions() { return state_.positions; }
-  /// Somebody may change it.
+  /// The state, which the caller may change.
   State& change_state();
   std::uint64_t number() const { return number_; }
   const RunSummary& summary() const { return summary_; }
@@ -56,8 +56,8 @@ class Walk {
   Log log_;
   PushChain pushers_;
   RunSummary summary_;
-  ResolveSummary last_;           ///< of the last step, or the start
-  std::optional<bool> is_whole_;  ///< all bars, before the push; none: not looked at
+  ResolveSummary last_;  ///< of the last step, or of the start
+  std::optional<bool> is_whole_;  ///< all bars, before the push; none: not checked
   bool is_pushed_ = false;        ///< a step has begun and not ended
   bool is_stopped_ = false;
 };
