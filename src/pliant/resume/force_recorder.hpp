@@ -11,15 +11,15 @@
 
 namespace pliant {
 
-/// The force file that the pushes of a run become: there as a whole once the run has ended, or not
-/// at all. Of a push the forces are kept that acted by move_by_verlet; if it had none, the root
-/// joint and 0. Of a run in hands (`held_back`) kept is what they asked for, and steps in which
-/// nothing changed are counted: what drives the run besides is told by the settings, and takes no
-/// memory however long it goes on.
+/// Writes the force file of a run's pushes, complete once the run has ended, or not at all. For
+/// each push it keeps the forces that acted by move_by_verlet, or, if there were none, the root
+/// joint and a force of 0. For a run with hands (`held_back`) it keeps the forces that these asked
+/// for, and counts equal steps: the settings describe what else drives the run, so that memory does
+/// not grow however long it continues.
 class ForceRecorder {
  public:
-  /// `settings` without pushes; the framework must outlive it. `held_back`: the longest step of the
-  /// hands (Angstrom), see Steering. Throws FileError as OutputFile does.
+  /// `settings` without pushes; the framework must outlive it. `held_back` is the longest step of
+  /// the hands (Angstrom), see Steering. Throws FileError as OutputFile does.
   ForceRecorder(const std::filesystem::path& path, bool overwrite, const Framework& framework,
                 ForceFile settings, std::optional<double> held_back = {});
 
@@ -32,7 +32,7 @@ class ForceRecorder {
   ForceFile forces_;
   OutputFile file_;
   std::optional<double> held_back_;
-  std::vector<ForceEvent> events_;  ///< of a run in hands
+  std::vector<ForceEvent> events_;  ///< for a run with hands
 };
 
 }  // namespace pliant

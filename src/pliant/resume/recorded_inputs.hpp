@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Forces of a replay, a guide and an ordering that was given, as H5MD files keep them for a run to
-// go on.
+// Forces of a replay, a guide and a given ordering, as H5MD files keep them so that a run can
+// continue.
 #pragma once
 
 #include <span>
@@ -13,16 +13,16 @@
 
 namespace pliant {
 
-/// `ordering` is null where none was given; `replay_counts` as in RunOptions.
+/// `ordering` is null if none was given; `replay_counts` as in RunOptions.
 RunInputs recorded_inputs(std::span<const JointForce> replay, const Guide& guide,
                           const Ordering* ordering,
                           std::span<const std::int64_t> replay_counts = {});
 
-/// One force a step, or as many as inputs.replay_counts say; empty: the run is no replay.
+/// The forces of a replay, one a step or by inputs.replay_counts; empty if the run is no replay.
 std::vector<JointForce> replay_of(const RunInputs& inputs);
-/// Empty: the run followed none. Throws InputError where its parts do not fit together.
+/// The guide; empty if there was none. Throws InputError if its parts are inconsistent.
 Guide guide_of(const RunInputs& inputs);
-/// Empty: none was given.
+/// The given ordering; empty if there was none.
 Ordering ordering_of(const RunInputs& inputs);
 
 }  // namespace pliant

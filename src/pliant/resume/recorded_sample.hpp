@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A sample as H5MD files keep it: its options, its nodes and its frames, for it to go on.
+// A sample in an H5MD file: options, nodes and frames, from which it can continue.
 #pragma once
 
 #include <span>
@@ -12,24 +12,24 @@
 
 namespace pliant {
 
-/// What a sample is given besides them. `start` (N, Angstrom).
+/// The inputs of a sample besides framework and options. `start` (N, Angstrom).
 RunInputs sample_inputs(std::span<const Vec3> start, const NetworkNodes& nodes);
 
-/// The nodes that were recorded.
+/// The recorded nodes.
 NetworkNodes nodes_of(const RunInputs& inputs);
 
-/// How a sample goes on: options of the frames that are missing, and of the last one that is there,
-/// which must come out with the same bits. Throws InputError naming the file and a path of it that
+/// Options with which a sample continues: for the missing frames, and for the last existing one,
+/// which must come out with the same bits. Throws InputError naming the file and a path in it that
 /// is missing or has an invalid value.
 SampleOptions sample_options_from(const H5mdCheckpoint& recorded);
 
-/// Adds to the file of `from` the frames that `options` (sample_options_from) ask for, first among
-/// them the last one that is there. `observer` sees those that are new, and only they are counted.
-/// Throws as sample() and H5mdRecorder do; FileError where that frame comes out otherwise.
+/// Adds to the file of `from` the frames that `options` (sample_options_from) ask for; the first of
+/// these is the last existing one. `observer` receives the new frames, and only these are counted.
+/// Throws as sample() and H5mdRecorder do; FileError if the last frame comes out differently.
 SampleSummary add_frames(const H5mdCheckpoint& from, const SampleOptions& options,
                          const H5mdOptions& recording, const SampleObserver& observer);
 
-/// A frame as recorders take it; frames of a sample have a number in place of a time.
+/// Converts a frame for recorders; frames of a sample have a number in place of a time.
 Frame recorded_frame(const SampledFrame& sampled);
 
 }  // namespace pliant
