@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How far frames of an ensemble are to go, as users say it.
+// Finds the amplitude of an ensemble from a user's text.
 #pragma once
 
 #include <string>
@@ -8,8 +8,8 @@
 
 namespace pliant {
 
-/// As choose_amplitude(), and from the frames of an H5MD file too. Throws as it and
-/// trajectory_amplitude() do.
+/// As choose_amplitude(), but the frames of an H5MD file are accepted, too. Throws as that function
+/// and trajectory_amplitude() do.
 AmplitudeChoice asked_amplitude(const std::string& text, const Structure& structure,
                                 const Log& log);
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The task `sample`, conformers among them: from a model and what is asked for to frames. The
-// command, Python, the page and what goes on with a recorded sample come in through this door.
+// The task `sample`, conformers included: from a model and options to frames. The command, Python,
+// the page and a continued sample all use it.
 #pragma once
 
 #include <functional>
@@ -18,48 +18,48 @@
 
 namespace pliant {
 
-/// What is sampled. The framework and the start outlive the task.
+/// What is sampled. The framework and the start must outlive the task.
 struct SampleSubject {
   const Framework& framework;
   std::span<const Vec3> start;  ///< (N) Angstrom
   NetworkNodes nodes;
-  bool has_residues = false;  ///< of proteins or nucleic acids
+  bool has_residues = false;  ///< has residues of proteins or nucleic acids
 };
 
-/// A model, its residues as nodes. Where there are fewer than two, the task refuses to run.
+/// A model with its residues as nodes. With fewer than two, the task refuses to run.
 SampleSubject subject_of(const MolecularModel& model);
 
-/// What one asks for who has not yet seen the molecule.
+/// Options given before the molecule is known.
 struct SampleAsked {
-  SampleOptions options;  ///< as unset_sample_options(), for a start
-  /// Which goes into the options; none: that of the options, which goes with every sampler.
+  SampleOptions options;  ///< unset_sample_options() at first
+  /// Amplitude that replaces that of the options; none: that one, which every sampler accepts.
   std::optional<AmplitudeChoice> amplitude = std::nullopt;
-  std::string_view dashes = "";  ///< of an option's name in messages: "--" of the command
+  std::string_view dashes = "";  ///< prefix of an option's name in messages: "--" for the command
 };
 
-/// A sample that is ready to be made.
+/// A sample that is ready to run.
 class SampleTask {
  public:
-  /// Chooses what was left open, and makes the framework of conformers where the sampler has no
-  /// amplitude. Throws OptionError for bad options, and for an amplitude that goes with none.
+  /// Makes the choices left open, and the framework of conformers if the sampler has no amplitude.
+  /// Throws OptionError for bad options, and for an amplitude if the sampler has none.
   SampleTask(SampleSubject subject, const SampleAsked& asked);
 
-  /// Goes on with a sample: both are as an earlier task had them. Throws OptionError.
+  /// Continues a sample with the subject and the options of an earlier task. Throws OptionError.
   SampleTask(SampleSubject subject, const SampleOptions& recorded);
 
   SampleTask(const SampleTask&) = delete;
   SampleTask& operator=(const SampleTask&) = delete;
 
-  /// Nothing is left open in them.
+  /// The options, without open choices.
   const SampleOptions& options() const { return options_; }
-  /// What frames are of.
+  /// The framework of the frames.
   const Framework& framework() const;
-  /// Where that is not the subject's own: the framework of conformers; else null.
+  /// The framework of conformers, if the frames use it; otherwise null.
   const Framework* conformers() const { return conformers_ ? &*conformers_ : nullptr; }
   std::span<const Vec3> start() const { return subject_.start; }
   const NetworkNodes& nodes() const { return subject_.nodes; }
 
-  /// Makes the frames, as sample() does, which this is all about; and throws as it does.
+  /// Makes the frames by sample(). Throws as it does.
   SampleSummary run(const SampleObserver& observer, std::function<bool()> should_stop = {}) const;
 
  private:
