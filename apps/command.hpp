@@ -8,22 +8,22 @@
 
 namespace pliant::app {
 
-/// What a subcommand ends with.
+/// Exit codes of subcommands.
 enum ExitCode {
   exit_ok = 0,
   exit_failed = 1,        ///< bad input, a file that cannot be read or written
   exit_usage = 2,         ///< bad option or argument
   exit_unconverged = 3,   ///< the work was done, but some step did not converge
-  exit_interrupted = 130  ///< ended early by Ctrl-C; what was written is whole
+  exit_interrupted = 130  ///< ended early by Ctrl-C; output is complete up to there
 };
 
 using Arguments = std::vector<std::string>;
 
 struct Command {
-  std::string_view group;  ///< what one wants to do; rows of one group stand together
+  std::string_view group;  ///< heading under which the help lists the row
   std::string_view name;
   std::string_view summary;
-  int (*run)(const Arguments& arguments);  ///< null: a program pliant-NAME of its own
+  int (*run)(const Arguments& arguments);  ///< null: a separate program pliant-NAME
 };
 
 int command_contacts(const Arguments& arguments);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-// The table of subcommands, and what an error ends with.
+// The table of subcommands, and how errors end them.
 #pragma once
 
 namespace pliant::app {
 
-/// The pliant command: argv[0] is its own path, as main() is given it. Returns the exit code, an
-/// ExitCode; an error has been printed.
+/// The pliant command: argv[0] is its own path, as in main(). Returns the exit code, an ExitCode;
+/// errors have been printed.
 int run_command(int argc, char** argv);
 
 }  // namespace pliant::app

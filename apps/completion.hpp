@@ -10,9 +10,8 @@
 
 namespace pliant::app {
 
-/// The script for bash, zsh or fish. Options are read from the help of a command when they are
-/// asked for, so that they are always those of the installed version. Throws OptionError for
-/// another shell.
+/// The script for bash, zsh or fish. It reads options from the help of a command when they are
+/// needed, so that they belong to the installed version. Throws OptionError for another shell.
 std::string completion_script(std::string_view shell, std::span<const Command> commands);
 
 }  // namespace pliant::app

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Ctrl-C, SIGTERM and SIGHUP (the terminal is closed): the first asks to stop, so that the output
-// is left whole; a second ends the program at once.
+// Ctrl-C, SIGTERM and SIGHUP (the terminal is closed): the first one asks to stop, which leaves
+// complete output; a second one ends the program at once.
 #pragma once
 
 namespace pliant::app {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What the command says beside its result: notes, warnings and a progress bar, all on stderr.
+// Messages of the command besides its result: notes, warnings and a progress bar, all on stderr.
 #pragma once
 
 #include <chrono>
@@ -11,7 +11,7 @@
 
 namespace pliant::app {
 
-/// Keeps what the library says and prints it at once unless quiet.
+/// Keeps the library's messages, and prints them at once unless quiet.
 class Messages {
  public:
   explicit Messages(bool quiet) : quiet_(quiet) {}
@@ -24,8 +24,8 @@ class Messages {
   std::vector<std::string> notes_, warnings_;
 };
 
-/// "[#####-----] 512 / 1000 steps, 3 s left", drawn over itself. Only on a terminal, and only once
-/// the work has taken a second.
+/// "[#####-----] 512 / 1000 steps, 3 s left", redrawn in place. Only on a terminal, and only after
+/// a second.
 class ProgressBar {
  public:
   ProgressBar(std::int64_t total, std::string unit, bool quiet);

@@ -9,10 +9,10 @@
 
 namespace pliant::app {
 
-/// Runs all walkers over `settings.threads` threads, up to eight in step on each. What a walker
-/// does depends on the seed and its number alone. A walker that cannot be recorded stops; the
-/// others go on. `last` gets the positions of one walker that ran alone. Throws what the first
-/// failing walker threw, after all have ended.
+/// Runs all walkers on `settings.threads` threads, up to eight in step on each. The result of a
+/// walker depends only on the seed and its number. A walker that cannot be recorded stops; the
+/// others continue. `last` receives the positions of a single walker. Throws the exception of the
+/// first walker that failed, after all have ended.
 std::vector<RunSummary> run_walkers(const RunSettings& settings, const Molecule& molecule,
                                     const Log& log, std::vector<Vec3>& last,
                                     LiveRun* live = nullptr);

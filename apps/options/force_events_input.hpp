@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pliant run --forces with a file of events: which options go with it, and what it means to a run.
+// pliant run --forces with a file of events: options that are allowed with it, and its settings.
 #pragma once
 
 #include <string_view>
@@ -8,8 +8,8 @@
 
 namespace pliant::app {
 
-/// Reads the events of a force file, whose text is given. The settings of its last
-/// step become those that are recorded. Throws OptionError for options that contradict it.
+/// Parses the events of a force file from its text. The settings of the last step become those that
+/// are recorded. Throws OptionError for options that contradict it.
 void take_events(const CommandLine& line, RunSettings& settings, const Molecule& molecule,
                  std::string_view text);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of pliant run that guide it, what they mean to the library, and what came of them.
+// The options of pliant run that guide it, and their result.
 #pragma once
 
 #include <span>
@@ -26,19 +26,20 @@ struct GuideSettings {
 
 void add_guide_options(CommandLine& line, GuideSettings& settings);
 
-/// Throws OptionError where options do not go together; `has_walkers`: there are several.
+/// Throws OptionError for options that exclude each other; `has_walkers`: there are several.
 void check_guide(const CommandLine& line, const GuideSettings& settings, bool has_walkers);
 
-/// Throws OptionError naming the option, and what is wrong with its value.
+/// Makes the guide. Throws OptionError naming the option, and what is wrong with its value.
 Guide guide_from(const GuideSettings& settings, const Molecule& molecule);
 
-/// As they were given, to be recorded.
+/// The options as given, to be recorded.
 std::vector<NamedParameter> parameters_of(const GuideSettings& settings);
 
-/// How far apart each pair was, is and should be, and how far what was pulled is from its place.
+/// Distances of pairs at the start, at the end and as asked, and how far pulled groups are from
+/// their targets.
 class GuideEnd {
  public:
-  /// Positions (N) of the first and the last frame. What is referred to must outlive it.
+  /// Positions (N) of the first and the last frame. All arguments must outlive it.
   GuideEnd(const GuideSettings& settings, const Guide& guide, std::span<const Vec3> first,
            std::span<const Vec3> last)
       : settings_(settings), guide_(guide), first_(first), last_(last) {}

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of pliant run that let other programs follow it and pull (IMD), and who serves them.
+// The options of pliant run for programs that follow it and pull (IMD), and their server.
 #pragma once
 
 #include <memory>
@@ -20,34 +20,34 @@ struct ImdSettings {
   double timeout = 10.0;  ///< seconds
   bool wait = false;
   bool kill = false;
-  bool keeps_forces_if_pulled = false;  ///< the force file is there only if a client pulled
+  bool keeps_forces_if_pulled = false;  ///< write the force file only if a client pulled
 };
 
 void add_imd_options(CommandLine& line, ImdSettings& settings);
 
-/// Throws OptionError where options do not go together; `has_walkers`: there are several.
+/// Throws OptionError for options that exclude each other; `has_walkers`: there are several.
 void check_imd(const CommandLine& line, ImdSettings& settings, bool has_walkers);
 
-/// Whom a run is shown to, and by whom it is pulled.
+/// A run that clients follow and pull on.
 class LiveRun {
  public:
-  /// What a hand moves an atom by in a step at most, Angstrom: bars are still resolved from there.
+  /// Largest displacement of an atom by a hand in a step, Angstrom, which bars can still follow.
   static constexpr double longest_step = 0.2;
 
-  /// Listens. Throws FileError where it cannot. The log must outlive it.
+  /// Starts listening. Throws FileError if it cannot. The log must outlive it.
   LiveRun(const ImdSettings& settings, const RunOptions& run, std::size_t joint_count,
           const Log& log);
 
   Onlooker onlooker();
   std::vector<std::shared_ptr<Pusher>> hands() const { return {steering_}; }
   bool was_killed() const { return server_.was_killed(); }
-  /// Where it can be followed, on stderr.
+  /// Prints on stderr where the run can be followed.
   void say_where(const std::string& topology) const;
-  /// No more frames come: clients are told so while files are still being written.
+  /// Says that no more frames come, so that clients can end while files are still being written.
   void finish() { server_.finish(); }
   /// Whether clients have pulled.
   bool was_pulled() { return server_.summary().forces_taken > 0; }
-  /// Lets the clients read what is left.
+  /// Waits until the clients have read what is left.
   ImdSummary close() { return server_.close(); }
 
  private:

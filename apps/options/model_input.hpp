@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of the model of a molecule: how it is made ready and which contacts it has.
+// The options of the model of a molecule: its preparation and its contacts.
 #pragma once
 
 #include <string>
@@ -12,25 +12,25 @@
 namespace pliant::app {
 
 struct ModelSettings {
-  std::string name;  ///< of a row of models(); "": none was asked for
+  std::string name;  ///< of a row of models(); "": not given
   double hbond_cutoff = -1.0;
   bool keep_waters = false, fill_side_chains = false, all_hydrogens = false, floppy = false;
-  bool has_torsions = false;  ///< whether the command heeds torsion preferences
+  bool has_torsions = false;  ///< the command uses torsion preferences
   bool free_torsions = false;
   std::vector<std::string> protonate;
-  std::string contacts;  ///< file to read them from; "": found
+  std::string contacts;  ///< file of contacts; "": they are searched for
 };
 
-/// Options of preparation, and which contacts there are.
+/// Adds the options of preparation and contacts.
 void add_model_options(CommandLine& line, ModelSettings& settings);
 
-/// The option of the command that heeds torsion preferences.
+/// Adds the option of commands that use torsion preferences.
 void add_torsion_option(CommandLine& line, ModelSettings& settings);
 
-/// Throws OptionError if an option was given that the model, or no model at all, does not know.
+/// Throws OptionError if an option was given that does not apply to the model, or without a model.
 void check(const ModelSettings& settings);
 
-/// The settings as they are stored below /parameters; none where no model was asked for.
+/// The settings as stored below /parameters; none without a model.
 std::vector<NamedParameter> parameters_of(const ModelSettings& settings);
 
 ModelOptions model_options_of(const ModelSettings& settings, const Log& log);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options that make a framework of a file, as force files keep them.
+// The options that determine the framework of a file, as force files keep them.
 #pragma once
 
 #include <cstdint>
@@ -17,7 +17,7 @@ namespace pliant::app {
 using MoleculePlace =
     std::variant<bool*, std::int64_t*, double*, std::string*, std::vector<std::string>*>;
 
-/// One of these options; the kind of model and the bars are none of them.
+/// One of these options, other than the model and the bars.
 struct MoleculeField {
   std::string_view name;  ///< "all_hydrogens", in a line `input` of a force file
   const char* option;     ///< "--all-hydrogens"
@@ -34,7 +34,7 @@ std::string molecule_field_text(const MoleculeOptions& options, const MoleculeFi
 void set_molecule_field(MoleculeOptions& options, const MoleculeField& field,
                         std::string_view text);
 
-/// What a force file for this molecule says of it.
+/// The header of a force file for this molecule.
 ForceHeader force_header_of(const MoleculeOptions& options, const Molecule& molecule);
 
 }  // namespace pliant::app

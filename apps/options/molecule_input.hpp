@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options that every subcommand with a molecule takes, and the molecule that they mean.
+// The options of every subcommand with a molecule, and the molecule itself.
 #pragma once
 
 #include <optional>
@@ -18,41 +18,40 @@ struct MoleculeOptions {
   std::string file;
   std::string format;
   std::int64_t model = 1;                           ///< which model, frame or record
-  std::int64_t max_input = usual_text / 1'000'000;  ///< MB of the file, and of what it expands to
-  std::string assembly;                             ///< a biological one; "": as the file is
-  std::string select;                               ///< atoms to take; "": all
-  std::string bars;  ///< "": as the kind of model says, bonds if that is left open
+  /// MB; limit of the file, and of what it expands to
+  std::int64_t max_input = usual_text / 1'000'000;
+  std::string assembly;  ///< a biological assembly; "": the atoms as listed
+  std::string select;  ///< selection of atoms; "": all
+  std::string bars;  ///< "": those of the model, or bonds without a model
   std::string lengths = "geometry";
   std::string pin;
   bool guess_distances = true;
-  bool may_be_cut = false;  ///< take a molecule that a periodic box has cut, to tell of it
+  bool may_be_cut = false;  ///< accept a molecule that a periodic box has cut, for a report
   ModelSettings kind;
 };
 
 struct Molecule {
   Structure structure;
   Framework framework;
-  std::uint64_t fingerprint = 0;  ///< of the structure as it was read, before its model
+  std::uint64_t fingerprint = 0;  ///< of the structure as read, before its model
 };
 
-/// The name or file of the bars: "bonds" where nothing was asked for, else the kind of model.
+/// The name or file of the bars: "bonds" by default, or the name of the model.
 std::string bars_of(const MoleculeOptions& options);
 
-/// What tells the molecule and the kind of its model.
+/// Adds the options for the molecule and its model.
 void add_molecule_options(CommandLine& line, MoleculeOptions& options);
 
-/// Those of them that tell which file and how it is read.
+/// Adds only the options for the file and how it is read.
 void add_file_options(CommandLine& line, MoleculeOptions& options);
 
-/// Reads the file, perceives its bonds, takes the atoms that were selected. Throws as the library
-/// does.
+/// Reads the file, perceives its bonds and selects atoms. Throws as the library does.
 Structure read(const MoleculeOptions& options, const Log& log);
 
-/// As read(), and builds its framework. Throws as the library does.
+/// Calls read() and builds the framework. Throws as the library does.
 Molecule load(const MoleculeOptions& options, const Log& log);
 
-/// The files that telling the molecule takes: itself, its bars, its contacts; "" where there is
-/// none.
+/// The files of these options: molecule, bars and contacts; "" for none.
 std::vector<std::string> inputs_of(const MoleculeOptions& options);
 
 }  // namespace pliant::app

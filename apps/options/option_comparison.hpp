@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options that are given once more when a run or a sample goes on, beside those of its file.
+// Options given again when a run or a sample continues, compared with those of its file.
 #pragma once
 
 #include <filesystem>
@@ -26,18 +26,18 @@ void refuse_options_of_a_new_file(const CommandLine& line, std::span<const char*
 void refuse_another_output(const CommandLine& line, const std::string& output,
                            const std::string& file);
 
-/// Compares what is given again with what the file says.
+/// Compares options that are given again with the file.
 class OptionComparison {
  public:
-  /// `given` are the parameters that the command line makes; both others outlive this.
+  /// `given` are the parameters of the command line; both others must outlive it.
   OptionComparison(const CommandLine& line, std::vector<NamedParameter> given,
                    const H5mdCheckpoint& recorded);
 
-  /// Throws OptionError where the option was given and is another in the file.
+  /// Throws OptionError if the option was given and differs from the file.
   void check(const std::string& option, const std::string& path) const;
   void check(std::span<const RecordedOption> options) const;
 
-  /// A number is that of a model of the file, a name that of a kind of model.
+  /// Checks --model: a number is that of a model of the file, a name that of a kind of model.
   void check_model() const;
 
  private:

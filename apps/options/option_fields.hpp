@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Options of the command line from rows of a table of options.
+// Makes options of the command line from rows of a table of options.
 #pragma once
 
 #include <string>
@@ -10,11 +10,10 @@
 
 namespace pliant::app {
 
-/// "--max-sweeps" of "max_sweeps".
+/// "--max-sweeps" for "max_sweeps".
 std::string option_name(std::string_view field);
 
-/// Adds an option, and the name that it had before. What is at its place is the default that the
-/// help shows.
+/// Adds an option and its former name. Its present value is the default that the help shows.
 void add_option(CommandLine& line, const OptionFacts& facts, OptionPlace place);
 
 }  // namespace pliant::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The settings of a recorded run, and options that are given once more when it goes on.
+// The settings of a recorded run, and options that are given again when it continues.
 #pragma once
 
 #include <vector>
@@ -10,12 +10,12 @@
 
 namespace pliant::app {
 
-/// Throws OptionError at the first option of the command line that the file does not agree with, or
-/// that makes no sense when a run goes on.
+/// Throws OptionError for the first option of the command line that contradicts the file, or that
+/// makes no sense when a run continues.
 void check_options_again(const CommandLine& line, const RunSettings& given,
                          const H5mdCheckpoint& recorded);
 
-/// How the run goes on. Throws InputError where the file does not say it.
+/// The options with which the run continues. Throws InputError if the file lacks them.
 RunOptions options_of(const H5mdCheckpoint& recorded);
 
 }  // namespace pliant::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The options of pliant sample, what they mean to the library, and how they are recorded.
+// The options of pliant sample, the library's options that they give, and their record.
 #pragma once
 
 #include <string>
@@ -17,13 +17,13 @@ namespace pliant::app {
 
 struct SampleSettings {
   MoleculeOptions molecule;
-  std::string model = "auto";  ///< a name in models(), or what fits the file
+  std::string model = "auto";  ///< a name in models(), or "auto"
   SampleOptions sample = unset_sample_options();
-  std::string amplitude;             ///< as given: a number, a word or a file; "": the usual one
-  AmplitudeChoice chosen_amplitude;  ///< see asked_of()
+  std::string amplitude;  ///< as given: a number, a word or a file; "": the default
+  AmplitudeChoice chosen_amplitude;  ///< set by asked_of()
   H5mdOptions record;
   std::string save;      ///< selection of the atoms to record; "": all
-  std::string go_on;     ///< trajectory whose sample goes on; "": a new one
+  std::string go_on;  ///< trajectory whose sample is continued; "": a new one
   std::string output;    ///< "": the input's name with .h5md, in the current folder
   std::string topology;  ///< sidecar PDB; "": the output's name with .pdb; "none": none
   bool dry_run = false;
@@ -33,22 +33,20 @@ struct SampleSettings {
 
 void add_sample_options(CommandLine& line, SampleSettings& settings);
 
-/// Fills in what the command line left open: names of outputs.
+/// Sets what the command line left open: names of outputs.
 void complete(SampleSettings& settings);
 
-/// Reads the file, perceives its bonds, builds its model, whose kind is then in `settings`. Throws
-/// as the library does.
+/// Reads the file, perceives its bonds and builds its model, whose name is put into `settings`.
+/// Throws as the library does.
 MolecularModel load_model(SampleSettings& settings, const Log& log);
 
-/// What the library is asked for; how far frames go is then in `settings`. Throws as the library
-/// does.
+/// The task's options; the amplitude is put into `settings`. Throws as the library does.
 SampleAsked asked_of(SampleSettings& settings, const MolecularModel& model, const Log& log);
 
-/// The files that are read: those of the molecule, and that of the amplitude; "" where there is
-/// none.
+/// The files that are read: those of the molecule, and that of the amplitude; "" for none.
 std::vector<std::string> inputs_of(const SampleSettings& settings);
 
-/// Every option as it is stored below /parameters.
+/// Every option as stored below /parameters.
 std::vector<NamedParameter> parameters_of(const SampleSettings& settings);
 
 }  // namespace pliant::app

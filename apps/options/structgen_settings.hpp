@@ -11,18 +11,19 @@
 namespace pliant::app {
 
 struct StructgenSettings {
-  std::string kind;         ///< the class of the one graph
+  std::string kind;  ///< the class of a single graph
   std::string output;       ///< graph XML; "": the class' name with .xml, in the current folder
-  std::int64_t number = 0;  ///< which of all graphs of the class
-  std::string directory;    ///< of a test set; "": one graph
-  TestSetOptions set;       ///< its settings hold seed and sizes of the one graph too
+  std::int64_t number = 0;  ///< number of the graph in its class
+  std::string directory;  ///< of a test set; "": a single graph
+  TestSetOptions set;  ///< with the seed and the sizes of a single graph, too
   bool overwrite = false;
   bool json = false;
 };
 
 void add_structgen_options(CommandLine& line, StructgenSettings& settings);
 
-/// Fills in what was left open. Throws OptionError for what one graph and a test set do not share.
+/// Sets what was left open. Throws OptionError for options that a single graph or a test set does
+/// not have.
 void complete(const CommandLine& line, StructgenSettings& settings);
 
 }  // namespace pliant::app

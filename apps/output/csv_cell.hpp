@@ -6,8 +6,8 @@
 
 namespace pliant::app {
 
-/// In quotes where it needs them. Text that a spreadsheet would take for a formula gets an
-/// apostrophe before it.
+/// Text in quotes if necessary. Text that a spreadsheet would take for a formula gets an apostrophe
+/// before it.
 std::string csv_cell(const std::string& text);
 
 }  // namespace pliant::app

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where run and sample put their frames: an H5MD file, or by its name a PDB file, or an SDF file.
+// Output of frames of run and sample: an H5MD file, or by its name a PDB or an SDF file.
 #pragma once
 
 #include <memory>
@@ -16,45 +16,45 @@
 
 namespace pliant::app {
 
-/// Whether the name is one of PDB (.pdb, .ent).
+/// Whether the name is that of a PDB file (.pdb, .ent).
 bool is_pdb_name(const std::string& output);
 
-/// Whether the name is one of SDF (.sdf, .sd).
+/// Whether the name is that of an SDF file (.sdf, .sd).
 bool is_sdf_name(const std::string& output);
 
-/// --save and --precision, which several subcommands have.
+/// Adds --save and --precision, which several subcommands have.
 void add_saving_options(CommandLine& line, std::string& save, H5mdOptions& options);
 
-/// Writes the names and bonds of what is recorded, at these positions (N, of all joints).
+/// Writes the names and bonds of the recorded joints, at these positions (N, of all joints).
 void write_topology(const std::string& path, const Framework& framework, const H5mdHeader& header,
                     std::span<const Vec3> positions, const H5mdOptions& options);
 
-/// Asked before anything is made: the topology PDB `path`, or "none" with a warning where a
-/// position has no room in its columns. Throws InputError there if the user has asked for the file.
+/// Called before anything is made. Returns `path`, or "none" with a warning if a position does not
+/// fit the columns of the topology PDB. Throws InputError in that case if the user asked for the
+/// file.
 std::string fitting_topology(const std::string& path, bool is_asked, const Framework& framework,
                              std::span<const Vec3> positions, const H5mdOptions& options);
 
-/// Throws OptionError if options of H5MD are given for another file.
+/// Throws OptionError if options of H5MD are given for another format.
 void check_record_options(const std::string& output, const std::string& save,
                           const H5mdOptions& options);
 
-/// Records frames in the format that the name asks for.
+/// Records frames in the format of the file's name.
 class FrameOutput {
  public:
-  /// A PDB file takes names and bonds only; an SDF file elements, bonds and what
-  /// `molecule` says; its title is the name of the file where it has none. Throws as the recorders
-  /// do.
+  /// A PDB file gets only names and bonds; an SDF file gets elements, bonds and `molecule`, with
+  /// the file's name as its title if it has none. Throws as the recorders do.
   FrameOutput(const std::string& output, const Framework& framework, const H5mdHeader& header,
               const H5mdOptions& options, SdfMolecule molecule = {});
 
   void record(const Frame& frame);
-  /// The run of the frames ends in this state. Only H5MD can keep it.
+  /// Keeps the final state of the run; only H5MD can.
   void end_run(const State& state);
   void close();
 
  private:
   std::optional<H5mdRecorder> h5md_;
-  std::optional<SavedPart> part_;  // of a PDB file
+  std::optional<SavedPart> part_;  // for a PDB file
   std::optional<PdbRecorder> pdb_;
   std::optional<SdfRecorder> sdf_;
 };

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Values to print as JSON. nlohmann's library is behind it: it takes seconds to compile in every
-// file that includes it.
+// JSON values for output. nlohmann's library, which implements them, takes seconds to compile in
+// every file that includes it.
 #pragma once
 
 #include <concepts>
@@ -14,7 +14,7 @@
 
 namespace pliant::app {
 
-/// A JSON value that never changes once made; copies share it. An object keeps its order.
+/// An immutable JSON value; copies share it. An object keeps the order of its fields.
 class Json {
  public:
   using Field = std::pair<std::string_view, Json>;
@@ -36,10 +36,11 @@ class Json {
 
   static Json array(const std::vector<Json>& values);
 
-  /// This object with the fields of another after its own.
+  /// This object followed by the fields of another.
   Json operator+(const Json& other) const;
 
-  /// One line, or with `indent` spaces a level. Bytes that are no UTF-8 are shown as U+FFFD.
+  /// The value as text on one line, or with `indent` spaces a level. Bytes that are not UTF-8
+  /// become U+FFFD.
   std::string text(int indent = -1) const;
 
  private:
@@ -57,7 +58,7 @@ class Json {
   std::shared_ptr<const Value> value_;
 };
 
-/// To standard output, two spaces a level.
+/// Prints to standard output, with two spaces a level.
 void print_json(const Json& json);
 
 }  // namespace pliant::app

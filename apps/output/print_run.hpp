@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The summary that pliant run ends with, as a table and as JSON.
+// Prints the summary of pliant run as a table or as JSON.
 #pragma once
 
 #include <optional>
@@ -10,13 +10,13 @@
 
 namespace pliant::app {
 
-/// Sums over walkers; the worst residual is the worst of all.
+/// The sums over walkers, and the worst residual of all.
 RunSummary added_up(const std::vector<RunSummary>& summaries);
 
-/// What the command ends with: interrupted, unconverged or done.
+/// The exit code of the command: interrupted, unconverged or done.
 int exit_code_of(const RunSummary& summary);
 
-/// What was taken from a force file, if there is one; as JSON if that was asked for.
+/// Prints what was taken from a force file, if there is one; as JSON if that was asked for.
 void print_forces(const RunSettings& settings);
 
 void print_run_table(const RunSettings& settings, const Framework& framework,
@@ -24,10 +24,10 @@ void print_run_table(const RunSettings& settings, const Framework& framework,
 void print_run_json(const RunSettings& settings, const Framework& framework,
                     const std::vector<RunSummary>& summaries,
                     const std::vector<std::string>& warnings);
-/// What came of serving its clients.
+/// Prints the summary of serving clients.
 void print_served(const ImdSummary& served);
 
-/// With what came of its guide, and of serving, if it was served.
+/// Prints the summary with the results of the guide, and of serving if there was a server.
 void print_run_json(const RunSettings& settings, const Framework& framework,
                     const std::vector<RunSummary>& summaries,
                     const std::vector<std::string>& warnings, const GuideEnd& end,

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a trajectory says of its molecule.
+// The part of a trajectory that describes its molecule.
 #pragma once
 
 #include <vector>
@@ -11,7 +11,7 @@ namespace pliant::app {
 
 std::vector<RecordedBond> recorded_bonds(const Structure& structure);
 
-/// Bonds, masses (not of a graph, whose joints are no atoms) and the version; parameters are left
+/// Bonds, masses (except for graphs, whose joints are no atoms) and the version; parameters are
 /// empty.
 H5mdHeader molecule_header(const Structure& structure);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The folder that pliant rigidity writes: tables, molecules with B factors, scripts that show them.
+// The folder that pliant rigidity writes: tables, molecules with B factors, and viewer scripts.
 #pragma once
 
 #include <string>
@@ -10,11 +10,11 @@
 
 namespace pliant::app {
 
-/// The names of its files.
+/// Names of the files.
 std::vector<std::string> rigidity_file_names(bool has_dilution);
 
-/// Writes all of them; each appears as a whole. Throws FileError with the system's reason, or where
-/// one is there and `overwrite` is false.
+/// Writes all files, each atomically. Throws FileError with the system's reason, or if one exists
+/// and `overwrite` is false.
 void write_rigidity_folder(const std::string& folder, const RigidityReport& report, bool overwrite,
                            const Log& log);
 

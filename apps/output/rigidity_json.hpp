@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What pliant rigidity found as JSON: for programs, and for its page.
+// The results of pliant rigidity as JSON: for programs, and for its page.
 #pragma once
 
 #include "output/json.hpp"
@@ -7,10 +7,10 @@
 
 namespace pliant::app {
 
-/// All that was found.
+/// All results.
 Json json_of_rigidity(const RigidityReport& report);
 
-/// The same, with the molecule and the dilution plot: what pliant-rigidity-page reads.
+/// All results with the molecule and the dilution plot, as pliant-rigidity-page reads them.
 Json json_for_page(const RigidityReport& report);
 
 }  // namespace pliant::app

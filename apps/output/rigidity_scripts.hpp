@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Scripts with which PyMOL and ChimeraX colour a molecule by its rigid clusters.
+// Scripts for PyMOL and ChimeraX that colour a molecule by its rigid clusters.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,9 @@
 
 namespace pliant::app {
 
-/// Both load clusters.pdb, whose B factors are numbers of clusters, and flexibility.pdb, where they
-/// are 100 times the flexibility index. The first `clusters` have colours
-/// of their own (cluster_colour); others are grey.
-/// Colours of flexibility go from 0 to `most`, of that B factor.
+/// Both load clusters.pdb, whose B factors are numbers of clusters, and flexibility.pdb, whose B
+/// factors are 100 times the flexibility index. The first `clusters` get different colours
+/// (cluster_colour), others grey. Colours of flexibility range from 0 to `most`, a B factor.
 std::string rigidity_pymol_script(std::size_t clusters, bool is_polymer, double most);
 std::string rigidity_chimerax_script(std::size_t clusters, bool is_polymer, double most);
 

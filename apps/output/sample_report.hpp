@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What pliant sample prints at its end.
+// Prints the result of pliant sample.
 #pragma once
 
 #include <string>
@@ -10,20 +10,20 @@
 
 namespace pliant::app {
 
-/// What was sampled; must not outlive the framework.
+/// What was sampled; the framework must outlive it.
 struct SampledSystem {
-  std::string_view kind;  ///< of the model
+  std::string_view kind;  ///< name of the model
   const Framework& framework;
   std::span<const Vec3> start;  ///< (N) Angstrom
   std::size_t contacts = 0;
-  std::vector<std::string> told = {}, missing = {};  ///< by preparation
+  std::vector<std::string> told = {}, missing = {};  ///< from preparation
 };
 
-/// As a table, as JSON or not at all.
+/// Prints a table, JSON or nothing.
 void print_sample(const SampleSettings& settings, const SampledSystem& system,
                   const SampleSummary& summary, const std::vector<std::string>& warnings);
 
-/// What the command ends with.
+/// The exit code of the command.
 int exit_code_of(const SampleSummary& summary);
 
 }  // namespace pliant::app

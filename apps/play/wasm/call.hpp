@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The table of calls that a page may make.
+// The table of calls of the page.
 #pragma once
 
 #include <span>
@@ -9,14 +9,14 @@
 
 namespace pliant::play {
 
-/// One call: what is asked as JSON, and the bytes of a file where there is one.
+/// A call: its JSON, and the bytes of a file if there is one.
 struct Request {
   const Json& fields;
   std::string_view bytes;
 };
 
-/// One row of the table of calls. Throws Error with Pliant's message; what was open is then as
-/// before.
+/// A row of the table of calls. Throws Error with Pliant's message and then leaves everything as it
+/// was.
 struct CallEntry {
   std::string_view name;
   Reply (*answer)(const Request& request);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What is open: a molecule or a graph, with all that a page shows of it.
+// The open document: a molecule or a graph, with everything that a page shows of it.
 #pragma once
 
 #include <cstdint>
@@ -23,48 +23,48 @@ namespace pliant::play {
 struct Document {
   std::string title;
   std::string kind;   ///< "molecule" or "graph"
-  std::string model;  ///< a name in models(); "" of a graph
+  std::string model;  ///< a name in models(); "" for a graph
   Framework framework;
   AtomTable atoms;
   std::vector<Vec3> positions;  ///< (N) Angstrom
-  std::vector<Bond> bonds;      ///< of a graph: its bars
+  std::vector<Bond> bonds;  ///< for a graph: its bars
   std::vector<bool> chain_end;  ///< (R) or none
   std::vector<MolecularContact> contacts;
-  ClusterList clusters;  ///< rigid ones of atoms; none of a graph
+  ClusterList clusters;  ///< rigid clusters of atoms; none for a graph
   std::vector<std::string> warnings;
-  NetworkNodes nodes = {};    ///< of an elastic network; of a graph none
+  NetworkNodes nodes = {};  ///< of an elastic network; none for a graph
   bool has_residues = false;  ///< of a polymer
   std::size_t coloured_clusters = 0;
   std::shared_ptr<const Structure> file =
-      nullptr;                                    ///< the molecule as it was read; null of a graph
-  std::shared_ptr<PathWalk> path = nullptr;       ///< that is being found; null: none is
-  std::optional<std::uint64_t> fingerprint = {};  ///< of what was read, before its model
+      nullptr;  ///< the molecule as read; null for a graph
+  std::shared_ptr<PathWalk> path = nullptr;  ///< the path being found; null if there is none
+  std::optional<std::uint64_t> fingerprint = {};  ///< of the structure as read, before its model
 };
 
-/// What a program knows better than the text of a molecule: each digit of the positions, and bonds.
+/// Data that a program knows more exactly than a molecule file: positions with all digits, and
+/// bonds.
 struct Known {
   std::vector<Vec3> positions;  ///< (N) Angstrom; none: those of the file
-  std::vector<Bond> bonds;      ///< in place of perceived ones, where there are positions
+  std::vector<Bond> bonds;  ///< replace perceived ones if there are positions
 };
 
-/// A molecule of a file, with its bonds; what is said on the way is added to `warnings`. Throws as
-/// open_file().
+/// Reads a molecule file with its bonds; warnings are added to `warnings`. Throws as open_file().
 Structure read_molecule(const std::string& name, std::string_view bytes, const Known& known,
                         std::vector<std::string>& warnings);
 
-/// A model, to be shown. `name` where it has no title.
+/// Makes the document of a model, called `name` if it has no title.
 Document document_of(MolecularModel built, const std::string& name);
 
 /// Reads a file, whose compression the page has undone, and builds its model: a name in models(),
-/// or "auto" for the one that fits. A graph XML file has no model. Throws as the readers and
-/// build_model(), and InputError if `known` is of other atoms.
+/// or "auto". A graph XML file has no model. Throws as the readers and build_model(), and
+/// InputError if `known` does not fit the atoms.
 Document open_file(const std::string& name, std::string_view bytes, const std::string& model,
                    const Known& known = {});
 
-/// x, y, z of each.
+/// The positions as numbers: x, y, z of each.
 std::span<const double> numbers_of(std::span<const Vec3> positions);
 
-/// All of it, as the call `open` replies, at these positions.
+/// The reply of the call `open`, with these positions.
 Reply describe(const Document& document, std::span<const Vec3> positions);
 
 }  // namespace pliant::play

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
-// By how much each bar misses its rest length, as a page shows it; step by step, at a cost of what
-// moved.
+// The residual of each bar, as the page shows it; each step costs only as much as what moved.
 #pragma once
 
 #include <span>
@@ -13,15 +12,15 @@ namespace pliant::play {
 
 class KeptResiduals {
  public:
-  /// The framework outlives it.
+  /// The framework must outlive it.
   explicit KeptResiduals(const Framework& framework);
 
-  /// Looks at these positions (N).
+  /// Updates the residuals for these positions (N).
   void look(std::span<const Vec3> positions);
 
-  /// Of the last look: signed (length - rest) / rest of each bar (M).
+  /// (M) signed (length - rest) / rest of each bar at the last update.
   std::span<const float> all() const { return residuals_; }
-  /// The bar that misses it most; 0 where there is none.
+  /// The bar with the largest residual; 0 if there is none.
   std::size_t worst() const;
 
  private:

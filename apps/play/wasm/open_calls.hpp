@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls that tell what there is, and open something.
+// Calls that list choices, and open a document.
 #pragma once
 
 #include "call.hpp"

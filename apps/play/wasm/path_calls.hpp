@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls that find a path to another structure of what is open.
+// Calls that find a path from the open molecule to another structure of it.
 #pragma once
 
 #include "call.hpp"
@@ -8,7 +8,7 @@ namespace pliant::play {
 
 /// Reads the other structure and begins a session at the start of the path.
 Reply begin_path(const Request& request);
-/// Goes on with it for so many milliseconds, at least one step.
+/// Continues it for some milliseconds, at least one step.
 Reply path_steps(const Request& request);
 
 }  // namespace pliant::play

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What a call answers: a JSON object, and arrays of numbers beside it.
+// The reply of a call: a JSON object, and arrays of numbers.
 #pragma once
 
 #include <cstddef>
@@ -15,8 +15,8 @@ namespace pliant::play {
 
 using Json = nlohmann::json;
 
-/// The arrays are kept as bytes until the next call; the JSON says where: member `arrays` has for
-/// each its name with {type, at, count}, where `type` is the word before "Array" in JavaScript.
+/// The arrays are kept as bytes until the next call. The member `arrays` of the JSON has {type, at,
+/// count} for the name of each, where `type` is the word before "Array" in JavaScript.
 class Reply {
  public:
   Json fields = Json::object();
@@ -26,7 +26,7 @@ class Reply {
   void add(const char* name, std::span<const std::int32_t> values) { put(name, "Int32", values); }
   void add(const char* name, std::span<const std::uint8_t> values) { put(name, "Uint8", values); }
 
-  /// The JSON text with the places of the arrays, which are valid as long as this is.
+  /// The JSON text with the addresses of the arrays, which are valid as long as this object.
   std::string text() const;
 
  private:

@@ -6,7 +6,7 @@
 
 namespace pliant::play {
 
-/// Frames of `pliant sample` about the start of what is open. The request names rows of
+/// Makes frames of `pliant sample` about the start of the open document. The request names rows of
 /// sample_fields().
 Reply sample_frames(const Request& request);
 

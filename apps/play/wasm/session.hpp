@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The session: one document and the walker that a person steers, with what was done so far.
+// The session: one document and the walker that a person steers, with its history.
 #pragma once
 
 #include <deque>
@@ -13,11 +13,11 @@
 
 namespace pliant::play {
 
-/// What a step did, as far as a page shows it.
+/// The result of a step, as far as a page shows it.
 struct StepReport {
   Frame frame;
   std::vector<Vec3> pushed;  ///< (N) Angstrom, after the push, before anything was resolved
-  double seconds = 0.0;      ///< of push, resolve and measuring
+  double seconds = 0.0;  ///< for push, resolve and measuring
 };
 
 class Session {
@@ -28,39 +28,39 @@ class Session {
   const RunOptions& options() const { return walk_->options(); }
   const State& state() const { return walk_->state(); }
   const Framework& framework() const { return walk_->framework(); }
-  /// Of bars, where the caller looks.
+  /// Residuals of the bars, updated by the caller.
   KeptResiduals& residuals() { return residuals_; }
 
-  /// Where the walker stands, measured.
+  /// The present frame of the walker, measured.
   Frame frame() { return walk_->frame(); }
 
-  /// Throws OptionError; all is then as before.
+  /// Sets options. Throws OptionError; nothing is changed then.
   void set(const RunOptions& options);
   void pin(std::vector<Joint> joints);
-  /// One step.
+  /// Makes one step.
   StepReport pull(const std::vector<JointForce>& forces);
-  /// The same, and the technique is watched bar by bar. Throws OptionError if it cannot be; no step
-  /// was done then.
+  /// The same, watching the technique bar by bar. Throws OptionError if that is not possible; no
+  /// step is made then.
   StepReport pull_watched(const std::vector<JointForce>& forces,
                           const std::function<void(const RepairedBar&)>& on_bar);
-  /// One step of the random pusher.
+  /// Makes one step of the random pusher.
   StepReport wander();
-  /// Walkers of the random pusher that leave the session where it is; number k draws as walker k.
-  /// They are where they were at the last call, if they are to go on and nothing has happened
-  /// since; else they begin where the session is.
+  /// Walkers of the random pusher that start from the session without changing it; number k draws
+  /// as walker k. They continue from the last call if `goes_on` and nothing has happened since;
+  /// otherwise they start from the session.
   std::vector<std::unique_ptr<SteeredWalk>>& crowd(std::size_t walkers, bool goes_on);
-  /// The last pull once more with other options, from where it began; the session stays as it is.
-  /// Throws OptionError if there was none.
+  /// Repeats the last pull from its start with other options, without changing the session. Throws
+  /// OptionError if there was none.
   StepReport again(const RunOptions& options, State& after) const;
-  /// Takes so many steps back, or all that are remembered; how many those were.
+  /// Takes back so many steps, or all that are kept. Returns how many these were.
   std::size_t undo(std::size_t steps);
   /// All steps that were not taken back, with their settings and pins.
   std::vector<ForceEvent> events() const;
-  /// What these are for: the document and its model.
+  /// The header of a force file for the document and its model.
   ForceHeader force_header() const;
 
  private:
-  /// A step: what it was done with.
+  /// A step and its settings.
   struct Done {
     std::shared_ptr<const RunOptions> options;
     std::shared_ptr<const std::vector<Joint>> pinned;
@@ -81,12 +81,12 @@ class Session {
   std::vector<std::unique_ptr<SteeredWalk>> crowd_;
 };
 
-/// What a reply tells of a frame, without its positions.
+/// The fields of a frame in a reply, without its positions.
 Json fields_of(const Frame& frame);
 
-/// The session that is open. Throws OptionError if there is none.
+/// The open session. Throws OptionError if there is none.
 Session& session();
-/// Opens another one in place of it, and replies as the call `open`.
+/// Opens a session in place of it. Returns the reply of the call `open`.
 Reply begin_session(Document document);
 
 }  // namespace pliant::play

@@ -7,12 +7,12 @@
 
 namespace pliant::play {
 
-/// Puts a JSON value into the place of an option. A seed may be text. Throws OptionError for a
-/// value of another kind.
+/// Sets an option from a JSON value. A seed may be text. Throws OptionError for a value of another
+/// type.
 void put_option(const OptionFacts& facts, OptionPlace place, const Json& value);
 
-/// `options` with those of the table that `asked` names and a page may set; other names are left
-/// alone. Throws as put_option().
+/// `options` with those rows of the table that `asked` names and a page may set; other names are
+/// ignored. Throws as put_option().
 template <class Fields, class Options>
 Options with_options(const Fields& fields, Options options, const Json& asked) {
   for (const auto& field : fields)
@@ -21,13 +21,13 @@ Options with_options(const Fields& fields, Options options, const Json& asked) {
   return options;
 }
 
-/// The settings of the session with those that `fields` names.
+/// `options` with the settings of the session that `fields` names.
 RunOptions with_settings(RunOptions options, const Json& fields);
 
-/// Whether an option of a run means nothing here: how many steps, which are shown.
+/// Whether an option of a run has no meaning here: the number of steps, and which are shown.
 bool is_no_setting(const RunField& field);
 
-/// All settings in force.
+/// All present settings.
 Json settings_of(const RunOptions& options);
 
 }  // namespace pliant::play

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Calls that step the session.
+// Calls that make steps of the session.
 #pragma once
 
 #include "call.hpp"
