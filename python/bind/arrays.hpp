@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Arrays at the border: numpy arrays as spans of Vec3 without a copy, and array-likes as vectors.
-// Wrong kinds of objects raise TypeError, wrong shapes and values InputError; both say what was
-// expected and what was found.
+// Array arguments and results: numpy arrays as spans of Vec3 without a copy, and array-likes as
+// vectors. Objects of a wrong kind raise TypeError, wrong shapes and values InputError; both say
+// what was expected and what was found.
 #pragma once
 
 #include <nanobind/ndarray.h>
@@ -25,6 +25,7 @@ struct ArrayLike {
 using OptionalArray = std::optional<ArrayLike>;
 
 /// An argument whose memory is used as it is, and changed.
+/// An argument whose memory is used directly, and changed.
 struct PositionsInPlace {
   nb::object object;
 };
@@ -32,7 +33,8 @@ struct PositionsInPlace {
 using PositionsView = nb::ndarray<nb::numpy, double, nb::shape<-1, 3>, nb::c_contig>;
 using PositionsConstView = nb::ndarray<nb::numpy, const double, nb::shape<-1, 3>, nb::c_contig>;
 
-/// Holds on to the memory of an (N, 3) array while it is used. Needs the GIL to be made and ended.
+/// Keeps the memory of an (N, 3) array alive while it is used. Made and destroyed with the GIL
+/// held.
 class PositionsLease {
  public:
   /// Throws TypeError unless the argument is a C-contiguous, writeable, aligned array of float64
@@ -45,7 +47,7 @@ class PositionsLease {
   std::span<Vec3> span_;
 };
 
-/// The same of a (K, N, 3) array: K sets of positions.
+/// The same for a (K, N, 3) array: K sets of positions.
 class ConformersLease {
  public:
   explicit ConformersLease(const PositionsInPlace& argument);
@@ -59,18 +61,18 @@ class ConformersLease {
   std::span<Vec3> all_;
 };
 
-/// A copy of an (N, 3) array-like of real numbers. `name` is that of the argument.
+/// A copy of an (N, 3) array-like of real numbers. `name` is the argument's name in messages.
 std::vector<Vec3> positions_from(const ArrayLike& argument, const char* name = "positions");
-/// The same, and throws InputError if there are not `count`.
+/// The same. Throws InputError if there are not `count` rows.
 std::vector<Vec3> positions_from(const ArrayLike& argument, std::size_t count);
 
 /// A copy of a (K) array-like of real numbers.
 std::vector<double> reals_from(const ArrayLike& argument, const char* name);
 
-/// A copy of a (K) array-like of integers; no other type is rounded.
+/// A copy of a (K) array-like of integers; other types are not converted.
 std::vector<std::int64_t> integers_from(const ArrayLike& argument, const char* name);
 
-/// A copy of a (K) array-like of truth values; no number stands for one.
+/// A copy of a (K) array-like of truth values; numbers are not converted.
 std::vector<std::int64_t> truths_from(const ArrayLike& argument, const char* name);
 
 /// A copy of a (K, 2) array-like of integers, each from 0 to `joint_count` - 1.
@@ -88,7 +90,7 @@ std::vector<Joint> joints_from(const ArrayLike& argument, const char* name,
 PositionsView view_of(std::vector<Vec3>& positions, nb::handle owner);
 PositionsConstView const_view_of(std::span<const Vec3> positions, nb::handle owner);
 
-/// Gives `positions` to a new array.
+/// Moves `positions` into a new array.
 PositionsView new_positions(std::vector<Vec3> positions);
 
 template <class T>
@@ -102,7 +104,7 @@ Array1<const T> const_view_of(std::span<const T> values, nb::handle owner) {
   return Array1<const T>(values.data(), {values.size()}, owner);
 }
 
-/// Gives `values` to a new array.
+/// Moves `values` into a new array.
 template <class T>
 Array1<T> array_of(std::vector<T> values) {
   auto* kept = new std::vector<T>(std::move(values));
@@ -125,7 +127,7 @@ Array1<bool> mask_of(const std::vector<bool>& values);
 
 namespace nanobind::detail {
 
-/// Takes any object and leaves the checking to the function, whose message can say more.
+/// Accepts any object and leaves the checks to the function, whose message can say more.
 template <>
 struct type_caster<pliant::python::ArrayLike> {
   NB_TYPE_CASTER(pliant::python::ArrayLike, const_name("numpy.typing.ArrayLike"))

@@ -29,7 +29,7 @@ inline Bar bar_at(const Framework& framework, std::int64_t bar) {
   return framework.bars()[static_cast<std::size_t>(bar)];
 }
 
-/// The root joint of a resolve: a framework without joints has none, and needs none.
+/// The root joint of a resolve; a framework without joints needs none.
 inline Joint root_at(const Framework& framework, std::int64_t root) {
   return framework.joint_count() == 0 ? 0 : joint_at(framework, root);
 }

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Python objects that C++ objects hold, shown to the garbage collector: a function that is given to
-// an object often sees that object.
+// Shows the garbage collector the Python objects that C++ objects hold: a function given to an
+// object often refers to that object.
 #pragma once
 
 #include "bind.hpp"
 
 namespace pliant::python {
 
-/// Type slots of a class with `int traverse(visitproc, void*) const` and `void clear()`.
+/// Type slots for a class with `int traverse(visitproc, void*) const` and `void clear()`.
 template <class Type>
 struct Collected {
   static int traverse(PyObject* self, visitproc visit, void* argument) {

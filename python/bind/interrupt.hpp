@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Long calls: Ctrl-C, whose handler in Python runs only when it is asked for, and progress bars.
+// Long calls: Ctrl-C, whose handler in Python runs only when asked for, and progress bars.
 #pragma once
 
 #include <chrono>
@@ -10,13 +10,13 @@
 
 namespace pliant::python {
 
-/// Asks Python about signals ten times a second at most. What a handler raised (KeyboardInterrupt)
-/// is kept until the computation has ended in good order.
+/// Checks for Python's signals at most ten times a second. An exception of a handler
+/// (KeyboardInterrupt) is kept until the computation has ended in good order.
 class InterruptWatch {
  public:
   InterruptWatch() = default;
 
-  /// With a bar in notebooks and on terminals, of `total` things called `what`; made and destroyed
+  /// Shows a bar in notebooks and on terminals, for `total` items called `what`. Made and destroyed
   /// with the GIL held.
   InterruptWatch(const char* what, std::int64_t total)
       : bar_(nb::module_::import_("pliant._progress").attr("begin")(what, total)) {}
@@ -51,7 +51,7 @@ class InterruptWatch {
     return raised_ != nullptr;
   }
 
-  /// What a handler raised; null if nothing. Rethrow it with the GIL held.
+  /// The exception of a handler; null if there was none. Rethrow it with the GIL held.
   const std::exception_ptr& raised() const { return raised_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Objects that use HDF5, for Python: shared by threads, and never waited for with the GIL held.
+// Objects that use HDF5, for Python: shared by threads, without waiting while the GIL is held.
 #pragma once
 
 #include <unistd.h>
@@ -15,18 +15,19 @@
 
 namespace pliant::python {
 
-/// An object and the lock of its calls. HDF5 has one lock for all files, under which the library
-/// speaks, which takes the GIL: so whoever waits for that lock must have given up the GIL. A forked
-/// process must leave the object alone: whoever used it in that moment never ends here.
+/// An object and the lock of its calls. HDF5 has one lock for all files, and the library may log
+/// while it holds that lock, which needs the GIL: a thread must therefore release the GIL before it
+/// waits for that lock. A forked process must not touch the object, because a thread that used it
+/// at that time never ends there.
 template <class Object>
 class Locked {
  public:
-  /// Needs no GIL.
+  /// Does not need the GIL.
   template <class... Arguments>
   explicit Locked(const Arguments&... arguments)
       : object_(std::make_unique<Object>(arguments...)) {}
 
-  /// Needs the GIL, which it gives up.
+  /// Needs the GIL, and releases it.
   ~Locked() {
     if (is_forked()) {
       static_cast<void>(object_.release());
@@ -36,7 +37,7 @@ class Locked {
     object_.reset();
   }
 
-  /// Calls `use` with the object, one thread at a time. Needs the GIL not to be held.
+  /// Calls `use` with the object, one thread at a time. The GIL must not be held.
   template <class Use>
   auto use(Use&& use) {
     if (is_forked())
@@ -46,7 +47,7 @@ class Locked {
     return use(*object_);
   }
 
-  /// The same for who holds the GIL, which is given up meanwhile.
+  /// The same for callers that hold the GIL, which is released meanwhile.
   template <class Use>
   auto call(Use&& use) {
     const nb::gil_scoped_release no_gil;

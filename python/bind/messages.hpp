@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// How the library speaks to Python: warnings become Python warnings of the class PliantWarning,
+// The library's messages in Python: warnings become Python warnings of the class PliantWarning,
 // notes go to the logger "pliant". Both may be called without the GIL.
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace pliant::python {
 
-/// A log whose warnings point to the line of the caller that is outside of the package.
+/// A log whose warnings refer to the caller's line outside of the package.
 Log python_log();
 
-/// The same for what may speak in a destructor: where warnings are errors, they are printed.
+/// The same for use in destructors: where warnings are errors, they are printed.
 Log unraisable_python_log();
 
 }  // namespace pliant::python

@@ -10,7 +10,7 @@
 
 namespace pliant::python {
 
-/// "int" of a whole number.
+/// "int" for a whole number.
 const char* python_type(OptionPlace place);
 
 /// "Sweeps after which a step is given up."
@@ -18,25 +18,24 @@ std::string docstring(std::string_view summary);
 
 nb::object value_of(OptionPlace place);
 
-/// Puts a value from Python into a place. Raises TypeError or OptionError naming the option where
-/// the value does not fit; ranges are check()'s matter.
+/// Sets an option from a Python value. Raises TypeError or OptionError naming the option if the
+/// value does not fit. Ranges are checked by check(), not here.
 void take_value(const OptionFacts& facts, OptionPlace place, nb::handle value);
 
-/// "seed: int = 0", as it stands in a signature.
+/// "seed: int = 0", as in a signature.
 std::string argument_text(const OptionFacts& facts, OptionPlace place);
 
-/// Its lines under the heading "Parameters" of a docstring.
+/// Its lines under "Parameters" in a docstring.
 std::string argument_doc(const OptionFacts& facts, OptionPlace place);
 
-/// Raises OptionError where `given` has the name of an earlier version.
+/// Raises OptionError if `given` has a name of an earlier version.
 void refuse_former(const OptionFacts& facts, nb::dict given);
 
-/// Raises TypeError where an argument is left that the function has not. `first` is the argument
-/// before the named ones.
+/// Raises TypeError if an unknown argument is left. `first` is the argument before the named ones.
 void refuse_unknown(const char* function, nb::handle first, nb::dict left);
 
-/// Takes from `given` what is in the table and open to scripts; the others stay. Raises as
-/// refuse_former() and take_value() do.
+/// Takes from `given` the options of the table that scripts may set, and leaves the others. Raises
+/// as refuse_former() and take_value() do.
 template <class Fields, class Options>
 void take_values(const Fields& fields, nb::dict given, Options& options) {
   for (const auto& field : fields) {

@@ -15,7 +15,7 @@ inline Tolerance tolerance_from(double relative, std::optional<double> length) {
   return {relative, length.value_or(0.0)};
 }
 
-/// The keyword arguments by which a technique and its limits are chosen, in this order.
+/// The keyword arguments that choose a technique and its limits, in this order.
 struct ResolveArguments {
   TechniqueLike technique;
   double weighting;

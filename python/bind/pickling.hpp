@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Pickling of Framework, Structure and State: what sends them to worker processes. The bits of
-// every number survive.
+// Pickling of Framework, Structure and State, which sends them to worker processes. All numbers
+// keep their bits.
 #pragma once
 
 #include "bind.hpp"
@@ -9,7 +9,7 @@
 
 namespace pliant::python {
 
-/// Each adds __getstate__ and __setstate__. States that were not written by it raise ValueError.
+/// Each adds __getstate__ and __setstate__. Other states raise ValueError.
 void bind_pickling(nb::class_<Framework>& framework);
 void bind_pickling(nb::class_<Structure>& structure);
 void bind_pickling(nb::class_<State>& state);

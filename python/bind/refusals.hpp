@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Refusals of arguments: what a call says where an argument has another type than it takes.
+// Errors for arguments of a wrong type.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +16,7 @@ namespace pliant::python {
 [[noreturn]] void refuse_argument(std::string_view name, nb::handle value, const char* type,
                                   nb::object least, nb::object most);
 
-/// `value` as a T, of which the least is told. Throws as refuse_argument() if it is none.
+/// `value` as a T of at least `least`. Throws as refuse_argument() if it is not one.
 template <class T>
 T argument_as(std::string_view name, nb::handle value, const char* type,
               T least = std::numeric_limits<T>::min()) {
@@ -29,8 +29,8 @@ T argument_as(std::string_view name, nb::handle value, const char* type,
   refuse_argument(name, value, type, nb::none(), nb::none());
 }
 
-/// Makes every function of the module and of its classes name the argument that does not fit, where
-/// it would show its whole signature.
+/// Makes every function of the module and of its classes name the argument that does not fit, in
+/// place of its whole signature.
 void name_unfit_arguments(nb::module_& module);
 
 }  // namespace pliant::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Tables of named things: each row becomes an object that refers to the library's own table.
+// Tables of named things: each row becomes an object that refers to the library's table.
 #pragma once
 
 #include <span>
@@ -19,7 +19,7 @@ nb::class_<Row> bind_row(nb::module_& module, const char* name, const char* doc)
   return row;
 }
 
-/// The rows of a table that lives as long as the process.
+/// The rows of a table, which must live as long as the process.
 template <class Row>
 std::vector<const Row*> rows_of(std::span<const Row> table) {
   std::vector<const Row*> rows;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Limits at the border: rows (a, b, least, most, kind, energy, group) of which the last three may
-// be left out, and the array of such rows that a framework gives back.
+// Limits as arguments and results: rows (a, b, least, most, kind, energy, group), of which the last
+// three are optional, and the array of such rows.
 #pragma once
 
 #include <nanobind/stl/pair.h>
@@ -12,14 +12,14 @@
 
 namespace pliant::python {
 
-/// Limits of a sequence of rows or of the array that limits_to_python gives. Throws TypeError for a
-/// row that is none; OptionError for an unknown kind.
+/// Reads limits from a sequence of rows or from the array that limits_to_python returns. Throws
+/// TypeError for an invalid row, OptionError for an unknown kind.
 std::vector<Limit> limits_from(nb::handle rows);
 
 /// A numpy array with fields a, b, least, most, kind, energy, group (-1: none).
 nb::object limits_to_python(const Framework& framework);
 
-/// What a summary says of limits and overlaps, as attributes of its class.
+/// Adds the limits and overlaps of a summary as attributes of its class.
 template <class Summary, class Class>
 void bind_violations(Class& summary) {
   summary

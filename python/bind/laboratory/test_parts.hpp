@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Parts of a test set as Python sees them: classes, graphs and heuristics, each keeping its set
+// Parts of a test set for Python: classes, graphs and heuristics, each of which keeps its set
 // alive.
 #pragma once
 

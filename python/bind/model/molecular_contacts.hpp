@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Contacts of molecules at the border: rows with names, as numpy has them.
+// Contacts of molecules as arguments and results: numpy arrays with named fields.
 #pragma once
 
 #include <vector>
@@ -9,11 +9,11 @@
 
 namespace pliant::python {
 
-/// A numpy array with a field for each of a contact's; -1 for no hydrogen or base.
+/// Returns a numpy array with the fields of a contact; -1 for no hydrogen or base.
 nb::object contacts_to_python(const std::vector<MolecularContact>& contacts);
 
-/// Contacts of an array that contacts_to_python gives, or of part of it. Throws TypeError for what
-/// has no such fields; OptionError for an unknown kind.
+/// Reads contacts from an array of contacts_to_python, or from part of it. Throws TypeError without
+/// these fields, OptionError for an unknown kind.
 std::vector<MolecularContact> contacts_from(nb::handle rows);
 
 }  // namespace pliant::python

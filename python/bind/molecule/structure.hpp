@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// The class Structure: its columns as arrays, and how it is made from arrays.
+// The class Structure: its columns as arrays, and its construction from arrays.
 #pragma once
 
 #include "bind.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// A Structure from columns: what the constructor of the Python class takes.
+// Makes a Structure from columns, for the constructor of the Python class.
 #pragma once
 
 #include "arrays.hpp"
@@ -9,14 +9,14 @@ namespace pliant::python {
 
 using Texts = std::optional<std::vector<std::string>>;
 
-/// Makes `self` of columns of N atoms and M bonds. Throws InputError naming the column.
+/// Makes `self` from columns of N atoms and M bonds. Throws InputError naming the column.
 void make_structure(Structure* self, const ArrayLike& positions, const OptionalArray& elements,
                     const Texts& names, const Texts& residue_names,
                     const OptionalArray& residue_ids, const Texts& insertion_codes,
                     const Texts& chains, const OptionalArray& serials, const OptionalArray& bonds,
                     const OptionalArray& bond_orders, const std::string& title);
 
-/// The bonds with a < b, sorted by (a, b), each pair once: of several orders the highest.
+/// Bonds with a < b, sorted by (a, b), each pair once with its highest order.
 std::vector<Bond> canonical(std::vector<Bond> bonds);
 
 }  // namespace pliant::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Traces of residues, their sequences, and how those of two structures are matched.
+// Traces of residues, their sequences, and the matching of two structures.
 #pragma once
 
 #include "bind.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What recorders take of a structure.
+// The parts of a structure that recorders write.
 #pragma once
 
 #include <vector>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Orderings as Python sees them: tuples (bar, near, is_tree) of three arrays of one length.
+// Orderings in Python: tuples (bar, near, is_tree) of three arrays of equal length.
 #pragma once
 
 #include <nanobind/stl/tuple.h>
@@ -13,16 +13,16 @@
 
 namespace pliant::python {
 
-/// Bars, near joints, and whether the weighting shares the correction.
+/// Bars, near joints, and whether the weighting divides the correction.
 using OrderingColumns = std::tuple<ArrayLike, ArrayLike, ArrayLike>;
 
 nb::tuple ordering_to_python(const Ordering& ordering);
 
-/// Throws TypeError or InputError for columns that are none; whether they fit a framework is
-/// checked where it is known.
+/// Throws TypeError or InputError for invalid columns. Whether they fit a framework is checked
+/// later.
 Ordering ordering_from(const OrderingColumns& columns);
 
-/// What Technique::ordering holds; null for None.
+/// The value of Technique::ordering; null for None.
 std::shared_ptr<const Ordering> technique_ordering(const std::optional<OrderingColumns>& columns);
 
 }  // namespace pliant::python

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Techniques as Python gives them: a name, or whatever can be called to make a sweep.
+// Techniques in Python: a name, or a callable that makes a sweep.
 #pragma once
 
 #include <memory>
@@ -13,18 +13,18 @@ class Framework;
 
 namespace pliant::python {
 
-/// A name in techniques(), or something to be called with (positions, sweep, framework).
+/// A name in techniques(), or a callable with arguments (positions, sweep, framework).
 struct TechniqueLike {
   nb::object object;
 };
 
-/// Sets name and sweep. Throws TypeError for what is neither a name nor to be called.
+/// Sets name and sweep. Throws TypeError for anything else.
 void choose(Technique& technique, const TechniqueLike& chosen);
 
-/// What sweeps in Python are shown; it must outlive them. To be said before they are called.
+/// Sets the framework that sweeps in Python receive, before they are called; it must outlive them.
 void show_framework(Technique& technique, const Framework& framework);
 
-/// What sweeps are made of in Python, for the garbage collector. Needs the GIL.
+/// The callable of a sweep in Python, for the garbage collector. Needs the GIL.
 class CallableOf {
  public:
   CallableOf() = default;
@@ -40,7 +40,7 @@ class CallableOf {
 
 namespace nanobind::detail {
 
-/// Takes any object and leaves the checking to choose(), whose message can say more.
+/// Accepts any object and leaves the checks to choose(), whose message can say more.
 template <>
 struct type_caster<pliant::python::TechniqueLike> {
   NB_TYPE_CASTER(pliant::python::TechniqueLike,

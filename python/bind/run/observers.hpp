@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Observers as Python gives them: recorders, and whatever can be called with a frame.
+// Observers in Python: recorders, and callables with a frame.
 #pragma once
 
 #include "framework/frame.hpp"
@@ -8,12 +8,12 @@
 
 namespace pliant::python {
 
-/// What a run did, and the state that it ended in.
+/// Summary of a run, and its last state.
 struct OwnedRunSummary : RunSummary {
   nb::object state;
 };
 
-/// Whether a Python observer's answer asks to stop: if it is anything true. Needs the GIL.
+/// Whether the result of a Python observer asks to stop, being true. Needs the GIL.
 inline bool is_true(const nb::object& answer) {
   if (answer.is_none()) return false;
   const int truth = PyObject_IsTrue(answer.ptr());
@@ -21,7 +21,7 @@ inline bool is_true(const nb::object& answer) {
   return truth == 1;
 }
 
-/// Observes with a recorder, which needs no GIL.
+/// Makes an observer of a recorder, which does not need the GIL.
 inline Observer recorder_observer(nb::handle object) {
   LockedRecorder& shared = nb::cast<LockedRecorder&>(object);
   return [&shared](const Frame& frame) {
@@ -30,7 +30,7 @@ inline Observer recorder_observer(nb::handle object) {
   };
 }
 
-/// Any observer, of frames that belong to `state`. Both must outlive it.
+/// Makes an observer of frames that belong to `state`. Both must outlive it.
 inline Observer observer_of(nb::handle object, nb::handle state) {
   if (nb::isinstance<LockedRecorder>(object)) return recorder_observer(object);
   return [object, state](const Frame& frame) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pushers from Python: a Steering, or whatever can be called with positions to move.
+// Pushers in Python: a Steering, or a callable that moves positions.
 #pragma once
 
 #include "bind.hpp"
@@ -7,14 +7,14 @@
 
 namespace pliant::python {
 
-/// A pusher whose Python object a Motion tells the garbage collector of. Its members need the GIL.
+/// A pusher whose Python object a Motion shows to the garbage collector. Its members need the GIL.
 class PusherOfPython : public Pusher {
  public:
   virtual nb::handle object() const = 0;
   virtual void forget_object() = 0;
 };
 
-/// A pusher that acts on `state` and on no other. Throws TypeError for what is none.
+/// A pusher for `state` only. Throws TypeError for anything else.
 std::shared_ptr<Pusher> pusher_from(nb::handle object, nb::handle_t<State> state);
 
 void bind_pushers(nb::module_& module);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Pushes (forces on joints) as Python sees them: tuples (joint, (x, y, z)).
+// Pushes (forces on joints) in Python: tuples (joint, (x, y, z)).
 #pragma once
 
 #include <nanobind/stl/tuple.h>

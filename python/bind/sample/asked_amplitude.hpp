@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// What Python asks of an amplitude: a number, B factors, or an ensemble in a file.
+// The amplitude as a Python argument: a number, B factors, or an ensemble in a file.
 #pragma once
 
 #include <nanobind/stl/filesystem.h>
@@ -16,7 +16,7 @@ namespace pliant::python {
 /// Angstrom, `bfactors`, or a file.
 using AskedAmplitude = std::variant<double, std::filesystem::path>;
 
-/// The text that asked_amplitude() of the library takes.
+/// The text for asked_amplitude() of the library.
 inline std::string amplitude_text(const AskedAmplitude& asked) {
   const double* value = std::get_if<double>(&asked);
   return value ? shortest_text(*value) : std::get<std::filesystem::path>(asked).string();
