@@ -21,8 +21,8 @@ void bind_facts(nb::module_& module) {
       .def_ro("blocks", &ExampleFacts::blocks, "Biconnected components of two or more bars.")
       .def_ro("feasible", &ExampleFacts::feasible,
               "Some positions have every bar at its rest length.")
-      .def_ro("whole", &ExampleFacts::whole, "The example's positions are such.")
-      .def_ro("rank", &ExampleFacts::rank, "Of the rigidity matrix; None where it is not known.")
+      .def_ro("whole", &ExampleFacts::whole, "The positions of the example are so.")
+      .def_ro("rank", &ExampleFacts::rank, "Rank of the rigidity matrix; None if not known.")
       .def_ro("rigid_motions", &ExampleFacts::rigid_motions, "Independent rigid motions: 3, 5, 6.")
       .def_ro("flexes", &ExampleFacts::flexes, "True internal degrees of freedom, in space.");
 }
@@ -37,11 +37,11 @@ std::vector<const Example*> all_examples() {
 
 void bind_examples(nb::module_& module) {
   bind_facts(module);
-  nb::class_<Example>(module, "Example", "A tiny named framework about which facts are known.")
-      .def_ro("name", &Example::name, "What it is called.")
+  nb::class_<Example>(module, "Example", "A tiny named framework with known properties.")
+      .def_ro("name", &Example::name, "Name of the example.")
       .def_ro("source", &Example::source, "Where its facts come from.")
       .def_ro("framework", &Example::framework, "The framework.")
-      .def_ro("facts", &Example::facts, "What is known of it.")
+      .def_ro("facts", &Example::facts, "Its known properties.")
       .def_prop_ro(
           "positions", [](const Example& self) { return new_positions(self.positions); },
           nb::rv_policy::reference, "(N, 3) float64, Angstrom: a new array.")

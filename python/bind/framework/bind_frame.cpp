@@ -47,7 +47,7 @@ void bind_stop(nb::module_& module) {
       .value("converged", Stop::converged, "Every bar is within the tolerance.")
       .value("max_sweeps", Stop::max_sweeps, "The limit was reached first.")
       .value("not_finite", Stop::not_finite,
-             "A length became infinite or not a number; positions were put back.")
+             "A length became infinite or not a number; positions were restored.")
       .value("stopped_by_caller", Stop::stopped_by_caller, "The caller asked to stop.");
 }
 
@@ -70,8 +70,8 @@ void bind_frame(nb::module_& module) {
            "sweeps"_a = 0, "projections"_a = 0, "max_residual"_a = 0.0, "rms_residual"_a = 0.0,
            "stop"_a = Stop::converged, "root_joint"_a = nb::none(),
            "force"_a = PythonForce{0.0, 0.0, 0.0})
-      .def_prop_ro("step", frame_field<&Frame::step>(), "Steps done.")
-      .def_prop_ro("time", frame_field<&Frame::time>(), "ps.")
+      .def_prop_ro("step", frame_field<&Frame::step>(), "Number of the step.")
+      .def_prop_ro("time", frame_field<&Frame::time>(), "Time in ps.")
       .def_prop_ro(
           "positions",
           [](const OwnedFrame& self) { return const_view_of(self.frame.positions, self.owner); },
@@ -82,7 +82,7 @@ void bind_frame(nb::module_& module) {
       .def_prop_ro("max_residual", frame_field<&Frame::max_residual>(),
                    "Largest |length - rest| / rest.")
       .def_prop_ro("rms_residual", frame_field<&Frame::rms_residual>(),
-                   "Root of the mean of its square.")
+                   "Root mean square of |length - rest| / rest.")
       .def_prop_ro("stop", frame_field<&Frame::stop>(), "Why resolving ended.")
       .def_prop_ro(
           "converged", [](const OwnedFrame& self) { return self.frame.stop == Stop::converged; },

@@ -107,7 +107,7 @@ std::string framework_repr(const Framework& framework) {
 }
 
 void bind_graph_facts(nb::module_& module) {
-  nb::class_<GraphFacts>(module, "GraphFacts", "What is known of the graph under a framework.")
+  nb::class_<GraphFacts>(module, "GraphFacts", "Properties of the graph of a framework.")
       .def_ro("joints", &GraphFacts::joints, "Number of joints.")
       .def_ro("bars", &GraphFacts::bars, "Number of bars.")
       .def_ro("components", &GraphFacts::components, "Number of connected components.")
@@ -116,7 +116,7 @@ void bind_graph_facts(nb::module_& module) {
       .def_ro("bridges", &GraphFacts::bridges, "Number of bars that are on no cycle.")
       .def_ro("blocks", &GraphFacts::blocks,
               "Number of blocks of two or more bars: rings and ring systems.")
-      .def_ro("largest_block", &GraphFacts::largest_block, "Bars in the largest of them.")
+      .def_ro("largest_block", &GraphFacts::largest_block, "Number of bars in the largest block.")
       .def_ro("bars_in_blocks", &GraphFacts::bars_in_blocks, "Number of bars on some cycle.")
       .def_prop_ro("is_forest", &GraphFacts::is_forest, "True if there is no cycle.")
       .def("__repr__", [](const GraphFacts& facts) {
@@ -145,7 +145,7 @@ masses : (N,) u, optional
 pinned : joints or (N,) truth values, optional
     Joints that never move.
 names : N strings, optional
-    What messages call the joints.
+    Names of the joints in messages.
 structure : Structure, optional
     The structure whose atoms the joints are; it names them in messages and files.
 planar : bool
@@ -153,11 +153,11 @@ planar : bool
 limits : sequence of (a, b, least, most[, kind[, energy[, group]]]), optional
     Pairs of joints whose distance is held to [least, most] Angstrom; ``most`` may be infinite. Kind:
     "given", "hydrogen_bond", "hydrophobic" or "torsion"; energy in kJ/mol, 0 if not known; limits of
-    one group, from 0, stand for one thing together.
+    one group, from 0, stand for one contact.
 sterics : Sterics, optional
-    How near joints may come that no bar joins.
+    Least distances of joints that no bar joins.
 torsion_preferences : TorsionPreferences, optional
-    Torsions that are usual.
+    Usual torsions.
 
 Raises
 ------
@@ -194,20 +194,20 @@ void bind_limits_of_framework(nb::class_<Framework>& framework) {
                    "group (-1: none). ``Framework(limits=...)`` takes it.")
       .def_prop_ro(
           "has_sterics", [](const Framework& self) { return self.sterics() != nullptr; },
-          "Whether joints may come only so near.")
+          "Whether there are least distances of joints.")
       .def_prop_ro(
           "sterics",
           [](const Framework& self) {
             return self.sterics() == nullptr ? std::nullopt : std::optional(*self.sterics());
           },
-          "How near joints may come: a copy; None if they may come as near as they like.")
+          "Least distances of joints: a copy; None if there are none.")
       .def_prop_ro(
           "torsion_preferences",
           [](const Framework& self) {
             const TorsionPreferences* const at = self.torsion_preferences();
             return at == nullptr ? std::nullopt : std::optional(*at);
           },
-          "Torsions that are usual: a copy; None if there are none.");
+          "Usual torsions: a copy; None if there are none.");
 }
 
 void bind_framework_class(nb::module_& module) {
@@ -244,11 +244,11 @@ void bind_framework_class(nb::module_& module) {
           [](const Framework& self, std::int64_t joint) {
             return self.label(joint_at(self, joint));
           },
-          "joint"_a, "What messages call a joint: \"A:LYS12:CA\", or \"joint 7\".")
+          "joint"_a, "Name of a joint in messages: \"A:LYS12:CA\", or \"joint 7\".")
       .def(
           "bar_label",
           [](const Framework& self, std::int64_t bar) { return self.label(bar_at(self, bar)); },
-          "bar"_a, "What messages call a bar: \"CA - CB\".")
+          "bar"_a, "Name of a bar in messages: \"CA - CB\".")
       .def("__repr__", &framework_repr);
   bind_limits_of_framework(framework);
   bind_framework_graph(framework);
@@ -277,7 +277,7 @@ void bind_state(nb::module_& module) {
           [](State* self, const ArrayLike& positions) {
             new (self) State(positions_from(positions));
           },
-          "positions"_a, "At rest at a copy of ``positions``, (N, 3) Angstrom.")
+          "positions"_a, "Starts at rest from a copy of ``positions``, (N, 3) Angstrom.")
       .def_prop_rw(
           "positions",
           [](nb::handle_t<State> self) { return view_of(nb::cast<State&>(self).positions, self); },
@@ -294,9 +294,9 @@ void bind_state(nb::module_& module) {
             return nb::cast(mask_of({self.limits_off.begin(), self.limits_off.end()}));
           },
           [](State& self, const ArrayLike& values) { self.limits_off = switches_from(values); },
-          "(L,) bool, a copy: limits that are off from the next step on; empty: none is.")
+          "(L,) bool, a copy: limits that are off from the next step on; empty: all are on.")
       .def_rw("step", &State::step, "Steps done.")
-      .def_rw("time", &State::time, "ps.")
+      .def_rw("time", &State::time, "Time in ps.")
       .def("__repr__", [](const State& self) {
         return "<pliant.State: " + count_of(self.positions.size(), "joint") + ", step " +
                std::to_string(self.step) + ">";

@@ -55,18 +55,18 @@ std::vector<OwnRow> own_of(const Sterics& sterics) {
   return rows;
 }
 
-constexpr const char* sterics_doc = R"(How near joints may come that no bar joins; never changes.
+constexpr const char* sterics_doc = R"(Least distances of joints that no bar joins; immutable.
 
 Parameters
 ----------
 kinds : (N,) integers
     The kind of each joint, from 0.
 least : (K, K) Angstrom
-    Least distances of two joints by their kinds: symmetric; 0: as near as they like.
+    Least distances of two joints by their kinds: symmetric; 0: no lower bound.
 own : sequence of (a, b, least)
-    Pairs of joints with a least distance of their own (Angstrom), whatever their kinds.
+    Pairs of joints with another least distance (Angstrom), whatever their kinds.
 excluded_bonds : int
-    Pairs up to so many bars apart never touch.
+    Pairs up to this many bars apart never touch.
 
 Raises
 ------
@@ -89,7 +89,7 @@ void bind_sterics(nb::module_& module) {
                    "(K, K) Angstrom, a copy: least distances by kinds.")
       .def_prop_ro("own", &own_of, "Pairs of joints with least distances of their own.")
       .def_ro("excluded_bonds", &Sterics::excluded_bonds,
-              "Pairs up to so many bars apart never touch.")
+              "Pairs up to this many bars apart never touch.")
       .def("__repr__", [](const Sterics& self) {
         return "<pliant.Sterics: " + std::to_string(self.kinds.size()) + " joints of " +
                std::to_string(self.kind_count) + " kinds>";

@@ -43,7 +43,7 @@ std::vector<BackboneRow> backbone_of(const TorsionPreferences& self) {
 
 constexpr const char* preferences_doc = R"(Torsions that pull back to where they are usual.
 
-``sample`` heeds them. They pull, and never decide whether a frame is whole.
+``sample`` uses them. They pull, but never decide whether a frame is whole.
 
 Parameters
 ----------

@@ -41,7 +41,7 @@ ring : int
 cycles : int
     Non-tree bars of an n-cycle, from 0.
 joints : int
-    Joints of a tree; 0: as depth and children give.
+    Joints of a tree; 0: determined by depth and children.
 box : float
     Edge of the box that positions are drawn from, Angstrom.
 

@@ -89,8 +89,8 @@ template <auto Member>
 auto size = [](const TestSet& self) { return self.settings.sizes.*Member; };
 
 void bind_settings(nb::class_<TestSet>& set) {
-  set.def_prop_ro("seed", setting<&TestSettings::seed>, "Of all random numbers.")
-      .def_prop_ro("forces", setting<&TestSettings::forces>, "Pushes of each graph.")
+  set.def_prop_ro("seed", setting<&TestSettings::seed>, "Seed of all random numbers.")
+      .def_prop_ro("forces", setting<&TestSettings::forces>, "Number of pushes for each graph.")
       .def_prop_ro("force", setting<&TestSettings::force>, "Size of each, kJ/(mol Angstrom).")
       .def_prop_ro("timestep", setting<&TestSettings::timestep>, "ps.")
       .def_prop_ro("tolerance_length", setting<&TestSettings::tolerance_length>,
@@ -118,8 +118,8 @@ graph : int
     Number of the graph in it.
 technique, weighting : str, float
 sweeps, passes, projections : (F,) int
-    Of each force, in the order of ``pushes``. ``passes`` counts forwards and backwards of a reverse
-    technique as one.
+    Numbers for each force, in the order of ``pushes``. In ``passes`` forwards and backwards of a
+    reverse technique count as one.
 converged : (F,) bool
 final_residual : (F,) float
     Largest \|length - rest\| / rest at the end.
@@ -150,7 +150,7 @@ void bind_set(nb::module_& module) {
             return ClassPart{&nb::cast<TestSet&>(self).class_named(name), nb::borrow(self)};
           },
           "name"_a, nb::sig("def class_named(self, name: str) -> TestClass"),
-          "The class of that name. Raises OptionError listing those there are.")
+          "Returns the class of that name. Raises OptionError listing the existing names.")
       .def(
           "write_results",
           [](TestSet& self, const std::string& kind, std::int64_t graph,
@@ -177,7 +177,7 @@ void bind_set(nb::module_& module) {
           "that\n"
           "results.xml sums up.")
       .def("save", &TestSet::save, nb::call_guard<nb::gil_scoped_release>(),
-           "Writes results.xml anew, at once and as a whole.");
+           "Writes results.xml again, atomically.");
   bind_settings(set);
 }
 

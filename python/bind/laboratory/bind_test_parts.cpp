@@ -25,12 +25,12 @@ nb::list heuristics_of(const GraphPart& self) {
 
 void bind_results(nb::module_& module) {
   nb::class_<TestSummary>(module, "TestResults",
-                          "What a heuristic did with the forces of a graph: of ``sweeps``.")
-      .def_ro("forces", &TestSummary::forces, "How many forces.")
-      .def_ro("converged", &TestSummary::converged, "How many of them converged.")
+                          "Statistics of the sweeps of a heuristic for the forces of a graph.")
+      .def_ro("forces", &TestSummary::forces, "Number of forces.")
+      .def_ro("converged", &TestSummary::converged, "Number of forces that converged.")
       .def_ro("mean", &TestSummary::mean, "Mean.")
-      .def_ro("mode", &TestSummary::mode, "The smallest of the most frequent.")
-      .def_ro("sd", &TestSummary::sd, "Standard deviation with n - 1; 0 of one force.")
+      .def_ro("mode", &TestSummary::mode, "The smallest of the most frequent values.")
+      .def_ro("sd", &TestSummary::sd, "Standard deviation with n - 1; 0 for one force.")
       .def("__eq__", [](const TestSummary& one, const TestSummary& two) { return one == two; });
   nb::class_<HeuristicPart>(module, "TestHeuristic", "A technique with a weighting.")
       .def_prop_ro(
@@ -63,7 +63,7 @@ void bind_graphs(nb::module_& module) {
           "\"graph-003\": its folder.")
       .def_prop_ro(
           "number", [](const GraphPart& self) { return self.row->number; },
-          "Of the graph in its class, from 0; ``number`` of ``generate``.")
+          "Number of the graph in its class, from 0; ``number`` of ``generate``.")
       .def_prop_ro(
           "directory", [](const GraphPart& self) { return self.folder(self.row->folder); },
           "Its folder.")
@@ -77,7 +77,7 @@ void bind_graphs(nb::module_& module) {
           "ordering", [](const GraphPart& self) { return ordering_to_python(self.row->ordering); },
           nb::sig("def ordering(self) -> tuple[numpy.typing.NDArray[numpy.uint32], "
                   "numpy.typing.NDArray[numpy.uint32], numpy.typing.NDArray[numpy.bool_]]"),
-          "That of its ordering file: (bar, near, is_tree).")
+          "The ordering of its ordering file: (bar, near, is_tree).")
       .def_prop_ro("heuristics", &heuristics_of,
                    nb::sig("def heuristics(self) -> list[TestHeuristic]"),
                    "In the order of results.xml.");

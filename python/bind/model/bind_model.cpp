@@ -74,8 +74,8 @@ keep_waters : bool
 add_hydrogens : bool
     Place polar hydrogens (on N, O, S) by rule where a residue has none.
 protonate : sequence of str
-    Forms of residues, as ``"HIS57:HID"`` or ``"A:ASP25:ASH"``; else as hydrogens, names or a table
-    for pH 7 say.
+    Forms of residues, as ``"HIS57:HID"`` or ``"A:ASP25:ASH"``; those of others follow from
+    hydrogens, names or a table for pH 7.
 floppy_below : float
     Residues whose B factor (a confidence, pLDDT) is below are floppy; 0: none.
 fill_side_chains : bool
@@ -90,7 +90,7 @@ Raises
 InputError
     Nothing but waters or CA atoms.
 OptionError
-    A form that there is not, or of no residue.
+    An unknown form, or one for a missing residue.
 )";
 
 constexpr const char* contacts_doc =
@@ -142,15 +142,15 @@ InputError, OptionError
 )";
 
 void bind_preparation(nb::module_& module) {
-  nb::class_<Preparation>(module, "Preparation", "A structure made ready, and what was done to it.")
-      .def_ro("structure", &Preparation::structure, "The structure made ready.")
+  nb::class_<Preparation>(module, "Preparation", "A prepared structure, and what was done to it.")
+      .def_ro("structure", &Preparation::structure, "The prepared structure.")
       .def_prop_ro(
           "origin", [](const Preparation& self) { return array_of(origins_of(self)); },
           nb::rv_policy::reference,
-          "(N,) int64: the atom of the structure before that each atom is; -1: placed by rule.")
+          "(N,) int64: index of each atom before preparation; -1: placed by rule.")
       .def_prop_ro(
           "floppy", [](const Preparation& self) { return mask_of(self.floppy); },
-          nb::rv_policy::reference, "(R,) bool: residues without contacts; empty: none are.")
+          nb::rv_policy::reference, "(R,) bool: residues whose contacts are left out; empty: none.")
       .def_ro("steps", &Preparation::steps, "What was done, line by line.")
       .def_ro("missing", &Preparation::missing, "What the structure lacks, line by line.");
   module.def("prepare", &prepare_structure, "structure"_a, nb::kw_only(), "keep_waters"_a = false,
@@ -167,7 +167,7 @@ void bind_built_model(nb::module_& module) {
   module.def(
       "models", [] { return rows_of(models()); }, nb::rv_policy::reference,
       "The table of models that ``build_model`` knows.");
-  nb::class_<MolecularModel>(module, "MolecularModel", "A molecule and what holds it.")
+  nb::class_<MolecularModel>(module, "MolecularModel", "A molecule and its constraints.")
       .def_prop_ro(
           "kind", [](const MolecularModel& self) { return std::string(entry(self.kind).name); },
           "Name of the row of ``models()``.")

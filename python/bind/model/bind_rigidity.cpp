@@ -192,7 +192,7 @@ One line each time that clusters of residues change; bars of one colour in a lin
 Parameters
 ----------
 name : str
-    What the title calls the molecule; "": the name of its file.
+    Name of the molecule in the title; "": that of its file.
 )";
 
 constexpr const char* page_doc =
@@ -234,19 +234,19 @@ void bind_totals(nb::class_<MoleculeRigidity>& bound) {
   bound
       .def_prop_ro(
           "structure", [](Self self) { return self.model.structure; },
-          "The structure whose atoms were counted: that made ready.")
+          "The structure whose atoms were counted, after preparation.")
       .def_prop_ro(
           "contacts", [](Self self) { return contacts_to_python(self.model.contacts); },
           nb::sig("def contacts(self) -> numpy.typing.NDArray[numpy.void]"),
           "(K,) what holds it besides bonds, as ``contacts`` gives it.")
       .def_prop_ro(
           "degrees_of_freedom", [](Self self) { return self.found.found.freedoms; },
-          "Internal ones: 6 atoms - independent bars - 6 parts.")
+          "Internal degrees of freedom: 6 atoms - independent bars - 6 parts.")
       .def_prop_ro(
           "parts", [](Self self) { return self.found.found.components; },
-          "Parts of the molecule that nothing links; each moves as a whole besides.")
+          "Connected parts of the molecule; each can also move as a whole.")
       .def_prop_ro(
-          "bars", [](Self self) { return self.found.found.bars; }, "All of them.")
+          "bars", [](Self self) { return self.found.found.bars; }, "Number of all bars.")
       .def_prop_ro(
           "redundant", [](Self self) { return self.found.found.bars - self.found.found.rank; },
           "Bars that depend on others.")
@@ -255,7 +255,7 @@ void bind_totals(nb::class_<MoleculeRigidity>& bound) {
           "Bonds that may turn: those with five bars.")
       .def_prop_ro(
           "flexible_bonds", [](Self self) { return self.found.flexible_bonds; },
-          "Of these, those between different clusters.")
+          "Bonds that may turn between different clusters.")
       .def("dilution_picture", &picture_of, "name"_a = "", nb::call_guard<nb::gil_scoped_release>(),
            picture_doc)
       .def("write_page", &write_page, "path"_a, nb::kw_only(), "dilution"_a = false,
@@ -278,7 +278,7 @@ void bind_counts(nb::class_<MoleculeRigidity>& bound) {
           [](Self self) {
             return coloured_clusters(self.model.structure, self.found.found.clusters);
           },
-          "So many of them, the largest, have a colour: of a protein those of 20 atoms or more.")
+          "Number of clusters, the largest first, with a colour: in proteins those of 20 atoms or more.")
       .def_prop_ro(
           "rings_of_six", [](Self self) { return self.found.rings_of_six; },
           "Rings of six bonds that may turn: counted as rigid, though a boat moves.")
@@ -363,7 +363,7 @@ void bind_edges(nb::class_<MoleculeRigidity>& bound) {
 
 void bind_rigidity(nb::module_& module) {
   nb::class_<MoleculeRigidity> bound(module, "Rigidity",
-                                     "What of a molecule is rigid and what is flexible.");
+                                     "Rigid and flexible parts of a molecule.");
   bind_totals(bound);
   bind_counts(bound);
   bind_columns(bound);

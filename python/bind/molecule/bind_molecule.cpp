@@ -120,7 +120,7 @@ OptionError
 )";
 
 constexpr const char* select_doc =
-    R"(The atoms that a selection names, as a structure that holds no others.
+    R"(Returns the selected atoms as a structure of their own.
 
 Parameters
 ----------
@@ -154,7 +154,7 @@ max_input : int
     Bytes that the file may have, and expand to, at most 2^32. What is larger is refused.
 assembly : int or str, optional
     Name of a biological assembly that the file states (``Structure.assemblies``), to be made: PDB
-    (REMARK 350) and mmCIF. Chains that are there several times get names of their own.
+    (REMARK 350) and mmCIF. Copies of a chain get different names.
 
 Raises
 ------
@@ -192,8 +192,8 @@ void bind_molecule(nb::module_& module) {
   bind_structure(module)
       .def("perceive_bonds", &perceive, nb::kw_only(), "slack"_a = bonding.slack,
            "shortest"_a = bonding.shortest, "guess_distances"_a = bonding.guess_distances,
-           "Adds the bonds that residue templates, links and distances tell; bonds that are there "
-           "stay.\n\nslack: Angstrom added to the sum of two covalent radii (Cordero et al.,\n"
+           "Adds the bonds found by residue templates, links and distances; existing bonds are "
+           "kept.\n\nslack: Angstrom added to the sum of two covalent radii (Cordero et al.,\n"
            "Dalton Trans. 2008, 2832); shortest: closer atoms are not bonded.\n\nMolecules that "
            "the periodic cell cuts are made whole, as ``make_whole`` does.")
       .def("make_whole", &whole,
@@ -216,7 +216,7 @@ void bind_molecule(nb::module_& module) {
              nb::sig("def read_text(text: str, name: str = \"text\", model: int = 1, "
                      "format: str | None = None, *, perceive_bonds: bool = True, "
                      "assembly: int | str | None = None) -> Structure"),
-             "The same for text in memory; ``name`` stands in messages and gives the extension.");
+             "Reads text in memory as ``read`` does; ``name`` is for messages and gives the extension.");
 }
 
 }  // namespace pliant::python

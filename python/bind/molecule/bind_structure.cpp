@@ -99,7 +99,7 @@ void bind_atoms(nb::class_<Structure>& structure) {
         return const_view_of(
             std::span<const std::int64_t>(nb::cast<const Structure&>(self).atoms.serials), self);
       },
-      "(N,) int64, read-only view: the number that the file gives each atom.");
+      "(N,) int64, read-only view: the number of each atom in the file.");
   structure.def_prop_ro(
       "b_factors",
       [](nb::handle_t<Structure> self) {
@@ -169,7 +169,7 @@ void bind_bonds(nb::class_<Structure>& structure) {
           return bond_origin_names[static_cast<std::size_t>(self.bonds[k].origin)];
         });
       },
-      "(M,) where each bond is known from: \"file\", \"residue\", \"link\" or \"distance\".");
+      "(M,) origin of each bond: \"file\", \"residue\", \"link\" or \"distance\".");
 }
 
 nb::object cell_to_python(const Structure& self) {
@@ -207,7 +207,7 @@ void bind_facts(nb::class_<Structure>& structure) {
           &set_positions, "(N, 3) float64 view, Angstrom. Assigning copies into the same memory.")
       .def_prop_ro(
           "title", [](const Structure& self) { return text_object(self.title); },
-          nb::sig("def title(self) -> str"), "The file's own title.")
+          nb::sig("def title(self) -> str"), "Title in the file.")
       .def_prop_ro(
           "source", [](const Structure& self) { return text_object(self.source); },
           nb::sig("def source(self) -> str"), "Name of the file it was read from.")
@@ -215,9 +215,9 @@ void bind_facts(nb::class_<Structure>& structure) {
           "assemblies", [](const Structure& self) { return self.assemblies; },
           "Names of the biological assemblies that the file states; see ``read``.")
       .def_ro("format", &Structure::format, "Name of the file's format.")
-      .def_ro("model", &Structure::model, "Which model or frame this is, from 1.")
-      .def_ro("model_count", &Structure::model_count, "Models or frames in the file.")
-      .def("label", &label_of, "atom"_a, "What messages call an atom: \"A:LYS12:CA\".")
+      .def_ro("model", &Structure::model, "Number of the model or frame, from 1.")
+      .def_ro("model_count", &Structure::model_count, "Number of models or frames in the file.")
+      .def("label", &label_of, "atom"_a, "Name of an atom in messages: \"A:LYS12:CA\".")
       .def("__len__", &Structure::size)
       .def("__repr__", &structure_repr);
 }

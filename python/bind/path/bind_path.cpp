@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Paths between two structures of a molecule: what is matched, the walk, and what is told of it.
+// Paths between two structures of a molecule: the matched ends, the walk, and its table.
 #include "pliant/path/path.hpp"
 
 #include <nanobind/stl/shared_ptr.h>
@@ -114,21 +114,21 @@ void record_walk(PythonPathWalk& self, LockedRecorder& recorder) {
 }
 
 constexpr const char* options_doc =
-    R"(What a path is asked for.
+    R"(Options of a path.
 
 Parameters
 ----------
 atoms : str
-    Which are asked to arrive: ``CA`` (P of nucleotides) or ``heavy``, those of matched residues that
-    have the same name.
+    Atoms that should arrive: ``CA`` (P of nucleotides) or ``heavy``, those of matched residues with
+    the same name.
 step : float
     r.m.s. distance of a step, Angstrom, above 0, at most 2.
 both : bool
-    Both structures go towards each other first.
+    Both structures first move towards each other.
 backtrack : int
     How often to go back and try a detour where the path is stuck, 0 to 1000.
 seed : int
-    Of the detours.
+    Seed of the detours.
 
 Raises
 ------
@@ -149,8 +149,8 @@ void bind_options(nb::module_& module) {
           "r.m.s. distance at which the end is reached, Angstrom.")
       .def_ro("step", &PathOptions::step, "Angstrom.")
       .def_ro("both", &PathOptions::both, "Whether both structures move.")
-      .def_ro("backtrack", &PathOptions::backtrack, "How often to go back.")
-      .def_ro("seed", &PathOptions::seed, "Of the detours.");
+      .def_ro("backtrack", &PathOptions::backtrack, "Largest number of detours.")
+      .def_ro("seed", &PathOptions::seed, "Seed of the detours.");
 }
 
 constexpr const char* ends_doc =
@@ -158,7 +158,7 @@ constexpr const char* ends_doc =
 
 Residues are matched as ``match_residues`` does, ligands and metals by chain, number and name. Models
 are those of ``build_model``, with the contacts that both structures have; contacts of what is not
-matched are let go, and counted for neither.
+matched are dropped, and not counted.
 
 Parameters
 ----------
@@ -228,7 +228,7 @@ void bind_walk(nb::module_& module) {
       .def_prop_ro("is_over", looking(&PathWalk::is_over), "Whether it has ended.")
       .def_prop_ro("left", looking(&PathWalk::left),
                    "How far the last frame is from the end, Angstrom.")
-      .def_prop_ro("attempts", looking(&PathWalk::attempts), "How often it went back.")
+      .def_prop_ro("attempts", looking(&PathWalk::attempts), "Number of detours tried.")
       .def_prop_ro("notes", looking(&PathWalk::notes),
                    "How residues were matched, where the ends met, why it ended.")
       .def("__len__", looking(&PathWalk::frame_count))
@@ -239,7 +239,7 @@ void bind_walk(nb::module_& module) {
           [](PythonPathWalk& self) {
             return self.look([&](const PathWalk& walk) { return table_of(walk); });
           },
-          "What is told of these frames: PathFrame of each.")
+          "The table of these frames: a PathFrame for each.")
       .def("record", &record_walk, "recorder"_a, "Writes these frames to an H5mdRecorder.");
 }
 
@@ -250,20 +250,20 @@ void bind_table(nb::module_& module) {
              return "<pliant.PathFrame " + std::to_string(self.step) + ": " +
                     number_text(self.to_end, 3) + " Angstrom from the end>";
            })
-      .def_ro("step", &PathFrame::step, "From 0.")
+      .def_ro("step", &PathFrame::step, "Number of the step, from 0.")
       .def_ro("to_end", &PathFrame::to_end,
               "r.m.s. distance of the matched atoms from the end, superposed, Angstrom.")
       .def_ro("from_start", &PathFrame::from_start, "The same from the start.")
       .def_ro("lost", &PathFrame::lost,
               "Contacts that only the start has, and that are broken here.")
       .def_ro("made", &PathFrame::made, "Contacts that only the end has, and that are there.")
-      .def_ro("max_residual", &PathFrame::max_residual, "Worst bar, share of its length.")
+      .def_ro("max_residual", &PathFrame::max_residual, "Worst bar, relative to its length.")
       .def_ro("held_off", &PathFrame::held_off,
-              "Furthest that a contact that both have is outside its interval, Angstrom.")
+              "Largest distance of a shared contact outside its interval, Angstrom.")
       .def_ro("overlap", &PathFrame::overlap,
-              "How much nearer than allowed two atoms are at most, Angstrom.")
+              "By how much two atoms are nearer than allowed, Angstrom.")
       .def_ro("tightest", &PathFrame::tightest,
-              "These two: \"A:LYS12 NZ - A:ASP54 OD1\"; empty where none are.");
+              "These two: \"A:LYS12 NZ - A:ASP54 OD1\"; empty if there are none.");
   nb::class_<TightPlace>(module, "TightPlace",
                          "Two atoms too near each other, more than any others in some frames.")
       .def("__repr__",
@@ -272,9 +272,9 @@ void bind_table(nb::module_& module) {
                     " Angstrom>";
            })
       .def_ro("atoms", &TightPlace::atoms, "\"A:LYS12 NZ - A:ASP54 OD1\".")
-      .def_ro("overlap", &TightPlace::overlap, "How much nearer than allowed, at most, Angstrom.")
-      .def_ro("step", &TightPlace::step, "Where that is.")
-      .def_ro("frames", &TightPlace::frames, "Of which these two are the tightest.");
+      .def_ro("overlap", &TightPlace::overlap, "By how much they are nearer than allowed, at most, Angstrom.")
+      .def_ro("step", &TightPlace::step, "Step of the largest overlap.")
+      .def_ro("frames", &TightPlace::frames, "Number of frames in which these two are the tightest.");
   module.def(
       "tight_places",
       [](const std::vector<PathFrame>& frames, std::size_t count) {

@@ -86,10 +86,10 @@ constexpr const char* trace_doc =
 Parameters
 ----------
 atoms : (R,) int
-    Place of the atom that stands for each, among those of the structure.
+    Index in the structure of the atom that represents each residue.
 kinds : sequence of str
-    ``CA`` of amino acids, ``P`` of nucleotides. Nucleotides of no known name are left out:
-    phosphates of others are none.
+    ``CA`` of amino acids, ``P`` of nucleotides. Unknown names with ``P`` are left out, since they
+    can be phosphates.
 names, chains : sequence of str
     Of residues and chains; ``""`` where the file names no chain.
 numbers : (R,) int
@@ -99,14 +99,14 @@ codes : sequence of str
 Raises
 ------
 InputError
-    Columns that differ in length, a kind that there is not.
+    Columns of different lengths, or an unknown kind.
 )";
 
 void bind_trace_columns(nb::class_<Trace>& trace) {
   trace.def_prop_ro(
       "atoms",
       [](const Trace& self) { return numbers_of(self, [](const auto& r) { return r.atom; }); },
-      nb::rv_policy::reference, "(R,) int64: the atom that stands for each.");
+      nb::rv_policy::reference, "(R,) int64: the atom that represents each residue.");
   trace.def_prop_ro(
       "numbers",
       [](const Trace& self) {
@@ -157,7 +157,7 @@ void bind_trace_class(nb::module_& module) {
 }
 
 constexpr const char* match_doc =
-    R"(Which residue of theirs is which of ours.
+    R"(Matches the residues of two structures.
 
 Chains are matched, those that share most first, then residues within them: by chain and number where
 9 of 10 residues found so are the same, else by sequence (``align``). Chains that have less than 3 of
@@ -181,19 +181,19 @@ InputError
 
 void bind_matching(nb::module_& module) {
   nb::class_<ResidueMatch>(module, "ResidueMatch",
-                           "Residues of two traces that stand for each other.")
+                           "Matched residues of two traces.")
       .def_prop_ro(
           "ours", [](const ResidueMatch& self) { return numbers_of(self.ours); },
           nb::rv_policy::reference, "(K,) int64, rising.")
       .def_prop_ro(
           "theirs", [](const ResidueMatch& self) { return numbers_of(self.theirs); },
           nb::rv_policy::reference, "(K,) int64.")
-      .def_ro("notes", &ResidueMatch::notes, "How, what differs, what is left out; line by line.");
+      .def_ro("notes", &ResidueMatch::notes, "Method, differences, and what was left out, line by line.");
   module.def("match_residues", &match_residues, "ours"_a, "theirs"_a, "source"_a, match_doc);
 }
 
 constexpr const char* align_doc =
-    R"(Residues of two sequences that go together: global alignment.
+    R"(Matches the residues of two sequences by global alignment.
 
 Needleman and Wunsch, J. Mol. Biol. 48 (1970) 443. Match 2, mismatch -1, gap -2; of equal ways a pair
 goes before a gap in theirs, and that before a gap in ours.
@@ -206,7 +206,7 @@ ours, theirs : str
 Returns
 -------
 (K, 2) int64 array
-    Places in both, rising.
+    Indices in both, rising.
 )";
 
 void bind_sequence(nb::module_& module) {

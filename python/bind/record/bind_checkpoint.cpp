@@ -50,13 +50,13 @@ H5mdCheckpoint opened(const std::filesystem::path& path, std::optional<std::int6
 
 void bind_checkpoint(nb::module_& module) {
   nb::class_<H5mdCheckpoint>(module, "Checkpoint",
-                             "A run in an H5MD file, as it can go on; see ``continue_run``.")
+                             "A run in an H5MD file that can continue; see ``continue_run``.")
       .def_ro("framework", &H5mdCheckpoint::framework, "What the run moves.")
       .def_prop_ro(
           "state", [](const H5mdCheckpoint& self) { return self.state; },
-          "A copy of the state to step on from.")
-      .def_prop_ro("options", &options_of, "How the run goes on.")
-      .def_ro("frames", &H5mdCheckpoint::frames, "Frames of the file that stay.")
+          "A copy of the state to continue from.")
+      .def_prop_ro("options", &options_of, "Options with which the run continues.")
+      .def_ro("frames", &H5mdCheckpoint::frames, "Frames of the file that are kept.")
       .def_ro("done", &H5mdCheckpoint::done, "Steps done.")
       .def(
           "recorder",
@@ -73,8 +73,8 @@ void bind_checkpoint(nb::module_& module) {
                   "H5mdRecorder"),
           "Opens the file to add frames. Raises FileError if it is being written.");
   module.def("read_checkpoint", &opened, "path"_a, "steps"_a = nb::none(),
-             "What the run of a file goes on from; ``steps``: how many it is to do in all.\n"
-             "Raises InputError where the file does not say it.");
+             "Reads what the run of a file continues from; ``steps`` is the total number of steps.\n"
+             "Raises InputError if the file lacks it.");
 }
 
 }  // namespace pliant::python

@@ -125,7 +125,7 @@ void bind_recorded(nb::class_<LockedReader>& reader) {
           "name"_a, "(F,) float64: one number a frame; truth values are 0 and 1.")
       .def("parameters", &parameters_of,
            nb::sig("def parameters(self) -> dict[str, bool | int | float | str]"),
-           "What stands below /parameters, by path: every option of the run.")
+           "The values below /parameters by path: every option of the run.")
       .def("framework", locked<&H5mdReader::framework>(), "The framework that was recorded.")
       .def(
           "structure",
@@ -144,8 +144,8 @@ bool check_structure(const std::filesystem::path& path) {
 
 void bind_h5md_reader(nb::module_& module) {
   module.def("check_hdf5_structure", &check_structure, "path"_a,
-             "Looks at the structure of an HDF5 file within bounds, without HDF5. Returns whether\n"
-             "all of it is of a known format; raises InputError where it is damaged.");
+             "Checks the structure of an HDF5 file within bounds, without HDF5. Returns whether all\n"
+             "of it has a known format; raises InputError if it is damaged.");
   module.def(
       "expansion_refusal",
       [](std::uint64_t values, std::uint64_t at_once, std::uint64_t chunk, std::uint64_t stored,

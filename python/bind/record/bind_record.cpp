@@ -109,7 +109,7 @@ single : bool
 compress : bool
     Shuffle and gzip positions.
 precision : float
-    Round positions, by half of this at most (Angstrom), and compress them; 0: as they are.
+    Round positions, by half of this at most (Angstrom), and compress them; 0: do not round.
 save : str
     Selection of the atoms to record; empty: all. The file then has no others, and no run goes on
     from it.
@@ -147,7 +147,7 @@ void bind_record(nb::module_& module) {
            "Raises FileError once the recorder is closed.")
       .def("__call__", &record, "frame"_a, "The same, so that it is an observer.")
       .def("flush", locked<&H5mdRecorder::flush>(),
-           "Commits what was recorded: it survives this process.")
+           "Commits all recorded frames, which then survive this process.")
       .def("close", locked<&H5mdRecorder::close>(), "Commits and closes; further calls do nothing.")
       .def_prop_ro("frames", locked<&H5mdRecorder::frames>(), "Frames recorded.")
       .def_prop_ro("committed_frames", locked<&H5mdRecorder::committed_frames>(),

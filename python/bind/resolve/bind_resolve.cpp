@@ -274,7 +274,7 @@ void bind_techniques(nb::module_& module) {
                            "One row of the table of techniques: every ordering is one.")
       .def_ro("forests_only", &TechniqueEntry::forests_only,
               "Leaves bars out that close a cycle, so that only forests are resolved by it.")
-      .def_ro("has_weighting", &TechniqueEntry::has_weighting, "``weighting`` means something.");
+      .def_ro("has_weighting", &TechniqueEntry::has_weighting, "``weighting`` has an effect.");
   module.def(
       "techniques", [] { return rows_of(techniques()); }, nb::rv_policy::reference,
       "The table of techniques: orderings and direct methods.");
@@ -289,7 +289,7 @@ void bind_techniques(nb::module_& module) {
         return rows;
       },
       "framework"_a,
-      "What is to be expected of each technique on this framework, before anything is resolved:\n"
+      "Whether each technique suits this framework, found before anything is resolved:\n"
       "its name; \"fits\", \"doubtful\" (may be tried, but is known not to converge on such bars, "
       "or\nslowly) or \"refused\"; and why, with what to use instead (\"\" where it fits).");
   module.def(
@@ -301,7 +301,7 @@ void bind_techniques(nb::module_& module) {
         return std::pair(choice.technique.name, choice.why);
       },
       "framework"_a, nb::kw_only(), "mass_weighted"_a = false,
-      "What technique \"auto\" takes for this framework: its name, and why. Chosen by what the\n"
+      "The technique that \"auto\" chooses for this framework, and why. It depends on what the\n"
       "bars form (rings, triangles, hubs, pinned joints), never by positions or measured time.");
 }
 

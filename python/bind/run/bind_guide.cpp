@@ -75,7 +75,7 @@ std::vector<Vec3> positions_for(const Guide& guide, const ArrayLike& positions) 
 }
 
 constexpr const char* guide_doc =
-    R"(Where joints are asked to go, step by step: steered motion. For ``run`` and ``Motion``.
+    R"(Targets that joints move towards step by step (steered motion). For ``run`` and ``Motion``.
 
 Each step moves what is not there yet by ``displacement`` at most (an option of ``run``), and then
 resolves. What holds it back (bars, contacts, overlaps) may keep it from arriving.

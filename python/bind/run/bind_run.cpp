@@ -122,7 +122,7 @@ void bind_ordering(nb::class_<RunOptions>& options) {
                              "numpy.typing.NDArray[numpy.uint32], "
                              "numpy.typing.NDArray[numpy.bool_]] | None")),
       nb::arg().none(),
-      "What technique \"input\" visits in place of the bars' own order: (bar, near, is_tree).");
+      "The ordering for technique \"input\", in place of the order of the bars: (bar, near, is_tree).");
 }
 
 void bind_replay(nb::class_<RunOptions>& options) {
@@ -219,7 +219,7 @@ void bind_run_summary(nb::module_& module) {
           "Every bar was within the tolerance after every step.")
       .def_prop_ro(
           "mean_sweeps", [](const OwnedRunSummary& self) { return self.mean_sweeps(); },
-          "Sweeps a step.")
+          "Mean number of sweeps a step.")
       .def_prop_ro(
           "ns_per_bar_and_sweep",
           [](const OwnedRunSummary& self) { return self.ns_per_bar_and_sweep(); },

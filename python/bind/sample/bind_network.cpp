@@ -123,10 +123,10 @@ OptionError
 )";
 
 constexpr const char* b_factors_doc =
-    R"(Crystal B factors as an elastic network has them, relative to their mean.
+    R"(Crystal B factors from an elastic network, relative to their mean.
 
-Which residues a crystal would show to be flexible, beside which others; how large B factors are
-depends on the crystal. They are the diagonal of the pseudoinverse of Kirchhoff's matrix (Gaussian
+They show which residues should be flexible relative to others in a crystal; absolute B factors
+depend on the crystal. They are the diagonal of the pseudoinverse of Kirchhoff's matrix (Gaussian
 network model: Bahar, Atilgan, Erman, Fold. Des. 2 (1997) 173) of the springs of network
 ``shared``, and no average over an ensemble. Waters and ligands are left out.
 

@@ -220,7 +220,7 @@ FileError
 )";
 
 constexpr const char* continue_doc =
-    R"(Goes on with the frames of an H5MD file, as if it had never stopped.
+    R"(Continues a sample in an H5MD file, as if it had never stopped.
 
 The file holds the framework, where frames start and every option, after the end of ``sample`` or
 ``pliant sample``, Ctrl-C or a crash. Frames are added to it. Together they have the bits of one
@@ -302,7 +302,7 @@ void bind_ensemble_class(nb::module_& module) {
           "Mean r.m.s. fluctuation of residues that was asked for (Angstrom).")
       .def_prop_ro(
           "amplitude_reason", [](const SampledEnsemble& self) { return self.amplitude.reason; },
-          "Where the amplitude that was asked for is from, in words.")
+          "Origin of the amplitude that was asked for, in words.")
       .def_prop_ro("positions", &frames_of, "(F, N, 3) float64 view, Angstrom.");
   bind_summary(ensemble);
 }
