@@ -93,7 +93,6 @@ from pliant._display import show_in_notebooks
 from pliant._ensemble import run_ensemble
 from pliant._laboratory import leave_out
 from pliant._late import import_after
-from pliant._moved import keep_old_names
 from pliant._run import continue_run, run
 from pliant.adapters import (
     constraints_from_openmm,
@@ -248,4 +247,3 @@ import_after("MDAnalysis", "pliant.h5md_parser")
 import_after("MDAnalysis", "pliant.ensemble.reader")
 
 show_in_notebooks()
-keep_old_names()

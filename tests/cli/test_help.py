@@ -39,9 +39,7 @@ PAGES = {
     "pliant-bench-scaling": ["bench", "scaling", "--help"],
     "pliant-bench-throughput": ["bench", "throughput", "--help"],
     "pliant-bench-stress": ["bench", "stress", "--help"],
-    "pliant-bench-auto": ["bench", "auto", "--help"],
     "pliant-bench-step": ["bench", "step", "--help"],
-    "pliant-bench-record": ["bench", "record", "--help"],
     "pliant-bench-validity": ["bench", "validity", "--help"],
 }
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""``pliant bench``: run time against error, against size, auto, runs, stress and more."""
+"""``pliant bench``: run time against error and size, steps, hard cases, ensembles."""
 
 from __future__ import annotations
 
@@ -20,8 +20,6 @@ examples:
   pliant bench work-precision protein.pdb -o race.png
   pliant bench scaling --sizes 1e3,1e4,1e5
   pliant bench throughput protein.pdb
-  pliant bench auto
-  pliant bench record
   pliant bench stress
   pliant bench validity
 """

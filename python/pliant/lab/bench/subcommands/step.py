@@ -7,7 +7,7 @@ import argparse
 
 from pliant import console
 
-ORDER = 6
+ORDER = 5
 SUMMARY = "cost of a step after a push of one joint, with 10^4 and with 10^6 joints"
 DESCRIPTION = """\
 Runs large frameworks for many steps with one joint pushed in each, small and large

@@ -7,7 +7,7 @@ import argparse
 
 from pliant import console
 
-ORDER = 8
+ORDER = 6
 SUMMARY = "sampled ensembles beside NMR, MD, crystals and known motions, with ANM and GNM"
 DESCRIPTION = """\
 Samples proteins whose flexibility is known, and compares: RMSF and principal components
