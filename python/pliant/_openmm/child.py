@@ -49,7 +49,7 @@ class Outcome:
     def brief(self) -> str:
         """What happened, in a few words."""
         words = {"done": "done", "raised": "raised an exception", "died": "died", "too_slow": ""}
-        return f"{words[self.event]}: {self.message}".removeprefix(": ").removesuffix(": ")
+        return ": ".join(text for text in (words[self.event], self.message) if text)
 
 
 def run_jobs(

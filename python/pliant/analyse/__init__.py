@@ -9,19 +9,19 @@ from typing import TYPE_CHECKING
 from pliant._callable_package import make_callable
 
 if TYPE_CHECKING:
+    from pliant.analyse.analysis import Analysis, AnalysisOptions
     from pliant.analyse.choose_representatives import Representatives, representatives
-    from pliant.analyse.stages import study_trajectory
-    from pliant.analyse.study import Study, StudyOptions
+    from pliant.analyse.stages import analyse_trajectory
     from pliant.analyse.suite import AnalysisReport, analyse
 
 __all__ = [
+    "Analysis",
+    "AnalysisOptions",
     "AnalysisReport",
     "Representatives",
-    "Study",
-    "StudyOptions",
     "analyse",
+    "analyse_trajectory",
     "representatives",
-    "study_trajectory",
 ]
 
 make_callable(
@@ -29,10 +29,10 @@ make_callable(
     {
         "AnalysisReport": "suite",
         "Representatives": "choose_representatives",
-        "Study": "study",
-        "StudyOptions": "study",
+        "Analysis": "analysis",
+        "AnalysisOptions": "analysis",
         "analyse": "suite",
         "representatives": "choose_representatives",
-        "study_trajectory": "stages",
+        "analyse_trajectory": "stages",
     },
 )

@@ -9,10 +9,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant.analyse.names import bar_labels
-from pliant.analyse.study import known
+from pliant.analyse.parts import Residuals
 
 if TYPE_CHECKING:
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
+    from pliant.analysis import BarResiduals
 
 
 @dataclass(frozen=True)
@@ -24,18 +25,19 @@ class Verdict:
     details: str
 
 
-def verdict(study: Study) -> Verdict:
+def verdict(analysis: Analysis) -> Verdict:
     """Judges the bars of all frames analysed, from the coordinates."""
-    if study.residuals is None:
+    residuals = analysis.get(Residuals)
+    if residuals is None:
         return Verdict(
-            "open", "There are no bars in this file to judge.", study.skipped["bar residuals"]
+            "open", "There are no bars in this file to judge.", analysis.skipped["bar residuals"]
         )
-    within = study.residuals.results.within
+    within = residuals.found.within
     beyond = np.count_nonzero(~within)
-    details = _worst(study)
+    details = _worst(analysis, residuals)
     if beyond == 0:
         return Verdict("good", "Every bar of every frame is within tolerance.", details)
-    broken = study.broken_promises
+    broken = residuals.broken_promises
     count = f"{beyond} of {len(within)} frames"
     if broken is None:
         return Verdict("bad", f"{count} have a bar beyond tolerance.", details)
@@ -47,9 +49,8 @@ def verdict(study: Study) -> Verdict:
     return Verdict("mixed", sentence, details)
 
 
-def tolerance_text(study: Study) -> str:
+def tolerance_text(residuals: BarResiduals) -> str:
     """The tolerance with its unit."""
-    residuals = known(study.residuals)
     if residuals.tolerance_length > 0:
         return f"{residuals.tolerance_length:g} Å"
     return scientific(residuals.tolerance, 0)
@@ -64,18 +65,17 @@ def scientific(value: float, digits: int = 2) -> str:
     return power if mantissa == "1" else f"{mantissa} × {power}"
 
 
-def _worst(study: Study) -> str:
-    residuals = known(study.residuals)
-    found = residuals.results
+def _worst(analysis: Analysis, part: Residuals) -> str:
+    residuals, found = part.measured, part.found
     k = int(np.argmax(found.max_relative))
     bar = residuals.bars[found.worst_bar[k]]
-    (name,) = bar_labels(study.universe.atoms, [bar])
-    where = f"frame {study.frames[k]}"
-    if study.steps is not None:
-        where += f" (step {study.steps[k]})"
+    (name,) = bar_labels(analysis.universe.atoms, [bar])
+    where = f"frame {analysis.frames[k]}"
+    if analysis.steps is not None:
+        where += f" (step {analysis.steps[k]})"
     return (
         f"The worst is off by {scientific(found.max_relative[k])} of its length (tolerance "
-        f"{tolerance_text(study)}): bar {name} in {where}. Computed anew from the "
+        f"{tolerance_text(residuals)}): bar {name} in {where}. Computed anew from the "
         f"{'double' if residuals.precision == 'float64' else 'single'} precision "
         f"coordinates in the file{_rounded(residuals.rounded_to)}."
     )

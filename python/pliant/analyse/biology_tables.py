@@ -7,23 +7,31 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from pliant.analyse.biology import spread
 from pliant.analyse.names import atom_labels
-from pliant.analyse.study import known
+from pliant.analyse.parts import (
+    Components,
+    ContactFrequencies,
+    Correlations,
+    Distances,
+    RigidDomains,
+    Shapes,
+    UnitFlexibility,
+    Units,
+    UnitsInComponents,
+)
 from pliant.analysis.collective import participation
 
 if TYPE_CHECKING:
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 #: components whose motion of each unit stands in flexibility.csv
 MOTIONS = 3
 
 
-def flexibility_columns(study: Study) -> dict[str, Any]:
+def flexibility_columns(analysis: Analysis) -> dict[str, Any]:
     """One row per residue, or atom of a small molecule: RMSF with its error, domain, motions."""
-    if study.flexibility is None:
-        return {}
-    found, units = study.flexibility, known(study.units)
+    part, units = analysis[UnitFlexibility], analysis[Units]
+    found = part.found
     columns: dict[str, Any] = {
         units.what: units.labels,
         "chain": units.chains,
@@ -34,13 +42,12 @@ def flexibility_columns(study: Study) -> dict[str, Any]:
         "second_half_angstrom": found.halves[1],
         "converged": [int(found.converged)] * len(units.labels),
     }
-    if study.b_estimate is not None:
-        columns["b_estimate_over_mean"] = ["" if b != b else b for b in study.b_estimate.tolist()]
-    if study.domains is not None:
-        columns["domain"] = study.unit_domains + 1  # 0: none
-    moved = study.component_units
-    if study.pca is not None and moved is not None:
-        results = study.pca.results
+    if part.b_estimate is not None:
+        columns["b_estimate_over_mean"] = ["" if b != b else b for b in part.b_estimate.tolist()]
+    if RigidDomains in analysis:
+        columns["domain"] = analysis[RigidDomains].of_unit + 1  # 0: none
+    if UnitsInComponents in analysis:
+        moved, results = analysis[UnitsInComponents].units, analysis[Components].found
         share = participation(results.components[:MOTIONS])
         for k, row in enumerate(share):
             values = np.full(len(units.labels), np.nan)
@@ -49,22 +56,19 @@ def flexibility_columns(study: Study) -> dict[str, Any]:
     return columns
 
 
-def correlation_columns(study: Study) -> dict[str, Any]:
+def correlation_columns(analysis: Analysis) -> dict[str, Any]:
     """The correlation matrix, rounded to 4 digits; one column a unit."""
-    if study.correlations is None:
-        return {}
-    labels = known(study.units).labels[:: study.site_stride]
+    units = analysis[Units]
+    labels = units.labels[:: units.site_stride]
     unique = len(set(labels)) == len(labels)
     names = labels if unique else [f"{label} ({k})" for k, label in enumerate(labels)]
     columns: dict[str, Any] = {"unit": names}
-    return columns | dict(zip(names, np.round(study.correlations, 4), strict=True))
+    return columns | dict(zip(names, np.round(analysis[Correlations].matrix, 4), strict=True))
 
 
-def contact_columns(study: Study) -> dict[str, Any]:
+def contact_columns(analysis: Analysis) -> dict[str, Any]:
     """One row per pair of residues that are in contact at the start or in any frame looked at."""
-    if study.contacts is None:
-        return {}
-    found, labels = study.contacts, known(study.units).labels
+    found, labels = analysis[ContactFrequencies], analysis[Units].labels
     return {
         "first": [labels[k] for k in found.pairs[:, 0]],
         "second": [labels[k] for k in found.pairs[:, 1]],
@@ -73,13 +77,13 @@ def contact_columns(study: Study) -> dict[str, Any]:
     }
 
 
-def held_contact_columns(study: Study) -> dict[str, Any]:
+def held_contact_columns(analysis: Analysis) -> dict[str, Any]:
     """One row per contact of the model: in what share of the frames it is held, broken, off."""
-    contacts = study.record.contacts if study.record else None
-    if contacts is None or contacts.states is None or len(contacts.states) <= max(study.frames):
+    contacts = analysis.record.contacts if analysis.record else None
+    if contacts is None or contacts.states is None or len(contacts.states) <= max(analysis.frames):
         return {}
-    names = atom_labels(study.universe.atoms)
-    shares = contacts.shares(study.frames)
+    names = atom_labels(analysis.universe.atoms)
+    shares = contacts.shares(analysis.frames)
     return {
         "first": [names[joint] for joint in contacts.joints[:, 0]],
         "second": [names[joint] for joint in contacts.joints[:, 1]],
@@ -91,21 +95,19 @@ def held_contact_columns(study: Study) -> dict[str, Any]:
     }
 
 
-def distance_columns(study: Study) -> dict[str, Any]:
+def distance_columns(analysis: Analysis) -> dict[str, Any]:
     """One column per distance that was asked for."""
-    return {
-        f"distance {first} to {second} (angstrom)": values
-        for (first, second), values in zip(study.options.distances, study.distances, strict=False)
-    }
+    found = analysis.get(Distances)
+    pairs = zip(found.ends, found.values, strict=True) if found else ()
+    return {f"distance {first} to {second} (angstrom)": values for (first, second), values in pairs}
 
 
-def shape_columns(study: Study) -> dict[str, Any]:
+def shape_columns(analysis: Analysis) -> dict[str, Any]:
     """One row per frame looked at."""
-    if study.shape_results is None:
-        return {}
-    found = study.shape_results
+    part = analysis[Shapes]
+    found = part.found
     return {
-        "frame": study.frames[spread(study)],
+        "frame": part.frames,
         "largest_angle_change_degrees": found.angle,
         "rms_angle_change_degrees": found.angle_rms,
         "centres_turned_over": found.flips,

@@ -13,18 +13,17 @@ import numpy as np
 from pliant._checked import checked, whole
 from pliant._core import InputError, OptionError
 from pliant._display import Displayed, Facts
-from pliant.analyse.found import ENSEMBLE
-from pliant.analyse.kind import kind_of
+from pliant.analyse.analysis import AnalysisOptions
+from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.multi_model import write_models
-from pliant.analyse.stages import opened_study
-from pliant.analyse.study import StudyOptions
+from pliant.analyse.opened import opened
 from pliant.analysis.medoids import k_medoids, pairwise_rmsd
 from pliant.analysis.superposition import superpose_all
 from pliant.ensemble.frames import folder_of
 from pliant.ensemble.plan import PLAN, is_ensemble
 
 if TYPE_CHECKING:
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 #: of more frames than these so many are taken, evenly
 MOST_FRAMES = 3000
@@ -102,38 +101,39 @@ def representatives(
     if is_ensemble(path):
         path = folder_of(Path(path)) / PLAN
     named = None if topology is None else os.fspath(topology)
-    study = opened_study(StudyOptions(os.fspath(path), named, select, superpose))
-    study.kind = kind_of(study)
-    stride = -(-len(study.frames) // MOST_FRAMES)
+    analysis = opened(AnalysisOptions(os.fspath(path), named, select, superpose))
+    notes = analysis.notes
+    stride = -(-len(analysis.frames) // MOST_FRAMES)
+    offered = len(analysis.frames[::stride])
     if stride > 1:
-        study.notes.append(f"every {stride}th frame was compared")
-    if count > len(study.frames[::stride]):
-        raise OptionError(f"-k: expected up to {len(study.frames[::stride])} frames, found {count}")
-    if study.kind != ENSEMBLE:
-        study.notes.append("these frames are no independent draws: see pliant sample")
-    compared = np.concatenate(list(study.some_positions(study.fitted.ix)))[::stride]
+        notes.append(f"every {stride}th frame was compared")
+    if count > offered:
+        raise OptionError(f"-k: expected up to {offered} frames, found {count}")
+    if analysis.kind != ENSEMBLE:
+        notes.append("these frames are no independent draws: see pliant sample")
+    compared = np.concatenate(list(analysis.some_positions(analysis.fitted.ix)))[::stride]
     found = k_medoids(pairwise_rmsd(compared.astype(np.float64)), count)
     chosen = found.frames * stride
     if output is not None:
-        _write(study, chosen, Path(output))
+        _write(analysis, chosen, Path(output))
     return Representatives(
-        study.frames[chosen],
+        analysis.frames[chosen],
         np.bincount(found.owner, minlength=count),
         float(found.distance.mean()),
         float(found.distance.max()),
         len(compared),
-        study.fitted_name,
-        tuple(study.notes),
+        analysis.fitted_name,
+        tuple(notes),
         "" if output is None else os.fspath(output),
     )
 
 
-def _write(study: Study, chosen: np.ndarray, output: Path) -> None:
-    atoms = study.atoms
-    both = np.union1d(atoms.ix, study.fitted.ix)
-    positions = np.array([study.positions(k)[both] for k in chosen])
-    moved = superpose_all(positions, np.searchsorted(both, study.fitted.ix))
+def _write(analysis: Analysis, chosen: np.ndarray, output: Path) -> None:
+    atoms = analysis.atoms
+    both = np.union1d(atoms.ix, analysis.fitted.ix)
+    positions = np.array([analysis.positions(k)[both] for k in chosen])
+    moved = superpose_all(positions, np.searchsorted(both, analysis.fitted.ix))
     remarks = ["chosen by k-medoids; populations are not claimed"]
-    remarks += [f"model {k + 1}: frame {study.frames[one]}" for k, one in enumerate(chosen)]
+    remarks += [f"model {k + 1}: frame {analysis.frames[one]}" for k, one in enumerate(chosen)]
     kept = moved[:, np.searchsorted(both, atoms.ix)]
     write_models(output, atoms, kept, np.zeros(len(atoms)), remarks)

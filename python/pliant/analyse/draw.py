@@ -15,11 +15,11 @@ from pliant.analyse.figures import FigureKind, figures_of, picture_path, save_fi
 if TYPE_CHECKING:
     from typing_extensions import Self
 
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 
 class Drawing:
-    """The figures of a study being drawn.
+    """The figures of an analysis being drawn.
 
     A forked process begins at once, and the caller may do other work meanwhile; finish() draws what
     is left and returns all. The figures that are still to be drawn stand in a pipe, a byte each,
@@ -28,9 +28,9 @@ class Drawing:
     systems than Linux, whose libraries do not all survive a fork.
     """
 
-    def __init__(self, study: Study, folder: Path, dpi: int) -> None:
-        self._study, self._folder, self._dpi = study, folder, dpi
-        self._kinds = figures_of(study)
+    def __init__(self, analysis: Analysis, folder: Path, dpi: int) -> None:
+        self._analysis, self._folder, self._dpi = analysis, folder, dpi
+        self._kinds = figures_of(analysis)
         self._left, write = os.pipe()
         os.write(write, bytes(range(len(self._kinds))))
         os.close(write)
@@ -79,7 +79,7 @@ class Drawing:
             self._draw(self._kinds[taken[0]])
 
     def _draw(self, kind: FigureKind) -> None:
-        save_figure(kind, self._study, self._folder, self._dpi)
+        save_figure(kind, self._analysis, self._folder, self._dpi)
 
 
 def _may_fork() -> bool:

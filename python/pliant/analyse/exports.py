@@ -11,15 +11,21 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant.analyse.figures.style import DOMAIN_COLOURS
-from pliant.analyse.found import ENSEMBLE
+from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.multi_model import write_models
 from pliant.analyse.page.scene import units_of_atoms
-from pliant.analyse.study import known
+from pliant.analyse.parts import (
+    Components,
+    ReferenceStructure,
+    RigidDomains,
+    UnitFlexibility,
+    Units,
+)
 from pliant.analysis.frame_store import FrameStore
 from pliant.analysis.superposition import superpose_frames
 
 if TYPE_CHECKING:
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 #: frames of ensemble.pdb at most
 MODELS = 25
@@ -32,52 +38,54 @@ def b_factors(rmsf: np.ndarray) -> np.ndarray:
     return np.asarray(8.0 * np.pi**2 / 3.0 * np.asarray(rmsf) ** 2)
 
 
-def save_exports(study: Study, folder: Path) -> list[Path]:
-    """Writes what the study gives: bfactors.pdb, ensemble.pdb and scripts, modes.nmd."""
+def save_exports(analysis: Analysis, folder: Path) -> list[Path]:
+    """Writes what the parts allow: bfactors.pdb, ensemble.pdb and scripts, modes.nmd."""
     written = []
-    if study.flexibility is not None and hasattr(study.universe.atoms, "names"):
-        written += _write_ensemble(study, folder)
-    if study.pca is not None and hasattr(study.fitted, "names"):
+    if UnitFlexibility in analysis and hasattr(analysis.universe.atoms, "names"):
+        written += _write_ensemble(analysis, folder)
+    if Components in analysis and hasattr(analysis.fitted, "names"):
         path = folder / "modes.nmd"
         with open(path, "w", encoding="utf-8") as file:
-            file.writelines(f"{line}\n" for line in nmd(study))
+            file.writelines(f"{line}\n" for line in nmd(analysis))
         written.append(path)
     return written
 
 
-def _write_ensemble(study: Study, folder: Path) -> list[Path]:
-    found, units = known(study.flexibility), known(study.units)
-    atoms = study.atoms
-    own = units_of_atoms(study, atoms)
+def _write_ensemble(analysis: Analysis, folder: Path) -> list[Path]:
+    found, units = analysis[UnitFlexibility].found, analysis[Units]
+    atoms = analysis.atoms
+    own = units_of_atoms(analysis, atoms)
     values = np.where(own >= 0, b_factors(found.rmsf)[own], 0.0)
-    frames = _shown_frames(study)
-    fitted = np.flatnonzero(np.isin(atoms.ix, study.fitted.ix))
-    start = known(study.reference).positions[atoms.ix][None]
+    frames = _shown_frames(analysis)
+    fitted = np.flatnonzero(np.isin(atoms.ix, analysis.fitted.ix))
+    reference = analysis[ReferenceStructure]
+    start = reference.positions[atoms.ix][None]
     moved = FrameStore(1 + len(frames), len(atoms))
     moved.put(0, start)
     for place, k in enumerate(frames, 1):
-        moved.put(place, study.positions(k)[None, atoms.ix])
+        moved.put(place, analysis.positions(k)[None, atoms.ix])
     superpose_frames(moved, fitted if len(fitted) >= 3 else None)
     remark = f"B = 8 pi^2 / 3 RMSF^2 of its {units.what}"
     bfactors, ensemble = folder / "bfactors.pdb", folder / "ensemble.pdb"
     first, others = np.arange(1), np.arange(1, len(moved))
     start = moved.take(first)
-    write_models(bfactors, atoms, start, values, [remark, known(study.reference).name])
-    numbers = ", ".join(str(study.frames[k]) for k in frames)
-    told = [remark, *_wrapped(f"frames {numbers}")]
-    write_models(ensemble, atoms, moved, values, told, others)
-    scripts = {"show.pml": pymol_script(study), "show.cxc": chimerax_script(study)}
+    write_models(bfactors, atoms, start, values, [remark, reference.name])
+    numbers = ", ".join(str(analysis.frames[k]) for k in frames)
+    remarks = [remark, *_wrapped(f"frames {numbers}")]
+    write_models(ensemble, atoms, moved, values, remarks, others)
+    scripts = {"show.pml": pymol_script(analysis), "show.cxc": chimerax_script(analysis)}
     for name, text in scripts.items():
         (folder / name).write_text(text, encoding="utf-8")
     return [bfactors, ensemble, *(folder / name for name in scripts)]
 
 
-def _shown_frames(study: Study) -> np.ndarray:
+def _shown_frames(analysis: Analysis) -> np.ndarray:
     """At most MODELS frames spread over all; independent ones in the order of the first motion."""
-    count = min(MODELS, len(study.frames))
-    frames = np.unique(np.linspace(0, len(study.frames) - 1, count).round().astype(int))
-    if study.kind == ENSEMBLE and study.pca is not None and study.pca_stride == 1:
-        along = study.pca.results.projections[frames, 0]
+    count = min(MODELS, len(analysis.frames))
+    frames = np.unique(np.linspace(0, len(analysis.frames) - 1, count).round().astype(int))
+    components = analysis.get(Components)
+    if analysis.kind == ENSEMBLE and components and components.stride == 1:
+        along = components.found.projections[frames, 0]
         return np.asarray(frames[np.argsort(along, kind="stable")])
     return frames
 
@@ -91,9 +99,9 @@ def _wrapped(text: str, width: int = 68) -> list[str]:
     return lines
 
 
-def nmd(study: Study) -> Iterator[str]:
+def nmd(analysis: Analysis) -> Iterator[str]:
     """Lines: the principal components as ProDy and VMD's NMWiz read them (.nmd)."""
-    found, atoms = known(study.pca).results, study.fitted
+    found, atoms = analysis[Components].found, analysis.fitted
     residues = atoms.residues if len(atoms.residues) == len(atoms) else None
     rows: dict[str, list[str]] = {"atomnames": [str(n).strip() or "X" for n in atoms.names]}
     if hasattr(atoms, "resnames"):
@@ -103,10 +111,10 @@ def nmd(study: Study) -> Iterator[str]:
     chains = [str(s)[:1].strip() for s in getattr(atoms, "segids", [])]
     if chains and all(chains) and "SYSTEM" not in set(atoms.segids):
         rows["chainids"] = chains
-    if residues is not None and study.flexibility is not None:
-        own = units_of_atoms(study, atoms)
-        rows["bfactors"] = [f"{b:.2f}" for b in b_factors(study.flexibility.rmsf)[own]]
-    yield f"nmwiz_load modes.nmd\nname {Path(study.options.path).stem.replace(' ', '_')}"
+    if residues is not None and UnitFlexibility in analysis:
+        factors = b_factors(analysis[UnitFlexibility].found.rmsf)
+        rows["bfactors"] = [f"{b:.2f}" for b in factors[units_of_atoms(analysis, atoms)]]
+    yield f"nmwiz_load modes.nmd\nname {Path(analysis.options.path).stem.replace(' ', '_')}"
     yield from (f"{name} {' '.join(values)}" for name, values in rows.items())
     yield f"coordinates {_numbers(found.average.ravel(), 3)}"
     for k, vector in enumerate(found.components[:MODES]):
@@ -120,42 +128,44 @@ def _numbers(values: np.ndarray, digits: int) -> str:
     return text.getvalue()
 
 
-def _domain_selections(study: Study) -> list[list[tuple[int, int]]]:
+def _domain_selections(analysis: Analysis) -> list[list[tuple[int, int]]]:
     """For each domain the stretches of residue numbers (first, last); none without domains."""
-    if study.domains is None or study.domains.count < 2:
+    domains = analysis.get(RigidDomains)
+    if domains is None or domains.found.count < 2:
         return []
-    numbers = known(study.units).numbers
+    numbers = analysis[Units].numbers
     made = []
-    for k in range(study.domains.count):
-        sites = np.flatnonzero(study.unit_domains == k)
+    for k in range(domains.found.count):
+        sites = np.flatnonzero(domains.of_unit == k)
         parts = np.split(sites, np.flatnonzero(np.diff(sites) > 1) + 1)
         made.append([(int(numbers[p[0]]), int(numbers[p[-1]])) for p in parts])
     return made
 
 
-def _one_chain(study: Study) -> bool:
-    return len(set(known(study.units).chains.tolist())) == 1
+def _one_chain(analysis: Analysis) -> bool:
+    return len(set(analysis[Units].chains.tolist())) == 1
 
 
-def _usual_b(study: Study) -> float:
+def _usual_b(analysis: Analysis) -> float:
     """Where colours end: above nine tenths of the B factors, lest one loose end take them all."""
-    return max(0.1, float(np.percentile(b_factors(known(study.flexibility).rmsf), 90)))
+    factors = b_factors(analysis[UnitFlexibility].found.rmsf)
+    return max(0.1, float(np.percentile(factors, 90)))
 
 
-def pymol_script(study: Study) -> str:
+def pymol_script(analysis: Analysis) -> str:
     """Loads the ensemble in PyMOL, colours it by flexibility, or by domain, and plays it."""
-    of_residues = known(study.units).what == "residue"
+    of_residues = analysis[Units].what == "residue"
     lines = [
         "# pymol show.pml: still is blue, flexible is red",  # PyMOL runs what follows a semicolon
         "load ensemble.pdb, ensemble",
         "hide everything",
         *(["dss ensemble", "show cartoon"] if of_residues else ["show sticks"]),
-        f"spectrum b, blue_white_red, ensemble, 0, {_usual_b(study):.1f}",
+        f"spectrum b, blue_white_red, ensemble, 0, {_usual_b(analysis):.1f}",
         "bg_color white",
         "orient",
         "scene F1, store",
     ]
-    domains = _domain_selections(study) if _one_chain(study) else []
+    domains = _domain_selections(analysis) if _one_chain(analysis) else []
     if domains:
         lines.append("# scene F2: domains")
         for k, stretches in enumerate(domains):
@@ -166,17 +176,17 @@ def pymol_script(study: Study) -> str:
     return "\n".join([*lines, "set movie_fps, 8", "mplay", ""])
 
 
-def chimerax_script(study: Study) -> str:
+def chimerax_script(analysis: Analysis) -> str:
     """The same for ChimeraX."""
     lines = [
         "# ChimeraX: open show.cxc",
         "open ensemble.pdb coordsets true",
         "hide atoms",
-        "show cartoons" if known(study.units).what == "residue" else "show atoms",
-        f"color byattribute bfactor palette blue:white:red range 0,{_usual_b(study):.1f}",
+        "show cartoons" if analysis[Units].what == "residue" else "show atoms",
+        f"color byattribute bfactor palette blue:white:red range 0,{_usual_b(analysis):.1f}",
     ]
-    if _one_chain(study):
-        for k, stretches in enumerate(_domain_selections(study)):
+    if _one_chain(analysis):
+        for k, stretches in enumerate(_domain_selections(analysis)):
             residues = ",".join(f"{a}-{b}" for a, b in stretches)
             lines.append(f"name domain{k + 1} :{residues}")
             lines.append(f"# color domain{k + 1} {DOMAIN_COLOURS[k]}")

@@ -8,6 +8,7 @@ into memory where they are few, else into a temporary file.
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -18,7 +19,11 @@ from pliant.analysis.frame_index import FrameIndex
 from pliant.analysis.frame_store import AT_ONCE_BYTES, FrameStore
 
 if TYPE_CHECKING:
-    from pliant.analyse.study import Study
+    from MDAnalysis import Universe
+
+    from pliant.analyse.analysis import AnalysisOptions
+    from pliant.analysis import RunRecord
+    from pliant.analysis.stored import StoredPositions
 
 
 #: positions up to this size are held in memory ...
@@ -27,93 +32,100 @@ MEMORY_BYTES = 1 << 23
 HELD_BYTES = 1 << 30
 
 
-def choose_frames(study: Study) -> None:
-    """Sets the frames, times and steps of a study; holds the positions if they fit.
+@dataclass(frozen=True)
+class ChosenFrames:
+    """F frames that are analysed."""
+
+    frames: np.ndarray  #: (F,) numbers in the file
+    times: np.ndarray  #: (F,) ps
+    steps: np.ndarray | None  #: (F,) steps of the run, if the file has them
+    held: FrameStore | None = None  #: their positions, if the universe has these and no others
+
+
+def choose_frames(
+    options: AnalysisOptions, universe: Universe, record: RunRecord | None, stored: StoredPositions
+) -> tuple[ChosenFrames, list[str]]:
+    """The frames that are analysed, and notes on those left out; holds the positions if they fit.
 
     Raises OptionError when the options choose no frame, InputError when no frame is usable.
     """
-    chosen = _whole_frames(study)
-    size = len(chosen) * len(study.universe.atoms) * 12
-    held = size <= HELD_BYTES and study.options.workers == 1
-    if held and study.stored.in_file:
-        good = _hold_from_file(study, chosen)
+    wanted, notes = _whole_frames(options, len(universe.trajectory), record)
+    is_held = len(wanted) * len(universe.atoms) * 12 <= HELD_BYTES and options.workers == 1
+    if is_held and stored.in_file:
+        chosen = _from_file(universe, stored, wanted)
     else:
-        good = _index(study, chosen)
-        if held:
-            _hold_from_reader(study, chosen[good])
-    if not good.all():
-        count = np.count_nonzero(~good)
-        study.notes.append(f"{count} frames hold coordinates that are not finite: left out")
+        chosen = _by_reader(universe, wanted, is_held)
+    if len(chosen.frames) == 0:
+        raise InputError(f"{options.path}: no frame has finite coordinates")
+    left_out = len(wanted) - len(chosen.frames)
+    if left_out:
+        notes.append(f"{left_out} frames hold coordinates that are not finite: left out")
+    return chosen, notes
 
 
-def _whole_frames(study: Study) -> np.ndarray:
+def _whole_frames(
+    options: AnalysisOptions, count: int, record: RunRecord | None
+) -> tuple[np.ndarray, list[str]]:
     """Numbers of the frames that were asked for, as far as they are whole."""
-    options = study.options
-    count = whole = len(study.universe.trajectory)
-    if study.record is not None and study.record.complete_frames:
-        whole = min(whole, study.record.complete_frames)
+    whole, notes = count, []
+    if record is not None and record.complete_frames:
+        whole = min(whole, record.complete_frames)
     if whole < count:
-        study.notes.append(f"the last {count - whole} frames are not complete: left out")
+        notes.append(f"the last {count - whole} frames are not complete: left out")
     wanted = range(*slice(options.start, options.stop, options.step).indices(count))
     wanted = wanted if wanted.step > 0 else wanted[::-1]
     chosen = np.array(range(wanted.start, min(wanted.stop, whole), wanted.step), dtype=int)
     if len(chosen) == 0:
         raise OptionError(f"--start, --stop, --step: choose none of the {count} frames")
-    return chosen
+    return chosen, notes
 
 
-def _hold_from_file(study: Study, chosen: np.ndarray) -> np.ndarray:
+def _from_file(universe: Universe, stored: StoredPositions, wanted: np.ndarray) -> ChosenFrames:
     """Reads positions, times and steps with h5py, and gives them to the universe."""
-    atoms = len(study.universe.atoms)
-    store = FrameStore(len(chosen), atoms, np.float32, MEMORY_BYTES)
-    good = np.zeros(len(chosen), dtype=bool)
-    step = 1 if len(chosen) < 2 else int(chosen[1] - chosen[0])
-    count = 1 + 12 * atoms * len(chosen) // AT_ONCE_BYTES
-    for part in np.array_split(np.arange(len(chosen)), min(count, len(chosen))):
-        read = study.stored.read(slice(chosen[part[0]], chosen[part[-1]] + 1, step))
+    atoms = len(universe.atoms)
+    store = FrameStore(len(wanted), atoms, np.float32, MEMORY_BYTES)
+    good = np.zeros(len(wanted), dtype=bool)
+    step = 1 if len(wanted) < 2 else int(wanted[1] - wanted[0])
+    count = 1 + 12 * atoms * len(wanted) // AT_ONCE_BYTES
+    for part in np.array_split(np.arange(len(wanted)), min(count, len(wanted))):
+        read = stored.read(slice(wanted[part[0]], wanted[part[-1]] + 1, step))
         read = read.astype(np.float32)
         finite = np.asarray(np.isfinite(read).all(axis=(1, 2)))
         store.put(int(np.count_nonzero(good)), read[finite])
         good[part] = finite
-    times, steps = study.stored.times_and_steps()
-    _set(study, chosen[good], times[chosen[good]], None if steps is None else steps[chosen[good]])
-    _hold(study, store, None)
-    return good
+    frames = wanted[good]
+    times, steps = stored.times_and_steps()
+    if len(frames):
+        _give(universe, store, len(frames), None)
+    return ChosenFrames(frames, times[frames], None if steps is None else steps[frames], store)
 
 
-def _hold(study: Study, store: FrameStore, boxes: np.ndarray | None) -> None:
-    """Gives the universe the frames of a store."""
-    store.cut(len(study.frames))
-    if store.array is None:
-        study.universe.trajectory = StoreReader(store, boxes)
-    else:
-        study.universe.load_new(store.array, order="fac", dimensions=boxes)
-    study.held = store
-
-
-def _index(study: Study, chosen: np.ndarray) -> np.ndarray:
-    """Looks at each frame with MDAnalysis."""
-    index = FrameIndex(study.universe.atoms).run(frames=chosen)
+def _by_reader(universe: Universe, wanted: np.ndarray, is_held: bool) -> ChosenFrames:
+    """Looks at each frame with MDAnalysis; reads those that are finite, if they are held."""
+    index = FrameIndex(universe.atoms).run(frames=wanted)
     good: np.ndarray = index.results.finite
-    steps = index.results.step[good]
-    _set(study, chosen[good], index.times[good], steps if np.all(steps >= 0) else None)
-    return good
+    frames, steps = wanted[good], index.results.step[good]
+    store = _read(universe, frames) if is_held and len(frames) else None
+    return ChosenFrames(frames, index.times[good], steps if np.all(steps >= 0) else None, store)
 
 
-def _hold_from_reader(study: Study, frames: np.ndarray) -> None:
-    """Reads the frames with MDAnalysis."""
-    trajectory = study.universe.trajectory
-    store = FrameStore(len(frames), len(study.universe.atoms), np.float32, MEMORY_BYTES)
+def _read(universe: Universe, frames: np.ndarray) -> FrameStore:
+    """Reads the frames with MDAnalysis, and gives them to the universe."""
+    store = FrameStore(len(frames), len(universe.atoms), np.float32, MEMORY_BYTES)
     boxes = np.zeros((len(frames), 6), dtype=np.float32)
     for k, frame in enumerate(frames):
-        step = trajectory[int(frame)]
+        step = universe.trajectory[int(frame)]
         store.put(k, step.positions[None])
         if step.dimensions is not None:
             boxes[k] = step.dimensions
-    _hold(study, store, boxes if boxes.any() else None)
+    _give(universe, store, len(frames), boxes if boxes.any() else None)
+    return store
 
 
-def _set(study: Study, frames: np.ndarray, times: np.ndarray, steps: np.ndarray | None) -> None:
-    if len(frames) == 0:
-        raise InputError(f"{study.options.path}: no frame has finite coordinates")
-    study.frames, study.times, study.steps = frames, times, steps
+def _give(universe: Universe, store: FrameStore, count: int, boxes: np.ndarray | None) -> None:
+    """Gives the universe the first frames of a store."""
+    store.cut(count)
+    if store.array is None:
+        universe.trajectory = StoreReader(store, boxes)
+    else:
+        universe.load_new(store.array, order="fac", dimensions=boxes)

@@ -6,56 +6,47 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-import numpy as np
-
-from pliant.analyse.found import ENSEMBLE, PATH, TRAJECTORY, TRANSITION
-from pliant.analysis.flexibility import numbered_blocks, path_blocks
-
 if TYPE_CHECKING:
-    from pliant.analyse.study import Study
+    from pliant.analysis import RunRecord
 
-#: numbers of frames of `pliant sample` are white within blocks of so many
-WHITE = 100
+ENSEMBLE = "ensemble"  #: `pliant sample`: frames are independent
+PATH = "path"  #: `pliant run`, or sampler `walk`: each frame is the one before, pushed
+TRANSITION = "transition"  #: `pliant path`: each frame is nearer to another structure
+TRAJECTORY = "trajectory"  #: another program's: frames may be anything
 
-SENTENCES = {
+#: kind -> what its frames are, and what follows from that
+MEANING = {
     ENSEMBLE: (
-        "An ensemble: frames are independent and show what can move. How often a shape occurs is "
-        "not known, and how far frames go overall was an input."
+        "An ensemble",
+        "Frames are independent and show what can move. How often a shape occurs is not known, and "
+        "how far frames go overall was an input.",
     ),
     PATH: (
-        "Not an ensemble: each frame is the one before, pushed and resolved. How far atoms got "
-        "depends on the pushes and on how many there were, so these fluctuations are not a "
-        "property of the molecule. For those, see pliant sample."
+        "Not an ensemble",
+        "Each frame is the one before, pushed and resolved. How far atoms got depends on the "
+        "pushes and on how many there were, so these fluctuations are not a property of the "
+        "molecule. For those, see pliant sample.",
     ),
     TRANSITION: (
-        "A path from one structure to another: the frames are in order, and show that there is a "
-        "way. They say nothing about time, rates, or how often a shape occurs; the fluctuations "
-        "are those of the path, not a property of the molecule. The 3-D view plays it."
+        "A path from one structure to another",
+        "The frames are in order, and show that there is a way. They say nothing about time, "
+        "rates, or how often a shape occurs; the fluctuations are those of the path, not a "
+        "property of the molecule. The 3-D view plays it.",
     ),
     TRAJECTORY: (
-        "A trajectory of another program: its fluctuations are taken as they are; errors come from "
-        "blocks of frames that are longer than the correlation time of the slowest motion."
+        "A trajectory of another program",
+        "Its fluctuations are taken as they are; errors come from blocks of frames that are longer "
+        "than the correlation time of the slowest motion.",
     ),
 }
 
 
-def kind_of(study: Study) -> str:
-    """ENSEMBLE, PATH, TRANSITION or TRAJECTORY, by what the file tells of itself."""
-    told = study.record.parameters if study.record else {}
-    if "path/end" in told:
+def kind_of(record: RunRecord | None) -> str:
+    """ENSEMBLE, PATH, TRANSITION or TRAJECTORY, by the parameters that the file holds."""
+    parameters = record.parameters if record else {}
+    if "path/end" in parameters:
         return TRANSITION
-    sampler = told.get("sample/sampler")
+    sampler = parameters.get("sample/sampler")
     if sampler is not None:
         return PATH if sampler == "walk" else ENSEMBLE
-    return PATH if any(name.startswith("run/") for name in told) else TRAJECTORY
-
-
-def frame_blocks(study: Study) -> list[np.ndarray]:
-    """Blocks of frames that count as independent: the white ones of an ensemble, else stretches
-    longer than the memory of the first three principal components."""
-    if study.kind == ENSEMBLE:
-        numbers = study.frames if study.steps is None else study.steps
-        return numbered_blocks(np.asarray(numbers), WHITE)
-    if study.pca is None or study.pca_stride > 1:
-        return path_blocks(np.arange(len(study.frames), dtype=float))
-    return path_blocks(study.pca.results.projections[:, :3])
+    return PATH if any(name.startswith("run/") for name in parameters) else TRAJECTORY

@@ -11,33 +11,33 @@ import MDAnalysis
 import numpy as np
 
 from pliant._core import InputError
-from pliant.analyse.found import Reference
+from pliant.analyse.parts import ReferenceStructure
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe
 
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 
-def reference_of(study: Study) -> Reference:
+def reference_of(analysis: Analysis) -> ReferenceStructure:
     """The file that the options name; else the PDB that `pliant run` and `sample` write beside
-    their trajectory; else the first frame. The study's notes say which, where it is the PDB.
+    their trajectory; else the first frame.
 
     Raises InputError when the named file cannot be read or has other atoms.
     """
-    named = study.options.reference
+    named = analysis.options.reference
     if named is not None:
-        return Reference(_same_atoms(study.universe, Path(named)), Path(named).name)
-    beside = Path(study.options.path).with_suffix(".pdb")
-    if study.record is not None and beside.is_file():
+        return ReferenceStructure(_same_atoms(analysis.universe, Path(named)), Path(named).name)
+    beside, note = Path(analysis.options.path).with_suffix(".pdb"), ""
+    if analysis.record is not None and beside.is_file():
         try:
-            positions = _same_atoms(study.universe, beside)
+            positions = _same_atoms(analysis.universe, beside)
         except InputError as error:
-            study.notes.append(f"not compared with the start structure: {error}")
+            note = f"not compared with the start structure: {error}"
         else:
-            study.notes.append(f"compared with {beside.name}, the structure beside the trajectory")
-            return Reference(positions, beside.name)
-    return Reference(study.positions(0), "the first frame")
+            note = f"compared with {beside.name}, the structure beside the trajectory"
+            return ReferenceStructure(positions, beside.name, note)
+    return ReferenceStructure(analysis.positions(0), "the first frame", note)
 
 
 def _same_atoms(universe: Universe, path: Path) -> np.ndarray:

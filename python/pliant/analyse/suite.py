@@ -14,9 +14,9 @@ import MDAnalysis  # noqa: F401  (before pliant.analysis, which says that it lac
 from pliant._checked import NOT_ZERO, PAIRS_OF_TEXTS, checked, whole
 from pliant._display import Displayed, Facts
 from pliant._progress import Stages
+from pliant.analyse.analysis import Analysis, AnalysisOptions
 from pliant.analyse.bar_verdict import Verdict, verdict
-from pliant.analyse.stages import STAGES, study_trajectory
-from pliant.analyse.study import Study, StudyOptions
+from pliant.analyse.stages import STAGES, analyse_trajectory
 from pliant.analyse.summary import summary
 from pliant.analyse.verdicts import verdicts
 from pliant.analyse.write import check_folder, write_report
@@ -29,26 +29,26 @@ DPI = 150
 class AnalysisReport(Displayed):
     """What `analyse` found."""
 
-    study: Study  #: the results, as arrays
+    analysis: Analysis  #: the results, as arrays
     outputs: dict[str, Any] = field(
         default_factory=dict
     )  #: paths of the files, if any were written
 
     @property
     def verdict(self) -> Verdict:
-        """Of the bars: whether every bar of every frame is within tolerance."""
-        return verdict(self.study)
+        """Whether every bar of every frame is within tolerance."""
+        return verdict(self.analysis)
 
     def facts(self) -> Facts:
         """The verdicts, as text."""
-        frames = f"{len(self.study.frames)}, of {len(self.study.atoms)} atoms"
-        made = [(what, one.sentence) for what, one in verdicts(self.study).items()]
+        frames = f"{len(self.analysis.frames)}, of {len(self.analysis.atoms)} atoms"
+        made = [(what, one.sentence) for what, one in verdicts(self.analysis).items()]
         files = [("page", str(self.outputs["report"]))] if "report" in self.outputs else []
-        return [("file", self.study.options.path), ("frames", frames), *made, *files]
+        return [("file", self.analysis.options.path), ("frames", frames), *made, *files]
 
     def as_json(self) -> dict[str, Any]:
         """What it comes down to, as one JSON object."""
-        return summary(self.study, self.outputs)
+        return summary(self.analysis, self.outputs)
 
 
 @checked(
@@ -75,12 +75,12 @@ def analyse(
     dpi: int = DPI,
     on_stage: Callable[[str], None] | None = None,
 ) -> AnalysisReport:
-    """Analyses a trajectory; writes figures, tables and a report page if told where.
+    """Analyses a trajectory; writes figures, tables and a report page into a folder.
 
-    Tells how flexible each residue is, with an error; which parts move together; collective
+    Finds how flexible each residue is, with an error; which parts move together; collective
     motions; contacts kept and lost; whether stereochemistry holds; RMSD, radius of gyration and
     torsions. Measures every bar of every frame. What cannot be computed from a file is left out;
-    `study.skipped` says why.
+    `report.analysis.skipped` says why.
 
     Parameters
     ----------
@@ -126,7 +126,7 @@ def analyse(
     """
     if output is not None:
         check_folder(Path(output))
-    options = StudyOptions(
+    options = AnalysisOptions(
         os.fspath(path),
         None if topology is None else os.fspath(topology),
         select,
@@ -147,13 +147,13 @@ def analyse(
 
 
 def _analysed(
-    options: StudyOptions,
+    options: AnalysisOptions,
     output: str | os.PathLike[str] | None,
     dpi: int,
     on_stage: Callable[[str], None],
 ) -> AnalysisReport:
-    study = study_trajectory(options, on_stage)
+    analysis = analyse_trajectory(options, on_stage)
     if output is None:
-        return AnalysisReport(study)
+        return AnalysisReport(analysis)
     on_stage("figures and page")
-    return AnalysisReport(study, write_report(study, Path(output), dpi))
+    return AnalysisReport(analysis, write_report(analysis, Path(output), dpi))

@@ -23,13 +23,27 @@ from pliant.analyse.biology_tables import (
     shape_columns,
 )
 from pliant.analyse.names import atom_labels, bar_labels, chains_of
-from pliant.analyse.study import MAX_ANGLES, known
+from pliant.analyse.parts import (
+    MAX_ANGLES,
+    Components,
+    ContactFrequencies,
+    Correlations,
+    Fluctuations,
+    Gyration,
+    Part,
+    Residuals,
+    Rmsd,
+    Shapes,
+    Torsions,
+    UnitFlexibility,
+    Units,
+)
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
     from MDAnalysis.core.groups import ResidueGroup
 
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
     from pliant.analysis.rotatable import Torsion
 
 
@@ -42,26 +56,26 @@ PROJECTIONS = 10
 CELLS_AT_ONCE = 1 << 15
 
 
-def save_tables(study: Study, folder: Path) -> list[Path]:
-    """Writes the CSV files that the study gives into a folder; returns their paths."""
-    tables: dict[str, Callable[[Study], Columns]] = {
-        "frames": frame_columns,
-        "atoms": atom_columns,
-        "residues": residue_columns,
-        "bars": bar_columns,
-        "torsions": torsion_columns,
-        "torsion_histograms": histogram_columns,
-        "torsion_angles": angle_columns,
-        "pca": component_columns,
-        "flexibility": flexibility_columns,
-        "correlations": correlation_columns,
-        "contacts": contact_columns,
-        "held_contacts": held_contact_columns,
-        "stereochemistry": shape_columns,
+def save_tables(analysis: Analysis, folder: Path) -> list[Path]:
+    """Writes the CSV files whose parts are there into a folder; returns their paths."""
+    tables: dict[str, tuple[type[Part], Callable[[Analysis], Columns]]] = {
+        "frames": (Units, frame_columns),
+        "atoms": (Fluctuations, atom_columns),
+        "residues": (Fluctuations, residue_columns),
+        "bars": (Residuals, bar_columns),
+        "torsions": (Torsions, torsion_columns),
+        "torsion_histograms": (Torsions, histogram_columns),
+        "torsion_angles": (Torsions, angle_columns),
+        "pca": (Components, component_columns),
+        "flexibility": (UnitFlexibility, flexibility_columns),
+        "correlations": (Correlations, correlation_columns),
+        "contacts": (ContactFrequencies, contact_columns),
+        "held_contacts": (Units, held_contact_columns),
+        "stereochemistry": (Shapes, shape_columns),
     }
     written = []
-    for name, columns_of in tables.items():
-        if columns := columns_of(study):
+    for name, (needs, columns_of) in tables.items():
+        if needs in analysis and (columns := columns_of(analysis)):
             path = folder / f"{name}.csv"
             write_csv(path, columns)
             written.append(path)
@@ -94,30 +108,30 @@ RECORDED = (
 )  # fmt: skip
 
 
-def frame_columns(study: Study) -> Columns:
+def frame_columns(analysis: Analysis) -> Columns:
     """One row per frame analysed."""
-    columns: Columns = {"frame": study.frames}
-    if study.steps is not None:
-        columns["step"] = study.steps
-    columns["time_ps"] = study.times
-    if study.residuals is not None:
-        columns |= _residual_columns(study)
+    columns: Columns = {"frame": analysis.frames}
+    if analysis.steps is not None:
+        columns["step"] = analysis.steps
+    columns["time_ps"] = analysis.times
+    if Residuals in analysis:
+        columns |= _residual_columns(analysis)
     for name in RECORDED:
-        if study.observable(name) is not None:
-            columns[name] = study.observable(name)
-    if study.rmsd is not None:
-        columns["rmsd_angstrom"] = study.rmsd
-    if study.rmsd_all is not None:
-        columns["rmsd_all_angstrom"] = study.rmsd_all
-    if study.radius is not None:
-        columns["radius_of_gyration_angstrom"] = study.radius
-    return columns | distance_columns(study) | _projection_columns(study)
+        if analysis.observable(name) is not None:
+            columns[name] = analysis.observable(name)
+    if distance := analysis.get(Rmsd):
+        columns["rmsd_angstrom"] = distance.fitted
+        if distance.analysed is not None:
+            columns["rmsd_all_angstrom"] = distance.analysed
+    if Gyration in analysis:
+        columns["radius_of_gyration_angstrom"] = analysis[Gyration].radius
+    return columns | distance_columns(analysis) | _projection_columns(analysis)
 
 
-def _residual_columns(study: Study) -> Columns:
-    residuals = known(study.residuals)
-    found = residuals.results
-    ends = residuals.bars[found.worst_bar]
+def _residual_columns(analysis: Analysis) -> Columns:
+    residuals = analysis[Residuals]
+    found = residuals.found
+    ends = residuals.measured.bars[found.worst_bar]
     columns: Columns = {
         "max_relative_residual": found.max_relative,
         "rms_relative_residual": found.rms_relative,
@@ -127,34 +141,32 @@ def _residual_columns(study: Study) -> Columns:
         "worst_bar_j": ends[:, 1],
         "within_tolerance": found.within.astype(int),
     }
-    if study.converged is not None:
-        columns["converged"] = study.converged.astype(int)
+    if analysis.converged is not None:
+        columns["converged"] = analysis.converged.astype(int)
     return columns
 
 
-def _projection_columns(study: Study) -> Columns:
-    if study.pca is None or study.pca_stride > 1:
+def _projection_columns(analysis: Analysis) -> Columns:
+    components = analysis.get(Components)
+    if components is None or components.stride > 1:
         return {}
-    projections = study.pca.results.projections
-    unit = "sqrt_u_angstrom" if study.options.mass_weighted else "angstrom"
+    projections = components.found.projections
+    unit = "sqrt_u_angstrom" if analysis.options.mass_weighted else "angstrom"
     count = min(PROJECTIONS, projections.shape[1])
     return {f"pc{k + 1}_{unit}": projections[:, k] for k in range(count)}
 
 
-def atom_columns(study: Study) -> Columns:
+def atom_columns(analysis: Analysis) -> Columns:
     """One row per atom analysed: its place in the molecule and how much it moves."""
-    if study.rmsf is None:
-        return {}
-    atoms = study.atoms
+    atoms, found = analysis.atoms, analysis[Fluctuations].found
     columns: Columns = {"atom": atoms.ix}
     for name, attribute in {"name": "names", "element": "elements"}.items():
         if hasattr(atoms, attribute):
             columns[name] = getattr(atoms, attribute)
     columns |= _residue_columns_of(atoms)
-    average = study.rmsf.results.average
-    columns["rmsf_angstrom"] = study.rmsf.results.rmsf
+    columns["rmsf_angstrom"] = found.rmsf
     for k, axis in enumerate("xyz"):
-        columns[f"average_{axis}_angstrom"] = average[:, k]
+        columns[f"average_{axis}_angstrom"] = found.average[:, k]
     return columns
 
 
@@ -165,38 +177,33 @@ def _residue_columns_of(group: AtomGroup | ResidueGroup) -> Columns:
     return columns | ({"chain": chains_of(group)} if hasattr(group, "segids") else {})
 
 
-def residue_columns(study: Study) -> Columns:
+def residue_columns(analysis: Analysis) -> Columns:
     """One row per residue."""
-    if study.rmsf is None:
-        return {}
-    found = study.rmsf.results
-    residues = study.universe.residues[found.residues]
+    found = analysis[Fluctuations].found
+    residues = analysis.universe.residues[found.residues]
     columns: Columns = {"residue": found.residues} | _residue_columns_of(residues)
     return columns | {"rmsf_angstrom": found.residue_rmsf}
 
 
-def bar_columns(study: Study) -> Columns:
+def bar_columns(analysis: Analysis) -> Columns:
     """One row per bar: its rest length and the largest residual it ever had."""
-    if study.residuals is None:
-        return {}
-    bars = study.residuals.bars
+    residuals = analysis[Residuals]
+    bars = residuals.measured.bars
     return {
         "bar": np.arange(len(bars)),
         "i": bars[:, 0],
         "j": bars[:, 1],
-        "name": bar_labels(study.universe.atoms, bars),
-        "rest_length_angstrom": study.residuals.rest_lengths,
-        "max_relative_residual": study.residuals.results.bar_max_relative,
+        "name": bar_labels(analysis.universe.atoms, bars),
+        "rest_length_angstrom": residuals.measured.rest_lengths,
+        "max_relative_residual": residuals.found.bar_max_relative,
     }
 
 
-def torsion_columns(study: Study) -> Columns:
+def torsion_columns(analysis: Analysis) -> Columns:
     """One row per rotatable bond."""
-    if study.torsions is None:
-        return {}
-    torsions, found = study.torsions.torsions, study.torsions.results
+    torsions, found = analysis[Torsions].measured.torsions, analysis[Torsions].found
     atoms = np.array([t.atoms for t in torsions])
-    names = atom_labels(study.universe.atoms)
+    names = atom_labels(analysis.universe.atoms)
     columns: Columns = {"torsion": [t.label for t in torsions], "kind": [t.kind for t in torsions]}
     for k, letter in enumerate("ijkl"):
         columns[letter] = atoms[:, k]
@@ -206,21 +213,21 @@ def torsion_columns(study: Study) -> Columns:
     return columns
 
 
-def histogram_columns(study: Study) -> Columns:
+def histogram_columns(analysis: Analysis) -> Columns:
     """One row per bin, one column per torsion: share of the frames per degree."""
-    if study.torsions is None:
-        return {}
-    edges = study.torsions.results.edges
+    part = analysis[Torsions]
+    edges = part.found.edges
     columns: Columns = {"from_degrees": edges[:-1], "to_degrees": edges[1:]}
-    return columns | _one_column_each(study.torsions.torsions, study.torsions.results.density)
+    return columns | _one_column_each(part.measured.torsions, part.found.density)
 
 
-def angle_columns(study: Study) -> Columns:
+def angle_columns(analysis: Analysis) -> Columns:
     """One row per frame, one column per torsion, degrees; none if that were too many numbers."""
-    if study.torsions is None or study.torsions.results.angles.size > MAX_ANGLES:
+    part = analysis[Torsions]
+    if part.found.angles.size > MAX_ANGLES:
         return {}
-    columns: Columns = {"frame": study.frames}
-    return columns | _one_column_each(study.torsions.torsions, study.torsions.results.angles.T)
+    columns: Columns = {"frame": analysis.frames}
+    return columns | _one_column_each(part.measured.torsions, part.found.angles.T)
 
 
 def _one_column_each(torsions: Sequence[Torsion], rows: np.ndarray) -> Columns:
@@ -231,15 +238,13 @@ def _one_column_each(torsions: Sequence[Torsion], rows: np.ndarray) -> Columns:
     return dict(zip(labels, rows, strict=True))
 
 
-def component_columns(study: Study) -> Columns:
+def component_columns(analysis: Analysis) -> Columns:
     """One row per principal component."""
-    if study.pca is None:
-        return {}
-    found = study.pca.results
+    found = analysis[Components].found
     count = len(found.eigenvalues)
     cosine = np.full(count, np.nan)
     cosine[: len(found.cosine_content)] = found.cosine_content
-    unit = "u_angstrom2" if study.options.mass_weighted else "angstrom2"
+    unit = "u_angstrom2" if analysis.options.mass_weighted else "angstrom2"
     return {
         "component": np.arange(1, count + 1),
         f"eigenvalue_{unit}": found.eigenvalues,

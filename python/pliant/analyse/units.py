@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The units whose flexibility is told: residues of a chain, or atoms of a small molecule."""
+"""The units whose flexibility is reported: residues of a chain, or atoms of a small molecule."""
 
 from __future__ import annotations
 
@@ -7,20 +7,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from pliant.analyse.found import Units
 from pliant.analyse.names import atom_labels, chains_of, numbers_of, residue_labels
+from pliant.analyse.parts import Units
 from pliant.analysis.rotatable import is_hydrogen
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
 
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 
-def units_of(study: Study) -> Units:
+def units_of(analysis: Analysis) -> Units:
     """Residues where there are several: each by its atom of the trace (CA, P), if it has one, else
     by its atoms but hydrogens. In a single residue each atom but hydrogens is a unit."""
-    atoms = study.atoms
+    atoms = analysis.atoms
     heavy = atoms[~is_hydrogen(atoms)]
     if len(heavy) == 0:
         heavy = atoms
@@ -45,11 +45,16 @@ def units_of(study: Study) -> Units:
     )
 
 
-def trace_of(atoms: AtomGroup) -> AtomGroup:
-    """CA of amino acids and P of nucleotides, where each residue has one at most; else nothing."""
+def trace_atoms(atoms: AtomGroup) -> AtomGroup:
+    """CA of amino acids and P of nucleotides; nothing where atoms or residues have no names."""
     if not hasattr(atoms, "names") or not hasattr(atoms, "resnames"):
         return atoms[:0]
-    trace = atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
+    return atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
+
+
+def trace_of(atoms: AtomGroup) -> AtomGroup:
+    """The atoms of the trace where each residue has one at most; else nothing."""
+    trace = trace_atoms(atoms)
     return trace if len(set(trace.resindices)) == len(trace) else atoms[:0]
 
 
@@ -70,7 +75,7 @@ def single_atoms(atoms: AtomGroup) -> Units:
     labels = atom_labels(atoms)
     if len(set(labels)) < count:
         labels = [f"{label}({k + 1})" for label, k in zip(labels, atoms.ix, strict=True)]
-    place = np.arange(count)
     return Units(
-        "atom", labels, atoms.ix + 1, np.full(count, ""), atoms.ix, atoms.ix, place, place < 0
-    )
+        "atom", labels, atoms.ix + 1, np.full(count, ""), atoms.ix, atoms.ix, np.arange(count),
+        of_chain=np.zeros(count, dtype=bool),
+    )  # fmt: skip

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What to believe of a study: one verdict for each question, and one for the whole."""
+"""What to believe of an analysis: one verdict for each question, and one for the whole."""
 
 from __future__ import annotations
 
@@ -10,13 +10,12 @@ import numpy as np
 
 from pliant.analyse.amplitude import asked_amplitude
 from pliant.analyse.bar_verdict import Verdict, verdict
-from pliant.analyse.found import ENSEMBLE, PATH, TRANSITION
-from pliant.analyse.kind import SENTENCES
-from pliant.analyse.study import known
+from pliant.analyse.kind import ENSEMBLE, MEANING, PATH, TRANSITION
+from pliant.analyse.parts import ReferenceStructure, Shapes, UnitFlexibility
 from pliant.analysis.stereochemistry import TWISTED
 
 if TYPE_CHECKING:
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 #: kinds of frames of which fluctuations are no property of the molecule
 NO_ENSEMBLES = {PATH: "A path of pushes", TRANSITION: "A path from one structure to another"}
@@ -50,11 +49,12 @@ class ShapeRow:
     passed: bool
 
 
-def shape_rows(study: Study) -> list[ShapeRow]:
+def shape_rows(analysis: Analysis) -> list[ShapeRow]:
     """The questions about stereochemistry that the molecule allows."""
-    if study.shape is None or study.shape_results is None:
+    part = analysis.get(Shapes)
+    if part is None:
         return []
-    shape, found, start = study.shape, study.shape_results, study.shape_results.reference
+    shape, found, start = part.measured, part.found, part.found.reference
     rows = [
         ShapeRow(
             "bond angles", f"{found.angle.max():.1f}° at most", "0°",
@@ -79,11 +79,11 @@ def shape_rows(study: Study) -> list[ShapeRow]:
             "planar groups", f"{worst:.2f} Å off at most", f"{start['plane']:.2f} Å",
             f"{limit:.2g} Å", worst <= limit,
         ))  # fmt: skip
-    return rows + _backbone_rows(study)
+    return rows + _backbone_rows(part)
 
 
-def _backbone_rows(study: Study) -> list[ShapeRow]:
-    shape, found = known(study.shape), known(study.shape_results)
+def _backbone_rows(part: Shapes) -> list[ShapeRow]:
+    shape, found = part.measured, part.found
     start, rows = found.reference, []
     if len(shape.omega):
         more = int(found.twisted.max())
@@ -104,29 +104,29 @@ def _backbone_rows(study: Study) -> list[ShapeRow]:
     return rows
 
 
-def verdicts(study: Study) -> dict[str, Verdict]:
+def verdicts(analysis: Analysis) -> dict[str, Verdict]:
     """Name -> verdict of each question, in the order of the page."""
     made = {
-        "what it is": _what_it_is(study),
-        "convergence": _convergence(study),
-        "stereochemistry": _stereochemistry(study),
-        "bars": verdict(study),
+        "what it is": _what_it_is(analysis),
+        "convergence": _convergence(analysis),
+        "stereochemistry": _stereochemistry(analysis),
+        "bars": verdict(analysis),
     }
-    more = {"amplitude": _amplitude(study), "draws": _draws(study)}
+    more = {"amplitude": _amplitude(analysis), "draws": _draws(analysis)}
     return made | {name: one for name, one in more.items() if one is not None}
 
 
-def whole(study: Study) -> Verdict:
+def whole(analysis: Analysis) -> Verdict:
     """The verdict on all: good only if no question was answered badly."""
-    made = verdicts(study)
+    made = verdicts(analysis)
     failed = [name for name, one in made.items() if one.kind == "bad"]
     if failed:
         sentence = f"Do not use these frames as they are: see {' and '.join(failed)}."
         return Verdict("bad", sentence, "Other questions may well have good answers.")
-    if study.kind in NO_ENSEMBLES:
+    if analysis.kind in NO_ENSEMBLES:
         held = [name for name, one in made.items() if one.kind == "good"]
         details = f"Judged and found good: {', '.join(held)}." if held else ""
-        return Verdict("mixed", f"{NO_ENSEMBLES[study.kind]}, and not an ensemble.", details)
+        return Verdict("mixed", f"{NO_ENSEMBLES[analysis.kind]}, and not an ensemble.", details)
     doubtful = [one for one in made.values() if one.kind == "mixed"]
     if doubtful:
         return Verdict("mixed", doubtful[0].sentence, doubtful[0].details)
@@ -140,20 +140,23 @@ def _sentence(text: str) -> str:
     return f"{text[:1].upper()}{text[1:]}." if text else ""
 
 
-def _what_it_is(study: Study) -> Verdict:
-    sentence, details = SENTENCES[study.kind].split(": ", 1)
-    kind = "mixed" if study.kind in NO_ENSEMBLES else "open"
-    return Verdict(kind, f"{sentence}.", details[:1].upper() + details[1:])
+def _what_it_is(analysis: Analysis) -> Verdict:
+    sentence, details = MEANING[analysis.kind]
+    kind = "mixed" if analysis.kind in NO_ENSEMBLES else "open"
+    return Verdict(kind, f"{sentence}.", details)
 
 
-def _convergence(study: Study) -> Verdict:
-    if study.kind == TRANSITION:
+def _convergence(analysis: Analysis) -> Verdict:
+    if analysis.kind == TRANSITION:
         return Verdict("open", "A path has an end, and does not converge.", "")
-    found = study.flexibility
-    if found is None:
+    part = analysis.get(UnitFlexibility)
+    if part is None:
         return Verdict(
-            "open", "Convergence cannot be judged.", _sentence(study.skipped.get("flexibility", ""))
+            "open",
+            "Convergence cannot be judged.",
+            _sentence(analysis.skipped.get("flexibility", "")),
         )
+    found = part.found
     if found.still:
         return Verdict(
             "mixed", "Nothing moves.",
@@ -164,40 +167,42 @@ def _convergence(study: Study) -> Verdict:
         f"by {100 * found.difference:.0f} % on average (converged: 0.95 and more, 10 % and less). "
         f"Errors come from {found.blocks} blocks."
     )
-    if study.kind == ENSEMBLE and len(study.frames) < 200:
+    if analysis.kind == ENSEMBLE and len(analysis.frames) < 200:
         details += " Fewer than 200 frames do not fill two blocks: errors may be too large."
     if found.converged:
-        what = "The halves agree" if study.kind in NO_ENSEMBLES else "The flexibility is converged"
+        what = (
+            "The halves agree" if analysis.kind in NO_ENSEMBLES else "The flexibility is converged"
+        )
         return Verdict("good", f"{what}.", details)
     return Verdict("mixed", "The flexibility is not converged: the halves differ.", details)
 
 
-def _stereochemistry(study: Study) -> Verdict:
-    rows = shape_rows(study)
+def _stereochemistry(analysis: Analysis) -> Verdict:
+    rows = shape_rows(analysis)
     if not rows:
         return Verdict(
             "open",
             "Stereochemistry cannot be judged.",
-            _sentence(study.skipped.get("stereochemistry", "")),
+            _sentence(analysis.skipped.get("stereochemistry", "")),
         )
-    found, reference = known(study.shape_results), known(study.reference)
+    looked_at, reference = analysis[Shapes].frames, analysis[ReferenceStructure]
     details = (
-        f"{len(found.angle)} of {len(study.frames)} frames looked at, compared with "
+        f"{len(looked_at)} of {len(analysis.frames)} frames looked at, compared with "
         f"{reference.name}: {len(rows)} questions, in the table below."
     )
     failed = [f"{row.name} ({row.found})" for row in rows if not row.passed]
     if failed:
         return Verdict("bad", f"Stereochemistry is broken: {', '.join(failed)}.", details)
-    some = " of the recorded atoms" if study.stored.joints_of_whole else ""
+    some = " of the recorded atoms" if analysis.stored.joints_of_whole else ""
     return Verdict("good", f"Stereochemistry{some} holds.", details)
 
 
-def _amplitude(study: Study) -> Verdict | None:
-    told = study.record.parameters if study.record else {}
-    asked = asked_amplitude(told)
-    if asked is None or study.flexibility is None or study.kind != ENSEMBLE:
+def _amplitude(analysis: Analysis) -> Verdict | None:
+    asked = asked_amplitude(analysis.record.parameters if analysis.record else {})
+    part = analysis.get(UnitFlexibility)
+    if asked is None or part is None or analysis.kind != ENSEMBLE:
         return None
-    reached = float(study.flexibility.rmsf.mean())
+    reached = float(part.found.rmsf.mean())
     sentence = f"Amplitude: asked {asked:.2f} Å, reached {reached:.2f} Å."
     details = (
         "Mean RMSF after superposition. It is an input: which parts move more than others is a "
@@ -207,12 +212,12 @@ def _amplitude(study: Study) -> Verdict | None:
     return Verdict(kind, sentence, details)
 
 
-def _draws(study: Study) -> Verdict | None:
+def _draws(analysis: Analysis) -> Verdict | None:
     """Which frames are none of the first draw, and so not quite what the network asked for."""
-    redraws = study.observable("redraws")
-    if redraws is None or study.kind != ENSEMBLE:
+    redraws = analysis.observable("redraws")
+    if redraws is None or analysis.kind != ENSEMBLE:
         return None
-    again, count = study.frames[redraws > 0], len(redraws)
+    again, count = analysis.frames[redraws > 0], len(redraws)
     if len(again) == 0:
         sentence, details = f"Each of {count} frames is as it was first drawn.", ""
     else:
@@ -224,14 +229,14 @@ def _draws(study: Study) -> Verdict | None:
             f"took {int(redraws.max()) + 1} draws at most, and the ensemble has less of what those "
             "first draws asked for."
         )
-    missing = _missing_frames(study)
+    missing = _missing_frames(analysis)
     if missing:
         details += f" {missing} frames could not be resolved at all and are left out."
     share = (len(again) + missing) / (count + missing)
     return Verdict("good" if share <= MOST_DRAWN_AGAIN else "mixed", sentence, details.strip())
 
 
-def _missing_frames(study: Study) -> int:
-    if study.steps is None or study.options.step not in (None, 1):
+def _missing_frames(analysis: Analysis) -> int:
+    if analysis.steps is None or analysis.options.step not in (None, 1):
         return 0
-    return int(study.steps[-1] - study.steps[0] + 1 - len(study.steps))
+    return int(analysis.steps[-1] - analysis.steps[0] + 1 - len(analysis.steps))

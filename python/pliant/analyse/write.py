@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Writes all results of a study into a folder."""
+"""Writes all results of an analysis into a folder."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pliant.analyse.page.page import write_page
 from pliant.analyse.tables import save_tables
 
 if TYPE_CHECKING:
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 
 def check_folder(folder: Path) -> None:
@@ -22,20 +22,20 @@ def check_folder(folder: Path) -> None:
         raise InputError(f"{folder}: is a file, expected a folder for the results")
 
 
-def write_report(study: Study, folder: Path, dpi: int = 150) -> dict[str, Any]:
+def write_report(analysis: Analysis, folder: Path, dpi: int = 150) -> dict[str, Any]:
     """Writes figures, tables, files for other programs and report.html; returns the paths of all.
 
     Files of an earlier report are replaced.
     """
     check_folder(folder)
     folder.mkdir(parents=True, exist_ok=True)
-    with Drawing(study, folder, dpi) as drawing:
-        tables = save_tables(study, folder)
-        exports = save_exports(study, folder)
+    with Drawing(analysis, folder, dpi) as drawing:
+        tables = save_tables(analysis, folder)
+        exports = save_exports(analysis, folder)
         figures = drawing.finish()
     report = folder / "report.html"
     pictures = [path for _, path in figures]
-    write_page(study, figures, [*exports, *tables, *pictures], report, dpi)
+    write_page(analysis, figures, [*exports, *tables, *pictures], report, dpi)
     return {
         "report": str(report),
         "figures": [str(path) for path in pictures],

@@ -32,6 +32,7 @@ class Result:
     seconds: float = float("nan")  #: median over structures of the median over repeats
     ready_seconds: float = float("nan")  #: once, before the first structure
     outcome: str = ""  #: "whole", or what became of those that are not
+    failures: dict[str, int] = field(default_factory=dict)  #: how many of each kind are not whole
     claimed: int | None = None  #: ours: said to have converged
     false_claims: int | None = None  #: ours: of these, not whole as measured
 
@@ -83,7 +84,9 @@ def describe(contest: Contest, j: int, after: np.ndarray, seconds: np.ndarray) -
     result.residual_after = float(np.median(residual))
     result.worst_residual_after = float(np.max(residual))
     result.seconds = float(np.median(seconds))
-    result.outcome = _outcome_of(residual, before[: len(after)], whole)
+    result.failures = _failures_of(residual, before[: len(after)], whole)
+    words = [f"{count} of {len(after)} {kind}" for kind, count in result.failures.items()]
+    result.outcome = ", ".join(words) or "whole"
     return result
 
 
@@ -93,16 +96,14 @@ def _float_floor(contest: Contest) -> float:
     return 2 * _bars.FLOAT_ROUNDING if len(triangles) else 0.0
 
 
-def _outcome_of(residual: np.ndarray, before: np.ndarray, whole: np.ndarray) -> str:
+def _failures_of(residual: np.ndarray, before: np.ndarray, whole: np.ndarray) -> dict[str, int]:
     finite = np.isfinite(residual)
     kinds = {
         "not finite": ~finite,
         "diverged": finite & ~whole & (residual > before),
         "stopped short": finite & ~whole & (residual <= before),
     }
-    total = len(residual)
-    words = [f"{int(mask.sum())} of {total} {name}" for name, mask in kinds.items() if mask.any()]
-    return ", ".join(words) or "whole"
+    return {kind: int(mask.sum()) for kind, mask in kinds.items() if mask.any()}
 
 
 def check_honesty(methods: Sequence[Method]) -> Finding:
@@ -130,4 +131,7 @@ def check_honesty(methods: Sequence[Method]) -> Finding:
 
 def as_json(methods: Sequence[Method]) -> list[dict[str, Any]]:
     """The methods and their results as JSON has them."""
-    return [asdict(method) for method in methods]
+    made = [asdict(method) for method in methods]
+    for result in (result for method in made for result in method["results"]):
+        del result["failures"]  # as text in the outcome
+    return made

@@ -88,8 +88,7 @@ def _times_table(methods: list[Method]) -> Table:
 def _time_cell(result: Result) -> str:
     if result.structures and result.whole == result.structures:
         return time_text(result.seconds)
-    kinds = result.outcome.split(", ")
-    if len(kinds) > 1:
+    if len(result.failures) > 1:
         return f"{result.structures - result.whole} of {result.structures} failed"
     return result.outcome
 

@@ -21,7 +21,7 @@ from pliant.check.check_record import Remeasured, check_record, remeasure
 from pliant.check.check_report import CheckReport
 from pliant.check.contest import DISPLACEMENTS, Contest
 from pliant.check.fewer_bars import for_constraints, note_on
-from pliant.check.force_field.study import Wanted, minimise_file, why_not_file
+from pliant.check.force_field.minimise import Wanted, minimise_file, why_not_file
 from pliant.check.force_field.verdicts import findings_of, skipped
 from pliant.check.recording import Recording, read_recording
 from pliant.check.sample import Sample, take_sample

@@ -23,6 +23,10 @@ TORN = 3.0  #: a bar longer than so many rest lengths was cut by the edge of a p
 FEW_ALPHA_CARBONS = 5  #: with fewer a molecule is fitted on all heavy atoms
 
 
+class SingleFrameError(InputError):
+    """A trajectory has one frame alone."""
+
+
 @dataclass
 class Ensembles:
     """Both trajectories as arrays, and what of ours is needed to interpret them."""
@@ -53,7 +57,8 @@ def read_ensembles(
     theirs = _read_theirs(pairing.theirs, frames, path)
     for name, positions in ((recording.path, ours), (os.fspath(path), theirs)):
         if len(positions) < 2:
-            raise InputError(f"{name}: expected at least 2 frames, found {len(positions)}")
+            kind = SingleFrameError if len(positions) == 1 else InputError
+            raise kind(f"{name}: expected at least 2 frames, found {len(positions)}")
         if not np.isfinite(positions).all():
             raise InputError(f"{name}: has coordinates that are no numbers")
     _refuse_torn(theirs, bars, rest_lengths, pairing.theirs, path)

@@ -30,6 +30,7 @@ from pliant.compare.comparison_report import (
 from pliant.compare.conclusions import conclude
 from pliant.compare.ensembles import (
     Ensembles,
+    SingleFrameError,
     alpha_carbons,
     fit_atoms,
     read_ensembles,
@@ -42,7 +43,7 @@ from pliant.compare.residues import compare_residues
 from pliant.compare.traces import trace_of_atoms
 
 if TYPE_CHECKING:
-    from MDAnalysis import Universe
+    from MDAnalysis import AtomGroup, Universe
 
 FRAMES = 2000
 MODES = 10
@@ -165,7 +166,7 @@ def _atoms(
     except InputError as error:
         if is_all:
             raise
-        is_plain = len(paths) > 1 or str(error).endswith("at least 2 frames, found 1")
+        is_plain = len(paths) > 1 or isinstance(error, SingleFrameError)
         return None, [] if is_plain else [f"atoms are not compared, residues only: {error}"]
     return _compare_atoms(ensembles), [f"atoms are matched {pairing.how}"]
 
@@ -192,25 +193,34 @@ def _compare_atoms(ensembles: Ensembles) -> AtomComparison:
     )
 
 
-def _labels(ensembles: Ensembles) -> list[str]:
-    atoms = ensembles.atoms
-    names = [str(name) for name in getattr(atoms, "names", atoms.ix)]
+def _names(atoms: AtomGroup) -> list[str]:
+    return [str(name) for name in getattr(atoms, "names", atoms.ix)]
+
+
+def _atom_labels(atoms: AtomGroup) -> list[str]:
     if len(atoms.residues) < 2 or not hasattr(atoms, "resnames"):
-        return names
-    residues = zip(atoms.resnames, atoms.resids, names, strict=True)
-    return [f"{resname}{resid}:{name}" for resname, resid, name in residues]
+        return _names(atoms)
+    pairs = zip(_residue_labels(atoms), _names(atoms), strict=True)
+    return [f"{residue}:{name}" for residue, name in pairs]
+
+
+def _residue_labels(atoms: AtomGroup) -> list[str]:
+    """The residue of each atom; the atom's name where residues have none."""
+    if not hasattr(atoms, "resnames"):
+        return _names(atoms)
+    return [f"{name}{number}" for name, number in zip(atoms.resnames, atoms.resids, strict=True)]
 
 
 def _fluctuations(
     ensembles: Ensembles, ours: np.ndarray, theirs: np.ndarray
 ) -> tuple[Fluctuations, Fluctuations | None]:
-    labels = _labels(ensembles)
+    labels = _atom_labels(ensembles.atoms)
     pair_of = agreement.fluctuations(ours), agreement.fluctuations(theirs)
     atoms = Fluctuations("atom", labels, *pair_of)
     alpha = alpha_carbons(ensembles.atoms)
     if len(alpha) < 3:
         return atoms, None
-    names = [labels[k].split(":")[0] for k in alpha]
+    names = _residue_labels(ensembles.atoms[alpha])
     return atoms, Fluctuations("residue", names, *(values[alpha] for values in pair_of))
 
 
@@ -262,7 +272,7 @@ def _compare_torsions(ensembles: Ensembles) -> list[TorsionComparison]:
 
 
 def _compare_bars(ensembles: Ensembles) -> BarLengths:
-    names, bars, rest = _labels(ensembles), ensembles.bars, ensembles.rest_lengths
+    names, bars, rest = _atom_labels(ensembles.atoms), ensembles.bars, ensembles.rest_lengths
     spreads, residuals = [], []
     for positions in (ensembles.ours, ensembles.theirs):
         length = np.array([lengths(frame, bars) for frame in positions])

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from pliant.analyse.found import Units
+    from pliant.analyse.parts import Units
     from pliant.ensemble.flexibility import Flexibility
 
 SIZE = (9, 3.2)  #: inches; the legend stands beside the lines

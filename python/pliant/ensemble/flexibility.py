@@ -13,8 +13,8 @@ import numpy as np
 from pliant import _hdf5
 from pliant._core import InputError
 from pliant.analyse.amplitude import asked_amplitude
-from pliant.analyse.found import Units
 from pliant.analyse.names import atom_labels
+from pliant.analyse.parts import Units
 from pliant.analyse.units import single_atoms, trace_of, trace_units
 from pliant.analysis.agreement import TEN, correlation, rmsip
 from pliant.analysis.flexibility import STILL

@@ -80,7 +80,7 @@ DOT = bytes.fromhex(
 def no_drawing(monkeypatch):
     """Reports with dots for figures, for tests of all else: drawing takes longer than the rest."""
 
-    def save_dot(kind, study, folder, dpi=150):
+    def save_dot(kind, analysis, folder, dpi=150):
         picture_path(kind, folder).write_bytes(DOT)
 
     monkeypatch.setattr("pliant.analyse.draw.save_figure", save_dot)

@@ -11,6 +11,7 @@ import h5py
 import numpy as np
 import pytest
 from pliant.analyse.command import main
+from pliant.analyse.parts import Rmsd
 from pliant.console import plain
 
 import pliant
@@ -105,7 +106,7 @@ def test_the_function_gives_what_the_command_prints(tmp_path, run, analysed):
     alone = pliant.analyse(run, **chosen)
     assert not (tmp_path / "out").exists()
     assert alone.outputs == {}
-    np.testing.assert_array_equal(alone.study.rmsd, written.study.rmsd)
+    np.testing.assert_array_equal(alone.analysis[Rmsd].fitted, written.analysis[Rmsd].fitted)
 
 
 @without_figures

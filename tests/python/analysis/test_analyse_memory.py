@@ -9,10 +9,10 @@ import tracemalloc
 import MDAnalysis
 import numpy as np
 import pytest
-from pliant.analyse.found import Units
 from pliant.analyse.page import cartoon
 from pliant.analyse.page.scene import _nearest
 from pliant.analyse.page.view_limits import facing_the_reader
+from pliant.analyse.parts import Units
 from pliant.analysis.domains import distance_fluctuations
 from scipy.spatial import cKDTree
 

@@ -8,36 +8,36 @@ import threading
 
 import pytest
 from pliant.analyse import draw
+from pliant.analyse.analysis import AnalysisOptions
 from pliant.analyse.figures import figures_of
-from pliant.analyse.stages import study_trajectory
-from pliant.analyse.study import StudyOptions
+from pliant.analyse.stages import analyse_trajectory
 
 on_linux = pytest.mark.skipif(sys.platform != "linux", reason="forks on Linux only")
 
 
 @pytest.fixture
-def study(tmp_path, peptide, wander, write_run, monkeypatch):
-    monkeypatch.setattr(draw, "figures_of", lambda study: figures_of(study)[-2:])
+def analysis(tmp_path, peptide, wander, write_run, monkeypatch):
+    monkeypatch.setattr(draw, "figures_of", lambda analysis: figures_of(analysis)[-2:])
     trajectory = wander(peptide, peptide.rotatable, 12, degrees=25.0)
     run = write_run(tmp_path / "run.h5md", peptide, trajectory)
-    return study_trajectory(StudyOptions(os.fspath(run), None))
+    return analyse_trajectory(AnalysisOptions(os.fspath(run), None))
 
 
-def drawn(study, folder):
+def drawn(analysis, folder):
     folder.mkdir()
-    with draw.Drawing(study, folder, 60) as drawing:
+    with draw.Drawing(analysis, folder, 60) as drawing:
         figures = drawing.finish()
     assert [path.stem for _, path in figures] == [kind.name for kind, _ in figures]
     return {path.name: path.read_bytes() for _, path in figures}
 
 
 @on_linux
-def test_two_processes_write_the_bytes_of_one(study, tmp_path, monkeypatch):
+def test_two_processes_write_the_bytes_of_one(analysis, tmp_path, monkeypatch):
     monkeypatch.setattr(draw, "_may_fork", lambda: False)
-    alone = drawn(study, tmp_path / "one")
+    alone = drawn(analysis, tmp_path / "one")
     monkeypatch.setattr(draw, "_may_fork", lambda: True)
     monkeypatch.setattr(draw.Drawing, "finish", finish_after_the_other(draw.Drawing.finish))
-    assert drawn(study, tmp_path / "two") == alone
+    assert drawn(analysis, tmp_path / "two") == alone
     assert len(alone) == 2
 
 
@@ -52,9 +52,9 @@ def finish_after_the_other(finish):
 
 
 @on_linux
-def test_what_a_process_that_dies_left_out_is_drawn(study, tmp_path, monkeypatch):
+def test_what_a_process_that_dies_left_out_is_drawn(analysis, tmp_path, monkeypatch):
     monkeypatch.setattr(draw, "_may_fork", lambda: False)
-    alone = drawn(study, tmp_path / "one")
+    alone = drawn(analysis, tmp_path / "one")
     monkeypatch.setattr(draw, "_may_fork", lambda: True)
     mine = os.getpid()
     save = draw.save_figure
@@ -66,13 +66,16 @@ def test_what_a_process_that_dies_left_out_is_drawn(study, tmp_path, monkeypatch
 
     monkeypatch.setattr(draw, "save_figure", save_or_die)
     monkeypatch.setattr(draw.Drawing, "finish", finish_after_the_other(draw.Drawing.finish))
-    assert drawn(study, tmp_path / "two") == alone
+    assert drawn(analysis, tmp_path / "two") == alone
 
 
 @on_linux
-def test_no_process_is_left_when_the_work_beside_fails(study, tmp_path, monkeypatch):
+def test_no_process_is_left_when_the_work_beside_fails(analysis, tmp_path, monkeypatch):
     monkeypatch.setattr(draw, "_may_fork", lambda: True)
-    with pytest.raises(RuntimeError, match="beside"), draw.Drawing(study, tmp_path, 60) as drawing:
+    with (
+        pytest.raises(RuntimeError, match="beside"),
+        draw.Drawing(analysis, tmp_path, 60) as drawing,
+    ):
         child = drawing._child
         raise RuntimeError("beside")
     with pytest.raises(ChildProcessError):
@@ -80,7 +83,7 @@ def test_no_process_is_left_when_the_work_beside_fails(study, tmp_path, monkeypa
 
 
 @on_linux
-def test_a_process_with_other_threads_is_not_forked(study):
+def test_a_process_with_other_threads_is_not_forked(analysis):
     here, go = threading.Event(), threading.Event()
     other = threading.Thread(target=lambda: (here.set(), go.wait()))
     other.start()

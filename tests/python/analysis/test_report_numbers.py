@@ -16,6 +16,13 @@ import pytest
 from MDAnalysis.analysis import align, dihedrals, rms
 from MDAnalysis.lib.distances import calc_angles, capped_distance
 from pliant.analyse.exports import b_factors
+from pliant.analyse.parts import (
+    Components,
+    ContactFrequencies,
+    Correlations,
+    Shapes,
+    UnitFlexibility,
+)
 from pliant.analysis.ramachandran import FAVOURED, OUTLIER, judged
 
 import pliant
@@ -100,7 +107,7 @@ def test_correlations_are_those_of_numpy(report, places):
     moved = places - places.mean(axis=0)
     dots = np.einsum("fia,fja->ij", moved, moved)
     expected = dots / np.sqrt(np.outer(np.diag(dots), np.diag(dots)))
-    np.testing.assert_allclose(report.study.correlations, expected, atol=1e-3)
+    np.testing.assert_allclose(report.analysis[Correlations].matrix, expected, atol=1e-3)
 
 
 def test_rmsd_and_size_are_those_of_mdanalysis(folder, universe):
@@ -132,7 +139,7 @@ def test_distances_are_those_of_mdanalysis(folder, report, universe):
 
 def test_components_are_those_of_numpy(report, places):
     values = np.linalg.eigvalsh(np.cov(places.reshape(len(places), -1).T))[::-1]
-    found = report.study.pca.results
+    found = report.analysis[Components].found
     np.testing.assert_allclose(found.eigenvalues[:10], values[:10], rtol=1e-3)
     np.testing.assert_allclose(found.explained[:10], values[:10] / values.sum(), rtol=1e-3)
 
@@ -151,7 +158,7 @@ def test_backbone_angles_are_those_of_mdanalysis(folder, universe):
 
 def test_changes_of_angles_are_those_of_mdanalysis(folder, report, universe):
     start = MDAnalysis.Universe(folder / "peptide.pdb").atoms.positions
-    triples = report.study.shape.corners.angles
+    triples = report.analysis[Shapes].measured.corners.angles
     graph = {frozenset(bond) for bond in universe.bonds.indices.tolist()}
     assert {frozenset(pair) for pair in triples[:, :2].tolist()} <= graph
     assert {frozenset(pair) for pair in triples[:, 1:].tolist()} <= graph
@@ -177,7 +184,7 @@ def test_contacts_are_those_of_mdanalysis(folder, report, universe):
         ends = heavy.resindices[pairs]
         for a, b in {(a, b) for a, b in ends.tolist() if b - a > 3}:
             counts[a, b] = counts.get((a, b), 0) + 1
-    found = report.study.contacts
+    found = report.analysis[ContactFrequencies]
     shares = dict(zip(map(tuple, found.pairs.tolist()), found.share, strict=True))
     assert {pair for pair, share in shares.items() if share > 0} == set(counts)
     for pair, count in counts.items():
@@ -221,7 +228,7 @@ def test_the_page_says_what_the_tables_hold(folder, report):
 def test_prody_reads_the_modes(folder, report):
     prody = pytest.importorskip("prody")
     modes, atoms = prody.parseNMD(str(folder / "out" / "modes.nmd"))
-    found = report.study.pca.results
+    found = report.analysis[Components].found
     assert atoms.numAtoms() == 20
     assert modes.numModes() == 10
     # the square of a mode's scale is taken for the inverse of its eigenvalue, as of normal modes
@@ -313,11 +320,11 @@ def test_two_errors_hold_what_a_long_run_finds(tmp_path):
     for name, seed in (("long", 1), ("short", 2)):
         words = ["--frames", 4000, "--seed", seed, "--quiet", "--single"]
         command("sample", PEPTIDE, "-o", tmp_path / f"{name}.h5md", *words)
-    expected = pliant.analyse(tmp_path / "long.h5md").study.flexibility.rmsf
+    expected = pliant.analyse(tmp_path / "long.h5md").analysis[UnitFlexibility].found.rmsf
     inside = []
     for first in range(0, 4000, 200):
         part = pliant.analyse(tmp_path / "short.h5md", start=first, stop=first + 200)
-        found = part.study.flexibility
+        found = part.analysis[UnitFlexibility].found
         inside.append(np.abs(found.rmsf - expected) <= 2 * found.error)
     assert 0.90 <= np.mean(inside) <= 0.98
 

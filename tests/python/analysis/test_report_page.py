@@ -236,11 +236,11 @@ def test_positions_in_the_page_are_those_of_the_file(report, peptide):
 
 
 def test_large_trajectories_are_thinned_and_the_page_says_so(report):
-    from pliant.analyse import StudyOptions, study_trajectory
+    from pliant.analyse import AnalysisOptions, analyse_trajectory
     from pliant.analyse.page.scene import scene
 
-    study = study_trajectory(StudyOptions(str(report.parent.parent / "run.h5md")))
-    small = scene(study, max_atoms=10, max_bytes=1000)
+    analysis = analyse_trajectory(AnalysisOptions(str(report.parent.parent / "run.h5md")))
+    small = scene(analysis, max_atoms=10, max_bytes=1000)
     assert len(small["atoms"]["names"]) == 4  # the CA atoms
     assert small["trace_only"] is True
     assert len(small["frames"]) < 30

@@ -9,9 +9,9 @@ from pliant.check.command import main
 from pliant.check.findings import CANNOT, FAILED, PASSED, SKIPPED
 from pliant.check.force_field import jobs as force_field_jobs
 from pliant.check.force_field.hydrogens import hydrogen_counts
+from pliant.check.force_field.minimise import Wanted, minimise_frames
 from pliant.check.force_field.minimised import ForceFieldReport, Minimised
 from pliant.check.force_field.molecule import molecule_of
-from pliant.check.force_field.study import Wanted, minimise_frames
 from pliant.check.force_field.verdicts import findings_of, is_usable, reached
 from told import read_without_elements
 

@@ -15,7 +15,7 @@ import numpy as np
 import pytest
 from ensembles import PEPTIDE, call, frames_of, made, shards_of
 from MDAnalysis.analysis.align import rotation_matrix
-from pliant.analyse.found import Units
+from pliant.analyse.parts import Units
 from pliant.analysis.medoids import k_medoids, pairwise_rmsd
 from pliant.ensemble import over_shards
 from pliant.ensemble.draw import flexibility_figure

@@ -163,10 +163,7 @@ def test_what_makes_no_sense_is_refused(hairpin):
 
 
 def test_an_analysis_knows_a_path(hairpin, tmp_path):
-    from types import SimpleNamespace
-
-    from pliant.analyse.found import TRANSITION
-    from pliant.analyse.kind import kind_of
+    from pliant.analyse.kind import TRANSITION, kind_of
     from pliant.analysis import read_record
 
     pliant.path(*hairpin, output=tmp_path / "p.h5md", both=True, backtrack=2, seed=3)
@@ -174,7 +171,7 @@ def test_an_analysis_knows_a_path(hairpin, tmp_path):
     kept = {name: value for name, value in record.parameters.items() if name.startswith("path/")}
     assert kept["path/end"] == "straight.pdb"
     assert (kept["path/both"], kept["path/backtrack"], kept["path/seed"]) == (1, 2, 3)
-    assert kind_of(SimpleNamespace(record=record)) == TRANSITION
+    assert kind_of(record) == TRANSITION
 
 
 def test_a_page_of_a_path_claims_no_errors(hairpin, tmp_path):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""One function a figure, and the table that says which figures a study gives."""
+"""One function a figure, and the table that says which part each figure draws."""
 
 from __future__ import annotations
 
@@ -10,14 +10,29 @@ from typing import TYPE_CHECKING, Any
 
 from pliant.analyse.figures import flexibility_figures, mobility, series, torsion_figures
 from pliant.analyse.figures.style import styled
-from pliant.analyse.found import ENSEMBLE, PATH, TRANSITION
+from pliant.analyse.kind import ENSEMBLE, PATH, TRANSITION
 from pliant.analyse.names import has_backbone
 from pliant.analyse.page.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
+from pliant.analyse.parts import (
+    Components,
+    ContactFrequencies,
+    Correlations,
+    Distances,
+    Gyration,
+    Part,
+    Residuals,
+    Rmsd,
+    Sweeps,
+    Torsions,
+    UnitFlexibility,
+    Units,
+    UnitsInComponents,
+)
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 
 @dataclass(frozen=True)
@@ -26,28 +41,25 @@ class FigureKind:
 
     name: str  #: of the PNG file
     section: str  #: of the page
-    draw: Callable[[Study], Figure]
-    applies: Callable[[Study], bool]  #: of a study: has what is drawn
+    draw: Callable[[Analysis], Figure]
+    needs: type[Part]  #: what is drawn: without this part there is no figure
     text: str  #: what it shows, for the page
     of_a_path: str = ""  #: what must be said beside that of a path of pushes
     of_an_ensemble: str = ""  #: ... of independent frames
     of_a_transition: str = ""  #: what it shows of a path between structures, if something else
+    suits: Callable[[Analysis], bool] = lambda analysis: True  #: whether that part can be drawn
 
-    def caption(self, study: Study) -> str:
-        """What the figure shows of this study."""
-        if study.kind == TRANSITION and self.of_a_transition:
+    def caption(self, analysis: Analysis) -> str:
+        """What the figure shows of this analysis."""
+        if analysis.kind == TRANSITION and self.of_a_transition:
             return self.of_a_transition
-        more = {PATH: self.of_a_path, ENSEMBLE: self.of_an_ensemble}.get(study.kind, "")
+        more = {PATH: self.of_a_path, ENSEMBLE: self.of_an_ensemble}.get(analysis.kind, "")
         return f"{self.text} {more}".strip()
-
-
-def _has(*attributes: str) -> Callable[[Study], bool]:
-    return lambda study: all(getattr(study, name) is not None for name in attributes)
 
 
 FIGURES = (
     FigureKind(
-        "flexibility", FLEXIBLE, flexibility_figures.flexibility, _has("flexibility"),
+        "flexibility", FLEXIBLE, flexibility_figures.flexibility, UnitFlexibility,
         "Root mean square fluctuation about the average place, after superposition. The band (or "
         "error bar) is twice the error, from blocks of frames. A strip along the axis has the "
         "colours of the domains.",
@@ -59,20 +71,19 @@ FIGURES = (
         "of the domains.",
     ),
     FigureKind(
-        "correlations", TOGETHER, flexibility_figures.together, _has("correlations"),
+        "correlations", TOGETHER, flexibility_figures.together, Correlations,
         "Correlation of displacements: 1 moves along with, −1 against, 0 neither, or at right "
         "angles, which this measure cannot tell apart. It depends on what was superposed.",
         "Random pushes move neighbours together; far correlations of one path are chance.",
     ),
     FigureKind(
-        "motions", COLLECTIVE, flexibility_figures.motions,
-        lambda study: study.pca is not None and study.units is not None
-        and study.units.what == "residue" and study.component_units is not None,
+        "motions", COLLECTIVE, flexibility_figures.motions, UnitsInComponents,
         "How far (one standard deviation) each of the three largest motions moves each residue.",
         "Components of a random path look like slow waves: see the cosine content.",
+        suits=lambda analysis: analysis[Units].what == "residue",
     ),
     FigureKind(
-        "pca", COLLECTIVE, mobility.principal_components, _has("pca"),
+        "pca", COLLECTIVE, mobility.principal_components, Components,
         "The frames along the two directions of largest motion, and how much of the motion each "
         "direction explains.",
         "Dark to light as the run goes.",
@@ -80,54 +91,53 @@ FIGURES = (
         "energy.",
     ),
     FigureKind(
-        "contacts", CHEMISTRY, flexibility_figures.contacts, _has("contacts"),
+        "contacts", CHEMISTRY, flexibility_figures.contacts, ContactFrequencies,
         "Residues with heavy atoms within 4.5 Å, more than three apart in the chain. Below the "
         "diagonal those of the start, above it the share of frames that have each.",
         "",
         "Hydrogen bonds and hydrophobic contacts of the start are held by construction.",
     ),
     FigureKind(
-        "distances", SHAPES, flexibility_figures.distances, lambda study: bool(study.distances),
+        "distances", SHAPES, flexibility_figures.distances, Distances,
         "The distances that were asked for, between centres of the atoms selected; dashed: mean.",
     ),
     FigureKind(
-        "ramachandran", CHEMISTRY, torsion_figures.ramachandran,
-        lambda study: study.torsions is not None and has_backbone(study.torsions.torsions),
+        "ramachandran", CHEMISTRY, torsion_figures.ramachandran, Torsions,
         "The backbone angles of all residues in all frames. Inside green: favoured, inside red: "
         "allowed, for residues other than glycine and proline, which the plot has too.",
+        suits=lambda analysis: has_backbone(analysis[Torsions].measured.torsions),
     ),
     FigureKind(
-        "torsions", SHAPES, torsion_figures.torsions,
-        lambda study: study.torsions is not None
-        and len(study.torsions.torsions) <= torsion_figures.MOST_TORSIONS,
+        "torsions", SHAPES, torsion_figures.torsions, Torsions,
         "How often each angle was taken: areas are shares of the frames, the red line is the "
         "first frame.",
         "", "How often is a matter of the model, not of energies.",
+        suits=torsion_figures.are_few,
     ),
     FigureKind(
-        "rmsd", SHAPES, series.rmsd, _has("rmsd"),
+        "rmsd", SHAPES, series.rmsd, Rmsd,
         "Root mean square distance of the atoms from the first frame, or the start structure of "
         "an ensemble, after superposition.",
     ),
     FigureKind(
-        "radius_of_gyration", SHAPES, series.radius_of_gyration, _has("radius"),
+        "radius_of_gyration", SHAPES, series.radius_of_gyration, Gyration,
         "How spread out the molecule is; the band is one standard deviation.",
     ),
     FigureKind(
-        "residuals", EXACT, series.residuals, _has("residuals"),
+        "residuals", EXACT, series.residuals, Residuals,
         "How far the worst bar of each frame, and the bars overall, are from their rest "
         "lengths: computed anew from the coordinates in the file.",
     ),
     FigureKind(
-        "sweeps", EXACT, series.sweeps, lambda study: study.observable("sweeps") is not None,
+        "sweeps", EXACT, series.sweeps, Sweeps,
         "How many sweeps over all bars it took to mend each recorded step.",
     ),
 )  # fmt: skip
 
 
-def figures_of(study: Study) -> list[FigureKind]:
-    """The figures that the study gives, in the order of the page."""
-    return [kind for kind in FIGURES if kind.applies(study)]
+def figures_of(analysis: Analysis) -> list[FigureKind]:
+    """The figures whose parts are there, in the order of the page."""
+    return [kind for kind in FIGURES if kind.needs in analysis and kind.suits(analysis)]
 
 
 def picture_path(kind: FigureKind, folder: Path) -> Path:
@@ -135,10 +145,10 @@ def picture_path(kind: FigureKind, folder: Path) -> Path:
     return folder / f"{kind.name}.png"
 
 
-def save_figure(kind: FigureKind, study: Study, folder: Path, dpi: int = 150) -> None:
+def save_figure(kind: FigureKind, analysis: Analysis, folder: Path, dpi: int = 150) -> None:
     """Draws a figure and writes its PNG."""
     with styled():
-        _save(kind.draw(study), picture_path(kind, folder), dpi)
+        _save(kind.draw(analysis), picture_path(kind, folder), dpi)
 
 
 def _save(figure: Figure, path: Path, dpi: int) -> None:

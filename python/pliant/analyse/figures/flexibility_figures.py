@@ -21,8 +21,17 @@ from pliant.analyse.figures.style import (
     named_bars,
     new_figure,
 )
-from pliant.analyse.found import TRANSITION
-from pliant.analyse.study import known
+from pliant.analyse.kind import TRANSITION
+from pliant.analyse.parts import (
+    Components,
+    ContactFrequencies,
+    Correlations,
+    Distances,
+    RigidDomains,
+    UnitFlexibility,
+    Units,
+    UnitsInComponents,
+)
 from pliant.analysis.collective import participation
 from pliant.analysis.domains import LOOSE
 
@@ -30,7 +39,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 #: up to this many units are drawn one by one, each with its name
 NAMED_BARS = 40
@@ -40,49 +49,49 @@ MOST_CORNERS = 4000
 MOST_SQUARES = 500
 
 
-def flexibility(study: Study) -> Figure:
+def flexibility(analysis: Analysis) -> Figure:
     """RMSF of each unit with twice its error; the halves where they do not agree. The way from one
     structure to another is one: it has neither."""
-    found, units = known(study.flexibility), known(study.units)
+    found, units = analysis[UnitFlexibility].found, analysis[Units]
     figure, axes = new_figure()
     if len(units.labels) <= NAMED_BARS:
         named_bars(axes, units.labels, found.rmsf, BLUE)
         axes.set_xlabel(units.what)
     else:
-        _lines(axes, study)
+        _lines(axes, analysis)
     axes.set_ylabel("RMSF (Å)")
-    if study.kind == TRANSITION:
+    if analysis.kind == TRANSITION:
         axes.set_title(f"How far {units.what}s move on the way")
         axes.set_ylim(0, 1.04 * float(found.rmsf.max()) or 1.0)
     else:
-        _errors(axes, study)
+        _errors(axes, analysis)
     return figure
 
 
-def _lines(axes: Axes, study: Study) -> None:
-    found, units = known(study.flexibility), known(study.units)
+def _lines(axes: Axes, analysis: Analysis) -> None:
+    found, units = analysis[UnitFlexibility].found, analysis[Units]
     place = np.arange(len(found.rmsf))
     for part in chain_parts(units.chains):
         axes.plot(*outline(place[part], found.rmsf[part]), color=BLUE, lw=1.3)
-    _domain_strip(axes, study)
+    _domain_strip(axes, analysis)
     chain_axis(axes, units.numbers, units.chains, units.what)
 
 
-def _errors(axes: Axes, study: Study) -> None:
-    found, units = known(study.flexibility), known(study.units)
+def _errors(axes: Axes, analysis: Analysis) -> None:
+    found, units = analysis[UnitFlexibility].found, analysis[Units]
     if len(units.labels) <= NAMED_BARS:
         place = np.arange(len(found.rmsf))
         axes.errorbar(place, found.rmsf, 2 * found.error, fmt="none", ecolor=INK, lw=1, capsize=2)
     else:
-        _bands(axes, study)
+        _bands(axes, analysis)
     agree = "halves agree" if found.converged else "not converged: halves differ"
     error = f"two errors {2 * found.error.mean():.1g} Å on average"
     axes.set_title(f"Flexibility: {agree}, {error}")
     axes.set_ylim(0, 1.04 * float((found.rmsf + 2 * found.error).max()) or 1.0)
 
 
-def _bands(axes: Axes, study: Study) -> None:
-    found, units = known(study.flexibility), known(study.units)
+def _bands(axes: Axes, analysis: Analysis) -> None:
+    found, units = analysis[UnitFlexibility].found, analysis[Units]
     place = np.arange(len(found.rmsf))
     for part in chain_parts(units.chains):
         band = found.rmsf[part] - 2 * found.error[part], found.rmsf[part] + 2 * found.error[part]
@@ -114,11 +123,12 @@ def chain_parts(chains: np.ndarray) -> list[slice]:
     return [slice(a, b) for a, b in itertools.pairwise(starts)]
 
 
-def _domain_strip(axes: Axes, study: Study) -> None:
+def _domain_strip(axes: Axes, analysis: Analysis) -> None:
     """A line of the domains' colours along the axis, where there are several."""
-    if study.domains is None or study.domains.count < 2:
+    domains = analysis.get(RigidDomains)
+    if domains is None or domains.found.count < 2:
         return
-    domain = study.unit_domains
+    domain = domains.of_unit
     edges = [0, *(np.flatnonzero(np.diff(domain)) + 1).tolist(), len(domain)]
     for first, last in itertools.pairwise(edges):
         if domain[first] != LOOSE:
@@ -128,12 +138,12 @@ def _domain_strip(axes: Axes, study: Study) -> None:
             )  # fmt: skip
 
 
-def together(study: Study) -> Figure:
+def together(analysis: Analysis) -> Figure:
     """The correlation matrix, with the domains along its edge."""
-    matrix, units = known(study.correlations), known(study.units)
+    matrix, units = analysis[Correlations].matrix, analysis[Units]
     figure, axes = new_figure((4.9, 4.1))
     colours: dict[str, Any] = {"cmap": "PuOr_r", "vmin": -1, "vmax": 1}
-    edges = np.arange(len(matrix) + 1) * study.site_stride - 0.5
+    edges = np.arange(len(matrix) + 1) * units.site_stride - 0.5
     if len(matrix) <= MOST_SQUARES:
         image = axes.pcolormesh(edges, edges, matrix, rasterized=True, **colours)
     else:
@@ -148,7 +158,7 @@ def together(study: Study) -> Figure:
         chain_axis(axes, units.numbers, units.chains, units.what)
         axes.set_yticks(axes.get_xticks(), [t.get_text() for t in axes.get_xticklabels()])
         axes.set_ylabel(f"{units.what} number")
-    _domain_strip(axes, study)
+    _domain_strip(axes, analysis)
     axes.set(title="What moves together", aspect="equal")
     axes.grid(False)
     bar = figure.colorbar(image, ax=axes, label="correlation of displacements", pad=0.02, aspect=30)
@@ -156,10 +166,10 @@ def together(study: Study) -> Figure:
     return figure
 
 
-def motions(study: Study) -> Figure:
+def motions(analysis: Analysis) -> Figure:
     """How far each of the first three components moves each unit."""
-    found, units = known(study.pca).results, known(study.units)
-    count, moved = min(3, len(found.eigenvalues)), known(study.component_units)
+    found, units = analysis[Components].found, analysis[Units]
+    count, moved = min(3, len(found.eigenvalues)), analysis[UnitsInComponents].units
     chains = units.chains[moved]
     figure, axes = new_figure((WIDE[0], 0.6 + 1.15 * count), count, 1, sharex=True, squeeze=False)
     for k, row in enumerate(axes[:, 0]):
@@ -181,9 +191,9 @@ def motions(study: Study) -> Figure:
     return figure
 
 
-def contacts(study: Study) -> Figure:
+def contacts(analysis: Analysis) -> Figure:
     """The contact map: share of frames above the diagonal, the start structure below."""
-    found, units = known(study.contacts), known(study.units)
+    found, units = analysis[ContactFrequencies], analysis[Units]
     figure, axes = new_figure((4.9, 4.1))
     first, second = found.pairs.T
     start = found.at_start
@@ -204,11 +214,12 @@ def contacts(study: Study) -> Figure:
     return figure
 
 
-def distances(study: Study) -> Figure:
+def distances(analysis: Analysis) -> Figure:
     """How often each distance that was asked for was taken."""
-    asked = study.options.distances
-    figure, axes = new_figure((WIDE[0], 1.9 * len(asked) + 0.4), len(asked), 1, squeeze=False)
-    for row, (first, second), values in zip(axes[:, 0], asked, study.distances, strict=True):
+    found = analysis[Distances]
+    count = len(found.ends)
+    figure, axes = new_figure((WIDE[0], 1.9 * count + 0.4), count, 1, squeeze=False)
+    for row, (first, second), values in zip(axes[:, 0], found.ends, found.values, strict=True):
         row.hist(values, bins="sqrt", color=BLUE, rwidth=0.92)
         row.axvline(values.mean(), color=INK, lw=1.1, ls=(0, (5, 3)))
         row.set(xlabel="distance (Å)", ylabel="frames", title=f"{first} to {second}")

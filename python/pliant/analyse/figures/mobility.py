@@ -18,28 +18,29 @@ from pliant.analyse.figures.style import (
     new_figure,
     pad,
 )
-from pliant.analyse.found import ENSEMBLE
-from pliant.analyse.study import known
+from pliant.analyse.kind import ENSEMBLE
+from pliant.analyse.parts import Components
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
     from MDAnalysis.analysis.base import Results
 
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 
-def principal_components(study: Study) -> Figure:
+def principal_components(analysis: Analysis) -> Figure:
     """The frames along the first two components, and how much each component explains."""
-    found = known(study.pca).results
+    components = analysis[Components]
+    found = components.found
     count = min(10, len(found.explained))
-    x, label = study.axis
+    x, label = analysis.axis
     figure, (plane, scree) = new_figure((WIDE[0], 3.1), 1, 2, width_ratios=[1.3, 1])
     pad(figure, 0.1)
-    if study.kind == ENSEMBLE:
+    if analysis.kind == ENSEMBLE:
         _cloud(plane, found)
     else:
-        _path(figure, plane, found, x[:: study.pca_stride], label)
+        _path(figure, plane, found, x[:: components.stride], label)
     numbers = np.arange(1, count + 1)
     scree.bar(numbers, 100 * found.explained[:count], color=BLUE, width=0.7, label="each")
     scree.plot(

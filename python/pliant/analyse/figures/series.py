@@ -22,25 +22,25 @@ from pliant.analyse.figures.style import (
     mark_size,
     new_figure,
 )
-from pliant.analyse.found import ENSEMBLE
-from pliant.analyse.study import known
+from pliant.analyse.kind import ENSEMBLE
+from pliant.analyse.parts import Gyration, Residuals, Rmsd, Sweeps
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
     from matplotlib.figure import Figure
 
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 
 #: what a residual of 0 is drawn as on a logarithmic axis
 SMALLEST = 1e-17
 
 
-def residuals(study: Study) -> Figure:
+def residuals(analysis: Analysis) -> Figure:
     """Largest and RMS residual of each frame, the tolerance, and frames beyond it."""
-    measured = known(study.residuals)
+    measured = analysis[Residuals].measured
     found = measured.results
-    x, label = study.axis
+    x, label = analysis.axis
     figure, axes = new_figure()
     width = line_width(len(x))
     largest = np.maximum(found.max_relative, SMALLEST)
@@ -48,7 +48,7 @@ def residuals(study: Study) -> Figure:
     axes.plot(x, np.maximum(found.rms_relative, SMALLEST), color=SKY, lw=width, label="RMS")
     if measured.tolerance_length == 0:
         axes.axhline(measured.tolerance, color=INK, lw=1.1, ls=(0, (5, 3)), label="tolerance")
-    _mark_frames(axes, x, largest, study)
+    _mark_frames(axes, x, largest, analysis)
     axes.set_yscale("log")
     _pad_log(axes, largest, found.rms_relative, measured.tolerance)
     axes.set(xlabel=label, ylabel="|length − rest| / rest", title="Bar residuals")
@@ -56,9 +56,9 @@ def residuals(study: Study) -> Figure:
     return figure
 
 
-def _mark_frames(axes: Axes, x: np.ndarray, largest: np.ndarray, study: Study) -> None:
-    beyond = ~known(study.residuals).results.within
-    given_up = ~study.converged if study.converged is not None else np.zeros_like(beyond)
+def _mark_frames(axes: Axes, x: np.ndarray, largest: np.ndarray, analysis: Analysis) -> None:
+    beyond = ~analysis[Residuals].found.within
+    given_up = ~analysis.converged if analysis.converged is not None else np.zeros_like(beyond)
     size = mark_size(int(np.count_nonzero(beyond | given_up))) + 14
     groups = (
         (given_up, "x", ORANGE, "not converged"),
@@ -88,15 +88,15 @@ def _legend_above(axes: Axes) -> None:
     )
 
 
-def sweeps(study: Study) -> Figure:
+def sweeps(analysis: Analysis) -> Figure:
     """Sweeps that resolving took in each recorded step, and how often each number occurs."""
-    counts = known(study.observable("sweeps")).astype(float)
-    x, label = study.axis
+    counts = analysis[Sweeps].counts.astype(float)
+    x, label = analysis.axis
     figure, (along, beside) = new_figure(WIDE, 1, 2, sharey=True, width_ratios=[4, 1])
     dots = {"s": mark_size(len(x)) * 0.6, "color": BLUE, "alpha": 0.75, "linewidths": 0}
     along.scatter(x, counts, label="a recorded step", **dots)
-    if study.converged is not None and not study.converged.all():
-        bad = ~study.converged
+    if analysis.converged is not None and not analysis.converged.all():
+        bad = ~analysis.converged
         along.scatter(x[bad], counts[bad], s=30, marker="x", color=ORANGE, label="not converged")
     along.axhline(
         counts.mean(), color=INK, lw=1.1, ls=(0, (5, 3)), label=f"mean {counts.mean():.1f}"
@@ -118,41 +118,47 @@ def _counts_beside(axes: Axes, counts: np.ndarray) -> None:
     axes.xaxis.set_major_locator(MaxNLocator(3, integer=True))
 
 
-def rmsd(study: Study) -> Figure:
+def rmsd(analysis: Analysis) -> Figure:
     """RMSD from the first frame analysed."""
-    x, label = study.axis
+    found, (x, label) = analysis[Rmsd], analysis.axis
     figure, axes = new_figure()
-    style = _style(study)
-    if study.rmsd_all is not None:
-        axes.plot(x, study.rmsd_all, color=SKY, label=_analysed_name(study), **style)
-    axes.plot(x, study.rmsd, color=BLUE, label=study.fitted_name, **style)
+    style = _style(analysis)
+    if found.analysed is not None:
+        axes.plot(x, found.analysed, color=SKY, label=_analysed_name(analysis), **style)
+    axes.plot(x, found.fitted, color=BLUE, label=analysis.fitted_name, **style)
     axes.set(xlabel=label, ylabel="RMSD (Å)", title="Distance from the start")
     axes.set_ylim(bottom=0)
     _legend_above(axes)
     return figure
 
 
-def _style(study: Study) -> dict[str, Any]:
+def _style(analysis: Analysis) -> dict[str, Any]:
     """A line along a path; dots for frames that do not follow each other."""
-    if study.kind == ENSEMBLE:
-        return {"lw": 0, "marker": "o", "mew": 0, "ms": 0.5 * mark_size(len(study.frames)) ** 0.5}
-    return {"lw": line_width(len(study.frames))}
+    if analysis.kind == ENSEMBLE:
+        return {
+            "lw": 0,
+            "marker": "o",
+            "mew": 0,
+            "ms": 0.5 * mark_size(len(analysis.frames)) ** 0.5,
+        }
+    return {"lw": line_width(len(analysis.frames))}
 
 
-def _analysed_name(study: Study) -> str:
-    return "all atoms" if study.options.select == "all" else f"atoms '{study.options.select}'"
+def _analysed_name(analysis: Analysis) -> str:
+    return "all atoms" if analysis.options.select == "all" else f"atoms '{analysis.options.select}'"
 
 
-def radius_of_gyration(study: Study) -> Figure:
+def radius_of_gyration(analysis: Analysis) -> Figure:
     """Radius of gyration along the run, with its mean and standard deviation."""
-    radius = known(study.radius)
-    x, label = study.axis
+    found = analysis[Gyration]
+    radius = found.radius
+    x, label = analysis.axis
     mean, spread = radius.mean(), radius.std()
     figure, axes = new_figure()
     axes.axhspan(mean - spread, mean + spread, color=FAINT, lw=0, zorder=0.5)
     axes.axhline(mean, color=GREY, lw=1, zorder=1, label=f"mean {mean:.2f} ± {spread:.2g} Å")
-    axes.plot(x, radius, color=GREEN, **_style(study))
-    what = "mass-weighted" if study.radius_weights == "mass" else "equal weights"
+    axes.plot(x, radius, color=GREEN, **_style(analysis))
+    what = "mass-weighted" if found.weights == "mass" else "equal weights"
     axes.set(xlabel=label, ylabel="radius of gyration (Å)", title=f"Size ({what})")
     _legend_above(axes)
     return figure

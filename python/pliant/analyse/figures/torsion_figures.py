@@ -19,14 +19,14 @@ from pliant.analyse.figures.style import (
     pad,
 )
 from pliant.analyse.names import greek, phi_psi_pairs
-from pliant.analyse.study import known
+from pliant.analyse.parts import Torsions
 from pliant.analysis.ramachandran import judged
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
     from matplotlib.projections.polar import PolarAxes
 
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
     from pliant.analysis.torsions import TorsionDistributions
 
 
@@ -42,9 +42,14 @@ def most_mobile(torsions: TorsionDistributions, count: int = ROSES) -> np.ndarra
     return np.sort(order)
 
 
-def torsions(study: Study) -> Figure:
+def are_few(analysis: Analysis) -> bool:
+    """Whether torsions are few enough to be drawn."""
+    return len(analysis[Torsions].measured.torsions) <= MOST_TORSIONS
+
+
+def torsions(analysis: Analysis) -> Figure:
     """A rose (circular histogram) for each of the most mobile torsions."""
-    measured = known(study.torsions)
+    measured = analysis[Torsions].measured
     chosen = most_mobile(measured)
     columns = min(3, len(chosen))
     rows = -(-len(chosen) // columns)
@@ -86,9 +91,9 @@ def _rose(axes: PolarAxes, torsions: TorsionDistributions, k: int) -> None:
     axes.set_title(label, fontsize=8.5, fontweight="normal", loc="center", pad=7)
 
 
-def ramachandran(study: Study) -> Figure:
+def ramachandran(analysis: Analysis) -> Figure:
     """All phi, psi of a protein in all frames, and where the first frame has them."""
-    torsions = known(study.torsions)
+    torsions = analysis[Torsions].measured
     phi, psi = phi_psi_pairs(torsions.torsions)
     angles = torsions.results.angles
     figure, axes = new_figure((4.7, 4.1))

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from pliant._core import techniques
 from pliant.analyse.figures.style import WIDE
-from pliant.analyse.found import ENSEMBLE
+from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.page.html import (
     disclosure,
     fact,
@@ -30,63 +30,64 @@ from pliant.analyse.page.methods import METHODS
 from pliant.analyse.page.page_tables import facts, tables, title
 from pliant.analyse.page.scene import scene
 from pliant.analyse.page.sections import SECTIONS
+from pliant.analyse.parts import Residuals
 from pliant.analyse.verdicts import verdicts, whole
 
 if TYPE_CHECKING:
+    from pliant.analyse.analysis import Analysis
     from pliant.analyse.bar_verdict import Verdict
     from pliant.analyse.figures import FigureKind
-    from pliant.analyse.study import Study
 
 
 MARKS = {"good": "✓", "mixed": "!", "bad": "✕", "open": "–"}
 
 
 def write_page(
-    study: Study,
+    analysis: Analysis,
     figures: Sequence[tuple[FigureKind, Path]],
     files: Sequence[Path],
     path: Path,
     dpi: int,
 ) -> None:
     """Writes the page. figures: [(FigureKind, PNG path)]; files: outputs to link to."""
-    text = page(study, figures, files, dpi)
+    text = page(analysis, figures, files, dpi)
     Path(path).write_text(text, encoding="utf-8")
 
 
 def page(
-    study: Study, figures: Sequence[tuple[FigureKind, Path]], files: Sequence[Path], dpi: int
+    analysis: Analysis, figures: Sequence[tuple[FigureKind, Path]], files: Sequence[Path], dpi: int
 ) -> str:
     """The page as text."""
     javascript = viewer_script()
-    shown = scene(study) if javascript else None
+    shown = scene(analysis) if javascript else None
     return template("page.html").substitute(
         generator=escape(f"pliant {version()}"),
-        title=escape(title(study)),
-        subtitle=escape(_subtitle(study)),
+        title=escape(title(analysis)),
+        subtitle=escape(_subtitle(analysis)),
         style=text_of("page.css"),
         eyebrow="pliant analyse",
-        lead=_lead(study),
+        lead=_lead(analysis),
         viewer=viewer(shown is not None),
-        facts="\n".join(fact(*row) for row in facts(study)),
-        notes=_notes(study, shown),
-        sections=_sections(study, figures, dpi),
-        details=_details(study, files),
+        facts="\n".join(fact(*row) for row in facts(analysis)),
+        notes=_notes(analysis, shown),
+        sections=_sections(analysis, figures, dpi),
+        details=_details(analysis, files),
         footer=escape(f"pliant {version()} · MDAnalysis {metadata.version('MDAnalysis')}"),
         scripts=scripts(javascript, shown) if shown else "",
     )
 
 
-def _subtitle(study: Study) -> str:
-    parts = [f"{len(study.universe.atoms):,} atoms"]
-    if study.residuals is not None:
-        parts.append(f"{len(study.residuals.bars):,} bars")
-    parts.append(f"{len(study.frames):,} frames")
-    if study.steps is not None and study.kind != ENSEMBLE:
-        parts.append(f"steps {study.steps[0]:,} to {study.steps[-1]:,}")
-    run = study.record.parameters if study.record else {}
+def _subtitle(analysis: Analysis) -> str:
+    parts = [f"{len(analysis.universe.atoms):,} atoms"]
+    if Residuals in analysis:
+        parts.append(f"{len(analysis[Residuals].measured.bars):,} bars")
+    parts.append(f"{len(analysis.frames):,} frames")
+    if analysis.steps is not None and analysis.kind != ENSEMBLE:
+        parts.append(f"steps {analysis.steps[0]:,} to {analysis.steps[-1]:,}")
+    run = analysis.record.parameters if analysis.record else {}
     if "run/technique" in run:
         parts.append(_technique(run))
-    parts.append(Path(study.options.path).name)
+    parts.append(Path(analysis.options.path).name)
     return " · ".join(parts)
 
 
@@ -97,20 +98,20 @@ def _technique(run: Mapping[str, Any]) -> str:
     return f"{used}, weighting {run.get('run/weighting', '?')}" if weighted else used
 
 
-def _lead(study: Study) -> str:
+def _lead(analysis: Analysis) -> str:
     """The verdict over all, and one line a question."""
-    judged = whole(study)
+    judged = whole(analysis)
     return (
         f'<section class="verdict card {judged.kind}">\n'
         f'<div class="mark" aria-hidden="true">{MARKS[judged.kind]}</div>\n'
         f"<p><strong>{escape(judged.sentence)}</strong><span>{escape(judged.details)}</span></p>\n"
-        f'</section>\n<section class="verdicts card">\n{_verdicts(study)}\n</section>'
+        f'</section>\n<section class="verdicts card">\n{_verdicts(analysis)}\n</section>'
     )
 
 
-def _verdicts(study: Study) -> str:
+def _verdicts(analysis: Analysis) -> str:
     """One line a question; none is green while another has failed."""
-    made = verdicts(study).values()
+    made = verdicts(analysis).values()
     failed = any(one.kind == "bad" for one in made)
     return "\n".join(_verdict(one, failed) for one in made)
 
@@ -123,23 +124,25 @@ def _verdict(one: Verdict, failed: bool) -> str:
     )
 
 
-def _sections(study: Study, figures: Sequence[tuple[FigureKind, Path]], dpi: int) -> str:
+def _sections(analysis: Analysis, figures: Sequence[tuple[FigureKind, Path]], dpi: int) -> str:
     """Each section that has anything: its heading, figures and tables."""
     parts = []
-    numbers = tables(study)
+    numbers = tables(analysis)
     for section in SECTIONS:
-        drawn = [_figure(study, kind, png, dpi) for kind, png in figures if kind.section == section]
-        told = [
+        drawn = [
+            _figure(analysis, kind, png, dpi) for kind, png in figures if kind.section == section
+        ]
+        listed = [
             table(one.headers, one.rows, one.caption) for one in numbers if one.section == section
         ]
-        if drawn or told:
-            content = "\n".join(drawn + told)
+        if drawn or listed:
+            content = "\n".join(drawn + listed)
             parts.append(f'<h2>{section}</h2>\n<section class="figures">{content}</section>')
     return "\n".join(parts)
 
 
-def _figure(study: Study, kind: FigureKind, png: Path, dpi: int) -> str:
-    caption = kind.caption(study)
+def _figure(analysis: Analysis, kind: FigureKind, png: Path, dpi: int) -> str:
+    caption = kind.caption(analysis)
     content = Path(png).read_bytes()
     width, height = (int.from_bytes(content[k : k + 4], "big") for k in (16, 20))  # of the PNG
     tall = ' class="card tall"' if height > 0.9 * width else ' class="card"'
@@ -152,9 +155,9 @@ def _figure(study: Study, kind: FigureKind, png: Path, dpi: int) -> str:
     )
 
 
-def _notes(study: Study, shown: Mapping[str, Any] | None) -> str:
-    notes = [*study.notes]
-    notes += [f"No {name}: {why}." for name, why in study.skipped.items()]
+def _notes(analysis: Analysis, shown: Mapping[str, Any] | None) -> str:
+    notes = analysis.notes
+    notes += [f"No {name}: {why}." for name, why in analysis.skipped.items()]
     if shown and shown["notes"]:
         notes.append(f"To stay small, the 3-D view shows {' and '.join(shown['notes'])}.")
     if not notes:
@@ -163,16 +166,16 @@ def _notes(study: Study, shown: Mapping[str, Any] | None) -> str:
     return f'<h2>Please note</h2><section class="notes card"><ul>{items}</ul></section>'
 
 
-def _details(study: Study, files: Sequence[Path]) -> str:
+def _details(analysis: Analysis, files: Sequence[Path]) -> str:
     parts = [
         disclosure(
             "Methods", "".join(f"<p><b>{escape(a)}.</b> {escape(b)}</p>" for a, b in METHODS)
         )
     ]
-    if study.record and study.record.parameters:
+    if analysis.record and analysis.record.parameters:
         rows = [
             (name, f"{value:g}" if isinstance(value, float) else str(value))
-            for name, value in sorted(study.record.parameters.items())
+            for name, value in sorted(analysis.record.parameters.items())
         ]
         parts.append(disclosure("Options of the run", table(("option", "value"), rows)))
     links = "".join(f'<li><a href="{escape(f.name)}">{escape(f.name)}</a></li>' for f in files)

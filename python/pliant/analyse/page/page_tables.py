@@ -12,15 +12,29 @@ import numpy as np
 
 from pliant.analyse.bar_verdict import scientific, tolerance_text
 from pliant.analyse.figures.torsion_figures import most_mobile
-from pliant.analyse.found import ENSEMBLE, TRANSITION
+from pliant.analyse.kind import ENSEMBLE, TRANSITION
 from pliant.analyse.names import bar_labels, greek
 from pliant.analyse.page.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
-from pliant.analyse.study import known
+from pliant.analyse.parts import (
+    Components,
+    ContactFrequencies,
+    Distances,
+    Gyration,
+    ReferenceStructure,
+    Residuals,
+    RigidDomains,
+    Rmsd,
+    Shapes,
+    Torsions,
+    UnitFlexibility,
+    Units,
+    UnitsInComponents,
+)
 from pliant.analyse.verdicts import shape_rows
 from pliant.analysis.collective import collectivity, moving_stretches, participation
 
 if TYPE_CHECKING:
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
 
 
 #: share of the frames from which a contact counts as kept, and below which as lost
@@ -40,85 +54,77 @@ class PageTable:
     rows: Sequence[Sequence[str]]
 
 
-def facts(study: Study) -> list[tuple[str, str, str]]:
+def facts(analysis: Analysis) -> list[tuple[str, str, str]]:
     """Up to seven (number, unit, meaning) for the side of the page, biology first."""
-    rows = [*_flexible_facts(study), *_chemical_facts(study)]
-    if study.radius is not None:
-        rows.append(
-            (f"{study.radius.mean():.2f}", "Å", f"radius of gyration, ± {study.radius.std():.2g} Å")
-        )
-    if study.torsions is not None:
-        rows.append((str(len(study.torsions.torsions)), "", "rotatable bonds"))
-    if study.residuals is not None:
-        worst = study.residuals.results.max_relative.max()
-        rows.append(
-            (scientific(worst), "", f"largest relative residual; tolerance {tolerance_text(study)}")
-        )
+    rows = [*_flexible_facts(analysis), *_chemical_facts(analysis)]
+    if size := analysis.get(Gyration):
+        text = f"radius of gyration, ± {size.radius.std():.2g} Å"
+        rows.append((f"{size.radius.mean():.2f}", "Å", text))
+    if torsions := analysis.get(Torsions):
+        rows.append((str(len(torsions.measured.torsions)), "", "rotatable bonds"))
+    if residuals := analysis.get(Residuals):
+        worst = residuals.found.max_relative.max()
+        text = f"largest relative residual; tolerance {tolerance_text(residuals.measured)}"
+        rows.append((scientific(worst), "", text))
     return rows[:7]
 
 
-def _flexible_facts(study: Study) -> list[tuple[str, str, str]]:
+def _flexible_facts(analysis: Analysis) -> list[tuple[str, str, str]]:
     rows = []
-    if study.flexibility is not None and study.kind != TRANSITION:
-        found, units = study.flexibility, known(study.units)
+    if UnitFlexibility in analysis and analysis.kind != TRANSITION:
+        found, units = analysis[UnitFlexibility].found, analysis[Units]
         text = f"mean fluctuation of a{'n atom' if units.what == 'atom' else ' residue'} (RMSF)"
         rows.append((f"{found.rmsf.mean():.2f} ± {2 * found.error.mean():.1g}", "Å", text))
-    if study.domains is not None:
-        count, share = study.domains.count, 100 * study.domains.explained
+    if domains := analysis.get(RigidDomains):
+        count, share = domains.found.count, 100 * domains.found.explained
         text = f"domains, which explain {share:.0f} % of the motion by moving rigidly"
         rows.append((str(count), "", text if count > 1 else "piece: no domains were found"))
-    if study.pca is not None:
-        share = 100 * study.pca.results.explained[0]
+    if Components in analysis:
+        share = 100 * analysis[Components].found.explained[0]
         rows.append((f"{share:.0f}", "%", "of the motion along one direction (PC1)"))
-    if study.rmsd is not None:
-        if study.kind == ENSEMBLE:
-            text = f"mean RMSD from {known(study.reference).name}, {study.fitted_name}"
-            rows.append((f"{study.rmsd.mean():.2f}", "Å", text))
+    if Rmsd in analysis:
+        rmsd = analysis[Rmsd].fitted
+        if analysis.kind == ENSEMBLE:
+            text = f"mean RMSD from {analysis[ReferenceStructure].name}, {analysis.fitted_name}"
+            rows.append((f"{rmsd.mean():.2f}", "Å", text))
         else:
-            text = f"RMSD of the last frame from the first, {study.fitted_name}"
-            rows.append((f"{study.rmsd[-1]:.2f}", "Å", text))
+            text = f"RMSD of the last frame from the first, {analysis.fitted_name}"
+            rows.append((f"{rmsd[-1]:.2f}", "Å", text))
     return rows
 
 
-def _chemical_facts(study: Study) -> list[tuple[str, str, str]]:
+def _chemical_facts(analysis: Analysis) -> list[tuple[str, str, str]]:
     rows = []
-    if study.contacts is not None:
-        found = study.contacts
+    if found := analysis.get(ContactFrequencies):
         kept = int(np.count_nonzero(found.at_start & (found.share >= KEPT)))
         text = f"of {np.count_nonzero(found.at_start)} contacts of residues kept in 90 % of frames"
         rows.append((str(kept), "", text))
     return rows
 
 
-def tables(study: Study) -> list[PageTable]:
+def tables(analysis: Analysis) -> list[PageTable]:
     """Tables for the page, in no order of sections."""
-    made = []
-    if study.flexibility is not None:
-        made.append(_flexible_table(study))
-    if study.domains is not None and study.domains.count > 1:
-        made.append(_domain_table(study))
-    if study.pca is not None:
-        made.append(_component_table(study))
-    if shape_rows(study):
-        made.append(_shape_table(study))
-    if study.contacts is not None:
-        made.append(_contact_table(study))
-    if study.distances:
-        made.append(_distance_table(study))
-    if study.torsions is not None:
-        made.append(_torsion_table(study))
-    if study.residuals is not None:
-        made.append(_bar_table(study))
-    return made
+    makers = {
+        UnitFlexibility: _flexible_table,
+        RigidDomains: _domain_table,
+        Components: _component_table,
+        Shapes: _shape_table,
+        ContactFrequencies: _contact_table,
+        Distances: _distance_table,
+        Torsions: _torsion_table,
+        Residuals: _bar_table,
+    }
+    made = [make(analysis) for part, make in makers.items() if part in analysis]
+    return [table for table in made if table.rows]
 
 
-def _flexible_table(study: Study) -> PageTable:
-    found, units = known(study.flexibility), known(study.units)
+def _flexible_table(analysis: Analysis) -> PageTable:
+    found, units = analysis[UnitFlexibility].found, analysis[Units]
     rows = [
         (units.labels[k], f"{found.rmsf[k]:.3f}", f"± {2 * found.error[k]:.2g}")
         for k in np.argsort(-found.rmsf, kind="stable")[:8]
     ]
-    if study.kind == TRANSITION:
+    if analysis.kind == TRANSITION:
         caption = f"{units.what.capitalize()}s that move most on the way"
         return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)"), [row[:2] for row in rows])
     caption = f"Most flexible {units.what}s"
@@ -127,13 +133,17 @@ def _flexible_table(study: Study) -> PageTable:
     return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)", "two errors"), rows)
 
 
-def _domain_table(study: Study) -> PageTable:
-    found, units = known(study.domains), known(study.units)
-    chain = np.flatnonzero(units.of_chain)[:: study.site_stride]
+def _domain_table(analysis: Analysis) -> PageTable:
+    """The stretches of each domain; no rows where there is one domain alone."""
+    domains, units = analysis[RigidDomains], analysis[Units]
+    found = domains.found
+    if found.count < 2:
+        return PageTable(TOGETHER, "", (), ())
+    chain = np.flatnonzero(units.of_chain)[:: units.site_stride]
     labels = [units.labels[k] for k in chain]
     rows = []
     for k in range(found.count):
-        sites = np.flatnonzero(study.unit_domains == k)
+        sites = np.flatnonzero(domains.of_unit == k)
         ends = (np.diff(sites) > 1) | (units.chains[sites[1:]] != units.chains[sites[:-1]])
         parts = np.split(sites, np.flatnonzero(ends) + 1)
         text = ", ".join(f"{units.labels[p[0]]} to {units.labels[p[-1]]}" for p in parts)
@@ -143,24 +153,24 @@ def _domain_table(study: Study) -> PageTable:
     return PageTable(TOGETHER, "Domains that move as rigid bodies", ("domain", "residues"), rows)
 
 
-def _component_table(study: Study) -> PageTable:
-    found = known(study.pca).results
+def _component_table(analysis: Analysis) -> PageTable:
+    found = analysis[Components].found
     share = participation(found.components[:5])
     spread = collectivity(found.components[:5])
     rows = []
     for k, part in enumerate(found.explained[:5]):
         cosine = f"{found.cosine_content[k]:.2f}" if k < len(found.cosine_content) else "–"
-        moves = _moves(study, share[k])
+        moves = _moves(analysis, share[k])
         rows.append((f"PC{k + 1}", f"{100 * part:.1f} %", cosine, f"{spread[k]:.2f}", moves))
     headers = ("", "share", "cosine content", "collectivity", "moves most")
     return PageTable(COLLECTIVE, "Principal components", headers, rows)
 
 
-def _moves(study: Study, share: np.ndarray) -> str:
+def _moves(analysis: Analysis, share: np.ndarray) -> str:
     """Which stretches a component moves most, in words."""
-    units, moved = known(study.units), study.component_units
-    if moved is None:
+    if UnitsInComponents not in analysis:
         return "–"
+    units, moved = analysis[Units], analysis[UnitsInComponents].units
     labels = [units.labels[k] for k in moved]
     if units.what == "atom":
         return ", ".join(labels[k] for k in np.argsort(-share, kind="stable")[:3])
@@ -170,18 +180,17 @@ def _moves(study: Study, share: np.ndarray) -> str:
     )
 
 
-def _shape_table(study: Study) -> PageTable:
+def _shape_table(analysis: Analysis) -> PageTable:
     rows = [
         (("✓ " if row.passed else "✕ ") + row.name, row.found, row.start, row.limit)
-        for row in shape_rows(study)
+        for row in shape_rows(analysis)
     ]
-    headers = ("question", "frames", known(study.reference).name, "allowed")
+    headers = ("question", "frames", analysis[ReferenceStructure].name, "allowed")
     return PageTable(CHEMISTRY, "Stereochemistry", headers, rows)
 
 
-def contact_classes(study: Study) -> dict[str, np.ndarray]:
+def _contact_classes(found: ContactFrequencies) -> dict[str, np.ndarray]:
     """Masks of the contacts that are kept, come and go, lost, and gained."""
-    found = known(study.contacts)
     start, share = found.at_start, found.share
     return {
         "kept": start & (share >= KEPT),
@@ -191,9 +200,9 @@ def contact_classes(study: Study) -> dict[str, np.ndarray]:
     }
 
 
-def _contact_table(study: Study) -> PageTable:
-    found, labels = known(study.contacts), known(study.units).labels
-    classes = contact_classes(study)
+def _contact_table(analysis: Analysis) -> PageTable:
+    found, labels = analysis[ContactFrequencies], analysis[Units].labels
+    classes = _contact_classes(found)
     meaning = {
         "kept": "of the start, in 90 % of frames and more", "come and go": "of the start, between",
         "lost": "of the start, in 10 % and less", "gained": "not of the start, in 50 % and more",
@@ -207,21 +216,22 @@ def _contact_table(study: Study) -> PageTable:
     return PageTable(CHEMISTRY, caption, ("contacts", "", "number, share"), rows)
 
 
-def _distance_table(study: Study) -> PageTable:
+def _distance_table(analysis: Analysis) -> PageTable:
+    found = analysis[Distances]
     rows = [
         (f"{ends[0]} to {ends[1]}", f"{values.mean():.2f}", f"{values.std():.2f}",
          f"{values.min():.2f} to {values.max():.2f}")
-        for ends, values in zip(study.options.distances, study.distances, strict=True)
+        for ends, values in zip(found.ends, found.values, strict=True)
     ]  # fmt: skip
     headers = ("distance", "mean (Å)", "standard deviation", "range")
     return PageTable(SHAPES, "Distances asked for", headers, rows)
 
 
-def _bar_table(study: Study) -> PageTable:
-    residuals = known(study.residuals)
+def _bar_table(analysis: Analysis) -> PageTable:
+    residuals = analysis[Residuals].measured
     values = residuals.results.bar_max_relative
     chosen = np.argsort(-values, kind="stable")[:8]
-    names = bar_labels(study.universe.atoms, residuals.bars[chosen])
+    names = bar_labels(analysis.universe.atoms, residuals.bars[chosen])
     lengths = residuals.rest_lengths[chosen]
     rows = [
         (n, f"{length:.4f}", scientific(values[k]))
@@ -232,8 +242,8 @@ def _bar_table(study: Study) -> PageTable:
     )
 
 
-def _torsion_table(study: Study) -> PageTable:
-    torsions = known(study.torsions)
+def _torsion_table(analysis: Analysis) -> PageTable:
+    torsions = analysis[Torsions].measured
     found = torsions.results
     rows = [
         (
@@ -247,8 +257,8 @@ def _torsion_table(study: Study) -> PageTable:
     return PageTable(SHAPES, "Most mobile torsions", headers, rows)
 
 
-def title(study: Study) -> str:
+def title(analysis: Analysis) -> str:
     """Name of the molecule's file, or of the trajectory."""
-    if study.record and study.record.parameters.get("input/file"):
-        return Path(str(study.record.parameters["input/file"])).name
-    return Path(study.options.path).name
+    if analysis.record and analysis.record.parameters.get("input/file"):
+        return Path(str(analysis.record.parameters["input/file"])).name
+    return Path(analysis.options.path).name

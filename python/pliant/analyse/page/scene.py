@@ -3,23 +3,34 @@
 
 from __future__ import annotations
 
-import contextlib
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
-import numpy.typing as npt
 from scipy.spatial import cKDTree
 
 from pliant.analyse.names import chains_of, numbers_of
 from pliant.analyse.page.cartoon import secondary_structure
 from pliant.analyse.page.view_limits import (
     MAX_ATOMS,
+    DrawnAtoms,
     as_base64,
     drawn_atoms,
     facing_the_reader,
 )
-from pliant.analyse.study import known
+from pliant.analyse.parts import (
+    Components,
+    Gyration,
+    ReferenceStructure,
+    Residuals,
+    RigidDomains,
+    Rmsd,
+    Sweeps,
+    UnitFlexibility,
+    Units,
+    UnitsInComponents,
+)
+from pliant.analyse.units import trace_atoms
 from pliant.analysis.collective import participation
 from pliant.analysis.frames import weights_of
 from pliant.analysis.residuals import bar_residuals
@@ -29,7 +40,7 @@ from pliant.analysis.superposition import Superposition
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
 
-    from pliant.analyse.study import Study
+    from pliant.analyse.analysis import Analysis
     from pliant.analysis.residuals import BarResiduals
 
 
@@ -54,85 +65,88 @@ class Thinned:
     trace_only: bool  #: the atoms shown are not bonded to each other
 
 
-def thinned(study: Study, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES) -> Thinned:
+def thinned(analysis: Analysis, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES) -> Thinned:
     """Chooses atoms and frames so that the page stays small."""
-    atoms, notes = _shown_atoms(study.atoms, max_atoms)
-    trace_only = bool(notes) and notes[0].endswith("only")
-    per_frame = 6 * len(atoms) + (0 if study.residuals is None else len(study.residuals.bars))
-    count = int(np.clip(max_bytes // per_frame, 2, len(study.frames)))
-    frames = np.unique(np.linspace(0, len(study.frames) - 1, count).round().astype(int))
-    if len(frames) < len(study.frames):
-        notes.append(f"{len(frames)} of {len(study.frames)} frames")
-    return Thinned(atoms.ix, frames, notes, trace_only)
+    drawn = _drawn_atoms(analysis.atoms, max_atoms)
+    atoms, notes = analysis.atoms[drawn.chosen], [*drawn.notes]
+    per_frame = 6 * len(atoms) + len(_bars(analysis))
+    count = int(np.clip(max_bytes // per_frame, 2, len(analysis.frames)))
+    frames = np.unique(np.linspace(0, len(analysis.frames) - 1, count).round().astype(int))
+    if len(frames) < len(analysis.frames):
+        notes.append(f"{len(frames)} of {len(analysis.frames)} frames")
+    return Thinned(atoms.ix, frames, notes, drawn.trace_only)
 
 
-def _shown_atoms(atoms: AtomGroup, max_atoms: int) -> tuple[AtomGroup, list[str]]:
+def _drawn_atoms(atoms: AtomGroup, max_atoms: int) -> DrawnAtoms:
     def trace() -> np.ndarray:
-        with contextlib.suppress(Exception):  # foreign topologies lack names or residues
-            found = atoms.select_atoms("(protein and name CA) or (nucleic and name P)")
-            return np.flatnonzero(np.isin(atoms.ix, found.ix))
-        return np.empty(0, dtype=np.int64)
+        return np.flatnonzero(np.isin(atoms.ix, trace_atoms(atoms).ix))
 
     heavy = np.flatnonzero(~is_hydrogen(atoms))
-    shown, notes = drawn_atoms(len(atoms), heavy, trace, max_atoms)
-    return atoms[shown], notes
+    return drawn_atoms(len(atoms), heavy, trace, max_atoms)
 
 
-def scene(study: Study, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES) -> dict[str, Any]:
+def scene(
+    analysis: Analysis, max_atoms: int = MAX_ATOMS, max_bytes: int = MAX_BYTES
+) -> dict[str, Any]:
     """The scene as JSON-ready values; arrays of numbers are base64 of little-endian integers."""
-    shown = thinned(study, max_atoms, max_bytes)
-    atoms = study.universe.atoms[shown.atoms]
-    place = np.full(len(study.universe.atoms), -1)
+    shown = thinned(analysis, max_atoms, max_bytes)
+    atoms = analysis.universe.atoms[shown.atoms]
+    place = np.full(len(analysis.universe.atoms), -1)
     place[shown.atoms] = np.arange(len(shown.atoms))
-    bars, bar_numbers = _pairs_among(study.residuals.bars if study.residuals else (), place)
-    positions, codes = _positions_and_codes(study, shown, bar_numbers)
+    bars, bar_numbers = _pairs_among(_bars(analysis), place)
+    positions, codes = _positions_and_codes(analysis, shown, bar_numbers)
     step = max(float(np.abs(positions).max()) / 32767, 1e-6)
     return {
-        "atoms": _atom_columns(atoms, study),
-        "units": _unit_columns(study),
-        "bonds": _pairs_among(_bonds(study), place)[0].ravel().tolist(),
+        "atoms": _atom_columns(atoms, analysis),
+        "units": _unit_columns(analysis),
+        "bonds": _pairs_among(_bonds(analysis), place)[0].ravel().tolist(),
         "bars": bars.ravel().tolist(),
-        "frames": study.frames[shown.frames].tolist(),
-        "axis": {"label": study.axis[1], "values": study.axis[0][shown.frames].tolist()},
+        "frames": analysis.frames[shown.frames].tolist(),
+        "axis": {"label": analysis.axis[1], "values": analysis.axis[0][shown.frames].tolist()},
         "step": step,
         "positions": as_base64(np.round(positions / step).astype("<i2")),
         "residuals": as_base64(codes),
         "residual_codes": {"per_decade": CODES_PER_DECADE, "lowest": LOWEST_DECADE},
-        "series": _series(study, shown.frames),
+        "series": _series(analysis, shown.frames),
         "notes": shown.notes,
         "trace_only": shown.trace_only,
     }
 
 
-def _bonds(study: Study) -> npt.ArrayLike:
-    if hasattr(study.universe, "bonds") and len(study.universe.bonds):
-        return np.asarray(study.universe.bonds.indices)
-    return study.residuals.bars if study.residuals else ()
+def _bonds(analysis: Analysis) -> np.ndarray:
+    if hasattr(analysis.universe, "bonds") and len(analysis.universe.bonds):
+        return np.asarray(analysis.universe.bonds.indices)
+    return _bars(analysis)
 
 
-def _pairs_among(pairs: npt.ArrayLike, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _bars(analysis: Analysis) -> np.ndarray:
+    """(B, 2) joints of the bars that were measured."""
+    residuals = analysis.get(Residuals)
+    return residuals.measured.bars if residuals else np.zeros((0, 2), dtype=np.int64)
+
+
+def _pairs_among(pairs: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Pairs (P, 2) of shown atoms, in the numbers that those have, and which pairs they are."""
-    pairs = np.asarray(pairs, dtype=np.int64).reshape(-1, 2)
     renamed = place[pairs]
     kept = np.flatnonzero((renamed >= 0).all(axis=1))
     return renamed[kept], kept
 
 
 def _positions_and_codes(
-    study: Study, shown: Thinned, bar_numbers: np.ndarray
+    analysis: Analysis, shown: Thinned, bar_numbers: np.ndarray
 ) -> tuple[np.ndarray, np.ndarray]:
     """Positions (f, n, 3) around the origin, superposed on the first; residual codes (f, b)."""
     positions = np.empty((len(shown.frames), len(shown.atoms), 3))
     codes = np.zeros((len(shown.frames), len(bar_numbers)), dtype=np.uint8)
     superposition = None
     for k, frame in enumerate(shown.frames):
-        every = study.positions(frame)
-        fitted = every[study.fitted.ix]
+        every = analysis.positions(frame)
+        fitted = every[analysis.fitted.ix]
         if superposition is None:
-            superposition = Superposition(fitted, weights_of(study.fitted, None))
+            superposition = Superposition(fitted, weights_of(analysis.fitted, None))
         positions[k] = superposition.apply(every[shown.atoms], fitted)
         if len(bar_numbers):
-            codes[k] = _codes(known(study.residuals), every, bar_numbers)
+            codes[k] = _codes(analysis[Residuals].measured, every, bar_numbers)
     return facing_the_reader(positions), codes
 
 
@@ -147,7 +161,7 @@ def _codes(residuals: BarResiduals, positions: np.ndarray, bar_numbers: np.ndarr
     return codes
 
 
-def _atom_columns(atoms: AtomGroup, study: Study) -> dict[str, Any]:
+def _atom_columns(atoms: AtomGroup, analysis: Analysis) -> dict[str, Any]:
     columns = {
         "names": [str(name) for name in getattr(atoms, "names", [""] * len(atoms))],
         "elements": _elements(atoms),
@@ -156,19 +170,19 @@ def _atom_columns(atoms: AtomGroup, study: Study) -> dict[str, Any]:
         "chains": chains_of(atoms).tolist(),
         "cartoon": secondary_structure(atoms),
     }
-    return columns | {"unit": units_of_atoms(study, atoms).tolist()}
+    return columns | {"unit": units_of_atoms(analysis, atoms).tolist()}
 
 
-def units_of_atoms(study: Study, atoms: AtomGroup) -> np.ndarray:
+def units_of_atoms(analysis: Analysis, atoms: AtomGroup) -> np.ndarray:
     """(n,) the unit whose colour an atom takes; -1 where it has none.
 
     That is its residue; in a single residue the atom itself, or the nearest that is a unit.
     """
-    units = known(study.units)
+    units = analysis[Units]
     if units.what == "residue":
         owners = atoms.resindices
     else:
-        first = known(study.reference).positions
+        first = analysis[ReferenceStructure].positions
         owners = units.owners[_nearest(first[atoms.ix], first[units.owners])]
     place = np.searchsorted(units.owners, owners)
     place = np.minimum(place, len(units.owners) - 1)
@@ -191,19 +205,18 @@ def _nearest(points: np.ndarray, others: np.ndarray) -> np.ndarray:
     return found
 
 
-def _unit_columns(study: Study) -> dict[str, Any]:
+def _unit_columns(analysis: Analysis) -> dict[str, Any]:
     """One number a unit for each thing that atoms may be coloured by."""
-    count = len(known(study.units).labels)
     columns: dict[str, Any] = {}
-    if study.flexibility is not None:
-        columns["mobility"] = np.round(study.flexibility.rmsf, 4).tolist()
-    if study.domains is not None and study.domains.count > 1:
-        columns["domain"] = study.unit_domains.tolist()
-    moved = study.component_units
-    if study.pca is not None and moved is not None:
-        found = study.pca.results
-        values = np.zeros(count)  # what is not in the PCA counts as still
-        values[moved] = np.sqrt(participation(found.components[:1])[0] * found.eigenvalues[0])
+    if UnitFlexibility in analysis:
+        columns["mobility"] = np.round(analysis[UnitFlexibility].found.rmsf, 4).tolist()
+    domains = analysis.get(RigidDomains)
+    if domains and domains.found.count > 1:
+        columns["domain"] = domains.of_unit.tolist()
+    if moved := analysis.get(UnitsInComponents):
+        found = analysis[Components].found
+        values = np.zeros(len(analysis[Units].labels))  # what is not in the PCA counts as still
+        values[moved.units] = np.sqrt(participation(found.components[:1])[0] * found.eigenvalues[0])
         columns["motion"] = np.round(values, 4).tolist()
     return columns
 
@@ -221,24 +234,26 @@ def _elements(atoms: AtomGroup) -> list[str]:
     ]
 
 
-def _series(study: Study, frames: np.ndarray) -> dict[str, Any]:
+def _series(analysis: Analysis, frames: np.ndarray) -> dict[str, Any]:
     """What the timeline can show: name -> label, unit, values, whether logarithmic."""
     series: dict[str, dict[str, Any]] = {}
-    columns = {
-        "rmsd": ("RMSD", "Å", study.rmsd),
-        "radius": ("radius of gyration", "Å", study.radius),
-        "sweeps": ("sweeps", "", study.observable("sweeps")),
-    }
-    for name, (label, unit, values) in columns.items():
-        if values is not None:
-            series[name] = {"label": label, "unit": unit, "values": _rounded(values[frames])}
-    if study.residuals is not None:
-        values = np.maximum(study.residuals.results.max_relative[frames], 1e-17)
-        limit = study.residuals.tolerance if study.residuals.tolerance_length == 0 else None
+
+    def add(name: str, label: str, unit: str, values: np.ndarray) -> None:
+        series[name] = {"label": label, "unit": unit, "values": _rounded(values[frames])}
+
+    if Rmsd in analysis:
+        add("rmsd", "RMSD", "Å", analysis[Rmsd].fitted)
+    if Gyration in analysis:
+        add("radius", "radius of gyration", "Å", analysis[Gyration].radius)
+    if Sweeps in analysis:
+        add("sweeps", "sweeps", "", analysis[Sweeps].counts)
+    if residuals := analysis.get(Residuals):
+        measured, found = residuals.measured, residuals.found
+        limit = measured.tolerance if measured.tolerance_length == 0 else None
         series["residual"] = {
             "label": "largest residual", "unit": "", "log": True, "limit": limit,
-            "values": _rounded(values),
-            "marked": np.flatnonzero(~study.residuals.results.within[frames]).tolist(),
+            "values": _rounded(np.maximum(found.max_relative[frames], 1e-17)),
+            "marked": np.flatnonzero(~found.within[frames]).tolist(),
         }  # fmt: skip
     return series
 

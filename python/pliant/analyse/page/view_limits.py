@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import base64
 from collections.abc import Callable
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,20 +16,28 @@ MAX_ATOMS = 12_000
 MAX_WITH_HYDROGENS = 1_500
 
 
+@dataclass(frozen=True)
+class DrawnAtoms:
+    """Which atoms of a molecule are drawn."""
+
+    chosen: np.ndarray  #: (n,) numbers
+    notes: tuple[str, ...] = ()  #: what is left out
+    trace_only: bool = False  #: they are not bonded to each other
+
+
 def drawn_atoms(
     count: int, heavy: np.ndarray, trace: Callable[[], np.ndarray], most: int = MAX_ATOMS
-) -> tuple[np.ndarray, list[str]]:
-    """Which of `count` atoms are drawn, and what is said of the others: all, but hydrogens, the
-    trace (CA and P), or every so many."""
+) -> DrawnAtoms:
+    """All of `count` atoms, or all but hydrogens, or the trace (CA and P), or every so many."""
     every = np.arange(count)
     if count <= min(most, MAX_WITH_HYDROGENS) or len(heavy) == count <= most:
-        return every, []
+        return DrawnAtoms(every)
     if len(heavy) <= most:
-        return heavy, [f"the molecule without the {count - len(heavy)} hydrogens"]
+        return DrawnAtoms(heavy, (f"the molecule without the {count - len(heavy)} hydrogens",))
     if 4 <= len(found := trace()) <= most:
-        return found, ["the CA and P atoms only"]
+        return DrawnAtoms(found, ("the CA and P atoms only",), trace_only=True)
     stride = -(-count // most)
-    return every[::stride], [f"every {stride}th atom only"]
+    return DrawnAtoms(every[::stride], (f"every {stride}th atom only",), trace_only=True)
 
 
 def facing_the_reader(positions: np.ndarray) -> np.ndarray:

@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from pliant.analyse.page.view_limits import as_base64, drawn_atoms, facing_the_reader
+from pliant.analyse.page.view_limits import DrawnAtoms, as_base64, drawn_atoms, facing_the_reader
 from pliant.analyse.rigidity.rigidity_facts import COLOURS, RigidityFacts
 
 #: of fewer residues a flexibility of residues tells nothing
@@ -18,7 +18,8 @@ LEAST_RESIDUES = 4
 
 def rigidity_scene(facts: RigidityFacts) -> dict[str, Any]:
     """One frame, as JSON-ready values for viewer.js."""
-    atoms, notes = _shown_atoms(facts)
+    drawn = _drawn_atoms(facts)
+    atoms = drawn.chosen
     positions = facing_the_reader(facts.positions[None, atoms])
     step = max(float(np.abs(positions).max(initial=0.0)) / 32767, 1e-6)
     owners = facts.residue_of[atoms]
@@ -54,13 +55,12 @@ def rigidity_scene(facts: RigidityFacts) -> dict[str, Any]:
         "residuals": "",
         "residual_codes": {"per_decade": 1, "lowest": 0},
         "series": {},
-        "notes": notes,
-        "trace_only": bool(notes) and notes[0].endswith("only"),
+        "notes": list(drawn.notes),
+        "trace_only": drawn.trace_only,
     }
 
 
-def _shown_atoms(facts: RigidityFacts) -> tuple[np.ndarray, list[str]]:
-    """Which atoms are drawn, and what is said of the others."""
+def _drawn_atoms(facts: RigidityFacts) -> DrawnAtoms:
     heavy = np.flatnonzero([element not in ("H", "D") for element in facts.elements])
     return drawn_atoms(
         len(facts.names),

@@ -117,21 +117,21 @@ def minimise_frames(
     )
     matched = bench.match()
     if matched.done:
-        _Study(report, molecule, bench, wanted).minimise(start, frames)
+        _Minimisation(report, molecule, bench, wanted).minimise(start, frames)
     else:
-        report.why_not = _short(matched.brief())
+        report.why_not = _short(matched)
     report.seconds = time.monotonic() - began
     return report
 
 
-def _short(message: str) -> str:
-    """OpenMM's word on a residue without a template, less the link to its manual."""
-    text = message.removeprefix("raised an exception: ").partition("  For more information")[0]
-    return " ".join(text.split())
+def _short(outcome: Outcome) -> str:
+    """What happened; of OpenMM's words on a residue without a template, not the link at the end."""
+    text = outcome.message if outcome.event == "raised" else outcome.brief()
+    return " ".join(text.partition("  For more information")[0].split())
 
 
-class _Study:
-    """What is minimised in which sequence: the short stage of all first, so that a time limit
+class _Minimisation:
+    """Minimises the structures in two stages: the short one of all first, so that a time limit
     leaves something of each."""
 
     def __init__(
@@ -208,7 +208,7 @@ class _Study:
 
     def _note(self, target: Minimised, given: np.ndarray, outcome: Outcome) -> None:
         if not outcome.done:
-            target.outcome = _short(outcome.brief())
+            target.outcome = _short(outcome)
             return
         energies, after = outcome.arrays["energies"], outcome.arrays["positions"][0] / NM
         target.worst_force = float(outcome.arrays["worst_force"])

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: MIT
+"""Runs analyses of MDAnalysis over the frames that are analysed."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant.analysis.frames import HAS_BACKENDS
+
+if TYPE_CHECKING:
+    from MDAnalysis.analysis.base import Results
+
+    from pliant.analyse.analysis import Analysis
+    from pliant.analysis.frames import FrameAnalysis
+
+
+class Runner:
+    """Runs over the frames that are analysed, in as many processes as were asked for."""
+
+    def __init__(self, analysis: Analysis) -> None:
+        held = analysis.held is not None
+        self._frames = np.arange(len(analysis.frames)) if held else analysis.frames
+        workers = min(analysis.options.workers, len(self._frames))
+        several = {"backend": "multiprocessing", "n_workers": workers}
+        self._backend = several if workers > 1 and HAS_BACKENDS else {}
+
+    def run(self, measured: FrameAnalysis, stride: int = 1) -> Results:
+        """The results of a run over all frames, or every `stride`-th."""
+        measured.run(frames=self._frames[::stride], **self._backend)
+        return measured.results
+
+    @property
+    def first(self) -> int:
+        """Number of the first frame, as the universe counts now."""
+        return int(self._frames[0])
