@@ -26,7 +26,10 @@ constexpr MoleculeField table[] = {
     {"pin", "--pin", at<&MoleculeOptions::pin>},
     {"distance_bonds", "--no-distance-bonds", at<&MoleculeOptions::guess_distances>},
     {"hbond_cutoff", "--hbond-cutoff", of_kind<&ModelSettings::hbond_cutoff>},
-    {"contacts", "--contacts", of_kind<&ModelSettings::contacts>, true},
+    {.name = "contacts",
+     .option = "--contacts",
+     .place = of_kind<&ModelSettings::contacts>,
+     .is_file = true},
     {"keep_waters", "--keep-waters", of_kind<&ModelSettings::keep_waters>},
     {"fill_side_chains", "--fill-side-chains", of_kind<&ModelSettings::fill_side_chains>},
     {"all_hydrogens", "--all-hydrogens", of_kind<&ModelSettings::all_hydrogens>},
@@ -43,7 +46,7 @@ struct Spelled {
   }
 };
 
-struct Told {
+struct Setting {
   std::string_view name, text;
 
   void operator()(auto* place) const { set_value(name, text, *place); }
@@ -65,7 +68,7 @@ std::string molecule_field_text(const MoleculeOptions& options, const MoleculeFi
 
 void set_molecule_field(MoleculeOptions& options, const MoleculeField& field,
                         std::string_view text) {
-  std::visit(Told{field.name, text}, field.place(options));
+  std::visit(Setting{field.name, text}, field.place(options));
 }
 
 ForceHeader force_header_of(const MoleculeOptions& options, const Molecule& molecule) {

@@ -17,12 +17,12 @@ namespace pliant::app {
 struct MoleculeOptions {
   std::string file;
   std::string format;
-  std::int64_t model = 1;                           ///< which model, frame or record
+  std::int64_t model = 1;  ///< which model, frame or record
   /// MB; limit of the file, and of what it expands to
   std::int64_t max_input = usual_text / 1'000'000;
   std::string assembly;  ///< a biological assembly; "": the atoms as listed
-  std::string select;  ///< selection of atoms; "": all
-  std::string bars;  ///< "": those of the model, or bonds without a model
+  std::string select;    ///< selection of atoms; "": all
+  std::string bars;      ///< "": those of the model, or bonds without a model
   std::string lengths = "geometry";
   std::string pin;
   bool guess_distances = true;

@@ -24,22 +24,22 @@ struct RunSettings {
   H5mdOptions record;
   std::string save;  ///< selection of the atoms to record; "": all
   ImdSettings imd;
-  std::string go_on;  ///< trajectory whose run is continued; "": a new run
+  std::string go_on;             ///< trajectory whose run is continued; "": a new run
   std::string output;            ///< "": the input's name with .h5md, in the current folder
   std::string topology;          ///< sidecar PDB; "": the output's name with .pdb; "none": none
   std::string forces;            ///< force file to replay; "": none
   bool override_forces = false;  ///< the command line overrides the force file
-  std::string force_text = {};  ///< contents of that file
+  std::string force_text = {};   ///< contents of that file
   std::optional<ForceHeader> force_header = {};  ///< of that file
   /// Options taken from that file: name and value.
   std::vector<std::pair<std::string, std::string>> taken_from_forces = {};
   std::vector<ForceEvent> events;  ///< of a force file with events
   std::string record_forces;       ///< force file to write; "": none
-  std::string ordering;  ///< ordering file that replaces a technique's ordering; "": none
+  std::string ordering;            ///< ordering file that replaces a technique's ordering; "": none
   std::string shard;  ///< "FIRST..LAST", numbers of walkers, in place of `walkers`; or ""
   std::int64_t first_walker = 0;
   std::int64_t walkers = 1;  ///< from first_walker on
-  bool one_file = false;  ///< all frames go into one trajectory, one walker after another
+  bool one_file = false;     ///< all frames go into one trajectory, one walker after another
   std::int64_t threads = 0;  ///< 0: one for each core
   bool dry_run = false;
   bool json = false;

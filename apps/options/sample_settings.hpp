@@ -19,11 +19,11 @@ struct SampleSettings {
   MoleculeOptions molecule;
   std::string model = "auto";  ///< a name in models(), or "auto"
   SampleOptions sample = unset_sample_options();
-  std::string amplitude;  ///< as given: a number, a word or a file; "": the default
+  std::string amplitude;             ///< as given: a number, a word or a file; "": the default
   AmplitudeChoice chosen_amplitude;  ///< set by asked_of()
   H5mdOptions record;
   std::string save;      ///< selection of the atoms to record; "": all
-  std::string go_on;  ///< trajectory whose sample is continued; "": a new one
+  std::string go_on;     ///< trajectory whose sample is continued; "": a new one
   std::string output;    ///< "": the input's name with .h5md, in the current folder
   std::string topology;  ///< sidecar PDB; "": the output's name with .pdb; "none": none
   bool dry_run = false;

@@ -11,11 +11,11 @@
 namespace pliant::app {
 
 struct StructgenSettings {
-  std::string kind;  ///< the class of a single graph
+  std::string kind;         ///< the class of a single graph
   std::string output;       ///< graph XML; "": the class' name with .xml, in the current folder
   std::int64_t number = 0;  ///< number of the graph in its class
-  std::string directory;  ///< of a test set; "": a single graph
-  TestSetOptions set;  ///< with the seed and the sizes of a single graph, too
+  std::string directory;    ///< of a test set; "": a single graph
+  TestSetOptions set;       ///< with the seed and the sizes of a single graph, too
   bool overwrite = false;
   bool json = false;
 };

@@ -17,11 +17,11 @@ struct RigidityReport {
   ContactModel model;
   Rigidity rigidity;
   std::vector<DilutionRow> dilution;  ///< empty if not asked for
-  std::string dilution_svg;  ///< picture of the dilution; "" if not asked for
+  std::string dilution_svg;           ///< picture of the dilution; "" if not asked for
 
   std::size_t listed_clusters() const { return rigidity.found.clusters.count(); }
   std::size_t coloured_clusters() const;  ///< number of clusters with a colour
-  bool is_polymer() const;  ///< whether it has chains of amino acids
+  bool is_polymer() const;                ///< whether it has chains of amino acids
   std::size_t atoms_in_listed() const;
   std::size_t redundant_bars() const;
   /// The name of a kind of contact, or "bond".

@@ -67,9 +67,9 @@
 #include "pliant/framework/joint_names.hpp"               // how text files speak of joints
 #include "pliant/framework/limits.hpp"                    // distances held to intervals
 #include "pliant/framework/measures/check_positions.hpp"  // can these positions carry the framework?
-#include "pliant/framework/measures/contacts.hpp"         // pairs of joints near each other now
 #include "pliant/framework/measures/feasibility.hpp"      // bars that cannot hold together
 #include "pliant/framework/measures/limit_counts.hpp"     // how many of them hold
+#include "pliant/framework/measures/neighbour_list.hpp"   // near pairs of joints
 #include "pliant/framework/measures/residual.hpp"    // length errors, violations and tolerances
 #include "pliant/framework/sterics.hpp"              // how near joints may come
 #include "pliant/framework/torsion_preferences.hpp"  // turns about bonds that are usual
@@ -129,7 +129,7 @@
 #include "pliant/path/matching.hpp"      // residues of two structures
 #include "pliant/path/path.hpp"          // the way, step by step or whole
 #include "pliant/path/path_options.hpp"  // what it is asked for
-#include "pliant/path/path_table.hpp"    // what is told of it
+#include "pliant/path/path_table.hpp"    // its table, frame by frame
 #include "pliant/path/sequence.hpp"      // letters of residues, aligned
 #include "pliant/path/trace.hpp"         // residues by one atom each
 

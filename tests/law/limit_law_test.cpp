@@ -8,7 +8,7 @@
 
 #include "law/technique_cases.hpp"
 #include "pliant/base/error.hpp"
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/sweeps/limit_sweep.hpp"
 #include "pliant/resolve/walkers.hpp"
@@ -245,7 +245,7 @@ TEST(Limits, WalkersResolveAlone) {
 }
 
 /// Pairs by a cell list with a skin against all pairs, as the points wander.
-RC_GTEST_PROP(Contacts, AreThoseOfBruteForce, ()) {
+RC_GTEST_PROP(NeighbourList, AreThoseOfBruteForce, ()) {
   const auto seed = *rc::gen::inRange<std::uint64_t>(0, 1000000);
   const double size = 0.1 * *rc::gen::inRange(5, 100);
   const double skin = 0.01 * *rc::gen::inRange(1, 300);
@@ -262,7 +262,7 @@ RC_GTEST_PROP(Contacts, AreThoseOfBruteForce, ()) {
   const Framework framework(std::move(parts));
   std::vector<Vec3> x;
   for (int k = 0; k < 30; ++k) x.push_back(size * draws.uniform() * draws.direction());
-  Contacts contacts(framework, skin);
+  NeighbourList contacts(framework, skin);
   for (int step = 0; step < 10; ++step) {
     for (Vec3& at : x) at += 0.2 * draws.uniform() * draws.direction();
     const ResidualSummary found = measure(framework, x, {}, {}, &contacts);
@@ -271,7 +271,7 @@ RC_GTEST_PROP(Contacts, AreThoseOfBruteForce, ()) {
 }
 
 /// Of few joints that move far, of many, and of all, the pairs are listed anew in other ways.
-RC_GTEST_PROP(Contacts, AreThereHoweverManyJointsMove, ()) {
+RC_GTEST_PROP(NeighbourList, AreThereHoweverManyJointsMove, ()) {
   RandomSequence draws({*rc::gen::arbitrary<std::uint64_t>(), Domain::generate});
   const std::size_t joints = *rc::gen::element<std::size_t>(20, 400);
   const double share = *rc::gen::element(0.02, 0.4, 1.0);
@@ -285,16 +285,18 @@ RC_GTEST_PROP(Contacts, AreThereHoweverManyJointsMove, ()) {
   const Framework framework(std::move(parts));
   std::vector<Vec3> x;
   for (std::size_t k = 0; k < joints; ++k) x.push_back(6.0 * draws.uniform() * draws.direction());
-  Contacts contacts(framework, 0.5);
+  NeighbourList contacts(framework, 0.5);
   for (int step = 0; step < 8; ++step) {
     for (Vec3& at : x)
       if (draws.uniform() < share) at += 0.6 * draws.uniform() * draws.direction();
     const ResidualSummary found = measure(framework, x, {}, {}, &contacts);
     RC_ASSERT(found.max_overlap == std::max(0.0, largest_overlap(framework, x)));
-    for (const Contact& pair : contacts.near()) RC_ASSERT(pair.a < pair.b && pair.least == 0.8);
-    RC_ASSERT(std::ranges::adjacent_find(contacts.near(), [](Contact one, Contact next) {
-                return std::pair(one.a, one.b) >= std::pair(next.a, next.b);
-              }) == contacts.near().end());
+    for (const NeighbourPair& pair : contacts.near())
+      RC_ASSERT(pair.a < pair.b && pair.least == 0.8);
+    RC_ASSERT(
+        std::ranges::adjacent_find(contacts.near(), [](NeighbourPair one, NeighbourPair next) {
+          return std::pair(one.a, one.b) >= std::pair(next.a, next.b);
+        }) == contacts.near().end());
   }
 }
 

@@ -140,6 +140,25 @@ def test_no_word_that_does_not_belong():
     )
 
 
+# What a reader of headers need not guess: of what, and by whom.
+DIALECT = re.compile(r"\b[Tt]old\b|^(Of|That of) ")
+COMMENT = re.compile(r"(?:^|\s)///?<? ?(.*)$")
+
+
+def test_headers_are_written_in_sentences():
+    """A comment that begins with "Of" has lost its noun; nobody is "told" anything."""
+    headers = files(".hpp", folders=("src", "apps", "python"))
+    refuse(
+        [
+            f"{place(path, number)}: write a whole sentence: {line.strip()}"
+            for path in headers
+            for number, line in numbered_lines(path)
+            if (comment := COMMENT.search(line))
+            if DIALECT.search(comment[1])
+        ]
+    )
+
+
 def broken_rules(path: Path) -> Iterator[str]:
     """One text for each line of a library file that breaks a rule."""
     rules = {

@@ -27,25 +27,24 @@ struct Document {
   Framework framework;
   AtomTable atoms;
   std::vector<Vec3> positions;  ///< (N) Angstrom
-  std::vector<Bond> bonds;  ///< for a graph: its bars
+  std::vector<Bond> bonds;      ///< for a graph: its bars
   std::vector<bool> chain_end;  ///< (R) or none
   std::vector<MolecularContact> contacts;
   ClusterList clusters;  ///< rigid clusters of atoms; none for a graph
   std::vector<std::string> warnings;
-  NetworkNodes nodes = {};  ///< of an elastic network; none for a graph
+  NetworkNodes nodes = {};    ///< of an elastic network; none for a graph
   bool has_residues = false;  ///< of a polymer
   std::size_t coloured_clusters = 0;
-  std::shared_ptr<const Structure> file =
-      nullptr;  ///< the molecule as read; null for a graph
-  std::shared_ptr<PathWalk> path = nullptr;  ///< the path being found; null if there is none
-  std::optional<std::uint64_t> fingerprint = {};  ///< of the structure as read, before its model
+  std::shared_ptr<const Structure> file = nullptr;  ///< the molecule as read; null for a graph
+  std::shared_ptr<PathWalk> path = nullptr;         ///< the path being found; null if there is none
+  std::optional<std::uint64_t> fingerprint = {};    ///< of the structure as read, before its model
 };
 
 /// Data that a program knows more exactly than a molecule file: positions with all digits, and
 /// bonds.
 struct Known {
   std::vector<Vec3> positions;  ///< (N) Angstrom; none: those of the file
-  std::vector<Bond> bonds;  ///< replace perceived ones if there are positions
+  std::vector<Bond> bonds;      ///< replace perceived ones if there are positions
 };
 
 /// Reads a molecule file with its bonds; warnings are added to `warnings`. Throws as open_file().

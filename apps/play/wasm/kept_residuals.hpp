@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/framework/measures/moved_blocks.hpp"
+#include "pliant/framework/measures/moved_pairs.hpp"
 
 namespace pliant::play {
 
@@ -24,13 +24,13 @@ class KeptResiduals {
   std::size_t worst() const;
 
  private:
-  void measure(std::span<const Vec3> positions, std::size_t block);
+  void measure(std::span<const Vec3> positions, std::size_t group);
 
   const Framework& framework_;
-  MovedChunks moved_;
-  PairBlocks blocks_;
+  MovedPositions moved_;
+  MovedPairs groups_;
   std::vector<float> residuals_;
-  std::vector<std::size_t> worst_;  ///< of each block
+  std::vector<std::size_t> worst_;  ///< of each group
 };
 
 }  // namespace pliant::play

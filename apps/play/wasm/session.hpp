@@ -17,7 +17,7 @@ namespace pliant::play {
 struct StepReport {
   Frame frame;
   std::vector<Vec3> pushed;  ///< (N) Angstrom, after the push, before anything was resolved
-  double seconds = 0.0;  ///< for push, resolve and measuring
+  double seconds = 0.0;      ///< for push, resolve and measuring
 };
 
 class Session {

@@ -30,7 +30,8 @@ void bind_summary(nb::module_& module) {
                                       "How far a framework is from its rest lengths, its limits "
                                       "and its sterics.");
   summary.def_ro("max_relative", &ResidualSummary::max_relative, "Largest |length - rest| / rest.")
-      .def_ro("rms_relative", &ResidualSummary::rms_relative, "Root mean square of |length - rest| / rest.")
+      .def_ro("rms_relative", &ResidualSummary::rms_relative,
+              "Root mean square of |length - rest| / rest.")
       .def_ro("max_length", &ResidualSummary::max_length, "Largest |length - rest| in Angstrom.")
       .def_ro("worst_bar", &ResidualSummary::worst_bar, "The bar of max_relative.")
       .def_ro("within", &ResidualSummary::within, "Everything is within the tolerance.")

@@ -278,7 +278,8 @@ void bind_counts(nb::class_<MoleculeRigidity>& bound) {
           [](Self self) {
             return coloured_clusters(self.model.structure, self.found.found.clusters);
           },
-          "Number of clusters, the largest first, with a colour: in proteins those of 20 atoms or more.")
+          "Number of clusters, the largest first, with a colour: in proteins those of 20 atoms or "
+          "more.")
       .def_prop_ro(
           "rings_of_six", [](Self self) { return self.found.rings_of_six; },
           "Rings of six bonds that may turn: counted as rigid, though a boat moves.")
@@ -362,8 +363,7 @@ void bind_edges(nb::class_<MoleculeRigidity>& bound) {
 }  // namespace
 
 void bind_rigidity(nb::module_& module) {
-  nb::class_<MoleculeRigidity> bound(module, "Rigidity",
-                                     "Rigid and flexible parts of a molecule.");
+  nb::class_<MoleculeRigidity> bound(module, "Rigidity", "Rigid and flexible parts of a molecule.");
   bind_totals(bound);
   bind_counts(bound);
   bind_columns(bound);

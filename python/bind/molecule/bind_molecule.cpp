@@ -210,13 +210,13 @@ void bind_molecule(nb::module_& module) {
                      "*, perceive_bonds: bool = True, max_input: int = 2000000000, "
                      "assembly: int | str | None = None) -> Structure"),
              read_doc);
-  module.def("read_text", &read_text, "text"_a, "name"_a = "text", "model"_a = 1,
-             "format"_a = nb::none(), nb::kw_only(), "perceive_bonds"_a = true,
-             "assembly"_a = nb::none(),
-             nb::sig("def read_text(text: str, name: str = \"text\", model: int = 1, "
-                     "format: str | None = None, *, perceive_bonds: bool = True, "
-                     "assembly: int | str | None = None) -> Structure"),
-             "Reads text in memory as ``read`` does; ``name`` is for messages and gives the extension.");
+  module.def(
+      "read_text", &read_text, "text"_a, "name"_a = "text", "model"_a = 1, "format"_a = nb::none(),
+      nb::kw_only(), "perceive_bonds"_a = true, "assembly"_a = nb::none(),
+      nb::sig("def read_text(text: str, name: str = \"text\", model: int = 1, "
+              "format: str | None = None, *, perceive_bonds: bool = True, "
+              "assembly: int | str | None = None) -> Structure"),
+      "Reads text in memory as ``read`` does; ``name`` is for messages and gives the extension.");
 }
 
 }  // namespace pliant::python

@@ -272,9 +272,11 @@ void bind_table(nb::module_& module) {
                     " Angstrom>";
            })
       .def_ro("atoms", &TightPlace::atoms, "\"A:LYS12 NZ - A:ASP54 OD1\".")
-      .def_ro("overlap", &TightPlace::overlap, "By how much they are nearer than allowed, at most, Angstrom.")
+      .def_ro("overlap", &TightPlace::overlap,
+              "By how much they are nearer than allowed, at most, Angstrom.")
       .def_ro("step", &TightPlace::step, "Step of the largest overlap.")
-      .def_ro("frames", &TightPlace::frames, "Number of frames in which these two are the tightest.");
+      .def_ro("frames", &TightPlace::frames,
+              "Number of frames in which these two are the tightest.");
   module.def(
       "tight_places",
       [](const std::vector<PathFrame>& frames, std::size_t count) {

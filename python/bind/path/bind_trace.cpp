@@ -180,15 +180,15 @@ InputError
 )";
 
 void bind_matching(nb::module_& module) {
-  nb::class_<ResidueMatch>(module, "ResidueMatch",
-                           "Matched residues of two traces.")
+  nb::class_<ResidueMatch>(module, "ResidueMatch", "Matched residues of two traces.")
       .def_prop_ro(
           "ours", [](const ResidueMatch& self) { return numbers_of(self.ours); },
           nb::rv_policy::reference, "(K,) int64, rising.")
       .def_prop_ro(
           "theirs", [](const ResidueMatch& self) { return numbers_of(self.theirs); },
           nb::rv_policy::reference, "(K,) int64.")
-      .def_ro("notes", &ResidueMatch::notes, "Method, differences, and what was left out, line by line.");
+      .def_ro("notes", &ResidueMatch::notes,
+              "Method, differences, and what was left out, line by line.");
   module.def("match_residues", &match_residues, "ours"_a, "theirs"_a, "source"_a, match_doc);
 }
 

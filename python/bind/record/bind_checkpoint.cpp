@@ -72,9 +72,10 @@ void bind_checkpoint(nb::module_& module) {
           nb::sig("def recorder(self, flush_seconds: float = 1.0, durable: bool = False) -> "
                   "H5mdRecorder"),
           "Opens the file to add frames. Raises FileError if it is being written.");
-  module.def("read_checkpoint", &opened, "path"_a, "steps"_a = nb::none(),
-             "Reads what the run of a file continues from; ``steps`` is the total number of steps.\n"
-             "Raises InputError if the file lacks it.");
+  module.def(
+      "read_checkpoint", &opened, "path"_a, "steps"_a = nb::none(),
+      "Reads what the run of a file continues from; ``steps`` is the total number of steps.\n"
+      "Raises InputError if the file lacks it.");
 }
 
 }  // namespace pliant::python

@@ -143,9 +143,10 @@ bool check_structure(const std::filesystem::path& path) {
 }  // namespace
 
 void bind_h5md_reader(nb::module_& module) {
-  module.def("check_hdf5_structure", &check_structure, "path"_a,
-             "Checks the structure of an HDF5 file within bounds, without HDF5. Returns whether all\n"
-             "of it has a known format; raises InputError if it is damaged.");
+  module.def(
+      "check_hdf5_structure", &check_structure, "path"_a,
+      "Checks the structure of an HDF5 file within bounds, without HDF5. Returns whether all\n"
+      "of it has a known format; raises InputError if it is damaged.");
   module.def(
       "expansion_refusal",
       [](std::uint64_t values, std::uint64_t at_once, std::uint64_t chunk, std::uint64_t stored,

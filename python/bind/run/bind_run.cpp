@@ -122,7 +122,8 @@ void bind_ordering(nb::class_<RunOptions>& options) {
                              "numpy.typing.NDArray[numpy.uint32], "
                              "numpy.typing.NDArray[numpy.bool_]] | None")),
       nb::arg().none(),
-      "The ordering for technique \"input\", in place of the order of the bars: (bar, near, is_tree).");
+      "The ordering for technique \"input\", in place of the order of the bars: (bar, near, "
+      "is_tree).");
 }
 
 void bind_replay(nb::class_<RunOptions>& options) {

@@ -42,11 +42,11 @@ struct OptionFacts {
   std::vector<std::string_view> (*choices)() = nullptr;
   std::string_view kind = {};
   bool is_optional = false;           ///< 0 stands for "not used" and is in range too
-  std::string_view unit = {};  ///< of a number; "": none, or the summary says it
+  std::string_view unit = {};         ///< of a number; "": none, or the summary says it
   std::string_view in_python = {};    ///< the summary in the words of scripts; "": the same
   std::string_view automatic = {};    ///< the value, and the default, that lets the task choose;
                                       ///< "": the task never chooses
-  std::int64_t most = INT64_MAX;  ///< largest whole number that the command takes
+  std::int64_t most = INT64_MAX;      ///< largest whole number that the command takes
   std::string_view unset_means = {};  ///< what the command does without the option, if that is not
                                       ///< the default of the library
   OptionUsers users = {};

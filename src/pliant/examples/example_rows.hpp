@@ -34,7 +34,7 @@ std::vector<ExampleRow> thesis_examples();       ///< figures of the thesis
 std::vector<ExampleRow> family_examples();       ///< the families at small sizes
 std::vector<ExampleRow> rigidity_examples();     ///< known ranks
 std::vector<ExampleRow> planar_examples();       ///< known ranks, in the plane z = 0
-std::vector<ExampleRow> projection_examples();  ///< systems that test other programs
+std::vector<ExampleRow> projection_examples();   ///< systems that test other programs
 std::vector<ExampleRow> feasibility_examples();  ///< at and beyond the limits of feasibility
 std::vector<ExampleRow> limit_examples();        ///< with limits and sterics
 

@@ -46,12 +46,12 @@ Sketch shaken(Sketch sketch, double size, std::uint64_t seed = 0);
 /// Properties of an example known from closed forms, the literature or another program.
 struct ExampleFacts {
   std::size_t components = 1;
-  std::size_t cycles = 0;                         ///< independent cycles
-  std::size_t bridges = 0;                        ///< bars on no cycle
-  std::size_t blocks = 0;                         ///< biconnected components of two or more bars
-  bool feasible = true;  ///< there are positions that satisfy all constraints
-  bool whole = true;  ///< the positions of the example do
-  std::optional<std::size_t> rank = {};           ///< of the rigidity matrix at the positions
+  std::size_t cycles = 0;                ///< independent cycles
+  std::size_t bridges = 0;               ///< bars on no cycle
+  std::size_t blocks = 0;                ///< biconnected components of two or more bars
+  bool feasible = true;                  ///< there are positions that satisfy all constraints
+  bool whole = true;                     ///< the positions of the example do
+  std::optional<std::size_t> rank = {};  ///< of the rigidity matrix at the positions
   std::optional<std::size_t> rigid_motions = {};  ///< independent rigid motions: 3, 5 or 6
   std::optional<std::size_t> flexes = {};         ///< true internal degrees of freedom, in space
 };

@@ -10,7 +10,7 @@ namespace pliant {
 
 /// One residue of a macromolecule, or the whole of a small molecule.
 struct Residue {
-  std::string name;  ///< "LYS"; "UNK" if a molecule file gives none; "" in a graph
+  std::string name;           ///< "LYS"; "UNK" if a molecule file gives none; "" in a graph
   std::int64_t number = 1;    ///< author's number; may be negative
   char insertion_code = ' ';  ///< ' ' for none
   std::string chain;          ///< author's chain name; "" for none

@@ -42,7 +42,7 @@ struct Frame {
   /// (L) 1: the limit is switched off; empty: all are on
   std::span<const std::uint8_t> limits_off = {};
   std::int64_t redraws = 0;  ///< draws that a sampler rejected before this frame was resolved
-  std::int64_t walker = 0;  ///< the walker it belongs to, where one file holds several
+  std::int64_t walker = 0;   ///< the walker it belongs to, where one file holds several
 };
 
 }  // namespace pliant

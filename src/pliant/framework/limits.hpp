@@ -42,7 +42,7 @@ struct Limit {
   double least = 0.0;                                     ///< 0: a cable
   double most = std::numeric_limits<double>::infinity();  ///< infinite: a strut
   LimitKind kind = LimitKind::given;
-  double energy = 0.0;  ///< kJ/mol needed to break it; 0: not known
+  double energy = 0.0;                   ///< kJ/mol needed to break it; 0: not known
   std::uint32_t group = no_limit_group;  ///< limits with the same group stand for one contact
   friend bool operator==(const Limit&, const Limit&) = default;
 };

@@ -11,7 +11,7 @@ namespace pliant {
 /// A pair with its own least distance, which replaces the table's.
 struct OwnDistance {
   std::uint32_t a = 0, b = 0;  ///< joints
-  double least = 0.0;  ///< Angstrom; 0: no lower bound
+  double least = 0.0;          ///< Angstrom; 0: no lower bound
   friend bool operator==(const OwnDistance&, const OwnDistance&) = default;
 };
 
@@ -22,7 +22,7 @@ struct Sterics {
   std::size_t kind_count = 0;             ///< K
   std::vector<std::uint16_t> kinds = {};  ///< (N) kind of each joint, below K
   std::vector<double> least = {};         ///< (K * K) Angstrom, symmetric; 0: none
-  std::vector<OwnDistance> own = {};  ///< pairs whose least distance is none of the above
+  std::vector<OwnDistance> own = {};      ///< pairs whose least distance is none of the above
   /// (N) joints with the same number never touch; may be empty
   std::vector<std::uint32_t> units = {};
   int excluded_bonds = 3;  ///< pairs up to this many bonds apart never touch; from 0

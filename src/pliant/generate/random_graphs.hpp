@@ -17,14 +17,14 @@ namespace pliant {
 /// Sizes of random graphs. The thesis gives none; the defaults make graphs of about ten to fifty
 /// joints.
 struct GenerateOptions {
-  std::int64_t depth = 4;     ///< levels of a tree below its root, from 1
+  std::int64_t depth = 4;  ///< levels of a tree below its root, from 1
   /// largest number of children of a joint, from 1; the number is random
   std::int64_t children = 3;
   /// largest number of joints of a closed chain, from 3; the number is random
   std::int64_t ring = 8;
-  std::int64_t cycles = 3;    ///< non-tree bars of an n-cycle, from 0
+  std::int64_t cycles = 3;  ///< non-tree bars of an n-cycle, from 0
   std::int64_t joints = 0;  ///< joints of a tree; 0: determined by depth and children
-  double box = 10.0;  ///< edge of the box from which positions are drawn (Angstrom)
+  double box = 10.0;        ///< edge of the box from which positions are drawn (Angstrom)
 };
 
 /// Throws OptionError naming the option, its value and its range, and for sizes with more than 10^8

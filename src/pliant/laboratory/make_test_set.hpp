@@ -13,7 +13,7 @@ struct TestSetOptions {
   TestSettings settings = {};
   std::vector<std::string> classes = {};  ///< names in graph_classes(); empty: all
   std::int64_t graphs = 20;               ///< of each class, from 1
-  std::int64_t force_files = 1;  ///< number of files with the forces of a graph
+  std::int64_t force_files = 1;           ///< number of files with the forces of a graph
   /// Names in techniques(), each used for the classes that it resolves; empty: every row of
   /// orderings() except `input`.
   std::vector<std::string> techniques = {};

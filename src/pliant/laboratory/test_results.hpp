@@ -28,7 +28,7 @@ struct TestSummary {
   std::int64_t converged = 0;  ///< number of forces that converged
   double mean = 0.0;
   std::int64_t mode = 0;  ///< the smallest of the most frequent values
-  double sd = 0.0;  ///< with n - 1; 0 for a single force
+  double sd = 0.0;        ///< with n - 1; 0 for a single force
 
   friend bool operator==(const TestSummary&, const TestSummary&) = default;
 };

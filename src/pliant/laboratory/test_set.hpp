@@ -29,7 +29,7 @@ namespace pliant {
 /// Settings shared by all graphs of a test set; kept in results.xml.
 struct TestSettings {
   std::uint64_t seed = 0;
-  std::int64_t forces = 50;  ///< number of pushes for each graph, from 1
+  std::int64_t forces = 50;        ///< number of pushes for each graph, from 1
   double force = 50.0;             ///< size of each, kJ/(mol Angstrom)
   double timestep = 0.01;          ///< ps
   double tolerance_length = 0.01;  ///< largest |length - rest| of a whole bar (Angstrom)

@@ -43,7 +43,7 @@ class EnsembleFluctuation {
   void refuse_strangers(const AtomTable& atoms, std::span<const std::int64_t> places,
                         const std::string& source) const;
 
-  std::vector<Residue> residues_;  ///< (K) of our structure
+  std::vector<Residue> residues_;        ///< (K) of our structure
   std::vector<std::string> atom_names_;  ///< (K) names of the atoms of their nodes
   bool has_one_chain_ = true;
   std::vector<std::vector<Vec3>> frames_;  ///< (F, K)

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "pliant/base/error.hpp"
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/model/atoms/residue_chemistry.hpp"
 #include "pliant/model/contacts/contact_file.hpp"
 #include "pliant/model/steric_table.hpp"

@@ -46,13 +46,13 @@ struct ModelOptions {
   PrepareOptions prepare = {};
   HydrogenBondOptions hydrogen_bonds = {};
   TetherOptions tethers = {};
-  bool sterics = true;  ///< allow sterics; not all models have them
+  bool sterics = true;   ///< allow sterics; not all models have them
   bool torsions = true;  ///< torsion preferences with the sterics; sample() heeds them
   /// Contacts that replace those to be found; atoms of the prepared structure.
   std::optional<std::vector<MolecularContact>> contacts = std::nullopt;
   std::string contacts_file = "";  ///< a file of such contacts (read_contacts); "": none
-  std::string pin = "";     ///< selection of atoms that never move; "": none
-  bool may_be_cut = false;  ///< accept a molecule that a periodic box has cut
+  std::string pin = "";            ///< selection of atoms that never move; "": none
+  bool may_be_cut = false;         ///< accept a molecule that a periodic box has cut
   Log log = {};
 };
 
@@ -60,10 +60,10 @@ struct ModelOptions {
 struct MolecularModel {
   ModelKind kind = ModelKind::protein;
   Structure structure;
-  Framework framework;  ///< bars, limits (group k is contact k), sterics
+  Framework framework;          ///< bars, limits (group k is contact k), sterics
   std::vector<Vec3> positions;  ///< (N) Angstrom, start; satisfies all limits and least distances
   std::vector<MolecularContact> contacts;
-  std::vector<std::string> told;  ///< what was done and found, one sentence each
+  std::vector<std::string> told;     ///< what was done and found, one sentence each
   std::vector<std::string> missing;  ///< what the structure lacks
 };
 

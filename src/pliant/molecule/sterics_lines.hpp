@@ -48,7 +48,7 @@ class StericsLines {
   void check_kinds(const Place& file) const;
 
   std::map<std::pair<std::string, std::string>, double> least_;  ///< names in their order
-  std::map<std::string, std::uint16_t, std::less<>> kinds_;  ///< the kinds named in least_
+  std::map<std::string, std::uint16_t, std::less<>> kinds_;      ///< the kinds named in least_
   std::map<Joint, StatedKind> stated_;
   std::map<std::pair<Joint, Joint>, std::size_t> own_lines_;
   std::vector<OwnDistance> own_;

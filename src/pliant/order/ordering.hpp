@@ -39,7 +39,7 @@ struct OrderRequest {
   RandomKey key = {};                    ///< seed, walker and step
   std::span<const Vec3> positions = {};  ///< (N) Angstrom, current positions
   const Ordering* before = nullptr;      ///< the last sweep's ordering; null in the first sweep
-  const Ordering* given = nullptr;  ///< the ordering for `input`; null: the order of the bars
+  const Ordering* given = nullptr;       ///< the ordering for `input`; null: the order of the bars
 };
 
 /// What happens after the first sweep of a resolve.

@@ -15,8 +15,8 @@ namespace pliant {
 
 /// One end: a molecule, and the atoms that are to reach the other end.
 struct PathSide {
-  MolecularModel model;               ///< with the contacts that both structures have
-  std::vector<std::uint32_t> asked;   ///< (K) atoms
+  MolecularModel model;              ///< with the contacts that both structures have
+  std::vector<std::uint32_t> asked;  ///< (K) atoms
   /// (N) the matched residue with which each atom moves: its own, else the nearest
   std::vector<std::uint32_t> leader;
 };
@@ -24,13 +24,13 @@ struct PathSide {
 /// The two structures, matched.
 struct PathEnds {
   PathSide start;
-  std::optional<PathSide> end;  ///< set only if both ends move
-  std::vector<Vec3> goal;  ///< (K) Angstrom, positions of the asked atoms at the end
-  std::size_t matched = 0;  ///< number of residues
-  std::size_t end_contacts = 0;  ///< number of contacts that only the end has
+  std::optional<PathSide> end;            ///< set only if both ends move
+  std::vector<Vec3> goal;                 ///< (K) Angstrom, positions of the asked atoms at the end
+  std::size_t matched = 0;                ///< number of residues
+  std::size_t end_contacts = 0;           ///< number of contacts that only the end has
   std::vector<MolecularContact> to_lose;  ///< contacts that only the start has
   std::vector<MolecularContact>
-      to_make;  ///< contacts that only the end has, between atoms of the start
+      to_make;                     ///< contacts that only the end has, between atoms of the start
   std::string source_of_end;       ///< its file
   std::vector<std::string> notes;  ///< how residues were matched
 };

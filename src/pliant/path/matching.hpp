@@ -16,7 +16,7 @@ namespace pliant {
 struct ResidueMatch {
   std::vector<std::uint32_t> ours;    ///< (K) rising
   std::vector<std::uint32_t> theirs;  ///< (K)
-  std::vector<std::string> notes;  ///< method, differences, and what was left out
+  std::vector<std::string> notes;     ///< method, differences, and what was left out
 };
 
 /// Matches chains, those with most residues in common first, then residues within them: by chain

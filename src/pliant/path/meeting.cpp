@@ -58,7 +58,7 @@ std::vector<std::vector<Vec3>> Meeting::goals() const {
   return goals;
 }
 
-std::string Meeting::told() const {
+std::string Meeting::summary() const {
   const double apart = ours_.walker.apart(theirs_.walker.asked());
   return std::string("the two ends ") + (apart <= path_near ? "met, " : "did not meet, ") +
          two_decimals(apart) + " A apart, after " + std::to_string(ours_.way.places.size() - 1) +

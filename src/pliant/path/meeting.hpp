@@ -24,7 +24,7 @@ class Meeting {
   /// Goals of K positions each: the places of the other end, the last one first.
   std::vector<std::vector<Vec3>> goals() const;
   /// "the two ends met, 0.49 A apart, after 17 steps of the start and 16 of the end".
-  std::string told() const;
+  std::string summary() const;
 
  private:
   /// One of the two ends.

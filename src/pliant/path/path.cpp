@@ -57,7 +57,7 @@ struct PathWalk::Plan {
 
  private:
   void end_meeting() {
-    notes.push_back(meeting->told());
+    notes.push_back(meeting->summary());
     goals = meeting->goals();
     meeting.reset();
     march.emplace(walker, best, goals, options.step);

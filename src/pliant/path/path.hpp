@@ -62,8 +62,8 @@ struct MolecularPath {
       positions;                   ///< (F) of N each, Angstrom; atoms of the start's model
   std::vector<PathFrame> frames;   ///< (F) the start first
   std::vector<std::string> notes;  ///< how residues were matched, where the ends met, why it ended
-  std::int64_t attempts = 0;  ///< number of detours tried
-  bool has_arrived = false;  ///< the last frame has reached the end
+  std::int64_t attempts = 0;       ///< number of detours tried
+  bool has_arrived = false;        ///< the last frame has reached the end
 };
 
 /// The table of the frames that a walk has so far.

@@ -29,11 +29,11 @@ double arrived_within(PathAtoms atoms);
 struct PathOptions {
   PathAtoms atoms = PathAtoms::alpha;
   double step = 0.2;           ///< r.m.s. distance of a step (Angstrom), above 0, at most 2
-  bool both = false;  ///< both structures first move towards each other
+  bool both = false;           ///< both structures first move towards each other
   std::int64_t backtrack = 0;  ///< largest number of detours, 0 to 1000
   std::uint64_t seed = 0;      ///< of the detours
   std::function<bool()> should_stop = {};  ///< called after each sweep; true ends the step
-  Log log = {};  ///< receives messages of preparation
+  Log log = {};                            ///< receives messages of preparation
 };
 
 /// Throws OptionError naming the option, its range and what was found.

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/path/ends.hpp"
 
 namespace pliant {
@@ -17,12 +17,12 @@ struct PathFrame {
   std::int64_t step = 0;
   double to_end = 0.0;  ///< r.m.s. distance of the asked atoms from the end, superposed, Angstrom
   double from_start = 0.0;    ///< the same from the start
-  std::int64_t lost = 0;  ///< broken contacts among those that only the start has
-  std::int64_t made = 0;  ///< formed contacts among those that only the end has
+  std::int64_t lost = 0;      ///< broken contacts among those that only the start has
+  std::int64_t made = 0;      ///< formed contacts among those that only the end has
   double max_residual = 0.0;  ///< worst bar, relative to its length
   double held_off = 0.0;  ///< largest distance of a shared contact outside its interval, Angstrom
-  double overlap = 0.0;  ///< by how much two atoms are nearer than allowed, Angstrom
-  std::string tightest;  ///< these two: "A:LYS12 NZ - A:ASP54 OD1"; empty if there are none
+  double overlap = 0.0;   ///< by how much two atoms are nearer than allowed, Angstrom
+  std::string tightest;   ///< these two: "A:LYS12 NZ - A:ASP54 OD1"; empty if there are none
 };
 
 /// Measures frames of the molecule of the start.
@@ -39,14 +39,14 @@ class PathTable {
 
   const PathEnds& ends_;
   std::vector<Vec3> begun_;  ///< (K) Angstrom, asked atoms at the start
-  Contacts near_;
+  NeighbourList near_;
 };
 
 /// Two atoms that are too near each other, more than any others in some frames.
 struct TightPlace {
   std::string atoms;        ///< "A:LYS12 NZ - A:ASP54 OD1"
-  double overlap = 0.0;  ///< by how much at most, Angstrom
-  std::int64_t step = 0;  ///< of the largest overlap
+  double overlap = 0.0;     ///< by how much at most, Angstrom
+  std::int64_t step = 0;    ///< of the largest overlap
   std::int64_t frames = 0;  ///< number of frames in which these two are the tightest
 };
 

@@ -46,7 +46,7 @@ class MatchedAtoms {
 
 /// The contacts of two structures, compared. Contacts of unmatched atoms are in none of the lists.
 struct SharedContacts {
-  std::vector<MolecularContact> ours, theirs;  ///< contacts that both have
+  std::vector<MolecularContact> ours, theirs;            ///< contacts that both have
   std::vector<MolecularContact> only_ours, only_theirs;  ///< contacts that only one has
 };
 

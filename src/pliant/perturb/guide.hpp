@@ -15,7 +15,7 @@ namespace pliant {
 /// experiment (FRET, DEER, a cross-link).
 struct PairDistance {
   std::vector<Joint> first, second;  ///< one joint or more each, with equal weights
-  double least = 0.0, most = 0.0;  ///< Angstrom; equal for a single distance
+  double least = 0.0, most = 0.0;    ///< Angstrom; equal for a single distance
 
   friend bool operator==(const PairDistance&, const PairDistance&) = default;
 };

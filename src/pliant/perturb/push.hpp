@@ -21,11 +21,11 @@ struct JointForce {
 /// pusher that moved anything sets.
 struct Push {
   std::int64_t root_joint = no_joint;  ///< the pushed joint; the first one if all were pushed
-  Vec3 force;  ///< force on the root joint, kJ/(mol Angstrom); 0 if none
+  Vec3 force;                          ///< force on the root joint, kJ/(mol Angstrom); 0 if none
   bool all = false;                    ///< any joint may have been moved
   std::vector<Joint> joints = {};  ///< if not `all`: the moved joints, the root joint among them
   std::vector<JointForce> forces = {};  ///< in the order in which move_by_verlet applied them
-  std::vector<JointForce> asked = {};  ///< forces of hands before they were held back
+  std::vector<JointForce> asked = {};   ///< forces of hands before they were held back
 
   void clear();
   /// Notes that a joint was moved, and by which force.

@@ -15,9 +15,9 @@ namespace pliant {
 
 /// How hard to push. Checked once, by check().
 struct PerturbOptions {
-  double force = 50.0;  ///< size of a random force, kJ/(mol Angstrom)
-  double timestep = 0.01;     ///< ps
-  double damping = 0.0;  ///< share of its velocity that a pushed joint loses in a step, 0 to 1
+  double force = 50.0;     ///< size of a random force, kJ/(mol Angstrom)
+  double timestep = 0.01;  ///< ps
+  double damping = 0.0;    ///< share of its velocity that a pushed joint loses in a step, 0 to 1
   /// length of a random displacement, and most of a guided one (Angstrom)
   double displacement = 0.1;
 };
@@ -28,9 +28,9 @@ void check(const PerturbOptions& options);
 /// What a pusher may use in one step.
 struct PushCall {
   const Framework& framework;
-  RandomKey key = {};  ///< this pusher's own; each draw adds its domain and joint
+  RandomKey key = {};                ///< this pusher's own; each draw adds its domain and joint
   double timestep = 0.01;            ///< ps
-  double damping = 0.0;  ///< share of its velocity that a pushed joint loses in a step
+  double damping = 0.0;              ///< share of its velocity that a pushed joint loses in a step
   std::span<const Vec3> older = {};  ///< (N) positions one step before state.previous
 };
 
@@ -50,8 +50,8 @@ class Pusher {
 struct PusherOptions {
   PerturbOptions perturb = {};
   std::vector<JointForce> replay = {};  ///< for `replay`: forces, one a step or by replay_counts
-  std::int64_t replay_from = 0;                  ///< the step after which replays and guides begin
-  Guide guide = {};  ///< for `rock`, `pull` and `pair_distance`
+  std::int64_t replay_from = 0;         ///< the step after which replays and guides begin
+  Guide guide = {};                     ///< for `rock`, `pull` and `pair_distance`
   /// for `replay`: (S) number of forces in each step; or empty
   std::vector<std::int64_t> replay_counts = {};
 };

@@ -32,7 +32,7 @@ class Steering final : public Pusher {
  private:
   double longest_step_;
   Mutex mutex_;
-  std::vector<JointForce> asked_;  ///< guarded by the mutex
+  std::vector<JointForce> asked_;   ///< guarded by the mutex
   std::vector<JointForce> acting_;  ///< their copy during a step
 };
 

@@ -65,8 +65,8 @@ class PebbleGame {
   void merge_reached();
 
   DisjointSets clusters_;
-  std::vector<Pebbles> pebbles_;  ///< (bodies) valid for the lowest body of each cluster
-  std::vector<Step> steps_;  ///< (bodies) of the current search
+  std::vector<Pebbles> pebbles_;      ///< (bodies) valid for the lowest body of each cluster
+  std::vector<Step> steps_;           ///< (bodies) of the current search
   std::vector<std::uint32_t> marks_;  ///< (bodies) number of the last search that reached it
   std::vector<bool> has_bars_;        ///< (bodies)
   std::vector<std::uint32_t> reached_;

@@ -12,8 +12,8 @@ namespace pliant {
 
 /// What is known of the shape of a unit before any positions are seen.
 enum class ShapeKind : std::uint8_t {
-  rod,  ///< two joints, given by the rest length
-  drawn,  ///< from the drawn positions of the framework
+  rod,      ///< two joints, given by the rest length
+  drawn,    ///< from the drawn positions of the framework
   lengths,  ///< from a bar between each two joints; the mirror image is possible, too
   unknown,  ///< only its bars are known
 };

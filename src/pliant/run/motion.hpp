@@ -22,12 +22,12 @@ struct MotionOptions {
   Technique technique = {};
   ResolveOptions resolve = {};  ///< its walker is ignored
   std::vector<std::string> push = {
-      "force"};                         ///< names in pushers(), in the order in which they act
+      "force"};                 ///< names in pushers(), in the order in which they act
   PerturbOptions perturb = {};  ///< for all of them
   /// for pusher `replay`: forces, one a step or by replay_counts
   std::vector<JointForce> replay = {};
-  std::int64_t replay_from = 0;         ///< the step after which replays and guides begin
-  Guide guide = {};  ///< for pushers `rock`, `pull` and `pair_distance`
+  std::int64_t replay_from = 0;  ///< the step after which replays and guides begin
+  Guide guide = {};              ///< for pushers `rock`, `pull` and `pair_distance`
   Log log = {};
   std::vector<std::int64_t> replay_counts = {};  ///< (S) number of forces in each step; empty: one
 };

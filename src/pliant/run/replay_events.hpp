@@ -16,7 +16,7 @@ namespace pliant {
 /// Options of a replay.
 struct ReplayOptions {
   std::string_view file = "force file";    ///< for messages
-  std::int64_t every = 1;  ///< interval of the frames shown (with step 0); from 1
+  std::int64_t every = 1;                  ///< interval of the frames shown (with step 0); from 1
   std::function<bool()> should_stop = {};  ///< asked after each sweep and step
   Log log = {};
 };

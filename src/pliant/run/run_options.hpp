@@ -38,7 +38,7 @@ struct RunOptions {
   /// if not empty, and nothing is replayed: it replaces `perturb`, until has_arrived()
   Guide guide = {};
   std::int64_t steps = 1000;  ///< steps to do; from 0
-  std::int64_t every = 1;  ///< interval of the frames shown (with step 0); from 1
+  std::int64_t every = 1;     ///< interval of the frames shown (with step 0); from 1
   /// The step at which the run began, if it continues one: steps count from there, and nothing is
   /// resolved or shown before the next step. None: it begins here.
   std::optional<std::int64_t> began = {};
@@ -59,11 +59,11 @@ struct WalkerRun {
   State& state;              ///< stepped on
   std::uint64_t number = 0;  ///< replaces RunOptions::resolve.walker
   std::vector<Observer> observers = {};
-  std::function<void(const Push&)> on_push = {};  ///< replaces RunOptions::on_push
+  std::function<void(const Push&)> on_push = {};    ///< replaces RunOptions::on_push
   std::vector<std::shared_ptr<Pusher>> hands = {};  ///< replaces RunOptions::hands
-  Onlooker onlooker = {};  ///< replaces RunOptions::onlooker
-  Log log = {};  ///< replaces RunOptions::log
-  std::optional<std::int64_t> began = {};  ///< replaces RunOptions::began
+  Onlooker onlooker = {};                           ///< replaces RunOptions::onlooker
+  Log log = {};                                     ///< replaces RunOptions::log
+  std::optional<std::int64_t> began = {};           ///< replaces RunOptions::began
 };
 
 }  // namespace pliant

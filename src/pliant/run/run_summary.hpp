@@ -16,7 +16,7 @@ struct RunSummary {
   /// over all steps, without the resolve of a broken start
   std::int64_t sweeps = 0, max_sweeps = 0;
   std::int64_t projections = 0;  ///< over all resolves, as resolve_seconds
-  double worst_residual = 0.0;              ///< largest |length - rest| / rest after any step
+  double worst_residual = 0.0;   ///< largest |length - rest| / rest after any step
   BarIndex worst_bar = 0;
   std::int64_t worst_step = 0;
   bool stopped_by_caller = false;

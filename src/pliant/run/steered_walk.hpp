@@ -79,7 +79,7 @@ class SteeredWalk {
   std::shared_ptr<Steering> hand_;
   Pushing pushing_ = Pushing::by_hand;
   std::unique_ptr<Motion> motion_;  ///< null until it is needed
-  RunSummary done_;  ///< summary of the motions before it
+  RunSummary done_;                 ///< summary of the motions before it
 };
 
 }  // namespace pliant

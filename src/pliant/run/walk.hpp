@@ -56,7 +56,7 @@ class Walk {
   Log log_;
   PushChain pushers_;
   RunSummary summary_;
-  ResolveSummary last_;  ///< of the last step, or of the start
+  ResolveSummary last_;           ///< of the last step, or of the start
   std::optional<bool> is_whole_;  ///< all bars, before the push; none: not checked
   bool is_pushed_ = false;        ///< a step has begun and not ended
   bool is_stopped_ = false;

@@ -92,10 +92,10 @@ void FrameMaker::make_many(std::int64_t first, std::span<const Vec3> now,
   }
   lanes_->resolve(jobs_, careful());
   for (std::size_t k = 0; k < out.size(); ++k) {
-    out[k].outcome = jobs_[k].outcome;
-    out[k].steps = out[k].outcome.steps;
+    out[k].result = jobs_[k].result;
+    out[k].steps = out[k].result.steps;
     std::swap(request_, requests_[k]);
-    out[k].is_made = out[k].outcome.is_whole || rescue(from(request_, now), out[k]) ||
+    out[k].is_made = out[k].result.is_whole || rescue(from(request_, now), out[k]) ||
                      draw_again(first + static_cast<std::int64_t>(k), 0, now, now, out[k]);
     finish(out[k]);
   }
@@ -152,9 +152,9 @@ bool FrameMaker::rescue(std::span<const Vec3> from, MadeFrame& out) {
 }
 
 bool FrameMaker::resolve(std::span<const Vec3> now, const FrodaOptions& options, MadeFrame& out) {
-  out.outcome = solver_.resolve(now, request_.targets, out.positions, options, request_.limits_off);
-  out.steps += out.outcome.steps;
-  return out.outcome.is_whole;
+  out.result = solver_.resolve(now, request_.targets, out.positions, options, request_.limits_off);
+  out.steps += out.result.steps;
+  return out.result.is_whole;
 }
 
 void FrameMaker::measure_bars(MadeFrame& out) const {

@@ -18,13 +18,13 @@ namespace pliant {
 struct MadeFrame {
   bool is_made = false;
   std::vector<Vec3> positions;           ///< (N)
-  std::vector<Vec3> before;  ///< (N) of a walk, one step earlier; otherwise empty
+  std::vector<Vec3> before;              ///< (N) of a walk, one step earlier; otherwise empty
   std::vector<std::uint8_t> limits_off;  ///< (L) or empty
   double max_residual = 0.0, rms_residual = 0.0;
   BarIndex worst_bar = 0;
-  FrodaOutcome outcome;  ///< of the last step
+  FrodaResult result;  ///< of the last step
   double off_target = 0.0;
-  int redraws = 0;  ///< number of draws after the first, over all steps
+  int redraws = 0;          ///< number of draws after the first, over all steps
   bool is_rescued = false;  ///< resolved by blind or patient steps, or drawn again
   std::int64_t steps = 0;
   double cpu_seconds = 0.0;

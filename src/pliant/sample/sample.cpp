@@ -160,8 +160,8 @@ class Sampling {
                              made.limits_off,
                              made.max_residual,
                              made.rms_residual,
-                             made.outcome.max_limit,
-                             made.outcome.max_overlap,
+                             made.result.max_limit,
+                             made.result.max_overlap,
                              made.redraws,
                              made.steps};
     if (observer(frame)) summary_.stopped_by_caller = true;
@@ -178,9 +178,9 @@ class Sampling {
     ++summary_.frames;
     summary_.rescued += made.is_rescued ? 1 : 0;
     summary_.mean_off_target += made.off_target;
-    summary_.max_limit = std::max(summary_.max_limit, made.outcome.max_limit);
-    summary_.max_overlap = std::max(summary_.max_overlap, made.outcome.max_overlap);
-    summary_.max_closing = std::max(summary_.max_closing, made.outcome.max_closing);
+    summary_.max_limit = std::max(summary_.max_limit, made.result.max_limit);
+    summary_.max_overlap = std::max(summary_.max_overlap, made.result.max_overlap);
+    summary_.max_closing = std::max(summary_.max_closing, made.result.max_closing);
     if (made.max_residual > summary_.max_residual) {
       summary_.max_residual = made.max_residual;
       summary_.worst_bar = made.worst_bar;

@@ -17,7 +17,7 @@ namespace pliant {
 /// A frame; spans are valid during the call only.
 struct SampledFrame {
   std::int64_t frame = 0;
-  std::span<const Vec3> positions;           ///< (N) Angstrom
+  std::span<const Vec3> positions;  ///< (N) Angstrom
   /// (L) 1: the limit was switched off; empty: all were on
   std::span<const std::uint8_t> limits_off;
   double max_residual = 0.0, rms_residual = 0.0;

@@ -16,8 +16,8 @@ namespace pliant {
 struct SampleSummary {
   std::int64_t frames = 0;
   std::int64_t redrawn = 0;        ///< frames whose first draw could not be resolved
-  std::int64_t rescued = 0;  ///< frames that needed more than careful steps
-  std::int64_t failed = 0;  ///< frames for which no draw was resolved; not among `frames`
+  std::int64_t rescued = 0;        ///< frames that needed more than careful steps
+  std::int64_t failed = 0;         ///< frames for which no draw was resolved; not among `frames`
   double amplitude_asked = 0.0;    ///< mean r.m.s. fluctuation of nodes (Angstrom); 0: the
                                    ///< sampler has none
   double amplitude_reached = 0.0;  ///< mean of `rmsf` over the joints nearest to nodes
@@ -26,13 +26,13 @@ struct SampleSummary {
   double max_limit = 0.0;          ///< largest distance of a limit outside its interval (Angstrom)
   double max_overlap = 0.0;        ///< largest overlap of two joints (Angstrom)
   double max_closing = 0.0;        ///< largest move of a joint by the last steps that close loops
-  double mean_off_target = 0.0;  ///< r.m.s. distance of joints from their targets
-  double mean_steps = 0.0;  ///< steps in torsion space a frame
+  double mean_off_target = 0.0;    ///< r.m.s. distance of joints from their targets
+  double mean_steps = 0.0;         ///< steps in torsion space a frame
   std::vector<double> rmsf;        ///< (N) r.m.s. fluctuation of each joint about its mean, frames
                                    ///< superposed: whole turns and shifts are no fluctuation
   std::vector<double> rmsf_error;  ///< (N) half the difference between halves of the frames
   bool stopped_by_caller = false;
-  double seconds = 0.0;  ///< wall time
+  double seconds = 0.0;      ///< wall time
   double cpu_seconds = 0.0;  ///< of resolving, summed over threads
 };
 

@@ -19,8 +19,8 @@ struct SampleOptions;
 
 /// The target of one frame.
 struct FrameRequest {
-  std::vector<Vec3> targets;             ///< (N) Angstrom
-  std::vector<Vec3> from;  ///< (N) whole start of the resolve; empty: where the frame begins
+  std::vector<Vec3> targets;  ///< (N) Angstrom
+  std::vector<Vec3> from;     ///< (N) whole start of the resolve; empty: where the frame begins
   /// (L) 1: the limit is switched off in this frame; empty: all are on
   std::vector<std::uint8_t> limits_off;
 };

@@ -16,7 +16,7 @@ namespace pliant {
 /// One packet of a client.
 struct ImdCommand {
   ImdType type = ImdType::go;
-  std::int32_t value = 0;  ///< for rate and wait
+  std::int32_t value = 0;               ///< for rate and wait
   std::vector<JointForce> forces = {};  ///< for forces, kJ/(mol Angstrom)
 };
 

@@ -23,9 +23,9 @@ namespace pliant {
 
 /// Summary of serving all clients.
 struct ImdSummary {
-  std::int64_t clients = 0;  ///< clients that followed the run
-  std::int64_t refused = 0;  ///< clients turned away, or whose connection failed
-  std::int64_t frames_sent = 0;  ///< complete frames
+  std::int64_t clients = 0;         ///< clients that followed the run
+  std::int64_t refused = 0;         ///< clients turned away, or whose connection failed
+  std::int64_t frames_sent = 0;     ///< complete frames
   std::int64_t frames_dropped = 0;  ///< frames for which a client was too slow
   std::int64_t forces_taken = 0;    ///< packets of forces
   double seconds_waited = 0.0;      ///< by the run: for a client, or because one paused it
@@ -34,7 +34,7 @@ struct ImdSummary {
 class ImdExchange {
  public:
   struct Options {
-    bool waits = false;  ///< the run waits for a client, and for slow ones
+    bool waits = false;      ///< the run waits for a client, and for slow ones
     bool can_kill = false;   ///< clients may end the run
     std::int64_t every = 1;  ///< a frame every so many steps, unless a client asks for another rate
     std::function<bool()> should_stop = {};  ///< ends waiting

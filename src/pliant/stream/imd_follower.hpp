@@ -22,12 +22,12 @@ struct ImdOutgoing {
 };
 
 struct ImdFollower {
-  std::int64_t every = 1;  ///< a frame every so many steps
+  std::int64_t every = 1;               ///< a frame every so many steps
   std::vector<JointForce> forces = {};  ///< its pulls, each joint once
   std::deque<ImdOutgoing> frames = {};  ///< waiting to be sent
   ImdCounts counts = {};
   bool is_paused = false;  ///< it has paused the run
-  bool is_ready = false;  ///< everything for it has been sent
+  bool is_ready = false;   ///< everything for it has been sent
   bool gets_next = false;  ///< it gets the next frame
 };
 

@@ -46,13 +46,13 @@ struct ImdFormat {
 struct ImdEnergies {
   float temperature = 0.0F;    ///< 0: a step has none
   float total = 0.0F;          ///< largest |length - rest| / rest
-  float potential = 0.0F;  ///< root mean square of |length - rest| / rest
+  float potential = 0.0F;      ///< root mean square of |length - rest| / rest
   float van_der_waals = 0.0F;  ///< largest overlap of two joints, Angstrom
-  float coulomb = 0.0F;  ///< 1 if the step did not converge, 0 if it did
+  float coulomb = 0.0F;        ///< 1 if the step did not converge, 0 if it did
   float bonds = 0.0F;          ///< sweeps of the step
-  float angles = 0.0F;  ///< largest distance of a limit outside its interval, Angstrom
-  float dihedrals = 0.0F;  ///< number of forces of the client that act
-  float impropers = 0.0F;  ///< number of frames for which this client was too slow
+  float angles = 0.0F;         ///< largest distance of a limit outside its interval, Angstrom
+  float dihedrals = 0.0F;      ///< number of forces of the client that act
+  float impropers = 0.0F;      ///< number of frames for which this client was too slow
 };
 
 /// Counts of a client that its frames' energies include.

@@ -22,12 +22,12 @@ struct ImdOptions {
   int version = 3;                 ///< 2 for VMD, 3 for MDAnalysis
   bool wait = false;               ///< the run waits for a client, and for slow ones
   bool kill = false;               ///< clients may end the run
-  int most_clients = 16;  ///< at once; others are turned away
+  int most_clients = 16;           ///< at once; others are turned away
   std::int64_t every = 1;  ///< a frame every so many steps, unless the client asks otherwise
   double timestep = 0.01;  ///< ps, reported to clients
-  bool swapped = false;  ///< use the opposite byte order of this machine's
+  bool swapped = false;    ///< use the opposite byte order of this machine's
   std::function<bool()> should_stop = {};  ///< asked while the run waits
-  Log log = {};  ///< called only in the run's thread
+  Log log = {};                            ///< called only in the run's thread
   ImdPatience patience = {};
 };
 

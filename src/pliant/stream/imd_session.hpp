@@ -18,7 +18,7 @@ struct ImdPatience {
   Milliseconds go{5000};
   Milliseconds packet{5000};    ///< for the next byte of a packet
   Milliseconds reading{10000};  ///< for it to take a byte of what is waiting
-  Milliseconds finish{10000};  ///< at the end, for a client that takes nothing more
+  Milliseconds finish{10000};   ///< at the end, for a client that takes nothing more
 };
 
 /// Never blocks: the thread that serves it polls for all sessions.
@@ -70,7 +70,7 @@ class ImdSession {
   ImdFollower* follower_ = nullptr;  ///< null until it follows
   Phase phase_ = Phase::greeting;
   Clock::time_point since_ = Clock::now();  ///< last progress of the current phase
-  Clock::time_point took_ = since_;  ///< when the client took a byte, or was given one
+  Clock::time_point took_ = since_;         ///< when the client took a byte, or was given one
   bool is_paused_ = false;
   bool is_ready_ = false;  ///< whether the exchange has it as ready
   ImdOutgoing out_;

@@ -14,10 +14,10 @@ namespace pliant {
 
 /// A compression: one row of the table.
 struct Compression {
-  std::string_view name;                  ///< "gzip"
-  std::string_view suffix;                ///< ".gz", that of files
-  std::string_view magic;                 ///< the bytes that each of its files begins with
-  std::string_view library;               ///< what reads it: "zlib"; "": nothing does
+  std::string_view name;     ///< "gzip"
+  std::string_view suffix;   ///< ".gz", that of files
+  std::string_view magic;    ///< the bytes that each of its files begins with
+  std::string_view library;  ///< what reads it: "zlib"; "": nothing does
   /// makes a decoder; null where the build lacks the library
   std::unique_ptr<Decoder> (*decoder)();
 };

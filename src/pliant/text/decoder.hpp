@@ -11,8 +11,8 @@ namespace pliant {
 
 /// What one step of a Decoder did.
 struct Decoded {
-  std::size_t made = 0;  ///< bytes written to `room`
-  bool is_end = false;  ///< this member of the file is complete
+  std::size_t made = 0;     ///< bytes written to `room`
+  bool is_end = false;      ///< this member of the file is complete
   std::string damage = {};  ///< what is wrong with the data, in words; "" if nothing is
 };
 

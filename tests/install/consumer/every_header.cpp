@@ -30,9 +30,9 @@
 #include "pliant/framework/joint_names.hpp"
 #include "pliant/framework/limits.hpp"
 #include "pliant/framework/measures/check_positions.hpp"
-#include "pliant/framework/measures/contacts.hpp"
 #include "pliant/framework/measures/feasibility.hpp"
 #include "pliant/framework/measures/limit_counts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/framework/measures/residual.hpp"
 #include "pliant/framework/sterics.hpp"
 #include "pliant/framework/torsion_preferences.hpp"
@@ -237,7 +237,7 @@ const Use uses[] = {
     of("pliant/model/torsions_of_residues.hpp", &torsions_of_residues),
     of("pliant/framework/atom_table.hpp", overload<void(const AtomTable&)>(&check)),
     of("pliant/framework/measures/check_positions.hpp", &check_positions),
-    of("pliant/framework/measures/contacts.hpp", &Contacts::update),
+    of("pliant/framework/measures/neighbour_list.hpp", &NeighbourList::update),
     of_type<Disturbed>("pliant/framework/disturbed.hpp"),
     of("pliant/framework/measures/feasibility.hpp", &impossible_triangles),
     of("pliant/framework/frame.hpp", overload<std::string_view(Stop)>(&name)),

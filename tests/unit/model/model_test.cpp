@@ -7,7 +7,7 @@
 #include <map>
 
 #include "pliant/base/error.hpp"
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/model/contacts/hydrogen_bond_energy.hpp"
 #include "pliant/model/steric_table.hpp"
 #include "unit/molecule/made_structure.hpp"

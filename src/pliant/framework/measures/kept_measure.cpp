@@ -13,12 +13,12 @@ KeptMeasure::KeptMeasure(const Framework& framework, const Tolerance& tolerance)
   bar_parts_.resize(bars_.size());
   limit_parts_.resize(limits_.size());
   sums_.assign(bars_.size() + 1, 0.0);
-  if (framework.sterics() != nullptr) contacts_ = std::make_unique<Contacts>(framework);
+  if (framework.sterics() != nullptr) neighbours_ = std::make_unique<NeighbourList>(framework);
 }
 
 ResidualSummary KeptMeasure::measure(std::span<const Vec3> positions, LimitsOff off) {
   ResidualSummary summary = measure_bars_and_limits(positions, off);
-  if (!summary.finite || !contacts_) return summary;
+  if (!summary.finite || !neighbours_) return summary;
   if (!renew_overlaps(positions)) {
     summary.finite = summary.within = false;
     return summary;
@@ -35,7 +35,7 @@ ResidualSummary KeptMeasure::measure_bars_and_limits(std::span<const Vec3> posit
   ResidualSummary summary;
   // What is not finite is rare: measure() stops at the first, and says which.
   if (!take_bars(summary) || !take_limits(summary))
-    return pliant::measure(framework_, positions, tolerance_, off, contacts_.get());
+    return pliant::measure(framework_, positions, tolerance_, off, neighbours_.get());
   if (framework_.bar_count() > 0)
     summary.rms_relative = std::min(std::sqrt(sum_of_squares() / double(framework_.bar_count())),
                                     summary.max_relative);
@@ -51,10 +51,10 @@ void KeptMeasure::look(std::span<const Vec3> positions) {
 }
 
 void KeptMeasure::renew_bars(std::span<const Vec3> positions) {
-  bars_.look_at_stale([&](std::size_t block) {
-    bar_parts_[block] = part_of_bars(positions, block);
-    right_sums_ = std::min(right_sums_, block);
-    visits_ += static_cast<std::int64_t>(bars_.last(block) - bars_.first(block));
+  bars_.look_at_stale([&](std::size_t group) {
+    bar_parts_[group] = part_of_bars(positions, group);
+    right_sums_ = std::min(right_sums_, group);
+    visits_ += static_cast<std::int64_t>(bars_.last(group) - bars_.first(group));
   });
 }
 
@@ -63,33 +63,33 @@ void KeptMeasure::renew_limits(std::span<const Vec3> positions, LimitsOff off) {
     off_.assign(off.begin(), off.end());
     limits_.make_all_stale();
   }
-  limits_.look_at_stale([&](std::size_t block) {
-    limit_parts_[block] = part_of_limits(positions, block);
-    visits_ += static_cast<std::int64_t>(limits_.last(block) - limits_.first(block));
+  limits_.look_at_stale([&](std::size_t group) {
+    limit_parts_[group] = part_of_limits(positions, group);
+    visits_ += static_cast<std::int64_t>(limits_.last(group) - limits_.first(group));
   });
 }
 
 /// False if positions cannot be listed.
 bool KeptMeasure::renew_overlaps(std::span<const Vec3> positions) {
-  if (has_moved_ && !contacts_->update(positions)) return false;
+  if (has_moved_ && !neighbours_->update(positions)) return false;
   has_moved_ = false;
-  if (lists_made_ != contacts_->lists_made()) {
-    lists_made_ = contacts_->lists_made();
-    overlaps_.assign(contacts_->near());
+  if (lists_made_ != neighbours_->lists_made()) {
+    lists_made_ = neighbours_->lists_made();
+    overlaps_.assign(neighbours_->near());
     overlap_parts_.resize(overlaps_.size());
   }
-  overlaps_.look_at_stale([&](std::size_t block) {
-    overlap_parts_[block] = part_of_overlaps(positions, block);
-    visits_ += static_cast<std::int64_t>(overlaps_.last(block) - overlaps_.first(block));
+  overlaps_.look_at_stale([&](std::size_t group) {
+    overlap_parts_[group] = part_of_overlaps(positions, group);
+    visits_ += static_cast<std::int64_t>(overlaps_.last(group) - overlaps_.first(group));
   });
   return true;
 }
 
-KeptMeasure::Part KeptMeasure::part_of_bars(std::span<const Vec3> positions, std::size_t block) {
+KeptMeasure::Part KeptMeasure::part_of_bars(std::span<const Vec3> positions, std::size_t group) {
   Part part;
   const auto bars = framework_.bars();
   const auto rests = framework_.rest_lengths();
-  for (std::size_t k = bars_.first(block); k < bars_.last(block); ++k) {
+  for (std::size_t k = bars_.first(group); k < bars_.last(group); ++k) {
     const double error = std::abs(residual(positions[bars[k].a], positions[bars[k].b], rests[k]));
     const double relative = error / rests[k];
     squares_[k] = relative * relative;
@@ -102,10 +102,10 @@ KeptMeasure::Part KeptMeasure::part_of_bars(std::span<const Vec3> positions, std
 }
 
 KeptMeasure::Part KeptMeasure::part_of_limits(std::span<const Vec3> positions,
-                                              std::size_t block) const {
+                                              std::size_t group) const {
   Part part;
   const auto limits = framework_.limits();
-  for (std::size_t k = limits_.first(block); k < limits_.last(block); ++k) {
+  for (std::size_t k = limits_.first(group); k < limits_.last(group); ++k) {
     const Limit& limit = limits[k];
     if (is_off(off_, static_cast<LimitIndex>(k))) continue;
     const double length = distance(positions[limit.a], positions[limit.b]);
@@ -118,10 +118,10 @@ KeptMeasure::Part KeptMeasure::part_of_limits(std::span<const Vec3> positions,
 }
 
 KeptMeasure::Part KeptMeasure::part_of_overlaps(std::span<const Vec3> positions,
-                                                std::size_t block) const {
+                                                std::size_t group) const {
   Part part;
-  const auto near = contacts_->near();
-  for (std::size_t k = overlaps_.first(block); k < overlaps_.last(block); ++k) {
+  const auto near = neighbours_->near();
+  for (std::size_t k = overlaps_.first(group); k < overlaps_.last(group); ++k) {
     const double overlap = near[k].least - distance(positions[near[k].a], positions[near[k].b]);
     if (overlap > tolerance_.overlap) part.within = false;
     part.take(overlap, k);
@@ -157,19 +157,19 @@ void KeptMeasure::take_overlaps(ResidualSummary& summary) const {
   for (const Part& part : overlap_parts_) {
     summary.within = summary.within && part.within;
     if (!(part.most > summary.max_overlap)) continue;
-    const Contact& pair = contacts_->near()[part.worst];
+    const NeighbourPair& pair = neighbours_->near()[part.worst];
     summary.max_overlap = part.most;
     summary.worst_overlap = {pair.a, pair.b};
   }
 }
 
-/// One after the other, in the order of the bars, as measure() adds them up: from the first block
+/// One after the other, in the order of the bars, as measure() adds them up: from the first group
 /// on that was measured anew.
 double KeptMeasure::sum_of_squares() {
   double sum = sums_[right_sums_];
-  for (std::size_t block = right_sums_; block < bars_.size(); ++block) {
-    for (std::size_t k = bars_.first(block); k < bars_.last(block); ++k) sum += squares_[k];
-    sums_[block + 1] = sum;
+  for (std::size_t group = right_sums_; group < bars_.size(); ++group) {
+    for (std::size_t k = bars_.first(group); k < bars_.last(group); ++k) sum += squares_[k];
+    sums_[group + 1] = sum;
   }
   right_sums_ = bars_.size();
   return sum;

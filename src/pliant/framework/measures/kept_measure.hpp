@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "pliant/framework/measures/moved_blocks.hpp"
+#include "pliant/framework/measures/moved_pairs.hpp"
 #include "pliant/framework/measures/residual.hpp"
 
 namespace pliant {
@@ -45,9 +45,9 @@ class KeptMeasure {
   void renew_bars(std::span<const Vec3> positions);
   void renew_limits(std::span<const Vec3> positions, LimitsOff off);
   bool renew_overlaps(std::span<const Vec3> positions);
-  Part part_of_bars(std::span<const Vec3> positions, std::size_t block);
-  Part part_of_limits(std::span<const Vec3> positions, std::size_t block) const;
-  Part part_of_overlaps(std::span<const Vec3> positions, std::size_t block) const;
+  Part part_of_bars(std::span<const Vec3> positions, std::size_t group);
+  Part part_of_limits(std::span<const Vec3> positions, std::size_t group) const;
+  Part part_of_overlaps(std::span<const Vec3> positions, std::size_t group) const;
   bool take_bars(ResidualSummary& summary) const;
   bool take_limits(ResidualSummary& summary) const;
   void take_overlaps(ResidualSummary& summary) const;
@@ -55,15 +55,15 @@ class KeptMeasure {
 
   const Framework& framework_;
   Tolerance tolerance_;
-  std::unique_ptr<Contacts> contacts_;  ///< null: no sterics
-  std::int64_t lists_made_ = -1;        ///< of contacts_, when overlaps_ was assigned
-  MovedChunks moved_;
-  bool has_moved_ = true;  ///< since contacts_ looked
-  PairBlocks bars_, limits_, overlaps_;
+  std::unique_ptr<NeighbourList> neighbours_;  ///< null: no sterics
+  std::int64_t lists_made_ = -1;               ///< of neighbours_, when overlaps_ was assigned
+  MovedPositions moved_;
+  bool has_moved_ = true;  ///< since neighbours_ looked
+  MovedPairs bars_, limits_, overlaps_;
   std::vector<Part> bar_parts_, limit_parts_, overlap_parts_;
   std::vector<double> squares_;  ///< (bars) squared relative errors
-  std::vector<double> sums_;  ///< (groups of bars + 1) sum of squares before each group
-  std::size_t right_sums_ = 0;  ///< how many of sums_ are up to date
+  std::vector<double> sums_;     ///< (groups of bars + 1) sum of squares before each group
+  std::size_t right_sums_ = 0;   ///< how many of sums_ are up to date
   std::vector<std::uint8_t> off_;
   std::int64_t visits_ = 0;
 };

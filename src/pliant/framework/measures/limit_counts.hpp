@@ -16,9 +16,9 @@ namespace pliant {
 
 /// What a contact does in a frame. The numbers are those of recorded files.
 enum class ContactState : std::uint8_t {
-  held,  ///< switched on, all limits within their intervals
+  held,    ///< switched on, all limits within their intervals
   broken,  ///< switched on, some limit is not within its interval
-  off  ///< switched off, whatever the distances
+  off      ///< switched off, whatever the distances
 };
 
 /// Numbers of contacts. Limits of one group stand for one contact; a limit in no group is a contact

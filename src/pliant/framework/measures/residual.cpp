@@ -60,12 +60,12 @@ void measure_limits(const Framework& framework, std::span<const Vec3> positions,
 }
 
 void measure_overlaps(std::span<const Vec3> positions, const Tolerance& tolerance,
-                      Contacts& contacts, ResidualSummary& summary) {
-  if (!contacts.update(positions)) {
+                      NeighbourList& neighbours, ResidualSummary& summary) {
+  if (!neighbours.update(positions)) {
     summary.finite = summary.within = false;
     return;
   }
-  for (const Contact& pair : contacts.near()) {
+  for (const NeighbourPair& pair : neighbours.near()) {
     const double overlap = pair.least - distance(positions[pair.a], positions[pair.b]);
     if (overlap > tolerance.overlap) summary.within = false;
     if (overlap > summary.max_overlap) {
@@ -89,14 +89,14 @@ bool is_whole(const Framework& framework, std::span<const Vec3> positions,
 }
 
 ResidualSummary measure(const Framework& framework, std::span<const Vec3> positions,
-                        const Tolerance& tolerance, LimitsOff off, Contacts* contacts) {
+                        const Tolerance& tolerance, LimitsOff off, NeighbourList* neighbours) {
   ResidualSummary summary = measure_bars(framework, positions, tolerance);
   if (framework.has_bars_only() || !summary.finite) return summary;
   measure_limits(framework, positions, tolerance, off, summary);
   if (framework.sterics() == nullptr || !summary.finite) return summary;
-  std::optional<Contacts> own;
-  if (contacts == nullptr) contacts = &own.emplace(framework);
-  measure_overlaps(positions, tolerance, *contacts, summary);
+  std::optional<NeighbourList> own;
+  if (neighbours == nullptr) neighbours = &own.emplace(framework);
+  measure_overlaps(positions, tolerance, *neighbours, summary);
   return summary;
 }
 

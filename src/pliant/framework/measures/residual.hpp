@@ -6,7 +6,7 @@
 #include <span>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 
 namespace pliant {
 
@@ -44,11 +44,11 @@ bool is_whole(const Framework& framework, std::span<const Vec3> positions,
               const Tolerance& tolerance);
 
 /// Measures all bars at `positions` (N), the limits that are not `off`, and overlaps, in linear
-/// time. `near_pairs` are this framework's, kept from call to call; without them they are found
+/// time. `neighbours` are this framework's, kept from call to call; without them they are found
 /// anew. If a length is not finite, `finite` and `within` are false and worst_bar or worst_limit
 /// says where.
 ResidualSummary measure(const Framework& framework, std::span<const Vec3> positions,
                         const Tolerance& tolerance = {}, LimitsOff off = {},
-                        Contacts* contacts = nullptr);
+                        NeighbourList* neighbours = nullptr);
 
 }  // namespace pliant

@@ -21,10 +21,10 @@ std::string_view side_chain_atoms(std::string_view standard);
 
 /// Geometry of the hydrogens at an atom.
 enum class HydrogenShape : std::uint8_t {
-  bisector,  ///< one, opposite to the sum of two bonds
-  in_plane,  ///< up to two, in the plane of the neighbour, at 120 degrees
-  spinning,  ///< up to three, 120 degrees apart about the bond to the neighbour
-  conjugated,  ///< one, about a bond that keeps it in a plane
+  bisector,     ///< one, opposite to the sum of two bonds
+  in_plane,     ///< up to two, in the plane of the neighbour, at 120 degrees
+  spinning,     ///< up to three, 120 degrees apart about the bond to the neighbour
+  conjugated,   ///< one, about a bond that keeps it in a plane
   tetrahedral,  ///< two, above and below the plane of two bonds
 };
 

@@ -13,11 +13,11 @@ inline constexpr std::uint32_t no_residue_node = ~std::uint32_t{0};
 
 /// The nodes of a structure, as plain arrays.
 struct ResidueNodes {
-  std::vector<Vec3> positions;  ///< (M) Angstrom, of the atom of each node
-  std::vector<std::uint32_t> chain;  ///< (M) nodes of a chain are consecutive
+  std::vector<Vec3> positions;         ///< (M) Angstrom, of the atom of each node
+  std::vector<std::uint32_t> chain;    ///< (M) nodes of a chain are consecutive
   std::vector<std::uint32_t> of_atom;  ///< (N) node with which each atom moves
-  std::vector<std::uint32_t> atom;  ///< (M) atom of each node
-  std::vector<bool> is_residue;  ///< (M) whether the node represents a residue of a polymer
+  std::vector<std::uint32_t> atom;     ///< (M) atom of each node
+  std::vector<bool> is_residue;        ///< (M) whether the node represents a residue of a polymer
 };
 
 /// Makes a node at the alpha carbon of an amino acid, at P (or C4') of a nucleotide, and at each

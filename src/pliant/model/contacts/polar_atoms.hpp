@@ -11,7 +11,7 @@
 
 namespace pliant {
 
-/// Told of each atom once it is asked for. The structure and its graph must outlive it.
+/// Polar atoms of a structure and their geometry. The structure and its graph must outlive it.
 class PolarAtoms {
  public:
   PolarAtoms(const Structure& structure, const AtomGraph& graph);

@@ -15,9 +15,9 @@ namespace pliant {
 
 struct PrepareOptions {
   bool keep_waters = false;
-  bool fill_side_chains = false;  ///< complete side chains by rule: see side_chains.hpp
-  bool add_hydrogens = true;  ///< polar hydrogens by rule, where there are none
-  bool all_hydrogens = false;  ///< hydrogens on carbon, too
+  bool fill_side_chains = false;            ///< complete side chains by rule: see side_chains.hpp
+  bool add_hydrogens = true;                ///< polar hydrogens by rule, where there are none
+  bool all_hydrogens = false;               ///< hydrogens on carbon, too
   std::vector<std::string> protonate = {};  ///< "HIS57:HID", "A:ASP25:ASH"
   /// For models whose B factors are a confidence (pLDDT): leave out contacts of residues below this
   /// value; 0: of none.
@@ -30,9 +30,9 @@ struct Preparation {
   Structure structure;
   /// (N) index of each atom before preparation; no_atom: placed by rule.
   std::vector<std::uint32_t> origin;
-  std::vector<std::string> steps;  ///< what was done, one sentence each, in order
+  std::vector<std::string> steps;    ///< what was done, one sentence each, in order
   std::vector<std::string> missing;  ///< what the structure lacks and no rule adds
-  std::vector<bool> floppy;  ///< (R) residues whose contacts are left out; empty: none
+  std::vector<bool> floppy;          ///< (R) residues whose contacts are left out; empty: none
 };
 
 /// A residue with less pLDDT is likely to have no fixed structure (Tunyasuvunakool et al., Nature

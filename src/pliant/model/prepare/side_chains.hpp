@@ -15,7 +15,7 @@ namespace pliant {
 /// A side chain with built atoms.
 struct BuiltSideChain {
   std::uint32_t residue;
-  std::string atoms;     ///< "CG CD OE1 OE2"
+  std::string atoms;  ///< "CG CD OE1 OE2"
   /// largest overlap, Angstrom below the least distance of two atoms; 0: none
   double overlap = 0.0;
 };

@@ -26,15 +26,15 @@ struct Survey {
   std::size_t amino_acids = 0, nucleotides = 0, waters = 0;
   std::size_t hydrogens = 0;
   std::vector<std::uint32_t> without_hydrogens;  ///< amino acids and nucleotides without any
-  std::vector<std::uint32_t> modified;  ///< residues of a chain with an unknown name
+  std::vector<std::uint32_t> modified;           ///< residues of a chain with an unknown name
   std::vector<std::uint32_t> ligands;  ///< residues of no known kind, with more than one atom
-  std::vector<std::uint32_t> metals;  ///< residues that are a single metal atom
-  std::vector<std::uint32_t> ions;  ///< residues that are a single other atom
-  std::vector<IncompleteResidue> incomplete;     ///< side chains
+  std::vector<std::uint32_t> metals;   ///< residues that are a single metal atom
+  std::vector<std::uint32_t> ions;     ///< residues that are a single other atom
+  std::vector<IncompleteResidue> incomplete;  ///< side chains
   std::vector<ChainBreak> breaks;
   std::vector<Bond> disulphides;  ///< between two S
   bool is_backbone_only = false;  ///< there are amino acids, and none has a side chain
-  bool is_ca_only = false;  ///< there are amino acids, and they have only CA
+  bool is_ca_only = false;        ///< there are amino acids, and they have only CA
   bool has_confidence = false;    ///< B factors look like pLDDT: one value a residue, up to 100
 };
 

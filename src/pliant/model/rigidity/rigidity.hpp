@@ -13,19 +13,19 @@ namespace pliant {
 
 /// Flexibility of a residue.
 struct ResidueFlexibility {
-  double index = 0.0;  ///< mean over its bonds that may turn; 0 if there are none
-  std::uint32_t bonds = 0;  ///< number of these bonds
+  double index = 0.0;          ///< mean over its bonds that may turn; 0 if there are none
+  std::uint32_t bonds = 0;     ///< number of these bonds
   std::uint32_t flexible = 0;  ///< those between different clusters
-  std::uint32_t cluster = 0;  ///< the largest with an atom of the residue
+  std::uint32_t cluster = 0;   ///< the largest with an atom of the residue
 };
 
 struct Rigidity {
   RigidityNetwork network;
-  RigidClusters found;  ///< with atoms as bodies
-  std::vector<double> flexibility;  ///< (E) flexibility_indices() of the edges
+  RigidClusters found;                       ///< with atoms as bodies
+  std::vector<double> flexibility;           ///< (E) flexibility_indices() of the edges
   std::vector<ResidueFlexibility> residues;  ///< (R)
   std::size_t hinges = 0;                    ///< bonds that may turn
-  std::size_t flexible_bonds = 0;  ///< those between different clusters
+  std::size_t flexible_bonds = 0;            ///< those between different clusters
   /// rings of six bonds that may turn: boats can move, which the count does not show
   std::size_t rings_of_six = 0;
 
@@ -46,7 +46,7 @@ Rigidity analyse_rigidity(const Structure& structure, std::span<const MolecularC
 struct ContactModel {
   Structure structure;
   std::vector<MolecularContact> contacts;
-  std::vector<std::string> told;  ///< what was done, one sentence each
+  std::vector<std::string> told;     ///< what was done, one sentence each
   std::vector<std::string> missing;  ///< what the structure lacks
 };
 

@@ -15,11 +15,11 @@ namespace pliant {
 
 /// The network with its `hydrogen_bonds` strongest hydrogen bonds and salt bridges.
 struct DilutionRow {
-  std::size_t hydrogen_bonds = 0;  ///< number of hydrogen bonds that are left
+  std::size_t hydrogen_bonds = 0;          ///< number of hydrogen bonds that are left
   std::size_t freedoms = 0;                ///< internal degrees of freedom
-  std::size_t redundant = 0;  ///< number of redundant bars
-  std::size_t components = 0;  ///< connected components
-  std::size_t clusters = 0;  ///< with three atoms or more
+  std::size_t redundant = 0;               ///< number of redundant bars
+  std::size_t components = 0;              ///< connected components
+  std::size_t clusters = 0;                ///< with three atoms or more
   std::array<std::uint32_t, 5> largest{};  ///< numbers of their atoms; 0 if there are fewer
 };
 

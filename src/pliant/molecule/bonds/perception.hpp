@@ -34,16 +34,16 @@ struct Tally {
 struct Perception {
   const Structure& structure;
   const BondOptions& options;
-  std::vector<AtomKey> keys;          ///< (N) names in one spelling
-  std::vector<bool> excluded;  ///< (N) keeps only the bonds of the file
-  std::vector<bool> settled;  ///< (N) a template gives all bonds within the residue
-  std::vector<ResiduePiece> pieces;   ///< in the order of the atoms
+  std::vector<AtomKey> keys;         ///< (N) names in one spelling
+  std::vector<bool> excluded;        ///< (N) keeps only the bonds of the file
+  std::vector<bool> settled;         ///< (N) a template gives all bonds within the residue
+  std::vector<ResiduePiece> pieces;  ///< in the order of the atoms
   std::vector<Bond> bonds;  ///< those of the file, then those of each step; may repeat pairs
-  Tally unplaced;  ///< atoms with placeholder positions
-  Tally repeated;  ///< atoms at the position of an atom of the same name
-  Tally stretched;  ///< template bonds that are too long
+  Tally unplaced;           ///< atoms with placeholder positions
+  Tally repeated;           ///< atoms at the position of an atom of the same name
+  Tally stretched;          ///< template bonds that are too long
   std::vector<Bond> stretched_bonds;  ///< these bonds
-  std::vector<Bond> parted_links;  ///< consecutive pieces whose link is too long
+  std::vector<Bond> parted_links;     ///< consecutive pieces whose link is too long
   Tally crowded;                      ///< atoms too close to too many others
 
   explicit Perception(const Structure& structure, const BondOptions& options);

@@ -17,7 +17,7 @@ struct Format {
   std::string_view name;                         ///< "pdb"
   std::string_view summary;                      ///< one line for help
   std::span<const std::string_view> extensions;  ///< ".pdb", ".ent"
-  bool (*looks_like)(std::string_view text);  ///< whether the content could have this format
+  bool (*looks_like)(std::string_view text);     ///< whether the content could have this format
   Structure (*read)(const SourceText& source, const ReadOptions& options);
 };
 

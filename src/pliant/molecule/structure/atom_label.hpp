@@ -12,7 +12,7 @@ enum class ElementSource : std::uint8_t {
   symbol,   ///< the label is an element's symbol, in any case
   number,   ///< the label is an atomic number
   guessed,  ///< the label begins with a symbol
-  dummy,  ///< a name for something that is no atom: X, Bq, Du
+  dummy,    ///< a name for something that is no atom: X, Bq, Du
   unknown,  ///< none of these
 };
 

@@ -43,16 +43,16 @@ struct Structure {
   AtomTable atoms;
   std::vector<Vec3> positions;          ///< (N) Angstrom
   std::vector<Bond> bonds;              ///< sorted by (a, b), each pair once
-  std::vector<std::int8_t> charges;  ///< (N) formal charges in the file; empty: none
+  std::vector<std::int8_t> charges;     ///< (N) formal charges in the file; empty: none
   std::vector<std::uint16_t> isotopes;  ///< (N) mass numbers in the file, or 0; empty: none
-  std::vector<std::uint8_t> radicals;  ///< (N) 1 singlet, 2 doublet, 3 triplet, 0 none; or empty
+  std::vector<std::uint8_t> radicals;   ///< (N) 1 singlet, 2 doublet, 3 triplet, 0 none; or empty
   std::vector<float> b_factors;  ///< (N) Angstrom^2, or a confidence; empty: the format has none
   std::vector<bool> chain_end;   ///< (R) the chain ends after this residue (TER); empty: not known
   std::size_t model = 1;         ///< which model or frame this is, from 1
   std::size_t model_count = 1;   ///< models or frames in the file
   std::vector<std::string> assemblies;  ///< names of the biological assemblies in the file
-  std::optional<Cell> cell;  ///< periodic cell, if known
-  std::uint8_t dimensions = 0;  ///< 2 or 3 if the file says so (SDF), else 0
+  std::optional<Cell> cell;             ///< periodic cell, if known
+  std::uint8_t dimensions = 0;          ///< 2 or 3 if the file says so (SDF), else 0
 
   std::size_t size() const { return positions.size(); }
 };

@@ -17,14 +17,14 @@ namespace pliant {
 /// has no state.
 struct H5mdCheckpoint {
   std::filesystem::path path;
-  State state;  ///< the state to continue from
+  State state;              ///< the state to continue from
   std::int64_t number = 0;  ///< of the checkpoint; 0 in a sample
-  std::int64_t began = 0;  ///< step of the first frame; in a sample, of the first frame asked for
+  std::int64_t began = 0;   ///< step of the first frame; in a sample, of the first frame asked for
   std::int64_t frames = 0;  ///< frames that are kept; the last is dropped unless it is an N-th one
   /// step of the last of these frames; may differ from that of the state
   std::int64_t last_step = 0;
   std::int64_t steps = 0;  ///< total number of steps of the run
-  std::int64_t done = 0;  ///< steps of the run that the frames or the state show
+  std::int64_t done = 0;   ///< steps of the run that the frames or the state show
   Framework framework{FrameworkParts{}};
   std::vector<NamedParameter> parameters;
   RunInputs inputs;

@@ -15,8 +15,8 @@ namespace pliant {
 
 /// How to record.
 struct H5mdOptions {
-  bool single = false;     ///< positions as 32-bit floats: half the size, 1e-7 relative
-  bool compress = false;   ///< shuffle and gzip 1: about 0.8 of the size, ten times the time
+  bool single = false;    ///< positions as 32-bit floats: half the size, 1e-7 relative
+  bool compress = false;  ///< shuffle and gzip 1: about 0.8 of the size, ten times the time
   /// positions are rounded by at most half of this (Angstrom) so that they compress well, and
   /// compressed; 0: not rounded. Observables and checkpoints use the unrounded positions
   double precision = 0.0;
@@ -24,12 +24,12 @@ struct H5mdOptions {
   /// and limits among them, but without sterics and checkpoints. Observables are those of all
   /// joints, except for counts of contacts.
   std::vector<Joint> saved = {};
-  bool overwrite = false;      ///< replace an existing file once the new one has a frame
+  bool overwrite = false;  ///< replace an existing file once the new one has a frame
   /// interval between commits (s); 0: after each frame; infinity: only the first and the last, so
   /// that equal frames give equal bytes
   double flush_seconds = 1.0;
   bool durable = false;  ///< each commit waits for the disk (fsync) and survives a power cut
-  Log log = {};                ///< where warnings go
+  Log log = {};          ///< where warnings go
 };
 
 /// A chemical bond of the atom table, with or without a bar.
@@ -44,23 +44,23 @@ struct RecordedBond {
 /// The inputs of a run or a sample besides framework and parameters, recorded so that it can
 /// continue from the file.
 struct RunInputs {
-  std::vector<Vec3> start = {};  ///< (N) Angstrom; or empty if not kept
-  std::vector<Joint> replay_joints = {};  ///< (R) joints of a replay
+  std::vector<Vec3> start = {};                     ///< (N) Angstrom; or empty if not kept
+  std::vector<Joint> replay_joints = {};            ///< (R) joints of a replay
   std::vector<Vec3> replay_forces = {};             ///< (R) kJ/(mol Angstrom)
-  std::vector<std::int64_t> replay_counts = {};  ///< (S) forces of each step; empty: one in each
+  std::vector<std::int64_t> replay_counts = {};     ///< (S) forces of each step; empty: one in each
   std::vector<Vec3> guide_rock = {};                ///< (N) Angstrom, or none
   std::int64_t guide_period = 0;                    ///< steps; 0: no guide
-  std::vector<Joint> pull_joints = {};  ///< (P) joints of all groups, one after another
-  std::vector<std::uint32_t> pull_groups = {};  ///< (P) group of each, from 0
+  std::vector<Joint> pull_joints = {};              ///< (P) joints of all groups, one after another
+  std::vector<std::uint32_t> pull_groups = {};      ///< (P) group of each, from 0
   std::vector<Vec3> pull_to = {};                   ///< (K) Angstrom
-  std::vector<Joint> pair_joints = {};  ///< (P) joints of all groups, one after another
+  std::vector<Joint> pair_joints = {};              ///< (P) joints of all groups, one after another
   std::vector<std::uint32_t> pair_groups = {};      ///< (P) 2 k and 2 k + 1: the groups of pair k
   std::vector<double> pair_least = {};              ///< (K) Angstrom
   std::vector<double> pair_most = {};               ///< (K) Angstrom
-  std::vector<BarIndex> ordering_bars = {};  ///< (V) of a given ordering
+  std::vector<BarIndex> ordering_bars = {};         ///< (V) of a given ordering
   std::vector<Joint> ordering_near = {};            ///< (V)
   std::vector<std::uint8_t> ordering_is_tree = {};  ///< (V)
-  std::vector<Vec3> node_positions = {};  ///< (M) Angstrom, nodes of a sample's network
+  std::vector<Vec3> node_positions = {};            ///< (M) Angstrom, nodes of a sample's network
   std::vector<std::uint32_t> node_chains = {};      ///< (M)
   std::vector<std::int64_t> node_of_joint = {};     ///< (N) -1: none
 

@@ -40,7 +40,7 @@ class H5mdReader {
   H5mdReader(H5mdReader&&) noexcept;
   H5mdReader& operator=(H5mdReader&&) noexcept;
 
-  std::int64_t frames() const;  ///< frames with positions, step and time
+  std::int64_t frames() const;           ///< frames with positions, step and time
   std::int64_t frames_left_out() const;  ///< frames that lack one or two of these
   std::size_t joint_count() const;
   const std::string& group() const;  ///< "trajectory"

@@ -62,7 +62,7 @@ class H5mdRecorder {
   /// destructor only logs it.
   void close();
 
-  std::int64_t frames() const;  ///< recorded frames
+  std::int64_t frames() const;            ///< recorded frames
   std::int64_t committed_frames() const;  ///< recorded frames that are certainly in the file
   const std::filesystem::path& path() const;
 

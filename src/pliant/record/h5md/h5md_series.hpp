@@ -17,7 +17,7 @@ struct SeriesLayout {
   std::vector<std::uint64_t> row;  ///< extents of one row; empty: a number
   std::uint64_t chunk_rows = 256;  ///< rows a chunk
   bool compress = false;           ///< shuffle and gzip 1; chunk_rows must be 1
-  bool fill_with_nan = false;  ///< value that readers see in place of a lost chunk
+  bool fill_with_nan = false;      ///< value that readers see in place of a lost chunk
 };
 
 /// Rows are added in memory, then written together.
@@ -58,9 +58,9 @@ class Series {
   std::string path_;
   Hid memory_type_;
   Hid dataset_;
-  bool row_is_chunk_ = false;  ///< and has the same bytes in memory as in the file
+  bool row_is_chunk_ = false;           ///< and has the same bytes in memory as in the file
   std::vector<std::uint64_t> extents_;  ///< of the valid rows
-  std::uint64_t rows_there_ = 0;  ///< number of rows, those of an interrupted commit included
+  std::uint64_t rows_there_ = 0;        ///< number of rows, those of an interrupted commit included
   std::vector<std::byte> waiting_;
 };
 

@@ -40,8 +40,8 @@ class SavedPart {
   std::shared_ptr<const AtomTable> atoms_of(const AtomTable& whole) const;
   Framework part_of(const Framework& whole);
 
-  std::vector<Joint> joints_;  // (n) indices in the whole
-  std::vector<Joint> part_of_;  // (N) indices in the part, or left_out
+  std::vector<Joint> joints_;       // (n) indices in the whole
+  std::vector<Joint> part_of_;      // (N) indices in the part, or left_out
   std::vector<LimitIndex> limits_;  // limits of the whole that are in the part
   Framework framework_;
   std::vector<Vec3> positions_;  // (n) of the frame last shown

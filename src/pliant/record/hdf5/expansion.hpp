@@ -9,11 +9,11 @@ namespace pliant {
 
 /// Size of a dataset in memory, and in the file.
 struct Expansion {
-  std::uint64_t values = 0;  ///< bytes of all values to be read
-  std::uint64_t at_once = 0;  ///< bytes of those that are in memory at the same time
+  std::uint64_t values = 0;     ///< bytes of all values to be read
+  std::uint64_t at_once = 0;    ///< bytes of those that are in memory at the same time
   std::uint64_t chunk = 0;      ///< bytes of one chunk once it is unpacked; 0: not chunked
-  std::uint64_t stored = 0;  ///< bytes of all its values as stored, compressed or not
-  std::uint64_t chunks = 1;  ///< number of stored chunks
+  std::uint64_t stored = 0;     ///< bytes of all its values as stored, compressed or not
+  std::uint64_t chunks = 1;     ///< number of stored chunks
   std::uint64_t file_size = 0;  ///< bytes; several chunks may refer to the same place in the file
   /// Bytes of values that may be missing from the file: HDF5 fills them in.
   std::uint64_t unwritten = 0;

@@ -18,7 +18,7 @@ void check_symbol_table(StructureWalk& walk, StructureWalk::Table table);
 /// Properties of the chunks of a dataset.
 struct ChunkFacts {
   std::vector<std::uint64_t> extents;  ///< of a chunk, in values
-  std::uint64_t bytes = 0;  ///< of an unfiltered chunk
+  std::uint64_t bytes = 0;             ///< of an unfiltered chunk
   bool is_filtered = false;
 };
 

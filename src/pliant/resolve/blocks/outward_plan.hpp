@@ -16,8 +16,8 @@ inline constexpr auto no_block = std::numeric_limits<std::uint32_t>::max();
 /// two or more bars entered at `near`.
 struct OutwardStep {
   Joint near = 0;
-  Joint far = 0;  ///< for a bridge
-  BarIndex bar = 0;  ///< for a bridge
+  Joint far = 0;                   ///< for a bridge
+  BarIndex bar = 0;                ///< for a bridge
   std::uint32_t block = no_block;  ///< index into OutwardPlanner::blocks(); no_block for a bridge
 };
 

@@ -37,7 +37,7 @@ class BarEquations {
 
   /// Errors of the bars of a part.
   struct Errors {
-    double worst = 0.0;  ///< largest |length - rest| divided by what is allowed
+    double worst = 0.0;       ///< largest |length - rest| divided by what is allowed
     bool whole = true;        ///< every bar is within the tolerance
     bool finite = true;       ///< every length is a finite number
     bool coincident = false;  ///< joints of some bar coincide, so that it has no direction
@@ -109,7 +109,7 @@ class BarEquations {
   std::vector<double> rests_, allowed_, per_allowed_;
   std::vector<Joint> joints_;
   std::vector<double> weights_;  ///< (joints_) 0 for held ones
-  std::vector<Vec3> x_;  ///< (joints_)
+  std::vector<Vec3> x_;          ///< (joints_)
   std::vector<Vec3> d_;
   std::vector<double> excess_;
   std::vector<double> couplings_;  ///< (entries of ldl_) signed weight of the shared joint

@@ -55,10 +55,10 @@ class BarNewton {
   void copy(Part part, std::span<const Vec3> from, std::span<Vec3> to) const;
 
   BarEquations& equations_;
-  std::vector<Vec3> best_;  ///< of the joints, since the last push
-  std::vector<Vec3> least_;  ///< the same over all pushes
+  std::vector<Vec3> best_;    ///< of the joints, since the last push
+  std::vector<Vec3> least_;   ///< the same over all pushes
   std::vector<bool> pushed_;  ///< (joints)
-  bool ended_ = false;  ///< no further iteration is allowed
+  bool ended_ = false;        ///< no further iteration is allowed
 };
 
 }  // namespace pliant

@@ -25,9 +25,9 @@ struct PartRange {
 /// entry (row, column), which SparseLdl found once.
 struct LdlPattern {
   const std::uint32_t* column_begin;  ///< (columns + 1) first entry of each column
-  const std::uint32_t* rows;  ///< (entries)
+  const std::uint32_t* rows;          ///< (entries)
   const std::uint64_t* target_begin;  ///< (columns + 1) first target of each column
-  const std::uint32_t* targets;  ///< the entry that each pair of entries of a column changes
+  const std::uint32_t* targets;       ///< the entry that each pair of entries of a column changes
 };
 
 /// The bars and joints of one Part of BarEquations, which are solved at once.

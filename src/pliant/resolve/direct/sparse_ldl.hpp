@@ -54,8 +54,7 @@ class SparseLdl {
   std::vector<std::uint32_t> column_begin_{0};  ///< (columns + 1) into rows_
   std::vector<std::uint32_t> rows_;
   std::vector<std::uint64_t> target_begin_{0};  ///< (columns + 1) into targets_
-  std::vector<std::uint32_t>
-      targets_;  ///< the entry that each pair of entries of a column changes
+  std::vector<std::uint32_t> targets_;  ///< the entry that each pair of entries of a column changes
   std::vector<double> diagonal_, inverse_, lower_;
 };
 

@@ -56,9 +56,9 @@ class Froda final : public Method {
     if (const auto stop = look_at_push(call)) return *stop;
     target_.assign(call.positions.begin(), call.positions.end());
     if (!find_start(call, summary)) return leave_to_sweeps(call, summary);
-    const FrodaOutcome outcome =
+    const FrodaResult result =
         solver_->resolve(start_, target_, call.positions, options_of_solver(), call.limits_off);
-    note(outcome.steps, summary);
+    note(result.steps, summary);
     if (technique_.mass_weighted) keep_centre_of_mass(call.positions);
     if (measure_of(call).measure(call.positions, call.limits_off).within) return Stop::converged;
     if (summary.sweeps >= options_.max_sweeps) return Stop::max_sweeps;

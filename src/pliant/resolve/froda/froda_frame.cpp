@@ -151,20 +151,20 @@ bool FrodaFrame::has_broken_contacts() {
   return !rows_.empty();
 }
 
-FrodaOutcome FrodaFrame::finish(std::span<Vec3> out) {
-  FrodaOutcome outcome;
-  outcome.max_closing = closings_ > 0 ? closing() : 0.0;
+FrodaResult FrodaFrame::finish(std::span<Vec3> out) {
+  FrodaResult result;
+  result.max_closing = closings_ > 0 ? closing() : 0.0;
   const Violation worst = find_rows(last_weight);
-  outcome.max_limit = worst.limit;
-  outcome.max_overlap = worst.overlap;
-  outcome.is_whole = worst.limit <= options_.limit && worst.overlap <= options_.overlap &&
-                     widest_gap() <= 10.0 * widest_closed * unit_ &&
-                     outcome.max_closing <= largest_closing * unit_;
-  outcome.steps = steps_;
-  outcome.visits = visits_;
+  result.max_limit = worst.limit;
+  result.max_overlap = worst.overlap;
+  result.is_whole = worst.limit <= options_.limit && worst.overlap <= options_.overlap &&
+                    widest_gap() <= 10.0 * widest_closed * unit_ &&
+                    result.max_closing <= largest_closing * unit_;
+  result.steps = steps_;
+  result.visits = visits_;
   for (Joint joint = 0; joint < out.size(); ++joint)
     out[joint] = x_[plan_.place_of(joint)] + origin_;
-  return outcome;
+  return result;
 }
 
 /// How far a joint went while loops were closed (Angstrom).
@@ -184,7 +184,7 @@ double FrodaFrame::widest_gap() const {
 
 FrodaFrame::Violation FrodaFrame::find_rows(double weight) {
   if (is_looked_at_) {
-    for (ContactRow& row : rows_) row.weight = weight;
+    for (DistanceRow& row : rows_) row.weight = weight;
     return worst_;
   }
   rows_.clear();
@@ -196,7 +196,7 @@ FrodaFrame::Violation FrodaFrame::find_rows(double weight) {
 }
 
 /// Steps aim a little inside limits. Where nothing moves, a contact that holds is left as it is.
-void FrodaFrame::add_row(const ContactRow& row, double broken) {
+void FrodaFrame::add_row(const DistanceRow& row, double broken) {
   const std::uint32_t one = plan_.tree_of(plan_.body_at()[row.i]);
   const std::uint32_t other = plan_.tree_of(plan_.body_at()[row.j]);
   if (!(broken > options_.goal) && !working_.holds(one) && !working_.holds(other)) return;

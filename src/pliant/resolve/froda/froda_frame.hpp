@@ -16,7 +16,7 @@
 namespace pliant {
 
 struct FrodaOptions {
-  double limit = 0.08;  ///< Angstrom by which a limit may be outside its interval
+  double limit = 0.08;    ///< Angstrom by which a limit may be outside its interval
   double overlap = 0.08;  ///< Angstrom by which two joints may be nearer than allowed
   /// Angstrom: steps end when both are below this, or when nothing more is gained.
   double goal = 0.02;
@@ -24,14 +24,14 @@ struct FrodaOptions {
   /// Angstrom, during which chains must not pass through each other.
   bool is_careful = false;
   int conjugate_gradients = 2;  ///< iterations of careful steps
-  double leg = 2.0;  ///< Angstrom: largest distance between intermediate targets
-  int last_steps = 60;  ///< number of steps for contacts alone
+  double leg = 2.0;             ///< Angstrom: largest distance between intermediate targets
+  int last_steps = 60;          ///< number of steps for contacts alone
   /// Torsion preferences pull in steps that consider contacts. Only for frames from one start: in a
   /// run, whose steps add up, they would resist continued pushes.
   bool has_torsion_preferences = false;
 };
 
-struct FrodaOutcome {
+struct FrodaResult {
   /// Limits and least distances hold, loops are closed, and closing them moved no joint by more
   /// than 0.3 Angstrom at the end.
   bool is_whole = false;
@@ -71,7 +71,7 @@ class FrodaFrame {
   void note_step();
   bool has_broken_contacts();  ///< at the start of a pull
   /// Returns the result and writes `out` (N).
-  FrodaOutcome finish(std::span<Vec3> out);
+  FrodaResult finish(std::span<Vec3> out);
 
  private:
   struct Violation {
@@ -83,7 +83,7 @@ class FrodaFrame {
   double closing() const;
   double widest_gap() const;
   Violation find_rows(double weight);
-  void add_row(const ContactRow& row, double broken);
+  void add_row(const DistanceRow& row, double broken);
   void find_limit_rows(double weight, Violation& worst);
   void find_steric_rows(double weight, Violation& worst);
   std::span<const TurnSpring> springs(bool are_wanted);
@@ -100,7 +100,7 @@ class FrodaFrame {
   std::vector<Vec3> x_, start_, push_, target_, before_;  ///< of places, from the origin
   double target_share_ = 0.0;  ///< share of the push at the present targets
   std::size_t bodies_with_targets_ = 0;
-  std::vector<ContactRow> rows_;
+  std::vector<DistanceRow> rows_;
   StepRequest request_;
   bool is_looked_at_ = false;  ///< rows_ and worst_ belong to x_
   Violation worst_;

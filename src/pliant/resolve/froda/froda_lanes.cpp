@@ -86,7 +86,7 @@ void FrodaLanes::finish_alone(Lane& lane) {
 
 /// Of a frame that asks for no more steps.
 void FrodaLanes::leave(Lane& lane) {
-  lane.job->outcome = lane.frame->finish(lane.job->out);
+  lane.job->result = lane.frame->finish(lane.job->out);
   lane.job = nullptr;
 }
 

@@ -17,7 +17,7 @@ struct FrodaJob {
   std::span<const Vec3> start, target;  ///< (N, Angstrom)
   std::span<Vec3> out;                  ///< (N)
   LimitsOff limits_off = {};
-  FrodaOutcome outcome = {};
+  FrodaResult result = {};
 };
 
 /// Not thread-safe.

@@ -16,9 +16,9 @@ constexpr double settled_share = 0.5;
 FrodaSolver::FrodaSolver(const Framework& framework, const BodyPlan& plan, double unit)
     : frame_(framework, plan, unit), step_(plan, frame_.working(), unit), unit_(unit) {}
 
-FrodaOutcome FrodaSolver::resolve(std::span<const Vec3> start, std::span<const Vec3> target,
-                                  std::span<Vec3> out, const FrodaOptions& options,
-                                  LimitsOff limits_off) {
+FrodaResult FrodaSolver::resolve(std::span<const Vec3> start, std::span<const Vec3> target,
+                                 std::span<Vec3> out, const FrodaOptions& options,
+                                 LimitsOff limits_off) {
   frame_.begin(start, target, options, limits_off);
   if (options.is_careful) {
     while (frame_.ask_for_careful_pull()) step();
@@ -29,7 +29,7 @@ FrodaOutcome FrodaSolver::resolve(std::span<const Vec3> start, std::span<const V
 }
 
 /// Contacts alone, then loops.
-FrodaOutcome FrodaSolver::finish(std::span<Vec3> out) {
+FrodaResult FrodaSolver::finish(std::span<Vec3> out) {
   while (frame_.ask_for_contacts()) step();
   while (frame_.ask_for_closing()) step();
   return frame_.finish(out);

@@ -20,12 +20,12 @@ class FrodaSolver {
   /// `start` (N, Angstrom): whole positions. `target` (N): where the push wants the joints. Writes
   /// `out` (N; may be either): bars as whole as at the start, to rounding. Depends on the arguments
   /// alone.
-  FrodaOutcome resolve(std::span<const Vec3> start, std::span<const Vec3> target,
-                       std::span<Vec3> out, const FrodaOptions& options = {},
-                       LimitsOff limits_off = {});
+  FrodaResult resolve(std::span<const Vec3> start, std::span<const Vec3> target,
+                      std::span<Vec3> out, const FrodaOptions& options = {},
+                      LimitsOff limits_off = {});
 
  private:
-  FrodaOutcome finish(std::span<Vec3> out);
+  FrodaResult finish(std::span<Vec3> out);
   void pull();
   bool pull_blindly();
   double step();

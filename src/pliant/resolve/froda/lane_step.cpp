@@ -119,7 +119,7 @@ void LaneStep::load(std::span<const LaneStepFrame, lane_count> frames) {
 
 void LaneStep::add_rows(std::size_t lane, const StepRequest& request, const Vec3* x) {
   const auto body_at = plan_.body_at();
-  for (const ContactRow& row : request.rows) {
+  for (const DistanceRow& row : request.rows) {
     const std::uint32_t i = body_at[row.i], j = body_at[row.j];
     const Twist gi = row.direction(x[row.i]), gj = row.direction(x[row.j]);
     add_direction_at(lane, froda::majorant * row.weight, gi, inertia_[i]);
@@ -174,12 +174,12 @@ LaneValue LaneStep::apply_matrix() {
       forest_, x_.data(), moves_of(direction_, direction_angles_), image_.data());
   for (std::size_t lane = 0; lane < lane_count; ++lane)
     if ((refined_ >> lane & 1) != 0)
-      for (const ContactRow& row : frames_[lane].request->rows)
+      for (const DistanceRow& row : frames_[lane].request->rows)
         sum.of[lane] += apply_row(lane, row, frames_[lane].x);
   return sum;
 }
 
-double LaneStep::apply_row(std::size_t lane, const ContactRow& row, const Vec3* x) {
+double LaneStep::apply_row(std::size_t lane, const DistanceRow& row, const Vec3* x) {
   const auto body_at = plan_.body_at();
   const std::uint32_t i = body_at[row.i], j = body_at[row.j];
   const double apart = dot(row.along, froda::velocity(twist_at(direction_[i], lane), x[row.i]) -

@@ -34,7 +34,7 @@ class LaneStep {
   void add_rows(std::size_t lane, const StepRequest& request, const Vec3* x);
   void refine();
   LaneValue apply_matrix();
-  double apply_row(std::size_t lane, const ContactRow& row, const Vec3* x);
+  double apply_row(std::size_t lane, const DistanceRow& row, const Vec3* x);
   void move();
   LaneMoves moves_of(std::vector<LaneTwist>& twists, std::vector<LaneValue>& angles) {
     return {twists.data(), angles.data()};

@@ -14,16 +14,16 @@ namespace pliant {
 
 /// How lanes ended. Lanes in no set are resolved alone, from their start.
 struct LaneEnds {
-  LaneMask whole = 0;  ///< every bar was found to be whole at its final positions
-  LaneMask converged = 0;  ///< presumably whole
+  LaneMask whole = 0;       ///< every bar was found to be whole at its final positions
+  LaneMask converged = 0;   ///< presumably whole
   LaneMask max_sweeps = 0;  ///< the limit was reached
-  LaneMask stopped = 0;  ///< by the caller
-  LaneMask left = 0;  ///< not ended yet
+  LaneMask stopped = 0;     ///< by the caller
+  LaneMask left = 0;        ///< not ended yet
 };
 
 /// One resolve of up to eight walkers with the same root.
 struct LaneCall {
-  LaneVector* positions = nullptr;  ///< (N) are moved
+  LaneVector* positions = nullptr;        ///< (N) are moved
   const LaneVector* reference = nullptr;  ///< (N) positions before the push, or none
   Joint root = 0;
   LaneMask lanes = 0;                   ///< those that hold a walker

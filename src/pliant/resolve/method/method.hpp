@@ -17,13 +17,13 @@ class MovedJoints;
 /// One resolve: the positions to move, what was disturbed, and the key of its random draws.
 struct ResolveCall {
   std::span<Vec3> positions;             ///< (N) Angstrom
-  Disturbed disturbed = {};  ///< orderings begin at its root
+  Disturbed disturbed = {};              ///< orderings begin at its root
   RandomKey key = {};                    ///< seed, walker and step
   std::span<const Vec3> reference = {};  ///< (N) positions before the push, or none
   /// Where joints are noted before they move. None unless the method looks_near() and not all
   /// joints were disturbed.
   MovedJoints* moved = nullptr;
-  LimitsOff limits_off = {};  ///< (L) 1: this limit is switched off; empty: all are on
+  LimitsOff limits_off = {};          ///< (L) 1: this limit is switched off; empty: all are on
   std::span<const Vec3> pushed = {};  ///< (N) positions as given; empty: `moved` notes them
   /// Measures by the tolerance of the method's options, reusing earlier results. Null if there are
   /// only bars.

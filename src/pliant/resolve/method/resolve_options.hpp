@@ -13,7 +13,7 @@ namespace pliant {
 /// A bar that a sweep has just repaired.
 struct RepairedBar {
   BarIndex bar = 0;
-  Joint near = 0, far = 0;  ///< as in the ordering that is swept
+  Joint near = 0, far = 0;          ///< as in the ordering that is swept
   std::span<const Vec3> positions;  ///< (N) Angstrom, now; valid during the call only
 };
 

@@ -12,10 +12,10 @@ namespace pliant {
 
 /// One walker of a call.
 struct WalkerPositions {
-  std::uint64_t walker = 0;  ///< its number, on which its random draws depend
-  std::span<Vec3> positions;  ///< (N) Angstrom, are moved
+  std::uint64_t walker = 0;              ///< its number, on which its random draws depend
+  std::span<Vec3> positions;             ///< (N) Angstrom, are moved
   std::span<const Vec3> reference = {};  ///< as in Resolver::resolve
-  LimitsOff limits_off = {};  ///< as in Resolver::set_limits_off
+  LimitsOff limits_off = {};             ///< as in Resolver::set_limits_off
 };
 
 /// Which residuals the summaries of walkers contain. All bars are checked in any case.

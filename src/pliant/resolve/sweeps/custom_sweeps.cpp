@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <vector>
 
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/framework/measures/residual.hpp"
 
 namespace pliant {
@@ -16,7 +16,7 @@ class CustomSweeps final : public Method {
   CustomSweeps(const Framework& framework, const Technique& technique,
                const ResolveOptions& options)
       : framework_(framework), sweep_(technique.sweep), options_(options) {
-    if (framework.sterics() != nullptr) contacts_ = std::make_unique<Contacts>(framework);
+    if (framework.sterics() != nullptr) contacts_ = std::make_unique<NeighbourList>(framework);
   }
 
   Stop resolve(const ResolveCall& call, ResolveSummary& summary) override {
@@ -60,8 +60,8 @@ class CustomSweeps final : public Method {
   const Framework& framework_;
   CustomSweep sweep_;
   ResolveOptions options_;
-  std::unique_ptr<Contacts> contacts_;  ///< null: no sterics
-  std::vector<Vec3> before_;            ///< where the resolve began
+  std::unique_ptr<NeighbourList> contacts_;  ///< null: no sterics
+  std::vector<Vec3> before_;                 ///< where the resolve began
 };
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace {
 // What a sweep aims at: bars need the rest of the room.
 constexpr double share_of_tolerance = 0.5;
 
-bool overlaps(std::span<const Vec3> positions, const Contact& pair, double most) {
+bool overlaps(std::span<const Vec3> positions, const NeighbourPair& pair, double most) {
   return pair.least - distance(positions[pair.a], positions[pair.b]) > most;
 }
 
@@ -67,9 +67,9 @@ void LimitSweep::project(std::span<Vec3> positions, const PlannedLimit& planned,
 void LimitSweep::part_overlaps(std::span<Vec3> positions, const RandomKey& key) {
   const double room = share_of_tolerance * tolerance_.overlap;
   overlaps_.clear();
-  for (const Contact& pair : contacts_->near())
+  for (const NeighbourPair& pair : contacts_->near())
     if (overlaps(positions, pair, room)) overlaps_.push_back(pair);
-  for (const Contact& pair : overlaps_) {
+  for (const NeighbourPair& pair : overlaps_) {
     if (!overlaps(positions, pair, room)) continue;
     const auto [share_a, share_b] = equal_shares(framework_, pair.a, pair.b, mass_weighted_);
     project_bar(positions[pair.a], positions[pair.b], pair.least - room, share_a, share_b,
@@ -95,7 +95,7 @@ Look LimitSweep::look_at_limits(std::span<const Vec3> positions) const {
 
 Look LimitSweep::look_at_contacts(std::span<const Vec3> positions) {
   if (!contacts_->update(positions)) return Look::not_finite;
-  for (const Contact& pair : contacts_->near())
+  for (const NeighbourPair& pair : contacts_->near())
     if (overlaps(positions, pair, tolerance_.overlap)) return Look::broken;
   return Look::all_whole;
 }

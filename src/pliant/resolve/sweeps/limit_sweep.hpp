@@ -15,7 +15,7 @@
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/framework/measures/residual.hpp"
 #include "pliant/resolve/sweeps/sweep_plan.hpp"
 
@@ -53,8 +53,8 @@ class LimitSweep {
   bool mass_weighted_;
   Tolerance tolerance_;
   std::vector<PlannedLimit> limits_;
-  std::optional<Contacts> contacts_;
-  std::vector<Contact> overlaps_;
+  std::optional<NeighbourList> contacts_;
+  std::vector<NeighbourPair> overlaps_;
 };
 
 /// Makes the sweep of a framework's limits and sterics; null if it has none.

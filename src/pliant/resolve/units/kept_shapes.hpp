@@ -57,9 +57,9 @@ class KeptShapes {
   std::vector<double> allowed_;
   UnitsOfJoints at_joint_{UnitSet{}, 0};
   std::vector<std::uint32_t> bent_, around_;  ///< around_: units fitted together with the bent ones
-  std::vector<std::uint8_t> is_around_;  ///< (units)
+  std::vector<std::uint8_t> is_around_;       ///< (units)
   std::vector<Vec3> sums_;                    ///< (N)
-  std::vector<double> counts_;  ///< (N) number of units in around_ with the joint
+  std::vector<double> counts_;                ///< (N) number of units in around_ with the joint
   std::vector<double> weights_;               ///< (N) in fits
 };
 

@@ -38,7 +38,7 @@ class LoopClosure {
   /// A unit on the loops, with its own copies of its joints.
   struct LoopUnit {
     std::uint32_t first = 0, count = 0;  ///< into joints_, shape_, places_
-    std::int32_t parent = -1;  ///< index into units_; a smaller one
+    std::int32_t parent = -1;            ///< index into units_; a smaller one
     std::uint32_t a = 0, b = 0;  ///< indices in joints_ of the joints shared with the parent
     std::uint32_t own_a = 0, own_b = 0;  ///< the same joints as the unit's own
     std::uint32_t first_turn = 0;        ///< into turns_: one for a hinge, three for a ball

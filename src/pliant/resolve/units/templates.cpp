@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/framework/measures/residual.hpp"
 #include "pliant/resolve/method/project_bar.hpp"
 #include "pliant/resolve/sweeps/anderson.hpp"
@@ -91,7 +91,7 @@ class Templates final : public Method {
         counts_(framework.joint_count(), 0.0),
         weights_(framework.joint_count(), 1.0),
         sums_(framework.joint_count()) {
-    if (framework.sterics() != nullptr) contacts_ = std::make_unique<Contacts>(framework);
+    if (framework.sterics() != nullptr) contacts_ = std::make_unique<NeighbourList>(framework);
     find_templates();
     weigh(technique.mass_weighted);
     for (std::size_t unit = 0; unit < units_.size(); ++unit) centre(unit);
@@ -264,14 +264,14 @@ class Templates final : public Method {
   const Framework& framework_;
   ResolveOptions options_;
   bool keeps_centre_;
-  std::unique_ptr<LimitSweep> limits_;  ///< null: bars only
-  std::unique_ptr<Contacts> contacts_;  ///< null: no sterics
-  UnitSet units_;                       ///< templates of three or more joints
-  std::vector<Vec3> points_;            ///< as UnitSet::things, from the unit's middle (Angstrom)
-  std::vector<std::uint8_t> mirrors_;   ///< of units: may be the mirror image
-  std::vector<BarIndex> rods_;          ///< templates of two joints
-  std::vector<double> counts_;          ///< (N) templates that hold the joint
-  std::vector<double> weights_;         ///< (N) in fits
+  std::unique_ptr<LimitSweep> limits_;       ///< null: bars only
+  std::unique_ptr<NeighbourList> contacts_;  ///< null: no sterics
+  UnitSet units_;                            ///< templates of three or more joints
+  std::vector<Vec3> points_;           ///< as UnitSet::things, from the unit's middle (Angstrom)
+  std::vector<std::uint8_t> mirrors_;  ///< of units: may be the mirror image
+  std::vector<BarIndex> rods_;         ///< templates of two joints
+  std::vector<double> counts_;         ///< (N) templates that hold the joint
+  std::vector<double> weights_;        ///< (N) in fits
   Acceleration acceleration_;
   std::vector<Vec3> sums_;  ///< (N) of where templates have the joint
 };

@@ -43,7 +43,7 @@ class UnitLoop {
   Tolerance tolerance_;
   std::unique_ptr<Method> blocks_;
   std::optional<LoopClosure> closure_;
-  double widest_gap_ = 0.0;  ///< that leaves every bar within the tolerance (Angstrom)
+  double widest_gap_ = 0.0;      ///< that leaves every bar within the tolerance (Angstrom)
   double shortest_ = 0.0;        ///< rest length (Angstrom)
   std::vector<Vec3> positions_;  ///< of joints_
 };

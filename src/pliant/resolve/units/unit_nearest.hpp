@@ -76,7 +76,7 @@ class UnitNearest {
   /// of all bodies: a hinge has one, a body that begins a component none
   std::vector<BodyTurn> turns_;
   std::vector<std::uint32_t> first_turn_;  ///< of each unit, and one more
-  std::vector<Vec3> kept_;  ///< positions at the beginning of the step
+  std::vector<Vec3> kept_;                 ///< positions at the beginning of the step
   Vec3 origin_;
 };
 

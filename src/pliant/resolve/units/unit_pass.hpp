@@ -61,7 +61,7 @@ class UnitPass {
   UnitForest forest_;
   UnitPlan plan_;
   std::vector<std::unique_ptr<UnitLoop>> loops_;  ///< of units without a shape
-  std::vector<UnitLoop*> loop_of_;  ///< of each unit up to the last that has one
+  std::vector<UnitLoop*> loop_of_;                ///< of each unit up to the last that has one
   UnitAhead ahead_;
   UnitNearest nearest_;
   std::vector<Vec3> approached_;

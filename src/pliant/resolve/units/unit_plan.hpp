@@ -27,7 +27,7 @@ struct UnitForest {
   UnitSet set;        ///< without any loops
   UnitLinks links;    ///< of `set`
   UnitShapes shapes;  ///< of `set`; loops with freedom are unknown
-  UnitSet rigid;  ///< units whose shape is known if drawn or complete; none if `set` has them
+  UnitSet rigid;      ///< units whose shape is known if drawn or complete; none if `set` has them
   std::vector<std::uint32_t> of_rigid;  ///< the unit in `set` that contains each rigid one
 
   bool has_unknown() const;
@@ -73,10 +73,10 @@ struct UnitStep {
   };
   using Entry = std::variant<Free, Still, Ball, Hinge, Rod>;
 
-  Entry entry;  ///< its connection to placed units
+  Entry entry;         ///< its connection to placed units
   double scale = 1.0;  ///< of the weights: mass of the heaviest joint (u), or 1
   std::uint32_t unit = 0;
-  Joint a = 0;  ///< the shared joint; any joint of a free or still unit
+  Joint a = 0;                         ///< the shared joint; any joint of a free or still unit
   std::uint32_t first = 0, count = 0;  ///< joints to place, in UnitPlan::joints
   std::int32_t parent = -1;  ///< the step of the unit that it hangs on; -1: first of its component
   bool mirror_allowed = false;
@@ -142,7 +142,7 @@ class UnitPlan {
   std::vector<bool> placed_;  ///< joints
   std::vector<std::uint32_t> waiting_;
   std::vector<std::int32_t> step_of_;  ///< of units
-  std::vector<Vec3> points_;  ///< of the present unit
+  std::vector<Vec3> points_;           ///< of the present unit
 };
 
 }  // namespace pliant

@@ -59,8 +59,8 @@ class LoopClosing {
   const BodyPlan& plan_;
   const LoopPlan& loops_;
   double reach_;
-  double farthest_ = 0.0;  ///< largest distance of pairs that have a term (Angstrom)
-  std::vector<Vec3> x_;  ///< (places)
+  double farthest_ = 0.0;       ///< largest distance of pairs that have a term (Angstrom)
+  std::vector<Vec3> x_;         ///< (places)
   std::vector<Turn> at_start_;  ///< (torsions)
   LoopEquations equations_;
 };

@@ -35,7 +35,7 @@ class LoopPlanner {
   void add_pairs(const std::vector<bool>& is_rotor) {
     const std::vector<std::uint32_t> part = parts_between(is_rotor);
     const SmallSterics sterics(framework_);
-    for (const Contact& pair : sterics.pairs()) {
+    for (const NeighbourPair& pair : sterics.pairs()) {
       const Slot i = plan_.place_of(pair.a), j = plan_.place_of(pair.b);
       if (part[plan_.body_at()[i]] != part[plan_.body_at()[j]]) continue;
       const bool is_moved =

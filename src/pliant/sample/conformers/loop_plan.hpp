@@ -16,7 +16,7 @@ namespace pliant {
 
 /// A hinge of a loop, and the places that it turns.
 struct LoopHinge {
-  Slot a, b;  ///< on its axis
+  Slot a, b;         ///< on its axis
   Slot first, last;  ///< [first, last) turn
   bool turns(Slot place) const { return place >= first && place < last; }
 };
@@ -26,7 +26,7 @@ struct LoopTorsion {
   std::array<Slot, 4> at;
   BondTurn kind;
   std::int64_t hinge;  ///< the only hinge that turns it, -1: none
-  bool is_forward;  ///< whether the hinge turns the last place (not the first)
+  bool is_forward;     ///< whether the hinge turns the last place (not the first)
 };
 
 /// Whether, and how, two atoms may take part in a hydrogen bond.

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "pliant/framework/framework.hpp"
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 
 namespace pliant {
 
@@ -15,12 +15,12 @@ class SmallSterics {
   /// Has no pairs if the framework has no sterics or more than 300 joints.
   explicit SmallSterics(const Framework& framework);
 
-  std::span<const Contact> pairs() const { return pairs_; }
+  std::span<const NeighbourPair> pairs() const { return pairs_; }
   /// Sum of squared overlaps at `x` (N), Angstrom^2.
   double overlap(std::span<const Vec3> x) const;
 
  private:
-  std::vector<Contact> pairs_;
+  std::vector<NeighbourPair> pairs_;
 };
 
 }  // namespace pliant

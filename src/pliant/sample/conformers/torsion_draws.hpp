@@ -21,12 +21,12 @@ enum class TorsionDraw : std::uint8_t {
 /// Kinds of bonds that turn, with their usual torsions in degrees. Flat groups are aryl rings and
 /// planar nitrogen without hydrogen.
 enum class BondTurn : std::uint8_t {
-  any,  ///< unknown: multiples of 30
+  any,            ///< unknown: multiples of 30
   staggered,      ///< between two sp3 atoms: 60, 180, 300
-  ester,  ///< O=C-O-R: as in the structure (Z, unless the file has E)
+  ester,          ///< O=C-O-R: as in the structure (Z, unless the file has E)
   in_plane,       ///< aryl - O: 0, 180
-  flanked,  ///< aryl - O with neighbours on both sides: 0, 90, 180, 270
-  near_plane,  ///< aryl - N, aryl - C=O: 0, 180 and 30 from these
+  flanked,        ///< aryl - O with neighbours on both sides: 0, 90, 180, 270
+  near_plane,     ///< aryl - N, aryl - C=O: 0, 180 and 30 from these
   off_plane,      ///< aryl - N with neighbours on both sides: all but 0 and 180
   flat_primary,   ///< flat - CH2R: 90, 270
   flat_branched,  ///< aryl - CHR2: 60, 120, 240, 300, hydrogen near the plane
@@ -38,7 +38,7 @@ struct BondTurnEntry {
   BondTurn kind;
   std::string_view name;
   std::uint16_t multiples;  ///< bit k: k times 30 degrees is usual
-  double half_tangent;  ///< tangent of half of the largest deviation
+  double half_tangent;      ///< tangent of half of the largest deviation
 };
 
 const BondTurnEntry& entry(BondTurn kind);

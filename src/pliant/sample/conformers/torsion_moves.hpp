@@ -30,9 +30,9 @@ namespace pliant {
 
 /// A bond about which part of the molecule turns.
 struct Rotor {
-  Joint a, b;  ///< the bond; the atoms beyond b move
+  Joint a, b;                  ///< the bond; the atoms beyond b move
   Joint beyond_a, beyond_b;    ///< the torsion is beyond_a - a - b - beyond_b
-  BondTurn kind;  ///< the kind of its usual torsions
+  BondTurn kind;               ///< the kind of its usual torsions
   std::vector<Joint> turning;  ///< joints that move
 };
 

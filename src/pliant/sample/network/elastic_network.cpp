@@ -139,14 +139,27 @@ Springs shared_springs(const NetworkNodes& nodes) {
 }
 
 constexpr NetworkEntry table[] = {
-    {"shared", "springs by shared neighbours, averaged over cuts into 1 to 4 domains", true, true,
-     shared_springs},
-    {"anm", "equal springs within 15 Angstrom (anisotropic network model)", true, false,
-     anm_springs},
-    {"pfanm", "springs that fall with the squared distance (parameter-free ANM)", true, false,
-     pfanm_springs},
-    {"gnm", "equal springs within 10 Angstrom, alike in all directions (Gaussian network model)",
-     false, false, gnm_springs}};
+    {.name = "shared",
+     .summary = "springs by shared neighbours, averaged over cuts into 1 to 4 domains",
+     .has_directions = true,
+     .has_domains = true,
+     .springs = shared_springs},
+    {.name = "anm",
+     .summary = "equal springs within 15 Angstrom (anisotropic network model)",
+     .has_directions = true,
+     .has_domains = false,
+     .springs = anm_springs},
+    {.name = "pfanm",
+     .summary = "springs that fall with the squared distance (parameter-free ANM)",
+     .has_directions = true,
+     .has_domains = false,
+     .springs = pfanm_springs},
+    {.name = "gnm",
+     .summary =
+         "equal springs within 10 Angstrom, alike in all directions (Gaussian network model)",
+     .has_directions = false,
+     .has_domains = false,
+     .springs = gnm_springs}};
 
 void add_block(DenseMatrix& h, std::size_t i, std::size_t j, Vec3 along, double k) {
   const std::array<double, 3> n{along.x, along.y, along.z};

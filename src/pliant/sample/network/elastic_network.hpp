@@ -18,7 +18,7 @@ inline constexpr std::uint32_t no_node = ~std::uint32_t{0};
 /// Nodes of a network: one for each residue (alpha carbon), nucleotide or heavy atom of a ligand.
 struct NetworkNodes {
   std::vector<Vec3> positions;          ///< (M) Angstrom
-  std::vector<std::uint32_t> chain;  ///< (M) nodes of an unbroken chain are consecutive
+  std::vector<std::uint32_t> chain;     ///< (M) nodes of an unbroken chain are consecutive
   std::vector<std::uint32_t> of_joint;  ///< (N) node with which each joint moves, or no_node
   /// Factor of the cut-offs of springs: above 1 if a node represents several residues.
   double scale = 1.0;

@@ -13,7 +13,7 @@ namespace pliant {
 /// One form of a ring.
 struct RingForm {
   std::vector<Vec3> positions;  ///< (n) Angstrom, at an arbitrary place
-  bool is_chair = false;  ///< a ring of six with torsions of alternating signs
+  bool is_chair = false;        ///< a ring of six with torsions of alternating signs
 };
 
 /// Whether it is a ring of six with torsions of alternating signs.

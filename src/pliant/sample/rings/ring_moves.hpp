@@ -17,7 +17,7 @@ struct FlexibleRing {
   std::vector<Joint> atoms;
   std::vector<std::vector<std::size_t>> neighbours;  ///< for each atom, indices into `atoms`
   std::vector<std::vector<Joint>> branches;
-  std::vector<Bar> angles;  ///< pairs whose distances may change within limits
+  std::vector<Bar> angles;      ///< pairs whose distances may change within limits
   std::vector<RingForm> forms;  ///< the form of the start is the first
 };
 

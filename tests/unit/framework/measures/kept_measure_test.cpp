@@ -103,7 +103,7 @@ TEST(KeptMeasure, LooksAtWhatHasMovedAlone) {
   x[700] += Vec3{0.01, 0, 0};
   kept.measure(x);
   EXPECT_GT(kept.visits(), all);
-  EXPECT_LE(kept.visits() - all, 6 * std::int64_t(PairBlocks::pairs_each));
+  EXPECT_LE(kept.visits() - all, 6 * std::int64_t(MovedPairs::pairs_each));
 }
 
 }  // namespace pliant::kept_measure_test

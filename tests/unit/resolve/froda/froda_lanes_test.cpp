@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "pliant/molecule/build_framework.hpp"
 #include "pliant/molecule/read/read.hpp"
@@ -110,13 +110,13 @@ void expect_those_of_a_solver(const Molecule& m, const LaneKernels& kernels, std
   FrodaSolver solver(m.framework, *plan);
   std::vector<Vec3> alone = m.start;
   for (std::size_t k = 0; k < count; ++k) {
-    const FrodaOutcome outcome =
+    const FrodaResult result =
         solver.resolve(m.start, frames.targets[k], alone, careful(), frames.limits_off(k));
     EXPECT_EQ(frames.out[k], alone) << k << " of " << count;
-    EXPECT_EQ(jobs[k].outcome.is_whole, outcome.is_whole) << k;
-    EXPECT_EQ(jobs[k].outcome.steps, outcome.steps) << k;
-    EXPECT_EQ(jobs[k].outcome.max_overlap, outcome.max_overlap) << k;
-    EXPECT_EQ(jobs[k].outcome.max_limit, outcome.max_limit) << k;
+    EXPECT_EQ(jobs[k].result.is_whole, result.is_whole) << k;
+    EXPECT_EQ(jobs[k].result.steps, result.steps) << k;
+    EXPECT_EQ(jobs[k].result.max_overlap, result.max_overlap) << k;
+    EXPECT_EQ(jobs[k].result.max_limit, result.max_limit) << k;
   }
 }
 

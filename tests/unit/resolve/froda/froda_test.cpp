@@ -60,10 +60,10 @@ TEST(FrodaSolver, BarsStayWholeWhateverThePush) {
     std::vector<Vec3> out = m.start;
     for (double size : {0.0, 0.3, 1.0}) {
       const auto pushed = test::shake(m.framework, m.start, size, 4);
-      const FrodaOutcome outcome = solver.resolve(m.start, pushed, out);
-      EXPECT_TRUE(outcome.is_whole) << size;
+      const FrodaResult result = solver.resolve(m.start, pushed, out);
+      EXPECT_TRUE(result.is_whole) << size;
       EXPECT_LT(worst_bar(m.framework, out), 1e-10) << size;
-      EXPECT_LE(outcome.max_closing, 0.3) << size;
+      EXPECT_LE(result.max_closing, 0.3) << size;
     }
   }
 }
@@ -114,16 +114,16 @@ Molecule copies_of(const Molecule& one, std::size_t count) {
 }
 
 /// What a push of one joint of one molecule takes: bodies that steps looked at.
-FrodaOutcome outcome_of_drag(const Molecule& m, Joint joint) {
+FrodaResult result_of_drag(const Molecule& m, Joint joint) {
   const auto plan = BodyPlan::make(m.framework);
   FrodaSolver solver(m.framework, *plan);
   std::vector<Vec3> target = m.start, out = m.start;
   target[joint] += Vec3{0.2, 0.1, 0.3};
-  const FrodaOutcome outcome = solver.resolve(m.start, target, out);
+  const FrodaResult result = solver.resolve(m.start, target, out);
   EXPECT_GT(distance(out[joint], m.start[joint]), 1e-3);
   for (std::size_t k = m.start.size() / 2; k < m.start.size(); ++k)
     EXPECT_NEAR(distance(out[k], m.start[k]), 0.0, 1e-12) << k;
-  return outcome;
+  return result;
 }
 
 /// Molecules that nothing touches cost no step of a drag anything, however many they are.
@@ -131,8 +131,8 @@ TEST(FrodaSolver, ADragLooksAtTheMoleculeThatIsDraggedAlone) {
   const Molecule one = molecule("cyclic_hexapeptide.pdb");
   const Joint joint = 20;
   const std::size_t many = 10'000 / one.framework.joint_count() + 1;
-  const FrodaOutcome few = outcome_of_drag(copies_of(one, 2), joint);
-  const FrodaOutcome all = outcome_of_drag(copies_of(one, many), joint);
+  const FrodaResult few = result_of_drag(copies_of(one, 2), joint);
+  const FrodaResult all = result_of_drag(copies_of(one, many), joint);
   EXPECT_TRUE(all.is_whole);
   EXPECT_EQ(few.steps, all.steps);
   EXPECT_EQ(few.visits, all.visits);
@@ -159,8 +159,8 @@ TEST(FrodaSolver, HoldsSpheresApartAndLimitsTogether) {
   const auto plan = BodyPlan::make(framework);
   FrodaSolver solver(framework, *plan);
   std::vector<Vec3> out = start;
-  const FrodaOutcome outcome = solver.resolve(start, target, out);
-  EXPECT_TRUE(outcome.is_whole);
+  const FrodaResult result = solver.resolve(start, target, out);
+  EXPECT_TRUE(result.is_whole);
   EXPECT_GE(distance(out[0], out[1]), 3.0 - 0.02);
   EXPECT_LE(distance(out[2], out[3]), 5.0 + 0.02);
   const std::vector<std::uint8_t> off{1};
@@ -171,7 +171,7 @@ TEST(FrodaSolver, HoldsSpheresApartAndLimitsTogether) {
 /// What the list has of pairs that are too near, beside a look at all pairs; how many there are.
 std::size_t expect_all_found(const NearPairs& list, const Framework& framework,
                              const BodyPlan& plan, std::span<const Vec3> x) {
-  const ContactRules rules(framework);
+  const LeastDistances rules(framework);
   std::size_t listed = 0, expected = 0;
   for (const NearPair& pair : list.pairs()) {
     const Joint a = plan.joint_at()[pair.i], b = plan.joint_at()[pair.j];

@@ -24,7 +24,7 @@ struct CifTable {
   std::string category;           ///< "_atom_site", in lower case
   std::vector<std::string> tags;  ///< without category, in lower case: "cartn_x"
   std::vector<CifValue> values;   ///< row by row
-  std::size_t line = 0;  ///< line of its beginning
+  std::size_t line = 0;           ///< line of its beginning
   bool is_loop = false;
 
   std::size_t rows() const { return tags.empty() ? 0 : values.size() / tags.size(); }

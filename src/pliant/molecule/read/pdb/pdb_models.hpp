@@ -57,7 +57,7 @@ class PdbModels {
   bool open_ = false;
   Border border_ = Border::start;  // the record before the current model
   std::size_t atoms_ = 0;          // of the current model
-  std::size_t first_line_ = 0;  // of the first atom
+  std::size_t first_line_ = 0;     // of the first atom
   std::size_t first_atoms_ = 0;    // of model 1
   Unequal unequal_;
   std::set<std::int64_t> numbers_;

@@ -15,7 +15,7 @@ namespace pliant {
 /// One end of a link.
 struct LinkEnd {
   AtomAddress address;
-  char conformer = ' ';  ///< alternate location; ' ' for any
+  char conformer = ' ';       ///< alternate location; ' ' for any
   std::string_view symmetry;  ///< operator; "" for the identity
 };
 

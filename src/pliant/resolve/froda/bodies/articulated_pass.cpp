@@ -53,10 +53,10 @@ void ArticulatedPass::set_turns(std::span<const Vec3> x) {
   }
 }
 
-void ArticulatedPass::add_rows(std::span<const Vec3> x, std::span<const ContactRow> rows,
+void ArticulatedPass::add_rows(std::span<const Vec3> x, std::span<const DistanceRow> rows,
                                double factor) {
   const auto body_at = plan_.body_at();
-  for (const ContactRow& row : rows) {
+  for (const DistanceRow& row : rows) {
     const std::uint32_t i = body_at[row.i], j = body_at[row.j];
     const Twist gi = row.direction(x[row.i]), gj = row.direction(x[row.j]);
     add_direction(factor * row.weight, gi, inertia_[i]);

@@ -17,7 +17,7 @@ namespace pliant {
 
 /// Two places that should move apart by `gap` along `along`, from j to i (Angstrom; negative:
 /// together).
-struct ContactRow {
+struct DistanceRow {
   Slot i = 0, j = 0;
   Vec3 along;
   double gap = 0.0, weight = 0.0;
@@ -51,7 +51,7 @@ class ArticulatedPass {
   /// them to `targets` (places; empty: none), and their turns.
   void gather(std::span<const Vec3> x, std::span<const Vec3> targets);
   /// Adds each row as a directional mass of `factor` times its weight on both of its bodies.
-  void add_rows(std::span<const Vec3> x, std::span<const ContactRow> rows, double factor);
+  void add_rows(std::span<const Vec3> x, std::span<const DistanceRow> rows, double factor);
   /// Eliminates turns from inertias and forces, from the last body to the roots. `springs` (turns)
   /// pull on them; empty: none.
   void go_inward(std::span<const TurnSpring> springs = {});

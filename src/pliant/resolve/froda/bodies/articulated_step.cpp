@@ -102,7 +102,7 @@ double ArticulatedStep::apply_matrix(std::span<const Vec3> x, const StepRequest&
   }
   for (std::size_t t = 0; t < direction_.angles.size(); ++t)
     sum += resistance(request, t) * direction_.angles[t] * direction_.angles[t];
-  for (const ContactRow& row : request.rows) sum += add_row(row, x);
+  for (const DistanceRow& row : request.rows) sum += add_row(row, x);
   return sum;
 }
 
@@ -118,7 +118,7 @@ Twist ArticulatedStep::pull_of(const PlanBody& body, const Twist& twist, std::sp
 }
 
 /// w g g^T direction_, to image_; its product with direction_.
-double ArticulatedStep::add_row(const ContactRow& row, std::span<const Vec3> x) {
+double ArticulatedStep::add_row(const DistanceRow& row, std::span<const Vec3> x) {
   const auto body_at = plan_.body_at();
   const std::uint32_t i = body_at[row.i], j = body_at[row.j];
   const double apart = dot(row.along, froda::velocity(direction_.twists[i], x[row.i]) -

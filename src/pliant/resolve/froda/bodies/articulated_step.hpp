@@ -35,10 +35,10 @@ inline constexpr double majorant = 2.0;
 /// The request of a step.
 struct StepRequest {
   std::span<const Vec3> targets = {};  ///< (places) where each should come to; empty: stay
-  std::span<const ContactRow> rows = {};
+  std::span<const DistanceRow> rows = {};
   std::span<const TurnSpring> springs = {};  ///< (turns) springs on them; empty: none
-  double bound = 1.0;  ///< largest displacement of a body (Angstrom)
-  int conjugate_gradients = 0;  ///< iterations inside the step
+  double bound = 1.0;                        ///< largest displacement of a body (Angstrom)
+  int conjugate_gradients = 0;               ///< iterations inside the step
 };
 
 class ArticulatedStep {
@@ -67,7 +67,7 @@ class ArticulatedStep {
   void refine(std::span<const Vec3> x, const StepRequest& request);
   double apply_matrix(std::span<const Vec3> x, const StepRequest& request);
   static Twist pull_of(const PlanBody& body, const Twist& twist, std::span<const Vec3> x);
-  double add_row(const ContactRow& row, std::span<const Vec3> x);
+  double add_row(const DistanceRow& row, std::span<const Vec3> x);
   double resistance(const StepRequest& request, std::size_t turn) const;
   Share share_of(std::span<const Vec3> x, double bound) const;
   void move(std::span<Vec3> x, double share);

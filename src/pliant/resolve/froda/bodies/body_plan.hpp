@@ -17,9 +17,9 @@ using Slot = std::uint32_t;
 
 /// A rigid unit, connected to its parent by a hinge, a ball joint, or not at all.
 struct PlanBody {
-  std::int32_t parent = -1;  ///< index of an earlier body; -1: moves freely
+  std::int32_t parent = -1;      ///< index of an earlier body; -1: moves freely
   Slot first = 0, last = 0;      ///< its own joints, [first, last)
-  Slot a = 0, b = 0;  ///< joints shared with its parent; equal for a ball joint
+  Slot a = 0, b = 0;             ///< joints shared with its parent; equal for a ball joint
   std::uint32_t first_turn = 0;  ///< first of its turns among those of all bodies
   std::uint32_t turns() const { return parent < 0 ? 0 : (a == b ? 3 : 1); }
 };

@@ -54,9 +54,9 @@ class CutClosing {
   const BodyPlan& plan_;
   const WorkingTrees& working_;
   std::vector<LoopCut> cuts_;       ///< of working trees
-  std::vector<Share> shares_;  ///< (cuts) turns descending
+  std::vector<Share> shares_;       ///< (cuts) turns descending
   std::vector<std::size_t> first_;  ///< (cuts + 1) into shares_
-  std::vector<Root> roots_;  ///< (cuts)
+  std::vector<Root> roots_;         ///< (cuts)
   std::vector<double> products_, factors_;
   std::vector<Twist> forces_;
   BodyMotions correction_;

@@ -16,7 +16,7 @@ namespace pliant {
 /// The spring on one turn.
 struct TurnSpring {
   double weight = 0.0;  ///< Angstrom^2
-  double force = 0.0;  ///< weight times the wanted angle (radians)
+  double force = 0.0;   ///< weight times the wanted angle (radians)
 };
 
 class TurnSprings {

@@ -43,7 +43,7 @@ class WorkingTrees {
 
  private:
   const BodyPlan& plan_;
-  std::vector<std::uint8_t> is_in_;  ///< (trees)
+  std::vector<std::uint8_t> is_in_;     ///< (trees)
   std::vector<std::uint32_t> numbers_;  ///< of those in it
   std::vector<std::uint32_t> bodies_;
 };

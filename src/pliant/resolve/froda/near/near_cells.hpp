@@ -63,7 +63,7 @@ class NearCells {
   FindNearHits find_near_hits_ = near_hits_finders().back();
   Vec3 low_;
   double per_side_ = 1.0;  ///< of a cell, Angstrom^-1
-  Cell cells_{};  ///< number along each axis
+  Cell cells_{};           ///< number along each axis
   std::vector<std::uint32_t> cell_number_, first_in_cell_, next_;
   // Places by cells, followed by those that were moved. The old entry of a moved place is put far
   // away, so that nothing finds it.

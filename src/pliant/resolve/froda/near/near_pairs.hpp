@@ -45,8 +45,8 @@ class NearPairs {
   double skin_;
   std::size_t places_;
   std::int64_t lists_made_ = 0;
-  std::vector<Vec3> listed_at_;  ///< (places) position when its pairs were listed
-  std::vector<double> square_moves_;  ///< (places) since then
+  std::vector<Vec3> listed_at_;           ///< (places) position when its pairs were listed
+  std::vector<double> square_moves_;      ///< (places) since then
   std::vector<std::uint8_t> is_renewed_;  ///< (places)
   std::vector<Slot> renewed_;
   std::vector<NearPair> pairs_, unsorted_, sorted_, kept_;

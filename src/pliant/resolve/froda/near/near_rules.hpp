@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "pliant/base/graphs/grouped.hpp"
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/resolve/froda/bodies/body_plan.hpp"
 
 namespace pliant {
@@ -69,10 +69,10 @@ class NearRules {
   void set_reaches(double skin);
 
   const BodyPlan& plan_;
-  ContactRules rules_;
+  LeastDistances rules_;
   const Sterics& sterics_;
   std::vector<NeighbourMask> excluded_near_;
-  Grouped<Special> special_;  ///< of each place, with higher ones
+  Grouped<Special> special_;         ///< of each place, with higher ones
   std::vector<std::uint16_t> kind_;  ///< of each place, below kinds_
   std::size_t kinds_ = 0;
   std::vector<float> square_reaches_;  ///< (kinds * kinds)

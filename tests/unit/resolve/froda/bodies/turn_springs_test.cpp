@@ -82,8 +82,8 @@ TEST(TurnSprings, PullAnEclipsedTorsionBack) {
         FrodaOptions options;
         options.is_careful = true;
         options.has_torsion_preferences = true;
-        const FrodaOutcome outcome = solver.resolve(start, chain(pushed), out, options);
-        EXPECT_TRUE(outcome.is_whole);
+        const FrodaResult result = solver.resolve(start, chain(pushed), out, options);
+        EXPECT_TRUE(result.is_whole);
         EXPECT_LT(measure(framework, out).max_relative, 1e-12);
         return torsion_of(out);
       };
@@ -110,9 +110,9 @@ TEST(TurnSprings, LetGoWhereContactsWouldNotHoldAgainstThem) {
   FrodaOptions options;
   options.is_careful = true;
   options.has_torsion_preferences = true;
-  const FrodaOutcome outcome = solver.resolve(start, chain(80.0), out, options);
-  EXPECT_TRUE(outcome.is_whole);
-  EXPECT_LE(outcome.max_overlap, options.goal);
+  const FrodaResult result = solver.resolve(start, chain(80.0), out, options);
+  EXPECT_TRUE(result.is_whole);
+  EXPECT_LE(result.max_overlap, options.goal);
   EXPECT_NEAR(torsion_of(out), 115.0, 0.5);
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "pliant/base/random.hpp"
 
-namespace pliant::contacts_test {
+namespace pliant::neighbour_list_test {
 
 constexpr std::size_t joints = 300;
 
@@ -46,15 +46,15 @@ double least_of(const Sterics& sterics, std::uint32_t a, std::uint32_t b) {
   return sterics.of_kinds(a, b);
 }
 
-TEST(Contacts, AreAllPairsThatMayTouchAndNoOthersInOrder) {
+TEST(NeighbourList, AreAllPairsThatMayTouchAndNoOthersInOrder) {
   RandomSequence draws({.seed = 3});
   const auto sterics = std::make_shared<const Sterics>(made_sterics(draws));
   const Framework framework({.joint_count = joints, .sterics = sterics});
-  Contacts contacts(framework, 0.8);
+  NeighbourList contacts(framework, 0.8);
   for (int round = 0; round < 3; ++round) {
     const std::vector<Vec3> points = made_points(draws);
     ASSERT_TRUE(contacts.update(points));
-    std::vector<Contact> expected;
+    std::vector<NeighbourPair> expected;
     for (std::uint32_t a = 0; a < joints; ++a)
       for (std::uint32_t b = a + 1; b < joints; ++b)
         if (const double least = least_of(*sterics, a, b);
@@ -66,4 +66,4 @@ TEST(Contacts, AreAllPairsThatMayTouchAndNoOthersInOrder) {
   EXPECT_EQ(contacts.lists_made(), 3);
 }
 
-}  // namespace pliant::contacts_test
+}  // namespace pliant::neighbour_list_test

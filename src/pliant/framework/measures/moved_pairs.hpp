@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which of many pairs of joints have a joint that is no longer where it was when the pair was
-// looked at: so that to look at all pairs again costs no more than what has moved.
+// Finds the pairs of joints that have moved since they were last visited, so that visiting all
+// pairs again costs only as much as what has moved.
 #pragma once
 
 #include <algorithm>
@@ -14,12 +14,13 @@
 
 namespace pliant {
 
-/// Where joints were at the last look, and which have moved since, some tens of them together.
-class MovedChunks {
+/// Positions at the last look, and which of them have moved since, in chunks of some tens of
+/// joints.
+class MovedPositions {
  public:
   static constexpr std::size_t joints_each = 64;
 
-  /// Compares with the look before, bit by bit. False if no joint has moved.
+  /// Compares with the look before, bit by bit. Returns false if no joint has moved.
   bool look(std::span<const Vec3> positions) {
     const bool is_new = at_.size() != positions.size();
     at_.resize(positions.size());
@@ -55,54 +56,54 @@ class MovedChunks {
   std::vector<std::uint8_t> has_moved_;
 };
 
-/// Pairs in the order of the caller, some hundreds of which are a block.
-class PairBlocks {
+/// Pairs in the order of the caller, in groups of some hundreds.
+class MovedPairs {
  public:
   static constexpr std::size_t pairs_each = 256;
 
-  /// Other pairs: each has joints `a` and `b`. All blocks are stale.
+  /// Takes new pairs, which have joints `a` and `b`. All groups become stale.
   template <class Pair>
   void assign(std::span<const Pair> pairs) {
     count_ = pairs.size();
     is_stale_.assign((count_ + pairs_each - 1) / pairs_each, 1);
     chunks_ = {};
-    for (std::size_t block = 0; block < size(); ++block) {
+    for (std::size_t group = 0; group < size(); ++group) {
       found_.clear();
-      for (std::size_t k = first(block); k < last(block); ++k)
+      for (std::size_t k = first(group); k < last(group); ++k)
         for (const auto joint : {pairs[k].a, pairs[k].b})
-          found_.push_back(static_cast<std::uint32_t>(joint / MovedChunks::joints_each));
+          found_.push_back(static_cast<std::uint32_t>(joint / MovedPositions::joints_each));
       std::sort(found_.begin(), found_.end());
       found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
       chunks_.add(found_);
     }
   }
 
-  void note(const MovedChunks& moved) {
-    for (std::size_t block = 0; block < size(); ++block) {
-      if (is_stale_[block] != 0) continue;
-      const auto chunks = chunks_.at(block);
-      is_stale_[block] = std::any_of(chunks.begin(), chunks.end(),
+  void note(const MovedPositions& moved) {
+    for (std::size_t group = 0; group < size(); ++group) {
+      if (is_stale_[group] != 0) continue;
+      const auto chunks = chunks_.at(group);
+      is_stale_[group] = std::any_of(chunks.begin(), chunks.end(),
                                      [&](std::uint32_t chunk) { return moved.has_moved(chunk); });
     }
   }
 
   void make_all_stale() { is_stale_.assign(size(), 1); }
 
-  /// Calls look(block) for each that has a moved joint since it was looked at last.
+  /// Calls look(group) for each group with a joint that has moved since the last call for it.
   template <class Look>
   void look_at_stale(const Look& look) {
-    for (std::size_t block = 0; block < size(); ++block)
-      if (is_stale_[block] != 0) look(block), is_stale_[block] = 0;
+    for (std::size_t group = 0; group < size(); ++group)
+      if (is_stale_[group] != 0) look(group), is_stale_[group] = 0;
   }
 
-  std::size_t size() const { return is_stale_.size(); }  ///< blocks
-  std::size_t first(std::size_t block) const { return block * pairs_each; }
-  std::size_t last(std::size_t block) const { return std::min(count_, (block + 1) * pairs_each); }
+  std::size_t size() const { return is_stale_.size(); }  ///< number of groups
+  std::size_t first(std::size_t group) const { return group * pairs_each; }
+  std::size_t last(std::size_t group) const { return std::min(count_, (group + 1) * pairs_each); }
 
  private:
   std::size_t count_ = 0;
-  std::vector<std::uint8_t> is_stale_;  ///< of each block
-  Grouped<std::uint32_t> chunks_;       ///< of each block: where its joints are
+  std::vector<std::uint8_t> is_stale_;  ///< (groups)
+  Grouped<std::uint32_t> chunks_;       ///< (groups) the chunks of its joints
   std::vector<std::uint32_t> found_;
 };
 

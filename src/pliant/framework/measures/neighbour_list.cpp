@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/framework/measures/contacts.hpp"
+#include "pliant/framework/measures/neighbour_list.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -40,16 +40,17 @@ std::vector<std::vector<Joint>> neighbours_by_bonds(const Framework& framework) 
 }
 
 /// By a, then b: counted into place by a, and sorted among the few of one a.
-std::vector<Contact> by_joints(const std::vector<Contact>& pairs, std::size_t joint_count) {
+std::vector<NeighbourPair> by_joints(const std::vector<NeighbourPair>& pairs,
+                                     std::size_t joint_count) {
   std::vector<std::size_t> end(joint_count + 1, 0);
-  for (const Contact& pair : pairs) ++end[pair.a + 1];
+  for (const NeighbourPair& pair : pairs) ++end[pair.a + 1];
   std::partial_sum(end.begin(), end.end(), end.begin());
-  std::vector<Contact> sorted(pairs.size());
+  std::vector<NeighbourPair> sorted(pairs.size());
   std::size_t first = 0;
-  for (const Contact& pair : pairs) sorted[end[pair.a]++] = pair;
+  for (const NeighbourPair& pair : pairs) sorted[end[pair.a]++] = pair;
   for (std::size_t joint = 0; joint < joint_count; first = end[joint++])
     std::sort(sorted.begin() + std::ptrdiff_t(first), sorted.begin() + std::ptrdiff_t(end[joint]),
-              [](const Contact& one, const Contact& other) { return one.b < other.b; });
+              [](const NeighbourPair& one, const NeighbourPair& other) { return one.b < other.b; });
   return sorted;
 }
 
@@ -57,13 +58,13 @@ bool comes_before(const OwnDistance& own, Ends ends) {
   return std::tie(own.a, own.b) < std::tie(ends.first, ends.second);
 }
 
-bool comes_first(const Contact& one, const Contact& other) {
+bool comes_first(const NeighbourPair& one, const NeighbourPair& other) {
   return std::tie(one.a, one.b) < std::tie(other.a, other.b);
 }
 
 }  // namespace
 
-ContactRules::ContactRules(const Framework& framework)
+LeastDistances::LeastDistances(const Framework& framework)
     : sterics_(*framework.sterics()),
       largest_(sterics_.largest()),
       own_(sterics_.own),
@@ -79,7 +80,7 @@ ContactRules::ContactRules(const Framework& framework)
 }
 
 /// Breadth first from each joint, as many bonds deep as are excluded.
-void ContactRules::exclude_within(const Framework& framework) {
+void LeastDistances::exclude_within(const Framework& framework) {
   const auto neighbours = neighbours_by_bonds(framework);
   std::vector<std::uint8_t> is_reached(neighbours.size(), 0);
   std::vector<Joint> reached;
@@ -103,7 +104,7 @@ void ContactRules::exclude_within(const Framework& framework) {
   }
 }
 
-double ContactRules::of(Joint a, Joint b) const {
+double LeastDistances::of(Joint a, Joint b) const {
   if (has_own_[a] != 0) {
     const auto own = std::lower_bound(own_.begin(), own_.end(), Ends{a, b}, comes_before);
     if (own != own_.end() && own->a == a && own->b == b) return own->least;
@@ -117,7 +118,8 @@ double ContactRules::of(Joint a, Joint b) const {
   return sterics_.of_kinds(a, b);
 }
 
-Contacts::Contacts(const Framework& framework, double skin) : rules_(framework), skin_(skin) {
+NeighbourList::NeighbourList(const Framework& framework, double skin)
+    : rules_(framework), skin_(skin) {
   if (!(skin > 0.0 && skin <= 1e5))
     throw OptionError("skin = " + number_text(skin) + ": must be above 0, up to 1e5 Angstrom");
 }
@@ -129,7 +131,7 @@ bool can_be_listed(std::span<const Vec3> positions) {
   });
 }
 
-bool Contacts::update(std::span<const Vec3> positions) {
+bool NeighbourList::update(std::span<const Vec3> positions) {
   if (!can_be_listed(positions)) return false;
   if (!made_ || listed_at_.size() != positions.size())
     make_list(positions);
@@ -138,14 +140,14 @@ bool Contacts::update(std::span<const Vec3> positions) {
   return true;
 }
 
-bool Contacts::is_out_of_date(std::span<const Vec3> positions) const {
+bool NeighbourList::is_out_of_date(std::span<const Vec3> positions) const {
   const double most = 0.25 * skin_ * skin_;
   for (std::size_t i = 0; i < positions.size(); ++i)
     if (!(norm_squared(positions[i] - listed_at_[i]) <= most)) return true;
   return false;
 }
 
-void Contacts::make_list(std::span<const Vec3> positions) {
+void NeighbourList::make_list(std::span<const Vec3> positions) {
   near_.clear();
   listed_at_.assign(positions.begin(), positions.end());
   made_ = true;
@@ -156,7 +158,7 @@ void Contacts::make_list(std::span<const Vec3> positions) {
   near_ = by_joints(near_, positions.size());
 }
 
-void Contacts::list(std::uint32_t a, std::uint32_t b, double squared) {
+void NeighbourList::list(std::uint32_t a, std::uint32_t b, double squared) {
   const double skin = slack * skin_;
   const auto reaches = [&](double least) {
     return least > 0.0 && squared <= (least + skin) * (least + skin);
@@ -166,7 +168,7 @@ void Contacts::list(std::uint32_t a, std::uint32_t b, double squared) {
   if (reaches(least)) near_.push_back({a, b, least});
 }
 
-void Contacts::choose_renewed(std::span<const Vec3> positions) {
+void NeighbourList::choose_renewed(std::span<const Vec3> positions) {
   const double least = renewed_share * skin_ * renewed_share * skin_;
   renewed_.clear();
   is_renewed_.assign(positions.size(), 0);
@@ -179,14 +181,15 @@ void Contacts::choose_renewed(std::span<const Vec3> positions) {
 
 /// Of few joints the pairs are found anew, and those of all others kept: two that are not listed
 /// were further apart than it takes, each where it was looked at last.
-void Contacts::renew_list(std::span<const Vec3> positions) {
+void NeighbourList::renew_list(std::span<const Vec3> positions) {
   if (rules_.largest() == 0.0) return;
   choose_renewed(positions);
   if (renewed_.size() > positions.size() / one_in) return make_list(positions);
   ++lists_made_;
   for (Joint joint : renewed_) listed_at_[joint] = positions[joint];
-  std::erase_if(
-      near_, [&](const Contact& pair) { return (is_renewed_[pair.a] | is_renewed_[pair.b]) != 0; });
+  std::erase_if(near_, [&](const NeighbourPair& pair) {
+    return (is_renewed_[pair.a] | is_renewed_[pair.b]) != 0;
+  });
   const auto kept = static_cast<std::ptrdiff_t>(near_.size());
   for_each_pair_of_renewed([&](auto a, auto b, double squared) { list(a, b, squared); });
   std::sort(near_.begin() + kept, near_.end(), comes_first);
@@ -194,7 +197,7 @@ void Contacts::renew_list(std::span<const Vec3> positions) {
 }
 
 template <class Visit>
-void Contacts::for_each_pair_of_renewed(const Visit& visit) const {
+void NeighbourList::for_each_pair_of_renewed(const Visit& visit) const {
   const double cutoff = rules_.largest() + slack * skin_;
   if (renewed_.size() > few) {
     CellList(listed_at_, cutoff).for_each_pair([&](auto a, auto b, double squared) {
@@ -215,9 +218,9 @@ std::vector<OwnDistance> own_distances(const Framework& framework,
                                        std::span<const Vec3> positions) {
   std::vector<OwnDistance> own;
   if (framework.sterics() == nullptr) return own;
-  Contacts contacts(framework);
-  if (!contacts.update(positions)) return own;
-  for (const Contact& pair : contacts.near()) {
+  NeighbourList neighbours(framework);
+  if (!neighbours.update(positions)) return own;
+  for (const NeighbourPair& pair : neighbours.near()) {
     const double apart = distance(positions[pair.a], positions[pair.b]);
     if (apart < pair.least) own.push_back({pair.a, pair.b, apart});
   }
