@@ -54,7 +54,7 @@ SampleSummary add_frames(const H5mdCheckpoint& from, const SampleOptions& option
     recorder.record(recorded_frame(frame));
     if (frame.frame <= from.last_step) return false;
     ++added;
-    return observer(frame);
+    return observer && observer(frame);
   });
   recorder.close();
   summary.frames = added;

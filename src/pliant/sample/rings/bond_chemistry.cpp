@@ -21,7 +21,10 @@ Vec3 direction(Vec3 from, Vec3 to) { return (1.0 / distance(from, to)) * (to - f
 }  // namespace
 
 BondChemistry::BondChemistry(const Framework& framework, std::span<const Vec3> start)
-    : framework_(framework), start_(start) {
+    : framework_(framework),
+      start_(start),
+      bonds_(framework.joint_count(), edges_),
+      is_in_ring_(framework.joint_count(), false) {
   if (framework.atoms() == nullptr) return;
   const auto bars = framework.bars();
   for (BarIndex k = 0; k < bars.size(); ++k) {
@@ -29,13 +32,14 @@ BondChemistry::BondChemistry(const Framework& framework, std::span<const Vec3> s
     if (framework.rest_lengths()[k] <= longest_bond * radii) edges_.push_back(bars[k]);
   }
   bonds_ = Graph(framework.joint_count(), edges_);
-  is_in_ring_.assign(framework.joint_count(), false);
   const Blocks blocks = find_blocks(bonds_);
   for (std::size_t edge = 0; edge < edges_.size(); ++edge)
     if (!blocks.is_bridge[edge]) is_in_ring_[edges_[edge].a] = is_in_ring_[edges_[edge].b] = true;
 }
 
-std::uint8_t BondChemistry::element(Joint atom) const { return framework_.atoms()->elements[atom]; }
+std::uint8_t BondChemistry::element(Joint atom) const {
+  return framework_.atoms() != nullptr ? framework_.atoms()->elements[atom] : std::uint8_t{0};
+}
 
 bool BondChemistry::is_tetrahedral(Joint atom) const {
   const auto bonds = bonds_at(atom);
