@@ -31,10 +31,10 @@ class Resolver {
   /// If a length stops being finite they are put back as they were.
   ///
   /// `disturbed` says what may be broken; its root is where orderings begin. Where it lists joints,
-  /// nothing else has moved since all bars were whole: techniques that know how (`blocks`,
-  /// `bfs_local`) then look only at what these reach, at a cost that does not depend on the size of
-  /// the framework, and the others do as ever. The summary's residuals are then those of the bars
-  /// at the joints listed and at moved(), and rms_residual is -1.
+  /// nothing else has moved since all bars were whole: `blocks` then looks only at what these
+  /// reach, at a cost that does not depend on the size of the framework, and other techniques do as
+  /// ever. The summary's residuals are then those of the bars at the joints listed and at moved(),
+  /// and rms_residual is -1.
   ///
   /// `step` is the step number that random draws depend on. `reference` (N, or none, Angstrom) are
   /// whole positions before the push, in which `shake` looks for the directions of the bars; other
