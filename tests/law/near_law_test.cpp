@@ -111,7 +111,7 @@ TEST_P(NearLaw, OneDisturbedJointIsResolvedAsByResolveNear) {
 PLIANT_FOR_ALL_TECHNIQUES(NearLaw);
 
 TEST(Near, LooksAtNoMoreBarsInALargerFramework) {
-  for (const char* name : {"bfs_local", "blocks"}) {
+  for (const char* name : {"blocks", "auto"}) {
     std::int64_t looked[2];
     for (int k = 0; k < 2; ++k) {
       const Sketch sketch = chain(k == 0 ? 1000 : 100'000);
@@ -130,7 +130,7 @@ TEST(Near, SeveralPushesCostAsMuchAsEachAlone) {
   const Sketch sketch = shaken(chain(20'000), 0.2);
   const Framework framework = framework_of(sketch);
   const std::vector<Joint> joints = {4000, 12'000, 12'001, 12'004};
-  for (const char* name : {"bfs_local", "blocks", "auto"}) {
+  for (const char* name : {"blocks", "auto"}) {
     std::vector<Vec3> x = sketch.positions;
     for (Joint joint : joints) x[joint] += {0.02, 0.03, -0.05};
     Resolver resolver(framework, {name, 0.5});
@@ -174,23 +174,9 @@ TEST(Near, WhatANearPassCannotResolveIsResolvedFromTheStart) {
   EXPECT_TRUE(summary.converged());
 }
 
-/// Bars that are whole are left alone here and polished there: the answers agree to the tolerance.
-TEST(Near, LocalSweepsAnswerAsFullSweepsDo) {
-  const Sketch sketch = shaken(chain(400), 0.2);
-  const Framework framework = framework_of(sketch);
-  for (double weighting : {0.5, 0.75, 1.0}) {
-    std::vector<Vec3> near = sketch.positions;
-    near[200] += {0.02, 0.03, -0.05};
-    std::vector<Vec3> full = near;
-    Resolver(framework, {"bfs_local", weighting}, {{1e-9}}).resolve_near(near, 200);
-    Resolver(framework, {"bfs_cycle", weighting}, {{1e-9}}).resolve(full, 200);
-    EXPECT_LT(test::largest_difference(near, full), 1e-6) << weighting;
-  }
-}
-
 TEST(Near, OverflowPutsThePositionsBack) {
   const Framework framework = framework_of(chain(50));
-  for (const char* name : {"bfs_local", "blocks"}) {
+  for (const char* name : {"blocks", "auto"}) {
     std::vector<Vec3> x = chain(50).positions;
     x[20].y = 1e200;
     const std::vector<Vec3> before = x;

@@ -39,7 +39,7 @@ std::vector<Vec3> any_positions(const std::vector<Vec3>& lattice) {
 
 Technique any_technique() {
   return {*rc::gen::element<std::string>("auto", "bfs_cycle", "bfs_reverse", "dfs_cycle", "input",
-                                         "bfs_local", "blocks", "newton", "shake", "units"),
+                                         "blocks", "newton", "shake", "units"),
           *rc::gen::element(0.0, 0.3, 0.5, 1.0), *rc::gen::arbitrary<bool>()};
 }
 

@@ -68,8 +68,8 @@ def test_headers_that_pages_name_are_there():
 
 def test_anchors_are_those_of_github(tmp_path):
     page = tmp_path / "page.md"
-    page.write_text("# How it is\n## `rings_first` and `b`\n```\n# no heading\n```\n### A, b: c?\n")
-    assert anchors(page) == {"how-it-is", "rings_first-and-b", "a-b-c"}
+    page.write_text("# How it is\n## `bfs_tree` and `b`\n```\n# no heading\n```\n### A, b: c?\n")
+    assert anchors(page) == {"how-it-is", "bfs_tree-and-b", "a-b-c"}
     assert leads_somewhere(page, "#a-b-c")
     assert leads_somewhere(page, "page.md#how-it-is")
     assert not leads_somewhere(page, "#no-heading")

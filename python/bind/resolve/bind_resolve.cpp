@@ -36,13 +36,6 @@ class SharedResolver {
                              reference);
   }
 
-  ResolveSummary resolve_near(const PositionsInPlace& positions, std::int64_t root,
-                              std::int64_t step, const OptionalArray& reference) {
-    const Joint joint = root_at(framework_, root);
-    const std::span<const Joint> joints(&joint, framework_.joint_count() > 0 ? 1 : 0);
-    return resolve_disturbed(positions, {joint, false, joints}, step, reference);
-  }
-
   int traverse(visitproc visit, void* argument) const {
     return callable_.traverse(visit, argument);
   }
@@ -190,9 +183,9 @@ root, step, reference
     As for the function ``resolve``.
 disturbed : (K,) array-like of int, optional
     The joints that have moved since all bars were whole; no other has, and the root is looked at
-    as if it were among them. Techniques that know how (``blocks``, ``bfs_local``, ``auto`` where
-    it takes ``blocks``) then look only at what these joints reach, at a cost that does not depend
-    on the size of the framework; the others do as ever. Without it any joint may have moved.
+    as if it were among them. ``blocks``, and ``auto`` where it takes ``blocks``, then look only at
+    what these joints reach, at a cost that does not depend on the size of the framework; other
+    techniques do as ever. Without it any joint may have moved.
 
 Returns
 -------
@@ -206,36 +199,6 @@ TypeError
     ``positions`` is no such array.
 InputError
     ``disturbed`` holds what is no joint.
-OptionError
-    ``positions`` or ``reference`` have another number of joints.
-IndexError
-    ``root`` is no joint.
-)";
-
-constexpr const char* resolve_near_doc =
-    R"(Moves ``positions`` in place after only joint ``root`` has moved from whole positions.
-
-Equivalent to ``resolve(positions, root, disturbed=[root], ...)``. With techniques that can start
-from one joint, the cost is that of the region that the push disturbs, not of the whole framework.
-
-Parameters
-----------
-positions : (N, 3) float64, Angstrom
-    C-contiguous and writeable; changed in place.
-root : int
-    The pushed joint.
-step, reference
-    As for the function ``resolve``.
-
-Returns
--------
-ResolveSummary
-    As for ``resolve`` with ``disturbed``.
-
-Raises
-------
-TypeError
-    ``positions`` is no such array.
 OptionError
     ``positions`` or ``reference`` have another number of joints.
 IndexError
@@ -321,8 +284,6 @@ void bind_resolver(nb::module_& module) {
            "seed"_a = options.seed, "walker"_a = options.walker, "ordering"_a = nb::none())
       .def("resolve", &SharedResolver::resolve, "positions"_a, "root"_a = 0, nb::kw_only(),
            "step"_a = 0, "reference"_a = nb::none(), "disturbed"_a = nb::none(), resolve_again_doc)
-      .def("resolve_near", &SharedResolver::resolve_near, "positions"_a, "root"_a, "step"_a = 0,
-           "reference"_a = nb::none(), resolve_near_doc)
       .def_prop_ro(
           "moved", &SharedResolver::moved,
           "The joints that the last resolve moved, in the order in which they moved first;\n"

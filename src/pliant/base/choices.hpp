@@ -16,7 +16,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b);
 /// The name in `names` nearest to `word`, or "" when none is within a third of its length.
 std::string nearest_name(std::string_view word, const std::vector<std::string_view>& names);
 
-/// "no ordering named "bsf_cycle" (did you mean "bfs_cycle"?); known: random, bfs_tree, ...".
+/// "no ordering named "bsf_cycle" (did you mean "bfs_cycle"?); known: random, bfs_tree, ...". Of a
+/// name that earlier versions knew: since when it is gone, and what replaces it.
 std::string unknown_choice(std::string_view kind, std::string_view word,
                            const std::vector<std::string_view>& names);
 

@@ -9,14 +9,13 @@
 #include "pliant/order/check_ordering.hpp"
 #include "pliant/resolve/automatic.hpp"
 #include "pliant/resolve/blocks/blocks.hpp"
-#include "pliant/resolve/blocks/ring_sweeps.hpp"
 #include "pliant/resolve/froda/froda.hpp"
 #include "pliant/resolve/lanes/lane_blocks.hpp"
 #include "pliant/resolve/lanes/lane_direct.hpp"
 #include "pliant/resolve/lanes/lane_sweeps.hpp"
 #include "pliant/resolve/method/method.hpp"
+#include "pliant/resolve/sweeps/anderson_sweeps.hpp"
 #include "pliant/resolve/sweeps/custom_sweeps.hpp"
-#include "pliant/resolve/sweeps/local_sweeps.hpp"
 #include "pliant/resolve/sweeps/sweeps.hpp"
 #include "pliant/resolve/units/shape_keeper.hpp"
 #include "pliant/resolve/units/templates.hpp"
@@ -33,18 +32,11 @@ std::vector<TechniqueEntry> all_techniques() {
   for (const OrderingEntry& row : orderings())
     rows.push_back({row.name, row.summary, row.forests_only, true, true, make_sweeps,
                     make_lane_sweeps, false, true});
-  rows.push_back({"bfs_local", "bfs_cycle on the region that a push of one joint disturbs", false,
-                  true, true, make_local_sweeps, make_lane_local_sweeps, false, true});
   rows.push_back({"blocks",
                   "bridges in one outward pass, exactly; each ring system alone by Newton's method",
                   false, false, false, make_blocks, make_lane_blocks, true});
   rows.push_back({"anderson", "bfs_cycle with Anderson acceleration from sweep to sweep", false,
                   true, true, make_anderson, nullptr, false, true});
-  rows.push_back({"rings_first",
-                  "each ring system alone by bfs_cycle, then bridges in one outward pass", false,
-                  false, true, make_rings_first, nullptr, true, true});
-  rows.push_back({"rings_anderson", "rings_first with Anderson acceleration in each ring system",
-                  false, false, true, make_rings_anderson, nullptr, true, true});
   rows.push_back({"newton", "the nearest whole positions, weighted by mass", false, false, false,
                   make_newton_in_shape, make_lane_newton});
   rows.push_back({"shake",

@@ -141,10 +141,9 @@ constexpr double little_overlap = 0.1;  // Angstrom^2: resolving takes it away
 /// Flexible loops that cannot be drawn are bent so often.
 constexpr int loop_steps = 12;
 
-/// Conformers: torsions drawn, rings given a form, loops drawn and closed. With `mixed` the
-/// torsions of three of four frames are those that are usual, of the fourth any: starts of one
-/// conformer each miss what the other finds.
-template <bool is_mixed, TorsionDraw other>
+/// Conformers: torsions drawn, rings given a form, loops drawn and closed. The torsions of three of
+/// four frames are those that are usual, of the fourth any: starts of one conformer each miss what
+/// the other finds.
 class TorsionsSampler final : public Sampler {
  public:
   explicit TorsionsSampler(const SamplerSetting& setting)
@@ -165,8 +164,8 @@ class TorsionsSampler final : public Sampler {
     request.limits_off.clear();
     request.from.assign(now.begin(), now.end());
     if (step == 0) {
-      const bool is_usual = is_mixed && frame % 4 != 3;
-      draw(draws, is_usual ? TorsionDraw::preferred : other, request);
+      const bool is_usual = frame % 4 != 3;
+      draw(draws, is_usual ? TorsionDraw::preferred : TorsionDraw::uniform, request);
     }
     request.targets = request.from;
     if (moves_.bent() != nullptr) moves_.bent()->push(draws, request.targets);
@@ -207,11 +206,7 @@ constexpr SamplerEntry table[] = {
      make<DiluteSampler>},
     {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>},
     {"torsions", "conformers of small molecules: torsions, forms of rings, large rings closed",
-     make<TorsionsSampler<true, TorsionDraw::uniform>>, false},
-    {"torsions_uniform", "the same, every torsion from the whole circle",
-     make<TorsionsSampler<false, TorsionDraw::uniform>>, false},
-    {"torsions_preferred", "the same, every torsion near one that is usual",
-     make<TorsionsSampler<false, TorsionDraw::preferred>>, false}};
+     make<TorsionsSampler>, false}};
 
 /// Of more all at once drawn, hardly any draw is free of overlaps.
 constexpr std::size_t most_rotors = 64;

@@ -50,7 +50,7 @@ def test_a_copy_of_the_state_goes_on_as_it_does():
 
 def test_the_state_is_a_copy_that_may_be_changed():
     state = pliant.State(RING.positions)
-    motion = pliant.Motion(RING.framework, state, "bfs_local")
+    motion = pliant.Motion(RING.framework, state, "blocks")
     motion.step()
     np.testing.assert_array_equal(state.positions, RING.positions)
     motion.state.positions[3] += 0.3

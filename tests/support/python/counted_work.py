@@ -127,7 +127,7 @@ def throughput() -> Iterator[Row]:
 def steps() -> Iterator[Row]:
     """Steps of a run after the first ones, so that plans do not count."""
     large, small = peptide(RESIDUES), read("peptide_20.pdb", "bonds")
-    for technique in ("bfs_local", "blocks", "auto"):
+    for technique in ("blocks", "auto"):
         yield step_row(f"step {technique}", *large, technique=technique)
     for perturb in ("force_all", "displacement"):
         yield step_row(f"step auto {perturb}", *small, perturb=perturb)

@@ -128,8 +128,7 @@ TEST(Framework, RefusesLengthsThatAreNone) {
     EXPECT_EQ(refusal([&](auto& parts) { parts.rest_lengths[1] = length; }),
               "bar 2 - 1 has rest length " + std::string(text) + range);
   for (double length : {1e-150, 1e150})
-    EXPECT_EQ(refusal([&](auto& parts) { parts.rest_lengths[1] = length; }),
-              "(nothing was thrown)");
+    EXPECT_EQ(refusal([&](auto& parts) { parts.rest_lengths[1] = length; }), test::no_error);
 }
 
 TEST(Framework, RefusesMassesThatAreNone) {

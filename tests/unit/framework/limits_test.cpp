@@ -7,17 +7,15 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/framework/framework.hpp"
+#include "support/error_text.hpp"
 
 namespace pliant {
 namespace limits_test {
 
 std::string fault_of(const Limit& limit) {
-  try {
+  return test::error_text<InputError>([&] {
     Framework({.joint_count = 4, .bars = {{0, 1}}, .rest_lengths = {1.5}, .limits = {limit}});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  });
 }
 
 TEST(Limit, ItsExcessIsSigned) {
@@ -34,7 +32,7 @@ TEST(Limit, KindsHaveNames) {
 }
 
 TEST(Limit, WhatCannotBeIsRefused) {
-  EXPECT_EQ(fault_of({.a = 0, .b = 2, .most = 1.0}), "");
+  EXPECT_EQ(fault_of({.a = 0, .b = 2, .most = 1.0}), test::no_error);
   EXPECT_EQ(fault_of({.a = 0, .b = 9}), "limit 0 joins joints 0 and 9 but there are 4 joints");
   EXPECT_EQ(fault_of({.a = 2, .b = 2}), "limit 0 joins joint 2 to itself");
   EXPECT_EQ(fault_of({.a = 1, .b = 0}), "limit 1 - 0 has a bar already, of 1.5 Angstrom");

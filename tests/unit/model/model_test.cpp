@@ -10,6 +10,7 @@
 #include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/model/contacts/hydrogen_bond_energy.hpp"
 #include "pliant/model/steric_table.hpp"
+#include "support/error_text.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::model_test {
@@ -184,12 +185,8 @@ TEST(BuildModel, TakesContactsInPlaceOfItsOwn) {
   options.contacts = std::vector<MolecularContact>{};
   EXPECT_TRUE(build_model(amide_and_carbonyl(), options).framework.limits().empty());
   options.contacts->push_back({MolecularContactKind::hydrophobic, 2, 77});
-  try {
-    build_model(amide_and_carbonyl(), options);
-    FAIL() << "nothing refused";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "contact 0 names atom 77 of 8 (counted from 0)");
-  }
+  EXPECT_EQ(test::error_text<InputError>([&] { build_model(amide_and_carbonyl(), options); }),
+            "contact 0 names atom 77 of 8 (counted from 0)");
 }
 
 TEST(UsualModel, IsToldByResidues) {

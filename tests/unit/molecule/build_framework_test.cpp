@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/error.hpp"
+#include "support/error_text.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::build_framework_test {
@@ -33,12 +34,7 @@ std::vector<std::string> bar_texts(const Framework& framework) {
 
 template <class Exception>
 std::string refusal(const Structure& s, const BuildOptions& options = {}) {
-  try {
-    build_framework(s, options);
-  } catch (const Exception& error) {
-    return error.what();
-  }
-  return "nothing refused";
+  return test::error_text<Exception>([&] { build_framework(s, options); });
 }
 
 TEST(BuildFramework, MakesABarOfEachBondWithItsLengthAndMasses) {

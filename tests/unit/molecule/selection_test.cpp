@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/error.hpp"
+#include "support/error_text.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::selection_test {
@@ -80,12 +81,7 @@ TEST(Selection, IsNotDepthLimited) {
 }
 
 std::string refusal(std::string_view text) {
-  try {
-    selected(text);
-  } catch (const OptionError& error) {
-    return error.what();
-  }
-  return "nothing refused";
+  return test::error_text<OptionError>([&] { selected(text); });
 }
 
 TEST(Selection, SaysWhatItCannotUnderstand) {

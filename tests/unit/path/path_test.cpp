@@ -10,10 +10,8 @@
 #include "pliant/base/error.hpp"
 #include "pliant/base/math/superposition.hpp"
 #include "pliant/framework/measures/residual.hpp"
-#include "pliant/molecule/bonds/bonds.hpp"
-#include "pliant/molecule/read/read.hpp"
 #include "support/error_text.hpp"
-#include "support/source_folder.hpp"
+#include "support/molecules.hpp"
 
 namespace pliant::path_test {
 
@@ -23,11 +21,7 @@ using ::testing::Lt;
 using ::testing::SizeIs;
 
 /// A helix of 20 residues.
-Structure helix() {
-  Structure structure = read_structure(molecule_file("peptide_20.pdb"));
-  perceive_bonds(structure);
-  return structure;
-}
+Structure helix() { return test::bonded(molecule_file("peptide_20.pdb")); }
 
 std::size_t atom_of(const Structure& s, std::uint32_t residue, const std::string& name) {
   for (std::size_t atom = 0; atom < s.size(); ++atom)

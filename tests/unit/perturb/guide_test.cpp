@@ -5,6 +5,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/perturb/pushers.hpp"
+#include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 
 namespace pliant {
@@ -33,12 +34,7 @@ bool push(const std::string& name, const Framework& framework, const Guide& guid
 }
 
 std::string refusal(const Guide& guide) {
-  try {
-    check(guide, loose_line());
-  } catch (const OptionError& error) {
-    return error.what();
-  }
-  return "";
+  return test::error_text<OptionError>([&] { check(guide, loose_line()); });
 }
 
 TEST(Guide, RockingGoesToEitherSideAndComesBack) {

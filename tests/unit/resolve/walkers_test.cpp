@@ -21,7 +21,7 @@ TEST(WalkerResolver, UsesTheBestInstructionsUnlessToldOtherwise) {
 TEST(WalkerResolver, HasLanesForWhatIsTheSameForAllWalkers) {
   const Framework framework = framework_of(grid(3, 3));
   for (const char* name : {"bfs_cycle", "bfs_reverse", "dfs_cycle", "dfs_reverse", "input",
-                           "bfs_local", "blocks", "newton", "shake"})
+                           "blocks", "newton", "shake"})
     EXPECT_NE(WalkerResolver(framework, {name}).level(), "") << name;
   for (const char* name : {"random", "bfs_random", "bfs_worst", "bfs_adapt", "anderson", "units"})
     EXPECT_EQ(WalkerResolver(framework, {name}).level(), "") << name;

@@ -3,39 +3,22 @@
 
 #include <gtest/gtest.h>
 
-#include "pliant/molecule/bonds/bonds.hpp"
-#include "pliant/molecule/build_framework.hpp"
-#include "pliant/molecule/read/read.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
-#include "support/source_folder.hpp"
+#include "support/molecules.hpp"
 #include "unit/record/recorded_runs.hpp"
 #include "unit/record/samples.hpp"
 
 namespace pliant {
 namespace recorded_sample_test {
 
-/// A peptide that is a ring; every heavy atom is a node, and two far ones are held near.
-struct Peptide {
-  Framework framework{FrameworkParts{}};
-  std::vector<Vec3> start;
-  NetworkNodes nodes;
-};
+using test::Peptide;
 
-Peptide peptide() {
-  Structure structure = read_structure(molecule_file("cyclic_hexapeptide.pdb"));
-  perceive_bonds(structure);
-  Peptide made;
-  made.start = structure.positions;
-  made.nodes.of_joint.assign(structure.size(), no_node);
-  for (std::size_t k = 0; k < structure.size(); ++k) {
-    if (structure.atoms.elements[k] == 1) continue;
-    made.nodes.of_joint[k] = static_cast<std::uint32_t>(made.nodes.positions.size());
-    made.nodes.chain.push_back(made.nodes.of_joint[k]);
-    made.nodes.positions.push_back(structure.positions[k]);
-  }
-  FrameworkParts parts = build_framework(structure, {.bars = BarKind::angles}).parts();
+/// Two far atoms of it are held near each other.
+Peptide held_peptide() {
+  Peptide made = test::peptide();
+  FrameworkParts parts = made.framework.parts();
   const double apart = distance(made.start[0], made.start[30]);
   parts.limits = {{.a = 0, .b = 30, .most = apart + 0.5, .energy = -4.0, .group = 0}};
   made.framework = Framework(std::move(parts));
@@ -73,7 +56,7 @@ INSTANTIATE_TEST_SUITE_P(Samplers, RecordedSample, testing::Values("modes", "dil
 
 TEST_P(RecordedSample, GoesOnAsIfItHadNeverStopped) {
   const test::TempDirectory folder;
-  const Peptide from = peptide();
+  const Peptide from = held_peptide();
   SampleOptions options = options_for(GetParam());
   record_sample(folder / "whole.h5md", from, options, 7);
   options.frames = 3;
@@ -93,7 +76,7 @@ TEST_P(RecordedSample, GoesOnAsIfItHadNeverStopped) {
 
 TEST(RecordedSample, WhatIsRecordedIsReadBack) {
   const test::TempDirectory folder;
-  const Peptide from = peptide();
+  const Peptide from = held_peptide();
   const SampleOptions options = options_for("dilute");
   record_sample(folder / "a.h5md", from, options, 7);
   const H5mdCheckpoint read = read_checkpoint(folder / "a.h5md", 20);
@@ -118,7 +101,7 @@ TEST(RecordedSample, ATemperatureOfVersion030IsAnEnergyInKcal) {
 
 TEST(RecordedSample, FramesOfOtherBitsAreNotAddedTo) {
   const test::TempDirectory folder;
-  const Peptide from = peptide();
+  const Peptide from = held_peptide();
   record_sample(folder / "a.h5md", from, options_for("modes"), 7);
   H5mdCheckpoint read = read_checkpoint(folder / "a.h5md", 9);
   for (auto& [path, value] : read.parameters)

@@ -113,7 +113,7 @@ TEST(Motion, StepAloneGoesOnWhereAnotherStopped) {
 TEST(Motion, SeesWhatSomebodyElseChanged) {
   const Sketch sketch = shaken(chain(60), 0.2);
   const Framework framework = framework_of(sketch);
-  Motion motion(framework, State(sketch.positions), by({"force"}, "bfs_local"));
+  Motion motion(framework, State(sketch.positions), by({"force"}, "blocks"));
   for (int step = 0; step < 5; ++step) motion.step();
   motion.change_state().positions[30] += Vec3{0.1, 0.2, 0.3};
   const Frame frame = motion.step();

@@ -328,7 +328,7 @@ TEST(Run, DoesNotTellThePushOfAStepThatWasCutShort) {
 TEST(Run, OfLocalTechniquesShowsTrueNumbersToo) {
   const Sketch sketch = shaken(chain(60), 0.2);
   const Framework framework = framework_of(sketch);
-  for (const char* name : {"bfs_local", "blocks"}) {
+  for (const char* name : {"blocks", "auto"}) {
     RunOptions options;
     options.technique.name = name;
     options.steps = 40;

@@ -7,36 +7,15 @@
 #include <cmath>
 
 #include "pliant/base/error.hpp"
-#include "pliant/molecule/bonds/bonds.hpp"
-#include "pliant/molecule/build_framework.hpp"
-#include "pliant/molecule/read/read.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
-#include "support/source_folder.hpp"
+#include "support/molecules.hpp"
 
 namespace pliant {
 namespace sample_test {
 
-struct Peptide {
-  Framework framework;
-  std::vector<Vec3> start;
-  NetworkNodes nodes;
-};
-
-/// Every heavy atom is a node.
-Peptide peptide(const char* file = "cyclic_hexapeptide.pdb") {
-  Structure structure = read_structure(molecule_file(file));
-  perceive_bonds(structure);
-  NetworkNodes nodes;
-  nodes.of_joint.assign(structure.size(), no_node);
-  for (std::size_t k = 0; k < structure.size(); ++k) {
-    if (structure.atoms.elements[k] == 1) continue;
-    nodes.of_joint[k] = static_cast<std::uint32_t>(nodes.positions.size());
-    nodes.chain.push_back(nodes.of_joint[k]);
-    nodes.positions.push_back(structure.positions[k]);
-  }
-  return {build_framework(structure, {.bars = BarKind::angles}), structure.positions, nodes};
-}
+using test::peptide;
+using test::Peptide;
 
 std::vector<std::vector<Vec3>> frames_of(const Peptide& p, const SampleOptions& options) {
   std::vector<std::vector<Vec3>> frames;

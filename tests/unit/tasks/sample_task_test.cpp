@@ -70,15 +70,13 @@ TEST(SampleTask, AnAmplitudeIsTakenWhereThereIsOne) {
   SampleAsked far = asked("modes");
   far.amplitude = AmplitudeChoice{2.5, "2.5", "as given"};
   EXPECT_EQ(SampleTask(subject_of(peptide), far).options().amplitude, 2.5);
-  far.options.sampler = "torsions_uniform";
+  far.options.sampler = "torsions";
   const auto refusal = [&] {
     return test::error_text<OptionError>([&] { SampleTask(subject_of(peptide), far); });
   };
-  EXPECT_EQ(refusal(),
-            "amplitude: sampler torsions_uniform has none: how far torsions turn is drawn");
+  EXPECT_EQ(refusal(), "amplitude: sampler torsions has none: how far torsions turn is drawn");
   far.dashes = "--";
-  EXPECT_EQ(refusal(),
-            "--amplitude: sampler torsions_uniform has none: how far torsions turn is drawn");
+  EXPECT_EQ(refusal(), "--amplitude: sampler torsions has none: how far torsions turn is drawn");
 }
 
 TEST(SampleTask, OptionsAreHeldToTheirRanges) {

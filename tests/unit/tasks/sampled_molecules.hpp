@@ -5,16 +5,13 @@
 #include <string>
 
 #include "pliant/model/model.hpp"
-#include "pliant/molecule/bonds/bonds.hpp"
-#include "pliant/molecule/read/read.hpp"
-#include "support/source_folder.hpp"
+#include "support/molecules.hpp"
 
 namespace pliant::test {
 
 /// The model of a file of data/molecules.
 inline MolecularModel model_of(const std::string& file) {
-  Structure structure = read_structure(molecule_file(file));
-  perceive_bonds(structure);
+  const Structure structure = bonded(molecule_file(file));
   return build_model(structure, {.kind = usual_model(structure)});
 }
 

@@ -15,7 +15,7 @@ from pliant import _bars, console
 from pliant.lab.bench.large_frameworks import KINDS
 
 SIZES = (1e4, 1e6)
-TECHNIQUES = ("bfs_local", "blocks", "auto")
+TECHNIQUES = ("blocks", "auto")
 STEPS, ROUNDS = 20_000, 9
 
 

@@ -60,6 +60,8 @@ class Settings:
             if getattr(self, name) < 1:
                 raise OptionError(f"{name} = {getattr(self, name)}: must be from 1")
         _choose("class", self.classes, _every_class())
+        for name in self.techniques:  # of a removed name this says what replaces it
+            pliant.Resolver(pliant.Framework([[0, 1]], [1.0]), name)
         _choose("technique", self.techniques, _every_technique())
         for weighting in self.weightings:
             if not 0.0 <= weighting <= 1.0:

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "pliant/framework/measures/kept_measure.hpp"
-#include "pliant/resolve/blocks/ring_sweeps.hpp"
 #include "pliant/resolve/froda/froda_solver.hpp"
+#include "pliant/resolve/sweeps/anderson_sweeps.hpp"
 #include "pliant/resolve/units/units.hpp"
 
 namespace pliant {

@@ -82,10 +82,4 @@ std::unique_ptr<LaneMethod> make_lane_sweeps(const LaneSetting& setting) {
   return std::make_unique<LaneSweeps>(setting);
 }
 
-std::unique_ptr<LaneMethod> make_lane_local_sweeps(const LaneSetting& setting) {
-  const Technique& asked = setting.technique;
-  const Technique everywhere{"bfs_cycle", asked.weighting, asked.mass_weighted};
-  return make_lane_sweeps({setting.framework, everywhere, setting.options, setting.kernels});
-}
-
 }  // namespace pliant

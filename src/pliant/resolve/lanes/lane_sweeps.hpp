@@ -11,7 +11,4 @@ namespace pliant {
 /// `bfs_worst`): they differ from walker to walker.
 std::unique_ptr<LaneMethod> make_lane_sweeps(const LaneSetting& setting);
 
-/// `bfs_local` if more than one joint has moved: sweeps of `bfs_cycle`.
-std::unique_ptr<LaneMethod> make_lane_local_sweeps(const LaneSetting& setting);
-
 }  // namespace pliant

@@ -259,7 +259,7 @@ def test_a_folder_of_something_else_is_refused(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("words", "message"),
     [
-        (["--technique", "bfs"], "no technique 'bfs'; there is random, "),
+        (["--technique", "bfs"], 'no technique named "bfs"; known: auto, random, '),
         (["--class", "ring"], "no class 'ring'; there is tree, "),
         (["--weighting", "1.5"], "weighting = 1.5: must be from 0 to 1"),
         (["--class", "tree", "--class", "tree"], "class tree is named twice"),

@@ -154,14 +154,14 @@ def test_trials_push_one_joint_by_as_much_as_is_asked():
 def test_trees_take_one_sweep_of_every_bar():
     trials = pushed_graphs("tree", 3, 4, 8)
     bars = [trial.framework.bar_count for trial in trials]
-    for technique, weighting in [("bfs_cycle", 1.0), ("rings_first", 0.5), ("rings_anderson", 0.5)]:
+    for technique, weighting in [("bfs_cycle", 1.0), ("anderson", 1.0), ("blocks", 0.5)]:
         work = work_of(trials, technique, weighting)
         assert (work.sweeps == 1).all()
         assert work.projections.tolist() == bars
         assert work.failures == 0
 
 
-@pytest.mark.parametrize("technique", ["rings_first", "rings_anderson"])
+@pytest.mark.parametrize("technique", ["blocks", "units"])
 def test_new_techniques_do_better_than_the_best_of_the_thesis(technique):
     for family, trials in root_adaptation.family_trials(6, 10, 21).items():
         new = work_of(trials, technique)

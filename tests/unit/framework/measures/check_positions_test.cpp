@@ -23,7 +23,7 @@ std::string verdict_at(double offset, const Tolerance& tolerance = {}) {
   }};
   const std::string thrown = test::error_text<InputError>(
       [&] { check_positions(framework_of(sketch), x, tolerance, log); });
-  return thrown == "(nothing was thrown)" ? said : "error: " + thrown;
+  return thrown == test::no_error ? said : "error: " + thrown;
 }
 
 TEST(CheckPositions, SaysNothingNearTheOrigin) {

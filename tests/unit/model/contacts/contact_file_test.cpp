@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/error.hpp"
+#include "support/error_text.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::contact_file_test {
@@ -30,12 +31,7 @@ std::vector<MolecularContact> two_contacts(const Structure& s) {
 }
 
 std::string fault_of(std::string_view text) {
-  try {
-    parse_contacts({"c.csv", text}, two_residues());
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing refused";
+  return test::error_text<InputError>([&] { parse_contacts({"c.csv", text}, two_residues()); });
 }
 
 TEST(ContactList, SlackIsAsDocumented) {

@@ -11,6 +11,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/model/prepare/hydrogen_places.hpp"
 #include "pliant/model/prepare/survey.hpp"
+#include "support/error_text.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::prepare_test {
@@ -134,12 +135,8 @@ TEST(Prepare, TakesDummyAtomsOfAMembraneOut) {
   EXPECT_EQ(ready.steps[0], "3 dummy residues (DUM) taken out");
   Structure nothing;
   add_residue(nothing, "DUM", 1, {{"O", "O", {0, 0, 0}}});
-  try {
-    prepare(nothing);
-    FAIL() << "no error";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "holds nothing but dummy atoms");
-  }
+  EXPECT_EQ(test::error_text<InputError>([&] { prepare(nothing); }),
+            "holds nothing but dummy atoms");
 }
 
 TEST(Prepare, TakesSeleniumAsSulphur) {
@@ -207,12 +204,7 @@ TEST(Prepare, PlacesTheHydrogensOfBases) {
 }
 
 std::string fault_of(const Structure& s, std::vector<std::string> protonate = {}) {
-  try {
-    prepare(s, {.protonate = std::move(protonate)});
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "nothing refused";
+  return test::error_text<Error>([&] { prepare(s, {.protonate = std::move(protonate)}); });
 }
 
 TEST(Prepare, SaysWhatItCannotPrepare) {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "pliant/base/error.hpp"
+#include "support/error_text.hpp"
 #include "unit/molecule/made_structure.hpp"
 
 namespace pliant::bonds_test {
@@ -269,12 +270,7 @@ TEST(PerceiveBonds, DoesNotMindAnOffset) {
 
 std::string refusal(const Structure& s) {
   Structure copy = s;
-  try {
-    perceive_bonds(copy);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "nothing refused";
+  return test::error_text<InputError>([&] { perceive_bonds(copy); });
 }
 
 TEST(PerceiveBonds, RefusesPositionsThatAreNone) {

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "pliant/base/error.hpp"
+#include "support/error_text.hpp"
 
 namespace pliant {
 namespace graph_xml_test {
@@ -25,12 +26,7 @@ GraphFile parse(std::string_view text, const Log& log = {}) {
 }
 
 std::string error_of(std::string_view text) {
-  try {
-    parse(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "no error";
+  return test::error_text<InputError>([&] { parse(text); });
 }
 
 std::string graph(std::string_view inside) {

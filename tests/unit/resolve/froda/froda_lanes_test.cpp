@@ -7,12 +7,9 @@
 #include <memory>
 
 #include "pliant/framework/measures/neighbour_list.hpp"
-#include "pliant/molecule/bonds/bonds.hpp"
-#include "pliant/molecule/build_framework.hpp"
-#include "pliant/molecule/read/read.hpp"
 #include "pliant/resolve/froda/froda_solver.hpp"
 #include "support/frameworks.hpp"
-#include "support/source_folder.hpp"
+#include "support/molecules.hpp"
 
 namespace pliant {
 namespace froda_lanes_test {
@@ -25,8 +22,7 @@ struct Molecule {
 /// Spheres that are `least` apart (Angstrom), a limit between the first atom and the last where
 /// these have no bar, and torsion preferences about every third bond that can turn.
 Molecule molecule(const std::string& file, double least) {
-  Structure structure = read_structure(molecule_file(file));
-  perceive_bonds(structure);
+  const Structure structure = test::bonded(molecule_file(file));
   BuildOptions options{.bars = BarKind::angles};
   const Framework bare = build_framework(structure, options);
   auto sterics =

@@ -7,12 +7,9 @@
 #include <filesystem>
 #include <memory>
 
-#include "pliant/molecule/bonds/bonds.hpp"
-#include "pliant/molecule/build_framework.hpp"
-#include "pliant/molecule/read/read.hpp"
 #include "pliant/resolve/froda/froda_solver.hpp"
 #include "support/frameworks.hpp"
-#include "support/source_folder.hpp"
+#include "support/molecules.hpp"
 
 namespace pliant {
 namespace froda_test {
@@ -24,8 +21,7 @@ struct Molecule {
 
 Molecule molecule(const std::string& file, const std::shared_ptr<const Sterics>& sterics = {},
                   const std::vector<Limit>& limits = {}) {
-  Structure structure = read_structure(molecule_file(file));
-  perceive_bonds(structure);
+  const Structure structure = test::bonded(molecule_file(file));
   BuildOptions options{.bars = BarKind::angles};
   options.sterics = sterics;
   options.limits = limits;

@@ -7,11 +7,8 @@
 #include <filesystem>
 
 #include "pliant/examples/examples.hpp"
-#include "pliant/molecule/bonds/bonds.hpp"
-#include "pliant/molecule/build_framework.hpp"
-#include "pliant/molecule/read/read.hpp"
 #include "support/frameworks.hpp"
-#include "support/source_folder.hpp"
+#include "support/molecules.hpp"
 
 namespace pliant {
 namespace units_test {
@@ -23,8 +20,7 @@ struct Molecule {
 };
 
 Molecule molecule(const std::filesystem::path& file) {
-  Structure structure = read_structure(file);
-  perceive_bonds(structure);
+  const Structure structure = test::bonded(file);
   return {file.stem().string(), build_framework(structure, {.bars = BarKind::angles}),
           structure.positions};
 }

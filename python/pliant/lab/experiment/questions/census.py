@@ -106,7 +106,7 @@ def _paragraphs(missing: list[str], count: int) -> list[str]:
         "(cytochrome).",
         "For techniques this is good news: what proteins have many of are small ring systems that "
         "do not touch, each as easy as a 1-cycle or 2-cycle, and joined by bridges that are "
-        "projected once (see rings_first). The bars of the thesis' n-cycles join random pairs: "
+        "projected once (see blocks). The bars of the thesis' n-cycles join random pairs: "
         "their cycles share most of their bars.",
     ]
     return [*words, "Not counted: " + "; ".join(missing) + "."] if missing else words

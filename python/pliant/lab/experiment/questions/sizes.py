@@ -36,8 +36,9 @@ KINDS: dict[str, Callable[[int], int]] = {
 }
 TECHNIQUES = (
     ("random", 0.5), ("bfs_cycle", 0.5), ("bfs_reverse", 0.5), ("bfs_cycle", 1.0),
-    ("rings_first", 0.5), ("rings_anderson", 0.5),
+    ("anderson", 0.5), ("blocks", 0.5),
 )  # fmt: skip
+THESIS = TECHNIQUES[:4]
 COLORS = (plotting.GREY, plotting.BLUE, plotting.SKY, plotting.VERMILION, plotting.ORANGE,
           plotting.GREEN)  # fmt: skip
 MARKERS = "o^sDvP"
@@ -81,15 +82,14 @@ def _verdict(found: Results, sizes: tuple[int, ...]) -> str:
         f"From {small} to {large} joints the sweeps of bfs_cycle 0.5 go from {growth}: a push is "
         "felt near the pushed joint alone, and work grows with the number of bars for the sole "
         "reason that each sweep looks at all of them. The thesis' best of the four shown takes "
-        f"{gains[0]} times the work of rings_anderson at {small} joints, in the same order, and "
+        f"{gains[0]} times the work of blocks at {small} joints, in the same order, and "
         f"{gains[1]} times at {large}, where few pushes reach a cycle."
     )
 
 
 def _gain(found: Results, kind: str, joints: int) -> float:
-    thesis = [c for c in TECHNIQUES if not c[0].startswith("rings")]
-    best = min(found[kind, joints, c].projections.mean() for c in thesis)
-    return float(best / found[kind, joints, ("rings_anderson", 0.5)].projections.mean())
+    best = min(found[kind, joints, c].projections.mean() for c in THESIS)
+    return float(best / found[kind, joints, ("blocks", 0.5)].projections.mean())
 
 
 def _paragraphs(made: dict[int, Counter[int]]) -> list[str]:

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Bars that are swept together on positions of their own, plainly or with Anderson acceleration.
-//
-// Acceleration guards itself:
+// Sweeps of bars on positions of their own, with Anderson acceleration that guards itself:
 // - An extrapolation moves the joints no further than all sweeps and extrapolations before it.
 // - A step of extrapolation after which a sweep moves the joints more than twice as far as the
 //   sweep before is taken back.
@@ -19,18 +17,13 @@
 
 namespace pliant {
 
-class SweepGroup {
+class AcceleratedSweeps {
  public:
   static constexpr std::int64_t first_stretch = 50;  ///< sweeps
 
-  /// `joints` are the ends of the group's bars, sorted.
-  SweepGroup(std::vector<Joint> joints, bool accelerated);
-
-  std::span<const Joint> joints() const { return joints_; }
-  std::size_t size() const { return plan_.size(); }  ///< bars
-
-  /// Sweeps these limits too. Its joints must then be all joints of the framework.
-  void add(LimitSweep& limits) { limits_ = &limits; }
+  /// `joints` are the ends of all bars, sorted. `limits` are swept too, unless null; the joints
+  /// must then be all joints of the framework.
+  AcceleratedSweeps(std::vector<Joint> joints, LimitSweep* limits);
 
   void clear_plan() { plan_.clear(); }
   /// `visit` names joints of the framework.
@@ -38,14 +31,13 @@ class SweepGroup {
 
   /// Takes the positions of its joints out of all `positions`.
   void begin(std::span<const Vec3> positions);
-  /// The positions of joints() at this moment.
-  std::span<const Vec3> positions() const { return x_; }
-  Vec3 position(Joint joint) const { return x_[place(joint)]; }
+  /// Puts the positions of this moment back to where begin() took them from.
+  void put_into(std::span<Vec3> positions) const;
 
   /// Are the bars whole, by the last look?
   Look state() const { return state_; }
-  /// Projects each bar once; then looks, and goes further if it is accelerated. Returns how many
-  /// bars and limits were looked at.
+  /// Projects each bar once; then looks, and goes further on the accelerated track. Returns how
+  /// many bars and limits were looked at.
   std::int64_t sweep(const RandomKey& key);
 
  private:
@@ -57,9 +49,8 @@ class SweepGroup {
   void go_no_further_than_the_path();
 
   std::vector<Joint> joints_;
-  bool accelerated_;
+  LimitSweep* limits_;  ///< null: there are none
   SweepPlan plan_;
-  LimitSweep* limits_ = nullptr;       ///< null: there are none
   std::int64_t looked_at_limits_ = 0;  ///< in this sweep
   Look state_ = Look::broken;
   std::vector<Vec3> x_;       ///< (joints) where sweeps happen

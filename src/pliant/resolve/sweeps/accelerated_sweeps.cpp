@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/resolve/blocks/sweep_group.hpp"
+#include "pliant/resolve/sweeps/accelerated_sweeps.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,30 +7,29 @@
 
 namespace pliant {
 
-SweepGroup::SweepGroup(std::vector<Joint> joints, bool accelerated)
-    : joints_(std::move(joints)), accelerated_(accelerated) {
-  if (!accelerated) return;
+AcceleratedSweeps::AcceleratedSweeps(std::vector<Joint> joints, LimitSweep* limits)
+    : joints_(std::move(joints)), limits_(limits) {
   for (std::vector<Vec3>* room : {&x_, &other_, &f_, &last_g_}) room->reserve(joints_.size());
   mixing_.reserve(joints_.size());
 }
 
-Joint SweepGroup::place(Joint joint) const {
+Joint AcceleratedSweeps::place(Joint joint) const {
   return static_cast<Joint>(std::lower_bound(joints_.begin(), joints_.end(), joint) -
                             joints_.begin());
 }
 
-void SweepGroup::add(PlannedBar visit) {
+void AcceleratedSweeps::add(PlannedBar visit) {
   visit.near = place(visit.near);
   visit.far = place(visit.far);
   plan_.add(visit);
 }
 
-void SweepGroup::begin(std::span<const Vec3> positions) {
+void AcceleratedSweeps::begin(std::span<const Vec3> positions) {
   x_.resize(joints_.size());
   for (std::size_t i = 0; i < joints_.size(); ++i) x_[i] = positions[joints_[i]];
   plan_.begin();
   state_ = look();
-  if (!accelerated_ || state_ != Look::broken) return;
+  if (state_ != Look::broken) return;
   other_ = x_;
   mixing_.restart();
   path_ = 0.0;
@@ -38,28 +37,32 @@ void SweepGroup::begin(std::span<const Vec3> positions) {
   stretch_ = left_ = first_stretch;
 }
 
-void SweepGroup::sweep_once(const RandomKey& key) {
+void AcceleratedSweeps::put_into(std::span<Vec3> positions) const {
+  for (std::size_t i = 0; i < joints_.size(); ++i) positions[joints_[i]] = x_[i];
+}
+
+void AcceleratedSweeps::sweep_once(const RandomKey& key) {
   plan_.sweep(x_, key);
   if (limits_ != nullptr) looked_at_limits_ = limits_->sweep(x_, key);
 }
 
-Look SweepGroup::look() {
+Look AcceleratedSweeps::look() {
   const Look bars = plan_.look(x_);
   return limits_ != nullptr && bars == Look::all_whole ? limits_->look(x_) : bars;
 }
 
-std::int64_t SweepGroup::sweep(const RandomKey& key) {
-  if (accelerated_ && left_-- == 0) change_track();
-  if (accelerated_ && !on_plain_track_) {
-    accelerate(key);
-  } else {
+std::int64_t AcceleratedSweeps::sweep(const RandomKey& key) {
+  if (left_-- == 0) change_track();
+  if (on_plain_track_) {
     sweep_once(key);
     state_ = look();
+  } else {
+    accelerate(key);
   }
   return static_cast<std::int64_t>(plan_.size()) + looked_at_limits_;
 }
 
-void SweepGroup::change_track() {
+void AcceleratedSweeps::change_track() {
   std::swap(x_, other_);
   on_plain_track_ = !on_plain_track_;
   if (!on_plain_track_) stretch_ *= 2;
@@ -67,7 +70,7 @@ void SweepGroup::change_track() {
 }
 
 /// An extrapolation (f_, from x_) may double the way that the joints have come, not more.
-void SweepGroup::go_no_further_than_the_path() {
+void AcceleratedSweeps::go_no_further_than_the_path() {
   double squared = 0.0;
   for (std::size_t i = 0; i < x_.size(); ++i) squared += norm_squared(f_[i] - x_[i]);
   const double length = std::sqrt(squared);
@@ -77,7 +80,7 @@ void SweepGroup::go_no_further_than_the_path() {
   path_ += std::min(length, path_);
 }
 
-void SweepGroup::accelerate(const RandomKey& key) {
+void AcceleratedSweeps::accelerate(const RandomKey& key) {
   f_ = x_;
   sweep_once(key);
   double step = 0.0;
