@@ -11,6 +11,7 @@
 
 #include "pliant/framework/framework.hpp"
 #include "pliant/model/contacts/contact_list.hpp"
+#include "pliant/model/contacts/contact_options.hpp"
 #include "pliant/model/contacts/hydrogen_bonds.hpp"
 #include "pliant/model/contacts/tethers.hpp"
 #include "pliant/model/prepare/prepare.hpp"
@@ -28,7 +29,7 @@ struct ModelEntry {
   BarKind bars;
   bool is_prepared;  ///< waters out, polar hydrogens in
   bool has_sterics;
-  bool has_contacts;  ///< hydrogen bonds, salt bridges, tethers, metals
+  bool has_contacts;  ///< those of molecular_contact_kinds()
 };
 
 /// All models, in the order of their numbers.
@@ -45,7 +46,8 @@ struct ModelOptions {
   PrepareOptions prepare = {};
   HydrogenBondOptions hydrogen_bonds = {};
   TetherOptions tethers = {};
-  bool sterics = true;   ///< whether models that have sterics get them
+  std::vector<std::string> more_contacts = {};  ///< kinds that are found besides the usual ones
+  bool sterics = true;                          ///< whether models that have sterics get them
   bool torsions = true;  ///< whether these get torsion preferences, which sample() heeds
   /// Contacts in place of those that would be found; atoms of the prepared structure.
   std::optional<std::vector<MolecularContact>> contacts = std::nullopt;
@@ -73,9 +75,15 @@ struct MolecularModel {
 /// Throws as refuse_cut(), prepare(), read_contacts() and build_framework() do.
 MolecularModel build_model(const Structure& structure, const ModelOptions& options = {});
 
-/// The contacts that the model of `kind` has: hydrogen bonds, salt bridges, tethers, metals; those
-/// of floppy residues left out. `floppy` (R) may be empty.
+/// The contacts of a structure that was made ready: of the usual kinds and of those that the
+/// options name; those of floppy residues are left out. `floppy` (R) may be empty. Throws
+/// OptionError for a kind that there is not.
 std::vector<MolecularContact> find_contacts(const Structure& structure, const ModelOptions& options,
                                             const std::vector<bool>& floppy = {});
+
+/// The contacts that the options give, be it as a list or as a file; else those that are found.
+/// Throws as find_contacts() and read_contacts() do; OptionError where they are given and kinds to
+/// be found are named, too.
+std::vector<MolecularContact> contacts_for(const Preparation& ready, const ModelOptions& options);
 
 }  // namespace pliant

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -13,11 +14,11 @@
 
 namespace pliant {
 
-/// Bars of what is no bond. A hinge has five; a bond that does not turn six.
+/// A bond that turns, a hinge, has five bars; one that does not six.
 struct RigidityOptions {
-  std::uint8_t hydrogen_bond_bars = 5;  ///< salt bridges too; 1 to 6
-  std::uint8_t tether_bars = 2;         ///< 0 to 6; 0 leaves tethers out
-  std::uint8_t metal_bars = 5;          ///< between a metal without bonds and an atom; 0 to 6
+  /// Bars of kinds of contacts, other than the table of kinds has them: 0 to 6, where 0 leaves the
+  /// kind out; of kinds with a hydrogen, which are diluted, 1 to 6.
+  std::map<MolecularContactKind, std::uint8_t> bars = {};
   /// Whether the bond to an atom that has no other bond turns where a hydrogen bond holds that
   /// atom, as FIRST has it: D-H of D-H..A, and A-B where A has no other neighbour than B.
   bool ends_turn = true;
@@ -26,8 +27,9 @@ struct RigidityOptions {
   std::vector<std::uint32_t> free_angles = {};
 };
 
-/// Edges of the network. The first ones are Structure::bonds in their order, then come metals and
-/// tethers, then hydrogen bonds and salt bridges from the lowest energy to the highest.
+/// Edges of the network. The first ones are Structure::bonds in their order, then come contacts
+/// without a hydrogen, kinds of most bars first (metals, then hydrophobic contacts), then hydrogen
+/// bonds and salt bridges from the lowest energy to the highest.
 struct RigidityNetwork {
   std::size_t atoms = 0;
   std::vector<BodyEdge> edges;          ///< (E)
