@@ -125,8 +125,11 @@ RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
   report.model =
       contact_model(read(settings.molecule, log), model_options_of(settings.molecule.kind, log));
   RigidityOptions options;
-  options.hydrogen_bond_bars = static_cast<std::uint8_t>(settings.hydrogen_bond_bars);
-  options.tether_bars = static_cast<std::uint8_t>(settings.tether_bars);
+  const auto hydrogen_bars = static_cast<std::uint8_t>(settings.hydrogen_bond_bars);
+  options.bars = {
+      {MolecularContactKind::hydrogen_bond, hydrogen_bars},
+      {MolecularContactKind::salt_bridge, hydrogen_bars},
+      {MolecularContactKind::hydrophobic, static_cast<std::uint8_t>(settings.tether_bars)}};
   options.ends_turn = settings.ends_turn;
   if (!settings.free_angles.empty())
     options.free_angles =

@@ -34,10 +34,12 @@
 #include "pliant/molecule/structure/structure.hpp"       // atoms, positions, bonds
 
 // model: structures to models of molecules
-#include "pliant/model/amplitude.hpp"              // how far frames of an ensemble are to go
-#include "pliant/model/atoms/atom_graph.hpp"       // who is bonded to whom
-#include "pliant/model/contacts/contact_file.hpp"  // contacts as text
-#include "pliant/model/contacts/contact_list.hpp"  // contacts, and the limits that they are
+#include "pliant/model/amplitude.hpp"                 // how far frames of an ensemble are to go
+#include "pliant/model/atoms/atom_graph.hpp"          // who is bonded to whom
+#include "pliant/model/contacts/contact_file.hpp"     // contacts as text
+#include "pliant/model/contacts/contact_kinds.hpp"    // their kinds
+#include "pliant/model/contacts/contact_list.hpp"     // contacts, and the limits that they are
+#include "pliant/model/contacts/contact_options.hpp"  // how they are found
 #include "pliant/model/contacts/hydrogen_bond_energy.hpp"  // of one hydrogen bond
 #include "pliant/model/contacts/hydrogen_bonds.hpp"        // hydrogen bonds and salt bridges
 #include "pliant/model/contacts/tethers.hpp"               // hydrophobic tethers, metals
@@ -59,6 +61,7 @@
 
 // framework: joints, bars and what is known of them
 #include "pliant/framework/atom_table.hpp"                // names of joints
+#include "pliant/framework/contact_kind_rows.hpp"         // kinds of molecular contacts
 #include "pliant/framework/disturbed.hpp"                 // what a resolve has to look at
 #include "pliant/framework/fingerprint.hpp"               // whether two mean the same atoms
 #include "pliant/framework/frame.hpp"                     // what a step shows

@@ -69,8 +69,10 @@ MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
   options.log = python_log();
   if (!contacts.is_none()) options.contacts = contacts_from(contacts);
   RigidityOptions counting;
-  counting.hydrogen_bond_bars = bars_from(hbond_bars, "hbond_bars", 1);
-  counting.tether_bars = bars_from(tether_bars, "tether_bars", 0);
+  const std::uint8_t hydrogen_bars = bars_from(hbond_bars, "hbond_bars", 1);
+  counting.bars = {{MolecularContactKind::hydrogen_bond, hydrogen_bars},
+                   {MolecularContactKind::salt_bridge, hydrogen_bars},
+                   {MolecularContactKind::hydrophobic, bars_from(tether_bars, "tether_bars", 0)}};
   counting.ends_turn = ends_turn;
   ContactModel model = contact_model_from(structure, options);
   if (!free_angles.empty())

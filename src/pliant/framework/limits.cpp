@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/framework/limits.hpp"
 
+#include <algorithm>
 #include <array>
 
 #include "pliant/base/choices.hpp"
@@ -8,10 +9,31 @@
 namespace pliant {
 namespace {
 
-constexpr std::array<LimitKindEntry, 4> table{{{LimitKind::given, "given"},
-                                               {LimitKind::hydrogen_bond, "hydrogen_bond"},
-                                               {LimitKind::hydrophobic, "hydrophobic"},
-                                               {LimitKind::torsion, "torsion"}}};
+/// Of kinds that have one number, files have the name of the first.
+constexpr LimitKindEntry named[] = {
+    {LimitKind::given, "given"},
+    {LimitKind::torsion, "torsion"},
+#define PLIANT_CONTACT_KIND(word, ...) {LimitKind::word, #word},
+#include "pliant/framework/contact_kind_rows.hpp"
+};
+
+constexpr std::size_t number_of(LimitKind kind) { return static_cast<std::size_t>(kind); }
+
+constexpr std::size_t numbers = [] {
+  std::size_t last = 0;
+  for (const LimitKindEntry& row : named) last = std::max(last, number_of(row.kind));
+  return last + 1;
+}();
+
+constexpr std::array<LimitKindEntry, numbers> table = [] {
+  std::array<LimitKindEntry, numbers> rows{};
+  for (const LimitKindEntry& row : named)
+    if (rows[number_of(row.kind)].name.empty()) rows[number_of(row.kind)] = row;
+  return rows;
+}();
+static_assert(std::none_of(table.begin(), table.end(),
+                           [](const LimitKindEntry& row) { return row.name.empty(); }),
+              "numbers of kinds of limits leave one out");
 
 }  // namespace
 

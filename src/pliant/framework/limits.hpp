@@ -8,12 +8,19 @@
 #include <string_view>
 #include <vector>
 
+#include "pliant/framework/contact_kind_rows.hpp"
+
 namespace pliant {
 
 using LimitIndex = std::uint32_t;  ///< index of a limit, from 0
 
 /// What a limit stands for. Its number is what files record.
-enum class LimitKind : std::uint8_t { given, hydrogen_bond, hydrophobic, torsion };
+enum class LimitKind : std::uint8_t {
+  given = 0,
+  torsion = 3,
+#define PLIANT_CONTACT_KIND(name, number, ...) name = number,
+#include "pliant/framework/contact_kind_rows.hpp"
+};
 
 /// One row of the table of kinds of limit.
 struct LimitKindEntry {

@@ -6,6 +6,7 @@
 #include <map>
 #include <utility>
 
+#include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/framework/measures/neighbour_list.hpp"
 #include "pliant/model/atoms/residue_chemistry.hpp"
@@ -38,18 +39,42 @@ std::vector<Limit> without_barred(std::vector<Limit> limits, const Framework& ba
   return limits;
 }
 
-void append(std::vector<MolecularContact>& all, std::vector<MolecularContact> more) {
-  all.insert(all.end(), more.begin(), more.end());
-}
+/// Kinds that are to be found: the usual ones, and those that are asked for.
+class WantedKinds {
+ public:
+  explicit WantedKinds(const std::vector<std::string>& asked) {
+    for (const auto& row : molecular_contact_kinds()) is_wanted_.push_back(row.is_usual);
+    for (const std::string& name : asked)
+      is_wanted_[index(choose(molecular_contact_kinds(), "kind of contact", name).kind)] = true;
+  }
 
-/// "58 hydrogen bonds (4 salt bridges), 31 hydrophobic tethers".
-std::string told_of(std::span<const MolecularContact> contacts) {
+  bool has(MolecularContactKind kind) const { return is_wanted_[index(kind)]; }
+
+  /// Each once, in the order of kinds.
+  std::vector<ContactFinder*> finders() const {
+    std::vector<ContactFinder*> found;
+    for (const auto& row : molecular_contact_kinds())
+      if (has(row.kind) && std::find(found.begin(), found.end(), row.find) == found.end())
+        found.push_back(row.find);
+    return found;
+  }
+
+ private:
+  static std::size_t index(MolecularContactKind kind) { return static_cast<std::size_t>(kind); }
+
+  std::vector<bool> is_wanted_;
+};
+
+/// "contacts: hydrogen_bond 54, salt_bridge 4, hydrophobic 31, metal 0", and kinds that are not
+/// usual where there are any or they were asked for.
+std::string told_of(std::span<const MolecularContact> contacts, const WantedKinds& wanted) {
   std::map<MolecularContactKind, std::size_t> counts;
   for (const MolecularContact& contact : contacts) ++counts[contact.kind];
   std::string text;
   for (const auto& row : molecular_contact_kinds())
-    text +=
-        (text.empty() ? "" : ", ") + std::string(row.name) + " " + std::to_string(counts[row.kind]);
+    if (wanted.has(row.kind) || counts[row.kind] > 0)
+      text += (text.empty() ? "" : ", ") + std::string(row.name) + " " +
+              std::to_string(counts[row.kind]);
   return "contacts: " + text;
 }
 
@@ -85,17 +110,11 @@ class ModelBuilder {
   }
 
   void take_contacts() {
-    if (options_.contacts) {
-      contacts_ = *options_.contacts;
-    } else if (!options_.contacts_file.empty()) {
-      contacts_ = read_contacts(options_.contacts_file, ready_.structure);
-    } else {
-      contacts_ = find_contacts(ready_.structure, options_, ready_.floppy);
-    }
+    contacts_ = contacts_for(ready_, options_);
     check_atoms();
     building_.limits =
         without_barred(limits_of(contacts_), build_framework(ready_.structure, building_));
-    tell(told_of(contacts_));
+    tell(told_of(contacts_, WantedKinds(options_.more_contacts)));
   }
 
   /// Contacts that a caller gives may name anything.
@@ -159,15 +178,30 @@ ModelKind usual_model(const Structure& structure) {
 
 std::vector<MolecularContact> find_contacts(const Structure& structure, const ModelOptions& options,
                                             const std::vector<bool>& floppy) {
-  std::vector<MolecularContact> all = hydrogen_bonds(structure, options.hydrogen_bonds);
-  append(all, hydrophobic_tethers(structure, options.tethers));
-  append(all, metal_contacts(structure, options.hydrogen_bonds.slack));
-  if (floppy.empty()) return all;
+  const WantedKinds wanted(options.more_contacts);
+  const ContactOptions finding{options.hydrogen_bonds, options.tethers};
+  std::vector<MolecularContact> all;
+  for (ContactFinder* find : wanted.finders()) {
+    const std::vector<MolecularContact> found = find(structure, finding);
+    all.insert(all.end(), found.begin(), found.end());
+  }
   const auto& residue_of = structure.atoms.residue_of;
+  const auto is_floppy = [&](std::uint32_t atom) {
+    return !floppy.empty() && floppy[residue_of[atom]];
+  };
   std::erase_if(all, [&](const MolecularContact& contact) {
-    return floppy[residue_of[contact.a]] || floppy[residue_of[contact.b]];
+    return !wanted.has(contact.kind) || is_floppy(contact.a) || is_floppy(contact.b);
   });
   return all;
+}
+
+std::vector<MolecularContact> contacts_for(const Preparation& ready, const ModelOptions& options) {
+  const bool are_given = options.contacts || !options.contacts_file.empty();
+  if (are_given && !options.more_contacts.empty())
+    throw OptionError("more contacts: are found, which goes with no contacts that are given");
+  if (options.contacts) return *options.contacts;
+  if (!options.contacts_file.empty()) return read_contacts(options.contacts_file, ready.structure);
+  return find_contacts(ready.structure, options, ready.floppy);
 }
 
 MolecularModel build_model(const Structure& structure, const ModelOptions& options) {

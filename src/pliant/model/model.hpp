@@ -11,6 +11,7 @@
 
 #include "pliant/framework/framework.hpp"
 #include "pliant/model/contacts/contact_list.hpp"
+#include "pliant/model/contacts/contact_options.hpp"
 #include "pliant/model/contacts/hydrogen_bonds.hpp"
 #include "pliant/model/contacts/tethers.hpp"
 #include "pliant/model/prepare/prepare.hpp"
@@ -28,7 +29,7 @@ struct ModelEntry {
   BarKind bars;
   bool is_prepared;  ///< waters out, polar hydrogens in
   bool has_sterics;
-  bool has_contacts;  ///< hydrogen bonds, salt bridges, tethers, metals
+  bool has_contacts;  ///< those of molecular_contact_kinds()
 };
 
 /// All models, in the order of their numbers.
@@ -46,7 +47,8 @@ struct ModelOptions {
   PrepareOptions prepare = {};
   HydrogenBondOptions hydrogen_bonds = {};
   TetherOptions tethers = {};
-  bool sterics = true;   ///< allow sterics; not all models have them
+  std::vector<std::string> more_contacts = {};  ///< kinds that are found besides the usual ones
+  bool sterics = true;                          ///< allow sterics; not all models have them
   bool torsions = true;  ///< torsion preferences with the sterics; sample() heeds them
   /// Contacts that replace those to be found; atoms of the prepared structure.
   std::optional<std::vector<MolecularContact>> contacts = std::nullopt;
@@ -73,9 +75,15 @@ struct MolecularModel {
 /// refuse_cut(), prepare(), read_contacts() and build_framework() do.
 MolecularModel build_model(const Structure& structure, const ModelOptions& options = {});
 
-/// Finds the contacts of the model of `kind`: hydrogen bonds, salt bridges, tethers, metals,
-/// without those of floppy residues. `floppy` (R) may be empty.
+/// Finds the contacts of a prepared structure: of the usual kinds and of those that the options
+/// name, without those of floppy residues. `floppy` (R) may be empty. Throws OptionError for an
+/// unknown kind.
 std::vector<MolecularContact> find_contacts(const Structure& structure, const ModelOptions& options,
                                             const std::vector<bool>& floppy = {});
+
+/// The contacts that the options give, be it as a list or as a file; else those that are found.
+/// Throws as find_contacts() and read_contacts() do; OptionError where they are given and kinds to
+/// be found are named, too.
+std::vector<MolecularContact> contacts_for(const Preparation& ready, const ModelOptions& options);
 
 }  // namespace pliant

@@ -22,6 +22,7 @@
 #include "pliant/base/version.hpp"
 #include "pliant/examples/examples.hpp"
 #include "pliant/framework/atom_table.hpp"
+#include "pliant/framework/contact_kind_rows.hpp"
 #include "pliant/framework/disturbed.hpp"
 #include "pliant/framework/fingerprint.hpp"
 #include "pliant/framework/frame.hpp"
@@ -45,7 +46,9 @@
 #include "pliant/model/amplitude.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/model/contacts/contact_file.hpp"
+#include "pliant/model/contacts/contact_kinds.hpp"
 #include "pliant/model/contacts/contact_list.hpp"
+#include "pliant/model/contacts/contact_options.hpp"
 #include "pliant/model/contacts/hydrogen_bond_energy.hpp"
 #include "pliant/model/contacts/hydrogen_bonds.hpp"
 #include "pliant/model/contacts/tethers.hpp"
@@ -218,7 +221,10 @@ const Use uses[] = {
     of("pliant/model/amplitude.hpp", &choose_amplitude),
     of("pliant/model/atoms/atom_graph.hpp", &AtomGraph::are_bonded),
     of("pliant/model/contacts/contact_file.hpp", &parse_contacts),
+    of_type<LimitKind>("pliant/framework/contact_kind_rows.hpp"),
+    of("pliant/model/contacts/contact_kinds.hpp", &molecular_contact_kinds),
     of("pliant/model/contacts/contact_list.hpp", &limits_of),
+    of_type<ContactOptions>("pliant/model/contacts/contact_options.hpp"),
     of("pliant/model/rigidity/dilution_picture.hpp", &draw_dilution),
     of("pliant/model/contacts/hydrogen_bond_energy.hpp", &hydrogen_bond_energy),
     of("pliant/model/contacts/hydrogen_bonds.hpp", &hydrogen_bonds),

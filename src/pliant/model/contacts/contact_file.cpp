@@ -23,7 +23,7 @@ struct NumberColumn {
   std::string_view name;
   double MolecularContact::*place;
   double least, most;
-  bool is_of_hydrogen_bonds;  ///< empty for other kinds
+  bool is_of_hydrogens;  ///< empty for kinds without a hydrogen
 };
 constexpr std::array<NumberColumn, 7> number_columns{
     {{"energy", &MolecularContact::energy, -1e6, 0.0, false},
@@ -38,7 +38,7 @@ constexpr std::array<NumberColumn, 7> number_columns{
 struct AtomColumn {
   std::string_view name;
   std::uint32_t MolecularContact::*place;
-  bool is_of_hydrogen_bonds;
+  bool is_of_hydrogens;
 };
 constexpr std::array<AtomColumn, 4> atom_columns{{{"a", &MolecularContact::a, false},
                                                   {"b", &MolecularContact::b, false},
@@ -52,24 +52,20 @@ std::vector<std::string_view> column_names() {
   return names;
 }
 
-bool is_bond_kind(MolecularContactKind kind) {
-  return kind == MolecularContactKind::hydrogen_bond || kind == MolecularContactKind::salt_bridge;
-}
-
 /// Atoms as words, and the words of a contact in the order of the columns; "" for none.
 class ContactWords {
  public:
   explicit ContactWords(const Structure& structure) : names_(structure.atoms) {}
 
   std::vector<std::string> of(const MolecularContact& contact) const {
-    const bool is_bond = is_bond_kind(contact.kind);
+    const bool has_hydrogen = entry(contact.kind).has_hydrogen();
     std::vector<std::string> words{std::string(name(contact.kind))};
     for (const AtomColumn& column : atom_columns)
       words.push_back(
-          column.is_of_hydrogen_bonds && !is_bond ? "" : names_.word_for(contact.*column.place));
+          column.is_of_hydrogens && !has_hydrogen ? "" : names_.word_for(contact.*column.place));
     for (const NumberColumn& column : number_columns)
       words.push_back(
-          column.is_of_hydrogen_bonds && !is_bond ? "" : shortest_text(contact.*column.place));
+          column.is_of_hydrogens && !has_hydrogen ? "" : shortest_text(contact.*column.place));
     return words;
   }
 
@@ -171,9 +167,9 @@ class Parser {
   void take_contact() {
     MolecularContact contact;
     contact.kind = kind();
-    const bool is_bond = is_bond_kind(contact.kind);
+    const bool has_hydrogen = entry(contact.kind).has_hydrogen();
     for (const AtomColumn& column : atom_columns)
-      if (!column.is_of_hydrogen_bonds || is_bond) contact.*column.place = atom(column.name);
+      if (!column.is_of_hydrogens || has_hydrogen) contact.*column.place = atom(column.name);
     refuse_repeats(contact);
     contact.energy = -1.0;
     set_limits(contact, structure_);
@@ -215,8 +211,8 @@ class Parser {
     const auto [low, high] = std::minmax(contact.a, contact.b);
     const auto [row, is_new] = lines_.emplace(std::tuple{low, high, contact.hydrogen}, place_.line);
     if (is_new) return;
-    const bool is_bond = is_bond_kind(contact.kind);
-    fail(place_, std::string(is_bond ? "a, b, hydrogen: these three" : "a, b: these two") +
+    const bool has_hydrogen = entry(contact.kind).has_hydrogen();
+    fail(place_, std::string(has_hydrogen ? "a, b, hydrogen: these three" : "a, b: these two") +
                      " are in contact already, by line " + std::to_string(row->second));
   }
 

@@ -95,7 +95,7 @@ class Finder {
     bond.base = base;
     bond.energy = is_salt ? salt_bridge_energy(apart) : energy(donor, acceptor, apart, theta, phi);
     if (!(bond.energy < options_.cutoff)) return std::nullopt;
-    set_limits(bond, structure_, 0.0, options_.slack);
+    set_limits(bond, structure_);
     return bond;
   }
 
@@ -138,6 +138,11 @@ class Finder {
 std::vector<MolecularContact> hydrogen_bonds(const Structure& structure,
                                              const HydrogenBondOptions& options) {
   return Finder(structure, options).find();
+}
+
+std::vector<MolecularContact> find_hydrogen_bonds(const Structure& structure,
+                                                  const ContactOptions& options) {
+  return hydrogen_bonds(structure, options.hydrogen_bonds);
 }
 
 }  // namespace pliant

@@ -6,14 +6,10 @@
 #include <vector>
 
 #include "pliant/model/contacts/contact_list.hpp"
+#include "pliant/model/contacts/contact_options.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant {
-
-struct HydrogenBondOptions {
-  double cutoff = -1.0;  ///< kcal/mol: bonds of no lower energy are left out
-  ContactSlack slack = {};
-};
 
 /// The hydrogen bonds and salt bridges of a structure whose bonds are known and which has its polar
 /// hydrogens: one bond a hydrogen (the best), one salt bridge a pair of donor and acceptor.

@@ -74,15 +74,19 @@ std::vector<MolecularContact> hydrophobic_tethers(const Structure& structure,
     if (are_of_neighbours(structure.atoms, a, b)) return;
     MolecularContact contact{MolecularContactKind::hydrophobic, a, b};
     contact.energy = tether_energy;
-    set_limits(contact, structure, usual, options.slack);
+    set_limits(contact, structure, usual);
     found.push_back(contact);
   });
   sort(found);
   return found;
 }
 
-std::vector<MolecularContact> metal_contacts(const Structure& structure,
-                                             const ContactSlack& slack) {
+std::vector<MolecularContact> find_tethers(const Structure& structure,
+                                           const ContactOptions& options) {
+  return hydrophobic_tethers(structure, options.tethers);
+}
+
+std::vector<MolecularContact> metal_contacts(const Structure& structure) {
   const AtomGraph graph(structure);
   std::vector<std::uint32_t> metals, holders;
   for (std::uint32_t i = 0; i < structure.size(); ++i) {
@@ -95,11 +99,15 @@ std::vector<MolecularContact> metal_contacts(const Structure& structure,
     for (std::uint32_t holder : near.at(k)) {
       MolecularContact contact{MolecularContactKind::metal, metals[k], holder};
       contact.energy = metal_energy;
-      set_limits(contact, structure, 0.0, slack);
+      set_limits(contact, structure);
       found.push_back(contact);
     }
   sort(found);
   return found;
+}
+
+std::vector<MolecularContact> find_metals(const Structure& structure, const ContactOptions&) {
+  return metal_contacts(structure);
 }
 
 }  // namespace pliant

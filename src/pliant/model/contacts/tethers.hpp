@@ -8,21 +8,16 @@
 #include <vector>
 
 #include "pliant/model/contacts/contact_list.hpp"
+#include "pliant/model/contacts/contact_options.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 
 namespace pliant {
-
-struct TetherOptions {
-  double reach = 0.5;  ///< Angstrom beyond the sum of radii
-  ContactSlack slack = {};
-};
 
 /// The tethers of a structure whose bonds are known. Sorted; linear in the number of atoms.
 std::vector<MolecularContact> hydrophobic_tethers(const Structure& structure,
                                                   const TetherOptions& options = {});
 
 /// What holds metals without bonds: N, O and S within 2.8 Angstrom of a metal that has no bond.
-std::vector<MolecularContact> metal_contacts(const Structure& structure,
-                                             const ContactSlack& slack = {});
+std::vector<MolecularContact> metal_contacts(const Structure& structure);
 
 }  // namespace pliant

@@ -5,7 +5,6 @@
 #include <string_view>
 #include <utility>
 
-#include "pliant/model/contacts/contact_file.hpp"
 #include "pliant/model/rigidity/rings_of_six.hpp"
 #include "pliant/molecule/bonds/cut_bonds.hpp"
 
@@ -102,13 +101,7 @@ ContactModel contact_model(const Structure& structure, const ModelOptions& optio
   PrepareOptions preparing = options.prepare;
   if (!preparing.log.function) preparing.log = options.log;
   Preparation ready = prepare(structure, preparing);
-  std::vector<MolecularContact> contacts;
-  if (options.contacts)
-    contacts = *options.contacts;
-  else if (!options.contacts_file.empty())
-    contacts = read_contacts(options.contacts_file, ready.structure);
-  else
-    contacts = find_contacts(ready.structure, options, ready.floppy);
+  std::vector<MolecularContact> contacts = contacts_for(ready, options);
   return {std::move(ready.structure), std::move(contacts), std::move(ready.steps),
           std::move(ready.missing)};
 }

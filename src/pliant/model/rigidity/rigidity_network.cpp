@@ -18,20 +18,27 @@ constexpr std::uint8_t hinge = 5, locked = 6;
 constexpr std::uint8_t ball_joint = 3, length_of_end = 4, length_alone = 1;
 
 bool is_hydrogen_bond(const MolecularContact& contact) {
-  return contact.kind == MolecularContactKind::hydrogen_bond ||
-         contact.kind == MolecularContactKind::salt_bridge;
-}
-
-void check_bars(const char* what, std::uint8_t bars, std::uint8_t least) {
-  if (bars < least || bars > locked)
-    throw OptionError(std::string("bars of ") + what + ": expected " + std::to_string(least) +
-                      " to 6, found " + std::to_string(bars));
+  return entry(contact.kind).has_hydrogen();
 }
 
 void check(const RigidityOptions& options) {
-  check_bars("a hydrogen bond", options.hydrogen_bond_bars, 1);
-  check_bars("a tether", options.tether_bars, 0);
-  check_bars("a metal", options.metal_bars, 0);
+  for (const auto& [kind, bars] : options.bars) {
+    const MolecularContactKindEntry& row = entry(kind);
+    const std::uint8_t least = row.has_hydrogen() ? 1 : 0;
+    if (bars < least || bars > locked)
+      throw OptionError("bars of " + std::string(row.plural) + ": expected " +
+                        std::to_string(least) + " to 6, found " + std::to_string(bars));
+  }
+}
+
+/// Kinds that are not diluted, those of most bars first.
+std::vector<MolecularContactKind> fixed_kinds() {
+  std::vector<MolecularContactKind> kinds;
+  for (const MolecularContactKindEntry& row : molecular_contact_kinds())
+    if (!row.has_hydrogen()) kinds.push_back(row.kind);
+  std::stable_sort(kinds.begin(), kinds.end(),
+                   [](auto one, auto other) { return entry(one).bars > entry(other).bars; });
+  return kinds;
 }
 
 class NetworkMaker {
@@ -136,13 +143,9 @@ class NetworkMaker {
   }
 
   void add_fixed_contacts() {
-    for (const MolecularContactKind kind :
-         {MolecularContactKind::metal, MolecularContactKind::hydrophobic}) {
-      const bool is_metal = kind == MolecularContactKind::metal;
-      const std::uint8_t bars = is_metal ? options_.metal_bars : options_.tether_bars;
+    for (const MolecularContactKind kind : fixed_kinds())
       for (std::size_t k = 0; k < contacts_.size(); ++k)
-        if (contacts_[k].kind == kind && bars > 0) add(k, bars);
-    }
+        if (contacts_[k].kind == kind && bars_of(kind) > 0) add(k);
     network_.first_hydrogen_bond = network_.edges.size();
   }
 
@@ -153,11 +156,17 @@ class NetworkMaker {
     std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) {
       return contacts_[x].energy < contacts_[y].energy;
     });
-    for (const std::size_t k : order) add(k, options_.hydrogen_bond_bars);
+    for (const std::size_t k : order) add(k);
   }
 
-  void add(std::size_t contact, std::uint8_t bars) {
-    network_.edges.push_back({near_end(contacts_[contact]), contacts_[contact].b, bars});
+  std::uint8_t bars_of(MolecularContactKind kind) const {
+    const auto given = options_.bars.find(kind);
+    return given == options_.bars.end() ? entry(kind).bars : given->second;
+  }
+
+  void add(std::size_t contact) {
+    const MolecularContact& at = contacts_[contact];
+    network_.edges.push_back({near_end(at), at.b, bars_of(at.kind)});
     network_.contacts.push_back(static_cast<std::uint32_t>(contact));
   }
 

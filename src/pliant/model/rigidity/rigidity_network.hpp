@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <span>
 #include <vector>
 
@@ -15,9 +16,9 @@ namespace pliant {
 
 /// Numbers of bars of edges that are not bonds. A hinge has five; a bond that does not turn six.
 struct RigidityOptions {
-  std::uint8_t hydrogen_bond_bars = 5;  ///< salt bridges too; 1 to 6
-  std::uint8_t tether_bars = 2;         ///< 0 to 6; 0 leaves tethers out
-  std::uint8_t metal_bars = 5;          ///< between a metal without bonds and an atom; 0 to 6
+  /// Bars of kinds of contacts that differ from the table of kinds: 0 to 6, where 0 leaves the kind
+  /// out; 1 to 6 for kinds with a hydrogen, which are diluted.
+  std::map<MolecularContactKind, std::uint8_t> bars = {};
   /// Whether the bond to an atom without other bonds turns if a hydrogen bond holds that atom, as
   /// in FIRST: D-H of D-H..A, and A-B if B is the only neighbour of A.
   bool ends_turn = true;
@@ -26,8 +27,9 @@ struct RigidityOptions {
   std::vector<std::uint32_t> free_angles = {};
 };
 
-/// Edges of the network: first Structure::bonds in their order, then metals and tethers, then
-/// hydrogen bonds and salt bridges from the lowest energy to the highest.
+/// Edges of the network: first Structure::bonds in their order, then contacts without a hydrogen,
+/// kinds with most bars first (metals, then hydrophobic contacts), then hydrogen bonds and salt
+/// bridges from the lowest energy to the highest.
 struct RigidityNetwork {
   std::size_t atoms = 0;
   std::vector<BodyEdge> edges;          ///< (E)

@@ -112,7 +112,7 @@ TEST(Rigidity, ATetherTakesTwoFreedoms) {
   EXPECT_EQ(freedoms(s), 5u);
   EXPECT_EQ(analyse_rigidity(s, std::vector{tether}).found.freedoms, 3u);
   RigidityOptions without;
-  without.tether_bars = 0;
+  without.bars = {{MolecularContactKind::hydrophobic, std::uint8_t{0}}};
   EXPECT_EQ(analyse_rigidity(s, std::vector{tether}, without).found.freedoms, 5u);
 }
 
@@ -122,9 +122,9 @@ TEST(Rigidity, RefusesWhatIsNotThere) {
                 [&] { analyse_rigidity(s, std::vector{hydrogen_bond(1, 0, 9, 5, -2.0)}); }),
             "contact 0 joins atoms 0 and 9: expected two of 7 (counted from 0)");
   RigidityOptions options;
-  options.tether_bars = 7;
+  options.bars = {{MolecularContactKind::hydrophobic, std::uint8_t{7}}};
   EXPECT_EQ(error_text<OptionError>([&] { analyse_rigidity(s, {}, options); }),
-            "bars of a tether: expected 0 to 6, found 7");
+            "bars of hydrophobic contacts: expected 0 to 6, found 7");
 }
 
 /// Trees with extra bonds: the count is the rank wherever atoms are, and no less than it where they

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+// Kinds of molecular contacts, one row each. A row and the finder that it names, in a file of its
+// own below model/contacts, are all that a kind needs: records, contact files, reports, rigidity,
+// the command, Python and the page go over these rows.
+//
+//   PLIANT_CONTACT_KIND(name, number, finder, fields of MolecularContactKindEntry)
+//
+// The number is what files record limits of that kind as (LimitKind): a new kind takes the next one
+// that is free, and none ever changes. Kinds of one number are told apart by nothing in records.
+// The name, of 16 letters at most, is that of MolecularContactKind, of files and of options. Who
+// includes this defines PLIANT_CONTACT_KIND: what is made of a row. The rows are words and numbers,
+// and lie this low because readers and writers of limits need their names; functions are looked up
+// in model/contacts/contact_kinds.hpp alone.
+#ifdef PLIANT_CONTACT_KIND
+
+PLIANT_CONTACT_KIND(hydrogen_bond, 1, find_hydrogen_bonds,  //
+                    .singular = "hydrogen bond", .plural = "hydrogen bonds",
+                    .summary = "donor, hydrogen and acceptor, by their energy",
+                    .hold = ContactHold::by_hydrogen, .slack = 0.2, .bars = 5, .colour = "#3a9d8f",
+                    .is_usual = true)
+
+PLIANT_CONTACT_KIND(salt_bridge, 1, find_hydrogen_bonds,  //
+                    .singular = "salt bridge", .plural = "salt bridges",
+                    .summary = "a hydrogen bond between charged groups",
+                    .hold = ContactHold::by_hydrogen, .slack = 0.2, .bars = 5, .colour = "#d1495b",
+                    .is_usual = true)
+
+PLIANT_CONTACT_KIND(hydrophobic, 2, find_tethers,  //
+                    .singular = "hydrophobic contact", .plural = "hydrophobic contacts",
+                    .summary = "two C or S near each other without polar neighbours",
+                    .hold = ContactHold::below, .slack = 0.5, .bars = 2, .colour = "#a68a3d",
+                    .is_usual = true)
+
+PLIANT_CONTACT_KIND(metal, 4, find_metals,  //
+                    .singular = "metal", .plural = "metals",
+                    .summary = "a metal without bonds and an N, O or S beside it",
+                    .hold = ContactHold::both_ways, .slack = 0.2, .bars = 5, .colour = "#6b5bd2",
+                    .is_usual = true)
+
+#undef PLIANT_CONTACT_KIND
+#endif
