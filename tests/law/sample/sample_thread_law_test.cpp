@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Any number of threads gives the same bits.
-#include "law/sample_cases.hpp"
+#include "law/sample/sample_cases.hpp"
 
 namespace pliant {
 namespace sample_thread_law_test {

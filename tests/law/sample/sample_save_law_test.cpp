@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "law/sample_cases.hpp"
+#include "law/sample/sample_cases.hpp"
 #include "pliant/resume/recorded_sample.hpp"
 #include "support/temp_directory.hpp"
 #include "unit/record/recorded_runs.hpp"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "law/sample_cases.hpp"
+#include "law/sample/sample_cases.hpp"
 
 #include <algorithm>
 #include <array>
@@ -24,7 +24,7 @@ Structure with_bonds(Structure structure) {
 Structure from_data(const char* file) { return with_bonds(read_structure(molecule_file(file))); }
 
 Structure from_law(const char* file) {
-  return with_bonds(read_structure((source_folder() / "tests/law/molecules" / file).string()));
+  return with_bonds(read_structure((source_folder() / "tests/law/sample/molecules" / file).string()));
 }
 
 /// Adds the residues of another structure, which has no bonds yet, shifted.
@@ -152,8 +152,7 @@ const MolecularModel& model_of(const SampleCase& at) {
   const auto found = made.find(key);
   if (found != made.end()) return found->second;
   const Structure structure = molecules[at.molecule].make();
-  return made.emplace(key, build_model(structure, {.kind = models()[at.model].kind}))
-      .first->second;
+  return made.emplace(key, build_model(structure, {.kind = models()[at.model].kind})).first->second;
 }
 
 bool may_fail(const SampleCase& at) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Frames are a function of the seed: one seed gives the same bits, another other frames, unless a
 // warning says that all are the same.
-#include "law/sample_cases.hpp"
+#include "law/sample/sample_cases.hpp"
 #include "support/frameworks.hpp"
 
 namespace pliant {

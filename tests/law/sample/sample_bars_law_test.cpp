@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "law/sample_cases.hpp"
+#include "law/sample/sample_cases.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
 #include "support/frameworks.hpp"
 

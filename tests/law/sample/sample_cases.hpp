@@ -101,7 +101,7 @@ inline std::string sampler_name(const testing::TestParamInfo<std::size_t>& row) 
 
 }  // namespace pliant::test
 
-#define PLIANT_FOR_ALL_SAMPLERS(suite)                                                          \
-  INSTANTIATE_TEST_SUITE_P(Table, suite,                                                        \
-                           testing::Range<std::size_t>(0, ::pliant::samplers().size()),         \
+#define PLIANT_FOR_ALL_SAMPLERS(suite)                                                  \
+  INSTANTIATE_TEST_SUITE_P(Table, suite,                                                \
+                           testing::Range<std::size_t>(0, ::pliant::samplers().size()), \
                            ::pliant::test::sampler_name)

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Frames made in pieces are those of the whole, across blocks of frames too.
-#include "law/sample_cases.hpp"
+#include "law/sample/sample_cases.hpp"
 
 namespace pliant {
 namespace sample_piece_law_test {

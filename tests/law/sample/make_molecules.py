@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes tests/law/molecules: what laws of samples take besides data/molecules.
+"""Writes tests/law/sample/molecules: what laws of samples take besides data/molecules.
 
 Conformers of RDKit (distance geometry with a fixed seed, then the MMFF94 force field). The version
 that made a file stands in it.
 
-    python tests/law/make_molecules.py [FOLDER]
+    python tests/law/sample/make_molecules.py [FOLDER]
 """
 
 import sys
@@ -21,7 +21,7 @@ IN_WATER = (("[NX3;H2,H1;+0;$(NCC=O)!$(NC=O)]", 1), ("[OX2H1;$(OC=O)]", -1), ("[
 
 def embedded(molecule):
     """With hydrogens, at a minimum of MMFF94."""
-    molecule = Chem.AddHs(molecule, addResidueInfo=molecule.GetAtomWithIdx(0).HasProp("_Name"))
+    molecule = Chem.AddHs(molecule, addResidueInfo=True)
     assert AllChem.EmbedMolecule(molecule, randomSeed=SEED) == 0
     assert AllChem.MMFFOptimizeMolecule(molecule, maxIters=20000) == 0
     return molecule
@@ -46,9 +46,7 @@ def polymer(sequence: str, flavour: int = 0, disulphide: bool = False) -> str:
         molecule.AddBond(one, other, Chem.BondType.SINGLE)
     molecule = charged_as_in_water(molecule.GetMol())
     Chem.SanitizeMol(molecule)
-    molecule = Chem.AddHs(molecule, addResidueInfo=True)
-    assert AllChem.EmbedMolecule(molecule, randomSeed=SEED) == 0
-    assert AllChem.MMFFOptimizeMolecule(molecule, maxIters=20000) == 0
+    molecule = embedded(molecule)
     title = f"TITLE     {sequence} BY RDKIT {rdkit.__version__}\n"
     lines = Chem.MolToPDBBlock(molecule, flavor=2 | 4 | 8).splitlines()
     atoms = sorted((line for line in lines if line[:6] in ("ATOM  ", "HETATM")), key=place)
@@ -63,9 +61,7 @@ def place(line: str) -> tuple[int, bool]:
 
 def small(smiles: str) -> str:
     """An SDF file."""
-    molecule = Chem.AddHs(Chem.MolFromSmiles(smiles))
-    assert AllChem.EmbedMolecule(molecule, randomSeed=SEED) == 0
-    assert AllChem.MMFFOptimizeMolecule(molecule, maxIters=20000) == 0
+    molecule = embedded(Chem.MolFromSmiles(smiles))
     lines = Chem.MolToMolBlock(molecule).splitlines()
     lines[:2] = [smiles, f"  RDKit {rdkit.__version__}"]
     return "\n".join([*lines, "$$$$"]) + "\n"

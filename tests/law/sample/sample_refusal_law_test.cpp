@@ -2,7 +2,7 @@
 // Cases in CI are enough of all, and what no sampler takes is refused in so many words.
 #include <set>
 
-#include "law/sample_cases.hpp"
+#include "law/sample/sample_cases.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/bonds/bonds.hpp"
 #include "support/error_text.hpp"
@@ -72,12 +72,11 @@ TEST_P(SampleRefusalLaw, AnAmplitudeIsRefusedWhereThereIsNone) {
   each_case([](const test::SampleCase& at) {
     SampleAsked asked{test::options_of(at)};
     asked.amplitude = AmplitudeChoice{1.0, "1", "as given"};
-    const std::string found = test::error_text<OptionError>(
-        [&] { SampleTask(subject_of(test::model_of(at)), asked); });
-    EXPECT_EQ(found, sampler().has_amplitude
-                         ? "(nothing was thrown)"
-                         : "amplitude: sampler " + std::string(sampler().name) +
-                               " has none: how far torsions turn is drawn");
+    const std::string found =
+        test::error_text<OptionError>([&] { SampleTask(subject_of(test::model_of(at)), asked); });
+    EXPECT_EQ(found, sampler().has_amplitude ? "(nothing was thrown)"
+                                             : "amplitude: sampler " + std::string(sampler().name) +
+                                                   " has none: how far torsions turn is drawn");
   });
 }
 

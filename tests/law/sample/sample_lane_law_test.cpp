@@ -2,7 +2,7 @@
 // What a sampler asks for comes out of the lanes of every level with the bits of one frame alone.
 #include <optional>
 
-#include "law/sample_cases.hpp"
+#include "law/sample/sample_cases.hpp"
 #include "pliant/resolve/froda/froda_lanes.hpp"
 #include "pliant/resolve/froda/froda_solver.hpp"
 #include "pliant/sample/conformers/conformer_framework.hpp"
@@ -45,8 +45,8 @@ void expect_lanes_as_alone(const SampleTask& task, const BodyPlan& plan) {
   const NetworkNodes nodes = coarsened(task.nodes());
   SampleOptions options = task.options();
   options.frames = count;
-  const auto sampler = find_sampler(options.sampler)
-                           .make({task.framework(), plan, task.start(), nodes, options});
+  const auto sampler =
+      find_sampler(options.sampler).make({task.framework(), plan, task.start(), nodes, options});
   Asked alone(*sampler, task.start());
   FrodaSolver solver(task.framework(), plan);
   for (FrodaJob& job : alone.jobs)

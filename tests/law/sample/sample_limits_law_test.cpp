@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "law/sample_cases.hpp"
+#include "law/sample/sample_cases.hpp"
 
 namespace pliant {
 namespace sample_limits_law_test {

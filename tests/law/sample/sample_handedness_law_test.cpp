@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "law/sample_cases.hpp"
+#include "law/sample/sample_cases.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
 
 namespace pliant {
@@ -19,11 +19,12 @@ class SampleHandednessLaw : public test::SampleLaw {
   /// Calls `look(case, graph, start, frame)` where angles are held.
   template <class Look>
   static void each_held_frame(Look look) {
-    each_frame([&](const test::SampleCase& at, const SampleTask& task, const test::KeptFrame& frame) {
-      if (models()[at.model].bars == BarKind::bonds) return;
-      look(test::model_of(at).structure, AtomGraph(test::model_of(at).structure), task.start(),
-           std::span<const Vec3>(frame.positions));
-    });
+    each_frame(
+        [&](const test::SampleCase& at, const SampleTask& task, const test::KeptFrame& frame) {
+          if (models()[at.model].bars == BarKind::bonds) return;
+          look(test::model_of(at).structure, AtomGraph(test::model_of(at).structure), task.start(),
+               std::span<const Vec3>(frame.positions));
+        });
   }
 };
 PLIANT_FOR_ALL_SAMPLERS(SampleHandednessLaw);
@@ -74,9 +75,9 @@ std::vector<StiffBond> stiff_bonds(const Structure& structure, const AtomGraph& 
   const auto element = [&](std::uint32_t atom) { return structure.atoms.elements[atom]; };
   const auto other_of = [&](std::uint32_t atom, std::uint32_t except) {
     const auto bonds = graph.at(atom);
-    return std::find_if(bonds.begin(), bonds.end(), [&](const Link& at) {
-             return at.node != except;
-           })->node;
+    return std::find_if(bonds.begin(), bonds.end(),
+                        [&](const Link& at) { return at.node != except; })
+        ->node;
   };
   const auto ends_oxygen = [&](const Link& at) {
     return element(at.node) == 8 && graph.at(at.node).size() == 1;
@@ -103,7 +104,8 @@ TEST_P(SampleHandednessLaw, DoubleBondsAndAmidesStayCisOrTrans) {
                       std::span<const Vec3> start, std::span<const Vec3> x) {
     for (const StiffBond& bond : stiff_bonds(structure, graph)) {
       ++seen;
-      const double turned = std::fmod(torsion(x, bond.at) - torsion(start, bond.at) + 540.0, 360.0) - 180.0;
+      const double turned =
+          std::fmod(torsion(x, bond.at) - torsion(start, bond.at) + 540.0, 360.0) - 180.0;
       const bool is_over = bond.turns_over && !sampler().has_amplitude && std::abs(turned) > 90.0;
       EXPECT_NEAR(std::abs(turned), is_over ? 180.0 : 0.0, twist)
           << structure.atoms.label(bond.at[1]) << " - " << structure.atoms.label(bond.at[2]);

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "law/sample_cases.hpp"
+#include "law/sample/sample_cases.hpp"
 #include "pliant/model/atoms/atom_graph.hpp"
 #include "pliant/model/steric_table.hpp"
 
@@ -23,7 +23,8 @@ std::vector<int> bonds_from(std::uint32_t atom, const AtomGraph& graph, std::siz
   for (int step = 0; step < 4; ++step)
     for (std::uint32_t k = 0; k < atoms; ++k)
       if (apart[k] == step)
-        for (const Link& bond : graph.at(k)) apart[bond.node] = std::min(apart[bond.node], step + 1);
+        for (const Link& bond : graph.at(k))
+          apart[bond.node] = std::min(apart[bond.node], step + 1);
   return apart;
 }
 
@@ -59,12 +60,12 @@ TEST_P(SampleOverlapLaw, NoneIsDeeperThanReported) {
   std::vector<Pair> pairs;
   each_frame([&](const test::SampleCase& at, const SampleTask& task, const test::KeptFrame& frame) {
     if (!models()[at.model].has_sterics) return;
-    if (&task != last || frame.frame == 0) pairs = pairs_of(test::model_of(at), !sampler().has_amplitude);
+    if (&task != last || frame.frame == 0)
+      pairs = pairs_of(test::model_of(at), !sampler().has_amplitude);
     last = &task;
     double worst = 0.0;
     for (const Pair& pair : pairs) {
-      const double depth =
-          pair.least - distance(frame.positions[pair.a], frame.positions[pair.b]);
+      const double depth = pair.least - distance(frame.positions[pair.a], frame.positions[pair.b]);
       if (depth > kept)
         ADD_FAILURE() << task.framework().label(Bar{pair.a, pair.b}) << ": " << depth;
       worst = std::max(worst, depth);
