@@ -57,7 +57,7 @@ class _Finder(importlib.abc.MetaPathFinder):
     def find_spec(
         self, name: str, path: Sequence[str] | None, target: ModuleType | None = None
     ) -> ModuleSpec | None:
-        """That of a loader of the module's new name; None if it was not moved or is not there."""
+        """The module by its new name; None if it was not moved or is not there."""
         moved = new_name(name)
         if moved == name or (spec := importlib.util.find_spec(moved)) is None:
             return None
