@@ -22,7 +22,7 @@ _DEATHS = 20
 
 _REGROW_SECONDS = 5.0
 
-#: Without a worker for so long, the user gets a warning: jobs wait in a queue, or die before they begin.
+#: Without a worker for so long there is a warning: jobs wait in a queue, or die at the start.
 _IDLE_SECONDS = 60.0
 
 _WHY_NO_WORKER = (
