@@ -48,7 +48,7 @@ class CallablePackage(ModuleType):
 
     @property
     def __signature__(self) -> Signature:
-        """That of the function, for `inspect` and `help`."""
+        """The signature of the function, for `inspect` and `help`."""
         from inspect import signature
 
         return signature(self._function)

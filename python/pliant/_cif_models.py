@@ -64,7 +64,7 @@ def _values(texts: np.ndarray, empty: str) -> list[str]:
 
 
 def _around_places(structure: _core.Structure) -> Iterator[tuple[str, str, str]]:
-    """Of each atom its group, the values between its number and its place, and those between its
+    """The group of each atom, the values between its number and its place, and those between its
     place and the number of the model."""
     sequence = _numbers_in_chains(structure)
     b_factors: np.ndarray = np.asarray(structure.b_factors)
@@ -83,7 +83,7 @@ def _around_places(structure: _core.Structure) -> Iterator[tuple[str, str, str]]
 
 
 def _numbers_in_chains(structure: _core.Structure) -> list[str]:
-    """Of each residue its number along its chain; "." where it is of no polymer."""
+    """The number of each residue along its chain; "." where it is of no polymer."""
     residue_of, chains = structure.residue_of, structure.chains
     polymers = _core.select_atoms(structure, "protein or nucleic")
     is_polymer = np.zeros(structure.residue_count, dtype=bool)

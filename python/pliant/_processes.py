@@ -22,7 +22,7 @@ def usual_workers() -> int:
 
 
 def end_with_parent() -> None:
-    """Of a process of multiprocessing: ends it as soon as its parent has ended, however that was.
+    """Ends this process of multiprocessing as soon as its parent has ended, however that was.
 
     The queue from which it takes its work says nothing of that: it holds both of its ends.
     """

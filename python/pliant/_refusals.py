@@ -90,7 +90,7 @@ def _refuse_out_of_range(name: str, value: int, annotation: str) -> None:
 
 
 def _refuse_contents(parameters: Mapping[str, str], given: Mapping[str, object]) -> None:
-    """Of sequences, whose items were not looked at, one must be the culprit."""
+    """Refuses the first sequence: its items were not looked at, so one of them must be wrong."""
     nested = [name for name in given if "[" in parameters[name] and given[name] is not None]
     for name in nested[:1]:
         refuse(name, given[name], parameters[name])

@@ -70,7 +70,7 @@ def refuse_to_overwrite(
     trajectory: str | os.PathLike[str] | None,
     *others: str | os.PathLike[str] | None,
 ) -> None:
-    """The file that the structure was read from stays."""
+    """Refuses to write over the file that the structure was read from."""
     if trajectory is not None:
         check_trajectory_name(trajectory)
     if structure is None or not os.path.exists(structure.source):
@@ -102,9 +102,9 @@ def force_recorder(
             f'{options.perturb} is not; use perturb="force"'
         )
     structure, start, built = made_of
-    told = _force_input(structure, built)
+    made_from = _force_input(structure, built)
     return _core.ForceRecorder(
-        path, framework, options, overwrite, structure=structure, start=start, input=told
+        path, framework, options, overwrite, structure=structure, start=start, input=made_from
     )
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What the library says while a command runs: told in lines, as the commands in C++ do."""
+"""What the library says while a command runs, in lines as the commands in C++ do."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from pliant._core import PliantWarning
 
 
 @contextlib.contextmanager
-def warnings_told_by(tell: Callable[[str], None]) -> Iterator[None]:
-    """Warnings of ours are told without the place in the program, which says users nothing."""
+def warnings_shown_by(tell: Callable[[str], None]) -> Iterator[None]:
+    """Has our warnings shown without the place in the program, which users have no use for."""
     with warnings.catch_warnings():
         others = warnings.showwarning
 
@@ -35,7 +35,7 @@ def warnings_told_by(tell: Callable[[str], None]) -> Iterator[None]:
         yield
 
 
-class _Told(logging.Handler):
+class _NoteHandler(logging.Handler):
     def __init__(self, tell: Callable[[str], None]) -> None:
         super().__init__(logging.INFO)
         self._tell = tell
@@ -45,9 +45,9 @@ class _Told(logging.Handler):
 
 
 @contextlib.contextmanager
-def notes_told_by(tell: Callable[[str], None]) -> Iterator[None]:
-    """Notes of the library are told, of molecules made whole and the like."""
-    logger, handler = logging.getLogger("pliant"), _Told(tell)
+def notes_shown_by(tell: Callable[[str], None]) -> Iterator[None]:
+    """Has notes of the library shown, such as those on molecules made whole."""
+    logger, handler = logging.getLogger("pliant"), _NoteHandler(tell)
     level = logger.level
     logger.addHandler(handler)
     logger.setLevel(logging.INFO)

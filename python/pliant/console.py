@@ -21,7 +21,7 @@ import numpy as np
 from pliant import _progress
 from pliant._core import Error, FileError, OptionError
 from pliant._extras import MissingPackageError, needed_by
-from pliant._said import warnings_told_by
+from pliant._said import warnings_shown_by
 
 EXIT_OK = 0
 EXIT_FAILED = 1  #: bad input, a file that cannot be read or written, a check that failed
@@ -148,7 +148,7 @@ def run_command(command: str, work: Callable[[], int]) -> int:
     """
     _progress.hide()  # commands draw their own
     try:
-        with needed_by("this command"), warnings_told_by(warn):
+        with needed_by("this command"), warnings_shown_by(warn):
             code = work()
         sys.stdout.flush()
         return code

@@ -18,7 +18,7 @@ with needed_by("pliant.plotting"):
     from matplotlib.backends.backend_agg import FigureCanvasAgg
     from matplotlib.figure import Figure
 
-# Okabe and Ito, "Color universal design" (2008): told apart by colour-blind readers too.
+# Okabe and Ito, "Color universal design" (2008): colour-blind readers see the difference too.
 BLUE, VERMILION, GREEN = "#0072B2", "#D55E00", "#009E73"
 ORANGE, SKY, PURPLE, GREY = "#E69F00", "#56B4E9", "#CC79A7", "#999999"
 PALETTE = (BLUE, GREEN, VERMILION, ORANGE, PURPLE, SKY)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Whether OpenMM's CCMA is told the angles between bars, which cost time to get ready.
+"""Whether OpenMM's CCMA is given the angles between bars, which cost time to get ready.
 
 CCMA: Eastman and Pande, J. Chem. Theory Comput. 6 (2010) 434.
 """
@@ -13,7 +13,7 @@ MOST_BARS_WITH_ANGLES = 30_000  #: CCMA needs time that grows as the square of t
 
 
 def why_no_angles(bars: np.ndarray) -> str:
-    """Why CCMA is better not told the angles between these bars; empty if it is."""
+    """Why CCMA is better not given the angles between these bars; empty if it is."""
     degree = np.bincount(bars.ravel())
     if len(bars) > MOST_BARS_WITH_ANGLES:
         return (

@@ -10,8 +10,8 @@ import numpy as np
 
 from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.parts import (
+    AtomFluctuations,
     Components,
-    Fluctuations,
     Gyration,
     ReferenceStructure,
     Residuals,
@@ -97,13 +97,13 @@ def _rmsd_to_reference(analysis: Analysis) -> Rmsd:
     return Rmsd(values[0], None if fitted.all() else values[1])
 
 
-def fluctuations(analysis: Analysis, runner: Runner) -> Iterator[Fluctuations]:
+def fluctuations(analysis: Analysis, runner: Runner) -> Iterator[AtomFluctuations]:
     """RMSF of atoms and residues."""
     if len(analysis.frames) < 2:
         raise ValueError("a single frame does not fluctuate")
     measured = Rmsf(analysis.atoms, superpose_on=analysis.fitted)
     runner.run(measured)
-    yield Fluctuations(measured)
+    yield AtomFluctuations(measured)
 
 
 def radius_of_gyration(analysis: Analysis, runner: Runner) -> Iterator[Gyration]:
@@ -134,7 +134,7 @@ def principal_components(
 ) -> Iterator[Components | UnitsInComponents]:
     """The directions of largest motion, and the units that move along them."""
     stride = _stride_of_components(analysis)
-    weighted, known = analysis.options.mass_weighted, analysis.get(Fluctuations)
+    weighted, known = analysis.options.mass_weighted, analysis.get(AtomFluctuations)
     measured = PrincipalComponents(
         analysis.fitted,
         mass_weighted=weighted,
@@ -153,7 +153,7 @@ def _stride_of_components(analysis: Analysis) -> int:
     """Every so many frames fit into memory; ValueError where that is none, or nothing moves."""
     if len(analysis.frames) < 3:
         raise ValueError("it needs at least 3 frames")
-    found = analysis.get(Fluctuations)
+    found = analysis.get(AtomFluctuations)
     if found is not None:
         fitted = np.isin(analysis.atoms.ix, analysis.fitted.ix)
         if np.all(found.found.rmsf[fitted] < STILL):

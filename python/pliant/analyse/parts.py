@@ -118,7 +118,7 @@ class Rmsd(Part):
 
 
 @dataclass(frozen=True)
-class Fluctuations(Part):
+class AtomFluctuations(Part):
     """RMSF of each atom and residue."""
 
     measured: Rmsf

@@ -10,9 +10,9 @@ import numpy as np
 
 from pliant.analyse.bar_verdict import verdict
 from pliant.analyse.parts import (
+    AtomFluctuations,
     Components,
     Distances,
-    Fluctuations,
     Gyration,
     Residuals,
     RigidDomains,
@@ -144,8 +144,8 @@ VALUES: dict[type[Part], Callable[[Analysis], Values]] = {
     Residuals: _residuals,
     Sweeps: _sweeps,
     Rmsd: _rmsd,
-    Fluctuations: lambda analysis: {
-        "rmsf_mean": float(analysis[Fluctuations].found.rmsf.mean()),
+    AtomFluctuations: lambda analysis: {
+        "rmsf_mean": float(analysis[AtomFluctuations].found.rmsf.mean()),
     },
     Gyration: _gyration,
     Torsions: lambda analysis: {"rotatable_bonds": len(analysis[Torsions].measured.torsions)},

@@ -25,10 +25,10 @@ from pliant.analyse.biology_tables import (
 from pliant.analyse.names import atom_labels, bar_labels, chains_of
 from pliant.analyse.parts import (
     MAX_ANGLES,
+    AtomFluctuations,
     Components,
     ContactFrequencies,
     Correlations,
-    Fluctuations,
     Gyration,
     Part,
     Residuals,
@@ -60,8 +60,8 @@ def save_tables(analysis: Analysis, folder: Path) -> list[Path]:
     """Writes the CSV files whose parts are there into a folder; returns their paths."""
     tables: dict[str, tuple[type[Part], Callable[[Analysis], Columns]]] = {
         "frames": (Units, frame_columns),
-        "atoms": (Fluctuations, atom_columns),
-        "residues": (Fluctuations, residue_columns),
+        "atoms": (AtomFluctuations, atom_columns),
+        "residues": (AtomFluctuations, residue_columns),
         "bars": (Residuals, bar_columns),
         "torsions": (Torsions, torsion_columns),
         "torsion_histograms": (Torsions, histogram_columns),
@@ -158,7 +158,7 @@ def _projection_columns(analysis: Analysis) -> Columns:
 
 def atom_columns(analysis: Analysis) -> Columns:
     """One row per atom analysed: its place in the molecule and how much it moves."""
-    atoms, found = analysis.atoms, analysis[Fluctuations].found
+    atoms, found = analysis.atoms, analysis[AtomFluctuations].found
     columns: Columns = {"atom": atoms.ix}
     for name, attribute in {"name": "names", "element": "elements"}.items():
         if hasattr(atoms, attribute):
@@ -179,7 +179,7 @@ def _residue_columns_of(group: AtomGroup | ResidueGroup) -> Columns:
 
 def residue_columns(analysis: Analysis) -> Columns:
     """One row per residue."""
-    found = analysis[Fluctuations].found
+    found = analysis[AtomFluctuations].found
     residues = analysis.universe.residues[found.residues]
     columns: Columns = {"residue": found.residues} | _residue_columns_of(residues)
     return columns | {"rmsf_angstrom": found.residue_rmsf}

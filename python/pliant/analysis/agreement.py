@@ -40,7 +40,7 @@ class Modes:
 
     @property
     def share(self) -> float:
-        """Of the total variance, what these components explain."""
+        """The share of the total variance that these components explain."""
         return float(self.variances.sum() / self.total) if self.total > 0 else 0.0
 
 
@@ -189,8 +189,8 @@ def halves(
 ) -> tuple[float, float]:
     """r of RMSF and RMSIP of random halves of an ensemble, means: the ceiling of both.
 
-    Only atoms `fit` are superposed and compared. Half as many frames are less sure than all: what
-    agrees with the whole ensemble as well as its halves agree is as good as can be told.
+    Only atoms `fit` are superposed and compared. Half as many frames are less sure than all: no
+    ensemble can be expected to agree better than these halves do.
     """
     random = np.random.default_rng(0)
     chosen = frames if fit is None else frames[:, fit]

@@ -39,8 +39,8 @@ class CheckReport(Displayed):
 
     def facts(self) -> Facts:
         """Each finding with what was measured."""
-        told = [(one.title, f"{one.status}, {one.measured or '-'}") for one in self.findings]
-        return [("file", self.recording.path), ("passed", "yes" if self.passed else "no"), *told]
+        checks = [(one.title, f"{one.status}, {one.measured or '-'}") for one in self.findings]
+        return [("file", self.recording.path), ("passed", "yes" if self.passed else "no"), *checks]
 
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""

@@ -9,7 +9,7 @@ import sys
 from collections.abc import Sequence
 
 from pliant import console
-from pliant._said import notes_told_by
+from pliant._said import notes_shown_by
 
 EPILOG = """\
 Exit code: 0 if every check passed, 1 if one failed, 2 for a bad option. If OpenMM cannot do
@@ -90,7 +90,7 @@ def _check(arguments: argparse.Namespace) -> int:
     from pliant.check.report import print_report
     from pliant.check.suite import check
 
-    with notes_told_by(console.note):
+    with notes_shown_by(console.note):
         report = check(
             arguments.file,
             frames=arguments.frames,

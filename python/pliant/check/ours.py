@@ -38,7 +38,7 @@ def free_framework(recording: Recording) -> Framework:
 
 
 def resolved_copies(recording: Recording, broken: np.ndarray, tolerance: float) -> np.ndarray:
-    """Those of the broken structures (S, N, 3) that the default technique resolves, resolved."""
+    """The broken structures (S, N, 3) that the default technique resolves, after resolving."""
     technique, weighting = DEFAULT
     resolver = Resolver(free_framework(recording), technique, weighting, tolerance=tolerance)
     copies = broken.copy()

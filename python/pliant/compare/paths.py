@@ -133,7 +133,7 @@ def rmsd_table(one: np.ndarray, other: np.ndarray) -> np.ndarray:
 
 
 def distances_of(table: np.ndarray) -> PathDistances:
-    """Of RMSDs (F, G) of the frames of two paths."""
+    """How far two paths are apart, by the RMSDs (F, G) of their frames."""
     nearest = table.min(axis=1), table.min(axis=0)
     return PathDistances(
         float(nearest[0].mean()),

@@ -31,7 +31,7 @@ TORN = 8.0  #: Angstrom; neighbours in a chain that are further apart were cut b
 
 
 @dataclass(frozen=True)
-class Reference:
+class ReferenceFrames:
     """Their frames, on residues of ours that all of them have."""
 
     kind: str  #: TRAJECTORY, MODELS, STRUCTURES or STRUCTURE
@@ -54,7 +54,7 @@ def read_reference(
     select: str,
     frames: int | str,
     universe: Universe,
-) -> Reference:
+) -> ReferenceFrames:
     """Reads theirs; `universe` is ours, whose names a trajectory without names gets.
 
     Raises InputError where a file cannot be read, or holds another molecule.
@@ -77,10 +77,12 @@ def read_reference(
         raise InputError("fewer than 3 residues of ours are in all files")
     together = np.concatenate(found)
     kind = MODELS if len(paths) == 1 else STRUCTURES
-    return Reference(STRUCTURE if len(together) == 1 else kind, shared, together, notes)
+    return ReferenceFrames(STRUCTURE if len(together) == 1 else kind, shared, together, notes)
 
 
-def _models(ours: Trace, path: str | os.PathLike[str], select: str, frames: int | str) -> Reference:
+def _models(
+    ours: Trace, path: str | os.PathLike[str], select: str, frames: int | str
+) -> ReferenceFrames:
     """All models of a file, on the residues that every one of them has."""
     name = os.fspath(path)
     first = _read(path, 1)
@@ -99,7 +101,7 @@ def _models(ours: Trace, path: str | os.PathLike[str], select: str, frames: int 
     for residues, _ in found[1:]:
         shared = np.intersect1d(shared, residues)
     positions = np.array([place[np.isin(residues, shared)] for residues, place in found])
-    return Reference(MODELS, shared, positions, list(notes))
+    return ReferenceFrames(MODELS, shared, positions, list(notes))
 
 
 def _read(path: str | os.PathLike[str], model: int) -> _core.Structure:
@@ -118,7 +120,7 @@ def _trajectory(
     select: str,
     frames: int | str,
     universe: Universe,
-) -> Reference:
+) -> ReferenceFrames:
     theirs, _ = open_theirs(path, topology, universe)
     atoms = choose(theirs, select, path)
     trace = trace_of_atoms(atoms)
@@ -130,7 +132,7 @@ def _trajectory(
     )
     _refuse_torn(positions, ours, matched.ours, os.fspath(path))
     kind = STRUCTURE if len(positions) == 1 else TRAJECTORY
-    return Reference(kind, matched.ours, positions, list(matched.notes))
+    return ReferenceFrames(kind, matched.ours, positions, list(matched.notes))
 
 
 def _refuse_torn(positions: np.ndarray, ours: Trace, residues: np.ndarray, source: str) -> None:

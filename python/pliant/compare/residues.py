@@ -11,7 +11,7 @@ from pliant.analysis.agreement import TEN, Figure, Modes
 from pliant.analysis.collective import moving_stretches, participation
 from pliant.analysis.flexibility import flexibility, numbered_blocks, path_blocks
 from pliant.compare.core import core_of
-from pliant.compare.reference import STRUCTURE, TRAJECTORY, Reference
+from pliant.compare.reference import STRUCTURE, TRAJECTORY, ReferenceFrames
 from pliant.compare.residue_report import (
     Displacement,
     MissingMode,
@@ -33,7 +33,7 @@ MOST_STRETCHES = 5
 
 
 def compare_residues(
-    trace: Trace, ours: np.ndarray, independent: np.ndarray | None, reference: Reference
+    trace: Trace, ours: np.ndarray, independent: np.ndarray | None, reference: ReferenceFrames
 ) -> ResidueComparison:
     """Measures both.
 

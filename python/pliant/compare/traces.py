@@ -18,7 +18,7 @@ AMINO, NUCLEIC = "CA", "P"  #: kinds of residues, by the atom that stands for th
 
 
 def trace_of_atoms(atoms: AtomGroup) -> Trace:
-    """Of atoms of MDAnalysis; empty where they have no names."""
+    """The trace of atoms of MDAnalysis; empty where they have no names."""
     if not hasattr(atoms, "names") or not hasattr(atoms, "resnames"):
         return Trace([], [], [], [], [], [])
     names, residues = atoms.names.astype(str), atoms.resnames.astype(str)

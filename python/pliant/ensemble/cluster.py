@@ -22,7 +22,7 @@ _DEATHS = 20
 
 _REGROW_SECONDS = 5.0
 
-#: Without a worker for so long, the user is told: jobs wait in a queue, or die before they begin.
+#: Without a worker for so long there is a warning: jobs wait in a queue, or die at the start.
 _IDLE_SECONDS = 60.0
 
 _WHY_NO_WORKER = (
@@ -53,7 +53,7 @@ def open_place(
 
     dask.config.set({"distributed.scheduler.allowed-failures": _DEATHS})
     dask.config.set({"distributed.deploy.lost-worker-timeout": f"{2 * _REGROW_SECONDS:.0f} s"})
-    # Lost workers are told by what they did not bring, not by pages of stack traces.
+    # Lost workers show by what they did not bring; no pages of stack traces.
     for name in ("distributed", "distributed.worker", "distributed.nanny"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
     if scheduler:

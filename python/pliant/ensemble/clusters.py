@@ -27,7 +27,7 @@ class Clusters:
 
     frames: np.ndarray  #: (k,) numbers in the ensemble
     positions: np.ndarray  #: (k, N, 3) of all atoms
-    told: list[dict[str, float | int]]  #: (k) step, walker and observables
+    records: list[dict[str, float | int]]  #: (k) step, walker and observables
     shares: np.ndarray  #: (k,) of all frames, each of which belongs to the nearest
     errors: np.ndarray  #: (k,) standard errors, from the differences between walkers
     halves: np.ndarray  #: (2, k) shares of walkers of even and of odd numbers
@@ -48,7 +48,7 @@ class _Task:
 
 @dataclass
 class _Counts:
-    """Of walkers of even and of odd numbers. Each walker counts as one."""
+    """Sums over walkers, of even and of odd numbers. Each walker counts as one."""
 
     walkers: np.ndarray  #: (2,)
     shares: np.ndarray  #: (2, k) sums over walkers
@@ -57,7 +57,7 @@ class _Counts:
     distances: np.ndarray  #: (k,) sums over frames
 
     def add(self, other: _Counts) -> None:
-        """Those of other shards."""
+        """Adds the sums of other shards."""
         for name, value in vars(other).items():
             getattr(self, name).__iadd__(value)
 
@@ -86,14 +86,14 @@ def _result(
     frames: EnsembleFrames, numbers: np.ndarray, counts: _Counts, order: np.ndarray, compared: int
 ) -> Clusters:
     positions = np.empty((len(numbers), frames.atom_count, 3))
-    told = [frames.read(int(n), positions[k]) for k, n in enumerate(numbers)]
+    records = [frames.read(int(n), positions[k]) for k, n in enumerate(numbers)]
     walkers = counts.walkers.sum()
     shares = counts.shares.sum(axis=0) / walkers
     variance = np.maximum(counts.squares / walkers - shares**2, 0.0)
     errors = np.sqrt(variance / max(walkers - 1, 1))
     halves = counts.shares / np.maximum(counts.walkers, 1)[:, None]
     mean = counts.distances / np.maximum(counts.frames, 1)
-    return Clusters(numbers, positions, told, shares[order], errors[order], halves[:, order],
+    return Clusters(numbers, positions, records, shares[order], errors[order], halves[:, order],
                     mean[order], compared)  # fmt: skip
 
 
@@ -121,7 +121,7 @@ def _counts_of(task: _Task) -> _Counts:
 
 
 def _of_shard(walkers: np.ndarray, distances: np.ndarray) -> _Counts:
-    """Of the frames of whole walkers: (F,) and (F, k)."""
+    """Sums over the frames of whole walkers; walkers: (F,) and distances: (F, k)."""
     k = distances.shape[1]
     owner = np.argmin(distances, axis=1)
     nearest = distances[np.arange(len(owner)), owner]

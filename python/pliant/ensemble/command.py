@@ -76,7 +76,7 @@ whole or were left out, 130 ended by Ctrl-C: the same command goes on from there
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the subcommand with a list of arguments (default: sys.argv); returns the exit code."""
     words = list(sys.argv[1:] if arguments is None else arguments)
-    # What an option is followed by can only be told once the input is out of the way.
+    # What an option is followed by is only known once the input is out of the way.
     file = words[0] if words and not words[0].startswith("-") else None
     options, passed_on = _parser().parse_known_args(words[1:] if file else words)
     return run_command("ensemble", lambda: _ensemble(file, options, passed_on, words))

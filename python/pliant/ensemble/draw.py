@@ -25,19 +25,19 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
     from pliant.analyse.parts import Units
-    from pliant.ensemble.flexibility import Flexibility
+    from pliant.ensemble.flexibility import EnsembleFlexibility
 
 SIZE = (9, 3.2)  #: inches; the legend stands beside the lines
 
 
-def draw_flexibility(found: Flexibility, path: Path, dpi: int) -> Path:
+def draw_flexibility(found: EnsembleFlexibility, path: Path, dpi: int) -> Path:
     """Writes the figure as a PNG."""
     with styled():
         flexibility_figure(found).savefig(path, dpi=dpi)
     return path
 
 
-def flexibility_figure(found: Flexibility) -> Figure:
+def flexibility_figure(found: EnsembleFlexibility) -> Figure:
     """RMSF of each unit with twice its error, and of both halves."""
     figure, axes = new_figure(SIZE)
     for k, part in enumerate(chain_parts(found.units.chains)):
@@ -51,7 +51,7 @@ def flexibility_figure(found: Flexibility) -> Figure:
     return figure
 
 
-def _draw_part(axes: Axes, found: Flexibility, part: slice, is_first: bool) -> None:
+def _draw_part(axes: Axes, found: EnsembleFlexibility, part: slice, is_first: bool) -> None:
     """The lines of a chain; the first is named in the legend."""
     place = np.arange(len(found.rmsf))[part]
     low, high = found.rmsf - 2 * found.error, found.rmsf + 2 * found.error

@@ -37,7 +37,7 @@ def _none() -> np.ndarray:
 
 
 @dataclass
-class Flexibility:
+class EnsembleFlexibility:
     """What the frames of all walkers tell. Lengths in Angstrom; U units."""
 
     units: Units  #: residues, by their CA or P, or atoms
@@ -67,7 +67,7 @@ class Flexibility:
 
 def flexibility(
     folder: Path, workers: int = 1, on_stage: Callable[[str], None] = lambda name: None
-) -> Flexibility:
+) -> EnsembleFlexibility:
     """Reads the frames of an ensemble three times, over some processes.
 
     Raises FileError and InputError if there is no ensemble, a shard is gone, or one walker is all.
@@ -139,7 +139,7 @@ def _over(
 
 def _result(
     units: Units, what: str, sums: Sums, contacts: list[tuple[str, str, float]], atoms: Any
-) -> Flexibility:
+) -> EnsembleFlexibility:
     even, odd = sums.halves
     halves = np.array([np.sqrt(_moments(even)[0]), np.sqrt(_moments(odd)[0])])
     both = Half(even.units, even.has_modes)
@@ -147,7 +147,7 @@ def _result(
     both += odd
     square, square_error = _moments(both)
     rmsf = np.sqrt(square)
-    found = Flexibility(
+    found = EnsembleFlexibility(
         units, what, both.frames, both.walkers, rmsf,
         np.divide(square_error, 2 * rmsf, out=np.zeros_like(rmsf), where=rmsf > 0),
         halves, correlation(halves[0], halves[1]), float(square.sum()), sums.max_residual,
@@ -162,7 +162,7 @@ def _result(
     return found
 
 
-def _add_modes(found: Flexibility, even: Half, odd: Half, both: Half) -> None:
+def _add_modes(found: EnsembleFlexibility, even: Half, odd: Half, both: Half) -> None:
     halves = [_principal(half)[1] for half in (even, odd)]
     found.variances, found.modes = _principal(both)
     found.rmsip = rmsip(halves[0].T, halves[1].T, min(TEN, halves[0].shape[1]))

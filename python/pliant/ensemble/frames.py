@@ -100,7 +100,7 @@ class EnsembleFrames:
         return self._shard(place).numbers(row)
 
     def time_between_frames(self) -> float:
-        """Of the first walker (ps); 0 where it has one frame."""
+        """Time between frames of the first walker, ps; 0 where it has one frame."""
         times = [self.numbers(frame)["time"] for frame in range(min(2, int(self.ends[0])))]
         return max(0.0, times[-1] - times[0])
 

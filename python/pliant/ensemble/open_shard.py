@@ -91,7 +91,7 @@ class Rows:
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Of one row."""
+        """The shape of one row."""
         return tuple(self._dataset.shape[1:])
 
     def at(self, row: int) -> np.ndarray:

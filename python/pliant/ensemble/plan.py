@@ -62,7 +62,7 @@ class Plan:
 
     @property
     def seed(self) -> int:
-        """Of all random numbers."""
+        """The seed of all random numbers."""
         (word,) = self.options.get("--seed", [["0"]])[-1]
         return int(word)
 

@@ -38,7 +38,7 @@ class Queue:
         self._asked = self._settings.pop("jobs", None)
         self._submitting = 0
         self._taken: set[Any] = set()  #: jobs that wait or run, as far as is known
-        self._refusals: list[str] = []  #: that nobody was told yet
+        self._refusals: list[str] = []  #: that were not shown yet
         self._is_told = False
 
     def jobs(self, asked: int | None, shards: int) -> tuple[Any, Callable[[], None]]:
@@ -78,7 +78,7 @@ class Queue:
         self._is_told = True
 
     def _scheduler_options(self) -> dict[str, Any]:
-        """Those of the file, or of Dask's own settings, with any free port for the dashboard.
+        """Options of the file, or of Dask's settings, with any free port for the dashboard.
 
         Dask's usual port is taken where another ensemble is under way.
         """

@@ -14,7 +14,7 @@ from pliant._csv_cells import harmless
 from pliant.analysis.flexibility import STILL
 from pliant.console import counted
 from pliant.ensemble.draw import draw_flexibility
-from pliant.ensemble.flexibility import Flexibility, flexibility
+from pliant.ensemble.flexibility import EnsembleFlexibility, flexibility
 from pliant.ensemble.sums import superposed
 
 #: What the report of one file has, and this one has not.
@@ -51,7 +51,7 @@ def report_ensemble(
     return {**_numbers(folder, found), "outputs": outputs, "left_out": LEFT_OUT}
 
 
-def _numbers(folder: Path, found: Flexibility) -> dict[str, Any]:
+def _numbers(folder: Path, found: EnsembleFlexibility) -> dict[str, Any]:
     share = found.variances / found.total_variance if found.total_variance > 0 else np.empty(0)
     return {
         "ensemble": str(folder),
@@ -79,14 +79,14 @@ def _numbers(folder: Path, found: Flexibility) -> dict[str, Any]:
     }
 
 
-def _write_flexibility(found: Flexibility, folder: Path) -> Path:
+def _write_flexibility(found: EnsembleFlexibility, folder: Path) -> Path:
     rows = zip(found.units.labels, found.rmsf, found.error, *found.halves, strict=True)
     halves = [f"rmsf_even_{found.what}", f"rmsf_odd_{found.what}"]
     head = [found.units.what, "rmsf_angstrom", "standard_error", *halves]
     return _write(folder / "flexibility.csv", head, rows)
 
 
-def _write_modes(found: Flexibility, folder: Path) -> Path:
+def _write_modes(found: EnsembleFlexibility, folder: Path) -> Path:
     count = len(found.variances)
     parts = found.modes.T.reshape(count, -1, 3)
     rows = (
@@ -98,18 +98,18 @@ def _write_modes(found: Flexibility, folder: Path) -> Path:
     return _write(folder / "modes.csv", head, rows)
 
 
-def _write_contacts(found: Flexibility, folder: Path) -> Path:
+def _write_contacts(found: EnsembleFlexibility, folder: Path) -> Path:
     return _write(folder / "contacts.csv", ["contact", "kind", "share_held"], found.contacts)
 
 
-def _write_clusters(found: Flexibility, folder: Path) -> Path:
+def _write_clusters(found: EnsembleFlexibility, folder: Path) -> Path:
     chosen, what = found.clusters, found.what
     own = ["walker", "step"] if what == "walkers" else ["step"]
     columns = zip(chosen.shares, chosen.errors, *chosen.halves, chosen.distances, strict=True)
     rows = (
-        (k + 1, int(frame), *(told[name] for name in own), *numbers)
-        for k, (frame, told, numbers) in enumerate(
-            zip(chosen.frames, chosen.told, columns, strict=True)
+        (k + 1, int(frame), *(record[name] for name in own), *numbers)
+        for k, (frame, record, numbers) in enumerate(
+            zip(chosen.frames, chosen.records, columns, strict=True)
         )
     )
     head = ["cluster", "frame", *own, "share_of_frames", "standard_error",
@@ -117,7 +117,7 @@ def _write_clusters(found: Flexibility, folder: Path) -> Path:
     return _write(folder / "clusters.csv", head, rows)
 
 
-def _write_representatives(found: Flexibility, folder: Path) -> Path:
+def _write_representatives(found: EnsembleFlexibility, folder: Path) -> Path:
     """The frame of each cluster as a model, superposed on the first."""
     from pliant.analyse.multi_model import write_models
 

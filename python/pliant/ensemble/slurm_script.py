@@ -11,7 +11,7 @@ from pathlib import Path
 from pliant.console import counted
 from pliant.ensemble.plan import Plan
 
-#: Slurm takes up to 1001 jobs in an array unless it is told otherwise (MaxArraySize).
+#: Slurm takes up to 1001 jobs in an array unless it is set otherwise (MaxArraySize).
 MOST_JOBS = 1000
 
 

@@ -93,7 +93,7 @@ class Sums:
     max_residual: float = 0.0
 
     def add(self, other: Sums) -> None:
-        """Those of other shards."""
+        """Adds the sums of other shards."""
         for ours, theirs in zip(self.halves, other.halves, strict=True):
             ours += theirs
         self.count(other.held, other.max_residual)

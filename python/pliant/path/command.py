@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 from pliant import console
 from pliant._core import OptionError, PathOptions, read
 from pliant._output_names import check_trajectory_name, is_pdb_name
-from pliant._said import notes_told_by
+from pliant._said import notes_shown_by
 
 if TYPE_CHECKING:
     from pliant.path.found import MolecularPath, PathFrame, TightPlace
@@ -23,7 +23,7 @@ EXIT_SHORT = 3  #: the end was not reached
 
 ATTEMPTS = 10  #: of --backtrack without a number
 
-#: what is told of a frame and of a tight place, in this order
+#: what is printed of a frame and of a tight place, in this order
 FRAME = (
     *("step", "to_end", "from_start", "lost", "made", "max_residual", "held_off", "overlap"),
     "tightest",
@@ -108,7 +108,7 @@ def _path(arguments: argparse.Namespace) -> int:
         atoms=arguments.atoms, step=arguments.step, both=arguments.both,
         backtrack=arguments.backtrack, seed=arguments.seed,
     )  # fmt: skip
-    with notes_told_by(console.note):
+    with notes_shown_by(console.note):
         start, end = read(arguments.start), read(arguments.end)
     with console.progress("path") as show:
         path = walk.find(

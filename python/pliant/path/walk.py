@@ -88,7 +88,7 @@ def find(
     overwrite: bool = False,
     show: Callable[[int], None] | None = None,
 ) -> MolecularPath:
-    """As `path`; `show` is told how much of the distance is gone, out of WHOLE."""
+    """As `path`; calls `show` with how much of the distance is gone, out of WHOLE."""
     begun = time.perf_counter()
     ends = PathEnds(_structure(start), _structure(end), options)
     recorder = None if output is None else _recorder(ends, options, output, overwrite)

@@ -71,7 +71,7 @@ class Bridge:
         return f"http://{self.host}{self.path}"
 
     async def run(self, show: Callable[[str], None], tell_end: Callable[[str], None]) -> None:
-        """Until the run has ended, and each page that is there has been told how."""
+        """Serves pages until the run has ended, and each of them knows how it ended."""
         self.upstream.start()
         server = await serve(
             self._talk, sock=self.listener, process_request=self._admit, compression=None,
@@ -132,7 +132,7 @@ class Bridge:
     async def _send(self, page: ServerConnection, asked: asyncio.Event) -> None:
         """A frame each time that one was asked for; at the end the last, and why no more come.
 
-        The end is told unasked: a page that nobody looks at asks for nothing.
+        The end is sent unasked: a page that nobody looks at asks for nothing.
         """
         with suppress(ConnectionClosed):  # which ends _talk() too
             await self._send_frames(page, asked)

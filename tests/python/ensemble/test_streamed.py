@@ -161,7 +161,7 @@ def test_clusters_are_those_of_all_frames(many, tmp_path):
             [of_walkers[::2].mean(), of_walkers[1::2].mean()]
         )
         assert found.positions[k].tolist() == positions[found.frames[k]].tolist()
-        assert (found.told[k]["walker"], found.told[k]["step"]) == (
+        assert (found.records[k]["walker"], found.records[k]["step"]) == (
             walkers[found.frames[k]], steps[found.frames[k]])  # fmt: skip
 
 

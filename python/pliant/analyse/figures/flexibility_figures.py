@@ -43,7 +43,7 @@ if TYPE_CHECKING:
 
 #: up to this many units are drawn one by one, each with its name
 NAMED_BARS = 40
-#: of a line; more are not told apart at the usual width and resolution
+#: of a line; more cannot be seen apart at the usual width and resolution
 MOST_CORNERS = 4000
 #: sites up to which each pair is drawn as a square; more take a hundred bytes each
 MOST_SQUARES = 500

@@ -40,7 +40,7 @@ def template(name: str) -> Template:
 
 
 def version() -> str:
-    """Of the installed package; "" where it is not installed."""
+    """The version of the installed package; "" where it is not installed."""
     try:
         return metadata.version("pliant")
     except metadata.PackageNotFoundError:

@@ -112,14 +112,14 @@ SIX = "counted as rigid. At fixed angles a chair is, but a boat moves through tw
 
 def _lead(facts: RigidityFacts) -> str:
     """What was found in one sentence, and what it hangs on."""
-    told = f"{facts.clusters} rigid cluster{'' if facts.clusters == 1 else 's'}"
+    text = f"{facts.clusters} rigid cluster{'' if facts.clusters == 1 else 's'}"
     if facts.named:
         share = _percent(int(facts.sizes[0]), len(facts.names))
-        told += f"; the largest has {share} of the atoms"
+        text += f"; the largest has {share} of the atoms"
         if len(facts.chains) >= LEAST_RESIDUES:
-            told += f" and spans residues {facts.ranges(facts.residues_in(0))}"
+            text += f" and spans residues {facts.ranges(facts.residues_in(0))}"
     elif facts.clusters:
-        told += ", none larger than a side chain"
+        text += ", none larger than a side chain"
     free = facts.counts["degrees_of_freedom"]
     more = f"{free} internal degrees of freedom, counted with {_counted_with(facts)}."
     if rings := facts.counts["rings_of_six"]:
@@ -127,7 +127,7 @@ def _lead(facts: RigidityFacts) -> str:
     if len(facts.energies):
         more += f" One cut-off is one answer. {READING}"
     return (
-        f'<section class="verdict card"><p><strong>{escape(sentence(told))}</strong>'
+        f'<section class="verdict card"><p><strong>{escape(sentence(text))}</strong>'
         f"<span>{escape(more)}</span></p></section>"
     )
 
@@ -154,8 +154,8 @@ def _numbers(facts: RigidityFacts) -> list[tuple[str, str, str]]:
 def _notes(notes: list[str]) -> str:
     if not notes:
         return ""
-    told = f"To stay small, the 3-D view shows {' and '.join(notes)}."
-    return f'<h2>Please note</h2><section class="notes card"><p>{escape(told)}</p></section>'
+    text = f"To stay small, the 3-D view shows {' and '.join(notes)}."
+    return f'<h2>Please note</h2><section class="notes card"><p>{escape(text)}</p></section>'
 
 
 def _sections(facts: RigidityFacts) -> Iterator[str]:
@@ -204,8 +204,8 @@ def _segments(facts: RigidityFacts) -> str:
     caption = f"The first {MOST_SEGMENTS} of {len(rows)} stretches" if more > 0 else ""
     headers = ("residues", "belong to", "residues", "mean flexibility")
     made = table(headers, rows[:MOST_SEGMENTS], caption)
-    told = disclosure(f"{len(rows)} stretches by cluster", made)
-    return f'<div style="margin-top:12px">{told}</div>'
+    text = disclosure(f"{len(rows)} stretches by cluster", made)
+    return f'<div style="margin-top:12px">{text}</div>'
 
 
 PROFILE_CAPTION = (

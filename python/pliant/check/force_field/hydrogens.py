@@ -107,7 +107,7 @@ def _beside(carbon: np.ndarray, length: float, directions: np.ndarray) -> np.nda
 
 
 def _unit(vectors: np.ndarray) -> np.ndarray:
-    """Of length 1; a vector of no length stays so, and its atoms lie in one place."""
+    """The vectors scaled to length 1; one of length 0 (atoms in one place) is left as it is."""
     length = np.linalg.norm(vectors, axis=-1, keepdims=True)
     scaled: np.ndarray = vectors / np.where(length > 0, length, 1.0)
     return scaled

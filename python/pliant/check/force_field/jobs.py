@@ -59,7 +59,7 @@ class Bench:
         return Job("match", {}, self._arrays)
 
     def minimising(self, positions: np.ndarray, stages: Sequence[int]) -> Job:
-        """Of a completed structure (M, 3), Angstrom."""
+        """Minimises a completed structure (M, 3), Angstrom."""
         more = {"structure": positions * NM, "stages": np.array(stages, int)}
         return Job("minimise", {"deadline": self.deadline}, self._arrays | more)
 

@@ -79,7 +79,10 @@ def start_of(path: str, structure: Structure, named: str | os.PathLike[str] | No
 
 
 def minimise_file(path: str, wanted: Wanted, show: Progress) -> ForceFieldReport:
-    """Of an H5MD file; raises InputError as start_of does, and for a file without residues."""
+    """Minimises frames of an H5MD file.
+
+    Raises InputError as start_of does, and for a file without residues.
+    """
     reader = H5mdReader(path)
     structure = reader.structure()
     reason = why_not(structure)
@@ -99,7 +102,7 @@ def minimise_frames(
     show: Progress = lambda *_: None,
     numbers: np.ndarray | None = None,
 ) -> ForceFieldReport:
-    """Of frames (F, N, 3) of a structure with bonds, whoever made them; start (N, 3) Angstrom."""
+    """Minimises frames (F, N, 3) of a structure with bonds; start: (N, 3); Angstrom."""
     began = time.monotonic()
     molecule = molecule_of(structure)
     bench = Bench(molecule, wanted.time_limit, deadline_in(wanted.total_limit), show)

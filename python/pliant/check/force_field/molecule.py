@@ -147,7 +147,7 @@ def _notes_on_left_out(structure: Structure, is_known: np.ndarray) -> list[str]:
 
 
 def _notes_on_ends(molecule: Molecule) -> list[str]:
-    """Of residues at the end of a chain or at a gap that have not the atoms of an end."""
+    """Notes on residues at the end of a chain or at a gap that lack the atoms of an end."""
     neighbours = _neighbours(molecule.bonds, len(molecule.elements))
     open_ends = []
     for name, wanted in (("N", 1), ("C", 8)):
