@@ -50,15 +50,15 @@ void expect_lanes_as_alone(const SampleTask& task, const BodyPlan& plan) {
   Asked alone(*sampler, task.start());
   FrodaSolver solver(task.framework(), plan);
   for (FrodaJob& job : alone.jobs)
-    job.outcome = solver.resolve(job.start, job.target, job.out, careful(), job.limits_off);
+    job.result = solver.resolve(job.start, job.target, job.out, careful(), job.limits_off);
   for (const LaneKernels* level : lane_levels()) {
     SCOPED_TRACE(level->level);
     Asked together(*sampler, task.start());
     FrodaLanes(task.framework(), plan, *level).resolve(together.jobs, careful());
     for (std::size_t k = 0; k < alone.jobs.size(); ++k) {
       EXPECT_TRUE(test::same_bits(together.out[k], alone.out[k])) << k;
-      EXPECT_EQ(together.jobs[k].outcome.is_whole, alone.jobs[k].outcome.is_whole) << k;
-      EXPECT_EQ(together.jobs[k].outcome.steps, alone.jobs[k].outcome.steps) << k;
+      EXPECT_EQ(together.jobs[k].result.is_whole, alone.jobs[k].result.is_whole) << k;
+      EXPECT_EQ(together.jobs[k].result.steps, alone.jobs[k].result.steps) << k;
     }
   }
 }
