@@ -3,8 +3,6 @@
 
 #include "options/option_comparison.hpp"
 #include "options/option_fields.hpp"
-#include "pliant/base/error.hpp"
-#include "pliant/resume/recorded_inputs.hpp"
 #include "pliant/run/run_fields.hpp"
 
 namespace pliant::app {
@@ -53,26 +51,6 @@ void check_options_again(const CommandLine& line, const RunSettings& given,
       comparison.check(option_name(field.name), "run/" + std::string(field.name));
   comparison.check(recorded_options);
   comparison.check_model();
-}
-
-RunOptions options_of(const H5mdCheckpoint& recorded) {
-  RunOptions options;
-  try {
-    options = run_options_from(recorded.parameters);
-    options.replay = replay_of(recorded.inputs);
-    options.replay_counts = recorded.inputs.replay_counts;
-    options.guide = guide_of(recorded.inputs);
-    if (options.guide.empty() && is_guided_run(recorded.parameters))
-      throw InputError("the file does not hold the guide that it followed");
-    check(options.guide, recorded.framework);
-    if (Ordering ordering = ordering_of(recorded.inputs); !ordering.empty())
-      options.technique.ordering = std::make_shared<Ordering>(std::move(ordering));
-    check(options);
-  } catch (const Error& error) {
-    throw InputError(recorded.path.string() + ": its run cannot go on: " + error.what());
-  }
-  options.steps = recorded.steps;
-  return options;
 }
 
 }  // namespace pliant::app

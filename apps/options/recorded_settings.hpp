@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The settings of a recorded run, and options that are given once more when it goes on.
+// Options that are given once more when a run goes on, beside those of its file.
 #pragma once
-
-#include <vector>
 
 #include "command_line.hpp"
 #include "options/run_settings.hpp"
@@ -14,8 +12,5 @@ namespace pliant::app {
 /// that makes no sense when a run goes on.
 void check_options_again(const CommandLine& line, const RunSettings& given,
                          const H5mdCheckpoint& recorded);
-
-/// How the run goes on. Throws InputError where the file does not say it.
-RunOptions options_of(const H5mdCheckpoint& recorded);
 
 }  // namespace pliant::app

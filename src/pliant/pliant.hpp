@@ -160,6 +160,7 @@
 // resume: what runs and samples go on from
 #include "pliant/resume/force_recorder.hpp"   // the pushes of a run as a force file
 #include "pliant/resume/recorded_inputs.hpp"  // what a run was given, as files keep it
+#include "pliant/resume/recorded_run.hpp"     // a run, as files keep it
 #include "pliant/resume/recorded_sample.hpp"  // a sample, as files keep it
 
 // generate, laboratory: the random graphs of the thesis and its test sets, where the library has

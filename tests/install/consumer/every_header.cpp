@@ -110,6 +110,7 @@
 #include "pliant/resolve/walkers.hpp"
 #include "pliant/resume/force_recorder.hpp"
 #include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/resume/recorded_run.hpp"
 #include "pliant/resume/recorded_sample.hpp"
 #include "pliant/rigidity/pebble_game.hpp"
 #include "pliant/rigidity/rigid_clusters.hpp"
@@ -306,6 +307,8 @@ const Use uses[] = {
     of("pliant/laboratory/make_test_set.hpp", &make_test_set),
     of("pliant/laboratory/read_test_set.hpp", &read_test_set),
     of("pliant/resume/recorded_inputs.hpp", &recorded_inputs),
+    of("pliant/resume/recorded_run.hpp",
+       overload<RunOptions(const H5mdCheckpoint&)>(&run_options_from)),
     of("pliant/resume/recorded_sample.hpp", &add_frames),
     of("pliant/laboratory/test_results.hpp", &summary_of),
     of("pliant/laboratory/test_set.hpp", &TestSet::save),
