@@ -6,16 +6,14 @@
 #include <string>
 #include <vector>
 
-#include "pliant/model/rigidity/rigidity.hpp"
 #include "pliant/model/rigidity/rigidity_dilution.hpp"
+#include "pliant/tasks/rigidity_task.hpp"
 
 namespace pliant::app {
 
 /// All that was found of one molecule.
-struct RigidityReport {
+struct RigidityReport : MoleculeRigidity {
   std::string file;
-  ContactModel model;
-  Rigidity rigidity;
   std::vector<DilutionRow> dilution;  ///< none was asked for: empty
   std::string dilution_svg;           ///< its picture; "": none
 

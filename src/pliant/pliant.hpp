@@ -146,7 +146,8 @@
 #include "pliant/record/xml/write_graph_xml.hpp"          // and back
 
 // tasks: one door for each job
-#include "pliant/tasks/sample_task.hpp"  // an ensemble, or conformers, of a model
+#include "pliant/tasks/rigidity_task.hpp"  // rigidity
+#include "pliant/tasks/sample_task.hpp"    // an ensemble, or conformers, of a model
 
 // stream: runs followed and steered while they go
 #include "pliant/stream/imd_commands.hpp"  // what a client says
@@ -159,7 +160,6 @@
 
 // resume: what runs and samples go on from
 #include "pliant/resume/force_recorder.hpp"   // the pushes of a run as a force file
-#include "pliant/resume/recorded_inputs.hpp"  // what a run was given, as files keep it
 #include "pliant/resume/recorded_run.hpp"     // a run, as files keep it
 #include "pliant/resume/recorded_sample.hpp"  // a sample, as files keep it
 

@@ -5,6 +5,7 @@
 // there for all of them.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -16,7 +17,7 @@
 
 namespace pliant {
 
-/// Where an option lies. Text is always a name of some table.
+/// Where an option lies.
 using OptionPlace = std::variant<bool*, std::int64_t*, std::uint64_t*, double*, std::string*>;
 
 /// Who may set an option. What only some may set, the others choose in a way of their own.
@@ -35,11 +36,12 @@ struct FormerOption {
 
 /// What an option is, wherever it lies.
 struct OptionFacts {
-  std::string_view name;     ///< "max_sweeps": --max-sweeps, max_sweeps=, run/max_sweeps
-  std::string_view group;    ///< the heading under which help lists it
-  std::string_view summary;  ///< what it means; in the command's words where those differ
-  Range range = Range::any;  ///< what a number may be
-  /// The names that a text may be, and what they are names of; null for what is no text.
+  std::string_view name;          ///< "max_sweeps": --max-sweeps, max_sweeps=, run/max_sweeps
+  std::string_view group = {};    ///< the heading under which help lists it
+  std::string_view summary = {};  ///< what it means; in the command's words where those differ
+  Range range = Range::any;       ///< what a number may be
+  double largest = HUGE_VAL;      ///< number, whoever sets it
+  /// The names that a text may be, and what they are names of; null: any text, of that kind.
   std::vector<std::string_view> (*choices)() = nullptr;
   std::string_view kind = {};
   bool is_optional = false;           ///< 0 stands for "not used" and is in range too
@@ -48,6 +50,7 @@ struct OptionFacts {
   std::string_view automatic = {};    ///< what a user may give in place of a choice, and gives if
                                       ///< nothing; a task then chooses
   std::int64_t most = INT64_MAX;      ///< whole numbers that the command takes
+  std::string_view opposite = {};     ///< what the command calls a flag that is true if not given
   std::string_view unset_means = {};  ///< what the command does where it is not given, if that is
                                       ///< not the default of the library
   OptionUsers users = {};

@@ -7,9 +7,14 @@
 #include <vector>
 
 #include "pliant/perturb/force_files/force_file.hpp"
+#include "pliant/run/run_options.hpp"
 #include "pliant/text/output_file.hpp"
 
 namespace pliant {
+
+/// The force file that the pushes of a run become, without them. `is_counted`: of a run in hands,
+/// whose other pushes are made again and not listed.
+ForceFile force_file_of(const RunOptions& options, ForceHeader header, bool is_counted = false);
 
 /// The force file that the pushes of a run become: there as a whole once the run has ended, or not
 /// at all. Of a push the forces are kept that acted by move_by_verlet; if it had none, the root

@@ -8,7 +8,7 @@
 
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
-#include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
 #include "pliant/resume/recorded_run.hpp"
 #include "pliant/run/run.hpp"
 #include "pliant/run/run_fields.hpp"
@@ -32,7 +32,7 @@ inline void record_run(const std::filesystem::path& path, const Framework& frame
                        const H5mdOptions& recording = {}) {
   H5mdHeader header;
   header.parameters = parameters_of(options, framework);
-  header.inputs = recorded_inputs(options.replay, options.guide, nullptr);
+  header.inputs = run_inputs(options);
   run_into(H5mdRecorder(path, framework, header, recording), framework, start, options);
 }
 

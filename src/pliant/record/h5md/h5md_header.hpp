@@ -32,6 +32,15 @@ struct H5mdOptions {
   Log log = {};                ///< where warnings go
 };
 
+/// What of them a file tells, by paths below /parameters. `save`: the selection of the joints.
+inline std::vector<NamedParameter> parameters_of(const H5mdOptions& options,
+                                                 const std::string& save) {
+  return {{"record/single", options.single},
+          {"record/compress", options.compress},
+          {"record/save", save},
+          {"record/precision", options.precision}};
+}
+
 /// A bond of the atom table: chemistry, which need not be a bar.
 struct RecordedBond {
   Joint a = 0, b = 0;
