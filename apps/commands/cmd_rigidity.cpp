@@ -8,25 +8,23 @@
 #include "external.hpp"
 #include "messages.hpp"
 #include "options/molecule_input.hpp"
+#include "options/option_fields.hpp"
 #include "output/output_files.hpp"
 #include "output/rigidity_files.hpp"
 #include "output/rigidity_json.hpp"
 #include "output/rigidity_report.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/base/printable.hpp"
-#include "pliant/model/rigidity/dilution_picture.hpp"
 #include "pliant/model/rigidity/rings_of_six.hpp"
-#include "pliant/molecule/selection.hpp"
 
 namespace pliant::app {
 namespace {
 
 struct RigiditySettings {
   MoleculeOptions molecule;
-  std::int64_t hydrogen_bond_bars = 5, tether_bars = 2;
-  bool ends_turn = true, dilution = false;
-  std::string free_angles, output, page;
-  bool overwrite = false, as_csv = false, as_json = false;
+  RigidityAsked counting;
+  std::string output, page;
+  bool dilution = false, overwrite = false, as_csv = false, as_json = false;
 };
 
 constexpr const char* summary =
@@ -60,16 +58,8 @@ void add_options(CommandLine& line, RigiditySettings& settings) {
   add_file_options(line, settings.molecule);
   add_model_options(line, settings.molecule.kind);
   line.start_group("Counting");
-  line.add_integer("--hbond-bars", settings.hydrogen_bond_bars, 1, freedoms_of_body,
-                   "how many freedoms a hydrogen bond or salt bridge removes");
-  line.add_integer("--tether-bars", settings.tether_bars, 0, freedoms_of_body,
-                   "how many a hydrophobic contact removes; 0 ignores these contacts");
-  line.add_opposite("--still-ends", settings.ends_turn,
-                    "an atom with a single bond does not rotate about it if a hydrogen bond "
-                    "holds it: D-H of D-H..A stays put");
-  line.add_text("--free-angles", settings.free_angles, "SELECTION",
-                "hold no angle at these atoms, which become ball joints: \"element O\" frees "
-                "Si-O-Si in a silicate");
+  for (const auto& field : rigidity_fields())
+    add_option(line, field, field.place(settings.counting));
   line.add_flag("--dilution", settings.dilution,
                 "remove hydrogen bonds one by one, weakest first, starting at --hbond-cutoff");
   line.start_group("Output");
@@ -95,8 +85,7 @@ void refuse_input_as_output(const RigiditySettings& settings) {
 
 void dilute(RigidityReport& report) {
   const std::string file = std::filesystem::path(report.file).filename().string();
-  DrawnDilution drawn =
-      draw_dilution(report.model, report.rigidity.network, dilution_title(printable_name(file)));
+  DrawnDilution drawn = draw_dilution(report, printable_name(file));
   report.dilution = std::move(drawn.rows);
   report.dilution_svg = std::move(drawn.svg);
 }
@@ -120,21 +109,12 @@ int write_page(const std::string& program, const RigiditySettings& settings,
 }
 
 RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
-  RigidityReport report;
-  report.file = settings.molecule.file;
-  report.model =
-      contact_model(read(settings.molecule, log), model_options_of(settings.molecule.kind, log));
-  RigidityOptions options;
-  const auto hydrogen_bars = static_cast<std::uint8_t>(settings.hydrogen_bond_bars);
-  options.bars = {
-      {MolecularContactKind::hydrogen_bond, hydrogen_bars},
-      {MolecularContactKind::salt_bridge, hydrogen_bars},
-      {MolecularContactKind::hydrophobic, static_cast<std::uint8_t>(settings.tether_bars)}};
-  options.ends_turn = settings.ends_turn;
-  if (!settings.free_angles.empty())
-    options.free_angles =
-        select_some_atoms(report.model.structure.atoms, settings.free_angles, "free-angles");
-  report.rigidity = analyse_rigidity(report.model.structure, report.model.contacts, options);
+  RigidityReport report{find_rigidity(contact_model(read(settings.molecule, log),
+                                                    model_options_of(settings.molecule.kind, log)),
+                                      settings.counting),
+                        settings.molecule.file,
+                        {},
+                        {}};
   if (const std::string told = told_of_rings_of_six(report.rigidity.rings_of_six); !told.empty())
     log.note(told);
   if (settings.dilution) dilute(report);

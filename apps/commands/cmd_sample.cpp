@@ -68,8 +68,8 @@ SampleSummary sample_to_file(const SampleSettings& settings, const PlannedSample
   ProgressBar progress(task.options().frames, "frames", settings.quiet);
   std::int64_t done = 0;
   SampleSummary summary = task.run(
-      [&](const SampledFrame& frame) {
-        recorder.record(recorded_frame(frame));
+      [&](const Frame& frame) {
+        recorder.record(frame);
         progress.show(++done);
         return interrupted();
       },

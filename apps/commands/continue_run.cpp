@@ -17,6 +17,7 @@
 #include "output/print_run.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
+#include "pliant/resume/recorded_run.hpp"
 #include "pliant/run/ensemble.hpp"
 
 namespace pliant::app {
@@ -53,7 +54,7 @@ class ContinuedRun {
       : settings_(settings),
         steps_(steps),
         pattern_(std::move(pattern)),
-        options_(options_of(pattern_)),
+        options_(run_options_from(pattern_)),
         log_(log),
         progress_(progress),
         frames_added_(static_cast<std::size_t>(settings.walkers)) {}
@@ -228,13 +229,13 @@ int continue_run(const CommandLine& line, RunSettings& settings) {
   refuse_samples(pattern);
   check_options_again(line, settings, pattern);
   check_steps(pattern, log);
+  const RunOptions options = run_options_from(pattern);
   // The file of one walker of several goes on as that walker.
   if (!is_ensemble(settings))
-    settings.first_walker = static_cast<std::int64_t>(options_of(pattern).resolve.walker);
+    settings.first_walker = static_cast<std::int64_t>(options.resolve.walker);
   if (settings.dry_run) return exit_ok;
   watch_for_interrupt();
-  ProgressBar progress(settings.walkers * pattern.steps / options_of(pattern).every, "frames",
-                       settings.quiet);
+  ProgressBar progress(settings.walkers * pattern.steps / options.every, "frames", settings.quiet);
   const Framework framework = pattern.framework;
   ContinuedRun continued(settings, steps, std::move(pattern), log, progress);
   const std::vector<RunSummary> summaries = continued.run();

@@ -21,27 +21,6 @@
 namespace pliant::app {
 namespace {
 
-constexpr RecordedOption options_of_the_molecule[] = {
-    {"input", "input/file"},
-    {"--frame", "input/model"},
-    {"--select", "input/select"},
-    {"--assembly", "input/assembly"},
-    {"--no-distance-bonds", "input/distance_bonds"},
-    {"--model", "model/kind"},
-    {"--hbond-cutoff", "model/hbond_cutoff"},
-    {"--contacts", "model/contacts"},
-    {"--fill-side-chains", "model/fill_side_chains"},
-    {"--all-hydrogens", "model/all_hydrogens"},
-    {"--free-torsions", "model/free_torsions"},
-    {"--keep-waters", "model/keep_waters"},
-    {"--protonate", "model/protonate"},
-    {"--floppy", "model/floppy"}};
-
-constexpr RecordedOption options_of_the_file[] = {{"--single", "record/single"},
-                                                  {"--compress", "record/compress"},
-                                                  {"--precision", "record/precision"},
-                                                  {"--save", "record/save"}};
-
 constexpr const char* options_of_a_new_sample[] = {"--format", "--topology", "--overwrite"};
 
 std::string recorded_text(const H5mdCheckpoint& from, const std::string& path) {
@@ -79,11 +58,12 @@ void check_options_again(const CommandLine& line, SampleSettings given,
   given.molecule.kind.name =
       given.model == "auto" ? recorded_text(recorded, "model/kind") : given.model;
   const OptionComparison comparison(line, parameters_of(given), recorded);
-  comparison.check(options_of_the_molecule);
+  comparison.check_both();
+  comparison.check("--model", "model/kind");
+  comparison.check("--free-torsions", "model/free_torsions");
   for (const SampleField& field : sample_fields())
     if (field.users.file && field.name != "frames")
       comparison.check(option_name(field.name), recorded_path(field));
-  comparison.check(options_of_the_file);
   if (recorded.done > recorded.steps)
     throw OptionError(
         fmt::format("--frames {}: {} has {} frames already; frames are counted from "
@@ -96,7 +76,7 @@ SampleSummary add_frames(const SampleSettings& settings, const H5mdCheckpoint& f
   SampleOptions options = settings.sample;
   options.should_stop = interrupted;
   std::int64_t done = 0;
-  return pliant::add_frames(from, options, settings.record, [&](const SampledFrame&) {
+  return pliant::add_frames(from, options, settings.record, [&](const Frame&) {
     progress.show(++done);
     return interrupted();
   });

@@ -13,9 +13,8 @@
 #include "output/frame_output.hpp"
 #include "output/recorded_header.hpp"
 #include "pliant/resume/force_recorder.hpp"
-#include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/resume/recorded_run.hpp"
 #include "pliant/run/ensemble.hpp"
-#include "pliant/run/force_settings.hpp"
 #include "pliant/run/replay_events.hpp"
 
 namespace pliant::app {
@@ -26,9 +25,7 @@ H5mdHeader header_of(const RunSettings& settings, const Molecule& molecule, std:
   header.parameters = parameters_of(settings, molecule.framework, walker);
   header.several_walkers = settings.one_file;
   if (settings.one_file) return header;  // a run of several goes on from no one file
-  header.inputs =
-      recorded_inputs(settings.run.replay, settings.run.guide,
-                      settings.run.technique.ordering.get(), settings.run.replay_counts);
+  header.inputs = run_inputs(settings.run);
   if (is_ensemble(settings)) header.inputs->start = molecule.structure.positions;
   return header;
 }
@@ -68,16 +65,12 @@ void write_sidecar(const Shared& shared) {
 std::optional<ForceRecorder> force_recorder(const Shared& shared, std::int64_t walker) {
   const RunSettings& settings = shared.settings;
   if (settings.record_forces.empty()) return {};
-  ForceFile forces;
-  forces.set(settings.run.perturb_options, settings.run.resolve.tolerance,
-             settings.run.resolve.max_sweeps);
   // Such a run may go on for days.
   const bool is_counted = shared.live != nullptr && replayed_steps(settings.run) == 0;
-  forces.settings = is_counted ? force_settings(settings.run) : push_settings(settings.run);
-  forces.header = force_header_of(settings.molecule, shared.molecule);
   return std::optional<ForceRecorder>(
       std::in_place, of_walker(settings, settings.record_forces, walker), settings.record.overwrite,
-      shared.molecule.framework, forces,
+      shared.molecule.framework,
+      force_file_of(settings.run, force_header_of(settings.molecule, shared.molecule), is_counted),
       is_counted ? std::optional(LiveRun::longest_step) : std::nullopt);
 }
 

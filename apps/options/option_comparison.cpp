@@ -12,6 +12,23 @@
 namespace pliant::app {
 namespace {
 
+constexpr RecordedOption options_of_both[] = {{"input", "input/file"},
+                                              {"--frame", "input/model"},
+                                              {"--select", "input/select"},
+                                              {"--assembly", "input/assembly"},
+                                              {"--no-distance-bonds", "input/distance_bonds"},
+                                              {"--hbond-cutoff", "model/hbond_cutoff"},
+                                              {"--contacts", "model/contacts"},
+                                              {"--fill-side-chains", "model/fill_side_chains"},
+                                              {"--all-hydrogens", "model/all_hydrogens"},
+                                              {"--keep-waters", "model/keep_waters"},
+                                              {"--protonate", "model/protonate"},
+                                              {"--floppy", "model/floppy"},
+                                              {"--single", "record/single"},
+                                              {"--compress", "record/compress"},
+                                              {"--precision", "record/precision"},
+                                              {"--save", "record/save"}};
+
 const Parameter* find(const std::vector<NamedParameter>& parameters, const std::string& path) {
   const auto found = std::find_if(parameters.begin(), parameters.end(),
                                   [&](const NamedParameter& one) { return one.first == path; });
@@ -63,6 +80,10 @@ void OptionComparison::check(const std::string& option, const std::string& path)
 
 void OptionComparison::check(std::span<const RecordedOption> options) const {
   for (const auto& [option, path] : options) check(option, path);
+}
+
+void OptionComparison::check_both() const {
+  for (const auto& [option, path] : options_of_both) check(option, path);
 }
 
 void OptionComparison::check_model() const {

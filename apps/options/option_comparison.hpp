@@ -37,7 +37,10 @@ class OptionComparison {
   void check(const std::string& option, const std::string& path) const;
   void check(std::span<const RecordedOption> options) const;
 
-  /// Checks --model: a number is that of a model of the file, a name that of a kind of model.
+  /// Options that runs and samples have: of the molecule and of the file.
+  void check_both() const;
+
+  /// A number is that of a model of the file, a name that of a kind of model.
   void check_model() const;
 
  private:

@@ -14,16 +14,23 @@ struct AddField {
   std::string help = std::string(facts.summary);
   std::string unset = std::string(facts.unset_means);
 
-  void operator()(bool* value) const { line.add_flag(option, *value, help); }
+  void operator()(bool* value) const {
+    if (facts.opposite.empty()) return line.add_flag(option, *value, help);
+    line.add_opposite(option_name(facts.opposite), *value, help);
+  }
   void operator()(std::uint64_t* value) const { line.add_seed(option, *value, help); }
   void operator()(std::int64_t* value) const {
-    line.add_integer(option, *value, facts.range == Range::positive ? 1 : 0, facts.most, help,
+    const std::int64_t most =
+        facts.largest < 1e18 ? static_cast<std::int64_t>(facts.largest) : facts.most;
+    line.add_integer(option, *value, facts.range == Range::positive ? 1 : 0, most, help,
                      unset.empty() ? nullptr : unset.c_str());
   }
   void operator()(double* value) const {
     line.add_real(option, *value, facts.range, help, facts.is_optional ? "" : nullptr);
   }
   void operator()(std::string* value) const {
+    if (facts.choices == nullptr)
+      return line.add_text(option, *value, std::string(facts.kind), help);
     std::vector<std::string_view> known = facts.choices();
     if (!facts.automatic.empty()) known.insert(known.begin(), facts.automatic);
     line.add_choice(option, *value, known, help);

@@ -3,39 +3,21 @@
 
 #include "options/option_comparison.hpp"
 #include "options/option_fields.hpp"
-#include "pliant/base/error.hpp"
-#include "pliant/resume/recorded_inputs.hpp"
 #include "pliant/run/run_fields.hpp"
 
 namespace pliant::app {
 namespace {
 
-constexpr RecordedOption recorded_options[] = {{"input", "input/file"},
-                                               {"--frame", "input/model"},
-                                               {"--select", "input/select"},
-                                               {"--assembly", "input/assembly"},
-                                               {"--bars", "input/bars"},
-                                               {"--lengths", "input/lengths"},
-                                               {"--pin", "input/pin"},
-                                               {"--no-distance-bonds", "input/distance_bonds"},
-                                               {"--hbond-cutoff", "model/hbond_cutoff"},
-                                               {"--contacts", "model/contacts"},
-                                               {"--fill-side-chains", "model/fill_side_chains"},
-                                               {"--all-hydrogens", "model/all_hydrogens"},
-                                               {"--keep-waters", "model/keep_waters"},
-                                               {"--protonate", "model/protonate"},
-                                               {"--floppy", "model/floppy"},
-                                               {"--ordering", "run/ordering"},
-                                               {"--forces", "run/forces"},
-                                               {"--rock", "guide/rock"},
-                                               {"--rock-amplitude", "guide/rock_amplitude"},
-                                               {"--period", "guide/period"},
-                                               {"--pull", "guide/pull"},
-                                               {"--pair-distance", "guide/pair_distance"},
-                                               {"--single", "record/single"},
-                                               {"--compress", "record/compress"},
-                                               {"--precision", "record/precision"},
-                                               {"--save", "record/save"}};
+constexpr RecordedOption options_of_runs[] = {{"--bars", "input/bars"},
+                                              {"--lengths", "input/lengths"},
+                                              {"--pin", "input/pin"},
+                                              {"--ordering", "run/ordering"},
+                                              {"--forces", "run/forces"},
+                                              {"--rock", "guide/rock"},
+                                              {"--rock-amplitude", "guide/rock_amplitude"},
+                                              {"--period", "guide/period"},
+                                              {"--pull", "guide/pull"},
+                                              {"--pair-distance", "guide/pair_distance"}};
 
 /// Options of a new file.
 constexpr const char* options_of_a_new_run[] = {"--format", "--topology", "--overwrite",
@@ -51,28 +33,9 @@ void check_options_again(const CommandLine& line, const RunSettings& given,
   for (const RunField& field : run_fields())
     if (field.name != "steps")
       comparison.check(option_name(field.name), "run/" + std::string(field.name));
-  comparison.check(recorded_options);
+  comparison.check_both();
+  comparison.check(options_of_runs);
   comparison.check_model();
-}
-
-RunOptions options_of(const H5mdCheckpoint& recorded) {
-  RunOptions options;
-  try {
-    options = run_options_from(recorded.parameters);
-    options.replay = replay_of(recorded.inputs);
-    options.replay_counts = recorded.inputs.replay_counts;
-    options.guide = guide_of(recorded.inputs);
-    if (options.guide.empty() && is_guided_run(recorded.parameters))
-      throw InputError("the file does not hold the guide that it followed");
-    check(options.guide, recorded.framework);
-    if (Ordering ordering = ordering_of(recorded.inputs); !ordering.empty())
-      options.technique.ordering = std::make_shared<Ordering>(std::move(ordering));
-    check(options);
-  } catch (const Error& error) {
-    throw InputError(recorded.path.string() + ": its run cannot go on: " + error.what());
-  }
-  options.steps = recorded.steps;
-  return options;
 }
 
 }  // namespace pliant::app

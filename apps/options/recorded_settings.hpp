@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The settings of a recorded run, and options that are given again when it continues.
+// Options that are given once more when a run goes on, beside those of its file.
 #pragma once
-
-#include <vector>
 
 #include "command_line.hpp"
 #include "options/run_settings.hpp"
@@ -14,8 +12,5 @@ namespace pliant::app {
 /// makes no sense when a run continues.
 void check_options_again(const CommandLine& line, const RunSettings& given,
                          const H5mdCheckpoint& recorded);
-
-/// The options with which the run continues. Throws InputError if the file lacks them.
-RunOptions options_of(const H5mdCheckpoint& recorded);
 
 }  // namespace pliant::app

@@ -204,12 +204,9 @@ std::vector<NamedParameter> parameters_of(const RunSettings& settings, const Fra
                  {"input/pin", settings.molecule.pin},
                  {"input/distance_bonds", settings.molecule.guess_distances},
                  {"run/ordering", fs::path(settings.ordering).filename().string()},
-                 {"run/forces", fs::path(settings.forces).filename().string()},
-                 {"record/single", settings.record.single},
-                 {"record/compress", settings.record.compress},
-                 {"record/save", settings.save},
-                 {"record/precision", settings.record.precision}});
-  for (const auto& more : {parameters_of(settings.molecule.kind), parameters_of(settings.guide)})
+                 {"run/forces", fs::path(settings.forces).filename().string()}});
+  for (const auto& more : {pliant::parameters_of(settings.record, settings.save),
+                           parameters_of(settings.molecule.kind), parameters_of(settings.guide)})
     values.insert(values.end(), more.begin(), more.end());
   return values;
 }

@@ -145,12 +145,10 @@ std::vector<NamedParameter> parameters_of(const SampleSettings& settings) {
                          {"input/distance_bonds", molecule.guess_distances},
                          {"sample/amplitude_from", amplitude_source(settings)},
                          {"sample/amplitude_reason", settings.chosen_amplitude.reason},
-                         {"record/single", settings.record.single},
-                         {"record/compress", settings.record.compress},
-                         {"record/save", settings.save},
-                         {"record/precision", settings.record.precision},
                          {"model/free_torsions", molecule.kind.free_torsions}});
-  for (NamedParameter& one : parameters_of(molecule.kind)) all.push_back(std::move(one));
+  for (const auto& more :
+       {pliant::parameters_of(settings.record, settings.save), parameters_of(molecule.kind)})
+    all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 

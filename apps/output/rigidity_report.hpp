@@ -6,18 +6,16 @@
 #include <string>
 #include <vector>
 
-#include "pliant/model/rigidity/rigidity.hpp"
 #include "pliant/model/rigidity/rigidity_dilution.hpp"
+#include "pliant/tasks/rigidity_task.hpp"
 
 namespace pliant::app {
 
-/// All results for one molecule.
-struct RigidityReport {
+/// All that was found of one molecule.
+struct RigidityReport : MoleculeRigidity {
   std::string file;
-  ContactModel model;
-  Rigidity rigidity;
-  std::vector<DilutionRow> dilution;  ///< empty if not asked for
-  std::string dilution_svg;           ///< picture of the dilution; "" if not asked for
+  std::vector<DilutionRow> dilution;  ///< none was asked for: empty
+  std::string dilution_svg;           ///< its picture; "": none
 
   std::size_t listed_clusters() const { return rigidity.found.clusters.count(); }
   std::size_t coloured_clusters() const;  ///< number of clusters with a colour

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "option_fields.hpp"
 
+#include <nanobind/stl/variant.h>
+
 #include <cctype>
 
 #include "pliant/base/error.hpp"
@@ -63,11 +65,30 @@ void refuse_former(const OptionFacts& facts, nb::dict given) {
                     option + "=" + number_text(now, 6));
 }
 
-void refuse_unknown(const char* function, nb::handle first, nb::dict left) {
+nb::dict row_of(const OptionFacts& facts, OptionPlace place) {
+  nb::dict row;
+  row["name"] = facts.name;
+  row["help"] = facts.summary;
+  row["type"] = python_type(place);
+  row["default"] = value_of(place);
+  if (facts.choices != nullptr) row["choices"] = nb::cast(facts.choices());
+  if (std::holds_alternative<std::int64_t*>(place)) {
+    const bool is_limited = facts.largest < double(facts.most);
+    row["least"] = facts.range == Range::positive ? 1 : 0;
+    row["most"] = is_limited ? static_cast<std::int64_t>(facts.largest) : facts.most;
+  }
+  return row;
+}
+
+nb::dict parameters_to_python(const std::vector<NamedParameter>& parameters) {
+  nb::dict values;
+  for (const auto& [path, value] : parameters) values[path.c_str()] = nb::cast(value);
+  return values;
+}
+
+void refuse_unknown(nb::handle function, nb::tuple positional, nb::dict left) {
   if (left.size() == 0) return;
-  nb::module_::import_("pliant._refusals")
-      .attr("refuse_call")(nb::module_::import_("pliant._core").attr(function),
-                           nb::make_tuple(first), left);
+  nb::module_::import_("pliant._refusals").attr("refuse_call")(function, positional, left);
   throw nb::type_error("an argument does not fit");  // refuse_call() raises for a name unknown
 }
 

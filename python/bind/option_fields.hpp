@@ -31,8 +31,54 @@ std::string argument_doc(const OptionFacts& facts, OptionPlace place);
 /// Raises OptionError if `given` has a name of an earlier version.
 void refuse_former(const OptionFacts& facts, nb::dict given);
 
-/// Raises TypeError if an unknown argument is left. `first` is the argument before the named ones.
-void refuse_unknown(const char* function, nb::handle first, nb::dict left);
+/// Raises TypeError where an argument is left that the function has not. `positional` are those
+/// before the named ones; of a method the first is None.
+void refuse_unknown(nb::handle function, nb::tuple positional, nb::dict left);
+
+/// A row of a table for commands that are written in Python: name, type, default, help, and what
+/// there is of choices, least and most.
+nb::dict row_of(const OptionFacts& facts, OptionPlace place);
+
+/// All rows of a table.
+template <class Fields, class Options>
+nb::list rows_for_commands(const Fields& fields, Options usual) {
+  nb::list rows;
+  for (const auto& field : fields) rows.append(row_of(field, field.place(usual)));
+  return rows;
+}
+
+/// Parameters of a file by their paths.
+nb::dict parameters_to_python(const std::vector<NamedParameter>& parameters);
+
+/// The attribute of an option, which is only read.
+template <class Options>
+void bind_value(nb::class_<Options>& to, const OptionField<Options>& field) {
+  Options any;
+  const std::string name(field.name);
+  const std::string getter = "def " + name + "(self) -> " + python_type(field.place(any));
+  to.def_prop_ro(
+      name.c_str(), [&field](Options& self) { return value_of(field.place(self)); },
+      nb::for_getter(nb::sig(getter.c_str())), docstring(field.summary).c_str());
+}
+
+/// Of all that is open to scripts: "atoms: str = 'CA', step: float = 0.2".
+template <class Fields, class Options>
+std::string argument_texts(const Fields& fields, Options usual) {
+  std::string text;
+  for (const auto& field : fields)
+    if (field.users.python)
+      text += (text.empty() ? "" : ", ") + argument_text(field, field.place(usual));
+  return text;
+}
+
+/// Their lines in a docstring.
+template <class Fields, class Options>
+std::string argument_docs(const Fields& fields, Options usual) {
+  std::string text;
+  for (const auto& field : fields)
+    if (field.users.python) text += argument_doc(field, field.place(usual));
+  return text;
+}
 
 /// Takes from `given` the options of the table that scripts may set, and leaves the others. Raises
 /// as refuse_former() and take_value() do.

@@ -11,7 +11,7 @@ import math
 import os
 import shutil
 import sys
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NoReturn, TextIO
@@ -125,6 +125,34 @@ def positive_number(text: str) -> float:
     if not (math.isfinite(value) and value > 0) or "_" in text:
         raise argparse.ArgumentTypeError(f"expected a number above 0, found '{text}'")
     return value
+
+
+def add_rows(
+    parser: argparse.ArgumentParser,
+    rows: Iterable[Mapping[str, Any]],
+    without_value: Mapping[str, int],
+) -> None:
+    """Adds the options of a table of the library, as `path_rows()` gives them.
+
+    Those in `without_value` need no value, and then have the one there.
+    """
+    for row in rows:
+        default, told = row["default"], f"default: {row['default']}"
+        how: dict[str, Any] = {"default": default}
+        if row["name"] in without_value:
+            how |= {"nargs": "?", "const": without_value[row["name"]]}
+            told = f"{how['const']} if N is not given; {told}"
+        if row["type"] == "bool":
+            how, told = {"action": "store_true"}, ""
+        elif row["type"] == "int":
+            most = row.get("most", 2**64 - 1)
+            how |= {"metavar": "N", "type": whole_number(row.get("least", 0), most=most)}
+        elif row["type"] == "float":
+            how |= {"metavar": "X", "type": positive_number}
+        else:
+            how["choices"] = row["choices"]
+        text = row["help"] + (f" ({told})" if told else "")
+        parser.add_argument("--" + row["name"].replace("_", "-"), help=text, **how)
 
 
 def positive_numbers(text: str) -> tuple[float, ...]:

@@ -149,7 +149,8 @@
 #include "pliant/record/xml/write_graph_xml.hpp"          // and back
 
 // tasks: one door for each job
-#include "pliant/tasks/sample_task.hpp"  // an ensemble, or conformers, of a model
+#include "pliant/tasks/rigidity_task.hpp"  // rigidity
+#include "pliant/tasks/sample_task.hpp"    // an ensemble, or conformers, of a model
 
 // stream: runs followed and steered while they go
 #include "pliant/stream/imd_commands.hpp"  // what a client says
@@ -162,7 +163,7 @@
 
 // resume: what runs and samples go on from
 #include "pliant/resume/force_recorder.hpp"   // the pushes of a run as a force file
-#include "pliant/resume/recorded_inputs.hpp"  // what a run was given, as files keep it
+#include "pliant/resume/recorded_run.hpp"     // a run, as files keep it
 #include "pliant/resume/recorded_sample.hpp"  // a sample, as files keep it
 
 // generate, laboratory: the random graphs of the thesis and its test sets, where the library has

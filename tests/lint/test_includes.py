@@ -30,7 +30,7 @@ MAY_INCLUDE = {
     "record": ("base", "text", "framework"),
     "tasks": ("base", "framework", "molecule", "model", "sample", "record"),
     "stream": ("base", "framework", "perturb"),
-    "resume": ("base", "text", "framework", "order", "perturb", "sample", "record", "tasks"),
+    "resume": ("base", "text", "framework", "order", "perturb", "sample", "run", "record", "tasks"),
     "generate": ("base", "framework"),
     "laboratory": ("base", "text", "generate", "order", "resolve", "perturb", "record"),
 }

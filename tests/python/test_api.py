@@ -89,7 +89,8 @@ def test_everything_public_is_there():
         *("ForceRecorder", "run_shard", "run_steps", "version"),
         *("Checkpoint", "check_hdf5_structure", "expansion_refusal", "read_checkpoint"),
         *("select_atoms", "writer_of"),
-        *("PathEnds", "PathFrame", "PathOptions", "PathWalk", "TightPlace", "tight_places"),
+        *("PathEnds", "PathFrame", "PathOptions", "PathWalk", "TightPlace"),
+        *("path_rows", "tight_places"),
         *("ResidueMatch", "Trace", "align", "amino_acid_letters", "match_residues", "trace_of"),
     }
     assert (Path(pliant.__file__).with_name("py.typed")).exists()

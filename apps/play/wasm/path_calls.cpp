@@ -7,6 +7,7 @@
 
 #include "pliant/base/error.hpp"
 #include "session.hpp"
+#include "settings.hpp"
 
 namespace pliant::play {
 namespace {
@@ -18,17 +19,6 @@ struct Sent {
 };
 
 Sent sent;
-
-PathOptions options_of(const Json& asked) {
-  PathOptions options;
-  options.atoms = find_path_atoms(asked.value("atoms", "CA"));
-  options.step = asked.value("step", options.step);
-  options.both = asked.value("both", options.both);
-  options.backtrack = asked.value("backtrack", options.backtrack);
-  options.seed = asked.value("seed", options.seed);
-  check(options);
-  return options;
-}
 
 std::int64_t ended_detours(const PathWalk& walk) {
   const bool is_under_way = walk.attempts() > 0 && !walk.is_over();
@@ -68,7 +58,7 @@ Reply begin_path(const Request& request) {
   const Document& open = session().document();
   if (!open.file) throw OptionError("path: expected a molecule to start from");
   const std::string name = request.fields.value("name", "file");
-  const PathOptions options = options_of(request.fields);
+  const PathOptions options = with_options(path_fields(), PathOptions(), request.fields);
   std::vector<std::string> warnings;
   const Structure end = read_molecule(name, request.bytes, {}, warnings);
   const auto ends = std::make_shared<const PathEnds>(match_ends(*open.file, end, options));
@@ -87,12 +77,13 @@ Reply path_steps(const Request& request) {
   // A detour that came nearer has taken the place of what was there: all of it is sent anew.
   const std::size_t kept = ended_detours(*walk) > sent.detours ? 0 : sent.frames;
   Reply reply;
-  reply.fields = {{"kept", kept},
-                  {"left", walk->left()},
-                  {"over", walk->is_over()},
-                  {"arrived", walk->left() <= arrived_within(walk->options().atoms)},
-                  {"attempts", walk->attempts()},
-                  {"notes", walk->notes()}};
+  reply.fields = {
+      {"kept", kept},
+      {"left", walk->left()},
+      {"over", walk->is_over()},
+      {"arrived", walk->left() <= find_path_atoms(walk->options().atoms).arrived_within},
+      {"attempts", walk->attempts()},
+      {"notes", walk->notes()}};
   add_frames(*walk, kept, reply);
   sent = {walk->frame_count(), ended_detours(*walk)};
   return reply;

@@ -30,10 +30,10 @@ Reply sample_frames(const Request& request) {
   Reply reply;
   reply.fields["sampler"] = task.options().sampler;
   reply.fields["frames"] = Json::array();
-  task.run([&](const SampledFrame& frame) {
+  task.run([&](const Frame& frame) {
     Json& frames = reply.fields["frames"];
     const std::string place = "frames." + std::to_string(frames.size()) + ".positions";
-    frames.push_back({{"frame", frame.frame},
+    frames.push_back({{"frame", frame.step},
                       {"residual", frame.max_residual},
                       {"limit", frame.max_limit},
                       {"overlap", frame.max_overlap},

@@ -1,28 +1,18 @@
 // SPDX-License-Identifier: MIT
 // Rigid clusters and degrees of freedom of molecules, by counting.
 #include <algorithm>
-#include <filesystem>
 #include <limits>
 
 #include "arrays.hpp"
 #include "messages.hpp"
 #include "model/molecular_contacts.hpp"
 #include "molecule/structure.hpp"
-#include "pliant/base/error.hpp"
-#include "pliant/base/printable.hpp"
-#include "pliant/model/rigidity/dilution_picture.hpp"
-#include "pliant/model/rigidity/rigidity.hpp"
+#include "option_fields.hpp"
 #include "pliant/model/rigidity/rigidity_dilution.hpp"
-#include "pliant/molecule/selection.hpp"
+#include "pliant/tasks/rigidity_task.hpp"
 
 namespace pliant::python {
 namespace {
-
-/// What was found, and of what.
-struct MoleculeRigidity {
-  ContactModel model;
-  Rigidity found;
-};
 
 /// Integers of any type as an array of int64.
 template <class Values>
@@ -34,7 +24,7 @@ Array1<std::int64_t> integers_of(const Values& values) {
 template <class Value>
 auto of_edges(const MoleculeRigidity& self, const Value& value) {
   std::vector<decltype(value(std::size_t{0}))> values;
-  for (std::size_t k = 0; k < self.found.network.edges.size(); ++k) values.push_back(value(k));
+  for (std::size_t k = 0; k < self.rigidity.network.edges.size(); ++k) values.push_back(value(k));
   return values;
 }
 
@@ -51,35 +41,23 @@ ContactModel contact_model_from(const nb::handle& argument, const ModelOptions& 
   return contact_model(structure, options);
 }
 
-std::uint8_t bars_from(std::int64_t bars, const char* name, std::int64_t least) {
-  if (bars < least || bars > std::int64_t{freedoms_of_body})
-    throw OptionError(std::string(name) + ": expected " + std::to_string(least) + " to 6, found " +
-                      std::to_string(bars));
-  return static_cast<std::uint8_t>(bars);
-}
-
 MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
-                             const nb::object& contacts, std::int64_t hbond_bars,
-                             std::int64_t tether_bars, bool ends_turn, bool keep_waters,
-                             std::vector<std::string> protonate, const std::string& free_angles) {
+                             const nb::object& contacts, bool keep_waters,
+                             std::vector<std::string> protonate, const nb::kwargs& more) {
+  nb::dict given(more);
+  RigidityAsked counting;
+  take_values(rigidity_fields(), given, counting);
+  refuse_unknown(nb::module_::import_("pliant._core").attr("rigidity"), nb::make_tuple(structure),
+                 given);
   ModelOptions options;
   options.prepare.keep_waters = keep_waters;
   options.prepare.protonate = std::move(protonate);
   options.hydrogen_bonds.cutoff = hbond_cutoff;
   options.log = python_log();
   if (!contacts.is_none()) options.contacts = contacts_from(contacts);
-  RigidityOptions counting;
-  const std::uint8_t hydrogen_bars = bars_from(hbond_bars, "hbond_bars", 1);
-  counting.bars = {{MolecularContactKind::hydrogen_bond, hydrogen_bars},
-                   {MolecularContactKind::salt_bridge, hydrogen_bars},
-                   {MolecularContactKind::hydrophobic, bars_from(tether_bars, "tether_bars", 0)}};
-  counting.ends_turn = ends_turn;
   ContactModel model = contact_model_from(structure, options);
-  if (!free_angles.empty())
-    counting.free_angles = select_some_atoms(model.structure.atoms, free_angles, "free_angles");
   const nb::gil_scoped_release no_gil;
-  Rigidity found = analyse_rigidity(model.structure, model.contacts, counting);
-  return {std::move(model), std::move(found)};
+  return find_rigidity(std::move(model), counting);
 }
 
 /// The columns of the rows, and which cluster each residue is in at each row.
@@ -90,7 +68,7 @@ struct DilutionColumns {
 
 DilutionColumns dilution_columns(const MoleculeRigidity& self) {
   DilutionColumns columns;
-  const RigidityNetwork& network = self.found.network;
+  const RigidityNetwork& network = self.rigidity.network;
   const auto& residue_of = self.model.structure.atoms.residue_of;
   const std::size_t residues = self.model.structure.atoms.residues.size();
   dilute_hydrogen_bonds(network, [&](const DilutionRow& row, const ClusterList& clusters) {
@@ -154,18 +132,12 @@ hbond_cutoff : float
     kcal/mol: hydrogen bonds of no lower energy are left out.
 contacts : array, optional
     Rows as ``contacts`` gives them, atoms of the prepared structure, in place of those found.
-hbond_bars : int
-    Bars of a hydrogen bond or salt bridge, 1 to 6.
-tether_bars : int
-    Bars of a hydrophobic contact, 0 to 6.
-ends_turn : bool
-    Whether the bond to an atom with no other bond turns where a hydrogen bond holds that atom (D-H
-    of D-H..A), as in FIRST.
 keep_waters, protonate
     As in ``prepare``.
-free_angles : str
-    Selection of atoms at which no angle is held: they become ball joints, as Si-O-Si of silicates.
+)";
 
+constexpr const char* refusals_doc =
+    R"(
 Raises
 ------
 InputError, OptionError
@@ -219,10 +191,7 @@ FileError
 )";
 
 std::string picture_of(const MoleculeRigidity& self, const std::string& name) {
-  const std::string file = std::filesystem::path(self.model.structure.source).filename().string();
-  return draw_dilution(self.model, self.found.network,
-                       dilution_title(name.empty() ? printable_name(file) : name))
-      .svg;
+  return draw_dilution(self, name).svg;
 }
 
 void write_page(const nb::object& self, const nb::object& path, bool dilution, bool overwrite) {
@@ -242,22 +211,23 @@ void bind_totals(nb::class_<MoleculeRigidity>& bound) {
           nb::sig("def contacts(self) -> numpy.typing.NDArray[numpy.void]"),
           "(K,) what holds it besides bonds, as ``contacts`` gives it.")
       .def_prop_ro(
-          "degrees_of_freedom", [](Self self) { return self.found.found.freedoms; },
-          "Internal degrees of freedom: 6 atoms - independent bars - 6 parts.")
+          "degrees_of_freedom", [](Self self) { return self.rigidity.found.freedoms; },
+          "Internal ones: 6 atoms - independent bars - 6 parts.")
       .def_prop_ro(
-          "parts", [](Self self) { return self.found.found.components; },
-          "Connected parts of the molecule; each can also move as a whole.")
+          "parts", [](Self self) { return self.rigidity.found.components; },
+          "Parts of the molecule that nothing links; each moves as a whole besides.")
       .def_prop_ro(
-          "bars", [](Self self) { return self.found.found.bars; }, "Number of all bars.")
+          "bars", [](Self self) { return self.rigidity.found.bars; }, "All of them.")
       .def_prop_ro(
-          "redundant", [](Self self) { return self.found.found.bars - self.found.found.rank; },
+          "redundant",
+          [](Self self) { return self.rigidity.found.bars - self.rigidity.found.rank; },
           "Bars that depend on others.")
       .def_prop_ro(
-          "hinges", [](Self self) { return self.found.hinges; },
+          "hinges", [](Self self) { return self.rigidity.hinges; },
           "Bonds that may turn: those with five bars.")
       .def_prop_ro(
-          "flexible_bonds", [](Self self) { return self.found.flexible_bonds; },
-          "Bonds that may turn between different clusters.")
+          "flexible_bonds", [](Self self) { return self.rigidity.flexible_bonds; },
+          "Of these, those between different clusters.")
       .def("dilution_picture", &picture_of, "name"_a = "", nb::call_guard<nb::gil_scoped_release>(),
            picture_doc)
       .def("write_page", &write_page, "path"_a, nb::kw_only(), "dilution"_a = false,
@@ -273,39 +243,40 @@ void bind_totals(nb::class_<MoleculeRigidity>& bound) {
 void bind_counts(nb::class_<MoleculeRigidity>& bound) {
   bound
       .def_prop_ro(
-          "rigid_clusters", [](Self self) { return self.found.found.clusters.count(); },
+          "rigid_clusters", [](Self self) { return self.rigidity.found.clusters.count(); },
           "Clusters of three atoms or more.")
       .def_prop_ro(
           "coloured_clusters",
           [](Self self) {
-            return coloured_clusters(self.model.structure, self.found.found.clusters);
+            return coloured_clusters(self.model.structure, self.rigidity.found.clusters);
           },
           "Number of clusters, the largest first, with a colour: in proteins those of 20 atoms or "
           "more.")
       .def_prop_ro(
-          "rings_of_six", [](Self self) { return self.found.rings_of_six; },
+          "rings_of_six", [](Self self) { return self.rigidity.rings_of_six; },
           "Rings of six bonds that may turn: counted as rigid, though a boat moves.")
       .def_prop_ro(
-          "small_pieces", [](Self self) { return self.found.found.clusters.small_pieces(); },
+          "small_pieces", [](Self self) { return self.rigidity.found.clusters.small_pieces(); },
           "Atoms, and bonds of two atoms, that are in no cluster.");
 }
 
 void bind_columns(nb::class_<MoleculeRigidity>& bound) {
   bound
       .def_prop_ro(
-          "cluster", [](Self self) { return integers_of(self.found.found.clusters.of_body); },
+          "cluster", [](Self self) { return integers_of(self.rigidity.found.clusters.of_body); },
           nb::rv_policy::reference,
           "(N,) int64: the rigid cluster of each atom, 0 the largest; rigid_clusters and more: a "
           "small piece.")
       .def_prop_ro(
-          "cluster_sizes", [](Self self) { return integers_of(self.found.found.clusters.sizes); },
+          "cluster_sizes",
+          [](Self self) { return integers_of(self.rigidity.found.clusters.sizes); },
           nb::rv_policy::reference,
           "(C,) int64: atoms of each cluster and small piece, descending.")
       .def_prop_ro(
           "residue_flexibility",
           [](Self self) {
             std::vector<double> values;
-            for (const auto& residue : self.found.residues) values.push_back(residue.index);
+            for (const auto& residue : self.rigidity.residues) values.push_back(residue.index);
             return array_of(std::move(values));
           },
           nb::rv_policy::reference,
@@ -315,7 +286,7 @@ void bind_columns(nb::class_<MoleculeRigidity>& bound) {
           "residue_cluster",
           [](Self self) {
             std::vector<std::int64_t> values;
-            for (const auto& residue : self.found.residues) values.push_back(residue.cluster);
+            for (const auto& residue : self.rigidity.residues) values.push_back(residue.cluster);
             return array_of(std::move(values));
           },
           nb::rv_policy::reference,
@@ -328,7 +299,7 @@ void bind_edges(nb::class_<MoleculeRigidity>& bound) {
           "edges",
           [](Self self) {
             std::vector<std::int64_t> ends;
-            for (const BodyEdge& edge : self.found.network.edges)
+            for (const BodyEdge& edge : self.rigidity.network.edges)
               ends.insert(ends.end(), {edge.a, edge.b});
             return pairs_array_of(std::move(ends));
           },
@@ -339,21 +310,21 @@ void bind_edges(nb::class_<MoleculeRigidity>& bound) {
           "edge_bars",
           [](Self self) {
             return integers_of(
-                of_edges(self, [&](std::size_t k) { return self.found.network.edges[k].bars; }));
+                of_edges(self, [&](std::size_t k) { return self.rigidity.network.edges[k].bars; }));
           },
           nb::rv_policy::reference, "(E,) int64: bars of each edge.")
       .def_prop_ro(
-          "edge_redundant", [](Self self) { return integers_of(self.found.found.redundant); },
+          "edge_redundant", [](Self self) { return integers_of(self.rigidity.found.redundant); },
           nb::rv_policy::reference, "(E,) int64: bars that depend on those of the edges before.")
       .def_prop_ro(
-          "edge_flexibility", [](Self self) { return array_of(self.found.flexibility); },
+          "edge_flexibility", [](Self self) { return array_of(self.rigidity.flexibility); },
           nb::rv_policy::reference,
           "(E,) float64: 1 turns freely, 1/7 in a ring of seven, 0 locked, below 0 locked "
           "with redundant bars.")
       .def_prop_ro(
           "edge_contact",
           [](Self self) {
-            const RigidityNetwork& network = self.found.network;
+            const RigidityNetwork& network = self.rigidity.network;
             return array_of(of_edges(self, [&](std::size_t k) {
               return network.is_bond(k) ? std::int64_t{-1} : std::int64_t{network.contact_of(k)};
             }));
@@ -371,19 +342,20 @@ void bind_rigidity(nb::module_& module) {
   bind_columns(bound);
   bind_edges(bound);
   bound.def("__repr__", [](Self self) {
-    return "<pliant.Rigidity: " + std::to_string(self.found.found.freedoms) +
-           " degrees of freedom of " + std::to_string(self.found.network.atoms) + " atoms>";
+    return "<pliant.Rigidity: " + std::to_string(self.rigidity.found.freedoms) +
+           " degrees of freedom of " + std::to_string(self.rigidity.network.atoms) + " atoms>";
   });
-  module.def(
-      "rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
-      "contacts"_a = nb::none(), "hbond_bars"_a = 5, "tether_bars"_a = 2, "ends_turn"_a = true,
-      "keep_waters"_a = false, "protonate"_a = std::vector<std::string>{}, "free_angles"_a = "",
-      nb::sig("def rigidity(structure: Structure | MolecularModel, *, "
-              "hbond_cutoff: float = -1.0, "
-              "contacts: numpy.typing.ArrayLike | None = None, hbond_bars: int = 5, "
-              "tether_bars: int = 2, ends_turn: bool = True, keep_waters: bool = False, "
-              "protonate: collections.abc.Sequence[str] = (), free_angles: str = '') -> Rigidity"),
-      rigidity_doc);
+  const std::string signature =
+      "def rigidity(structure: Structure | MolecularModel, *, hbond_cutoff: float = -1.0, "
+      "contacts: numpy.typing.ArrayLike | None = None, keep_waters: bool = False, "
+      "protonate: collections.abc.Sequence[str] = (), " +
+      argument_texts(rigidity_fields(), RigidityAsked()) + ") -> Rigidity";
+  const std::string doc =
+      rigidity_doc + argument_docs(rigidity_fields(), RigidityAsked()) + refusals_doc;
+  module.def("rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
+             "contacts"_a = nb::none(), "keep_waters"_a = false,
+             "protonate"_a = std::vector<std::string>{}, "options"_a, nb::sig(signature.c_str()),
+             doc.c_str());
 }
 
 }  // namespace pliant::python

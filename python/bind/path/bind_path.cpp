@@ -10,6 +10,7 @@
 #include "interrupt.hpp"
 #include "locked.hpp"
 #include "messages.hpp"
+#include "option_fields.hpp"
 #include "path/trace.hpp"
 #include "pliant/base/number.hpp"
 
@@ -70,14 +71,11 @@ class PythonPathWalk {
   PathWalk walk_;
 };
 
-void make_options(PathOptions* self, const std::string& atoms, double step, bool both,
-                  std::int64_t backtrack, std::uint64_t seed) {
+void make_options(PathOptions* self, const nb::kwargs& named) {
+  nb::dict given(named);
   PathOptions options;
-  options.atoms = find_path_atoms(atoms);
-  options.step = step;
-  options.both = both;
-  options.backtrack = backtrack;
-  options.seed = seed;
+  take_values(path_fields(), given, options);
+  refuse_unknown(nb::type<PathOptions>().attr("__init__"), nb::make_tuple(nb::none()), given);
   check(options);
   new (self) PathOptions(std::move(options));
 }
@@ -113,44 +111,28 @@ void record_walk(PythonPathWalk& self, LockedRecorder& recorder) {
   });
 }
 
-constexpr const char* options_doc =
-    R"(Options of a path.
-
-Parameters
-----------
-atoms : str
-    Atoms that should arrive: ``CA`` (P of nucleotides) or ``heavy``, those of matched residues with
-    the same name.
-step : float
-    r.m.s. distance of a step, Angstrom, above 0, at most 2.
-both : bool
-    Both structures first move towards each other.
-backtrack : int
-    How often to go back and try a detour where the path is stuck, 0 to 1000.
-seed : int
-    Seed of the detours.
-
-Raises
-------
-OptionError
-    One is out of range.
-)";
-
 void bind_options(nb::module_& module) {
-  const PathOptions usual;
-  nb::class_<PathOptions>(module, "PathOptions", options_doc)
-      .def("__init__", &make_options, nb::kw_only(), "atoms"_a = "CA", "step"_a = usual.step,
-           "both"_a = usual.both, "backtrack"_a = usual.backtrack, "seed"_a = usual.seed)
+  PathOptions usual;
+  const std::string doc = "What a path is asked for.\n\nParameters\n----------\n" +
+                          argument_docs(path_fields(), usual) +
+                          "\nRaises\n------\nOptionError\n    One is out of range.\n";
+  const std::string made =
+      "def __init__(self, *, " + argument_texts(path_fields(), usual) + ") -> None";
+  nb::class_<PathOptions> options(module, "PathOptions", doc.c_str());
+  options.def("__init__", &make_options, "options"_a, nb::sig(made.c_str()))
       .def_prop_ro(
-          "atoms", [](const PathOptions& self) { return std::string(name(self.atoms)); },
-          "``CA`` or ``heavy``.")
-      .def_prop_ro(
-          "arrived_within", [](const PathOptions& self) { return arrived_within(self.atoms); },
+          "arrived_within",
+          [](const PathOptions& self) { return find_path_atoms(self.atoms).arrived_within; },
           "r.m.s. distance at which the end is reached, Angstrom.")
-      .def_ro("step", &PathOptions::step, "Angstrom.")
-      .def_ro("both", &PathOptions::both, "Whether both structures move.")
-      .def_ro("backtrack", &PathOptions::backtrack, "Largest number of detours.")
-      .def_ro("seed", &PathOptions::seed, "Seed of the detours.");
+      .def(
+          "parameters",
+          [](const PathOptions& self) { return parameters_to_python(parameters_of(self)); },
+          nb::sig("def parameters(self) -> dict[str, bool | int | float | str]"),
+          "Every option by its path below /parameters of a recorded file: \"path/step\".");
+  for (const auto& field : path_fields()) bind_value(options, field);
+  module.def(
+      "path_rows", [] { return rows_for_commands(path_fields(), PathOptions()); },
+      nb::sig("def path_rows() -> list[dict[str, typing.Any]]"), "The table of these options.");
 }
 
 constexpr const char* ends_doc =

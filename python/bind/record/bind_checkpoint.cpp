@@ -7,32 +7,10 @@
 #include "messages.hpp"
 #include "pliant/base/error.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
-#include "pliant/resume/recorded_inputs.hpp"
-#include "pliant/run/run.hpp"
-#include "pliant/run/run_fields.hpp"
+#include "pliant/resume/recorded_run.hpp"
 
 namespace pliant::python {
 namespace {
-
-RunOptions options_of(const H5mdCheckpoint& from) {
-  try {
-    RunOptions options = run_options_from(from.parameters);
-    options.replay = replay_of(from.inputs);
-    options.replay_counts = from.inputs.replay_counts;
-    options.guide = guide_of(from.inputs);
-    if (options.guide.empty() && is_guided_run(from.parameters))
-      throw InputError("the file does not hold the guide that it followed");
-    check(options.guide, from.framework);
-    if (Ordering ordering = ordering_of(from.inputs); !ordering.empty())
-      options.technique.ordering = std::make_shared<Ordering>(std::move(ordering));
-    options.steps = from.steps;
-    options.began = from.began;
-    check(options);
-    return options;
-  } catch (const Error& error) {
-    throw InputError(from.path.string() + ": its run cannot go on: " + error.what());
-  }
-}
 
 H5mdCheckpoint opened(const std::filesystem::path& path, std::optional<std::int64_t> steps) {
   const Log log = python_log();
@@ -54,9 +32,11 @@ void bind_checkpoint(nb::module_& module) {
       .def_ro("framework", &H5mdCheckpoint::framework, "What the run moves.")
       .def_prop_ro(
           "state", [](const H5mdCheckpoint& self) { return self.state; },
-          "A copy of the state to continue from.")
-      .def_prop_ro("options", &options_of, "Options with which the run continues.")
-      .def_ro("frames", &H5mdCheckpoint::frames, "Frames of the file that are kept.")
+          "A copy of the state to step on from.")
+      .def_prop_ro(
+          "options", [](const H5mdCheckpoint& self) { return run_options_from(self); },
+          "How the run goes on.")
+      .def_ro("frames", &H5mdCheckpoint::frames, "Frames of the file that stay.")
       .def_ro("done", &H5mdCheckpoint::done, "Steps done.")
       .def(
           "recorder",

@@ -10,7 +10,7 @@
 #include "pliant/base/error.hpp"
 #include "pliant/molecule/selection.hpp"
 #include "pliant/molecule/structure/structure.hpp"
-#include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/resume/recorded_run.hpp"
 #include "pliant/run/run.hpp"
 #include "record/recorded_bonds.hpp"
 
@@ -57,9 +57,7 @@ void make_recorder(LockedRecorder* self, const std::filesystem::path& path,
                    const RunOptions* run) {
   H5mdHeader header = header_of(structure);
   header.parameters = parameters_from(parameters);
-  if (run != nullptr)
-    header.inputs =
-        recorded_inputs(run->replay, run->guide, run->technique.ordering.get(), run->replay_counts);
+  if (run != nullptr) header.inputs = run_inputs(*run);
   const H5mdOptions options{.single = single,
                             .compress = compress,
                             .precision = precision,

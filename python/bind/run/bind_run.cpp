@@ -18,7 +18,6 @@
 #include "pliant/framework/fingerprint.hpp"
 #include "pliant/molecule/structure/structure.hpp"
 #include "pliant/resume/force_recorder.hpp"
-#include "pliant/run/force_settings.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "refusals.hpp"
 #include "run/observers.hpp"
@@ -157,10 +156,7 @@ void bind_options(nb::module_& module) {
   options.def(
       "parameters",
       [](const RunOptions& self, const Framework& framework) {
-        nb::dict values;
-        for (const auto& [path, value] : parameters_of(self, framework))
-          values[path.c_str()] = nb::cast(value);
-        return values;
+        return parameters_to_python(parameters_of(self, framework));
       },
       "framework"_a,
       nb::sig("def parameters(self, framework: Framework) -> dict[str, bool | int | float | str]"),
@@ -176,15 +172,12 @@ void bind_force_recorder(nb::module_& module) {
           [](ForceRecorder* self, const std::filesystem::path& path, const Framework& framework,
              const RunOptions& options, bool overwrite, const Structure* structure,
              const State* start, const std::vector<std::pair<std::string, std::string>>& input) {
-            ForceFile settings;
-            settings.set(options.perturb_options, options.resolve.tolerance,
-                         options.resolve.max_sweeps);
-            settings.settings = push_settings(options);
-            settings.header = force_header_of(framework);
+            ForceHeader header = force_header_of(framework);
             if (structure != nullptr && start != nullptr)
-              settings.header.structure = fingerprint(structure->atoms, start->positions);
-            for (const auto& [name, value] : input) settings.header.input.push_back({name, value});
-            new (self) ForceRecorder(path, overwrite, framework, std::move(settings));
+              header.structure = fingerprint(structure->atoms, start->positions);
+            for (const auto& [name, value] : input) header.input.push_back({name, value});
+            new (self) ForceRecorder(path, overwrite, framework,
+                                     force_file_of(options, std::move(header)));
           },
           "path"_a, "framework"_a, "options"_a, "overwrite"_a = false, nb::kw_only(),
           "structure"_a = nb::none(), "start"_a = nb::none(),

@@ -81,11 +81,9 @@ H5mdHeader header_of_sample(const SampledEnsemble& made, const SampleTask& task,
                            {{"input/file", file},
                             {"sample/amplitude_from", made.amplitude.source},
                             {"sample/amplitude_reason", made.amplitude.reason},
-                            {"model/kind", std::string(entry(made.model.kind).name)},
-                            {"record/single", output.options.single},
-                            {"record/compress", output.options.compress},
-                            {"record/precision", output.options.precision},
-                            {"record/save", output.save}});
+                            {"model/kind", std::string(entry(made.model.kind).name)}});
+  for (NamedParameter& one : parameters_of(output.options, output.save))
+    header.parameters.push_back(std::move(one));
   return header;
 }
 
@@ -96,10 +94,10 @@ void fill(SampledEnsemble& out, const SampleTask& task, const Output& output,
   if (output.path)
     recorder.emplace(*output.path, task.framework(), header_of_sample(out, task, output),
                      output.options);
-  out.summary = task.run([&](const SampledFrame& frame) {
-    if (recorder) recorder->record(recorded_frame(frame));
+  out.summary = task.run([&](const Frame& frame) {
+    if (recorder) recorder->record(frame);
     out.positions.insert(out.positions.end(), frame.positions.begin(), frame.positions.end());
-    return watch(frame.frame - task.options().first_frame + 1);
+    return watch(frame.step - task.options().first_frame + 1);
   });
   if (recorder) recorder->close();
 }
@@ -125,7 +123,8 @@ SampledEnsemble sample_from(const nb::handle& structure, const nb::object& frame
   given["frames"] = frames;
   SampleOptions options = unset_sample_options();
   take_values(sample_fields(), given, options);
-  refuse_unknown("sample", structure, given);
+  refuse_unknown(nb::module_::import_("pliant._core").attr("sample"), nb::make_tuple(structure),
+                 given);
   Output output = output_from(path, overwrite, single, compress, precision, save);
   SampledEnsemble out{model_from(structure, model), {}, {}, {}};
   const SampleAsked asked = asked_of(out, amplitude, std::move(options));
@@ -161,7 +160,7 @@ SampleSummary continue_from(const std::filesystem::path& path, std::optional<std
     options.threads = threads;
     check(options);
     if (from.done < from.steps)
-      summary = add_frames(from, options, recording, [&](const SampledFrame&) { return watch(); });
+      summary = add_frames(from, options, recording, [&](const Frame&) { return watch(); });
   }
   if (watch.raised()) std::rethrow_exception(watch.raised());
   return summary;

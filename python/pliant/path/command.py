@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from pliant import console
-from pliant._core import OptionError, PathOptions, read
+from pliant._core import OptionError, PathOptions, path_rows, read
 from pliant._output_names import check_trajectory_name, is_pdb_name
 from pliant._said import notes_shown_by
 
@@ -76,18 +76,7 @@ def make_parser() -> console.Parser:
     add("start", metavar="START", help="PDB or mmCIF file to start from")
     add("end", metavar="END", help="PDB or mmCIF file of the same molecule, to go to")
     add("-o", "--output", metavar="FILE", required=True, help="H5MD trajectory to write")
-    add("--atoms", choices=("CA", "heavy"), default="CA",
-        help="which atoms are to arrive: one per residue, or all but H (default: CA)")  # fmt: skip
-    add("--step", metavar="X", type=console.positive_number, default=0.2,
-        help="r.m.s. distance of a step, Angstrom (default: 0.2)")  # fmt: skip
-    add("--both", action="store_true",
-        help="move both towards each other; START then retraces END's frames to END")  # fmt: skip
-    add("--backtrack", metavar="N", nargs="?", type=console.whole_number(0, most=1000),
-        const=ATTEMPTS, default=0,
-        help="if the path gets stuck, go back and try a detour, at most N times "
-        f"({ATTEMPTS} if N is not given; default: 0)")  # fmt: skip
-    add("--seed", metavar="N", type=console.whole_number(0, most=2**64 - 1), default=0,
-        help="seed of the detours (default: 0)")  # fmt: skip
+    console.add_rows(parser, path_rows(), {"backtrack": ATTEMPTS})
     add("--csv", metavar="FILE", help="also write the table of frames")
     add("--overwrite", action="store_true", help="replace existing outputs")
     add("--json", action="store_true", help="print the report as one JSON object")
@@ -104,11 +93,8 @@ def _path(arguments: argparse.Namespace) -> int:
     from pliant.path import walk
 
     _check_outputs(arguments)
-    options = PathOptions(
-        atoms=arguments.atoms, step=arguments.step, both=arguments.both,
-        backtrack=arguments.backtrack, seed=arguments.seed,
-    )  # fmt: skip
-    with notes_shown_by(console.note):
+    options = PathOptions(**{row["name"]: getattr(arguments, row["name"]) for row in path_rows()})
+    with notes_told_by(console.note):
         start, end = read(arguments.start), read(arguments.end)
     with console.progress("path") as show:
         path = walk.find(

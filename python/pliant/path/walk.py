@@ -122,15 +122,8 @@ def _go(walk: PathWalk, show: Callable[[int], None] | None) -> None:
 def _recorder(
     ends: PathEnds, options: PathOptions, output: str | os.PathLike[str], overwrite: bool
 ) -> H5mdRecorder:
-    parameters: dict[str, str | float | int] = {
-        "path/end": os.path.basename(ends.source_of_end),
-        "path/atoms": options.atoms,
-        "path/step": options.step,
-        "path/both": int(options.both),
-        "path/backtrack": options.backtrack,
-        "path/seed": options.seed,
-    }
+    end = {"path/end": os.path.basename(ends.source_of_end)}
     return H5mdRecorder(
-        output, ends.model.framework, structure=ends.model.structure, parameters=parameters,
-        overwrite=overwrite,
+        output, ends.model.framework, structure=ends.model.structure,
+        parameters=end | options.parameters(), overwrite=overwrite,
     )  # fmt: skip

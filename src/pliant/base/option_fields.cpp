@@ -6,6 +6,7 @@
 
 #include "pliant/base/choices.hpp"
 #include "pliant/base/error.hpp"
+#include "pliant/base/number.hpp"
 #include "pliant/base/value_text.hpp"
 
 namespace pliant {
@@ -17,14 +18,24 @@ struct Check {
 
   void operator()(const bool*) const {}
   void operator()(const std::uint64_t*) const {}
-  void operator()(const std::int64_t* value) const { check_range(facts.name, *value, facts.range); }
+  void operator()(const std::int64_t* value) const { check_number(*value); }
   void operator()(const double* value) const {
-    if (!(facts.is_optional && *value == 0.0)) check_range(facts.name, *value, facts.range);
+    if (!(facts.is_optional && *value == 0.0)) check_number(*value);
   }
   void operator()(const std::string* value) const {
+    if (facts.choices == nullptr) return;
     const std::vector<std::string_view> known = facts.choices();
     if (std::find(known.begin(), known.end(), *value) == known.end())
       throw OptionError(unknown_choice(facts.kind, *value, known));
+  }
+
+ private:
+  void check_number(auto value) const {
+    check_range(facts.name, value, facts.range);
+    if (!(double(value) > facts.largest)) return;
+    const std::string unit = facts.unit.empty() ? "" : " " + std::string(facts.unit);
+    throw OptionError(std::string(facts.name) + " = " + value_text(value) + ": must be at most " +
+                      number_text(facts.largest) + unit);
   }
 };
 

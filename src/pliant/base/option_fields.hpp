@@ -4,6 +4,7 @@
 // parameters of a recorded file and check() all come from such a table.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <string>
 #include <string_view>
@@ -15,7 +16,7 @@
 
 namespace pliant {
 
-/// Where an option is stored. A text is always a name from some table.
+/// Where an option lies.
 using OptionPlace = std::variant<bool*, std::int64_t*, std::uint64_t*, double*, std::string*>;
 
 /// Who may set an option. Where some may not, their program chooses the value itself.
@@ -34,21 +35,23 @@ struct FormerOption {
 
 /// What an option is, wherever it is stored.
 struct OptionFacts {
-  std::string_view name;     ///< "max_sweeps": --max-sweeps, max_sweeps=, run/max_sweeps
-  std::string_view group;    ///< the heading under which help lists it
-  std::string_view summary;  ///< what it means; in the command's words where those differ
-  Range range = Range::any;  ///< what a number may be
-  /// The names that a text may have, and what kind of thing they name; null unless it is a text.
+  std::string_view name;          ///< "max_sweeps": --max-sweeps, max_sweeps=, run/max_sweeps
+  std::string_view group = {};    ///< the heading under which help lists it
+  std::string_view summary = {};  ///< what it means; in the command's words where those differ
+  Range range = Range::any;       ///< what a number may be
+  double largest = HUGE_VAL;      ///< number, whoever sets it
+  /// The names that a text may be, and what they are names of; null: any text, of that kind.
   std::vector<std::string_view> (*choices)() = nullptr;
   std::string_view kind = {};
   bool is_optional = false;           ///< 0 stands for "not used" and is in range too
   std::string_view unit = {};         ///< of a number; "": none, or the summary says it
   std::string_view in_python = {};    ///< the summary in the words of scripts; "": the same
-  std::string_view automatic = {};    ///< the value, and the default, that lets the task choose;
-                                      ///< "": the task never chooses
-  std::int64_t most = INT64_MAX;      ///< largest whole number that the command takes
-  std::string_view unset_means = {};  ///< what the command does without the option, if that is not
-                                      ///< the default of the library
+  std::string_view automatic = {};    ///< what a user may give in place of a choice, and gives if
+                                      ///< nothing; a task then chooses
+  std::int64_t most = INT64_MAX;      ///< whole numbers that the command takes
+  std::string_view opposite = {};     ///< what the command calls a flag that is true if not given
+  std::string_view unset_means = {};  ///< what the command does where it is not given, if that is
+                                      ///< not the default of the library
   OptionUsers users = {};
   FormerOption former = {};
 };

@@ -88,7 +88,7 @@ class EndsMatcher {
 
   PathEnds match(const Structure& start, const Structure& end) {
     std::vector<std::string> notes = match_traces();
-    if (options_.atoms == PathAtoms::heavy) ask_heavy();
+    if (find_path_atoms(options_.atoms).are_heavy) ask_heavy();
     const Structure &here = whole_.structure, &there = goal_.structure;
     const ResiduePairing all = with_ligands(here, there, {ours_.residues, theirs_.residues});
     const MatchedAtoms ours(here, all.ours), theirs(there, all.theirs);

@@ -76,7 +76,8 @@ struct PathWalk::Plan {
   void end_march() {
     march.reset();
     if (attempts > 0 && other.left.back() < best.left.back() - least_gain) best = std::move(other);
-    if (best.left.back() <= arrived_within(options.atoms) || attempts >= options.backtrack) {
+    if (best.left.back() <= find_path_atoms(options.atoms).arrived_within ||
+        attempts >= options.backtrack) {
       walker.put(best.places.back());
       is_over = true;
       return;
@@ -147,7 +148,8 @@ MolecularPath found_by(const PathWalk& walk) {
     const auto positions = walk.frame(k).positions;
     found.positions.emplace_back(positions.begin(), positions.end());
   }
-  found.has_arrived = found.frames.back().to_end <= arrived_within(walk.options().atoms);
+  found.has_arrived =
+      found.frames.back().to_end <= find_path_atoms(walk.options().atoms).arrived_within;
   return found;
 }
 

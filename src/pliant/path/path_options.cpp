@@ -1,36 +1,62 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/path/path_options.hpp"
 
-#include <string>
-
-#include "pliant/base/error.hpp"
-#include "pliant/base/number.hpp"
+#include "pliant/base/choices.hpp"
 
 namespace pliant {
 namespace {
 
-constexpr double largest_step = 2.0;  // Angstrom
-constexpr std::int64_t most_attempts = 1000;
+constexpr PathAtoms table_of_atoms[] = {{"CA", false, 0.5}, {"heavy", true, 1.0}};
+
+template <auto Member>
+constexpr auto at = place_at<PathOptions, Member>;
+
+const OptionField<PathOptions> table[] = {
+    {{.name = "atoms",
+      .summary = "which atoms are to arrive: one per residue, or all but H",
+      .choices = [] { return names_of(path_atoms()); },
+      .kind = "atoms",
+      .in_python = "Which are asked to arrive: ``CA`` (P of nucleotides) or ``heavy``, those of\n"
+                   "matched residues that have the same name."},
+     at<&PathOptions::atoms>},
+    {{.name = "step",
+      .summary = "r.m.s. distance of a step, Angstrom",
+      .range = Range::positive,
+      .largest = 2.0,
+      .unit = "Angstrom",
+      .in_python = "r.m.s. distance of a step, Angstrom, above 0, at most 2."},
+     at<&PathOptions::step>},
+    {{.name = "both",
+      .summary = "move both towards each other; START then retraces END's frames to END",
+      .in_python = "Both structures go towards each other first."},
+     at<&PathOptions::both>},
+    {{.name = "backtrack",
+      .summary = "if the path gets stuck, go back and try a detour, at most N times",
+      .range = Range::zero_or_more,
+      .largest = 1000.0,
+      .in_python = "How often to go back and try a detour where the path is stuck, 0 to 1000."},
+     at<&PathOptions::backtrack>},
+    {{.name = "seed", .summary = "seed of the detours", .in_python = "Of the detours."},
+     at<&PathOptions::seed>},
+};
 
 }  // namespace
 
-std::string_view name(PathAtoms atoms) { return atoms == PathAtoms::alpha ? "CA" : "heavy"; }
+std::span<const PathAtoms> path_atoms() { return table_of_atoms; }
 
-PathAtoms find_path_atoms(std::string_view name) {
-  if (name == "CA") return PathAtoms::alpha;
-  if (name == "heavy") return PathAtoms::heavy;
-  throw OptionError("atoms: expected \"CA\" or \"heavy\", found " + quoted(name));
+const PathAtoms& find_path_atoms(std::string_view name) {
+  return choose(path_atoms(), "atoms", name);
 }
 
-double arrived_within(PathAtoms atoms) { return atoms == PathAtoms::alpha ? 0.5 : 1.0; }
+std::span<const OptionField<PathOptions>> path_fields() { return table; }
+
+std::vector<NamedParameter> parameters_of(const PathOptions& options) {
+  return option_parameters("path", path_fields(), options);
+}
 
 void check(const PathOptions& options) {
-  if (!(options.step > 0.0 && options.step <= largest_step))
-    throw OptionError("step: expected above 0, at most 2 Angstrom, found " +
-                      number_text(options.step));
-  if (options.backtrack < 0 || options.backtrack > most_attempts)
-    throw OptionError("backtrack: expected 0 to " + std::to_string(most_attempts) + ", found " +
-                      std::to_string(options.backtrack));
+  for (const OptionField<PathOptions>& field : path_fields())
+    check_option(field, field.place(places_of(options)));
 }
 
 }  // namespace pliant

@@ -4,30 +4,34 @@
 
 #include <cstdint>
 #include <functional>
+#include <span>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include "pliant/base/log.hpp"
+#include "pliant/base/option_fields.hpp"
 
 namespace pliant {
 
-/// The atoms that should arrive at the end.
-enum class PathAtoms : std::uint8_t {
-  alpha,  ///< one for each matched residue: CA, or P in nucleotides
-  heavy,  ///< atoms of matched residues with the same name in both structures, except H
+/// Which atoms are asked to arrive.
+struct PathAtoms {
+  std::string_view name;
+  bool are_heavy;  ///< all but H; else one of each residue
+  /// r.m.s. distance at which the end is reached (Angstrom): bonds and angles of the start keep
+  /// heavy atoms further off.
+  double arrived_within;
 };
 
-/// "CA" or "heavy".
-std::string_view name(PathAtoms atoms);
+/// "CA", one of each matched residue (P of nucleotides), and "heavy", those of matched residues
+/// that have the same name in both structures, but no H.
+std::span<const PathAtoms> path_atoms();
 
-/// The atoms of that name. Throws OptionError.
-PathAtoms find_path_atoms(std::string_view name);
-
-/// r.m.s. distance at which the end is reached (Angstrom): 0.5 for alpha carbons, 1 for heavy
-/// atoms, since bonds and angles of the start keep these further away.
-double arrived_within(PathAtoms atoms);
+/// The row of that name. Throws OptionError listing the known names.
+const PathAtoms& find_path_atoms(std::string_view name);
 
 struct PathOptions {
-  PathAtoms atoms = PathAtoms::alpha;
+  std::string atoms = "CA";    ///< a name in path_atoms()
   double step = 0.2;           ///< r.m.s. distance of a step (Angstrom), above 0, at most 2
   bool both = false;           ///< both structures first move towards each other
   std::int64_t backtrack = 0;  ///< largest number of detours, 0 to 1000
@@ -36,7 +40,14 @@ struct PathOptions {
   Log log = {};                            ///< receives messages of preparation
 };
 
-/// Throws OptionError naming the option, its range and what was found.
+/// Of these options: the command's options, Python's keywords, the page's settings, what files keep
+/// and check() come from this table, in the order in which help lists them.
+std::span<const OptionField<PathOptions>> path_fields();
+
+/// Options by their paths below /parameters: "path/step".
+std::vector<NamedParameter> parameters_of(const PathOptions& options);
+
+/// Throws OptionError naming the option, its value and its range.
 void check(const PathOptions& options);
 
 }  // namespace pliant

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "pliant/run/force_settings.hpp"
+
 namespace pliant {
 
 ForceRecorder::ForceRecorder(const std::filesystem::path& path, bool overwrite,
@@ -34,6 +36,14 @@ void ForceRecorder::publish() {
   file_.write(held_back_ ? write_force_events(events_, framework_, forces_.header)
                          : write_force_file(forces_, framework_));
   file_.publish();
+}
+
+ForceFile force_file_of(const RunOptions& options, ForceHeader header, bool is_counted) {
+  ForceFile forces;
+  forces.set(options.perturb_options, options.resolve.tolerance, options.resolve.max_sweeps);
+  forces.settings = is_counted ? force_settings(options) : push_settings(options);
+  forces.header = std::move(header);
+  return forces;
 }
 
 }  // namespace pliant

@@ -7,15 +7,20 @@
 #include <vector>
 
 #include "pliant/perturb/force_files/force_file.hpp"
+#include "pliant/run/run_options.hpp"
 #include "pliant/text/output_file.hpp"
 
 namespace pliant {
 
-/// Writes the force file of a run's pushes, complete once the run has ended, or not at all. For
-/// each push it keeps the forces that acted by move_by_verlet, or, if there were none, the root
-/// joint and a force of 0. For a run with hands (`held_back`) it keeps the forces that these asked
-/// for, and counts equal steps: the settings describe what else drives the run, so that memory does
-/// not grow however long it continues.
+/// The force file that the pushes of a run become, without them. `is_counted`: of a run in hands,
+/// whose other pushes are made again and not listed.
+ForceFile force_file_of(const RunOptions& options, ForceHeader header, bool is_counted = false);
+
+/// The force file that the pushes of a run become: there as a whole once the run has ended, or not
+/// at all. Of a push the forces are kept that acted by move_by_verlet; if it had none, the root
+/// joint and 0. Of a run in hands (`held_back`) kept is what they asked for, and steps in which
+/// nothing changed are counted: what drives the run besides is told by the settings, and takes no
+/// memory however long it goes on.
 class ForceRecorder {
  public:
   /// `settings` without pushes; the framework must outlive it. `held_back` is the longest step of

@@ -50,29 +50,15 @@ SampleSummary add_frames(const H5mdCheckpoint& from, const SampleOptions& option
   H5mdRecorder recorder(from, recording);
   std::int64_t added = 0;
   const SampleTask task({from.framework, from.inputs.start, nodes_of(from.inputs)}, options);
-  SampleSummary summary = task.run([&](const SampledFrame& frame) {
-    recorder.record(recorded_frame(frame));
-    if (frame.frame <= from.last_step) return false;
+  SampleSummary summary = task.run([&](const Frame& frame) {
+    recorder.record(frame);
+    if (frame.step <= from.last_step) return false;
     ++added;
     return observer && observer(frame);
   });
   recorder.close();
   summary.frames = added;
   return summary;
-}
-
-Frame recorded_frame(const SampledFrame& sampled) {
-  Frame frame;
-  frame.step = sampled.frame;
-  frame.positions = sampled.positions;
-  frame.sweeps = sampled.steps;
-  frame.max_residual = sampled.max_residual;
-  frame.rms_residual = sampled.rms_residual;
-  frame.max_limit = sampled.max_limit;
-  frame.max_overlap = sampled.max_overlap;
-  frame.redraws = sampled.redraws;
-  frame.limits_off = sampled.limits_off;
-  return frame;
 }
 
 }  // namespace pliant

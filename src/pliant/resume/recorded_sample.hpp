@@ -5,7 +5,6 @@
 #include <span>
 #include <vector>
 
-#include "pliant/framework/frame.hpp"
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/sample/sample.hpp"
 #include "pliant/sample/sample_fields.hpp"
@@ -28,8 +27,5 @@ SampleOptions sample_options_from(const H5mdCheckpoint& recorded);
 /// Throws as sample() and H5mdRecorder do; FileError if the last frame comes out differently.
 SampleSummary add_frames(const H5mdCheckpoint& from, const SampleOptions& options,
                          const H5mdOptions& recording, const SampleObserver& observer);
-
-/// Converts a frame for recorders; frames of a sample have a number in place of a time.
-Frame recorded_frame(const SampledFrame& sampled);
 
 }  // namespace pliant

@@ -155,16 +155,17 @@ class Sampling {
   void show(std::int64_t number, const MadeFrame& made, const SampleObserver& observer) {
     note(number, made);
     if (!made.is_made || !observer) return;
-    const SampledFrame frame{number,
-                             made.positions,
-                             made.limits_off,
-                             made.max_residual,
-                             made.rms_residual,
-                             made.result.max_limit,
-                             made.result.max_overlap,
-                             made.redraws,
-                             made.steps};
-    if (observer(frame)) summary_.stopped_by_caller = true;
+    if (observer({.step = number,
+                  .positions = made.positions,
+                  .sweeps = made.steps,
+                  .max_residual = made.max_residual,
+                  .rms_residual = made.rms_residual,
+                  .force = {},
+                  .max_limit = made.result.max_limit,
+                  .max_overlap = made.result.max_overlap,
+                  .limits_off = made.limits_off,
+                  .redraws = made.redraws}))
+      summary_.stopped_by_caller = true;
   }
 
   void note(std::int64_t number, const MadeFrame& made) {

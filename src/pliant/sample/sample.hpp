@@ -7,6 +7,7 @@
 #include <functional>
 #include <span>
 
+#include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
 #include "pliant/sample/network/elastic_network.hpp"
 #include "pliant/sample/sample_options.hpp"
@@ -14,20 +15,9 @@
 
 namespace pliant {
 
-/// A frame; spans are valid during the call only.
-struct SampledFrame {
-  std::int64_t frame = 0;
-  std::span<const Vec3> positions;  ///< (N) Angstrom
-  /// (L) 1: the limit was switched off; empty: all were on
-  std::span<const std::uint8_t> limits_off;
-  double max_residual = 0.0, rms_residual = 0.0;
-  double max_limit = 0.0, max_overlap = 0.0;  ///< Angstrom
-  int redraws = 0;  ///< draws that were rejected before this one was resolved
-  std::int64_t steps = 0;
-};
-
-/// Receives the frames in order, on the thread that called sample(). Returns true to stop.
-using SampleObserver = std::function<bool(const SampledFrame&)>;
+/// Sees each frame, in their order, on the thread that called sample(): as those of runs, with the
+/// number of the frame for its step, and no time. True: stop.
+using SampleObserver = std::function<bool(const Frame&)>;
 
 /// Samples frames about `start` (N, Angstrom), at which all bars must be whole. Each frame of
 /// `modes` and `dilute` depends only on the framework, the start, the seed and its number, and so

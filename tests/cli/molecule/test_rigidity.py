@@ -151,7 +151,7 @@ def test_free_angles_make_ball_joints(pliant, tmp_path):
     assert free["degrees_of_freedom"] == 3
     ended = pliant("rigidity", path, "--free-angles", "element Au")
     assert ended.code == 2
-    assert 'pliant: error: free-angles: selection "element Au" names no atom\n' in ended.err
+    assert 'pliant: error: free angles: selection "element Au" names no atom\n' in ended.err
 
 
 def test_json_adds_up(pliant):

@@ -112,7 +112,7 @@
 #include "pliant/resolve/techniques.hpp"
 #include "pliant/resolve/walkers.hpp"
 #include "pliant/resume/force_recorder.hpp"
-#include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/resume/recorded_run.hpp"
 #include "pliant/resume/recorded_sample.hpp"
 #include "pliant/rigidity/pebble_game.hpp"
 #include "pliant/rigidity/rigid_clusters.hpp"
@@ -141,6 +141,7 @@
 #include "pliant/stream/imd_server.hpp"
 #include "pliant/stream/imd_session.hpp"
 #include "pliant/stream/sockets.hpp"
+#include "pliant/tasks/rigidity_task.hpp"
 #include "pliant/tasks/sample_task.hpp"
 #include "pliant/text/file_text.hpp"
 #include "pliant/text/output_file.hpp"
@@ -224,8 +225,7 @@ const Use uses[] = {
     of_type<LimitKind>("pliant/framework/contact_kind_rows.hpp"),
     of("pliant/model/contacts/contact_kinds.hpp", &molecular_contact_kinds),
     of("pliant/model/contacts/contact_list.hpp", &limits_of),
-    of_type<ContactOptions>("pliant/model/contacts/contact_options.hpp"),
-    of("pliant/model/rigidity/dilution_picture.hpp", &draw_dilution),
+    of("pliant/model/rigidity/dilution_picture.hpp", &dilution_title),
     of("pliant/model/contacts/hydrogen_bond_energy.hpp", &hydrogen_bond_energy),
     of("pliant/model/contacts/hydrogen_bonds.hpp", &hydrogen_bonds),
     of("pliant/model/model.hpp", &build_model),
@@ -307,11 +307,13 @@ const Use uses[] = {
     of("pliant/record/topology_pdb.hpp", &write_topology_pdb),
     of("pliant/record/xml/graph_xml.hpp", &looks_like_xml),
     of("pliant/record/xml/write_graph_xml.hpp", &write_graph_xml),
+    of("pliant/tasks/rigidity_task.hpp", &find_rigidity),
     of("pliant/tasks/sample_task.hpp", &SampleTask::run),
     of("pliant/resume/force_recorder.hpp", &ForceRecorder::publish),
     of("pliant/laboratory/make_test_set.hpp", &make_test_set),
     of("pliant/laboratory/read_test_set.hpp", &read_test_set),
-    of("pliant/resume/recorded_inputs.hpp", &recorded_inputs),
+    of("pliant/resume/recorded_run.hpp",
+       overload<RunOptions(const H5mdCheckpoint&)>(&run_options_from)),
     of("pliant/resume/recorded_sample.hpp", &add_frames),
     of("pliant/laboratory/test_results.hpp", &summary_of),
     of("pliant/laboratory/test_set.hpp", &TestSet::save),

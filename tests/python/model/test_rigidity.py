@@ -97,8 +97,8 @@ def test_a_model_is_taken_as_it_is(structure, found):
 @pytest.mark.parametrize(
     ("arguments", "message"),
     [
-        ({"hbond_bars": 0}, "hbond_bars: expected 1 to 6, found 0"),
-        ({"tether_bars": 7}, "tether_bars: expected 0 to 6, found 7"),
+        ({"hbond_bars": 0}, "hbond_bars = 0: must be from 1"),
+        ({"tether_bars": 7}, "tether_bars = 7: must be at most 6"),
     ],
 )
 def test_bars_out_of_range(structure, arguments, message):

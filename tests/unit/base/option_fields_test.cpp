@@ -74,6 +74,23 @@ TEST(OptionFields, RangesAndNamesAreChecked) {
             "no colour named \"blu\" (did you mean \"blue\"?); known: red, blue");
 }
 
+TEST(OptionFields, NumbersAboveTheLargestAreRefused) {
+  const auto refusal = [](const OptionFacts& facts, auto value) {
+    return test::error_text<OptionError>([&] { check_option(facts, &value); });
+  };
+  const OptionFacts bars{.name = "bars", .range = Range::zero_or_more, .largest = 6.0};
+  EXPECT_EQ(refusal(bars, std::int64_t{7}), "bars = 7: must be at most 6");
+  EXPECT_EQ(refusal({.name = "step", .largest = 2.0, .unit = "Angstrom"}, 2.5),
+            "step = 2.5: must be at most 2 Angstrom");
+  std::int64_t most = 6;
+  EXPECT_NO_THROW(check_option(bars, &most));
+}
+
+TEST(OptionFields, WithoutChoicesAnyTextWillDo) {
+  std::string text = "element O";
+  EXPECT_NO_THROW(check_option({.name = "free_angles", .kind = "SELECTION"}, &text));
+}
+
 TEST(OptionFields, ZeroStandsForNotUsedWhereThatIsAllowed) {
   Options options;
   options.place.left = 0.0;

@@ -93,7 +93,7 @@ TEST(Path, HoldsTheContactsOfBothAndLosesThoseOfTheStart) {
 TEST(Path, TheSameAgainHasTheSameBits) {
   const Structure start = helix(), end = bent(start, 9, 60.0);
   for (const PathOptions& options :
-       {PathOptions{}, PathOptions{.both = true}, PathOptions{.atoms = PathAtoms::heavy}})
+       {PathOptions{}, PathOptions{.both = true}, PathOptions{.atoms = "heavy"}})
     EXPECT_EQ(find_path(start, end, options).positions, find_path(start, end, options).positions);
 }
 
@@ -192,11 +192,11 @@ TEST(PathOptions, OutOfRangeAreRefused) {
   const auto told = [](PathOptions options) {
     return test::error_text<OptionError>([&] { check(options); });
   };
-  EXPECT_EQ(told({.step = 0.0}), "step: expected above 0, at most 2 Angstrom, found 0");
-  EXPECT_EQ(told({.step = 2.5}), "step: expected above 0, at most 2 Angstrom, found 2.5");
-  EXPECT_EQ(told({.backtrack = -1}), "backtrack: expected 0 to 1000, found -1");
-  EXPECT_EQ(test::error_text<OptionError>([] { find_path_atoms("all"); }),
-            "atoms: expected \"CA\" or \"heavy\", found \"all\"");
+  EXPECT_EQ(told({.step = 0.0}), "step = 0: must be positive and finite");
+  EXPECT_EQ(told({.step = 2.5}), "step = 2.5: must be at most 2 Angstrom");
+  EXPECT_EQ(told({.backtrack = -1}), "backtrack = -1: must be from 0");
+  EXPECT_EQ(told({.backtrack = 1001}), "backtrack = 1001: must be at most 1000");
+  EXPECT_EQ(told({.atoms = "all"}), "no atoms named \"all\"; known: CA, heavy");
 }
 
 TEST(PathEnds, AnotherMoleculeIsRefused) {
@@ -208,7 +208,7 @@ TEST(PathEnds, AnotherMoleculeIsRefused) {
 }
 
 TEST(PathEnds, HeavyAtomsAreThoseOfTheSameName) {
-  const PathEnds ends = match_ends(helix(), helix(), {.atoms = PathAtoms::heavy});
+  const PathEnds ends = match_ends(helix(), helix(), {.atoms = "heavy"});
   const Structure& structure = ends.start.model.structure;
   EXPECT_GT(ends.start.asked.size(), 100U);
   for (std::size_t k = 0; k < ends.goal.size(); ++k) {

@@ -8,7 +8,8 @@
 
 #include "pliant/record/h5md/h5md_checkpoint_reader.hpp"
 #include "pliant/record/h5md/h5md_reader.hpp"
-#include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/record/h5md/h5md_recorder.hpp"
+#include "pliant/resume/recorded_run.hpp"
 #include "pliant/run/run.hpp"
 #include "pliant/run/run_fields.hpp"
 #include "support/frameworks.hpp"
@@ -31,7 +32,7 @@ inline void record_run(const std::filesystem::path& path, const Framework& frame
                        const H5mdOptions& recording = {}) {
   H5mdHeader header;
   header.parameters = parameters_of(options, framework);
-  header.inputs = recorded_inputs(options.replay, options.guide, nullptr);
+  header.inputs = run_inputs(options);
   run_into(H5mdRecorder(path, framework, header, recording), framework, start, options);
 }
 
@@ -39,12 +40,7 @@ inline void record_run(const std::filesystem::path& path, const Framework& frame
 inline void go_on(const std::filesystem::path& path, std::int64_t steps,
                   const H5mdOptions& recording = {}) {
   const H5mdCheckpoint from = read_checkpoint(path, steps);
-  RunOptions options = run_options_from(from.parameters);
-  options.replay = replay_of(from.inputs);
-  options.guide = guide_of(from.inputs);
-  options.steps = from.steps;
-  options.began = from.began;
-  run_into(H5mdRecorder(from, recording), from.framework, from.state, options);
+  run_into(H5mdRecorder(from, recording), from.framework, from.state, run_options_from(from));
 }
 
 /// Positions, steps, times, observables and parameters, bit by bit.

@@ -44,8 +44,8 @@ void record_sample(const std::filesystem::path& path, const Peptide& from,
   header.parameters = parameters_of(whole);
   header.inputs = sample_inputs(from.start, from.nodes);
   H5mdRecorder recorder(path, from.framework, header);
-  sample(from.framework, from.start, from.nodes, options, [&](const SampledFrame& frame) {
-    recorder.record(recorded_frame(frame));
+  sample(from.framework, from.start, from.nodes, options, [&](const Frame& frame) {
+    recorder.record(frame);
     return false;
   });
   recorder.close();
@@ -66,8 +66,8 @@ TEST_P(RecordedSample, GoesOnAsIfItHadNeverStopped) {
   EXPECT_EQ(checkpoint.done, 3);
   std::int64_t seen = options.first_frame + 3;
   const SampleSummary summary =
-      add_frames(checkpoint, sample_options_from(checkpoint), {}, [&](const SampledFrame& frame) {
-        EXPECT_EQ(frame.frame, seen++);
+      add_frames(checkpoint, sample_options_from(checkpoint), {}, [&](const Frame& frame) {
+        EXPECT_EQ(frame.step, seen++);
         return false;
       });
   EXPECT_EQ(summary.frames, 4);
@@ -107,8 +107,7 @@ TEST(RecordedSample, FramesOfOtherBitsAreNotAddedTo) {
   for (auto& [path, value] : read.parameters)
     if (path == "sample/seed") value = std::string("5");
   EXPECT_EQ(test::error_text<FileError>([&] {
-              add_frames(read, sample_options_from(read), {},
-                         [](const SampledFrame&) { return false; });
+              add_frames(read, sample_options_from(read), {}, [](const Frame&) { return false; });
             }),
             (folder / "a.h5md").string() +
                 ": the frame of step 102 is not what the run gives now: it was written by another "

@@ -19,7 +19,7 @@ using test::Peptide;
 
 std::vector<std::vector<Vec3>> frames_of(const Peptide& p, const SampleOptions& options) {
   std::vector<std::vector<Vec3>> frames;
-  sample(p.framework, p.start, p.nodes, options, [&](const SampledFrame& frame) {
+  sample(p.framework, p.start, p.nodes, options, [&](const Frame& frame) {
     frames.emplace_back(frame.positions.begin(), frame.positions.end());
     return false;
   });
@@ -70,15 +70,15 @@ TEST(Sample, AWalkStaysWhereItIs) {
   Vec3 middle;
   for (Vec3 x : p.start) middle += (1.0 / double(p.start.size())) * x;
   std::vector<Vec3> last = p.start;
-  const auto look = [&](const SampledFrame& frame) {
+  const auto look = [&](const Frame& frame) {
     Vec3 now;
     double squares = 0.0;
     for (std::size_t k = 0; k < last.size(); ++k) {
       now += (1.0 / double(last.size())) * frame.positions[k];
       squares += norm_squared(frame.positions[k] - last[k]) / double(last.size());
     }
-    EXPECT_LT(distance(now, middle), 1e-6) << frame.frame;
-    EXPECT_LT(std::sqrt(squares), 4.0) << frame.frame;
+    EXPECT_LT(distance(now, middle), 1e-6) << frame.step;
+    EXPECT_LT(std::sqrt(squares), 4.0) << frame.step;
     last.assign(frame.positions.begin(), frame.positions.end());
     return false;
   };
@@ -93,7 +93,7 @@ TEST(Sample, StopsWhereTheObserverAsks) {
   options.frames = 50;
   options.amplitude = 0.2;
   const SampleSummary summary = sample(p.framework, p.start, p.nodes, options,
-                                       [](const SampledFrame& frame) { return frame.frame == 2; });
+                                       [](const Frame& frame) { return frame.step == 2; });
   EXPECT_TRUE(summary.stopped_by_caller);
   EXPECT_EQ(summary.frames, 3);
 }

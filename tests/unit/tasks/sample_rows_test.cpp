@@ -48,8 +48,8 @@ Recorded record(const std::filesystem::path& path, const SampleTask& task, std::
   H5mdRecorder recorder(path, task.framework(), header);
   Recorded made;
   std::int64_t seen = 0;
-  task.run([&](const SampledFrame& frame) {
-    recorder.record(recorded_frame(frame));
+  task.run([&](const Frame& frame) {
+    recorder.record(frame);
     made.positions.insert(made.positions.end(), frame.positions.begin(), frame.positions.end());
     return ++seen == frames;
   });
@@ -85,7 +85,7 @@ TEST_P(SampleRows, EachGoesOnAsIfItHadNeverStopped) {
     record(folder / "part.h5md", task, 2);
     const H5mdCheckpoint from = read_checkpoint(folder / "part.h5md");
     const auto summary =
-        add_frames(from, sample_options_from(from), {}, [](const SampledFrame&) { return false; });
+        add_frames(from, sample_options_from(from), {}, [](const Frame&) { return false; });
     EXPECT_EQ(summary.frames, options.frames - 2);
     test::expect_same_file(folder / "whole.h5md", folder / "part.h5md");
   }

@@ -23,7 +23,7 @@ SampleAsked asked(const std::string& sampler, std::int64_t frames = 3) {
 
 std::vector<Vec3> frames_of(const SampleTask& task) {
   std::vector<Vec3> all;
-  task.run([&](const SampledFrame& frame) {
+  task.run([&](const Frame& frame) {
     all.insert(all.end(), frame.positions.begin(), frame.positions.end());
     return false;
   });
@@ -48,7 +48,7 @@ TEST(SampleTask, FramesAreThoseOfSample) {
   const SampleTask task(subject_of(butane), asked("torsions"));
   const Framework framework = conformer_framework(butane.framework, butane.positions);
   std::vector<Vec3> expected;
-  sample(framework, butane.positions, task.nodes(), task.options(), [&](const SampledFrame& frame) {
+  sample(framework, butane.positions, task.nodes(), task.options(), [&](const Frame& frame) {
     expected.insert(expected.end(), frame.positions.begin(), frame.positions.end());
     return false;
   });

@@ -32,7 +32,16 @@ struct H5mdOptions {
   Log log = {};          ///< where warnings go
 };
 
-/// A chemical bond of the atom table, with or without a bar.
+/// What of them a file tells, by paths below /parameters. `save`: the selection of the joints.
+inline std::vector<NamedParameter> parameters_of(const H5mdOptions& options,
+                                                 const std::string& save) {
+  return {{"record/single", options.single},
+          {"record/compress", options.compress},
+          {"record/save", save},
+          {"record/precision", options.precision}};
+}
+
+/// A bond of the atom table: chemistry, which need not be a bar.
 struct RecordedBond {
   Joint a = 0, b = 0;
   std::uint8_t origin = 0;  ///< index into the names of origins

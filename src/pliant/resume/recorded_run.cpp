@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
-#include "pliant/resume/recorded_inputs.hpp"
+#include "pliant/resume/recorded_run.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <utility>
 
 #include "pliant/base/error.hpp"
+#include "pliant/run/run.hpp"
+#include "pliant/run/run_fields.hpp"
 
 namespace pliant {
-
 namespace {
 
 void add_group(const std::vector<Joint>& group, std::vector<Joint>& joints,
@@ -49,26 +52,7 @@ bool fits_together(const RunInputs& inputs) {
          inputs.pair_least.size() == inputs.pair_most.size();
 }
 
-}  // namespace
-
-RunInputs recorded_inputs(std::span<const JointForce> replay, const Guide& guide,
-                          const Ordering* ordering, std::span<const std::int64_t> replay_counts) {
-  RunInputs inputs;
-  inputs.replay_counts.assign(replay_counts.begin(), replay_counts.end());
-  add_guide(guide, inputs);
-  for (const auto& [joint, force] : replay) {
-    inputs.replay_joints.push_back(joint);
-    inputs.replay_forces.push_back(force);
-  }
-  if (ordering == nullptr) return inputs;
-  for (const OrderedBar& visit : *ordering) {
-    inputs.ordering_bars.push_back(visit.bar);
-    inputs.ordering_near.push_back(visit.near);
-    inputs.ordering_is_tree.push_back(visit.is_tree);
-  }
-  return inputs;
-}
-
+/// One force a step, or as many as replay_counts say.
 std::vector<JointForce> replay_of(const RunInputs& inputs) {
   std::vector<JointForce> replay;
   for (std::size_t k = 0; k < inputs.replay_joints.size(); ++k)
@@ -76,6 +60,7 @@ std::vector<JointForce> replay_of(const RunInputs& inputs) {
   return replay;
 }
 
+/// Empty: the run followed none.
 Guide guide_of(const RunInputs& inputs) {
   Guide guide;
   if (inputs.guide_period == 0) return guide;
@@ -94,6 +79,7 @@ Guide guide_of(const RunInputs& inputs) {
   return guide;
 }
 
+/// Empty: none was given.
 Ordering ordering_of(const RunInputs& inputs) {
   Ordering ordering;
   const std::size_t visits = std::min(
@@ -102,6 +88,49 @@ Ordering ordering_of(const RunInputs& inputs) {
     ordering.push_back(
         {inputs.ordering_bars[k], inputs.ordering_near[k], inputs.ordering_is_tree[k] != 0});
   return ordering;
+}
+
+RunOptions options_in(const H5mdCheckpoint& from) {
+  RunOptions options = run_options_from(from.parameters);
+  options.replay = replay_of(from.inputs);
+  options.replay_counts = from.inputs.replay_counts;
+  options.guide = guide_of(from.inputs);
+  if (options.guide.empty() && is_guided_run(from.parameters))
+    throw InputError("the file does not hold the guide that it followed");
+  check(options.guide, from.framework);
+  if (Ordering ordering = ordering_of(from.inputs); !ordering.empty())
+    options.technique.ordering = std::make_shared<Ordering>(std::move(ordering));
+  options.steps = from.steps;
+  options.began = from.began;
+  check(options);
+  return options;
+}
+
+}  // namespace
+
+RunInputs run_inputs(const RunOptions& options) {
+  RunInputs inputs;
+  inputs.replay_counts = options.replay_counts;
+  add_guide(options.guide, inputs);
+  for (const auto& [joint, force] : options.replay) {
+    inputs.replay_joints.push_back(joint);
+    inputs.replay_forces.push_back(force);
+  }
+  if (!options.technique.ordering) return inputs;
+  for (const OrderedBar& visit : *options.technique.ordering) {
+    inputs.ordering_bars.push_back(visit.bar);
+    inputs.ordering_near.push_back(visit.near);
+    inputs.ordering_is_tree.push_back(visit.is_tree);
+  }
+  return inputs;
+}
+
+RunOptions run_options_from(const H5mdCheckpoint& recorded) {
+  try {
+    return options_in(recorded);
+  } catch (const Error& error) {
+    throw InputError(recorded.path.string() + ": its run cannot go on: " + error.what());
+  }
 }
 
 }  // namespace pliant
