@@ -175,8 +175,8 @@ std::unique_ptr<SampleTask> task_of(const SampleCase& at, const SampleOptions& o
 
 std::vector<KeptFrame> frames_of(const SampleTask& task) {
   std::vector<KeptFrame> frames;
-  const SampleSummary summary = task.run([&](const SampledFrame& frame) {
-    frames.push_back({frame.frame,
+  const SampleSummary summary = task.run([&](const Frame& frame) {
+    frames.push_back({frame.step,
                       {frame.positions.begin(), frame.positions.end()},
                       {frame.limits_off.begin(), frame.limits_off.end()},
                       frame.max_residual,

@@ -25,9 +25,9 @@ std::vector<test::KeptFrame> record(const std::filesystem::path& path, const Sam
   header.inputs = sample_inputs(task.start(), task.nodes());
   H5mdRecorder recorder(path, task.framework(), header, recording);
   std::vector<test::KeptFrame> kept;
-  task.run([&](const SampledFrame& frame) {
-    recorder.record(recorded_frame(frame));
-    kept.push_back({frame.frame, {frame.positions.begin(), frame.positions.end()}, {}});
+  task.run([&](const Frame& frame) {
+    recorder.record(frame);
+    kept.push_back({frame.step, {frame.positions.begin(), frame.positions.end()}, {}});
     return kept.size() == frames;
   });
   recorder.close();
