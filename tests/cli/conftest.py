@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import pytest
+from forked import ended_command, is_forkable
 
 COMMAND = Path(os.environ.get("PLIANT_COMMAND", Path(sys.executable).parent / "pliant"))
 
@@ -43,14 +44,12 @@ def pliant(tmp_path):
     """Runs pliant in an empty folder; pliant("info", "x.xyz") gives code, out, err."""
 
     def run(*arguments, **options):
-        done = subprocess.run(
-            [COMMAND, *map(str, arguments)],
-            cwd=tmp_path,
-            capture_output=True,
-            text=True,
-            timeout=120,
-            **options,
-        )
+        words = [*map(str, arguments)]
+        options = {"cwd": tmp_path, "timeout": 120, **options}
+        if is_forkable(words, **options):
+            done = ended_command(words, **options)
+        else:
+            done = subprocess.run([COMMAND, *words], capture_output=True, text=True, **options)
         return Ended(done.returncode, done.stdout, done.stderr)
 
     return run

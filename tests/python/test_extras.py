@@ -4,11 +4,10 @@
 import importlib
 import json
 import re
-import subprocess
-import sys
 from pathlib import Path
 
 import pytest
+from forked import ended_code
 
 import pliant
 
@@ -24,9 +23,12 @@ EXTRAS = (
     "scipy", "websockets",
 )  # fmt: skip
 
+NEEDED = ("h5py", "inspect", "numpy")
+
 # Modules of these names are not found, as if they were not installed.
 HIDE = """
-import sys
+import sys, warnings
+warnings.simplefilter("error")
 class Hidden:
     def find_spec(self, name, path=None, target=None):
         if name.partition(".")[0] in {names!r}:
@@ -38,9 +40,7 @@ sys.meta_path.insert(0, Hidden())
 def run_without(code, *names, folder=None):
     """Runs Python code where the packages of these names are missing, all extras by default."""
     text = HIDE.format(names=names or EXTRAS) + code
-    return subprocess.run(
-        [sys.executable, "-W", "error", "-c", text], capture_output=True, text=True, cwd=folder
-    )
+    return ended_code(text, *NEEDED, cwd=folder)
 
 
 def message_without(code, *names, folder=None):
@@ -203,7 +203,7 @@ def test_what_is_a_package_can_be_called_in_whatever_order_it_is_imported(name, 
         f"; assert set(pliant.{name}.__all__) <= set(dir(pliant.{name}))"
         f"; pliant.{name}('no_such_file', *(['other'] if '{name}' in ('compare', 'path') else []))"
     )
-    ended = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
+    ended = ended_code(code, *NEEDED)
     assert "no_such_file" in ended.stderr.splitlines()[-1]
     assert "Error" in ended.stderr.splitlines()[-1]
 

@@ -22,6 +22,9 @@ _DEATHS = 20
 
 _REGROW_SECONDS = 5.0
 
+#: A scheduler that does not answer for so long is not there.
+_ANSWER_SECONDS = 10.0
+
 #: Without a worker for so long there is a warning: jobs wait in a queue, or die at the start.
 _IDLE_SECONDS = 60.0
 
@@ -122,7 +125,7 @@ def _client_of_scheduler(address: str) -> Any:
 
     try:
         get_address_host_port(address, strict=True)  # a client that fails later leaves a trace
-        return Client(address, timeout="10s", set_as_default=False)
+        return Client(address, timeout=_ANSWER_SECONDS, set_as_default=False)
     except (OSError, ValueError) as error:
         raise OptionError(f"--scheduler {address}: {error}") from None
 

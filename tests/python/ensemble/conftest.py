@@ -1,8 +1,32 @@
 # SPDX-License-Identifier: MIT
-"""An ensemble that is whole."""
+"""An ensemble that is whole, and a scheduler for those that tests make."""
+
+import subprocess
+import sys
 
 import pytest
 from ensembles import PEPTIDE, made
+
+CLUSTER = """
+import sys
+from distributed import LocalCluster
+if __name__ == "__main__":
+    one = LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=":0", silence_logs=50)
+    print(one.scheduler_address, flush=True)
+    sys.stdin.read()
+    one.close()
+"""
+
+
+@pytest.fixture(scope="session")
+def there(tmp_path_factory):
+    """Words of a command that makes its shards where a scheduler is: a cluster of its own takes longer."""
+    script = tmp_path_factory.mktemp("cluster") / "cluster.py"
+    script.write_text(CLUSTER)
+    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}
+    with subprocess.Popen([sys.executable, script], text=True, **pipes) as cluster:
+        yield ("--scheduler", cluster.stdout.readline().strip())
+        cluster.stdin.close()
 
 
 @pytest.fixture(scope="session")

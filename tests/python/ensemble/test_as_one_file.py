@@ -39,8 +39,8 @@ def test_representatives_of_all_frames(ensemble, tmp_path, name):
     assert len(MDAnalysis.Universe(tmp_path / "three.pdb").trajectory) == 3
 
 
-def test_frames_of_a_sample_are_independent_draws(tmp_path):
-    made(PEPTIDE, "-o", tmp_path / "s", "--frames", 6, "--shard-size", 3)
+def test_frames_of_a_sample_are_independent_draws(tmp_path, there):
+    made(PEPTIDE, "-o", tmp_path / "s", "--frames", 6, "--shard-size", 3, *there)
     found = representatives(tmp_path / "s", 2)
     assert (found.compared, found.notes) == (6, ())
 

@@ -86,9 +86,9 @@ def test_mdanalysis_gets_no_frame_of_it(copy, damage):
 
 
 @DAMAGE
-def test_the_same_command_makes_it_again(ensemble, copy, damage):
+def test_the_same_command_makes_it_again(ensemble, copy, damage, there):
     path, why = damage(copy)
-    ended = call("ensemble", PEPTIDE, "-o", copy, *WORDS, "--workers", 1, "--json")
+    ended = call("ensemble", PEPTIDE, "-o", copy, *WORDS, *there, "--json")
     assert ended.returncode == 0, ended.stderr
     assert ended.stderr.startswith(f"warning: {why}")
     assert ended.stderr.endswith(": it is made again\n") and ended.stderr.count("\n") == 1
@@ -98,25 +98,25 @@ def test_the_same_command_makes_it_again(ensemble, copy, damage):
     assert call("ensemble", "--verify", copy).returncode == 0
 
 
-def test_two_shards_that_changed_places_are_both_made_again(ensemble, copy):
+def test_two_shards_that_changed_places_are_both_made_again(ensemble, copy, there):
     _, second, third, *_ = shards_of(copy)
     kept = second.read_bytes()
     third.replace(second)
     third.write_bytes(kept)
     (copy / "shards.jsonl").unlink()  # without which only the walkers in the files tell
-    result = made(PEPTIDE, "-o", copy, *WORDS, "--workers", 1)
+    result = made(PEPTIDE, "-o", copy, *WORDS, *there)
     assert (result["shards_found"], result["shards_made"]) == (4, 2)
     for ours, theirs in zip(shards_of(copy), shards_of(ensemble), strict=True):
         assert ours.read_bytes() == theirs.read_bytes()
 
 
-def test_a_shard_of_another_seed_is_no_shard_of_this_ensemble(copy, tmp_path):
+def test_a_shard_of_another_seed_is_no_shard_of_this_ensemble(copy, tmp_path, there):
     other = tmp_path / "other"
-    made(PEPTIDE, "-o", other, *WORDS, "--seed", 7, "--workers", 1)
+    made(PEPTIDE, "-o", other, *WORDS, "--seed", 7, *there)
     path = shards_of(copy)[1]
     shutil.copy(shards_of(other)[1], path)
     (copy / "shards.jsonl").unlink()
-    ended = call("ensemble", PEPTIDE, "-o", copy, *WORDS, "--workers", 1)
+    ended = call("ensemble", PEPTIDE, "-o", copy, *WORDS, *there)
     assert ended.stderr == f"warning: {path}: expected --seed 0, found 7: it is made again\n"
 
 

@@ -24,8 +24,8 @@ def test_the_same_shards_are_the_same_bytes_wherever_they_are_made(ensemble, tmp
         assert ours.read_bytes() == theirs.read_bytes()
 
 
-def test_frames_of_a_sample_are_sharded_too(tmp_path):
-    result = made(PEPTIDE, "-o", tmp_path / "s", "--frames", 25, "--shard-size", 10, "--seed", 3)
+def test_frames_of_a_sample_are_sharded_too(tmp_path, there):
+    result = made(PEPTIDE, "-o", tmp_path / "s", "--frames", 25, "--shard-size", 10, "--seed", 3, *there)
     assert (result["shards"], result["frames"]) == (3, 25)
     words = ("--frames", 25, "--seed", 3, "-o", tmp_path / "whole.h5md")
     assert call("sample", PEPTIDE, *words).returncode == 0
@@ -56,7 +56,7 @@ def test_the_same_command_again_makes_nothing_and_needs_no_dask(ensemble, tmp_pa
     assert (again["shards_made"], again["shards_found"]) == (0, 6)
 
 
-def test_what_the_manifest_lost_is_found_by_its_own_check(ensemble, tmp_path):
+def test_what_the_manifest_lost_is_found_by_its_own_check(ensemble, tmp_path, there):
     folder = tmp_path / "copy"
     shutil.copytree(ensemble, folder)
     lines = (folder / "shards.jsonl").read_bytes().splitlines(keepends=True)
@@ -65,7 +65,7 @@ def test_what_the_manifest_lost_is_found_by_its_own_check(ensemble, tmp_path):
     (folder / "making").mkdir(exist_ok=True)
     (folder / "making" / "of-a-dead-worker.h5md").write_bytes(b"half")
     assert call("ensemble", "--verify", folder).returncode == 1
-    result = made(PEPTIDE, "-o", folder, "--walkers", 24, *RUN, "--workers", 1)
+    result = made(PEPTIDE, "-o", folder, "--walkers", 24, *RUN, *there)
     assert (result["shards_found"], result["shards_made"]) == (5, 1)
     numbers = [json.loads(line)["shard"] for line in (folder / "shards.jsonl").open()]
     assert sorted(set(numbers)) == list(range(6))
@@ -121,9 +121,9 @@ def test_bad_options_are_one_line_and_leave_no_shard(tmp_path, words, message):
     assert not shards_of(tmp_path / "d")
 
 
-def test_a_bad_input_is_told_in_one_line(tmp_path):
+def test_a_bad_input_is_told_in_one_line(tmp_path, there):
     (tmp_path / "bad.pdb").write_text("ATOM\n")
-    words = ("-o", tmp_path / "d", "--walkers", 4, "--retries", 0, "--workers", 1)
+    words = ("-o", tmp_path / "d", "--walkers", 4, "--retries", 0, *there)
     ended = call("ensemble", tmp_path / "bad.pdb", *words)
     assert (ended.returncode, ended.stderr.count("\n")) == (1, 1)
     assert "bad.pdb:1: x (columns 31-38) is blank" in ended.stderr
@@ -132,8 +132,8 @@ def test_a_bad_input_is_told_in_one_line(tmp_path):
     assert (ended.returncode, " in 1 shard\n" in ended.stdout) == (0, True)
 
 
-def test_frames_that_are_not_whole_are_counted(tmp_path):
-    words = ("--walkers", 4, "--steps", 5, "--max-sweeps", 1, "--technique", "bfs_cycle")
+def test_frames_that_are_not_whole_are_counted(tmp_path, there):
+    words = ("--walkers", 4, "--steps", 5, "--max-sweeps", 1, "--technique", "bfs_cycle", *there)
     result = made(PEPTIDE, "-o", tmp_path / "d", *words, "--tolerance", "1e-14", code=3)
     assert result["unconverged"] > 0
     assert call("ensemble", "--verify", tmp_path / "d").returncode == 0

@@ -51,6 +51,7 @@ def test_workers_killed_at_random(tmp_path, whole):
     expect_all(folder, whole)
 
 
+@pytest.mark.long
 def test_all_workers_killed_while_they_start(tmp_path, whole):
     folder = tmp_path / "many"
     client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 2)
@@ -64,7 +65,7 @@ def test_all_workers_killed_while_they_start(tmp_path, whole):
     expect_all(folder, whole)
 
 
-@pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGINT])
+@pytest.mark.parametrize("how", [signal.SIGKILL, pytest.param(signal.SIGINT, marks=pytest.mark.long)])
 def test_the_same_command_goes_on_after_the_death_of_the_first(tmp_path, whole, how):
     folder = tmp_path / "many"
     client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 1)
@@ -80,6 +81,7 @@ def test_the_same_command_goes_on_after_the_death_of_the_first(tmp_path, whole, 
     expect_all(folder, whole)
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("how", [signal.SIGKILL, signal.SIGTERM])
 @pytest.mark.parametrize("shards", [0, 2])
 def test_nothing_outlives_the_command(tmp_path, how, shards):
@@ -105,6 +107,7 @@ def test_one_shard_has_one_worker(tmp_path):
     client.communicate(timeout=60)
 
 
+@pytest.mark.long
 def test_processes_of_an_analysis_end_with_it():
     """Those that wait for work would do so for ever: they hold both ends of their queue."""
     code = "import time; from pliant.ensemble.over_shards import each_part; "

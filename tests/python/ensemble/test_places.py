@@ -9,6 +9,7 @@ import time
 
 import pytest
 from ensembles import PEPTIDE, call, made, shards_of
+from forked import HEAVY, ended_code
 
 WORDS = ("--walkers", 24, "--shard-size", 4, "--steps", 40, "--every", 10)
 
@@ -18,13 +19,9 @@ def same_files(folder, other):
     return bool(pairs) and all(a.read_bytes() == b.read_bytes() for a, b in pairs)
 
 
-def test_a_scheduler_that_is_there(ensemble, tmp_path):
-    from distributed import LocalCluster
-
-    with LocalCluster(n_workers=1, threads_per_worker=2, dashboard_address=None) as cluster:
-        folder = tmp_path / "many"
-        made(PEPTIDE, "-o", folder, *WORDS, "--scheduler", cluster.scheduler_address)
-    assert same_files(folder, ensemble)
+def test_a_scheduler_that_is_there(ensemble, tmp_path, there):
+    made(PEPTIDE, "-o", tmp_path / "many", *WORDS, *there)
+    assert same_files(tmp_path / "many", ensemble)
 
 
 def test_no_worker_is_told_once(capfd, monkeypatch):
@@ -59,8 +56,9 @@ def test_the_dashboard_is_told_where_something_draws_it(is_drawn, tmp_path):
 
 
 def test_a_scheduler_that_is_not_there(tmp_path):
-    words = ("--scheduler", "tcp://127.0.0.1:1")
-    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, *words)
+    words = [str(PEPTIDE), "-o", "many", *map(str, WORDS), "--scheduler", "tcp://127.0.0.1:1"]
+    code = "from pliant.ensemble import cluster, command\ncluster._ANSWER_SECONDS = 0.5\n"
+    ended = ended_code(f"{code}raise SystemExit(command.main({words!r}))", *HEAVY, cwd=tmp_path)
     assert (ended.returncode, ended.stderr.count("\n")) == (2, 1)
     assert "--scheduler tcp://127.0.0.1:1: " in ended.stderr
 

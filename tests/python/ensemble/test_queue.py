@@ -119,6 +119,7 @@ def test_two_ensembles_need_no_port_in_common(settings, text, expected):
     assert Queue(str(settings))._scheduler_options() == {"dashboard_address": expected}
 
 
+@pytest.mark.long
 @pytest.mark.parametrize("how", [signal.SIGTERM, signal.SIGKILL])
 def test_jobs_end_with_the_command(tmp_path, settings, how):
     words = ("--walkers", 400, "--shard-size", 4, "--steps", 3000, "--cluster", settings)

@@ -25,11 +25,11 @@ from pliant.ensemble.sums import Task, sums_of, superposed
 
 
 @pytest.fixture(scope="module")
-def many(tmp_path_factory):
+def many(tmp_path_factory, there):
     """64 walkers with contacts that may break."""
     folder = tmp_path_factory.mktemp("streamed") / "many"
     words = ("--walkers", 64, "--shard-size", 10, "--model", "protein", "--steps", 20)
-    made(PEPTIDE, "-o", folder, *words, "--every", 4, "--perturb", "displacement")
+    made(PEPTIDE, "-o", folder, *words, "--every", 4, "--perturb", "displacement", *there)
     return folder
 
 
@@ -229,15 +229,15 @@ def test_what_goes_with_one_file_is_refused(many, tmp_path):
     assert "is a folder, expected a trajectory file" in ended.stderr
 
 
-def test_one_walker_has_no_error(tmp_path):
-    made(PEPTIDE, "-o", tmp_path / "one", "--walkers", 1, "--steps", 10)
+def test_one_walker_has_no_error(tmp_path, there):
+    made(PEPTIDE, "-o", tmp_path / "one", "--walkers", 1, "--steps", 10, *there)
     ended = call("analyse", tmp_path / "one", "-o", tmp_path / "r")
     assert ended.returncode == 1
     assert "one walker: errors and convergence need two" in ended.stderr
 
 
-def test_frames_of_a_sample_are_called_frames(tmp_path):
-    made(PEPTIDE, "-o", tmp_path / "drawn", "--frames", 12, "--shard-size", 5)
+def test_frames_of_a_sample_are_called_frames(tmp_path, there):
+    made(PEPTIDE, "-o", tmp_path / "drawn", "--frames", 12, "--shard-size", 5, *there)
     text = analysed(tmp_path / "drawn", tmp_path / "r")
     assert "frames          12, independent of each other\n" in text
     written = [path.read_text() for path in (tmp_path / "r").glob("*.csv")]
@@ -250,10 +250,10 @@ def test_frames_of_a_sample_are_called_frames(tmp_path):
 
 
 @pytest.mark.parametrize("asks", [True, False])
-def test_an_amplitude_that_was_asked_for_is_no_result(tmp_path, asks):
+def test_an_amplitude_that_was_asked_for_is_no_result(tmp_path, asks, there):
     """Conformers of a small molecule are asked for none."""
     words = (PEPTIDE, "--amplitude", 0.9) if asks else (CAFFEINE.with_name("aspirin.sdf"),)
-    made(*words, "-o", tmp_path / "s", "--frames", 12, "--shard-size", 6)
+    made(*words, "-o", tmp_path / "s", "--frames", 12, "--shard-size", 6, *there)
     text = analysed(tmp_path / "s", tmp_path / "r")
     said = (
         "amplitude       asked 0.90 Angstrom: how far all moves is an input, which parts move more "
@@ -262,8 +262,8 @@ def test_an_amplitude_that_was_asked_for_is_no_result(tmp_path, asks):
     assert (said in text) == ("\namplitude" in text) == asks
 
 
-def test_of_a_rigid_molecule_it_says_that_nothing_moves(tmp_path):
-    made(CAFFEINE, "-o", tmp_path / "rigid", "--frames", 20, "--shard-size", 10)
+def test_of_a_rigid_molecule_it_says_that_nothing_moves(tmp_path, there):
+    made(CAFFEINE, "-o", tmp_path / "rigid", "--frames", 20, "--shard-size", 10, *there)
     text = analysed(tmp_path / "rigid", tmp_path / "r")
     assert "nothing moves: RMSF of all 14 atoms is below 0.001 Angstrom" in text
     assert "clusters        1: all frames have one shape\n" in text

@@ -72,7 +72,7 @@ def test_the_whole_file_is_read(good):
 
 
 def test_no_damage_kills_a_reader(good, tmp_path):
-    read_damaged(good.read_bytes(), tmp_path, 40, 20)
+    read_damaged(good.read_bytes(), tmp_path, 10, 5)
 
 
 @pytest.mark.long
@@ -81,7 +81,8 @@ def test_no_damage_of_many_kills_a_reader(good, tmp_path):
     read_damaged(good.read_bytes(), tmp_path, 10_000, 1000)
 
 
-def test_no_damage_kills_recover(good, tmp_path):
+@pytest.mark.parametrize("count", [2, pytest.param(8, marks=pytest.mark.long)])
+def test_no_damage_kills_recover(good, tmp_path, count):
     path, out = tmp_path / "damaged.h5md", tmp_path / "out.h5md"
 
     def save():
@@ -89,6 +90,6 @@ def test_no_damage_kills_recover(good, tmp_path):
             recover(path, out, overwrite=True)
             with_ours(out)
 
-    for what, damaged in damages(good.read_bytes(), 8, 8):
+    for what, damaged in damages(good.read_bytes(), count, count):
         path.write_bytes(damaged)
         assert death_of(save) == "", what

@@ -12,6 +12,7 @@ from pathlib import Path
 import h5py
 import numpy as np
 import psutil
+from forked import ended_command, is_forkable
 
 COMMAND = Path(os.environ.get("PLIANT_COMMAND", Path(sys.executable).parent / "pliant"))
 PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
@@ -20,9 +21,10 @@ POSITION = "particles/trajectory/position"
 
 def call(*words, **options):
     """Runs pliant with these words; the process that has ended."""
-    return subprocess.run(
-        [COMMAND, *map(str, words)], capture_output=True, text=True, timeout=280, **options
-    )
+    words = [*map(str, words)]
+    if is_forkable(words, **options):
+        return ended_command(words, timeout=280, **options)
+    return subprocess.run([COMMAND, *words], capture_output=True, text=True, timeout=280, **options)
 
 
 def made(*words, code=0, **options):

@@ -73,12 +73,12 @@ void record(const std::filesystem::path& path, bool compress) {
 
 TEST_F(H5mdFlipTest, OfOursKillsNobody) {
   record(path_, false);
-  read_damaged(count_of(300, 6000), count_of(100, 600));
+  read_damaged(count_of(75, 6000), count_of(25, 600));
 }
 
 TEST_F(H5mdFlipTest, OfOursThatIsCompressedKillsNobody) {
   record(path_, true);
-  read_damaged(count_of(100, 2000), count_of(50, 200));
+  read_damaged(count_of(25, 2000), count_of(12, 200));
 }
 
 void write_foreign(const std::filesystem::path& path, hid_t access) {
@@ -89,7 +89,7 @@ void write_foreign(const std::filesystem::path& path, hid_t access) {
 
 TEST_F(H5mdFlipTest, OfAnotherProgramKillsNobody) {
   write_foreign(path_, H5P_DEFAULT);
-  read_damaged(count_of(100, 1000), count_of(50, 100));
+  read_damaged(count_of(25, 1000), count_of(12, 100));
 }
 
 /// More than eight links of a group are in a heap and a tree, which HDF5 reads in another process
@@ -99,7 +99,7 @@ TEST_F(H5mdFlipTest, OfANewerFormatKillsNobody) {
   H5Pset_libver_bounds(access, H5F_LIBVER_LATEST, H5F_LIBVER_LATEST);
   write_foreign(path_, access);
   H5Pclose(access);
-  read_damaged(count_of(100, 1000), count_of(50, 100));
+  read_damaged(count_of(25, 1000), count_of(12, 100));
 }
 
 }  // namespace h5md_flip_test
