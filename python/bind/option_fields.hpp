@@ -61,7 +61,7 @@ void bind_value(nb::class_<Options>& to, const OptionField<Options>& field) {
       nb::for_getter(nb::sig(getter.c_str())), docstring(field.summary).c_str());
 }
 
-/// Of all that is open to scripts: "atoms: str = 'CA', step: float = 0.2".
+/// Text of all that is open to scripts: "atoms: str = 'CA', step: float = 0.2".
 template <class Fields, class Options>
 std::string argument_texts(const Fields& fields, Options usual) {
   std::string text;

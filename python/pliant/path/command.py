@@ -94,7 +94,7 @@ def _path(arguments: argparse.Namespace) -> int:
 
     _check_outputs(arguments)
     options = PathOptions(**{row["name"]: getattr(arguments, row["name"]) for row in path_rows()})
-    with notes_told_by(console.note):
+    with notes_shown_by(console.note):
         start, end = read(arguments.start), read(arguments.end)
     with console.progress("path") as show:
         path = walk.find(

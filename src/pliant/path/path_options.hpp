@@ -40,8 +40,8 @@ struct PathOptions {
   Log log = {};                            ///< receives messages of preparation
 };
 
-/// Of these options: the command's options, Python's keywords, the page's settings, what files keep
-/// and check() come from this table, in the order in which help lists them.
+/// The table from which the command's options, Python's keywords, the page's settings, what files
+/// keep and check() come, in the order in which help lists them.
 std::span<const OptionField<PathOptions>> path_fields();
 
 /// Options by their paths below /parameters: "path/step".

@@ -17,10 +17,10 @@ namespace pliant {
 ForceFile force_file_of(const RunOptions& options, ForceHeader header, bool is_counted = false);
 
 /// The force file that the pushes of a run become: there as a whole once the run has ended, or not
-/// at all. Of a push the forces are kept that acted by move_by_verlet; if it had none, the root
-/// joint and 0. Of a run in hands (`held_back`) kept is what they asked for, and steps in which
-/// nothing changed are counted: what drives the run besides is told by the settings, and takes no
-/// memory however long it goes on.
+/// at all. It keeps the forces of a push that acted by move_by_verlet; the root joint and 0 if
+/// there were none. For a run in hands (`held_back`) it keeps what they asked for, and counts steps
+/// in which nothing changed: the settings say what drives the run besides, and take no memory
+/// however long it goes on.
 class ForceRecorder {
  public:
   /// `settings` without pushes; the framework must outlive it. `held_back` is the longest step of

@@ -225,6 +225,7 @@ const Use uses[] = {
     of_type<LimitKind>("pliant/framework/contact_kind_rows.hpp"),
     of("pliant/model/contacts/contact_kinds.hpp", &molecular_contact_kinds),
     of("pliant/model/contacts/contact_list.hpp", &limits_of),
+    of_type<ContactOptions>("pliant/model/contacts/contact_options.hpp"),
     of("pliant/model/rigidity/dilution_picture.hpp", &dilution_title),
     of("pliant/model/contacts/hydrogen_bond_energy.hpp", &hydrogen_bond_energy),
     of("pliant/model/contacts/hydrogen_bonds.hpp", &hydrogen_bonds),

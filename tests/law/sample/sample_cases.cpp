@@ -24,7 +24,8 @@ Structure with_bonds(Structure structure) {
 Structure from_data(const char* file) { return with_bonds(read_structure(molecule_file(file))); }
 
 Structure from_law(const char* file) {
-  return with_bonds(read_structure((source_folder() / "tests/law/sample/molecules" / file).string()));
+  return with_bonds(
+      read_structure((source_folder() / "tests/law/sample/molecules" / file).string()));
 }
 
 /// Adds the residues of another structure, which has no bonds yet, shifted.

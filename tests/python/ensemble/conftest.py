@@ -20,7 +20,7 @@ if __name__ == "__main__":
 
 @pytest.fixture(scope="session")
 def there(tmp_path_factory):
-    """Words of a command that makes its shards where a scheduler is: a cluster of its own takes longer."""
+    """Words of a command that makes its shards where a scheduler is already, which is quicker."""
     script = tmp_path_factory.mktemp("cluster") / "cluster.py"
     script.write_text(CLUSTER)
     pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE}

@@ -25,7 +25,9 @@ def test_the_same_shards_are_the_same_bytes_wherever_they_are_made(ensemble, tmp
 
 
 def test_frames_of_a_sample_are_sharded_too(tmp_path, there):
-    result = made(PEPTIDE, "-o", tmp_path / "s", "--frames", 25, "--shard-size", 10, "--seed", 3, *there)
+    result = made(
+        PEPTIDE, "-o", tmp_path / "s", "--frames", 25, "--shard-size", 10, "--seed", 3, *there
+    )
     assert (result["shards"], result["frames"]) == (3, 25)
     words = ("--frames", 25, "--seed", 3, "-o", tmp_path / "whole.h5md")
     assert call("sample", PEPTIDE, *words).returncode == 0

@@ -65,7 +65,9 @@ def test_all_workers_killed_while_they_start(tmp_path, whole):
     expect_all(folder, whole)
 
 
-@pytest.mark.parametrize("how", [signal.SIGKILL, pytest.param(signal.SIGINT, marks=pytest.mark.long)])
+@pytest.mark.parametrize(
+    "how", [signal.SIGKILL, pytest.param(signal.SIGINT, marks=pytest.mark.long)]
+)
 def test_the_same_command_goes_on_after_the_death_of_the_first(tmp_path, whole, how):
     folder = tmp_path / "many"
     client = start(PEPTIDE, "-o", folder, *MANY, "--workers", 1)

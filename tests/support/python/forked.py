@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Python commands in forks of one process that has imported what they need: that takes longer than they.
+"""Python commands in forks of one process that has imported what they need, which takes long.
 
 What a fork prints, how it ends, its folder and its environment are those of a process of its own.
 """
@@ -95,7 +95,7 @@ def ended_code(text, *modules, cwd=None, env=None, timeout=120):
 
 
 def is_forkable(words, env=None, cwd=None, timeout=None, **others):
-    """Whether a fork does what subprocess.run(words, ...) does: a command in Python, and no more."""
+    """Whether a fork does what subprocess.run(words, ...) does: a command in Python, no more."""
     env = os.environ if env is None else env
     changed = {name for name in {*env, *os.environ} if env.get(name) != os.environ.get(name)}
     return bool(words) and words[0] in commands() and changed <= LATE_VARIABLES and not others
@@ -120,7 +120,7 @@ def take_place(job):
         opened = os.open(path, how)
         os.dup2(opened, descriptor)
         os.close(opened)
-    sys.stdin, sys.stdout, sys.stderr = (open(k, "rw"[k > 0], closefd=False) for k in range(3))
+    sys.stdin, sys.stdout, sys.stderr = (open(k, "rw"[k > 0], closefd=False) for k in range(3))  # noqa: SIM115
 
 
 def do(job):
