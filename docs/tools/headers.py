@@ -48,9 +48,10 @@ to use it; [how it is built](../../inside/structure.md) says what each folder is
 
 def _header(name: str) -> str:
     lines = (SOURCES / "pliant" / name).read_text().splitlines()
-    start = next(i for i, line in enumerate(lines) if line.startswith("#pragma once"))
+    start = next(i for i, line in enumerate(lines) if line.startswith("#"))
     about = " ".join(line[3:] for line in lines[1:start] if line.startswith("// "))
-    shown = [_entity(*one) for one in _entities(lines[start + 1 :])]
+    rows = lines[start] != "#pragma once"  # of a table that others include: nothing is declared
+    shown = [] if rows else [_entity(*one) for one in _entities(lines[start + 1 :])]
     return "\n\n".join(
         [f"## {Path(name).name} {{#{_anchor(name)}}}", f"`pliant/{name}`: {about}", *shown]
     )

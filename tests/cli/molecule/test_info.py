@@ -87,6 +87,7 @@ def test_limits_and_sterics_of_a_bars_file_are_counted(pliant, tmp_path):
         "hydrogen_bond": 0,
         "hydrophobic": 1,
         "torsion": 0,
+        "metal": 0,
     }
 
 
