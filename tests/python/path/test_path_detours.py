@@ -3,7 +3,6 @@
 
 import json
 from pathlib import Path
-from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -173,7 +172,7 @@ def test_an_analysis_knows_a_path(hairpin, tmp_path):
     kept = {name: value for name, value in record.parameters.items() if name.startswith("path/")}
     assert kept["path/end"] == "straight.pdb"
     assert (kept["path/both"], kept["path/backtrack"], kept["path/seed"]) == (True, 2, str(seed))
-    assert kind_of(SimpleNamespace(record=record)) == TRANSITION
+    assert kind_of(record) == TRANSITION
 
 
 def test_a_page_of_a_path_claims_no_errors(hairpin, tmp_path):
