@@ -20,10 +20,8 @@ struct AddField {
   }
   void operator()(std::uint64_t* value) const { line.add_seed(option, *value, help); }
   void operator()(std::int64_t* value) const {
-    const std::int64_t most =
-        facts.largest < 1e18 ? static_cast<std::int64_t>(facts.largest) : facts.most;
-    line.add_integer(option, *value, facts.range == Range::positive ? 1 : 0, most, help,
-                     unset.empty() ? nullptr : unset.c_str());
+    line.add_integer(option, *value, facts.range == Range::positive ? 1 : 0, largest_taken(facts),
+                     help, unset.empty() ? nullptr : unset.c_str());
   }
   void operator()(double* value) const {
     line.add_real(option, *value, facts.range, help, facts.is_optional ? "" : nullptr);

@@ -73,9 +73,8 @@ nb::dict row_of(const OptionFacts& facts, OptionPlace place) {
   row["default"] = value_of(place);
   if (facts.choices != nullptr) row["choices"] = nb::cast(facts.choices());
   if (std::holds_alternative<std::int64_t*>(place)) {
-    const bool is_limited = facts.largest < double(facts.most);
     row["least"] = facts.range == Range::positive ? 1 : 0;
-    row["most"] = is_limited ? static_cast<std::int64_t>(facts.largest) : facts.most;
+    row["most"] = largest_taken(facts);
   }
   return row;
 }

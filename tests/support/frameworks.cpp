@@ -60,6 +60,16 @@ std::vector<Vec3> moved_rigidly(std::span<const Vec3> positions) {
   return moved;
 }
 
+double worst_bar(const Framework& framework, std::span<const Vec3> positions) {
+  double worst = 0.0;
+  for (std::size_t k = 0; k < framework.bar_count(); ++k) {
+    const Bar bar = framework.bars()[k];
+    const double rest = framework.rest_lengths()[k];
+    worst = std::max(worst, std::abs(distance(positions[bar.a], positions[bar.b]) - rest) / rest);
+  }
+  return worst;
+}
+
 double largest_difference(std::span<const Vec3> a, std::span<const Vec3> b) {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i) largest = std::max(largest, distance(a[i], b[i]));

@@ -28,6 +28,8 @@ std::vector<Vec3> shake(const Framework& framework, std::span<const Vec3> positi
                         std::uint64_t seed = 1);
 /// Rotated by a proper rotation and shifted.
 std::vector<Vec3> moved_rigidly(std::span<const Vec3> positions);
+/// Largest |length - rest| / rest of the bars.
+double worst_bar(const Framework& framework, std::span<const Vec3> positions);
 /// Largest distance between two places of a joint.
 double largest_difference(std::span<const Vec3> a, std::span<const Vec3> b);
 /// Largest absolute coordinate, at least 1.

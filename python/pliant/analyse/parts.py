@@ -28,9 +28,6 @@ class Part:
     @property
     def notes(self) -> tuple[str, ...]:
         """What a reader of the results should know."""
-        return self._notes()
-
-    def _notes(self) -> tuple[str, ...]:
         return ()
 
 
@@ -42,7 +39,9 @@ class ReferenceStructure(Part):
     name: str  #: what it is, for readers
     note: str = ""  #: why it is this one, where that is not plain
 
-    def _notes(self) -> tuple[str, ...]:
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of the results should know."""
         return (self.note,) if self.note else ()
 
 
@@ -95,7 +94,9 @@ class Residuals(Part):
         """One number a frame, or a bar: see `BarResiduals`."""
         return self.measured.results
 
-    def _notes(self) -> tuple[str, ...]:
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of the results should know."""
         if self.measured.precision != "float32" or self.measured.tolerance >= 1e-5:
             return ()
         text = "coordinates are stored as 32-bit floats, so residuals are known to a few 1e-6 only"
@@ -128,7 +129,9 @@ class AtomFluctuations(Part):
         """One number an atom, or a residue: see `Rmsf`."""
         return self.measured.results
 
-    def _notes(self) -> tuple[str, ...]:
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of the results should know."""
         rests = self.found.average_converged
         return () if rests else ("the average structure of the RMSF did not come to rest",)
 
@@ -153,7 +156,9 @@ class Torsions(Part):
         """Angles of each frame, and how they are distributed: see `TorsionDistributions`."""
         return self.measured.results
 
-    def _notes(self) -> tuple[str, ...]:
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of the results should know."""
         size = self.found.angles.size
         bars = ("the file has no bonds: torsions are those of its bars",)
         large = (f"the table torsion_angles.csv is left out: {size:,} numbers",)
@@ -172,7 +177,9 @@ class Components(Part):
         """Variances, directions and projections: see `PrincipalComponents`."""
         return self.measured.results
 
-    def _notes(self) -> tuple[str, ...]:
+    @property
+    def notes(self) -> tuple[str, ...]:
+        """What a reader of the results should know."""
         text = f"PCA uses every {self.stride}th frame, to fit into memory"
         return (text,) if self.stride > 1 else ()
 

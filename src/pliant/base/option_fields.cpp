@@ -73,6 +73,11 @@ struct Restored {
 
 }  // namespace
 
+std::int64_t largest_taken(const OptionFacts& facts) {
+  const bool is_bounded = facts.largest < static_cast<double>(facts.most);
+  return is_bounded ? static_cast<std::int64_t>(facts.largest) : facts.most;
+}
+
 void check_option(const OptionFacts& facts, OptionPlace place) { std::visit(Check{facts}, place); }
 
 void set_option(const OptionFacts& facts, OptionPlace place, std::string_view text) {

@@ -77,6 +77,9 @@ OptionPlace place_at(Options& options) {
   return follow_members<Members...>(options);
 }
 
+/// Returns the largest whole number that the command and the page take.
+std::int64_t largest_taken(const OptionFacts& facts);
+
 /// Throws OptionError naming the option, its value and what it must be.
 void check_option(const OptionFacts& facts, OptionPlace place);
 

@@ -16,20 +16,10 @@ constexpr double whole = 1e-9;  // of a bar's length
 class SampleBarsLaw : public test::SampleLaw {};
 PLIANT_FOR_ALL_SAMPLERS(SampleBarsLaw);
 
-double worst_bar(const Framework& framework, std::span<const Vec3> x) {
-  double worst = 0.0;
-  for (std::size_t k = 0; k < framework.bar_count(); ++k) {
-    const Bar bar = framework.bars()[k];
-    const double rest = framework.rest_lengths()[k];
-    worst = std::max(worst, std::abs(distance(x[bar.a], x[bar.b]) - rest) / rest);
-  }
-  return worst;
-}
-
 TEST_P(SampleBarsLaw, AllAreWholeAsReported) {
   each_frame([](const test::SampleCase&, const SampleTask& task, const test::KeptFrame& frame) {
     EXPECT_TRUE(test::all_finite(frame.positions));
-    const double worst = worst_bar(task.framework(), frame.positions);
+    const double worst = test::worst_bar(task.framework(), frame.positions);
     EXPECT_LE(worst, whole);
     EXPECT_NEAR(frame.max_residual, worst, 1e-14);
   });

@@ -21,15 +21,7 @@ struct Molecule {
         plan(*conformer_plan(framework, model.positions)),
         moves(framework, plan, model.positions) {}
 
-  double worst_bar(std::span<const Vec3> x) const {
-    double worst = 0.0;
-    for (std::size_t k = 0; k < framework.bar_count(); ++k) {
-      const Bar bar = framework.bars()[k];
-      const double rest = framework.rest_lengths()[k];
-      worst = std::max(worst, std::abs(distance(x[bar.a], x[bar.b]) - rest) / rest);
-    }
-    return worst;
-  }
+  double worst_bar(std::span<const Vec3> x) const { return test::worst_bar(framework, x); }
 
   MolecularModel model;
   Framework framework;
