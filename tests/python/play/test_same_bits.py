@@ -51,11 +51,13 @@ def test_all_readers(solver, path):
         assert_same_walk(solver, path, model, ["auto"], 10)
 
 
+@pytest.mark.filterwarnings("ignore:technique = :pliant.PliantWarning")  # sweeps, on purpose
 @pytest.mark.parametrize("path", sorted(MECHANISMS.glob("*.xml")), ids=lambda path: path.name)
 def test_mechanisms(solver, path):
     assert_same_walk(solver, path, "", ["auto", "bfs_cycle"], 10)
 
 
+@pytest.mark.filterwarnings("ignore:technique = :pliant.PliantWarning")  # sweeps, on purpose
 def test_the_model_of_a_protein(solver):
     path = MOLECULES / "peptide_20.pdb"
     assert_same_walk(solver, path, "protein", ["froda", "anderson", "bfs_cycle"], 10)

@@ -226,6 +226,7 @@ def test_nothing_is_open_at_first(solver):
 GLUCOSE = ROOT / "data/molecules/glucose.cif"  # a ring that takes other forms
 
 
+@pytest.mark.filterwarnings("ignore:no bond can rotate:pliant.PliantWarning")
 @pytest.mark.parametrize("path", [PEPTIDE, CAFFEINE, GLUCOSE], ids=lambda path: path.name)
 def test_frames_of_a_sample_are_those_of_the_library(solver, path):
     solver.open(path, "auto")
