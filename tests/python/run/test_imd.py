@@ -210,12 +210,12 @@ def test_our_client_pulls_pauses_and_ends(tmp_path):
         client.pull([3], [[0, 0, 20.0]])
         read_until(lambda frame: frame.energies["dihedrals_energy"] == 1.0)
         client.set_rate(7)
-        last = read_until(lambda frame: frame.positions[3, 2] > first.positions[3, 2] + 0.5)
+        read_until(lambda frame: frame.positions[3, 2] > first.positions[3, 2] + 0.5)
         read_until(lambda frame: frame.step % 7 == 0 and client.read().step == frame.step + 7)
         client.pause()
         client.resume()
         client.release()
-        read_until(lambda frame: frame.energies["dihedrals_energy"] == 0.0)
+        last = read_until(lambda frame: frame.energies["dihedrals_energy"] == 0.0)
         client.kill()
         for last in client:
             assert last.energies["dihedrals_energy"] == 0.0
