@@ -26,6 +26,7 @@ enum class Domain : std::uint64_t {
   dilution = 9,      ///< which limits are off in a sampled frame
   walk = 10,         ///< steps of a sampler that walks
   torsion = 11,      ///< torsions, rings and flexible loops of a sampled conformer
+  turn = 12,         ///< which domains of a sampled frame turn, and how
 };
 
 /// Where a random number is used: all of its fields together make the draw.

@@ -17,4 +17,10 @@ std::string_view name(Stop stop) {
   return "unknown";
 }
 
+std::string_view name(DrawnBy drawn_by) {
+  constexpr std::string_view names[drawn_by_count] = {"other", "modes", "wide_modes", "turns",
+                                                      "turns_with_modes"};
+  return names[static_cast<std::size_t>(drawn_by)];
+}
+
 }  // namespace pliant

@@ -21,6 +21,20 @@ enum class Stop : std::uint8_t {
 /// "converged", "max_sweeps", ...
 std::string_view name(Stop stop);
 
+/// How the target of a sampled frame was drawn.
+enum class DrawnBy : std::uint8_t {
+  other,             ///< by a sampler that draws in one way only
+  modes,             ///< along the modes of a network
+  wide_modes,        ///< likewise, twice as far
+  turns,             ///< domains turned
+  turns_with_modes,  ///< domains turned, with a draw of the modes inside them
+};
+
+inline constexpr std::size_t drawn_by_count = 5;
+
+/// "other", "modes", "wide_modes", "turns", "turns_with_modes"
+std::string_view name(DrawnBy drawn_by);
+
 inline constexpr std::int64_t no_joint = -1;
 
 /// One step's result. Spans are valid during the call only.
@@ -42,6 +56,7 @@ struct Frame {
   /// (L) 1: the limit is switched off; empty: all are on
   std::span<const std::uint8_t> limits_off = {};
   std::int64_t redraws = 0;  ///< draws that a sampler rejected before this frame was resolved
+  DrawnBy drawn_by = DrawnBy::other;
   std::int64_t walker = 0;   ///< the walker it belongs to, where one file holds several
 };
 

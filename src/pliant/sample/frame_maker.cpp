@@ -88,7 +88,7 @@ void FrameMaker::make_many(std::int64_t first, std::span<const Vec3> now,
     out[k].positions.resize(now.size());
     FrameRequest& request = requests_[k];
     sampler_.ask(first + static_cast<std::int64_t>(k), 0, 0, now, now, request);
-    jobs_.push_back({from(request, now), request.targets, out[k].positions, request.limits_off});
+    jobs_.push_back({push_of(request, now), out[k].positions});
   }
   lanes_->resolve(jobs_, careful());
   for (std::size_t k = 0; k < out.size(); ++k) {
@@ -107,6 +107,7 @@ void FrameMaker::make_many(std::int64_t first, std::span<const Vec3> now,
 void FrameMaker::finish(MadeFrame& out) const {
   if (!out.is_made) return;
   out.limits_off = request_.limits_off;
+  out.drawn_by = request_.drawn_by;
   out.off_target = rms_distance(out.positions, request_.targets);
   measure_bars(out);
   out.is_made = out.max_residual <= most_residual;
@@ -114,6 +115,11 @@ void FrameMaker::finish(MadeFrame& out) const {
 
 std::span<const Vec3> FrameMaker::from(const FrameRequest& request, std::span<const Vec3> now) {
   return request.from.empty() ? now : std::span<const Vec3>(request.from);
+}
+
+FrodaPush FrameMaker::push_of(const FrameRequest& request, std::span<const Vec3> now) {
+  return {from(request, now), request.targets, request.limits_off,
+          request.course.at ? &request.course : nullptr};
 }
 
 /// A walk's frame lies on the one before: as a whole it would drift away.
@@ -152,7 +158,7 @@ bool FrameMaker::rescue(std::span<const Vec3> from, MadeFrame& out) {
 }
 
 bool FrameMaker::resolve(std::span<const Vec3> now, const FrodaOptions& options, MadeFrame& out) {
-  out.result = solver_.resolve(now, request_.targets, out.positions, options, request_.limits_off);
+  out.result = solver_.resolve(push_of(request_, now), out.positions, options);
   out.steps += out.result.steps;
   return out.result.is_whole;
 }

@@ -22,6 +22,7 @@ struct MadeFrame {
   std::vector<std::uint8_t> limits_off;  ///< (L) or empty
   double max_residual = 0.0, rms_residual = 0.0;
   BarIndex worst_bar = 0;
+  DrawnBy drawn_by = DrawnBy::other;
   FrodaResult result;  ///< of the last step
   double off_target = 0.0;
   int redraws = 0;          ///< number of draws after the first, over all steps
@@ -51,6 +52,7 @@ class FrameMaker {
   bool rescue(std::span<const Vec3> from, MadeFrame& out);
   void finish(MadeFrame& out) const;
   static std::span<const Vec3> from(const FrameRequest& request, std::span<const Vec3> now);
+  static FrodaPush push_of(const FrameRequest& request, std::span<const Vec3> now);
   bool make_step(std::int64_t number, int step, std::span<const Vec3> now,
                  std::span<const Vec3> before, MadeFrame& out);
   bool resolve(std::span<const Vec3> now, const FrodaOptions& options, MadeFrame& out);

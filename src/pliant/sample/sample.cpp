@@ -164,7 +164,8 @@ class Sampling {
                   .max_limit = made.result.max_limit,
                   .max_overlap = made.result.max_overlap,
                   .limits_off = made.limits_off,
-                  .redraws = made.redraws}))
+                  .redraws = made.redraws,
+                  .drawn_by = made.drawn_by}))
       summary_.stopped_by_caller = true;
   }
 
@@ -186,7 +187,15 @@ class Sampling {
       summary_.max_residual = made.max_residual;
       summary_.worst_bar = made.worst_bar;
     }
-    sums_.add(made.positions, number - options_.first_frame >= options_.frames / 2);
+    if (is_near(number)) sums_.add(made.positions, number - options_.first_frame >= near() / 2);
+  }
+
+  /// Fluctuations are those of frames around the start: of `reach` its near ones.
+  bool is_near(std::int64_t number) const { return number < options_.first_frame + near(); }
+  std::int64_t near() const {
+    if (options_.near_frames == 0) return options_.frames;
+    return std::clamp<std::int64_t>(options_.near_frames - options_.first_frame, 0,
+                                    options_.frames);
   }
 
   void finish() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/sample/sample_fields.hpp"
 
+#include <algorithm>
 #include <string>
 #include <utility>
 
@@ -72,6 +73,16 @@ const SampleField table[] = {
                    "``torsions`` of small molecules, which have no amplitude.",
       .automatic = automatic_sampler},
      at<&SampleOptions::sampler>},
+    {{.name = "near_frames",
+      .group = group,
+      .summary = "of --sampler reach: so many frames first are those of --sampler modes, by which\n"
+                 "flexibility is computed (default: half of the frames, in hundreds)",
+      .range = Range::zero_or_more,
+      .is_optional = true,
+      .in_python = "Of sampler ``reach``: frames below this number are those of ``modes``. 0: half of\n"
+                   "the frames, in whole hundreds.",
+      .most = most_frames},
+     at<&SampleOptions::near_frames>},
     {{.name = "contact_energy",
       .group = group,
       .summary = "of --sampler dilute, kcal/mol: it turns a contact of energy E off\n"
@@ -98,6 +109,15 @@ void check(const SampleOptions& options) {
     check_option(field, field.place(places_of(options)));
 }
 
+std::int64_t near_frames_of(const SampleOptions& options) {
+  constexpr std::int64_t block = 100;
+  if (options.near_frames > 0) return options.near_frames;
+  if (options.first_frame > 0)
+    throw OptionError(
+        "near_frames: a piece of an ensemble of sampler reach needs it; give all pieces the same");
+  return std::max(options.frames / (2 * block) * block, block);
+}
+
 SampleOptions unset_sample_options() {
   SampleOptions options;
   leave_open(sample_fields(), options);
@@ -118,6 +138,10 @@ std::vector<NamedParameter> renewed(std::vector<NamedParameter> parameters) {
       if (double* number = std::get_if<double>(&value)) *number /= field.former.divisor;
     }
   }
+  // Files of 0.3.0 know no sampler that asks for it.
+  const auto is_near = [](const auto& row) { return row.first == "sample/near_frames"; };
+  if (std::none_of(parameters.begin(), parameters.end(), is_near))
+    parameters.emplace_back("sample/near_frames", std::int64_t{0});
   return parameters;
 }
 

@@ -11,6 +11,7 @@
 namespace pliant {
 
 inline constexpr double usual_amplitude = 1.4;  // Angstrom
+inline constexpr double largest_amplitude = 10.0;
 
 /// What to sample: rows of sample_fields(). Checked once, when sample() begins.
 struct SampleOptions {
@@ -21,12 +22,20 @@ struct SampleOptions {
   std::int64_t threads = 1;        ///< from 1; changes no result
   std::string network = "shared";  ///< a name in networks()
   std::string sampler = "modes";   ///< a name in samplers()
+  /// Of `reach`: frames below this number are those of `modes`. 0: half of the frames, in whole
+  /// blocks of 100 (see near_frames_of()).
+  std::int64_t near_frames = 0;
   /// kcal/mol, for `dilute`: a contact of energy E is off with probability exp(-|E| / this).
   double contact_energy = 3.0;
   /// Called between batches of frames, which take up to about a second; true ends the sample.
   std::function<bool()> should_stop = {};
   Log log = {};  ///< receives warnings
 };
+
+/// How many frames of `reach` are those of `modes` if `near_frames` is 0: half of them in whole
+/// blocks of 100, but at least 100. Throws OptionError if the frames do not begin at 0: pieces of
+/// one ensemble must have the same.
+std::int64_t near_frames_of(const SampleOptions& options);
 
 /// Throws OptionError naming the option, its value and its range.
 void check(const SampleOptions& options);

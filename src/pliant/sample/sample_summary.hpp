@@ -36,7 +36,6 @@ struct SampleSummary {
   double cpu_seconds = 0.0;  ///< of resolving, summed over threads
 };
 
-/// Warns where frames reached less than half of the amplitude that was asked for.
 /// Warns if frames reached less than half of the amplitude asked for.
 void warn_of_amplitude(const SampleSummary& summary, const Log& log);
 

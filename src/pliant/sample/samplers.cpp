@@ -10,11 +10,12 @@
 #include "pliant/base/math/elementary.hpp"
 #include "pliant/base/random.hpp"
 #include "pliant/resolve/froda/bodies/body_plan.hpp"
-#include "pliant/sample/amplitudes.hpp"
 #include "pliant/sample/conformers/small_sterics.hpp"
 #include "pliant/sample/conformers/torsion_moves.hpp"
-#include "pliant/sample/network/mode_displacement.hpp"
+#include "pliant/sample/modes_sampler.hpp"
+#include "pliant/sample/reach_sampler.hpp"
 #include "pliant/sample/sample_options.hpp"
+#include "pliant/sample/turns_sampler.hpp"
 
 namespace pliant {
 namespace {
@@ -22,50 +23,6 @@ namespace {
 constexpr double walk_length = 0.1;    // Angstrom, a random move of a node
 constexpr double walk_momentum = 0.8;  // share of the last move that is made again
 constexpr int walk_steps = 20;         // from frame to frame
-
-NetworkModes scaled_modes(const SamplerSetting& setting) {
-  NetworkModes modes = network_modes(setting.nodes, setting.options.network);
-  scale_to(setting.options.amplitude, modes);
-  return modes;
-}
-
-/// Independent frames along the modes of an elastic network.
-class ModesSampler : public Sampler {
- public:
-  explicit ModesSampler(const SamplerSetting& setting)
-      : start_(setting.start),
-        moves_(setting.nodes, scaled_modes(setting), setting.start),
-        seed_(setting.options.seed) {
-    const std::int64_t first = setting.options.first_frame;
-    const std::int64_t last = first + setting.options.frames - 1;
-    first_block_ = first / frames_a_block;
-    for (std::int64_t block = first_block_; block <= last / frames_a_block; ++block)
-      blocks_.push_back(white_amplitudes(seed_, block, moves_.mode_count()));
-  }
-
-  void ask(std::int64_t frame, int, int attempt, std::span<const Vec3>, std::span<const Vec3>,
-           FrameRequest& request) const override {
-    request.targets.resize(start_.size());
-    if (attempt == 0) {
-      const DenseMatrix& block =
-          blocks_[static_cast<std::size_t>(frame / frames_a_block - first_block_)];
-      moves_.displacements(block.row(static_cast<std::size_t>(frame % frames_a_block)),
-                           request.targets);
-    } else {
-      moves_.displacements(redrawn_amplitudes(seed_, frame, attempt, moves_.mode_count()),
-                           request.targets);
-    }
-    for (std::size_t k = 0; k < start_.size(); ++k) request.targets[k] += start_[k];
-    request.limits_off.clear();
-  }
-
- private:
-  std::span<const Vec3> start_;
-  ModeDisplacement moves_;
-  std::uint64_t seed_;
-  std::int64_t first_block_ = 0;
-  std::vector<DenseMatrix> blocks_;
-};
 
 /// The same with contacts off by chance, the weaker the more often.
 class DiluteSampler final : public ModesSampler {
@@ -204,6 +161,8 @@ constexpr SamplerEntry table[] = {
     {"modes", "independent frames along the modes of an elastic network", make<ModesSampler>},
     {"dilute", "the same, with each contact off with probability exp(-|E| / X)",
      make<DiluteSampler>},
+    {"turns", "domains turned as wholes about the links that join them", make<TurnsSampler>},
+    {"reach", "modes for the first half of the frames, then wide modes, and turns", make<ReachSampler>},
     {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>},
     {"torsions", "conformers of small molecules: torsions, forms of rings, large rings closed",
      make<TorsionsSampler>, false}};

@@ -19,6 +19,7 @@ SampleOptions completed(const SampleSubject& subject, const SampleAsked& asked) 
   if (options.sampler == automatic_sampler)
     options.sampler = usual_sampler(subject.framework, subject.start, subject.has_residues);
   check(options);
+  if (options.sampler == "reach") options.near_frames = near_frames_of(options);
   if (asked.amplitude && !find_sampler(options.sampler).has_amplitude)
     throw OptionError(std::string(asked.dashes) + "amplitude: sampler " + options.sampler +
                       " has none: how far torsions turn is drawn");

@@ -16,7 +16,7 @@ namespace pliant {
 namespace {
 
 /// Number types of a series of numbers.
-enum class NumberKind { integer, real, truth, stop };
+enum class NumberKind { integer, real, truth, stop, drawn_by };
 
 /// A frame, and how many contacts hold in it.
 struct CountedFrame : Frame {
@@ -67,6 +67,8 @@ constexpr Observable observables[] = {
      [](const F& f, Series& s) { s.add(f.contacts.broken); }},
     {"contacts_off", "", integer, of_limits, [](const F& f, Series& s) { s.add(f.contacts.off); }},
     {"redraws", "", integer, of_samples, [](const F& f, Series& s) { s.add(f.redraws); }},
+    {"sampler", "", drawn_by, of_samples,
+     [](const F& f, Series& s) { s.add(static_cast<std::uint8_t>(f.drawn_by)); }},
     {"walker", "", integer, of_walkers, [](const F& f, Series& s) { s.add(f.walker); }},
 };
 
@@ -90,6 +92,13 @@ std::vector<std::string> stop_names() {
   return names;
 }
 
+std::vector<std::string> drawn_by_names() {
+  std::vector<std::string> names;
+  for (std::uint8_t k = 0; k < drawn_by_count; ++k)
+    names.emplace_back(name(static_cast<DrawnBy>(k)));
+  return names;
+}
+
 const std::vector<std::string> state_names{"held", "broken", "off"};  // of ContactState
 
 Hid memory_type(NumberKind kind) {
@@ -100,6 +109,8 @@ Hid memory_type(NumberKind kind) {
       return owned(H5Tcopy(H5T_NATIVE_DOUBLE), H5Tclose, "copy a type");
     case truth:
       return boolean_type();
+    case drawn_by:
+      return named_number_type(drawn_by_names());
     default:
       return named_number_type(stop_names());
   }

@@ -8,7 +8,6 @@ namespace pliant {
 namespace {
 
 // Angstrom
-constexpr double pull_bound = 1.5;
 constexpr double last_bound = 0.5;
 constexpr double margin = 0.01;  // steps aim inside limits, so that they end there
 constexpr double widest_closed = 1e-12;
@@ -50,10 +49,11 @@ FrodaFrame::FrodaFrame(const Framework& framework, const BodyPlan& plan, double 
       pairs_(framework.sterics() == nullptr ? nullptr
                                             : std::make_unique<NearPairs>(framework, plan)) {}
 
-void FrodaFrame::begin(std::span<const Vec3> start, std::span<const Vec3> target,
-                       const FrodaOptions& options, LimitsOff limits_off) {
+void FrodaFrame::begin(const FrodaPush& push, const FrodaOptions& options) {
+  const auto [start, target, limits_off, course] = push;
   options_ = options;
   limits_off_ = limits_off;
+  course_ = course;
   steps_ = pulls_ = pushes_ = closings_ = since_gain_ = 0;
   visits_ = 0;
   least_ = HUGE_VAL;
@@ -80,7 +80,8 @@ void FrodaFrame::begin(std::span<const Vec3> start, std::span<const Vec3> target
   }
   x_ = start_;
   target_.resize(x_.size());
-  const double wanted = std::ceil(std::sqrt(furthest) / (options.leg * unit_));
+  const double way = course != nullptr ? course->length : std::sqrt(furthest);
+  const double wanted = std::ceil(way / (options.leg * unit_));
   legs_ = static_cast<int>(std::clamp(wanted, 1.0, most_legs));
 }
 
@@ -99,7 +100,7 @@ void FrodaFrame::ask_for_pull(double share, bool sees_contacts) {
     rows_.clear();
   }
   set_targets(share);
-  request_ = {target_, rows_, springs(sees_contacts), pull_bound * unit_, conjugate_gradients()};
+  request_ = {target_, rows_, springs(sees_contacts), options_.bound * unit_, conjugate_gradients()};
 }
 
 /// Of working bodies, to which contacts add some.
@@ -107,10 +108,20 @@ void FrodaFrame::set_targets(double share) {
   const auto working = working_.bodies();
   if (share != target_share_) bodies_with_targets_ = 0;
   target_share_ = share;
+  if (course_ != nullptr) return set_targets_on_course(share);
   for (const std::uint32_t body : working.subspan(bodies_with_targets_))
     for (Slot at = plan_.bodies()[body].first; at < plan_.bodies()[body].last; ++at)
       target_[at] = start_[at] + share * push_[at];
   bodies_with_targets_ = working.size();
+}
+
+/// Of all bodies: those of careful frames all work from the beginning.
+void FrodaFrame::set_targets_on_course(double share) {
+  const auto joint_at = plan_.joint_at();
+  on_course_.resize(framework_.joint_count());
+  course_->at(share, on_course_);
+  for (std::size_t k = 0; k < joint_at.size(); ++k)
+    target_[k] = on_course_[joint_at[k]] - origin_;
 }
 
 std::span<const TurnSpring> FrodaFrame::springs(bool are_wanted) {

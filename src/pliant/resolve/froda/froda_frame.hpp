@@ -4,6 +4,7 @@
 // of eight at once.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
@@ -15,6 +16,21 @@
 
 namespace pliant {
 
+/// The way of a push that is no straight line: domains turn along arcs.
+struct FrodaCourse {
+  /// Where the push wants the joints (N, Angstrom) at a share of the way, from 0 to 1.
+  std::function<void(double share, std::span<Vec3> out)> at;
+  double length = 0.0;  ///< of the longest way of a joint (Angstrom)
+};
+
+/// What a frame begins with. All must outlive it.
+struct FrodaPush {
+  std::span<const Vec3> start;          ///< (N, Angstrom) whole positions
+  std::span<const Vec3> target;         ///< (N) where the push wants the joints at its end
+  LimitsOff limits_off = {};            ///< (L) or empty
+  const FrodaCourse* course = nullptr;  ///< null: straight lines from start to target
+};
+
 struct FrodaOptions {
   double limit = 0.08;    ///< Angstrom by which a limit may be outside its interval
   double overlap = 0.08;  ///< Angstrom by which two joints may be nearer than allowed
@@ -25,6 +41,7 @@ struct FrodaOptions {
   bool is_careful = false;
   int conjugate_gradients = 2;  ///< iterations of careful steps
   double leg = 2.0;             ///< Angstrom: largest distance between intermediate targets
+  double bound = 1.5;           ///< Angstrom: largest displacement of a body in a pull
   int last_steps = 60;          ///< number of steps for contacts alone
   /// Torsion preferences pull in steps that consider contacts. Only for frames from one start: in a
   /// run, whose steps add up, they would resist continued pushes.
@@ -50,9 +67,7 @@ class FrodaFrame {
   /// molecules.
   FrodaFrame(const Framework& framework, const BodyPlan& plan, double unit = 1.0);
 
-  /// `start` (N, Angstrom): whole positions. `target` (N): where the push wants the joints.
-  void begin(std::span<const Vec3> start, std::span<const Vec3> target, const FrodaOptions& options,
-             LimitsOff limits_off);
+  void begin(const FrodaPush& push, const FrodaOptions& options);
 
   // Each of these puts the request for the next step into request(), or returns false if there is
   // none. Pulls come first, then steps for contacts alone, then those that close loops.
@@ -80,6 +95,7 @@ class FrodaFrame {
 
   int conjugate_gradients() const { return options_.is_careful ? options_.conjugate_gradients : 0; }
   void set_targets(double share);
+  void set_targets_on_course(double share);
   double closing() const;
   double widest_gap() const;
   Violation find_rows(double weight);
@@ -93,6 +109,8 @@ class FrodaFrame {
   double unit_;
   FrodaOptions options_;
   LimitsOff limits_off_;
+  const FrodaCourse* course_ = nullptr;
+  std::vector<Vec3> on_course_;  ///< (N)
   WorkingTrees working_;
   TurnSprings springs_;
   std::unique_ptr<NearPairs> pairs_;  ///< null: no sterics

@@ -58,7 +58,7 @@ bool FrodaLanes::take_up(Lane& lane, std::span<FrodaJob>& waiting, const FrodaOp
       lane.job = &waiting.front();
       waiting = waiting.subspan(1);
       if (!lane.frame) lane.frame = std::make_unique<FrodaFrame>(framework_, plan_);
-      lane.frame->begin(lane.job->start, lane.job->target, options, lane.job->limits_off);
+      lane.frame->begin(lane.job->push, options);
     }
     if (asks_for_a_step(*lane.frame)) return true;
     leave(lane);

@@ -14,9 +14,8 @@ namespace pliant {
 
 /// A frame to be resolved, as FrodaSolver::resolve takes it.
 struct FrodaJob {
-  std::span<const Vec3> start, target;  ///< (N, Angstrom)
-  std::span<Vec3> out;                  ///< (N)
-  LimitsOff limits_off = {};
+  FrodaPush push;
+  std::span<Vec3> out;  ///< (N)
   FrodaResult result = {};
 };
 

@@ -19,7 +19,12 @@ FrodaSolver::FrodaSolver(const Framework& framework, const BodyPlan& plan, doubl
 FrodaResult FrodaSolver::resolve(std::span<const Vec3> start, std::span<const Vec3> target,
                                  std::span<Vec3> out, const FrodaOptions& options,
                                  LimitsOff limits_off) {
-  frame_.begin(start, target, options, limits_off);
+  return resolve({start, target, limits_off}, out, options);
+}
+
+FrodaResult FrodaSolver::resolve(const FrodaPush& push, std::span<Vec3> out,
+                                 const FrodaOptions& options) {
+  frame_.begin(push, options);
   if (options.is_careful) {
     while (frame_.ask_for_careful_pull()) step();
   } else {

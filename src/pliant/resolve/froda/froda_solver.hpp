@@ -23,6 +23,7 @@ class FrodaSolver {
   FrodaResult resolve(std::span<const Vec3> start, std::span<const Vec3> target,
                       std::span<Vec3> out, const FrodaOptions& options = {},
                       LimitsOff limits_off = {});
+  FrodaResult resolve(const FrodaPush& push, std::span<Vec3> out, const FrodaOptions& options);
 
  private:
   FrodaResult finish(std::span<Vec3> out);

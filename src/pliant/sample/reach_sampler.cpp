@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/sample/reach_sampler.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "pliant/sample/sample_options.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr double wide = 2.0;          // of the amplitude
+constexpr std::int64_t a_round = 4;   // frames: one of wide modes, two turns, one turn with modes
+
+/// Seeds of wide modes and of those on top of turns: near frames have the seed itself.
+constexpr std::uint64_t wide_seed = 1, on_top_seed = 2;
+
+/// Modes of frames [first, first + frames), so far; null for none.
+std::unique_ptr<ModesSampler> modes_of(const SamplerSetting& setting, const NetworkModes& modes,
+                                       std::int64_t first, std::int64_t frames, double amplitude,
+                                       std::uint64_t seed) {
+  if (frames < 1) return nullptr;
+  SampleOptions options = setting.options;
+  options.first_frame = first;
+  options.frames = frames;
+  options.amplitude = std::min(amplitude * options.amplitude, largest_amplitude);
+  options.seed += seed * 0x9e3779b97f4a7c15u;  // far from seeds that users count up
+  return std::make_unique<ModesSampler>(
+      SamplerSetting{setting.framework, setting.plan, setting.start, setting.nodes, options}, modes);
+}
+
+}  // namespace
+
+ReachSampler::ReachSampler(const SamplerSetting& setting)
+    : ReachSampler(setting, network_modes(setting.nodes, setting.options.network)) {}
+
+ReachSampler::ReachSampler(const SamplerSetting& setting, const NetworkModes& modes)
+    : near_frames_(setting.options.near_frames),
+      joints_(setting.start.size()),
+      turns_(setting, modes) {
+  const std::int64_t first = setting.options.first_frame;
+  const std::int64_t end = first + setting.options.frames;
+  near_ = modes_of(setting, modes, first, std::min(end, near_frames_) - first, 1.0, 0);
+  // Numbers of others go on from those of near frames.
+  const std::int64_t other = std::max(first, near_frames_) - near_frames_;
+  const std::int64_t others = end - near_frames_ - other;
+  wide_ = modes_of(setting, modes, other, others, wide, wide_seed);
+  if (!turns_.empty()) on_top_ = modes_of(setting, modes, other, others, 1.0, on_top_seed);
+}
+
+void ReachSampler::ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
+                       std::span<const Vec3> before, FrameRequest& request) const {
+  if (frame < near_frames_) return near_->ask(frame, step, attempt, now, before, request);
+  const std::int64_t number = frame - near_frames_;
+  if (turns_.empty() || number % a_round == 0) return ask_wide(number, attempt, now, request);
+  std::vector<Vec3> moves;
+  if (number % a_round == a_round - 1) {
+    moves.resize(joints_);
+    on_top_->displace(number, attempt, moves);
+  }
+  turns_.ask_with(std::move(moves), number, attempt, request);
+}
+
+void ReachSampler::ask_wide(std::int64_t number, int attempt, std::span<const Vec3> now,
+                            FrameRequest& request) const {
+  wide_->ask(number, 0, attempt, now, now, request);
+  request.drawn_by = DrawnBy::wide_modes;
+}
+
+}  // namespace pliant

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/sample/turns/turn_course.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "pliant/base/math/elementary.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr std::int64_t spread_over = 4;  // nodes on each side of a link
+
+/// Sines and cosines whose bits depend on no C library.
+Rotation turned(Vec3 axis, double angle) {
+  const double half = 0.5 * angle;
+  return turn_about(axis, exact_bits_cos(half - 0.5 * std::numbers::pi) / exact_bits_cos(half));
+}
+
+struct AxisAngle {
+  Vec3 axis;
+  double angle = 0.0;  ///< 0 to pi
+};
+
+/// Of a turn by less than 180 degrees.
+AxisAngle axis_angle(const Rotation& r) {
+  const Vec3 twice_sine{r.z.y - r.y.z, r.x.z - r.z.x, r.y.x - r.x.y};
+  const double length = norm(twice_sine);
+  if (!(length > 1e-12)) return {{0, 0, 1}, 0.0};
+  return {(1.0 / length) * twice_sine, exact_bits_atan2(length, r.x.x + r.y.y + r.z.z - 1.0)};
+}
+
+Rotation inverse(const Rotation& r) {
+  return {{r.x.x, r.y.x, r.z.x}, {r.x.y, r.y.y, r.z.y}, {r.x.z, r.y.z, r.z.z}};
+}
+
+}  // namespace
+
+std::span<const RigidMotion> TurnCourse::motions(std::span<const PieceTurn> turns, double share) {
+  move_pieces(turns, share);
+  motions_.resize(tree_.of_node.size());
+  for (std::size_t i = 0; i < motions_.size(); ++i) motions_[i] = pieces_[tree_.of_node[i]];
+  for (const ChainLink link : tree_.links) spread(link);
+  return motions_;
+}
+
+/// Each piece goes with its parent, and turns.
+void TurnCourse::move_pieces(std::span<const PieceTurn> turns, double share) {
+  pieces_.assign(tree_.piece_count(), {});
+  for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
+    if (tree_.parent[p] >= 0) pieces_[p] = pieces_[static_cast<std::size_t>(tree_.parent[p])];
+    const auto turn = std::find_if(turns.begin(), turns.end(),
+                                   [&](const PieceTurn& one) { return one.piece == p; });
+    if (turn == turns.end()) continue;
+    pieces_[p] = pieces_[p].after(turned(turn->axis, share * turn->angle), turn->pivot);
+  }
+}
+
+/// Nodes beside a link turn about its middle by a part of what one piece turns against the other.
+void TurnCourse::spread(ChainLink link) {
+  const std::uint32_t one = tree_.of_node[link.before], other = tree_.of_node[link.after];
+  const RigidMotion &from = pieces_[one], &to = pieces_[other];
+  const AxisAngle turn = axis_angle(product(to.rotation, inverse(from.rotation)));
+  const Vec3 middle = 0.5 * (nodes_.positions[link.before] + nodes_.positions[link.after]);
+  const Vec3 start = from(middle), end = to(middle);
+  if (turn.angle == 0.0 && norm_squared(end - start) == 0.0) return;
+  for (std::int64_t k = 1 - spread_over; k <= spread_over; ++k) {
+    const std::int64_t at = std::int64_t{link.before} + k;
+    if (at < 0 || at >= static_cast<std::int64_t>(motions_.size())) continue;
+    const auto node = static_cast<std::size_t>(at);
+    if (nodes_.chain[node] != nodes_.chain[link.before]) continue;
+    if (tree_.of_node[node] != one && tree_.of_node[node] != other) continue;
+    const double part = (double(k + spread_over) - 0.5) / double(2 * spread_over);
+    const Rotation rotation = product(turned(turn.axis, part * turn.angle), from.rotation);
+    const Vec3 goal = start + part * (end - start);
+    motions_[node] = {rotation, goal - rotation(middle)};
+  }
+}
+
+}  // namespace pliant

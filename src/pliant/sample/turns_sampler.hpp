@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Sampler `turns`: domains turned as wholes about the links that join them.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "pliant/sample/samplers.hpp"
+#include "pliant/sample/turns/turn_draws.hpp"
+
+namespace pliant {
+
+/// Frames are independent; each depends on the seed and its number alone.
+class TurnsSampler final : public Sampler {
+ public:
+  explicit TurnsSampler(const SamplerSetting& setting);
+  TurnsSampler(const SamplerSetting& setting, const NetworkModes& modes);
+
+  /// Whether there are domains that can turn.
+  bool empty() const { return draws_.empty(); }
+
+  void ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
+           std::span<const Vec3> before, FrameRequest& request) const override;
+
+  /// The same with displacements (N, Angstrom; may be empty), which turn with the domains.
+  void ask_with(std::vector<Vec3> displacements, std::int64_t frame, int attempt,
+                FrameRequest& request) const;
+
+ private:
+  std::uint32_t nearest_node(Vec3 x) const;
+  double length_of(const FrodaCourse& course) const;
+  void let_go(FrameRequest& request) const;
+
+  const Framework& framework_;
+  std::span<const Vec3> start_;
+  const NetworkNodes& nodes_;
+  TurnDraws draws_;
+  std::vector<std::uint32_t> of_joint_;
+  std::uint64_t seed_;
+};
+
+}  // namespace pliant
