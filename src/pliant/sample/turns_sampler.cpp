@@ -28,6 +28,12 @@ TurnsSampler::TurnsSampler(const SamplerSetting& setting, const NetworkModes& mo
       draws_(setting.nodes, modes),
       of_joint_(setting.nodes.of_joint),
       seed_(setting.options.seed) {
+  if (draws_.empty() && setting.options.sampler == "turns") {
+    setting.options.log.warn(
+        "sampler turns: the molecule has no two parts that could turn against each other; its "
+        "frames are those of sampler modes");
+    modes_ = std::make_unique<ModesSampler>(setting, modes);
+  }
   for (std::size_t k = 0; k < of_joint_.size(); ++k)
     if (of_joint_[k] == no_node) of_joint_[k] = nearest_node(start_[k]);
 }
@@ -39,8 +45,9 @@ std::uint32_t TurnsSampler::nearest_node(Vec3 x) const {
                                     nodes.begin());
 }
 
-void TurnsSampler::ask(std::int64_t frame, int, int attempt, std::span<const Vec3>,
-                       std::span<const Vec3>, FrameRequest& request) const {
+void TurnsSampler::ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,
+                       std::span<const Vec3> before, FrameRequest& request) const {
+  if (modes_) return modes_->ask(frame, step, attempt, now, before, request);
   ask_with({}, frame, attempt, request);
 }
 

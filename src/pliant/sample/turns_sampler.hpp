@@ -6,12 +6,14 @@
 #include <memory>
 #include <vector>
 
+#include "pliant/sample/modes_sampler.hpp"
 #include "pliant/sample/samplers.hpp"
 #include "pliant/sample/turns/turn_draws.hpp"
 
 namespace pliant {
 
-/// Frames are independent; each depends on the seed and its number alone.
+/// Of a molecule without domains its frames are those of `modes`, with a warning. Frames are
+/// independent; each depends on the seed and its number alone.
 class TurnsSampler final : public Sampler {
  public:
   explicit TurnsSampler(const SamplerSetting& setting);
@@ -38,6 +40,7 @@ class TurnsSampler final : public Sampler {
   TurnDraws draws_;
   std::vector<std::uint32_t> of_joint_;
   std::uint64_t seed_;
+  std::unique_ptr<ModesSampler> modes_;  ///< where no domain can turn
 };
 
 }  // namespace pliant

@@ -10,7 +10,6 @@ from __future__ import annotations
 
 import json
 import math
-from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from pathlib import Path
@@ -22,7 +21,6 @@ import pliant
 from pliant._core import InputError
 from pliant.analysis import agreement
 from pliant.lab.validity.references import read_quietly
-from pliant.lab.validity.trace import amino_part
 
 BACKBONE = ("N", "CA", "C", "O")
 SUFFIXES = (".pdb", ".cif")
@@ -93,11 +91,10 @@ def _local(place: Path) -> tuple[dict[str, Any], str]:
 
 
 class Judge:
-    """Distances of frames of one direction's start from its goal."""
+    """Distances of frames of a structure, made of one direction's start, from its goal."""
 
-    def __init__(self, direction: Direction) -> None:
-        self.direction = direction
-        self.structure = amino_part(read_quietly(direction.start))
+    def __init__(self, direction: Direction, structure: pliant.Structure) -> None:
+        self.direction, self.structure = direction, structure
         ours, theirs = _backbones(self.structure), _backbones(read_quietly(direction.goal))
         shared = [key for key in ours if key in theirs]
         if len(shared) < 3:
@@ -162,8 +159,3 @@ def _inside(number: int, first: int | None, last: int | None) -> bool:
     high = math.inf if last is None else last
     return low <= number <= high
 
-
-def proteins_of(directions: list[Direction]) -> Iterator[list[int]]:
-    """Places of the directions of each protein: errors are by bootstrap over these."""
-    for name in dict.fromkeys((one.kind, one.protein) for one in directions):
-        yield [k for k, one in enumerate(directions) if (one.kind, one.protein) == name]

@@ -6,12 +6,14 @@ from __future__ import annotations
 import warnings
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path
 
 import numpy as np
 
 import pliant
 from pliant.lab.validity.peers import drawn_frames, network_of
-from pliant.lab.validity.trace import trace_of
+from pliant.lab.validity.references import read_quietly
+from pliant.lab.validity.trace import amino_part, trace_of
 
 NEAR, WIDE = 1.4, 2.8  #: Angstrom
 
@@ -23,8 +25,9 @@ class Subject:
     model: pliant.MolecularModel
 
     @classmethod
-    def of(cls, structure: pliant.Structure) -> Subject:
-        """Raises as ``build_model`` does."""
+    def of(cls, path: Path) -> Subject:
+        """The residues of a file that are amino acids. Raises as ``build_model`` does."""
+        structure = amino_part(read_quietly(path))
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", pliant.PliantWarning)  # of chain breaks, no hydrogens
             return cls(pliant.build_model(structure))

@@ -109,7 +109,7 @@ Labels without_small(const NetworkNodes& nodes, const DenseMatrix& springs, Labe
       if (sizes[p] == 0) continue;
       if (pieces++ == 0 || sizes[p] < sizes[least]) least = p;
     }
-    if (pieces < 2 || sizes[least] >= least_piece) return of_node;
+    if (pieces < 2 || sizes[least] >= least_piece(of_node.size())) return of_node;
     const std::vector<double> hold = holds(nodes, springs, of_node, least);
     const auto by = std::max_element(hold.begin(), hold.end());
     if (!(*by > 0.0)) return of_node;
@@ -166,10 +166,12 @@ PieceTree tree_of(const NetworkNodes& nodes, const DenseMatrix& springs, const L
 
 }  // namespace
 
+std::size_t least_piece(std::size_t nodes) { return std::clamp<std::size_t>(nodes / 5, 5, 20); }
+
 std::vector<PieceTree> find_pieces(const NetworkNodes& nodes, const NetworkModes& modes) {
   std::vector<PieceTree> out;
   const std::size_t n = nodes.positions.size();
-  if (n < 2 * least_piece || modes.variances.empty()) return out;
+  if (n < 2 * least_piece(n) || modes.variances.empty()) return out;
   const DenseMatrix springs = joined_springs(nodes);
   const std::array<AverageLinkage, 2> cuts{AverageLinkage(spectral_distances(nodes, springs)),
                                            AverageLinkage(distances_in_modes(nodes, modes))};

@@ -24,14 +24,14 @@ struct PieceTree {
   std::size_t piece_count() const { return parent.size(); }
 };
 
-/// The smallest piece has so many nodes.
-inline constexpr std::size_t least_piece = 20;
+/// How many nodes the smallest piece has: a fifth of all, from 5 to 20.
+std::size_t least_piece(std::size_t nodes);
 
 /// Different divisions into 2 to 8 pieces, the coarsest first; none if the molecule has no two
 /// pieces. Cut by average linkage, once of the nodes' places in the 8 lowest modes of the Kirchhoff
 /// matrix, each over the root of its eigenvalue (spectral clustering), and once of the changes of
 /// their distances in the 10 lowest of `modes`. Along chains each node goes with most of its 7
-/// neighbours, and pieces of fewer than 20 nodes with the one that they are joined to.
+/// neighbours, and pieces that are too small with the one that they are joined to.
 std::vector<PieceTree> find_pieces(const NetworkNodes& nodes, const NetworkModes& modes);
 
 }  // namespace pliant

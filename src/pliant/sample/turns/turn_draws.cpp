@@ -28,6 +28,7 @@ constexpr double largest_angle = 150.0 / 180.0 * std::numbers::pi;
 constexpr double share_along_line = 0.5;  // of turns about the line through the links
 constexpr double line_noise = 0.25;
 constexpr int most_draws = 60;
+constexpr int most_halvings = 6;  // of angles, where no draw is possible
 
 Vec3 normal_vector(RandomSequence& draws) {
   std::array<double, 3> x{};
@@ -257,21 +258,26 @@ DrawnTurns TurnDraws::draw(RandomSequence& draws) const {
     return out;
   }();
   double left = draws.uniform();
-  for (const Way& way : ways) {
-    left -= way.share;
-    if (left < 0.0) return draw_best(way, draws);
+  std::size_t at = 0;
+  while (at + 1 < ways.size() && (left -= ways[at].share) >= 0.0) ++at;
+  // Small turns are possible always.
+  double scale = 1.0;
+  for (int k = 0; k < most_halvings; ++k, scale *= 0.5) {
+    DrawnTurns drawn = draw_best(ways[at], scale, draws);
+    if (drawn.tree != nullptr) return drawn;
   }
-  return draw_best(ways[0], draws);
+  return {};
 }
 
 /// The best of several that are possible, by the ranks of what is asked of it.
-DrawnTurns TurnDraws::draw_best(const Way& way, RandomSequence& draws) const {
+DrawnTurns TurnDraws::draw_best(const Way& way, double scale, RandomSequence& draws) const {
   std::vector<Scored> found;
   const Hinge* hinge = &choose(hinges_, draws);
   for (int k = 0; k < most_draws && std::ssize(found) < way.best_of; ++k) {
     if (found.empty() && k > 0 && (k % 12 == 0 || way.pieces == 2)) hinge = &choose(hinges_, draws);
     Scored one{way.pieces == 0 ? draw_along_modes(draws) : draw_plain(*hinge, way.pieces, draws)};
     if (one.drawn.turns.empty()) continue;
+    for (PieceTurn& turn : one.drawn.turns) turn.angle *= scale;
     const std::vector<Vec3> at = moved(one.drawn);
     if (!is_possible(at)) continue;
     if (way.closing != 0.0)

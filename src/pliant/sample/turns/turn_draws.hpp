@@ -28,8 +28,8 @@ class TurnDraws {
   /// Whether no piece can turn against the rest.
   bool empty() const { return hinges_.empty(); }
 
-  /// Draws until links can be closed and few nodes come too near to each other; none after 60
-  /// draws in vain.
+  /// Draws until links can be closed and few nodes come too near to each other, by smaller
+  /// angles after each 60 draws in vain; none after 360.
   DrawnTurns draw(RandomSequence& draws) const;
 
  private:
@@ -56,7 +56,7 @@ class TurnDraws {
   static PieceTurn turn_of(const Hinge& hinge, RandomSequence& draws);
   DrawnTurns draw_plain(const Hinge& first, int pieces, RandomSequence& draws) const;
   DrawnTurns draw_along_modes(RandomSequence& draws) const;
-  DrawnTurns draw_best(const Way& way, RandomSequence& draws) const;
+  DrawnTurns draw_best(const Way& way, double scale, RandomSequence& draws) const;
   bool is_possible(std::span<const Vec3> moved) const;
   std::vector<Vec3> moved(const DrawnTurns& drawn) const;
   double softness(const DrawnTurns& drawn) const;

@@ -100,7 +100,7 @@ void expect_those_of_a_solver(const Molecule& m, const LaneKernels& kernels, std
   for (int again = 0; again < 2; ++again) {  // nothing is left over from the first time
     jobs.clear();
     for (std::size_t k = 0; k < count; ++k)
-      jobs.push_back({m.start, frames.targets[k], frames.out[k], frames.limits_off(k)});
+      jobs.push_back({{m.start, frames.targets[k], frames.limits_off(k)}, frames.out[k]});
     lanes.resolve(jobs, careful());
   }
   FrodaSolver solver(m.framework, *plan);

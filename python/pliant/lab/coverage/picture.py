@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: MIT
+"""Coverage drawn: how near frames come to the other structure, by how far away it is."""
+
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from pliant._core import InputError
+from pliant.lab.coverage.directions import COVERED
+from pliant.lab.coverage.rows import Coverage, Nearest
+from pliant.plotting import BLUE, DASHED, GREY, VERMILION, figure, save
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+DRAWN = {"ANM": VERMILION, "reach": BLUE}  #: ensembles, if they were measured
+
+
+def draw(found: Coverage, path: str | os.PathLike[str]) -> None:
+    """Writes a PNG. Raises InputError where nothing was measured."""
+    kinds = list(dict.fromkeys(row.kind for row in found.directions))
+    if not kinds:
+        raise InputError("--output: no direction was measured")
+    most = max(row.frames for row in found.directions)
+    with figure(1, len(kinds), panel=(4.6, 4.0)) as (plot, axes):
+        for kind, panel in zip(kinds, axes[0], strict=True):
+            _panel(panel, [r for r in found.directions if (r.kind, r.frames) == (kind, most)])
+        save(plot, path)
+
+
+def _panel(axes: Axes, rows: list[Nearest]) -> None:
+    kind, frames = rows[0].kind, rows[0].frames
+    furthest = 1.05 * max(row.at_start for row in rows)
+    axes.plot([0, furthest], [0, furthest], color=GREY, linestyle=DASHED, label="the start")
+    axes.axhspan(0, COVERED[kind], color=GREY, alpha=0.25, linewidth=0)
+    for name in DRAWN if any(row.ensemble in DRAWN for row in rows) else {rows[0].ensemble: BLUE}:
+        mine = [row for row in rows if row.ensemble == name]
+        if not mine:
+            continue
+        covered = sum(row.is_covered for row in mine)
+        axes.plot(
+            [row.at_start for row in mine],
+            [row.nearest for row in mine],
+            "o",
+            color=DRAWN.get(name, BLUE),
+            markersize=5,
+            label=f"{name}: {covered} of {len(mine)}",
+        )
+    axes.set(
+        title=f"{kind}, {frames} frames",
+        xlabel="distance of the two known structures (Å)",
+        ylabel="nearest frame (Å)",
+        xlim=(0, furthest),
+        ylim=(0, furthest),
+    )
+    axes.legend(frameon=False, loc="upper left")
