@@ -22,6 +22,10 @@ if TYPE_CHECKING:
 AnyPart = TypeVar("AnyPart", bound=Part)
 
 
+#: in /observables/sampler: other (samplers that draw in one way), modes, wide modes, turns, ...
+DRAWN_ALONG_MODES = 1
+
+
 @dataclass(frozen=True)
 class AnalysisOptions:
     """What to analyse and how."""
@@ -116,6 +120,18 @@ class Analysis:
         """(F,) an observable of the run at the frames analysed; None if there is none."""
         values = self.record.observables.get(name) if self.record else None
         return None if values is None or len(values) <= self.frames.max() else values[self.frames]
+
+    @property
+    def around_start(self) -> np.ndarray | None:
+        """(F,) bool: frames by which flexibility is computed; None: all.
+
+        An ensemble of sampler ``reach`` has others besides, which show where else it could be.
+        """
+        drawn_by = self.observable("sampler")
+        if drawn_by is None:
+            return None
+        near = drawn_by <= DRAWN_ALONG_MODES
+        return None if near.all() or np.count_nonzero(near) < 2 else near
 
     @property
     def converged(self) -> np.ndarray | None:

@@ -102,8 +102,14 @@ def fluctuations(analysis: Analysis, runner: Runner) -> Iterator[AtomFluctuation
     if len(analysis.frames) < 2:
         raise ValueError("a single frame does not fluctuate")
     measured = Rmsf(analysis.atoms, superpose_on=analysis.fitted)
-    runner.run(measured)
-    yield AtomFluctuations(measured)
+    runner.run_around_start(measured)
+    yield AtomFluctuations(measured, _frames_around_start(analysis))
+
+
+def _frames_around_start(analysis: Analysis) -> tuple[int, int] | None:
+    """How many frames those are, and how many there are; None: all."""
+    near = analysis.around_start
+    return None if near is None else (int(np.count_nonzero(near)), len(near))
 
 
 def radius_of_gyration(analysis: Analysis, runner: Runner) -> Iterator[Gyration]:
@@ -135,10 +141,11 @@ def principal_components(
     """The directions of largest motion, and the units that move along them."""
     stride = _stride_of_components(analysis)
     weighted, known = analysis.options.mass_weighted, analysis.get(AtomFluctuations)
+    may_share = not weighted and stride == 1 and analysis.around_start is None
     measured = PrincipalComponents(
         analysis.fitted,
         mass_weighted=weighted,
-        average=known.found.fitted_average if known and not weighted and stride == 1 else None,
+        average=known.found.fitted_average if may_share and known else None,
         in_memory=False,
     )
     if len(runner.run(measured, stride).eigenvalues) == 0:

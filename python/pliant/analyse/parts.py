@@ -123,6 +123,8 @@ class AtomFluctuations(Part):
     """RMSF of each atom and residue."""
 
     measured: Rmsf
+    #: how many frames around the start it is of, and how many there are; None: of all
+    frames: tuple[int, int] | None = None
 
     @property
     def found(self) -> Results:
@@ -132,8 +134,15 @@ class AtomFluctuations(Part):
     @property
     def notes(self) -> tuple[str, ...]:
         """What a reader of the results should know."""
-        rests = self.found.average_converged
-        return () if rests else ("the average structure of the RMSF did not come to rest",)
+        notes = []
+        if not self.found.average_converged:
+            notes.append("the average structure of the RMSF did not come to rest")
+        if self.frames is not None:
+            notes.append(
+                f"the RMSF is that of the {self.frames[0]} frames along modes; the other "
+                f"{self.frames[1] - self.frames[0]} reach further and say nothing of fluctuations"
+            )
+        return tuple(notes)
 
 
 @dataclass(frozen=True)

@@ -108,6 +108,10 @@ RECORDED = (
 )  # fmt: skip
 
 
+#: what /observables/sampler says of a frame
+DRAWN_BY = ("other", "modes", "wide modes", "turns", "turns with modes")
+
+
 def frame_columns(analysis: Analysis) -> Columns:
     """One row per frame analysed."""
     columns: Columns = {"frame": analysis.frames}
@@ -119,6 +123,9 @@ def frame_columns(analysis: Analysis) -> Columns:
     for name in RECORDED:
         if analysis.observable(name) is not None:
             columns[name] = analysis.observable(name)
+    drawn_by = analysis.observable("sampler")
+    if drawn_by is not None and drawn_by.any():
+        columns["drawn_by"] = [DRAWN_BY[value] for value in drawn_by]
     if distance := analysis.get(Rmsd):
         columns["rmsd_angstrom"] = distance.fitted
         if distance.analysed is not None:
