@@ -10,7 +10,8 @@ namespace pliant {
 namespace {
 
 constexpr double wide = 2.0;          // of the amplitude
-constexpr std::int64_t a_round = 4;   // frames: one of wide modes, two turns, one turn with modes
+constexpr std::int64_t a_round = 8;  // frames: one of wide modes, five turns, two with modes on top
+constexpr std::int64_t with_modes = 2;
 
 /// Seeds of wide modes and of those on top of turns: near frames have the seed itself.
 constexpr std::uint64_t wide_seed = 1, on_top_seed = 2;
@@ -54,7 +55,7 @@ void ReachSampler::ask(std::int64_t frame, int step, int attempt, std::span<cons
   const std::int64_t number = frame - near_frames_;
   if (turns_.empty() || number % a_round == 0) return ask_wide(number, attempt, now, request);
   std::vector<Vec3> moves;
-  if (number % a_round == a_round - 1) {
+  if (number % a_round >= a_round - with_modes) {
     moves.resize(joints_);
     on_top_->displace(number, attempt, moves);
   }

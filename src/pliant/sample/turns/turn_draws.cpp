@@ -27,7 +27,8 @@ constexpr double contact_distance = 8.0;
 constexpr double largest_angle = 150.0 / 180.0 * std::numbers::pi;
 constexpr double share_along_line = 0.5;  // of turns about the line through the links
 constexpr double line_noise = 0.25;
-constexpr int most_draws = 60;
+constexpr int most_draws = 24;
+constexpr int most_hinges = 5;
 constexpr int most_halvings = 6;  // of angles, where no draw is possible
 
 Vec3 normal_vector(RandomSequence& draws) {
@@ -126,7 +127,7 @@ struct TurnDraws::Way {
 };
 
 namespace {
-constexpr std::size_t way_count = 5;
+constexpr std::size_t way_count = 6;
 }
 
 TurnDraws::TurnDraws(const NetworkNodes& nodes, const NetworkModes& modes)
@@ -146,7 +147,7 @@ TurnDraws::Hinge TurnDraws::hinge_of(std::size_t tree, std::uint32_t piece,
   const std::vector<std::uint8_t> with = moved_with(trees_[tree], piece);
   const double n = double(with.size());
   const double size = double(std::count(with.begin(), with.end(), 1));
-  hinge.weight = std::min(size, n - size) / n;
+  hinge.weight = (std::min(size, n - size) / n) * (std::min(size, n - size) / n);
   for (const ChainLink link : trees_[tree].links)
     if (with[link.before] != with[link.after])
       hinge.middles.push_back(0.5 *
@@ -200,16 +201,16 @@ PieceTurn TurnDraws::turn_of(const Hinge& hinge, RandomSequence& draws) {
   return turn;
 }
 
-DrawnTurns TurnDraws::draw_plain(const Hinge& first, int pieces, RandomSequence& draws) const {
-  DrawnTurns drawn{&trees_[first.tree], {turn_of(first, draws)}};
-  if (pieces < 2) return drawn;
-  const Hinge& second = choose(of_tree(first.tree), draws);
-  if (second.piece != first.piece) drawn.turns.push_back(turn_of(second, draws));
-  return drawn;
+/// All pieces of a tree turn as they do in a draw of the modes, the most of them by an angle drawn.
+DrawnTurns TurnDraws::draw_along_modes(double scale, RandomSequence& draws) const {
+  for (int k = 0; k < most_draws; ++k) {
+    DrawnTurns drawn = turns_in_modes(scale, draws);
+    if (!drawn.turns.empty() && is_possible(moved(drawn))) return drawn;
+  }
+  return {};
 }
 
-/// All pieces of a tree turn as they do in a draw of the modes, the most of them by an angle drawn.
-DrawnTurns TurnDraws::draw_along_modes(RandomSequence& draws) const {
+DrawnTurns TurnDraws::turns_in_modes(double scale, RandomSequence& draws) const {
   const std::size_t at = draws.below(trees_.size());
   const PieceTree& tree = trees_[at];
   std::vector<double> amplitudes(modes_.variances.size());
@@ -240,17 +241,17 @@ DrawnTurns TurnDraws::draw_along_modes(RandomSequence& draws) const {
     drawn.turns.push_back({hinge.piece, (1.0 / length) * turn, pivot, length});
     most = std::max(most, length);
   }
-  const double scale = largest_angle * draws.uniform() / std::max(most, 1e-9);
-  for (PieceTurn& turn : drawn.turns) turn.angle *= scale;
+  const double factor = scale * largest_angle * draws.uniform() / std::max(most, 1e-9);
+  for (PieceTurn& turn : drawn.turns) turn.angle *= factor;
   return drawn;
 }
 
 DrawnTurns TurnDraws::draw(RandomSequence& draws) const {
   if (empty()) return {};
   static const std::array<Way, way_count> ways = [] {
-    std::array<Way, way_count> out{Way{0.25, 1, 1, 0.0, 0.0}, Way{0.15, 1, 3, -1.0, 0.0},
-                                   Way{0.25, 1, 6, 1.0, 1.0}, Way{0.15, 2, 1, 0.0, 0.0},
-                                   Way{0.20, 0, 1, 0.0, 0.0}};
+    std::array<Way, way_count> out{
+        Way{0.20, 1, 1, 0.0, 0.0}, Way{0.15, 1, 4, 0.0, -1.0}, Way{0.25, 1, 8, 1.0, 1.0},
+        Way{0.20, 2, 6, 1.0, 1.0}, Way{0.10, 2, 3, 0.0, -1.0}, Way{0.10, 0, 1, 0.0, 0.0}};
     if (const char* text = std::getenv("PLIANT_TURNS")) {
       std::istringstream in(text);
       for (Way& way : out) in >> way.share;
@@ -263,51 +264,60 @@ DrawnTurns TurnDraws::draw(RandomSequence& draws) const {
   // Small turns are possible always.
   double scale = 1.0;
   for (int k = 0; k < most_halvings; ++k, scale *= 0.5) {
-    DrawnTurns drawn = draw_best(ways[at], scale, draws);
+    DrawnTurns drawn =
+        ways[at].pieces == 0 ? draw_along_modes(scale, draws) : draw_turns(ways[at], scale, draws);
     if (drawn.tree != nullptr) return drawn;
   }
   return {};
 }
 
-/// The best of several that are possible, by the ranks of what is asked of it.
-DrawnTurns TurnDraws::draw_best(const Way& way, double scale, RandomSequence& draws) const {
-  std::vector<Scored> found;
-  const Hinge* hinge = &choose(hinges_, draws);
-  for (int k = 0; k < most_draws && std::ssize(found) < way.best_of; ++k) {
-    if (found.empty() && k > 0 && (k % 12 == 0 || way.pieces == 2)) hinge = &choose(hinges_, draws);
-    Scored one{way.pieces == 0 ? draw_along_modes(draws) : draw_plain(*hinge, way.pieces, draws)};
-    if (one.drawn.turns.empty()) continue;
-    for (PieceTurn& turn : one.drawn.turns) turn.angle *= scale;
-    const std::vector<Vec3> at = moved(one.drawn);
-    if (!is_possible(at)) continue;
-    if (way.closing != 0.0)
-      one.contacts = double(pairs_within(contact_distance, at)) / double(at.size());
-    if (way.soft != 0.0) one.softness = softness(one.drawn);
-    found.push_back(std::move(one));
+/// One piece after the other.
+DrawnTurns TurnDraws::draw_turns(const Way& way, double scale, RandomSequence& draws) const {
+  for (int k = 0; k < most_hinges; ++k) {
+    const Hinge& first = choose(hinges_, draws);
+    DrawnTurns drawn{&trees_[first.tree], {}};
+    if (!add_best(way, first, scale, draws, drawn)) continue;
+    if (way.pieces == 1) return drawn;
+    const Hinge& second = choose(of_tree(first.tree), draws);
+    if (second.piece != first.piece) add_best(way, second, scale, draws, drawn);
+    return drawn;
   }
-  if (found.empty()) return {};
-  std::size_t best = 0;
-  double highest = -1e300;
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    double score = 0.0;
-    for (const Scored& other : found) {
-      score += way.closing * (found[k].contacts > other.contacts ? 1.0 : 0.0);
-      score += way.soft * (found[k].softness > other.softness ? 1.0 : 0.0);
-    }
-    if (score > highest) {
-      highest = score;
-      best = k;
-    }
-  }
-  return std::move(found[best].drawn);
+  return {};
 }
 
-double TurnDraws::softness(const DrawnTurns& drawn) const {
-  const auto& hinge = *std::find_if(hinges_.begin(), hinges_.end(), [&](const Hinge& one) {
-    return &trees_[one.tree] == drawn.tree && one.piece == drawn.turns[0].piece;
+/// Adds the best of several turns that are possible, by the ranks of what is asked of it. False if
+/// none is.
+bool TurnDraws::add_best(const Way& way, const Hinge& hinge, double scale, RandomSequence& draws,
+                         DrawnTurns& drawn) const {
+  std::vector<ScoredTurn> found;
+  for (int k = 0; k < most_draws && std::ssize(found) < way.best_of; ++k) {
+    PieceTurn turn = turn_of(hinge, draws);
+    turn.angle *= scale;
+    drawn.turns.push_back(turn);
+    const std::vector<Vec3> at = moved(drawn);
+    drawn.turns.pop_back();
+    if (!is_possible(at)) continue;
+    const double contacts =
+        way.closing != 0.0 ? double(pairs_within(contact_distance, at)) : 0.0;
+    found.push_back({turn, contacts, softness(hinge, turn.axis)});
+  }
+  if (found.empty()) return false;
+  const auto score = [&](const ScoredTurn& one) {
+    double sum = 0.0;
+    for (const ScoredTurn& other : found)
+      sum += (one.contacts > other.contacts ? way.closing : 0.0) +
+             (one.softness > other.softness ? way.soft : 0.0);
+    return sum;
+  };
+  const auto best = std::max_element(found.begin(), found.end(), [&](const auto& a, const auto& b) {
+    return score(a) < score(b);
   });
-  const std::array<double, 3> a{drawn.turns[0].axis.x, drawn.turns[0].axis.y,
-                                drawn.turns[0].axis.z};
+  drawn.turns.push_back(best->turn);
+  return true;
+}
+
+double TurnDraws::softness(const Hinge& hinge, Vec3 axis) {
+  const std::array<double, 3> a{axis.x, axis.y, axis.z};
   double sum = 0.0;
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = 0; j < 3; ++j) sum += a[i] * hinge.soft[3 * i + j] * a[j];

@@ -29,7 +29,7 @@ class TurnDraws {
   bool empty() const { return hinges_.empty(); }
 
   /// Draws until links can be closed and few nodes come too near to each other, by smaller
-  /// angles after each 60 draws in vain; none after 360.
+  /// angles after draws in vain.
   DrawnTurns draw(RandomSequence& draws) const;
 
  private:
@@ -37,7 +37,7 @@ class TurnDraws {
   struct Hinge {
     std::size_t tree = 0;
     std::uint32_t piece = 0;
-    double weight = 0.0;         ///< share of nodes on the smaller side
+    double weight = 0.0;         ///< square of the share of nodes on the smaller side
     std::vector<Vec3> middles;   ///< of the links across it
     Vec3 centre;                 ///< mean of these; of all nodes where there are none
     Vec3 line;                   ///< direction of the line through them; 0 for fewer than two
@@ -45,21 +45,23 @@ class TurnDraws {
   };
   /// What is asked of a draw, and how many it is the best of.
   struct Way;
-  struct Scored {
-    DrawnTurns drawn;
-    double contacts = 0.0, softness = 0.0;
+  struct ScoredTurn {
+    PieceTurn turn;
+    double contacts, softness;
   };
 
   Hinge hinge_of(std::size_t tree, std::uint32_t piece, const NetworkModes& modes) const;
   const Hinge& choose(std::span<const Hinge> among, RandomSequence& draws) const;
   std::span<const Hinge> of_tree(std::size_t tree) const;
   static PieceTurn turn_of(const Hinge& hinge, RandomSequence& draws);
-  DrawnTurns draw_plain(const Hinge& first, int pieces, RandomSequence& draws) const;
-  DrawnTurns draw_along_modes(RandomSequence& draws) const;
-  DrawnTurns draw_best(const Way& way, double scale, RandomSequence& draws) const;
+  DrawnTurns draw_turns(const Way& way, double scale, RandomSequence& draws) const;
+  bool add_best(const Way& way, const Hinge& hinge, double scale, RandomSequence& draws,
+                DrawnTurns& drawn) const;
+  DrawnTurns draw_along_modes(double scale, RandomSequence& draws) const;
+  DrawnTurns turns_in_modes(double scale, RandomSequence& draws) const;
   bool is_possible(std::span<const Vec3> moved) const;
   std::vector<Vec3> moved(const DrawnTurns& drawn) const;
-  double softness(const DrawnTurns& drawn) const;
+  static double softness(const Hinge& hinge, Vec3 axis);
   std::size_t pairs_within(double length, std::span<const Vec3> nodes) const;
 
   const NetworkNodes& nodes_;
