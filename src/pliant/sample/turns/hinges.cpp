@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/sample/turns/hinges.hpp"
+
+#include <algorithm>
+#include <span>
+
+#include "pliant/base/math/best_fit.hpp"
+#include "pliant/sample/turns/screw.hpp"
+
+namespace pliant {
+namespace {
+
+/// 1 for nodes that move with a piece, 0 for others.
+std::vector<std::uint32_t> moved_with(const PieceTree& tree, std::uint32_t piece) {
+  std::vector<std::uint32_t> pieces(tree.piece_count(), 0), nodes;
+  pieces[piece] = 1;
+  for (std::uint32_t p = piece + 1; p < pieces.size(); ++p)
+    pieces[p] = pieces[static_cast<std::size_t>(tree.parent[p])];
+  for (const std::uint32_t p : tree.of_node) nodes.push_back(pieces[p]);
+  return nodes;
+}
+
+void add_product(Vec3 r, double factor, std::array<double, 9>& sum) {
+  const std::array<double, 3> x{r.x, r.y, r.z};
+  for (std::size_t a = 0; a < 3; ++a)
+    for (std::size_t b = 0; b < 3; ++b) sum[3 * a + b] += factor * x[a] * x[b];
+}
+
+/// The direction in which points are spread furthest.
+Vec3 line_through(std::span<const Vec3> points, Vec3 centre) {
+  if (points.size() < 2) return {};
+  std::array<double, 9> spread{}, vectors{};
+  for (const Vec3 point : points) add_product(point - centre, 1.0, spread);
+  find_eigenvectors(spread, vectors, 3);
+  std::size_t most = 0;
+  for (std::size_t k = 1; k < 3; ++k)
+    if (spread[4 * k] > spread[4 * most]) most = k;
+  return {vectors[most], vectors[3 + most], vectors[6 + most]};
+}
+
+/// How both sides turn against each other in the modes.
+std::array<double, 9> turns_in_modes(const NetworkNodes& nodes, const NetworkModes& modes,
+                                     std::span<const std::uint32_t> sides) {
+  std::array<double, 9> sum{};
+  std::vector<double> amplitudes(modes.variances.size(), 0.0);
+  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+    amplitudes[k] = 1.0;
+    const std::vector<Vec3> moves = moves_along(modes, std::span(amplitudes).first(k + 1));
+    amplitudes[k] = 0.0;
+    add_product(screw_of(nodes.positions, moves, sides, 1).turn -
+                    screw_of(nodes.positions, moves, sides, 0).turn,
+                1.0, sum);
+  }
+  const double trace = sum[0] + sum[4] + sum[8];
+  if (trace > 0.0)
+    for (double& value : sum) value *= 1.0 / trace;
+  return sum;
+}
+
+Hinge hinge_of(const NetworkNodes& nodes, const PieceTree& tree, const NetworkModes& modes,
+               std::uint32_t piece) {
+  const std::vector<std::uint32_t> sides = moved_with(tree, piece);
+  const double size = double(std::count(sides.begin(), sides.end(), 1u));
+  const double share = std::min(size, double(sides.size()) - size) / double(sides.size());
+  Hinge hinge{.piece = piece, .weight = share * share, .middles = {}, .centre = {}, .line = {},
+              .soft = turns_in_modes(nodes, modes, sides)};
+  for (const auto [before, after] : tree.links)
+    if (sides[before] != sides[after])
+      hinge.middles.push_back(0.5 * (nodes.positions[before] + nodes.positions[after]));
+  const std::span<const Vec3> points = hinge.middles.empty() ? nodes.positions : hinge.middles;
+  for (const Vec3 point : points) hinge.centre += (1.0 / double(points.size())) * point;
+  hinge.line = line_through(hinge.middles, hinge.centre);
+  return hinge;
+}
+
+}  // namespace
+
+std::vector<Hinge> hinges_of(const NetworkNodes& nodes, const PieceTree& tree,
+                             const NetworkModes& modes) {
+  std::vector<Hinge> hinges;
+  for (std::uint32_t piece = 1; piece < tree.piece_count(); ++piece)
+    hinges.push_back(hinge_of(nodes, tree, modes, piece));
+  return hinges;
+}
+
+double softness(const Hinge& hinge, Vec3 axis) {
+  const std::array<double, 3> a{axis.x, axis.y, axis.z};
+  double sum = 0.0;
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = 0; j < 3; ++j) sum += a[i] * hinge.soft[3 * i + j] * a[j];
+  return sum;
+}
+
+}  // namespace pliant
