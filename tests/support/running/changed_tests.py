@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
-"""The tests that a change can touch, nearest first, as far as the time goes: changed_tests.py [COMMIT].
+"""The tests that are near to a change, as far as the time goes: changed_tests.py [COMMIT].
 
 Says on standard error what it chose. Prints a regular expression for the names of C++ tests, then a
-file of pytest a line. What is chosen by is names, includes, imports and folders, not what really runs:
-./dev test remains what decides.
+file of pytest a line. It chooses by names, includes, imports and folders, not by what really runs:
+./dev test decides.
 """
 
 import re
@@ -28,7 +28,9 @@ ALWAYS = "tests/lint"
 #: folders of tests that are named otherwise than what they test
 AREAS = {"analyse": "analysis", "adapters": "molecule", "imd": "run"}
 
-_CPP_TEST = re.compile(r"^(?:TYPED_)?(?:RC_GTEST_(?:FIXTURE_)?PROP|TEST(?:_[FP])?)\((\w+),", re.MULTILINE)
+_CPP_TEST = re.compile(
+    r"^(?:TYPED_)?(?:RC_GTEST_(?:FIXTURE_)?PROP|TEST(?:_[FP])?)\((\w+),", re.MULTILINE
+)
 
 
 def is_test(path: PurePosixPath) -> bool:
@@ -42,7 +44,7 @@ def subject(path: PurePosixPath) -> str:
 
 
 def wing(path: PurePosixPath) -> tuple[str, ...]:
-    """The folders below tests/KIND, src/pliant, python/pliant or python/bind, as tests name them."""
+    """The folders below tests/KIND, src/pliant, python/pliant and python/bind."""
     folders = path.parts[2:-1]
     return tuple(AREAS.get(folder, folder) for folder in folders)
 
@@ -54,10 +56,10 @@ def mention(path: PurePosixPath) -> str:
         return f'#include "{re.escape(str(place))}"'
     if path.suffix == ".py":
         module = path.parent if path.name == "__init__.py" else path.with_suffix("")
-        inside = module.relative_to("python") if path.parts[0] == "python" else PurePosixPath(module.name)
-        dotted, name = ".".join(inside.parts), re.escape(inside.name)
-        package = re.escape(dotted.rpartition(".")[0]) or "-"
-        return rf"(from|import) {re.escape(dotted)}\b|from {package} import .*\b{name}\b"
+        names = module.parts[1:] if path.parts[0] == "python" else [module.name]
+        package = r"\.".join(names[:-1]) or "-"
+        whole = r"\.".join(names)
+        return rf"(from|import) {whole}\b|from {package} import .*\b{names[-1]}\b"
     return rf"\b{re.escape(path.name)}\b"
 
 
@@ -102,7 +104,9 @@ def nearness(test: PurePosixPath, text: str, changed: PurePosixPath) -> int | No
     return next((rank for rank, holds in rules.items() if holds), None)
 
 
-def candidates(tests: dict[PurePosixPath, str], changed: Iterable[PurePosixPath]) -> dict[PurePosixPath, int]:
+def candidates(
+    tests: dict[PurePosixPath, str], changed: Iterable[PurePosixPath]
+) -> dict[PurePosixPath, int]:
     """The tests that are near any of the changed files, with how near."""
     found = {}
     for path in changed:
@@ -116,7 +120,7 @@ def candidates(tests: dict[PurePosixPath, str], changed: Iterable[PurePosixPath]
 def choose(
     near: dict[PurePosixPath, int], seconds: dict[PurePosixPath, float], budget: float = BUDGET
 ) -> list[PurePosixPath]:
-    """The nearest that fit into the seconds, cheap ones before dear ones; those that changed always."""
+    """The nearest that fit into the seconds, cheap ones first; those that changed always."""
     chosen, spent = [], 0.0
     for test in sorted(near, key=lambda test: (near[test], seconds[test], test)):
         if near[test] == ITSELF or spent + seconds[test] <= budget:
@@ -131,7 +135,9 @@ def suites(text: str) -> set[str]:
 
 
 def lines_of(*command: str) -> list[str]:
-    return subprocess.run(command, cwd=ROOT, text=True, capture_output=True, check=True).stdout.splitlines()
+    return subprocess.run(
+        command, cwd=ROOT, text=True, capture_output=True, check=True
+    ).stdout.splitlines()
 
 
 def changed_files(commit: str | None) -> list[PurePosixPath]:
@@ -161,8 +167,8 @@ def main(commit: str | None = None) -> int:
     spent = sum(seconds[test] for test in chosen)
     say = [f"{len(changed)} files changed since {commit or 'the last commit'}: {ALWAYS} and"]
     say += [f"  {test}" for test in chosen] or ["  no other test is near them"]
-    say += [f"about {spent:.0f} s of CPU time; {len(near) - len(chosen)} files of tests further away or"
-            " too long, and all the rest, are left to ./dev test"]  # fmt: skip
+    left = f"{len(near) - len(chosen)} files of tests that are further away or too long"
+    say += [f"about {spent:.0f} CPU seconds; {left}, and all others, are left to ./dev test"]
     print(*say, sep="\n", file=sys.stderr)
     names = set().union(*(suites(tests[test]) for test in chosen if test.suffix == ".cpp"))
     print(f"(^|/)({'|'.join(sorted(names))})\\." if names else "^$")

@@ -12,7 +12,7 @@ from statistics import median
 
 import test_seconds
 
-#: what a folder may take of its row without a word, and what fails: CPU time grows on a busy machine
+#: times its row without a word, and times its row that fail: a busy machine takes more CPU time
 SAID, FAILS = 1.5, 2.25
 
 #: seconds of a folder that are never too many, nor say how fast a machine is
@@ -40,7 +40,9 @@ def total(tests: list[tuple[str, float]]) -> float:
 
 def slowness(folders: Folders, rows: dict[str, float]) -> float:
     """How much more time most folders take than their rows: on a slower machine all do."""
-    ratios = [total(tests) / rows[name] for name, tests in folders.items() if rows.get(name, 0) > FREE]
+    ratios = [
+        total(tests) / rows[name] for name, tests in folders.items() if rows.get(name, 0) > FREE
+    ]
     return max(1.0, median(ratios)) if ratios else 1.0
 
 
@@ -75,7 +77,7 @@ def main(words: list[str]) -> int:
     for text in much:
         print(f"warning: {text}")
     for text in too_much:
-        print(f"too slow: {text}\nMake them faster, leave some to --all, or give {test_seconds.TABLE.name} a reason")
+        print(f"too slow: {text}\nMake them faster, or leave some to --all (tests/seconds.toml)")
     return int(bool(too_much))
 
 

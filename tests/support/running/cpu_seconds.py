@@ -11,7 +11,11 @@ _TICK = 1.0 / os.sysconf("SC_CLK_TCK") if hasattr(os, "sysconf") else 0.0
 
 def children(process: str) -> list[str]:
     """Of a process, those that run."""
-    return [child for task in Path(f"/proc/{process}/task").glob("*/children") for child in task.read_text().split()]
+    return [
+        child
+        for task in Path(f"/proc/{process}/task").glob("*/children")
+        for child in task.read_text().split()
+    ]
 
 
 def seconds_of(process: str) -> float:

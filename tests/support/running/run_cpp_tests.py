@@ -2,7 +2,7 @@
 """Runs the tests of a program of GoogleTest, many in a process, into one JUnit report:
 run_cpp_tests.py PROGRAM REPORT [--jobs N] [--match REGEX]
 
-Where a process dies, each of its tests runs again in a process of its own, which names those that do.
+Where a process dies, each of its tests runs again in a process of its own, to name those that die.
 """
 
 import argparse
@@ -24,7 +24,9 @@ TIMEOUT = 3600 if os.environ.get("PLIANT_ALL") else 600
 
 def listed(program: str, match: str) -> list[str]:
     """The full names of the tests that match."""
-    text = subprocess.run([program, "--gtest_list_tests"], text=True, capture_output=True, check=True)
+    text = subprocess.run(
+        [program, "--gtest_list_tests"], text=True, capture_output=True, check=True
+    )
     names, suite = [], ""
     for line in text.stdout.splitlines():
         word = line.split("#")[0].strip()
@@ -36,7 +38,7 @@ def listed(program: str, match: str) -> list[str]:
 
 
 def run_together(program: str, names: list[str]) -> tuple[list[ElementTree.Element], str]:
-    """The cases of the report of one process, and why there is none of it: an empty text if there is."""
+    """The cases of the report of one process; if there is none, why."""
     with tempfile.TemporaryDirectory() as folder:
         report = Path(folder) / "report.xml"
         words = [program, f"--gtest_filter={':'.join(names)}", f"--gtest_output=xml:{report}"]
@@ -80,8 +82,11 @@ def say(cases: list[ElementTree.Element]) -> int:
     for case in failures:
         print(f"{case.get('classname')}.{case.get('name')} failed:")
         print(*(one.text or one.get("message") for one in case.iter("failure")), sep="\n")
-    passed = len(cases) - len(failures)
-    print(f"{passed} of {len(cases)} C++ tests passed" if cases else "No C++ test has this name")
+    skipped = sum(case.find("skipped") is not None for case in cases)
+    ran = len(cases) - skipped
+    print(
+        f"{ran - len(failures)} of {ran} C++ tests passed" if cases else "No C++ test has this name"
+    )
     return len(failures)
 
 
@@ -96,7 +101,9 @@ def main() -> int:
     names = listed(asked.program, asked.match)
     parts = [names[k : k + TOGETHER] for k in range(0, len(names), TOGETHER)]
     with ThreadPoolExecutor(asked.jobs) as pool:
-        found = [case for part in pool.map(lambda part: run(asked.program, part), parts) for case in part]
+        found = [
+            case for part in pool.map(lambda part: run(asked.program, part), parts) for case in part
+        ]
     suites = ElementTree.Element("testsuites")
     ElementTree.SubElement(suites, "testsuite", name="pliant_tests").extend(found)
     ElementTree.ElementTree(suites).write(asked.report, encoding="unicode", xml_declaration=True)
