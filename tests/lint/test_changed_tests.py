@@ -5,7 +5,7 @@ from pathlib import PurePosixPath as P
 
 import changed_tests as near
 import pytest
-from sources import ROOT
+from sources import ROOT, files
 
 UNIT = P("tests/unit/resolve/units/loop_closure_test.cpp")
 LAW = P("tests/law/limit_law_test.cpp")
@@ -63,9 +63,12 @@ def test_the_nearest_tests_are_chosen_as_far_as_the_time_goes():
 
 def test_every_source_of_the_library_has_a_test_near_it():
     tests = near.all_tests()
-    sources = [P(p.relative_to(ROOT).as_posix()) for p in (ROOT / "src/pliant").rglob("*.cpp")]
-    lonely = [path for path in sources if not near.candidates(tests, [path])]
-    assert not lonely
+
+    def is_lonely(source):
+        return all(near.nearness(test, text, source) is None for test, text in tests.items())
+
+    sources = [P(path.relative_to(ROOT).as_posix()) for path in files(".cpp", folders=("src",))]
+    assert [source for source in sources if is_lonely(source)] == []
 
 
 def test_the_suites_of_a_file_are_found():

@@ -9,7 +9,7 @@ import sys
 import check_seconds
 import count_tests
 import pytest
-import test_seconds
+import recorded_seconds
 from sources import ROOT
 
 RUNNER = ROOT / "tests/support/running/run_cpp_tests.py"
@@ -65,7 +65,7 @@ def test_the_report_counts_single_tests_and_has_their_seconds(tmp_path):
     run(tmp_path, "Fails", "More")
     report = tmp_path / "report.xml"
     assert count_tests.count(report) == {"passed": 2, "failed": 1}
-    assert [(str(path), seconds) for _, path, seconds in test_seconds.cases(report)] == [
+    assert [(str(path), seconds) for _, path, seconds in recorded_seconds.cases(report)] == [
         ("tests/unit/a_test.cpp", 0.5)
     ] * 3
 
@@ -86,5 +86,5 @@ def test_a_folder_that_takes_too_much_is_found():
 
 
 def test_every_row_is_a_folder_of_tests():
-    missing = [name for name in test_seconds.table() if not os.path.isdir(ROOT / name)]
+    missing = [name for name in recorded_seconds.table() if not os.path.isdir(ROOT / name)]
     assert not missing

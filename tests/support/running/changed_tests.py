@@ -9,10 +9,10 @@ file of pytest a line. It chooses by names, includes, imports and folders, not b
 import re
 import subprocess
 import sys
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from pathlib import Path, PurePosixPath
 
-from test_seconds import estimates
+from recorded_seconds import estimates
 
 ROOT = Path(__file__).resolve().parents[3]
 
@@ -86,22 +86,24 @@ def is_code(path: PurePosixPath) -> bool:
     return path.parts[:2] in {("src", "pliant"), ("python", "pliant"), ("python", "bind")}
 
 
+def rules(test: PurePosixPath, text: str, changed: PurePosixPath) -> Iterator[tuple[int, object]]:
+    """How near a test is to a changed file, and whether it is, nearest first."""
+    code = is_code(changed) and wing(changed)
+    yield ITSELF, test == changed
+    if is_test(changed):
+        return
+    named = is_code(changed) or changed.parts[0] == "apps"
+    yield NAMED, named and subject(test) == subject(changed)
+    yield USES, re.search(mention(changed), text)
+    yield FOLDER, code and wing(test) == code
+    yield AREA, code and wing(test)[:1] == code[:1]
+    yield AREA, f"{test}".startswith(f"{area_of_tests(changed)}/")
+    yield AFAR, re.search(mention_of_folder(changed), text)
+
+
 def nearness(test: PurePosixPath, text: str, changed: PurePosixPath) -> int | None:
     """How near a test is to a changed file; None if nothing connects them."""
-    if test == changed:
-        return ITSELF
-    if is_test(changed):
-        return None
-    code = is_code(changed)
-    rules = {
-        NAMED: (code or changed.parts[0] == "apps") and subject(test) == subject(changed),
-        USES: re.search(mention(changed), text),
-        FOLDER: code and wing(changed) and wing(test) == wing(changed),
-        AREA: (code and wing(changed) and wing(test)[:1] == wing(changed)[:1])
-        or f"{test}".startswith(f"{area_of_tests(changed)}/"),
-        AFAR: re.search(mention_of_folder(changed), text),
-    }
-    return next((rank for rank, holds in rules.items() if holds), None)
+    return next((rank for rank, holds in rules(test, text, changed) if holds), None)
 
 
 def candidates(

@@ -10,7 +10,7 @@ from collections import defaultdict
 from pathlib import Path
 from statistics import median
 
-import test_seconds
+import recorded_seconds
 
 #: times its row without a word, and times its row that fail: a busy machine takes more CPU time
 SAID, FAILS = 1.5, 2.25
@@ -28,7 +28,7 @@ def folders_of(reports: list[Path]) -> Folders:
     """What the reports say."""
     found = defaultdict(list)
     for report in reports:
-        for name, path, seconds in test_seconds.cases(report):
+        for name, path, seconds in recorded_seconds.cases(report):
             found[str(path.parent)].append((f"{path.name}: {name}", seconds))
     return found
 
@@ -73,7 +73,7 @@ def main(words: list[str]) -> int:
     if "--rows" in words:
         print(*rows_of(folders), sep="\n")
         return 0
-    too_much, much = findings(folders, test_seconds.table())
+    too_much, much = findings(folders, recorded_seconds.table())
     for text in much:
         print(f"warning: {text}")
     for text in too_much:

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """CPU seconds of files of tests: as reports of runs have them, and what to expect of the next run.
 
-test_seconds.py REPORT... keeps them for that.
+recorded_seconds.py REPORT... keeps them for that.
 """
 
 import json
