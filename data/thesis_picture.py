@@ -25,7 +25,7 @@ SHORT = {
     "C7": "spread of bfs_cycle by weighting", "R1": "bfs_reverse 0.5 is best of all",
     "R2": "modes of reverse", "R3": "reverse 0.5 spreads less",
     "A1": "bfs_adapt is worst", "B1": "bfs_random is like bfs_cycle",
-}  # fmt: skip
+}  # fmt: skip  # some pairs a line
 WORDS = {"holds": style.GREEN, "depends": style.ORANGE, "fails": style.VERMILION}
 
 
@@ -40,8 +40,11 @@ def draw_means(axis, study):
 
 def share_of(points, identity, yardstick):
     """Mean share of a claim's statements that hold, over the settings of the sweep."""
-    shares = [p.holding / p.statements for p in points
-              if (p.claim, p.yardstick) == (identity, yardstick) and p.statements]  # fmt: skip
+    shares = [
+        p.holding / p.statements
+        for p in points
+        if (p.claim, p.yardstick) == (identity, yardstick) and p.statements
+    ]
     return 100 * np.mean(shares) if shares else None
 
 
@@ -66,8 +69,10 @@ def draw_claims(axis, settled, points):
 def draw_legend(axis, settled):
     """Counts of verdicts."""
     found = [one.word for one in settled]
-    handles = [axis.bar(0, 0, color=color, label=f"{word}: {found.count(word)}")
-               for word, color in WORDS.items()]  # fmt: skip
+    handles = [
+        axis.bar(0, 0, color=color, label=f"{word}: {found.count(word)}")
+        for word, color in WORDS.items()
+    ]
     handles += axis.plot([], [], "D", color=style.INK, markersize=4.5, label="counted in passes")
     axis.figure.legend(handles=handles, loc="outside lower right", ncols=4, fontsize=8.5)
 

@@ -62,11 +62,13 @@ def worker(tmp_path, monkeypatch):
     [
         ("__import__('os').abort()", "died: SIGABRT"),
         ("__import__('os')._exit(3)", "died: exit code 3"),
-        ("(print('QUERN: assert', file=sys.stderr), __import__('os').abort())",
-         "died: SIGABRT, QUERN: assert"),
+        (
+            "(print('QUERN: assert', file=sys.stderr), __import__('os').abort())",
+            "died: SIGABRT, QUERN: assert",
+        ),
         ("__import__('time').sleep(60)", "took more than 4 s"),
     ],
-)  # fmt: skip
+)
 def test_a_dead_process_is_an_outcome_and_the_next_job_is_done(worker, ending, brief):
     worker(ending)
     fatal = Job("bond_energies", {}, {})

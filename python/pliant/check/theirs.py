@@ -11,14 +11,7 @@ import numpy as np
 from pliant import _bars
 from pliant._openmm.angles import MOST_BARS_WITH_ANGLES, why_no_angles
 from pliant._openmm.child import Job, Outcome
-from pliant.check.contest import (
-    BUDGET_SECONDS,
-    REPEATS,
-    Contest,
-    Method,
-    Result,
-    describe,
-)
+from pliant.check.contest import BUDGET_SECONDS, REPEATS, Contest, Method, Result, describe
 from pliant.check.sample import NM, constraint_job
 
 

@@ -96,15 +96,11 @@ def _add_ensemble(add: Callable[..., object]) -> None:
     number = whole_number(1, most=MOST)
     add("--walkers", type=number, metavar="N", help="walkers of pliant run in all")
     add("--frames", type=number, metavar="N", help="frames of pliant sample in all")
-    add(
-        "--shard-size", type=number, metavar="N",
-        help="walkers (default: 128) or frames (default: 1024) a shard",
-    )  # fmt: skip
+    text = "walkers (default: 128) or frames (default: 1024) a shard"
+    add("--shard-size", type=number, metavar="N", help=text)
     add("--verify", metavar="DIR", help="check every byte of an ensemble, and make no shards")
-    add(
-        "--only", type=whole_number(0), metavar="K",
-        help="make shard K of the ensemble in DIR, without Dask",
-    )  # fmt: skip
+    text = "make shard K of the ensemble in DIR, without Dask"
+    add("--only", type=whole_number(0), metavar="K", help=text)
 
 
 def _add_places(add: Callable[..., object]) -> None:
@@ -123,10 +119,8 @@ def _add_places(add: Callable[..., object]) -> None:
         metavar="FILE",
         help="write a script for a Slurm job array, and make no shards",
     )
-    add(
-        "--retries", type=whole_number(0, most=1000), default=3, metavar="N",
-        help="further attempts at a shard that fails (default: 3)",
-    )  # fmt: skip
+    text = "further attempts at a shard that fails (default: 3)"
+    add("--retries", type=whole_number(0, most=1000), default=3, metavar="N", help=text)
 
 
 def _add_output(add: Callable[..., object]) -> None:
@@ -191,10 +185,7 @@ def _make_all(plan: Plan, folder: Path, options: argparse.Namespace) -> int:
                 note(f"Dask's dashboard: {link}")
             yield opened
 
-    with (
-        _planned(plan, folder, options) as agreed,
-        progress("shards", options.quiet) as show,
-    ):
+    with _planned(plan, folder, options) as agreed, progress("shards", options.quiet) as show:
         outcome = complete(agreed, folder, place, show, options.retries)
     if options.json:
         print_json(outcome.as_json())
@@ -239,8 +230,9 @@ def _print_outcome(outcome: Outcome) -> None:
 def _make_one(folder: Path, options: argparse.Namespace) -> int:
     plan = load_plan(folder)
     if options.only >= plan.shard_count:
-        raise OptionError(f"--only {options.only}: expected a shard from 0 to "
-                          f"{plan.shard_count - 1}")  # fmt: skip
+        raise OptionError(
+            f"--only {options.only}: expected a shard from 0 to {plan.shard_count - 1}"
+        )
     record = make_shard(plan, plan.shard(options.only), str(folder))
     if options.json:
         print_json(record.as_json())

@@ -54,10 +54,9 @@ def _record(plan: Plan, shard: Shard, path: Path, digest: str) -> ShardRecord:
         left_out = _check_numbers(path, plan, shard, *numbers)
         frames = len(numbers[0])
         unconverged = _unconverged(file, frames)
-    return ShardRecord(
-        shard.number, shard.first, shard.last, shard.name, frames, left_out, unconverged,
-        path.stat().st_size, digest,
-    )  # fmt: skip
+    which = (shard.number, shard.first, shard.last, shard.name)
+    size = path.stat().st_size
+    return ShardRecord(*which, frames, left_out, unconverged, size, digest)
 
 
 def check_shard(plan: Plan, shard: Shard, expected: ShardRecord | None, path: Path) -> ShardRecord:

@@ -155,8 +155,10 @@ def _first_sentence(error: Exception) -> str:
 
 def _expect_program(path: str, program: str) -> None:
     if shutil.which(program) is None:
-        raise InputError(f"{path}: queue_system: its program {program} is not on PATH: "
-                         "run this where jobs are submitted")  # fmt: skip
+        raise InputError(
+            f"{path}: queue_system: its program {program} is not on PATH: "
+            "run this where jobs are submitted"
+        )
 
 
 def _settings(path: str) -> dict[str, Any]:

@@ -84,10 +84,7 @@ def test_a_wrong_line_is_named(pliant, tmp_path):
             ["--model", "protein", "--bars", "bonds"],
             "--model, --bars: expected one of them: a model has bars of its own",
         ),
-        (
-            ["--keep-waters"],
-            "--keep-waters: goes with --model molecule or --model protein",
-        ),
+        (["--keep-waters"], "--keep-waters: goes with --model molecule or --model protein"),
         (["--model", "molecule", "--floppy"], "--floppy: goes with --model protein"),
         (
             ["--model", "protein", "--lengths", "table"],

@@ -59,8 +59,9 @@ def by_hand():
 
     def go_on(state, pin, steps, pull=(), push=(), **options):
         framework = structure.framework(pin=pin)
-        motion = library.Motion(framework, state, "bfs_cycle", push=list(push), damping=0.25,
-                                **options)  # fmt: skip
+        motion = library.Motion(
+            framework, state, "bfs_cycle", push=list(push), damping=0.25, **options
+        )
         steering = library.Steering()
         steering.pull(pull)
         if not push:
@@ -72,8 +73,9 @@ def by_hand():
             steering.release()
         return motion.state
 
-    state = go_on(library.State(structure.positions), "element O", 1,
-                  [(1, (30, -4, 11)), (0, (1, 2, 3))])  # fmt: skip
+    state = go_on(
+        library.State(structure.positions), "element O", 1, [(1, (30, -4, 11)), (0, (1, 2, 3))]
+    )
     state = go_on(state, "", 2, [(1, (-9, 0.5, 0.25))], timestep=0.02)
     go_on(state, "", 3, push=["force_all"], timestep=0.02, seed=4)
     return np.array(seen)

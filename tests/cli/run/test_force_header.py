@@ -50,10 +50,12 @@ CONTRADICTIONS = [
     (["--pin", "name CA"], "--pin name CA: f.txt was made without --pin"),
     (["--all-hydrogens"], "--all-hydrogens: f.txt was made without --all-hydrogens"),
     (["--tolerance", "0.001"], "--tolerance 0.001: f.txt was made with --tolerance 1e-06"),
-    (["--tolerance-length", "0.1"],
-     "--tolerance-length 0.1: f.txt was made with --tolerance 1e-06"),
+    (
+        ["--tolerance-length", "0.1"],
+        "--tolerance-length 0.1: f.txt was made with --tolerance 1e-06",
+    ),
     (["--timestep", "0.02"], "--timestep 0.02: f.txt was made with --timestep 0.01"),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("options", "message"), CONTRADICTIONS)

@@ -32,7 +32,7 @@ PEPTIDE = MOLECULES / "alanine_dipeptide.pdb"
          'above 0, found "0"'),
         (("--imd", "--walkers", "2"), "pliant: error: --imd: follows one walker, not several"),
     ],
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 def test_options_that_make_no_sense(pliant, tmp_path, options, said):
     ended = pliant("run", PEPTIDE, *options)
     assert ended.code == 2

@@ -60,8 +60,9 @@ def test_large_molecules_are_written_as_v3000(pliant, tmp_path):
     conformer.SetPositions(positions)
     made.AddConformer(conformer)
     Chem.MolToMolFile(made, str(tmp_path / "long.sdf"), forceV3000=True)
-    ended = pliant("sample", "long.sdf", "-o", "out.sdf", "--frames", 1, "--model", "bonds",
-                   "--sampler", "torsions")  # fmt: skip
+    ended = pliant(
+        *"sample long.sdf -o out.sdf --frames 1 --model bonds --sampler torsions".split()
+    )
     assert ended.code in (0, 3), ended.err
     if ended.code == 0:
         (read,) = records(tmp_path / "out.sdf")

@@ -10,9 +10,12 @@ import pytest
 LINE = "ATOM  {:5d} {:<4s} ALA {:s}{:4d}    {:8.3f}{:8.3f}{:8.3f}  1.00{:6.2f}          {:>2s}"
 #: an alanine of a helix: N, CA, C, O, CB (Angstrom)
 RESIDUE = {
-    "N": (1.357, -0.757, -0.796), "CA": (2.28, 0.0, 0.0), "C": (1.63, 0.35, 1.33),
-    "O": (1.65, 1.53, 1.72), "CB": (2.72, 1.26, -0.72),
-}  # fmt: skip
+    "N": (1.357, -0.757, -0.796),
+    "CA": (2.28, 0.0, 0.0),
+    "C": (1.63, 0.35, 1.33),
+    "O": (1.65, 1.53, 1.72),
+    "CB": (2.72, 1.26, -0.72),
+}
 COUNT = 14
 
 
@@ -36,8 +39,11 @@ def pdb(models, b_of=lambda residue, name: 10.0, first=1, chain="A"):
         for k in range(len(places)):
             for name, place in zip(RESIDUE, places[k], strict=True):
                 serial += 1
-                lines.append(LINE.format(serial, f" {name}", chain, k + first, *place,
-                                         b_of(k, name), name[0]))  # fmt: skip
+                lines.append(
+                    LINE.format(
+                        serial, f" {name}", chain, k + first, *place, b_of(k, name), name[0]
+                    )
+                )
         lines.append("ENDMDL")
     return "\n".join([*lines, "END", ""])
 
@@ -136,7 +142,7 @@ def test_what_cannot_be_an_amplitude_is_refused(pliant, start, tmp_path):
         (start, "nmr", "amplitude: expected a number above 0 (Angstrom), bfactors, or a file with "
          'models of the molecule; found "nmr"'),
         (start, "-1", '--amplitude: expected a number above 0, found "-1"'),
-    ]  # fmt: skip
+    ]  # fmt: skip  # a table: a row a line
     for file, word, message in cases:
         ended = pliant("sample", file, "-o", "out.h5md", f"--amplitude={word}", "--quiet")
         assert (ended.code, ended.err.splitlines()[-1]) == (2, f"pliant: error: {message}")
@@ -147,11 +153,15 @@ def test_files_that_are_no_ensemble_of_it_are_refused(pliant, start, tmp_path):
     (tmp_path / "one.pdb").write_text(pdb([helix()]))
     (tmp_path / "far.pdb").write_text(pdb(ensemble(3), first=401))
     cases = [
-        ("one.pdb", "amplitude: expected at least 2 models, found 1: one structure does not "
-         "fluctuate"),
-        ("far.pdb", "has 0 of 14 residues of the sampled molecule, by chain and number: number "
-         "both alike"),
-    ]  # fmt: skip
+        (
+            "one.pdb",
+            "amplitude: expected at least 2 models, found 1: one structure does not fluctuate",
+        ),
+        (
+            "far.pdb",
+            "has 0 of 14 residues of the sampled molecule, by chain and number: number both alike",
+        ),
+    ]
     for file, message in cases:
         ended = pliant("sample", start, "-o", "out.h5md", "--amplitude", file, "--quiet")
         assert (ended.code, ended.err.splitlines()[-1]) == (1, f"pliant: error: {file}: {message}")
@@ -172,8 +182,9 @@ def test_what_does_not_move_is_a_warning(pliant, tmp_path):
     angles = np.radians(60.0) * np.arange(6)
     lines = [f"C {1.39 * np.cos(a):.4f} {1.39 * np.sin(a):.4f} 0.0" for a in angles]
     ring.write_text("\n".join(["6", "ring", *lines, ""]))
-    ended = pliant("sample", ring, "-o", "out.h5md", "--frames", "20", "--quiet", "--json",
-                   "--sampler", "modes")  # fmt: skip
+    ended = pliant(
+        "sample", ring, *"-o out.h5md --frames 20 --quiet --json --sampler modes".split()
+    )
     assert ended.code == 0
     assert json.loads(ended.out)["warnings"] == [
         "frames reach an amplitude of 0.00 of the 1.40 Angstrom asked for: the molecule "

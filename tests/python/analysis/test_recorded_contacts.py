@@ -23,9 +23,13 @@ def diluted(tmp_path_factory):
     path = tmp_path_factory.mktemp("diluted") / "d.h5md"
     with pytest.warns(pliant.PliantWarning, match="held too tightly to move that far"):
         pliant.sample(
-            pliant.read(PEPTIDE), frames=FRAMES, sampler="dilute", contact_energy=CONTACT_ENERGY,
-            amplitude=0.3, output=path,
-        )  # fmt: skip
+            pliant.read(PEPTIDE),
+            frames=FRAMES,
+            sampler="dilute",
+            contact_energy=CONTACT_ENERGY,
+            amplitude=0.3,
+            output=path,
+        )
     return path
 
 

@@ -289,13 +289,11 @@ def test_without_a_start_structure_the_error_says_what_to_do(sampled, tmp_path, 
 
 def made(above_short, above_long, moved, residues=100):
     """A report of frames with these energies a residue above a start of -1000 kJ/mol."""
+    rows = enumerate(zip(above_short, above_long, moved, strict=True))
     frames = [
-        Minimised(
-            f"frame {k}", k, worst_force=1e4, before=0.0, moved=m,
-            after_short=residues * a - 1000.0, after_long=residues * b - 1000.0,
-        )
-        for k, (a, b, m) in enumerate(zip(above_short, above_long, moved, strict=True))
-    ]  # fmt: skip
+        Minimised(f"frame {k}", k, 1e4, 0.0, residues * a - 1000.0, residues * b - 1000.0, m)
+        for k, (a, b, m) in rows
+    ]
     start = Minimised("start", None, 1e4, 0.0, -1000.0, -1000.0, 0.2)
     return ForceFieldReport(start, frames, [], residues, 1000, 0, 0.0)
 

@@ -16,8 +16,8 @@ from pliant.compare.core import core_of
 
 import pliant
 
-THREE = {"A": "ALA", "R": "ARG", "N": "ASN", "D": "ASP", "G": "GLY", "K": "LYS", "L": "LEU",
-         "M": "MET", "S": "SER", "T": "THR", "V": "VAL", "W": "TRP"}  # fmt: skip
+NAMES = "ALA ARG ASN ASP GLY LYS LEU MET SER THR VAL TRP".split()
+THREE = dict(zip("ARNDGKLMSTVW", NAMES, strict=True))
 SEQUENCE = "MKTAVLSGDNRWLKATVSGLMDNKRAVTSG"
 COUNT = len(SEQUENCE)
 

@@ -47,8 +47,8 @@ def test_the_dashboard_is_told_where_something_draws_it(is_drawn, tmp_path):
     if is_drawn:  # enough for Dask to look for it, and to say what is missing
         (beside / "bokeh.py").write_text("__version__ = '0'\n")
     path = os.pathsep.join([str(beside), os.environ.get("PYTHONPATH", "")])
-    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--workers", 1,
-                 env={**os.environ, "PYTHONPATH": path})  # fmt: skip
+    env = {**os.environ, "PYTHONPATH": path}
+    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--workers", 1, env=env)
     assert ended.returncode == 0, ended.stderr
     told = re.findall(r"note: Dask's dashboard: http://127\.0\.0\.1:\d+/status\n", ended.stderr)
     if is_drawn or importlib.util.find_spec("bokeh") is None:
@@ -97,8 +97,8 @@ def test_the_script_names_the_command_without_itself(tmp_path, form):
 )
 def test_a_script_whose_jobs_would_fail_is_not_written(tmp_path, words, code, message):
     script = tmp_path / "jobs.sh"
-    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", "--walkers", 4,
-                 "--slurm-script", script, *words, cwd=tmp_path)  # fmt: skip
+    words = ["--walkers", 4, "--slurm-script", script, *words]
+    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *words, cwd=tmp_path)
     assert (ended.returncode, ended.stderr.count("\n")) == (code, 1), ended.stderr
     assert message in ended.stderr
     assert not script.exists() and not (tmp_path / "many" / "ensemble.pliant").exists()

@@ -18,7 +18,7 @@ AFTER = {  # chi 2 and further about bonds of tetrahedral atoms, by the names of
         "MET": "SD"},
     3: {"LYS": "CE", "ARG": "NE", "MET": "CE"},
     4: {"LYS": "NZ"},
-}  # fmt: skip
+}  # fmt: skip  # some pairs a line
 GAMMA = ("CG", "CG1", "OG", "OG1", "SG")
 
 

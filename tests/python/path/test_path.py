@@ -46,8 +46,7 @@ def test_arrives(start, end):
     assert path.arrived
     goal = pliant.read(end)
     there = fitted(
-        alpha_carbons(path.model.structure, path.positions[-1]),
-        alpha_carbons(goal, goal.positions),
+        alpha_carbons(path.model.structure, path.positions[-1]), alpha_carbons(goal, goal.positions)
     )
     assert there == pytest.approx(path.reached, abs=1e-6)
     assert there < 0.5

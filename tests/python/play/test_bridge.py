@@ -221,7 +221,7 @@ BAD = [
     '{"do": "pull", "forces": [[1, 0, 0, NaN]]}', '{"do": "pull", "forces": [[1, 0, 0, 1e39]]}',
     '{"do": "pull", "forces": [[1, 0, 0, 1], [1, 0, 0, 1]]}', " " * 70000, b"\xff\x00",
     b"[" * 60000,
-]  # fmt: skip
+]  # fmt: skip  # a table: a row a line
 
 
 def test_what_no_page_says_costs_the_page_its_connection_and_nothing_else(tmp_path):

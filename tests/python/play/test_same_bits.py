@@ -65,8 +65,9 @@ def test_the_model_of_a_protein(solver):
 
 def test_every_joint_pushed_at_random(solver):
     options = {"perturb": "force_all", "force": 5.0, "seed": 7}
-    assert_same_walk(solver, MOLECULES / "crown_18_6.cif", "bonds", ["blocks", "newton"], 10,
-                     **options)  # fmt: skip
+    assert_same_walk(
+        solver, MOLECULES / "crown_18_6.cif", "bonds", ["blocks", "newton"], 10, **options
+    )
 
 
 @pytest.mark.long

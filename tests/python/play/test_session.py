@@ -27,8 +27,8 @@ def replayed(path, text, tmp_path, *options):
     """Positions of all frames of `pliant run --forces`."""
     forces, out = tmp_path / "forces.txt", tmp_path / "out.h5md"
     forces.write_text(text)
-    subprocess.run([COMMAND, "run", path, "--forces", forces, "-o", out, "--topology", "none",
-                    "--overwrite", "--quiet", *options], check=False)  # fmt: skip
+    words = [*"--topology none --overwrite --quiet".split(), *options]
+    subprocess.run([COMMAND, "run", path, "--forces", forces, "-o", out, *words], check=False)
     with h5py.File(out) as file:
         return file["particles/trajectory/position/value"][:]
 
@@ -164,7 +164,7 @@ def test_the_text_of_a_session(solver):
         "joints 24", "bars 25", "input model bonds", "set technique newton", "pin 5",
         "force 2 1 0.1 -3e-07", "force 0 4 5 6", "step", "pin", "wander 3",
         "force 2 7 8 9", "step 2",
-    ]  # fmt: skip
+    ]  # fmt: skip  # a table: a row a line
 
 
 def test_several_walkers_leave_the_session_where_it_is(solver):
@@ -254,8 +254,12 @@ def test_a_session_tells_the_parameters_that_pliant_run_records(solver, tmp_path
     types = {"int64": np.int64, "float64": np.float64, "bool": np.bool_, "text": bytes}
     with h5py.File(tmp_path / "out.h5md") as file:
         rows = []
-        file.visititems(lambda name, item: rows.append(name) if item.parent.parent.name ==
-                        "/parameters" and item.shape == () else None)  # fmt: skip
+
+        def keep(name, item):
+            if item.parent.parent.name == "/parameters" and item.shape == ():
+                rows.append(name)
+
+        file.visititems(keep)
         expected = {row.removeprefix("parameters/"): file[row][()] for row in rows}
     found = {name: (types[kind], value) for name, kind, value in told}
     assert set(found) == set(expected)

@@ -40,10 +40,14 @@ def digits():
     """A peptide with more digits than a PDB file has."""
     structure = pliant.read(PEPTIDE)
     return pliant.Structure(
-        structure.positions * (1 + 1e-9) + 5000, elements=structure.elements,
-        names=structure.names, residue_names=structure.residue_names,
-        residue_ids=structure.residue_ids, bonds=structure.bonds[:-3], title="some/title.xml",
-    )  # fmt: skip
+        structure.positions * (1 + 1e-9) + 5000,
+        elements=structure.elements,
+        names=structure.names,
+        residue_names=structure.residue_names,
+        residue_ids=structure.residue_ids,
+        bonds=structure.bonds[:-3],
+        title="some/title.xml",
+    )
 
 
 def facts_in(view):
@@ -182,9 +186,12 @@ def lab(folder):
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     homes = {name: str(folder / name) for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR")}
     server = subprocess.Popen(
-        [sys.executable, *words], cwd=folder, stderr=subprocess.PIPE, text=True,
+        [sys.executable, *words],
+        cwd=folder,
+        stderr=subprocess.PIPE,
+        text=True,
         env={**os.environ, **homes, "PATH": path},
-    )  # fmt: skip
+    )
     try:
         for line in server.stderr:
             if "is running at" in line:

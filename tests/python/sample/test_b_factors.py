@@ -63,7 +63,7 @@ def test_chains_are_told_apart_by_equal_numbers_that_follow():
         (([[0.0, 0, 0], [np.nan, 0, 0]],), pliant.InputError,
          "network: the position of node 1 is not finite"),
     ],
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 def test_what_is_wrong_is_said(arguments, error, said):
     with pytest.raises(error) as raised:
         pliant.node_b_factors(*arguments)

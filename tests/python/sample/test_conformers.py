@@ -155,8 +155,7 @@ def test_tertiary_amides_are_cis_and_trans(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("smiles", "pattern"),
-    [("CCC(=O)NCC", "O=C-N-[CH2]"), ("CCC(=O)OCC", "O=C-O-C")],
+    ("smiles", "pattern"), [("CCC(=O)NCC", "O=C-N-[CH2]"), ("CCC(=O)OCC", "O=C-O-C")]
 )
 def test_other_amides_and_esters_stay(smiles, pattern, tmp_path):
     made, path = molecule(smiles, tmp_path)

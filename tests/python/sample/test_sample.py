@@ -51,8 +51,7 @@ def same_modes(found, expected):
 
 
 @pytest.mark.parametrize(
-    ("network", "spring"),
-    [("anm", lambda r: (r < 15.0) * 1.0), ("pfanm", lambda r: r**-2.0)],
+    ("network", "spring"), [("anm", lambda r: (r < 15.0) * 1.0), ("pfanm", lambda r: r**-2.0)]
 )
 def test_modes_are_those_of_numpy(kinase, network, spring):
     found = pliant.network_modes(kinase, network)

@@ -73,8 +73,12 @@ def compiled_switch(folder: Path) -> Path:
 
 def run_under_callgrind(folder: Path, switch: Path) -> list[str]:
     """The lines that the process says; the counts are in out.1, out.2 and so on."""
-    command = ["valgrind", "--tool=callgrind", "--instr-atstart=no", "-q",
-               f"--callgrind-out-file={folder}/out", sys.executable, __file__]  # fmt: skip
+    command = [
+        *"valgrind --tool=callgrind --instr-atstart=no -q".split(),
+        f"--callgrind-out-file={folder}/out",
+        sys.executable,
+        __file__,
+    ]
     environment = os.environ | {"PYTHONHASHSEED": "0", "OPENBLAS_NUM_THREADS": "1"}
     done = subprocess.run(
         [*command, "--within", switch],

@@ -82,8 +82,9 @@ def race_gromacs(
         found.notes.append("GROMACS takes no part: there is neither gmx_d nor gmx on PATH")
         return
     target = found.target
-    with Gromacs(target.positions, target.masses, target.bars, target.rest_lengths,
-                 found.displacement) as molecule:  # fmt: skip
+    with Gromacs(
+        target.positions, target.masses, target.bars, target.rest_lengths, found.displacement
+    ) as molecule:
         series = [Series(p, name) for p in found.gromacs for name in ("lincs", "shake")]
         for one in series:
             _try_settings(one, molecule, found)

@@ -121,8 +121,8 @@ def throughput(
             entry.times.append(_round(entry.team, entry.result, conformers))
         for _, race in races:
             race.run(broken[:OPENMM_CONFORMERS])
-    found = Throughput(target.name, len(target.positions), len(target.bars), tolerance,
-                       os.cpu_count() or 1, pliant.lane_levels())  # fmt: skip
+    sizes, cores = (len(target.positions), len(target.bars)), os.cpu_count() or 1
+    found = Throughput(target.name, *sizes, tolerance, cores, pliant.lane_levels())
     found.openmm = [race.row() for _, race in races]
     found.about_openmm = about
     found.rows = [_row(entry, entries, found, target, conformers) for entry in entries]
@@ -171,11 +171,7 @@ class _OpenmmRace:
 
 
 def _row(
-    entry: _Entry,
-    entries: Sequence[_Entry],
-    found: Throughput,
-    target: Target,
-    conformers: int,
+    entry: _Entry, entries: Sequence[_Entry], found: Throughput, target: Target, conformers: int
 ) -> ThroughputRow:
     alone = next(e for e in entries if e.technique == entry.technique)
     wall, processor = np.median(entry.times[1:], axis=0) / len(entry.result)  # first: plans

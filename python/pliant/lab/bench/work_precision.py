@@ -61,8 +61,9 @@ def work_precision(
     theirs, note = their_contenders(target) if openmm else ([], "OpenMM was not asked to take part")
     found = prepare(target, bars, displacement, seed, tolerances)
     found.notes += [note] if note else []
-    race(found, [*theirs, *ours], target.broken(displacement, seed), repeats, limit_seconds,
-         progress)  # fmt: skip
+    race(
+        found, [*theirs, *ours], target.broken(displacement, seed), repeats, limit_seconds, progress
+    )
     if gromacs:
         race_gromacs(found, repeats, progress)
     compare_with_openmm(found.rows)

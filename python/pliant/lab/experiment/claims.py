@@ -91,16 +91,21 @@ def _t3(court: Court) -> None:
 
 def _t4(court: Court) -> None:
     """Main effects of a two-way table of means: spread over weightings against orderings."""
-    found = [[court.of((technique, w)) for w in WEIGHTINGS]
-             for technique in ("bfs_tree", "dfs_tree", "random")]  # fmt: skip
+    found = [
+        [court.of((technique, w)) for w in WEIGHTINGS]
+        for technique in ("bfs_tree", "dfs_tree", "random")
+    ]
     known = [[cell.mean for cell in row if cell is not None] for row in found]
     if any(len(row) < len(WEIGHTINGS) for row in known):
         return
     means = np.array(known)
     of_weighting, of_ordering = np.std(means.mean(0), axis=0), np.std(means.mean(1), axis=0)
-    court.add("spread of the mean over weightings above that over orderings",
-              f"{with_interval(of_weighting)} and {with_interval(of_ordering)}",
-              of_weighting > of_ordering, ("bfs_tree", 1.0))  # fmt: skip
+    court.add(
+        "spread of the mean over weightings above that over orderings",
+        f"{with_interval(of_weighting)} and {with_interval(of_ordering)}",
+        of_weighting > of_ordering,
+        ("bfs_tree", 1.0),
+    )
 
 
 def _all_of(techniques: tuple[str, ...]) -> list[tuple[str, float]]:
@@ -249,7 +254,7 @@ CLAIMS = (
           "bfs_random better than bfs_adapt, like bfs_cycle; best at 0.5; mode 1 at 1.0", _b1,
           f"like: means within a factor of {ALIKE:g}",
           techniques=("bfs_random", "bfs_adapt", "bfs_cycle")),
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 
 
 def claim(identity: str) -> Claim:

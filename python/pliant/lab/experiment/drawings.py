@@ -22,9 +22,12 @@ DPI = 130
 LAST_BIN = 20  #: histograms gather what is above
 # Told apart by hue for most, by lightness for all (Okabe and Ito 2008), and by hatching in print.
 LOOKS = (
-    (style.GREY, ""), (style.BLUE, ""), (style.SKY, "///"), (style.VERMILION, ""),
+    (style.GREY, ""),
+    (style.BLUE, ""),
+    (style.SKY, "///"),
+    (style.VERMILION, ""),
     (style.ORANGE, "///"),
-)  # fmt: skip
+)
 SHADES = {0.5: style.BLUE, 0.75: style.ORANGE, 1.0: style.VERMILION}
 
 
@@ -63,8 +66,10 @@ HISTOGRAMS = tuple(
     for k, (technique, family) in enumerate(
         [(technique, "tree") for technique in ("bfs_tree", "dfs_tree", "random")]
         + [(technique, "1-cycle") for technique in _ONE]
-        + [(technique, "2-cycle") for technique in _TWO], start=1)
-)  # fmt: skip
+        + [(technique, "2-cycle") for technique in _TWO],
+        start=1,
+    )
+)
 
 _MEASURES = (("mean", "mean"), ("mode", "mode"), ("sd", "standard deviation"))
 
@@ -74,15 +79,17 @@ def draw_bars(chart: BarChart, studies: dict[str, Study], folder: Path) -> Figur
 
     None if the table has nothing of it.
     """
-    techniques = [t for t in chart.techniques
-                  if studies["sweeps"].has(chart.family, t, WEIGHTINGS[0])]  # fmt: skip
+    techniques = [
+        t for t in chart.techniques if studies["sweeps"].has(chart.family, t, WEIGHTINGS[0])
+    ]
     if not techniques:
         return None
     reverse = bool(set(techniques) & reverse_techniques())
     yardsticks = ("sweeps", "passes") if reverse else ("sweeps",)
     with style.styled():
-        figure, axes = style.new_figure((9.2, 0.7 + 2.45 * len(yardsticks)), len(yardsticks), 3,
-                                        squeeze=False)  # fmt: skip
+        figure, axes = style.new_figure(
+            (9.2, 0.7 + 2.45 * len(yardsticks)), len(yardsticks), 3, squeeze=False
+        )
         for row, yardstick in zip(axes, yardsticks, strict=True):
             for axis, (what, words) in zip(row, _MEASURES, strict=True):
                 group_bars(axis, studies[yardstick], chart.family, techniques, what)
@@ -97,8 +104,10 @@ def draw_bars(chart: BarChart, studies: dict[str, Study], folder: Path) -> Figur
 
 
 def _bar_caption(chart: BarChart, reverse: bool) -> str:
-    text = (f"Figure {chart.number} of the thesis: {', '.join(chart.techniques)} on {chart.family} "
-            "graphs. Whiskers: 95 % of the bootstrap over graphs.")  # fmt: skip
+    text = (
+        f"Figure {chart.number} of the thesis: {', '.join(chart.techniques)} on {chart.family} "
+        "graphs. Whiskers: 95 % of the bootstrap over graphs."
+    )
     if reverse:
         text += " Lower row: there and back counts as one for the reverse techniques."
     return text
@@ -119,9 +128,9 @@ def group_bars(axis: Axes, study: Study, family: str, techniques: Sequence[str],
             places.append(place + (k - 0.5 * (len(techniques) - 1)) * width)
             heights.append(values[0])
             errors.append((max(values[0] - low, 0.0), max(high - values[0], 0.0)))
-        axis.bar(places, heights, width * 0.92, label=technique, color=color, hatch=hatch,
-                 edgecolor="white", linewidth=0.4, yerr=np.array(errors).T,
-                 error_kw={"ecolor": style.INK, "elinewidth": 0.8, "capsize": 1.6})  # fmt: skip
+        look = {"color": color, "hatch": hatch, "edgecolor": "white", "linewidth": 0.4}
+        look["error_kw"] = {"ecolor": style.INK, "elinewidth": 0.8, "capsize": 1.6}
+        axis.bar(places, heights, width * 0.92, label=technique, yerr=np.array(errors).T, **look)
     _finish_bars(axis)
 
 
@@ -151,8 +160,11 @@ def draw_histogram(chart: Histogram, study: Study, folder: Path) -> Figure | Non
         axes[0].set_ylabel("share of pushes (%)")
         path = folder / f"figure-{chart.number}.png"
         figure.savefig(path, dpi=DPI, metadata={"Software": None})
-    return Figure(path, f"Figure {chart.number} of the thesis: sweeps of {chart.technique} on "
-                        f"{chart.family} graphs.")  # fmt: skip
+    return Figure(
+        path,
+        f"Figure {chart.number} of the thesis: sweeps of {chart.technique} on "
+        f"{chart.family} graphs.",
+    )
 
 
 def _columns(axis: Axes, statistics: Statistics, color: str) -> None:
@@ -165,8 +177,10 @@ def _columns(axis: Axes, statistics: Statistics, color: str) -> None:
     axis.yaxis.set_major_locator(MaxNLocator(5, integer=True))
     axis.grid(axis="x", visible=False)
     worst = int(statistics.values.max())
-    text = (f"mean {statistics.mean[0]:.2f}\nmode {int(statistics.mode[0])}\n"
-            f"sd {statistics.sd[0]:.2f}\nmost {worst}")  # fmt: skip
+    text = (
+        f"mean {statistics.mean[0]:.2f}\nmode {int(statistics.mode[0])}\n"
+        f"sd {statistics.sd[0]:.2f}\nmost {worst}"
+    )
     axis.text(0.97, 0.95, text, transform=axis.transAxes, ha="right", va="top", fontsize=8.5)
 
 

@@ -113,8 +113,10 @@ def _strongest_axis(points: list[Point], start: Settings) -> str:
     if means[high] - means[low] < 0.05:
         return "alike over the whole sweep"
     texts = [text.replace("\n", " ") for text in texts]
-    return (f"in the sweep most on {label}: {100 * means[low]:.0f} % of its statements hold at "
-            f"{texts[low]}, {100 * means[high]:.0f} % at {texts[high]}")  # fmt: skip
+    return (
+        f"in the sweep most on {label}: {100 * means[low]:.0f} % of its statements hold at "
+        f"{texts[low]}, {100 * means[high]:.0f} % at {texts[high]}"
+    )
 
 
 def _by_tolerance(points: list[Point]) -> tuple[list[str], np.ndarray]:

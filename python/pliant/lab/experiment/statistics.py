@@ -47,8 +47,9 @@ def statistics_of(sample: Sample) -> Statistics:
     count = np.maximum(count, 1)  # a replicate of graphs without any push
     mean = total / count
     variance = (squares - total * mean) / np.maximum(count - 1, 1)
-    return Statistics(shift + mean, _modes(sample), np.sqrt(np.maximum(variance, 0.0)),
-                      sample.values)  # fmt: skip
+    return Statistics(
+        shift + mean, _modes(sample), np.sqrt(np.maximum(variance, 0.0)), sample.values
+    )
 
 
 def _sum_by_graph(sample: Sample, weights: np.ndarray) -> np.ndarray:

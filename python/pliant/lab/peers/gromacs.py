@@ -125,11 +125,23 @@ class Gromacs:
         )
         pathlib.Path(self._folder.name, "bars.mdp").write_text(parameters, encoding="ascii")
         try:
-            self._call(program, "grompp", time_limit, f="bars.mdp", c="bars.gro", r="bars.gro",
-                       p="bars.top", n="bars.ndx", o="bars.tpr", maxwarn=9)  # fmt: skip
-            share = self._call(program, "mdrun", time_limit, s="bars.tpr", o="bars.trr",
-                               g="bars.log", e="bars.edr", c="after.gro", ntmpi=1, ntomp=1,
-                               nb="cpu", pin="off", cpt=-1)  # fmt: skip
+            files = {
+                "f": "bars.mdp",
+                "c": "bars.gro",
+                "r": "bars.gro",
+                "p": "bars.top",
+                "n": "bars.ndx",
+            }
+            self._call(program, "grompp", time_limit, **files, o="bars.tpr", maxwarn=9)
+            files = {
+                "s": "bars.tpr",
+                "o": "bars.trr",
+                "g": "bars.log",
+                "e": "bars.edr",
+                "c": "after.gro",
+            }
+            one_core = {"ntmpi": 1, "ntomp": 1, "nb": "cpu", "pin": "off"}
+            share = self._call(program, "mdrun", time_limit, **files, **one_core, cpt=-1)
             return self._read(share, steps)
         except _Failed as failed:
             return Run(str(failed), steps=steps)
@@ -140,10 +152,11 @@ class Gromacs:
         surroundings = os.environ | {"GMX_MAXBACKUP": "-1", "GMX_SUPPRESS_DUMP": "1"}
         used, start = _processor_seconds(), time.monotonic()
         try:
+            words = [program.path, "-quiet", name, *words]
+            quiet = {"stdin": subprocess.DEVNULL, "capture_output": True, "check": False}
             done = subprocess.run(
-                [program.path, "-quiet", name, *words], cwd=self._folder.name, env=surroundings,
-                stdin=subprocess.DEVNULL, capture_output=True, timeout=time_limit, check=False,
-            )  # fmt: skip
+                words, cwd=self._folder.name, env=surroundings, timeout=time_limit, **quiet
+            )
         except subprocess.TimeoutExpired:
             raise _Failed(f"{name} took more than {time_limit:g} s") from None
         if done.returncode != 0:

@@ -88,9 +88,7 @@ CHANGES = {
     "adk_open": Change("AdK, open to closed", OPEN, CLOSED, TUNED),
 }
 
-PATHS = {
-    "adk_closed": (Source("adk.psf", MDANALYSIS), Source("adk_dims.dcd", MDANALYSIS)),
-}
+PATHS = {"adk_closed": (Source("adk.psf", MDANALYSIS), Source("adk_dims.dcd", MDANALYSIS))}
 
 #: Structures whose clashes are counted, in the start and in frames.
 CROWDED = {

@@ -102,10 +102,8 @@ def profiles(subject: Subject, both: Compared) -> dict[str, list[float]]:
 def _row(
     name: str, figure: str, ours: Figure, network: Figure, anm: Figure, gnm: Figure | None = None
 ) -> Row:
-    return Row(
-        name, figure, ours.value, ours.error, network.value, anm.value, anm.error,
-        gnm.value if gnm else float("nan"), **goal_of(name, figure),
-    )  # fmt: skip
+    rivals = (network.value, anm.value, anm.error, gnm.value if gnm else float("nan"))
+    return Row(name, figure, ours.value, ours.error, *rivals, **goal_of(name, figure))
 
 
 def _modes(subject: Subject, atoms: np.ndarray) -> dict[str, np.ndarray]:
@@ -180,8 +178,8 @@ def path_row(subject: Subject, path: Reference, name: str, data: str) -> Row:
         return Figure(float(np.sqrt(((away @ modes[:TEN].T) ** 2).sum() / (away**2).sum())))
 
     peers = {peer: share(modes) for peer, modes in _modes(subject, pairs[:, 0]).items()}
-    row = _row(name, "of a transition (DIMS MD), in 10 modes", share(alike.components(ours)),
-               peers["shared"], peers["anm"])  # fmt: skip
+    figure, ours_share = "of a transition (DIMS MD), in 10 modes", share(alike.components(ours))
+    row = _row(name, figure, ours_share, peers["shared"], peers["anm"])
     row.data = data
     return row
 

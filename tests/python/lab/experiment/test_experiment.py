@@ -94,12 +94,13 @@ def test_numbers_are_those_of_pliant_run():
         rows = measure_subject(subject, in_turn)
         rows = rows[rows["combination"] == place]
         frames = []
-        pliant.run(
-            subject.framework, subject.positions.copy(), steps=12, seed=7, walker=2,
-            technique=technique, weighting=weighting, tolerance_length=0.01,
-            observers=[lambda f, kept=frames: kept.append(
-                (f.sweeps, f.projections, f.max_residual)) and None],
-        )  # fmt: skip
+
+        def look(f, kept=frames):
+            kept.append((f.sweeps, f.projections, f.max_residual))
+
+        way = {"technique": technique, "weighting": weighting, "tolerance_length": 0.01}
+        way |= {"steps": 12, "seed": 7, "walker": 2, "observers": [look]}
+        pliant.run(subject.framework, subject.positions.copy(), **way)
         assert frames[1:] == rows[["sweeps", "projections", "final_residual"]].tolist()
         at_rest = measure_subject(subject, dataclasses.replace(in_turn, consecutive=False))
         at_rest = at_rest[at_rest["combination"] == place]
@@ -109,9 +110,9 @@ def test_numbers_are_those_of_pliant_run():
 @pytest.mark.parametrize("size", [10, 100, 1000])
 def test_t1_exactly(size):
     """Root outwards with the whole correction on the far joint: any tree, any force, one sweep."""
-    settings = Settings(seed=size, classes=("tree",), techniques=("bfs_tree", "dfs_tree"),
-                        weightings=(1.0,), joints=size, forces=5, force=3000.0,
-                        tolerance_length=1e-9)  # fmt: skip
+    names = {"classes": ("tree",), "techniques": ("bfs_tree", "dfs_tree"), "weightings": (1.0,)}
+    sizes = {"joints": size, "forces": 5, "force": 3000.0, "tolerance_length": 1e-9}
+    settings = Settings(seed=size, **names, **sizes)
     for number in range(3):
         rows = measure_subject(make_subject(settings, "tree", number), settings)
         assert rows["sweeps"].tolist() == [1] * len(rows)
@@ -128,10 +129,9 @@ def test_t1_over_ten_thousand_trees():
         positions = graph.positions
         length = 10 ** draws.uniform(-3, 2)
         positions[root] += length * direction / np.linalg.norm(direction)
-        found = pliant.resolve(
-            graph.framework, positions, ("bfs_tree", "dfs_tree")[number % 2], 1.0,
-            tolerance_length=1e-9, max_sweeps=50, root=root,
-        )  # fmt: skip
+        limits = {"tolerance_length": 1e-9, "max_sweeps": 50, "root": root}
+        technique = ("bfs_tree", "dfs_tree")[number % 2]
+        found = pliant.resolve(graph.framework, positions, technique, 1.0, **limits)
         assert (found.converged, found.sweeps) == (True, 1), number
 
 
@@ -150,8 +150,9 @@ def test_on_trees_cycle_orderings_are_the_tree_orderings(study_folder):
 def test_lengths_scale_together():
     """Twice the box, push and tolerance: the same sweeps to the last one, for powers of two."""
     one = dataclasses.replace(SMALL, graphs=1)
-    two = dataclasses.replace(one, box=2 * one.box, force=2 * one.force,
-                              tolerance_length=2 * one.tolerance_length)  # fmt: skip
+    two = dataclasses.replace(
+        one, box=2 * one.box, force=2 * one.force, tolerance_length=2 * one.tolerance_length
+    )
     for kind in ("1-cycle-ring", "n-cycle"):
         rows = [measure_subject(make_subject(s, kind, 0), s) for s in (one, two)]
         assert rows[0]["sweeps"].tolist() == rows[1]["sweeps"].tolist()
@@ -200,9 +201,12 @@ def test_what_is_done_is_not_done_again(tmp_path, monkeypatch):
 
 
 def test_killed_and_run_again(tmp_path, study_folder):
-    words = [sys.executable, "-m", "pliant.lab.experiment.command",
-             "--output", str(tmp_path / "study"), "--seed", "7", "--graphs", "3", "--forces", "8",
-             "--workers", "2"]  # fmt: skip
+    words = [
+        sys.executable,
+        *"-m pliant.lab.experiment.command --output".split(),
+        str(tmp_path / "study"),
+        *"--seed 7 --graphs 3 --forces 8 --workers 2".split(),
+    ]
     child = subprocess.Popen(words, stdout=subprocess.DEVNULL, start_new_session=True)
     parts = tmp_path / "study" / "parts"
     until = time.monotonic() + 60
@@ -217,12 +221,20 @@ def test_killed_and_run_again(tmp_path, study_folder):
 
 
 def test_interrupted_it_ends_at_once(tmp_path):
-    words = [sys.executable, "-m", "pliant.lab.experiment.command",
-             "--output", str(tmp_path / "study"), "--graphs", "2000", "--workers", "2"]  # fmt: skip
+    words = [
+        sys.executable,
+        *"-m pliant.lab.experiment.command --output".split(),
+        str(tmp_path / "study"),
+        *"--graphs 2000 --workers 2".split(),
+    ]
     child = subprocess.Popen(
-        words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True,
+        words,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
-    )  # fmt: skip
+    )
     until = time.monotonic() + 60
     while time.monotonic() < until and not list(tmp_path.glob("study/parts/*.npy")):
         time.sleep(0.02)
@@ -243,8 +255,11 @@ def test_a_folder_of_another_experiment_is_refused(study_folder, capsys):
 
 def test_an_empty_folder_is_taken(tmp_path, capsys):
     (tmp_path / "new").mkdir()
-    words = ["--output", str(tmp_path / "new"), "--class", "tree", "--graphs", "1", "--forces", "2",
-             "--technique", "bfs_tree", "--workers", "1"]  # fmt: skip
+    words = [
+        "--output",
+        str(tmp_path / "new"),
+        *"--class tree --graphs 1 --forces 2 --technique bfs_tree --workers 1".split(),
+    ]
     assert command.main(words) == 0
     assert (tmp_path / "new" / "table.csv").is_file()
 
@@ -281,7 +296,10 @@ def test_bad_options(words, message, tmp_path, capsys):
 
 
 def test_the_command_says_what_it_did(tmp_path, capsys):
-    words = ["--output", str(tmp_path / "new"), "--class", "tree", "--graphs", "2", "--forces", "3",
-             "--technique", "bfs_tree", "--workers", "1"]  # fmt: skip
+    words = [
+        "--output",
+        str(tmp_path / "new"),
+        *"--class tree --graphs 2 --forces 3 --technique bfs_tree --workers 1".split(),
+    ]
     assert command.main(words) == 0
     assert "18 resolves, 0 of them not converged" in capsys.readouterr().out

@@ -136,8 +136,12 @@ def test_two_sweeps_are_the_same(tmp_path, monkeypatch):
 
 def points_of(holding, graphs=20, pushes=25):
     """A sweep in which `holding` of two statements of T1 hold everywhere."""
-    return [Point(tolerance, 50.0, 4, 3, 8, 10.0, False, 30.0, "T1", "sweeps", 2, holding, graphs,
-                  pushes) for tolerance in (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)]  # fmt: skip
+    return [
+        Point(
+            tolerance, 50.0, 4, 3, 8, 10.0, False, 30.0, "T1", "sweeps", 2, holding, graphs, pushes
+        )
+        for tolerance in (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
+    ]
 
 
 def test_a_claim_of_no_settings_must_hold_in_nearly_all_of_them(study_folder):
@@ -196,12 +200,20 @@ def test_questions_have_a_page_each_in_their_order(study_folder, tmp_path, monke
             if name == "broken":
                 raise RuntimeError("no data")
             picture = next((tmp_path / "study" / "figures").glob("*.png"))
-            return Answer(f"What about {name}?", "It is so.", ["Because <it> is."],
-                          [Table("counts", ["what", "n"], [["cycles", 3], ["share", 0.25]])],
-                          [Figure(picture, "seen")])  # fmt: skip
+            return Answer(
+                f"What about {name}?",
+                "It is so.",
+                ["Because <it> is."],
+                [Table("counts", ["what", "n"], [["cycles", 3], ["share", 0.25]])],
+                [Figure(picture, "seen")],
+            )
 
-        return SimpleNamespace(answer=answer, TITLE=f"About {name}", ORDER=len(name),
-                               __name__=f"pliant.lab.experiment.questions.{name}")  # fmt: skip
+        return SimpleNamespace(
+            answer=answer,
+            TITLE=f"About {name}",
+            ORDER=len(name),
+            __name__=f"pliant.lab.experiment.questions.{name}",
+        )
 
     made = [answer_of("longest"), answer_of("short"), answer_of("broken")]
     monkeypatch.setattr(inquiry, "modules", lambda: sorted(made, key=lambda one: one.ORDER))

@@ -65,8 +65,8 @@ def test_pushes_that_broke_nothing_are_left_out(made_table):
 
 
 def test_classes_of_a_family_are_pooled(made_table):
-    study = Study(made_table({("1-cycle-bar", "bfs_cycle", 0.5): [[2, 2]],
-                              ("1-cycle-ring", "bfs_cycle", 0.5): [[4, 4]]}))  # fmt: skip
+    sweeps = {"1-cycle-bar": [[2, 2]], "1-cycle-ring": [[4, 4]]}
+    study = Study(made_table({(name, "bfs_cycle", 0.5): rows for name, rows in sweeps.items()}))
     assert study.of("1-cycle", "bfs_cycle", 0.5).mean[0] == 3
     assert study.of("2-cycle", "bfs_cycle", 0.5) is None
 

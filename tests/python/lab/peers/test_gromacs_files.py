@@ -62,8 +62,11 @@ def test_topology_holds_masses_bars_and_tethers():
     bars = np.array([[0, 1], [0, 3]])
     top = sections(files.topology_text(MASSES, bars, np.array([0.109, 0.1])))
     assert [(float(row[7]), float(row[6])) for row in top["atoms"]] == [
-        (12, 0), (1, 0), (16, 0), (1, 0)
-    ]  # fmt: skip
+        (12, 0),
+        (1, 0),
+        (16, 0),
+        (1, 0),
+    ]
     assert top["constraints"] == [["1", "2", "2", f"{0.109:.17g}"], ["1", "4", "2", f"{0.1:.17g}"]]
     springs = [[float(k) for k in row[2:]] for row in top["position_restraints"]]
     assert springs == [3 * [files.TETHER * mass] for mass in MASSES]
@@ -72,8 +75,11 @@ def test_topology_holds_masses_bars_and_tethers():
 def test_groups_are_of_one_mass_each():
     groups = sections(files.groups_text(np.tile(MASSES, 10)))
     assert {name: sum(map(len, rows)) for name, rows in groups.items()} == {
-        "System": 40, "M0": 20, "M1": 10, "M2": 10
-    }  # fmt: skip
+        "System": 40,
+        "M0": 20,
+        "M1": 10,
+        "M2": 10,
+    }
     assert groups["M1"][0][:3] == ["1", "5", "9"]
 
 
