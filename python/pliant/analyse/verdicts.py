@@ -96,8 +96,8 @@ def _backbone_rows(part: Shapes) -> list[ShapeRow]:
         rows.append(ShapeRow(bonds, most, before, "no more than the start", few))
     if len(shape.phi):
         outliers = float(found.outliers.mean())
-        few, before = outliers <= start["outliers"] + MORE_OUTLIERS, 100 * start["outliers"]
-        shares = f"{100 * outliers:.1f} %", f"{before:.1f} %"
+        few = outliers <= start["outliers"] + MORE_OUTLIERS
+        shares = f"{100 * outliers:.1f} %", f"{100 * start['outliers']:.1f} %"
         rows.append(ShapeRow("Ramachandran outliers", *shares, "1 % more than the start", few))
         shares = f"{100 * found.favoured.mean():.0f} %", f"{100 * start['favoured']:.0f} %"
         rows.append(ShapeRow("Ramachandran favoured", *shares, "–", True))

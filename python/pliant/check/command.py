@@ -45,10 +45,10 @@ def make_parser() -> console.Parser:
     add("file", metavar="FILE", help="H5MD trajectory of pliant run or pliant sample")
     text = "number of frames shown to OpenMM, spread evenly, or all (default 20)"
     add("--frames", metavar="N", type=console.whole_number(1, "all"), default=20, help=text)
-    text = "standard deviations of the displacements that break frames, Angstrom (default {})"
     sizes = "0.01,0.03,0.1,0.3"
-    breaks = {"dest": "displacements", "default": sizes, "help": text.format(sizes)}
-    add("--break", metavar="A,A,...", type=console.positive_numbers, **breaks)
+    text = f"standard deviations of the displacements that break frames, Angstrom (default {sizes})"
+    numbers = console.positive_numbers
+    add("--break", dest="displacements", metavar="A,A,...", type=numbers, default=sizes, help=text)
     text = "seed of the displacements (default 0)"
     add("--seed", metavar="N", type=console.whole_number(0), default=0, help=text)
     text = "give up on an OpenMM job after this many seconds (default 300)"

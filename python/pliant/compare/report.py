@@ -84,8 +84,8 @@ def _summary_table(report: AtomComparison) -> Table:
     if report.torsions:
         mean = float(np.mean([torsion.distance for torsion in report.torsions]))
         noise = float(np.mean([torsion.halves_theirs for torsion in report.torsions]))
-        halves = f"{_number(noise)} between halves"
-        add(("torsions, Jensen-Shannon distance, mean", "", halves, _number(mean)))
+        apart = f"{_number(noise)} between halves"
+        add(("torsions, Jensen-Shannon distance, mean", "", apart, _number(mean)))
     return table
 
 

@@ -61,9 +61,8 @@ def _table(found: ResidueComparison) -> Table:
 
 def _add_modes(table: Table, both: Subspaces) -> None:
     shares = _number(both.ours.share), _number(both.theirs.share)
-    shares = (*shares, f"RMSIP {figure_text(both.rmsip)}")
-    name = f"first {TEN} modes, share of motion"
-    table.rows.append((name, *shares, _number(both.ceiling), _number(both.chance)))
+    found = f"RMSIP {figure_text(both.rmsip)}", _number(both.ceiling), _number(both.chance)
+    table.rows.append((f"first {TEN} modes, share of motion", *shares, *found))
     table.rows.append(("  of theirs within ours", "", "", _number(both.share_covered), "", ""))
     for k in range(3):
         covered = _at(both.covered_ours, k), _at(both.covered_theirs, k)

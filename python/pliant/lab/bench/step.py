@@ -76,9 +76,13 @@ class Subject:
 
     def run(self, steps: int) -> None:
         """So many steps more, of which the run's own summary tells the time."""
-        often, technique = {"steps": steps, "every": steps}, self.row.technique
         summary = pliant.run(
-            self._framework, self._state, technique=technique, **often, **self._options
+            self._framework,
+            self._state,
+            steps=steps,
+            every=steps,
+            technique=self.row.technique,
+            **self._options,
         )
         self.times.append((summary.perturb_seconds + summary.resolve_seconds) / steps)
         self._projections.append(summary.projections / steps)

@@ -219,8 +219,8 @@ def masses() -> Iterator[Case]:
     """Neighbours a million million times as heavy as each other, corrections shared by mass."""
     for name, make in (("chain_10", lambda: bent_chain(10)), ("ring_17", lambda: ring(17))):
         start = partial(lambda make: _unequal(shaken(make(), 0.1)), make)
-        more, title = {"mass_weighted": True, "feasible": True}, f"{name}_of_masses_1e-6_to_1e6"
-        yield Case(title, "masses", "closed form", start, **more)
+        title = f"{name}_of_masses_1e-6_to_1e6"
+        yield Case(title, "masses", "closed form", start, mass_weighted=True, feasible=True)
 
 
 def _unequal(whole: Broken) -> Broken:

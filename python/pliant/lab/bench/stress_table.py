@@ -158,12 +158,12 @@ def long_runs(steps: int) -> Iterator[Case]:
     for name in ("peaucellier_cell_2D", "cyclohexane_boat"):
         row = known[name]
         bars = row.framework.bars, row.framework.rest_lengths
-        start, limits = partial(broken, row.positions, *bars), {"max_sweeps": 1000, "steps": steps}
-        yield Case(f"{name}_{steps}_steps", "steps", row.source, start, **limits)
+        start, title = partial(broken, row.positions, *bars), f"{name}_{steps}_steps"
+        yield Case(title, "steps", row.source, start, max_sweeps=1000, steps=steps)
 
 
 def all_cases(shrink: int = 1, steps: int = STEPS) -> list[Case]:
     """The whole table; large frameworks are made `shrink` times smaller."""
-    tables = (examples(), coincident(), lengths(), offsets(), pushes(), masses(), not_finite())
-    tables += (redundant(), peers(), large(shrink), long_runs(steps))
+    tables = [examples(), coincident(), lengths(), offsets(), pushes(), masses(), not_finite()]
+    tables += [redundant(), peers(), large(shrink), long_runs(steps)]
     return [case for table in tables for case in table]

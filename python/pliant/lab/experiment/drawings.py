@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -128,9 +129,17 @@ def group_bars(axis: Axes, study: Study, family: str, techniques: Sequence[str],
             places.append(place + (k - 0.5 * (len(techniques) - 1)) * width)
             heights.append(values[0])
             errors.append((max(values[0] - low, 0.0), max(high - values[0], 0.0)))
-        look = {"color": color, "hatch": hatch, "edgecolor": "white", "linewidth": 0.4}
-        look["error_kw"] = {"ecolor": style.INK, "elinewidth": 0.8, "capsize": 1.6}
-        axis.bar(places, heights, width * 0.92, label=technique, yerr=np.array(errors).T, **look)
+        edge: dict[str, Any] = {"hatch": hatch, "edgecolor": "white", "linewidth": 0.4}
+        edge["error_kw"] = {"ecolor": style.INK, "elinewidth": 0.8, "capsize": 1.6}
+        axis.bar(
+            places,
+            heights,
+            width * 0.92,
+            label=technique,
+            color=color,
+            yerr=np.array(errors).T,
+            **edge,
+        )
     _finish_bars(axis)
 
 

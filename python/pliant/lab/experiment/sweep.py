@@ -109,8 +109,13 @@ def run_sweep(
 def _thesis(start: Settings) -> Settings:
     classes = [name for name, family in families().items() if family in THESIS_FAMILIES]
     techniques = dict.fromkeys(name for claim in CLAIMS for name in claim.techniques)
-    swept = {"classes": tuple(classes), "techniques": tuple(techniques)}
-    return dataclasses.replace(start, weightings=Settings().weightings, joints=0, **swept)
+    return dataclasses.replace(
+        start,
+        classes=tuple(classes),
+        techniques=tuple(techniques),
+        weightings=Settings().weightings,
+        joints=0,
+    )
 
 
 def _place(point: Point) -> tuple[float | str, ...]:
@@ -162,9 +167,17 @@ def points_of(table: tables.Table, joints: float) -> list[Point]:
         for yardstick in claim.yardsticks:
             statements = claim.judged(studies[yardstick]).statements
             holding = sum(bool(statement.holds[0]) for statement in statements)
-            of = {"claim": claim.id, "yardstick": yardstick, "statements": len(statements)}
-            counts = {"holding": holding, "graphs": graphs, "pushes": settings.forces}
-            points.append(Point(**axes, joints=joints, **of, **counts))
+            point = Point(
+                **axes,
+                joints=joints,
+                claim=claim.id,
+                yardstick=yardstick,
+                statements=len(statements),
+                holding=holding,
+                graphs=graphs,
+                pushes=settings.forces,
+            )
+            points.append(point)
     return points
 
 

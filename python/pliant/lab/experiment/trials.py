@@ -99,8 +99,14 @@ def work_of(
     for step, trial in enumerate(trials):
         if owner is not trial.framework:
             owner = trial.framework
-            limits = {"tolerance": relative, "tolerance_length": length, "max_sweeps": limit}
-            resolver = pliant.Resolver(owner, technique, weighting, **limits)
+            resolver = pliant.Resolver(
+                owner,
+                technique,
+                weighting,
+                tolerance=relative,
+                tolerance_length=length,
+                max_sweeps=limit,
+            )
         assert resolver is not None
         done = resolver.resolve(trial.pushed(), trial.root, step=step, reference=trial.positions)
         rows.append((done.sweeps, done.projections, done.converged, done.seconds, trial.graph))

@@ -152,10 +152,14 @@ class Gromacs:
         surroundings = os.environ | {"GMX_MAXBACKUP": "-1", "GMX_SUPPRESS_DUMP": "1"}
         used, start = _processor_seconds(), time.monotonic()
         try:
-            words = [program.path, "-quiet", name, *words]
-            quiet = {"stdin": subprocess.DEVNULL, "capture_output": True, "check": False}
             done = subprocess.run(
-                words, cwd=self._folder.name, env=surroundings, timeout=time_limit, **quiet
+                [program.path, "-quiet", name, *words],
+                cwd=self._folder.name,
+                env=surroundings,
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                timeout=time_limit,
+                check=False,
             )
         except subprocess.TimeoutExpired:
             raise _Failed(f"{name} took more than {time_limit:g} s") from None

@@ -192,7 +192,7 @@ def _rate_table(found: dict[float, list[Observed]], trials: int) -> Table:
         rates, sweeps = _rates(seen), _sweeps(seen)
         ratio = np.array([s.predicted / s.sweeps for s in seen if s.converged])
         near = np.mean((ratio < 1.5) & (ratio > 1 / 1.5))
-        row = [f"{weighting:g}", len(seen), f"{np.median(rates):.3f}"]
+        row: list[str | int | float] = [f"{weighting:g}", len(seen), f"{np.median(rates):.3f}"]
         row += [f"{np.percentile(rates, 90):.3f}", f"{rates.max():.5f}", digits(sweeps.mean())]
         row += [digits(sweeps.std(ddof=1)), int(sweeps.max()), sum(not s.converged for s in seen)]
         table.rows.append([*row, f"{np.median(ratio):.2f}", f"{100 * near:.0f} %"])
@@ -207,8 +207,8 @@ def _bin_table(seen: list[Observed]) -> Table:
     for low, high in itertools.pairwise(BINS):
         sweeps = np.array([s.sweeps for s in seen if low <= s.rate < high])
         if sweeps.size:
-            row = [f"{low:g}", f"{min(high, 1.0):g}", len(sweeps), digits(sweeps.mean())]
-            table.rows.append([*row, int(sweeps.max())])
+            edges = f"{low:g}", f"{min(high, 1.0):g}"
+            table.rows.append([*edges, len(sweeps), digits(sweeps.mean()), int(sweeps.max())])
     return table
 
 

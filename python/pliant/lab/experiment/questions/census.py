@@ -136,8 +136,8 @@ def _specimen_table(molecules: list[Specimen], proteins: list[Specimen]) -> Tabl
     table = Table("Each protein or peptide, and some molecules.", columns)
     for specimen in (*proteins, *molecules[:: max(1, len(molecules) // 12)]):
         f = specimen.framework.graph_facts()
-        row = [specimen.name, f.joints, f.bars, f.components, f.cycles, f.bridges, f.blocks]
-        table.rows.append([*row, f.largest_block, f"{100 * _share(f):.0f} %"])
+        sizes = f.joints, f.bars, f.components, f.cycles, f.bridges, f.blocks, f.largest_block
+        table.rows.append([specimen.name, *sizes, f"{100 * _share(f):.0f} %"])
     return table
 
 

@@ -234,9 +234,9 @@ def _draw(found: Results, new: list[Combination], seed: int, out: Path) -> Figur
                 gains = np.array([_gain(found[f, tolerance], combination, seed) for f in families])
                 rows = np.arange(len(families)) + (place - 0.5 * (len(new) - 1)) * 0.8 / len(new)
                 errors = (gains[:, 0] - gains[:, 1], gains[:, 2] - gains[:, 0])
-                look = {"fmt": "os^DvPX*<>"[place % 10], "color": COLORS[place % len(COLORS)]}
-                look |= {"markersize": 4.5, "elinewidth": 1.0, "capsize": 2}
-                axis.errorbar(gains[:, 0], rows, xerr=errors, label=label(combination), **look)
+                look = {"label": label(combination), "color": COLORS[place % len(COLORS)]}
+                fmt, sizes = "os^DvPX*<>"[place % 10], {"markersize": 4.5, "elinewidth": 1.0}
+                axis.errorbar(gains[:, 0], rows, xerr=errors, fmt=fmt, capsize=2, **look, **sizes)
             axis.axvline(1.0, color="black", linewidth=0.9)
             axis.set_yticks(range(len(families)), families)
             axis.invert_yaxis()
