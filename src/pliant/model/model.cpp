@@ -18,16 +18,28 @@
 namespace pliant {
 namespace {
 
-constexpr std::array<ModelEntry, 4> table{
-    {{ModelKind::bonds, "bonds", "a bar for each bond: only bond lengths hold", BarKind::bonds,
-      false, false, false},
-     {ModelKind::angles, "angles", "bars for bonds, angles and planar groups", BarKind::angles,
-      false, false, false},
-     {ModelKind::molecule, "molecule", "angles, and atoms keep their distance", BarKind::angles,
-      true, true, false},
-     {ModelKind::protein, "protein",
-      "molecule, and hydrogen bonds, salt bridges and hydrophobic tethers", BarKind::angles, true,
-      true, true}}};
+constexpr std::array table{
+    ModelEntry{.kind = ModelKind::bonds,
+               .name = "bonds",
+               .summary = "a bar for each bond: only bond lengths hold",
+               .bars = BarKind::bonds},
+    ModelEntry{.kind = ModelKind::angles,
+               .name = "angles",
+               .summary = "bars for bonds, angles and planar groups",
+               .bars = BarKind::angles},
+    ModelEntry{.kind = ModelKind::molecule,
+               .name = "molecule",
+               .summary = "angles, and atoms keep their distance",
+               .bars = BarKind::angles,
+               .is_prepared = true,
+               .has_sterics = true},
+    ModelEntry{.kind = ModelKind::protein,
+               .name = "protein",
+               .summary = "molecule, and hydrogen bonds, salt bridges and hydrophobic tethers",
+               .bars = BarKind::angles,
+               .is_prepared = true,
+               .has_sterics = true,
+               .has_contacts = true}};
 
 /// Limits of pairs that have no bar: a bar holds its distance anyhow.
 std::vector<Limit> without_barred(std::vector<Limit> limits, const Framework& bars) {
