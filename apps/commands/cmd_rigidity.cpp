@@ -115,8 +115,8 @@ RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
                         settings.molecule.file,
                         {},
                         {}};
-  if (const std::string told = told_of_rings_of_six(report.rigidity.rings_of_six); !told.empty())
-    log.note(told);
+  if (const std::string note = note_on_rings_of_six(report.rigidity.rings_of_six); !note.empty())
+    log.note(note);
   if (settings.dilution) dilute(report);
   return report;
 }

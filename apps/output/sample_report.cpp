@@ -172,7 +172,7 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"stopped_early", summary.stopped_by_caller},
                   {"seconds", summary.seconds},
                   {"cpu_ms_per_frame", ms_a_frame(summary)},
-                  {"told", system.told},
+                  {"notes", system.notes},
                   {"missing", system.missing},
                   {"warnings", warnings}};
   print_json(json);

@@ -70,9 +70,9 @@ def test_every_option_of_a_help_is_offered(command):
     text = subprocess.run([command, "run", "--help"], capture_output=True, text=True).stdout
     lines = [line for line in text.splitlines() if line.startswith("  -")]
     words = [word for line in lines for word in line.split()[0].split(",")]
-    told = {word for word in words if word.startswith("--")}
-    assert len(told) > 30
-    assert set(in_bash(command, "run", "--")) == told
+    options = {word for word in words if word.startswith("--")}
+    assert len(options) > 30
+    assert set(in_bash(command, "run", "--")) == options
 
 
 def test_zsh_takes_it(command):

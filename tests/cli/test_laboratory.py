@@ -108,8 +108,8 @@ def test_generated_forces_are_those_of_a_run(pliant, ethanol, tmp_path):
 
 
 def test_generated_forces_as_json(pliant, ethanol):
-    told = json.loads(pliant("forcegen", ethanol, "-o", "f.txt", "--json").out)
-    assert told == {
+    report = json.loads(pliant("forcegen", ethanol, "-o", "f.txt", "--json").out)
+    assert report == {
         "input": str(ethanol),
         "output": "f.txt",
         "pushes": 50,
@@ -188,12 +188,12 @@ def test_an_ordering_file_goes_with_no_other_technique(pliant, triangle, tmp_pat
 
 def test_one_graph_of_a_class(pliant, tmp_path):
     made = pliant("structgen", "2-cycle-tree", "--seed", 7, "--ring", 12, "--json")
-    told = json.loads(made.out)
-    assert (told["cycles"], told["output"]) == (2, "2-cycle-tree.xml")
+    report = json.loads(made.out)
+    assert (report["cycles"], report["output"]) == (2, "2-cycle-tree.xml")
     seen = json.loads(pliant("info", "2-cycle-tree.xml", "--json").out)
     assert (seen["joints"], seen["bars"], seen["cycles"], seen["components"]) == (
-        told["joints"],
-        told["bars"],
+        report["joints"],
+        report["bars"],
         2,
         1,
     )

@@ -163,7 +163,7 @@ def test_help_needs_none(command):
     assert ended.stdout.startswith(f"usage: pliant {command}")
 
 
-def test_a_check_is_told_without_rich_and_matplotlib(trajectory, tmp_path):
+def test_a_check_is_reported_without_rich_and_matplotlib(trajectory, tmp_path):
     words = [str(trajectory), "--no-picture", "--json"]
     code = f"from pliant.check.command import main\nsys.exit(main({words!r}))"
     ended = run_without(code, "MDAnalysis", "matplotlib", "rdkit", "rich", "scipy")

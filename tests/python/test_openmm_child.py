@@ -31,7 +31,7 @@ def test_a_job_is_done():
     assert version
 
 
-def test_an_exception_is_told_and_costs_no_other_job():
+def test_an_exception_is_reported_and_costs_no_other_job():
     massless = chain(masses=np.array([12.0, 0.0, 12.0]))
     outcomes, _ = run_jobs([massless, chain()])
     assert outcomes[0].brief() == (

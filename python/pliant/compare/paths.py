@@ -26,7 +26,7 @@ from pliant.compare.ensembles import read_trace
 from pliant.compare.pairing import choose, open_universe
 from pliant.compare.reference import read_reference
 from pliant.compare.suite import LEAST_RESIDUES
-from pliant.compare.traces import trace_of_atoms
+from pliant.compare.trace_of_atoms import trace_of_atoms
 
 FRAMES = 500
 

@@ -13,7 +13,7 @@ from pliant.ensemble.frames import EnsembleFrames
 from pliant.ensemble.inspect_shard import ShardRecord
 from pliant.ensemble.open_shard import counted_files
 from pliant.ensemble.over_shards import each_part, parts_of
-from pliant.ensemble.plan import Plan
+from pliant.ensemble.plan import EnsemblePlan
 from pliant.ensemble.sums import blocks, walkers_of
 
 CLUSTERS = 10
@@ -39,7 +39,7 @@ class Clusters:
 class _Task:
     """A part of the shards, for one process."""
 
-    plan: Plan
+    plan: EnsemblePlan
     paths: list[Path]
     records: list[ShardRecord | None]  #: what to check the files by, where that is to be done
     atoms: np.ndarray  #: (U,)

@@ -31,7 +31,7 @@ from pliant.ensemble.make_shard import check_options, make_shard
 from pliant.ensemble.options import parse_options
 from pliant.ensemble.plan import (
     PLAN,
-    Plan,
+    EnsemblePlan,
     load_plan,
     make_plan,
     settled,
@@ -166,7 +166,7 @@ def _expect_no_more(file: str | None, passed_on: list[str], name: str) -> None:
             raise OptionError(f'unexpected argument "{word}": does not go with {name}')
 
 
-def _plan(file: str | None, options: argparse.Namespace, passed_on: list[str]) -> Plan:
+def _plan(file: str | None, options: argparse.Namespace, passed_on: list[str]) -> EnsemblePlan:
     if file is None:
         raise OptionError("INPUT: expected a file before all options")
     if (options.walkers is None) == (options.frames is None):
@@ -176,7 +176,7 @@ def _plan(file: str | None, options: argparse.Namespace, passed_on: list[str]) -
     return make_plan(command, file, count, options.shard_size, parse_options(passed_on, command))
 
 
-def _make_all(plan: Plan, folder: Path, options: argparse.Namespace) -> int:
+def _make_all(plan: EnsemblePlan, folder: Path, options: argparse.Namespace) -> int:
     @contextlib.contextmanager
     def place(shards: int) -> Iterator[Place]:
         where = (options.workers, options.scheduler, options.cluster)
@@ -195,7 +195,9 @@ def _make_all(plan: Plan, folder: Path, options: argparse.Namespace) -> int:
 
 
 @contextlib.contextmanager
-def _planned(plan: Plan, folder: Path, options: argparse.Namespace) -> Iterator[Plan]:
+def _planned(
+    plan: EnsemblePlan, folder: Path, options: argparse.Namespace
+) -> Iterator[EnsemblePlan]:
     """The folder's plan. One that is new goes again if an error comes before its first shard."""
     there = settled(folder, plan, options.shard_size)
     if there is not None:
@@ -241,7 +243,9 @@ def _make_one(folder: Path, options: argparse.Namespace) -> int:
     return EXIT_OK
 
 
-def _write_script(plan: Plan, folder: Path, options: argparse.Namespace, words: list[str]) -> int:
+def _write_script(
+    plan: EnsemblePlan, folder: Path, options: argparse.Namespace, words: list[str]
+) -> int:
     path = Path(options.slurm_script)
     with _planned(plan, folder, options) as agreed:
         check_options(agreed, str(folder))  # the jobs would all fail, later

@@ -79,7 +79,8 @@ class WantedKinds {
 
 /// "contacts: hydrogen_bond 54, salt_bridge 4, hydrophobic 31, metal 0", and kinds that are not
 /// usual where there are any or they were asked for.
-std::string told_of(std::span<const MolecularContact> contacts, const WantedKinds& wanted) {
+std::string note_of_contacts(std::span<const MolecularContact> contacts,
+                             const WantedKinds& wanted) {
   std::map<MolecularContactKind, std::size_t> counts;
   for (const MolecularContact& contact : contacts) ++counts[contact.kind];
   std::string text;
@@ -116,7 +117,7 @@ class ModelBuilder {
   }
 
  private:
-  void tell(std::string line) {
+  void note(std::string line) {
     options_.log.note(line);
     ready_.steps.push_back(std::move(line));
   }
@@ -126,7 +127,7 @@ class ModelBuilder {
     check_atoms();
     building_.limits =
         without_barred(limits_of(contacts_), build_framework(ready_.structure, building_));
-    tell(told_of(contacts_, WantedKinds(options_.more_contacts)));
+    note(note_of_contacts(contacts_, WantedKinds(options_.more_contacts)));
   }
 
   /// Contacts that a caller gives may name anything.
@@ -153,7 +154,7 @@ class ModelBuilder {
                             .sterics = std::make_shared<const Sterics>(sterics)});
     sterics.own = own_distances(joints, ready_.structure.positions);
     if (!sterics.own.empty())
-      tell("sterics: " + std::to_string(sterics.own.size()) +
+      note("sterics: " + std::to_string(sterics.own.size()) +
            " pairs are nearer than usual and keep their own distance");
     building_.sterics = std::make_shared<const Sterics>(std::move(sterics));
   }
@@ -161,7 +162,7 @@ class ModelBuilder {
   void take_torsions() {
     TorsionPreferences torsions = torsions_of_residues(ready_.structure);
     if (torsions.staggered.empty() && torsions.backbone.empty()) return;
-    tell("torsions: " + std::to_string(torsions.staggered.size()) +
+    note("torsions: " + std::to_string(torsions.staggered.size()) +
          " of side chains prefer to be staggered, phi and psi of " +
          std::to_string(torsions.backbone.size()) + " residues prefer the usual regions");
     building_.torsion_preferences = std::make_shared<const TorsionPreferences>(std::move(torsions));

@@ -65,7 +65,7 @@ struct MolecularModel {
   Framework framework;          ///< bars, limits (group k is contact k), sterics
   std::vector<Vec3> positions;  ///< (N) Angstrom, start; satisfies all limits and least distances
   std::vector<MolecularContact> contacts;
-  std::vector<std::string> told;     ///< what was done and found, one sentence each
+  std::vector<std::string> notes;    ///< what was done and found, one sentence each
   std::vector<std::string> missing;  ///< what the structure lacks
 };
 

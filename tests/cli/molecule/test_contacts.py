@@ -40,7 +40,7 @@ def test_json_and_csv_say_the_same(pliant):
     assert [float(row["energy"]) for row in rows] == [contact["energy"] for contact in contacts]
 
 
-def test_what_was_done_is_told(pliant):
+def test_what_was_done_is_reported(pliant):
     ended = pliant("contacts", XRAY)
     assert ended.code == 0
     assert "note: 180 waters taken out\n" in ended.err

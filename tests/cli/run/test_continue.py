@@ -67,7 +67,7 @@ def test_what_contradicts_the_file_is_refused(pliant, ethanol, tmp_path, words, 
     assert (tmp_path / "o.h5md").read_bytes() == before
 
 
-def test_a_file_without_a_checkpoint_is_told(pliant, ethanol, tmp_path):
+def test_a_file_without_a_checkpoint_is_reported(pliant, ethanol, tmp_path):
     pliant("run", ethanol, "-o", "o.h5md", "--steps", 5)
     with h5py.File(tmp_path / "o.h5md", "r+") as file:
         del file["parameters/checkpoint"]

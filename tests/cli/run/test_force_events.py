@@ -85,8 +85,8 @@ def test_a_session_is_repeated_bit_by_bit(pliant, session):
     ended = pliant("run", "m.mol", "--forces", "s.txt", "--json")
     assert ended.code == 0, ended.err
     np.testing.assert_array_equal(frames(session / "m.h5md"), by_hand())
-    told = json.loads(ended.out)
-    assert (told["steps"], told["frames"], told["technique"]) == (6, 7, "bfs_cycle")
+    report = json.loads(ended.out)
+    assert (report["steps"], report["frames"], report["technique"]) == (6, 7, "bfs_cycle")
 
 
 def test_every_other_step_is_shown(pliant, session):
@@ -152,7 +152,7 @@ REFUSED = [
 
 
 @pytest.mark.parametrize(("text", "message"), REFUSED)
-def test_what_is_wrong_is_told_with_its_line(pliant, session, text, message):
+def test_what_is_wrong_is_reported_with_its_line(pliant, session, text, message):
     (session / "s.txt").write_text(text)
     ended = pliant("run", "m.mol", "--forces", "s.txt")
     assert ended.code == 1

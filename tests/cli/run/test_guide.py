@@ -12,7 +12,7 @@ PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 MODEL = ["run", PEPTIDE, "--model", "protein"]
 
 
-def test_pulls_and_pairs_are_told_with_what_came_of_them(pliant):
+def test_pulls_and_pairs_are_reported_with_what_came_of_them(pliant):
     words = ["--pull", "resid 20", "0,-1,0.5", "--pair-distance", "resid 3", "resid 18", "20..22"]
     ended = pliant(*MODEL, *words, "-o", "o.h5md")
     assert ended.code == 0, ended.err

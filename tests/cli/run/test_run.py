@@ -56,7 +56,7 @@ def test_every_option_is_recorded(pliant, ethanol, tmp_path):
         assert options["technique"].asstr()[()] == "bfs_cycle"
 
 
-def test_an_unconverged_step_is_recorded_and_told(pliant, ethanol, tmp_path):
+def test_an_unconverged_step_is_recorded_and_reported(pliant, ethanol, tmp_path):
     ended = pliant(
         "run", ethanol, "-o", "o.h5md", "--steps", 5, "--max-sweeps", 1, "--technique", "bfs_cycle"
     )
@@ -98,7 +98,7 @@ def test_a_pdb_file_runs_where_it_lies(pliant, ethanol, tmp_path):
 
 
 @pytest.mark.parametrize("output", ["missing/o.h5md", "/dev/full"])
-def test_an_output_that_cannot_be_written_is_told(pliant, ethanol, output):
+def test_an_output_that_cannot_be_written_is_reported(pliant, ethanol, output):
     ended = pliant("run", ethanol, "-o", output, "--topology", "none")
     assert ended.code == 1
     assert output in ended.err

@@ -107,7 +107,7 @@ def test_runs_and_samples_are_not_mixed_up(pliant, ethanol):
     assert (ended.code, ended.err) == (1, "pliant: error: none.h5md: is not there\n")
 
 
-def test_a_file_without_nodes_is_told(pliant, tmp_path):
+def test_a_file_without_nodes_is_reported(pliant, tmp_path):
     pliant("sample", PEPTIDE, "-o", "o.h5md", "--frames", 2, *COMMON)
     with h5py.File(tmp_path / "o.h5md", "r+") as file:
         del file["parameters/checkpoint"]

@@ -90,13 +90,13 @@ def asked(pliant, start, *words):
 
 
 def test_it_is_as_b_factors_say(pliant, start, tmp_path):
-    told = asked(pliant, start, "--amplitude", "bfactors")
+    report = asked(pliant, start, "--amplitude", "bfactors")
     b = 6.0 + 2.0 * np.arange(COUNT)
     expected = np.sqrt(3 * b / (8 * np.pi**2)).mean()
-    assert told["amplitude_asked"] == pytest.approx(expected, rel=1e-6)
-    assert told["amplitude_from"] == "bfactors"
-    assert told["amplitude_reason"] == "B factors of 14 residues, mean 19 A^2"
-    assert any("B factors, which contain disorder of the crystal" in w for w in told["warnings"])
+    assert report["amplitude_asked"] == pytest.approx(expected, rel=1e-6)
+    assert report["amplitude_from"] == "bfactors"
+    assert report["amplitude_reason"] == "B factors of 14 residues, mean 19 A^2"
+    assert any("B factors, which contain disorder of the crystal" in w for w in report["warnings"])
     with h5py.File(tmp_path / "out.h5md") as file:
         assert file["parameters/sample/amplitude"][()] == pytest.approx(expected, rel=1e-6)
         assert file["parameters/sample/amplitude_from"][()] == b"bfactors"
@@ -106,9 +106,9 @@ def test_it_is_as_b_factors_say(pliant, start, tmp_path):
 def test_it_is_as_far_as_an_ensemble_goes(pliant, start, tmp_path, first, chain):
     frames = ensemble(25)
     (tmp_path / "nmr.pdb").write_text(pdb(frames, first=first, chain=chain))
-    told = asked(pliant, start, "--amplitude", "nmr.pdb")
-    assert told["amplitude_asked"] == pytest.approx(mean_rmsf(frames[:, :, 1]), rel=1e-5)
-    assert told["amplitude_reason"] == (
+    report = asked(pliant, start, "--amplitude", "nmr.pdb")
+    assert report["amplitude_asked"] == pytest.approx(mean_rmsf(frames[:, :, 1]), rel=1e-5)
+    assert report["amplitude_reason"] == (
         "25 models of nmr.pdb, mean RMSF of 14 of 14 residues, superposed"
     )
 
@@ -118,12 +118,12 @@ def test_a_trajectory_of_ours_is_an_ensemble(pliant, start, tmp_path):
         "sample", start, "-o", "first.h5md", "--frames", 30, "--amplitude", 0.5, "--json"
     )
     reached = json.loads(ended.out)["amplitude_reached"]
-    told = asked(pliant, start, "--amplitude", "first.h5md")
+    report = asked(pliant, start, "--amplitude", "first.h5md")
     with h5py.File(tmp_path / "first.h5md") as file:
         names = file["parameters/topology/atom_name"].asstr()[:]
         positions = file["particles/trajectory/position/value"][:][:, names == "CA"]
-    assert told["amplitude_asked"] == pytest.approx(mean_rmsf(positions), rel=1e-5)
-    assert reached == pytest.approx(told["amplitude_asked"], rel=0.01)
+    assert report["amplitude_asked"] == pytest.approx(mean_rmsf(positions), rel=1e-5)
+    assert reached == pytest.approx(report["amplitude_asked"], rel=0.01)
 
 
 def test_what_cannot_be_an_amplitude_is_refused(pliant, start, tmp_path):

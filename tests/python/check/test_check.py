@@ -141,7 +141,7 @@ def test_a_wrong_recorded_residual_fails(caffeine, tmp_path):
         caffeine.elements,
         max_residual=caffeine.residual() * np.where(np.arange(12) == 4, 0.5, 1),
     )
-    report = pliant.check(made.write(tmp_path / "told.h5md"), **FEW)
+    report = pliant.check(made.write(tmp_path / "given.h5md"), **FEW)
     record = found(report, "record")
     assert (record.status, record.figures["recorded_differently"]) == ("failed", 1)
     assert "1 frames do not have the residual that is recorded: step 4 (" in record.notes[0]
@@ -214,7 +214,7 @@ def test_the_diamond_that_ccma_cannot_repair(tmp_path):
     bare = method(report, "OpenMM, no angles").results[0]
     assert bare.whole < bare.structures and "diverged" in bare.outcome
     assert method(report, "Pliant, default").results[0].whole == 5
-    # Told the angles of the very frame CCMA manages: the comparison is at its best, too.
+    # Given the angles of the very frame CCMA manages: the comparison is at its best, too.
     assert method(report, "OpenMM, applyConstraints").results[0].whole == 5
 
 

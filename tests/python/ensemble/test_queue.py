@@ -107,8 +107,8 @@ def test_a_queue_that_takes_some_jobs(ensemble, tmp_path, settings):
     words = ["ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", settings]
     ended = call(*words, env=environment, cwd=tmp_path)
     assert ended.returncode == 0, ended.stderr
-    told = [line for line in ended.stderr.splitlines() if "note: Dask" not in line]
-    assert told == [f"warning: {settings}: sbatch: {REFUSED}: goes on with 1 job"]
+    lines = [line for line in ended.stderr.splitlines() if "note: Dask" not in line]
+    assert lines == [f"warning: {settings}: sbatch: {REFUSED}: goes on with 1 job"]
     assert len(shards_of(tmp_path / "many")) == len(shards_of(ensemble))
 
 

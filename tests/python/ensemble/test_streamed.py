@@ -314,7 +314,7 @@ def test_a_shard_that_is_gone_is_named(many, tmp_path, lost):
     )
 
 
-def test_shards_that_are_not_counted_are_told_from_none(many, tmp_path):
+def test_shards_that_are_not_counted_are_reported_from_none(many, tmp_path):
     folder = shutil.copytree(many, tmp_path / "many")
     (folder / "shards.jsonl").unlink()
     ended = call("analyse", folder)

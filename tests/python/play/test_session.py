@@ -53,7 +53,7 @@ def test_a_pull_is_a_step_of_a_motion_that_is_steered(solver):
         assert reply["residual"] == frame.max_residual
 
 
-def test_what_breaks_and_what_is_left_is_told_of_each_bar(solver):
+def test_what_breaks_and_what_is_left_is_reported_of_each_bar(solver):
     solver.open(CAFFEINE)
     reply = drag(solver, steps=1, whole=True)
     assert max(map(abs, reply["residuals"])) == pytest.approx(reply["residual"], rel=1e-6)
@@ -209,9 +209,9 @@ REFUSED = [
 def test_what_is_refused_changes_nothing(solver, what, fields, message):
     solver.open(CAFFEINE)
     stands, settings = solver.ask("state"), solver.ask("settings")
-    with pytest.raises(ValueError) as told:
+    with pytest.raises(ValueError) as raised:
         solver.ask(what, **fields)
-    assert message in str(told.value)
+    assert message in str(raised.value)
     assert solver.ask("state") == stands
     assert solver.ask("settings") == settings
     assert drag(solver, steps=1)["step"] == 1
@@ -249,7 +249,7 @@ def test_a_session_tells_the_parameters_that_pliant_run_records(solver, tmp_path
     drag(solver, 2, joint=1, force=(30.0, 1.0, 0.0))
     solver.ask("settings", technique="newton", tolerance_length=1e-4, seed=7)
     drag(solver, 3, joint=2, force=(30.0, 1.0, 0.0))
-    told = solver.ask("recorded", name=path.name)["parameters"]
+    parameters = solver.ask("recorded", name=path.name)["parameters"]
     replayed(path, solver.ask("forces")["text"], tmp_path, *options)
     types = {"int64": np.int64, "float64": np.float64, "bool": np.bool_, "text": bytes}
     with h5py.File(tmp_path / "out.h5md") as file:
@@ -261,7 +261,7 @@ def test_a_session_tells_the_parameters_that_pliant_run_records(solver, tmp_path
 
         file.visititems(keep)
         expected = {row.removeprefix("parameters/"): file[row][()] for row in rows}
-    found = {name: (types[kind], value) for name, kind, value in told}
+    found = {name: (types[kind], value) for name, kind, value in parameters}
     assert set(found) == set(expected)
     for name, (kind, value) in found.items():
         if name != "run/forces":  # a session replays no file

@@ -147,7 +147,7 @@ TELL = """\
 import json
 import numpy as np
 np.save("positions.npy", view.positions)
-pathlib.Path("told.json").write_text(json.dumps([view.names, view.model]))
+pathlib.Path("view.json").write_text(json.dumps([view.names, view.model]))
 print("written")"""
 
 
@@ -226,6 +226,6 @@ def test_a_drag_in_a_notebook_comes_back_to_python(tmp_path):
     assert np.linalg.norm(positions - structure.positions, axis=1)[shown["joint"]] > 0.05
     off = pliant.residuals(structure.framework(), positions)  # Angstrom, of bars below 2
     assert np.abs(off).max() <= 2e-6
-    names, model = json.loads((tmp_path / "told.json").read_text())
+    names, model = json.loads((tmp_path / "view.json").read_text())
     assert (len(names), names[0], model) == (22, "A:ACE1:CH3", "bonds")
     assert shown["complaints"] == []

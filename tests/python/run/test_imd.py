@@ -238,7 +238,7 @@ def test_a_run_goes_on_whose_clients_may_not_end_it(tmp_path, capsys, monkeypatc
     )
 
 
-def test_a_server_that_says_nothing_is_told_of(capsys, monkeypatch):
+def test_a_server_that_says_nothing_is_reported(capsys, monkeypatch):
     monkeypatch.setattr(watch, "GREETING", 0.05)
     with socket.create_server(("127.0.0.1", 0)) as listener:
         port = listener.getsockname()[1]

@@ -47,7 +47,7 @@ def test_residues_of_a_structure_by_their_alpha_carbons():
     assert values[0] > values[10] < values[19]
 
 
-def test_chains_are_told_apart_by_equal_numbers_that_follow():
+def test_chains_are_reported_apart_by_equal_numbers_that_follow():
     x = np.array([[0.0, 0, 0], [3.8, 0, 0], [7.6, 0, 0], [7.6, 3.8, 0]])
     one, two = pliant.node_b_factors(x), pliant.node_b_factors(x, [5, 5, 2, 2])
     assert not np.array_equal(one, two)

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Elastic networks beside numpy, and ensembles by numpy's own measures."""
 
+import expected_warnings
 import numpy as np
 import pytest
-import told
 
 import pliant
 
@@ -13,7 +13,7 @@ MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 @pytest.fixture(scope="module")
 def kinase():
     """Adenylate kinase, 214 residues."""
-    structure = told.read_without_elements(MDA.PDB_small)
+    structure = expected_warnings.read_without_elements(MDA.PDB_small)
     structure.perceive_bonds()
     return structure
 

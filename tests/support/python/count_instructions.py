@@ -4,7 +4,7 @@
     PYTHONPATH=PACKAGE count_instructions.py [--json] [--compare BEFORE.json]
 
 Whichever package is importable does the small fixed work of counted_work.py under valgrind's
-callgrind, which counts what the processor is told to do. Plans, imports and the interpreter do not
+callgrind, which counts the instructions of the processor. Plans, imports and the interpreter do not
 count. With --compare the ratios to an earlier --json are printed, and the exit code is 1 if one is
 above 1.03. Needs valgrind with its headers and a C compiler.
 """
@@ -137,8 +137,8 @@ def print_table(counts: Counts, before: Counts) -> None:
     print(f"{'':{width}} {'instructions':>15} {'bars':>11}" + "   ratios" * bool(before))
     for name, row in counts.items():
         ratios = ratios_of(row, before[name]) if name in before else {}
-        told = "".join(f" {ratio:8.4f}" for ratio in ratios.values())
-        print(f"{name:{width}} {row['instructions']:15,} {row['bars']:11,}{told}")
+        columns = "".join(f" {ratio:8.4f}" for ratio in ratios.values())
+        print(f"{name:{width}} {row['instructions']:15,} {row['bars']:11,}{columns}")
 
 
 def ratios_of(row: dict[str, int], before: dict[str, int]) -> dict[str, float]:

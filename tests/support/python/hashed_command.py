@@ -20,7 +20,7 @@ CAFFEINE = "caffeine.sdf"
 RUN = ["run", CAFFEINE, "-o", "out.h5md", "--quiet"]
 TOGETHER = ["--walkers", "11", "--perturb", "displacement", "--steps", "20", "--topology", "none"]
 STEPS = ["--steps", "30"]
-# Each row is one after the other in one folder; what the last prints, and all files, are told.
+# Each row is one after the other in one folder; what the last prints, and all files, are hashed.
 JOBS = [
     [[*RUN, *STEPS, "--record-forces", "forces.txt", "--seed", "3"]],
     [[*RUN, *STEPS, "--single", "--compress", "--every", "7", "--damping", "0.2"]],

@@ -136,7 +136,7 @@ def by_ordering(subject: Subject) -> dict[str, object]:
 
 
 def resolve(subject: Subject, way: Way, mass_weighted: bool) -> dict[str, object]:
-    """Resolves one after the other: near, told the positions before the push, and far."""
+    """Resolves one after the other: near, given the positions before the push, and far."""
     options = {"tolerance": 1e-9, "max_sweeps": MOST_SWEEPS, "seed": 5, "walker": 2}
     resolver = pliant.Resolver(
         subject.framework, **way.options, mass_weighted=mass_weighted, **options
@@ -152,7 +152,7 @@ def resolve(subject: Subject, way: Way, mass_weighted: bool) -> dict[str, object
 
 
 def lanes(subject: Subject, way: Way, level: str) -> dict[str, object]:
-    """Walkers resolved together; then fewer of them, with less told."""
+    """Walkers resolved together; then fewer of them, with less given."""
     lanes = {"lanes": level != ALONE, "level": "" if level == ALONE else level}
     limits = {"tolerance": 1e-6, "max_sweeps": MOST_SWEEPS, "seed": 5}
     resolver = pliant.WalkerResolver(subject.framework, **way.options, **limits, **lanes)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Samples, conformers and paths whose bits are looked at: every sampler, every option changed once.
 
-What a sample with an option is, what its file says and what goes on with that file are told, of the
+What a sample with an option is, what its file says and what goes on with it are hashed, of the
 package and of the command.
 """
 
@@ -87,12 +87,12 @@ def library_lines() -> Iterator[Line]:
     for name in PEPTIDES + SMALL:
         yield from lines(f"sample auto {name}", partial(sample, name))
         for sampler, options in rows():
-            told = f"{sampler} {name} {options}"
-            yield from lines(f"sample {told}", partial(sample, name, sampler=sampler, **options))
+            title = f"{sampler} {name} {options}"
+            yield from lines(f"sample {title}", partial(sample, name, sampler=sampler, **options))
     for name in (PEPTIDES[0], SMALL[0]):
         for sampler, options in rows():
-            told = f"{sampler} {name} {options}"
-            yield from lines(f"file {told}", partial(recorded, name, sampler=sampler, **options))
+            title = f"{sampler} {name} {options}"
+            yield from lines(f"file {title}", partial(recorded, name, sampler=sampler, **options))
         for options in OF_OUTPUT:
             yield from lines(f"file {name} {options}", partial(recorded, name, **options))
     for options in OF_PATH:

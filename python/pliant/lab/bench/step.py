@@ -75,7 +75,7 @@ class Subject:
         self._projections: list[float] = []
 
     def run(self, steps: int) -> None:
-        """So many steps more, of which the run's own summary tells the time."""
+        """So many steps more, timed by the run's own summary."""
         summary = pliant.run(
             self._framework,
             self._state,

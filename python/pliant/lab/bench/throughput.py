@@ -37,7 +37,7 @@ class Throughput:
     lane_levels: list[str]  #: instructions that this processor has for lanes, the best first
     rows: list[ThroughputRow] = field(default_factory=list)
     openmm: list[OpenmmRow] = field(default_factory=list)
-    about_openmm: str = ""  #: why OpenMM takes no part, or what it was not told
+    about_openmm: str = ""  #: why OpenMM takes no part, or what it was not given
 
     def wrong(self) -> list[str]:
         """What is not as it must be: conformers not whole, or with other bits than alone."""
@@ -57,7 +57,7 @@ class Throughput:
 class OpenmmRow:
     """OpenMM's CCMA, one conformer after the other on one thread."""
 
-    method: str  #: "ccma" (applyConstraints) or "ccma_dynamics" (told the intact structure)
+    method: str  #: "ccma" (applyConstraints) or "ccma_dynamics" (given the intact structure)
     ns_per_bar: float  #: median over the rounds
     max_residual: float  #: of the worst conformer, measured anew
 
@@ -77,7 +77,7 @@ class ThroughputRow:
     processor_ns_per_bar: float  #: the same in processor time of the threads, added up
     same_bits: bool  #: the conformers are those of one thread without lanes, bit by bit
     ratio_to_openmm: float = math.nan  #: CCMA's time for a bar over that of this row
-    ratio_to_openmm_in_dynamics: float = math.nan  #: the same, CCMA told the intact structure
+    ratio_to_openmm_in_dynamics: float = math.nan  #: the same, CCMA given the intact structure
 
 
 @dataclass

@@ -15,7 +15,7 @@ import numpy as np
 from pliant._weightings import WEIGHTINGS
 from pliant.lab.experiment.compare import ALIKE, BY_FAR, EXTREMELY, Court
 from pliant.lab.experiment.settings import reverse_techniques
-from pliant.lab.experiment.statistics import Study, with_interval
+from pliant.lab.experiment.statistics import Evidence, with_interval
 from pliant.lab.experiment.verdict import Statement, Verdict, verdict_of
 
 RAGDOLL = ("random", 0.5)
@@ -45,22 +45,22 @@ class Claim:
         passes = ("passes",) if set(self.techniques) & reverse_techniques() else ()
         return ("sweeps", *passes, *(("projections",) if self.effort_matters else ()))
 
-    def judged(self, study: Study) -> Verdict:
-        """The verdict by the yardstick of `study`."""
-        return verdict_of(self._statements(study))
+    def judged(self, evidence: Evidence) -> Verdict:
+        """The verdict by the yardstick of `evidence`."""
+        return verdict_of(self._statements(evidence))
 
-    def judged_by_all(self, studies: dict[str, Study]) -> Verdict:
+    def judged_by_all(self, all_evidence: dict[str, Evidence]) -> Verdict:
         """The verdict over all yardsticks that can matter to it."""
-        found = [self._statements(studies[yardstick]) for yardstick in self.yardsticks]
+        found = [self._statements(all_evidence[yardstick]) for yardstick in self.yardsticks]
         return verdict_of([statement for statements in found for statement in statements])
 
-    def _statements(self, study: Study) -> list[Statement]:
+    def _statements(self, evidence: Evidence) -> list[Statement]:
         statements: list[Statement] = []
         for family in self.families:
-            court = Court(study, family)
+            court = Court(evidence, family)
             self.judge(court)
             statements += court.statements
-        if study.yardstick != "projections":
+        if evidence.yardstick != "projections":
             return statements
         return [s for s in statements if _about_effort(s)]
 
@@ -262,6 +262,6 @@ def claim(identity: str) -> Claim:
     return next(row for row in CLAIMS if row.id == identity)
 
 
-def studies_of(study: Study) -> dict[str, Study]:
+def evidence_by_yardstick(evidence: Evidence) -> dict[str, Evidence]:
     """The same table by every yardstick."""
-    return {name: study.with_yardstick(name) for name in ("sweeps", "passes", "projections")}
+    return {name: evidence.with_yardstick(name) for name in ("sweeps", "passes", "projections")}

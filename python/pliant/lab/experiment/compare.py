@@ -8,7 +8,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from pliant.lab.experiment.settings import Combination
-from pliant.lab.experiment.statistics import Statistics, Study, number, with_interval
+from pliant.lab.experiment.statistics import Evidence, Statistics, number, with_interval
 from pliant.lab.experiment.verdict import Statement
 
 # What the thesis says in words; the numbers are ours, and the page gives them.
@@ -26,14 +26,14 @@ def name_of(combination: Combination) -> str:
 class Court:
     """Makes statements on one family of graphs; those without any data are left out."""
 
-    def __init__(self, study: Study, family: str) -> None:
-        self.study = study
+    def __init__(self, evidence: Evidence, family: str) -> None:
+        self.evidence = evidence
         self.family = family
         self.statements: list[Statement] = []
 
     def of(self, combination: Combination) -> Statistics | None:
         """Statistics of a technique with its weighting; None without data."""
-        return self.study.of(self.family, *combination)
+        return self.evidence.of(self.family, *combination)
 
     def below(
         self, what: str, one: Combination, other: Combination, or_equal: bool = False
@@ -201,7 +201,7 @@ class Court:
             "class": self.family,
             "technique": one[0],
             "weighting": f"{one[1]:g}",
-            "yardstick": self.study.yardstick,
+            "yardstick": self.evidence.yardstick,
             "measure": text.split(" of ")[0] if " of " in text else "maximum",
         }
         self.statements.append(Statement(f"{self.family}: {text}", numbers, holds, tags))

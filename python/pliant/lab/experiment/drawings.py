@@ -17,11 +17,11 @@ from pliant._weightings import WEIGHTINGS
 from pliant.analyse.figures import style
 from pliant.lab.experiment.answer import Figure
 from pliant.lab.experiment.settings import reverse_techniques
-from pliant.lab.experiment.statistics import Statistics, Study, interval
+from pliant.lab.experiment.statistics import Evidence, Statistics, interval
 
 DPI = 130
 LAST_BIN = 20  #: histograms gather what is above
-# Told apart by hue for most, by lightness for all (Okabe and Ito 2008), and by hatching in print.
+# Distinct by hue for most, by lightness for all (Okabe and Ito 2008), and by hatching in print.
 LOOKS = (
     (style.GREY, ""),
     (style.BLUE, ""),
@@ -75,13 +75,13 @@ HISTOGRAMS = tuple(
 _MEASURES = (("mean", "mean"), ("mode", "mode"), ("sd", "standard deviation"))
 
 
-def draw_bars(chart: BarChart, studies: dict[str, Study], folder: Path) -> Figure | None:
+def draw_bars(chart: BarChart, all_evidence: dict[str, Evidence], folder: Path) -> Figure | None:
     """One row of mean, mode and sd in sweeps; a second in passes if a reverse one is among them.
 
     None if the table has nothing of it.
     """
     techniques = [
-        t for t in chart.techniques if studies["sweeps"].has(chart.family, t, WEIGHTINGS[0])
+        t for t in chart.techniques if all_evidence["sweeps"].has(chart.family, t, WEIGHTINGS[0])
     ]
     if not techniques:
         return None
@@ -93,7 +93,7 @@ def draw_bars(chart: BarChart, studies: dict[str, Study], folder: Path) -> Figur
         )
         for row, yardstick in zip(axes, yardsticks, strict=True):
             for axis, (what, words) in zip(row, _MEASURES, strict=True):
-                group_bars(axis, studies[yardstick], chart.family, techniques, what)
+                group_bars(axis, all_evidence[yardstick], chart.family, techniques, what)
                 axis.set_title(f"{words}, {yardstick}")
                 axis.set_xlabel("weighting")
                 axis.set_ylabel(yardstick)
@@ -114,14 +114,16 @@ def _bar_caption(chart: BarChart, reverse: bool) -> str:
     return text
 
 
-def group_bars(axis: Axes, study: Study, family: str, techniques: Sequence[str], what: str) -> None:
+def group_bars(
+    axis: Axes, evidence: Evidence, family: str, techniques: Sequence[str], what: str
+) -> None:
     """Bars of one measure: weightings side by side, one bar a technique, whiskers of 95 %."""
     width = 0.82 / len(techniques)
     for k, technique in enumerate(techniques):
         color, hatch = LOOKS[k % len(LOOKS)]
         places, heights, errors = [], [], []
         for place, weighting in enumerate(WEIGHTINGS):
-            found = study.of(family, technique, weighting)
+            found = evidence.of(family, technique, weighting)
             if found is None:
                 continue
             values = getattr(found, what)
@@ -154,9 +156,9 @@ def _finish_bars(axis: Axes) -> None:
         axis.set_ylim(bottom=0.0)
 
 
-def draw_histogram(chart: Histogram, study: Study, folder: Path) -> Figure | None:
+def draw_histogram(chart: Histogram, evidence: Evidence, folder: Path) -> Figure | None:
     """How many pushes took how many sweeps, one panel a weighting; None without data."""
-    found = {w: study.of(chart.family, chart.technique, w) for w in WEIGHTINGS}
+    found = {w: evidence.of(chart.family, chart.technique, w) for w in WEIGHTINGS}
     if all(statistics is None for statistics in found.values()):
         return None
     with style.styled():
@@ -193,9 +195,9 @@ def _columns(axis: Axes, statistics: Statistics, color: str) -> None:
     axis.text(0.97, 0.95, text, transform=axis.transAxes, ha="right", va="top", fontsize=8.5)
 
 
-def draw_all(studies: dict[str, Study], folder: Path) -> tuple[list[Figure], list[Figure]]:
+def draw_all(all_evidence: dict[str, Evidence], folder: Path) -> tuple[list[Figure], list[Figure]]:
     """All figures of chapter 5, and all of appendix C, that the table has data for."""
     folder.mkdir(parents=True, exist_ok=True)
-    bars = [draw_bars(chart, studies, folder) for chart in BAR_CHARTS]
-    histograms = [draw_histogram(chart, studies["sweeps"], folder) for chart in HISTOGRAMS]
+    bars = [draw_bars(chart, all_evidence, folder) for chart in BAR_CHARTS]
+    histograms = [draw_histogram(chart, all_evidence["sweeps"], folder) for chart in HISTOGRAMS]
     return [f for f in bars if f is not None], [f for f in histograms if f is not None]

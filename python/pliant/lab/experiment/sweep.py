@@ -14,11 +14,11 @@ from typing import Any
 
 from pliant import InputError, OptionError
 from pliant.lab.experiment import table as tables
-from pliant.lab.experiment.claims import CLAIMS, studies_of
+from pliant.lab.experiment.claims import CLAIMS, evidence_by_yardstick
 from pliant.lab.experiment.laboratory import Show
 from pliant.lab.experiment.pool import each_done
 from pliant.lab.experiment.settings import Settings, families
-from pliant.lab.experiment.statistics import Study
+from pliant.lab.experiment.statistics import Evidence
 from pliant.lab.experiment.subject import Subject, make_subject, measure_subject
 
 SWEEP_CSV = "sweep.csv"
@@ -159,13 +159,13 @@ def _subjects(settings: Settings, kind: str, count: int) -> list[Subject]:
 def points_of(table: tables.Table, joints: float) -> list[Point]:
     """How every claim fares in one table, by each yardstick."""
     settings = table.settings
-    studies = studies_of(Study(table, replicates=0))
+    all_evidence = evidence_by_yardstick(Evidence(table, replicates=0))
     axes = {name: getattr(settings, name) for name in AXES}
     graphs = _graphs_of_each_family(table)
     points = []
     for claim in CLAIMS:
         for yardstick in claim.yardsticks:
-            statements = claim.judged(studies[yardstick]).statements
+            statements = claim.judged(all_evidence[yardstick]).statements
             holding = sum(bool(statement.holds[0]) for statement in statements)
             point = Point(
                 **axes,

@@ -3,7 +3,7 @@
 
 LINCS: Hess et al., J. Comput. Chem. 18 (1997) 1463; SHAKE: Ryckaert et al., J. Comput. Phys. 23
 (1977) 327. GROMACS offers neither to callers, so that bars are constrained in a run of many steps,
-each of which pushes all joints anew (``gromacs_files`` tells how). What a step costs is the row
+each of which pushes all joints anew (see ``gromacs_files``). What a step costs is the row
 "Constraints" of the log over its calls. That is wall time, in which the velocities are corrected
 too; times the share of a processor that the run had, it is comparable to processor time.
 """
@@ -37,7 +37,7 @@ NM = 0.1  #: nanometres in an Angstrom
 NAMES = {"double": "gmx_d", "single": "gmx"}  #: by the precision of positions
 FRAMES = 10  #: looked at in a run
 FIRST_STEPS, MOST_STEPS, MOST_GROWTH = 20, 10_000_000, 50.0
-RESOLVED = 0.05  #: seconds of constraints that the log, which has thousandths, tells well enough
+RESOLVED = 0.05  #: seconds of constraints that the log, which has thousandths, resolves well enough
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Run:
 
     failure: str = ""  #: why it did not come to its end; "" if it did
     seconds: float = float("nan")  #: for the constraints of one step
-    in_all: float = 0.0  #: wall seconds of constraints that the log tells
+    in_all: float = 0.0  #: wall seconds of constraints in the log
     steps: int = 0
     frames: list[np.ndarray] = field(default_factory=list)  #: (N, 3) Angstrom, after a step
 
@@ -106,7 +106,7 @@ class Gromacs:
         self._folder.cleanup()
 
     def trial(self, program: Program, setting: Setting, time_limit: float) -> Run:
-        """A run that is just long enough for the log to tell what a step costs."""
+        """A run that is just long enough for the log to show what a step costs."""
         steps = FIRST_STEPS
         while True:
             run = self.run(program, setting, steps, 1, time_limit)

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from pliant.lab.validity.references import Reference, models_of, trajectory_of
+from pliant.lab.validity.references import ReferenceEnsemble, models_of, trajectory_of
 from pliant.lab.validity.rows import CHOSE, TUNED
 from pliant.lab.validity.sources import (
     BIO3D,
@@ -27,7 +27,7 @@ class Fluctuation:
     name: str
     start: Source
     reference: tuple[Source, ...]
-    read: Callable[..., Reference]  #: of the paths of the reference
+    read: Callable[..., ReferenceEnsemble]  #: of the paths of the reference
     data: str  #: whether it was tuned on
     residues: int | None = None  #: r is of the first so many of the reference
     note: str = ""

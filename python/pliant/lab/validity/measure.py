@@ -14,7 +14,7 @@ from pliant.analysis.agreement import TEN, Figure
 from pliant.lab.validity.cases import Fluctuation
 from pliant.lab.validity.goals import goal_of
 from pliant.lab.validity.peers import Network, gnm_fluctuations, network_of
-from pliant.lab.validity.references import BFactors, Reference
+from pliant.lab.validity.references import BFactors, ReferenceEnsemble
 from pliant.lab.validity.rows import Row
 from pliant.lab.validity.subject import AMPLITUDE, FAR, Subject
 
@@ -32,7 +32,7 @@ class Compared:
     about_start: np.ndarray  #: theirs superposed on the start, about which peers fluctuate
 
 
-def compared(subject: Subject, reference: Reference, last: int | None = None) -> Compared:
+def compared(subject: Subject, reference: ReferenceEnsemble, last: int | None = None) -> Compared:
     """Our ensemble of seed 0 and a reference, or the first `last` residues of the reference."""
     residues = aligned(subject.trace.sequence, reference.sequence)
     residues = residues[residues[:, 1] < (last or np.inf)]
@@ -140,7 +140,7 @@ def clash_row(subject: Subject, name: str) -> Row:
     return Row(name, CLASHES, look.clashes, must=start, aim=start, least=False, note=note)
 
 
-def change_row(subject: Subject, target: Reference, name: str, data: str) -> Row:
+def change_row(subject: Subject, target: ReferenceEnsemble, name: str, data: str) -> Row:
     """How much of the way to another structure lies within ten modes. Error over our frames."""
     pairs = aligned(subject.trace.sequence, target.sequence)
     start = subject.trace.positions[pairs[:, 0]]
@@ -164,7 +164,7 @@ def change_row(subject: Subject, target: Reference, name: str, data: str) -> Row
     return row
 
 
-def path_row(subject: Subject, path: Reference, name: str, data: str) -> Row:
+def path_row(subject: Subject, path: ReferenceEnsemble, name: str, data: str) -> Row:
     """Root of the share of a transition's motion away from the start within ten modes."""
     pairs = aligned(subject.trace.sequence, path.sequence)
     start = subject.trace.positions[pairs[:, 0]]

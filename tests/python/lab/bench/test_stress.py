@@ -28,7 +28,7 @@ def table():
     return stress([few_sweeps(case) for case in CASES], weightings=(1.0,), openmm=False)
 
 
-def test_names_are_told_apart():
+def test_names_are_reported_apart():
     names = [case.name for case in CASES]
     assert len(set(names)) == len(names) > 130
 

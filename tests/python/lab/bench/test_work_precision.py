@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Work against precision: what is measured is true, and whoever fails is told to."""
+"""Work against precision: what is measured is true, and who fails is reported."""
 
 import csv
 import json
@@ -136,7 +136,7 @@ def test_a_false_claim_is_seen_through():
     assert (second.outcome, second.note) == ("stopped", "not converged at 1e-02")
 
 
-def test_what_is_no_number_is_told():
+def test_what_is_no_number_is_reported():
     first, second = rows_of(Pretender(lambda x: x * math.nan))
     assert (first.outcome, second.outcome) == ("not finite", "stopped")
 

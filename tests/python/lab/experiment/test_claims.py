@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pliant.lab.experiment.claims import CLAIMS, claim, studies_of
+from pliant.lab.experiment.claims import CLAIMS, claim, evidence_by_yardstick
 from pliant.lab.experiment.contradictions import CONTRADICTIONS
-from pliant.lab.experiment.statistics import Study
+from pliant.lab.experiment.statistics import Evidence
 from pliant.lab.experiment.sweep import Point
 from pliant.lab.experiment.verdict import DEPENDS, FAILS, HOLDS, OPEN, Statement, verdict_of
 
@@ -60,8 +60,8 @@ def table_of(made_table, cells):
 
 def verdict(made_table, identity, changes=None, cells=None):
     cells = (cells or as_the_thesis_says()) | (changes or {})
-    studies = studies_of(Study(table_of(made_table, cells), replicates=100))
-    return claim(identity).judged_by_all(studies)
+    all_evidence = evidence_by_yardstick(Evidence(table_of(made_table, cells), replicates=100))
+    return claim(identity).judged_by_all(all_evidence)
 
 
 def test_the_table_has_all_sixteen():
@@ -134,15 +134,17 @@ def reverse_cells(best, far):
 
 def test_r1_by_each_yardstick(made_table):
     """8 sweeps are more than 5 and, being 4 passes, less."""
-    studies = studies_of(Study(table_of(made_table, reverse_cells(8, 12)), replicates=50))
-    best = [claim("R1").judged(studies[name]).statements[0] for name in ("sweeps", "passes")]
+    all_evidence = evidence_by_yardstick(
+        Evidence(table_of(made_table, reverse_cells(8, 12)), replicates=50)
+    )
+    best = [claim("R1").judged(all_evidence[name]).statements[0] for name in ("sweeps", "passes")]
     assert best[0].verdict == FAILS and best[1].verdict == HOLDS
     assert verdict(made_table, "R1", cells=reverse_cells(8, 12)).word == DEPENDS
     clear = reverse_cells(4, 7) | {
         (f, "dfs_reverse", w): (6, 6) for f in ("1-cycle", "2-cycle") for w in W
     }
-    studies = studies_of(Study(table_of(made_table, clear), replicates=50))
-    assert claim("R1").judged(studies["sweeps"]).word == HOLDS
+    all_evidence = evidence_by_yardstick(Evidence(table_of(made_table, clear), replicates=50))
+    assert claim("R1").judged(all_evidence["sweeps"]).word == HOLDS
 
 
 def test_r2_and_r3(made_table):
@@ -153,11 +155,11 @@ def test_r2_and_r3(made_table):
             cells[family, "bfs_reverse", w] = (1, 1) if w == 1 else (2, 2)
             cells[family, "bfs_cycle", w] = cells[family, "dfs_cycle", w] = (2, 6.0, 4.0)
     cells["2-cycle", "dfs_reverse", 0.5] = (7, 7)
-    studies = studies_of(Study(table_of(made_table, cells), replicates=50))
-    assert claim("R2").judged(studies["sweeps"]).word == HOLDS
-    assert claim("R3").judged_by_all(studies).word == HOLDS
+    all_evidence = evidence_by_yardstick(Evidence(table_of(made_table, cells), replicates=50))
+    assert claim("R2").judged(all_evidence["sweeps"]).word == HOLDS
+    assert claim("R3").judged_by_all(all_evidence).word == HOLDS
     # Two sweeps are one pass: by passes the modes are 1.
-    assert claim("R2").judged(studies["passes"]).share < 0.7
+    assert claim("R2").judged(all_evidence["passes"]).share < 0.7
     wild = {
         (f, t, 0.5): (2, 12.0, 9.0)
         for f in ("1-cycle", "2-cycle")
@@ -224,7 +226,7 @@ def test_points_of_the_sweep_have_every_claim(made_table):
     assert (t1.statements, t1.holding) == (6, 6)
 
 
-def test_every_number_that_stands_for_a_word_is_told():
+def test_every_number_that_stands_for_a_word_is_reported():
     text = (Path(__file__).parents[4] / "python/pliant/lab/experiment/claims.py").read_text()
     for name in re.findall(r"^([A-Z_]+) = [\d.]+", text, re.M):
         assert f"{{{name}:g}}" in text

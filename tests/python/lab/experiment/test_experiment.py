@@ -36,8 +36,8 @@ def select(table, **wanted):
     return keep
 
 
-def test_every_class_graph_force_technique_and_weighting_has_one_row(study_folder):
-    rows = rows_of(study_folder)
+def test_every_class_graph_force_technique_and_weighting_has_one_row(experiment_folder):
+    rows = rows_of(experiment_folder)
     found = {(r["class"], r["graph"], r["force"], r["technique"], r["weighting"]) for r in rows}
     assert len(found) == len(rows)
     forests = {row.name for row in pliant.techniques() if row.forests_only}
@@ -49,8 +49,8 @@ def test_every_class_graph_force_technique_and_weighting_has_one_row(study_folde
     assert {r["weighting"] for r in rows if r["technique"] == "blocks"} == {""}
 
 
-def test_csv_and_hdf5_hold_the_same(study_folder):
-    rows, table = rows_of(study_folder), tables.read(study_folder)
+def test_csv_and_hdf5_hold_the_same(experiment_folder):
+    rows, table = rows_of(experiment_folder), tables.read(experiment_folder)
     assert list(rows[0]) == list(tables.COLUMNS)
     for name in ("graph", "force", "sweeps", "passes", "projections", "final_residual"):
         assert [float(row[name]) for row in rows] == table.columns[name].tolist()
@@ -61,27 +61,27 @@ def test_csv_and_hdf5_hold_the_same(study_folder):
     assert weightings == table.columns["weighting"].tolist()
 
 
-def test_seconds_stand_beside_the_table_row_by_row(study_folder):
-    with h5py.File(study_folder / "table.h5") as file:
+def test_seconds_stand_beside_the_table_row_by_row(experiment_folder):
+    with h5py.File(experiment_folder / "table.h5") as file:
         seconds = file["seconds"][:]
         assert len(seconds) == len(file["sweeps"])
     assert np.all(seconds > 0) and np.all(np.isfinite(seconds))
-    lines = (study_folder / "seconds.csv").read_text().split()
+    lines = (experiment_folder / "seconds.csv").read_text().split()
     assert lines[0] == "seconds"
     np.testing.assert_allclose([float(line) for line in lines[1:]], seconds, atol=1e-9)
 
 
-def test_two_runs_give_the_same_bytes_on_any_number_of_processes(study_folder, tmp_path):
+def test_two_runs_give_the_same_bytes_on_any_number_of_processes(experiment_folder, tmp_path):
     run_experiment(SMALL, tmp_path / "again", workers=2)
     for name in ("table.csv", "table.h5", "settings.json"):
-        assert (tmp_path / "again" / name).read_bytes() == (study_folder / name).read_bytes()
+        assert (tmp_path / "again" / name).read_bytes() == (experiment_folder / name).read_bytes()
 
 
-def test_another_seed_gives_another_table(study_folder, tmp_path):
+def test_another_seed_gives_another_table(experiment_folder, tmp_path):
     settings = dataclasses.replace(SMALL, seed=8, classes=("tree",))
     other = run_experiment(settings, tmp_path / "other")
     assert other.columns["sweeps"].tolist() != (
-        tables.read(study_folder).columns["sweeps"][: len(other)].tolist()
+        tables.read(experiment_folder).columns["sweeps"][: len(other)].tolist()
     )
 
 
@@ -135,8 +135,8 @@ def test_t1_over_ten_thousand_trees():
         assert (found.converged, found.sweeps) == (True, 1), number
 
 
-def test_on_trees_cycle_orderings_are_the_tree_orderings(study_folder):
-    table = tables.read(study_folder)
+def test_on_trees_cycle_orderings_are_the_tree_orderings(experiment_folder):
+    table = tables.read(experiment_folder)
     for name in ("sweeps", "projections", "final_residual"):
         column = table.columns[name]
         for search in ("bfs", "dfs"):
@@ -159,16 +159,16 @@ def test_lengths_scale_together():
         assert rows[0]["final_residual"].tolist() == rows[1]["final_residual"].tolist()
 
 
-def test_passes_are_half_the_sweeps_of_reverse_techniques_only(study_folder):
-    columns = tables.read(study_folder).columns
+def test_passes_are_half_the_sweeps_of_reverse_techniques_only(experiment_folder):
+    columns = tables.read(experiment_folder).columns
     reverse = np.isin(columns["technique"], [name.encode() for name in reverse_techniques()])
     assert reverse.any() and not reverse.all()
     assert np.all(columns["passes"][~reverse] == columns["sweeps"][~reverse])
     assert np.all(columns["passes"][reverse] == np.ceil(columns["sweeps"][reverse] / 2))
 
 
-def test_reverse_is_cycle_in_its_first_sweep(study_folder):
-    table = tables.read(study_folder)
+def test_reverse_is_cycle_in_its_first_sweep(experiment_folder):
+    table = tables.read(experiment_folder)
     cycle, reverse = (
         table.columns["sweeps"][select(table, technique=name, weighting=1.0)] == 1
         for name in ("bfs_cycle", "bfs_reverse")
@@ -200,7 +200,7 @@ def test_what_is_done_is_not_done_again(tmp_path, monkeypatch):
     assert not (tmp_path / "cut" / laboratory.PARTS).exists()
 
 
-def test_killed_and_run_again(tmp_path, study_folder):
+def test_killed_and_run_again(tmp_path, experiment_folder):
     words = [
         sys.executable,
         *"-m pliant.lab.experiment.command --output".split(),
@@ -217,7 +217,7 @@ def test_killed_and_run_again(tmp_path, study_folder):
     child.wait()
     assert subprocess.run(words, stdout=subprocess.DEVNULL, timeout=120).returncode == 0
     for name in ("table.csv", "table.h5"):
-        assert (tmp_path / "study" / name).read_bytes() == (study_folder / name).read_bytes()
+        assert (tmp_path / "study" / name).read_bytes() == (experiment_folder / name).read_bytes()
 
 
 def test_interrupted_it_ends_at_once(tmp_path):
@@ -247,8 +247,8 @@ def test_interrupted_it_ends_at_once(tmp_path):
             os.killpg(child.pid, signal.SIGKILL)
 
 
-def test_a_folder_of_another_experiment_is_refused(study_folder, capsys):
-    words = ["--output", str(study_folder), "--seed", "7", "--graphs", "3", "--forces", "9"]
+def test_a_folder_of_another_experiment_is_refused(experiment_folder, capsys):
+    words = ["--output", str(experiment_folder), "--seed", "7", "--graphs", "3", "--forces", "9"]
     assert command.main(words) == 2
     assert "holds another experiment: forces 8 there, 9 asked" in capsys.readouterr().err
 

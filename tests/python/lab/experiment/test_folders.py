@@ -67,7 +67,7 @@ def test_read_back_and_rerun_to_the_same_numbers(filled, capsys):
         assert one.columns[name].tolist() == two.columns[name].tolist()
 
 
-def test_other_numbers_are_told_and_left(filled, capsys):
+def test_other_numbers_are_reported_and_left(filled, capsys):
     made = pliant.read_test_set(filled / "set")
     rows = made.read_results("tree", 0, "bfs_tree", 1.0)
     rows.pop("force")

@@ -50,7 +50,7 @@ def test_coordinates_stand_in_columns_within_the_box():
     positions = np.array([[-3.0, 0.0, 0.25], [1.0 / 3, 2.0, -7.0]])
     title, count, *lines, box = files.coordinates_text(positions, push=0.01).splitlines()
     assert title and count == "2"
-    # Residue number, residue, atom, atom number in 5 each; then, told by the points' distance.
+    # Residue number, residue, atom, atom number in 5 each; then coordinates: 20 columns each.
     assert [line[:20] for line in lines] == ["    1BARS     A    1", "    1BARS     A    2"]
     read = np.array([[float(line[k : k + 20]) for k in (20, 40, 60)] for line in lines])
     assert read[1] - read[0] == pytest.approx(positions[1] - positions[0], abs=1e-14)
@@ -115,7 +115,7 @@ def test_the_log_tells_calls_and_seconds():
         files.constraint_seconds(LOG.replace("Constraints", "Comm. coord."))
 
 
-def test_errors_are_told_in_a_line():
+def test_errors_are_reported_in_a_line():
     assert files.complaint(FATAL) == "Too many LINCS warnings (1000)"
     assert (
         files.complaint(FATAL.replace("1000)", "1000). More")) == "Too many LINCS warnings (1000)"

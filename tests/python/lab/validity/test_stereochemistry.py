@@ -3,16 +3,16 @@
 
 import numpy as np
 import pytest
-from told import read_without_elements
+from expected_warnings import read_without_elements
 
 import pliant
 
 MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 pytest.importorskip("scipy")
 
+from pliant.lab.validity.alpha_carbons import amino_part  # noqa: E402
 from pliant.lab.validity.clashes import HeavyClashes  # noqa: E402
 from pliant.lab.validity.stereochemistry import Checker, dihedrals  # noqa: E402
-from pliant.lab.validity.trace import amino_part  # noqa: E402
 
 
 @pytest.fixture(scope="module")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The table: its rows, verdicts and exit codes; what is missing is told."""
+"""The table: its rows, verdicts and exit codes; what is missing is reported."""
 
 import csv
 import json
@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from told import read_without_elements
+from expected_warnings import read_without_elements
 
 import pliant
 

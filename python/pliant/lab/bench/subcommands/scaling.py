@@ -44,7 +44,7 @@ def add_options(parser: console.Parser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant.lab.bench.scaling import print_report, scaling
 
     with console.progress("sizes", arguments.quiet or arguments.json) as show:

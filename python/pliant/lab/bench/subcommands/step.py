@@ -48,7 +48,7 @@ def add_options(parser: console.Parser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.bench.step import print_report, steps_of_pushes
 

@@ -50,7 +50,7 @@ def add_options(parser: console.Parser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant.lab.bench.stress import stress
     from pliant.lab.bench.stress_report import print_report
     from pliant.lab.bench.stress_table import FULL_STEPS, all_cases

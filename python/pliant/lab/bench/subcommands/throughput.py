@@ -46,7 +46,7 @@ def add_options(parser: console.Parser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.bench.throughput import print_report, throughput
 

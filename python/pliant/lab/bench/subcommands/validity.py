@@ -52,7 +52,7 @@ def add_options(parser: console.Parser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant._extras import need
 
     need("pliant bench validity", "MDAnalysis", "scipy")

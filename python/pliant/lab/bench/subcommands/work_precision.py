@@ -65,7 +65,7 @@ def add_options(parser: console.Parser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.bench.work_precision import work_precision
     from pliant.lab.bench.work_precision_report import print_report
