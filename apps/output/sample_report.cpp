@@ -28,7 +28,7 @@ std::string names_of(const Framework& framework, const std::vector<Joint>& atoms
   return names;
 }
 
-/// None of a sampler that goes along modes.
+/// Nothing for a sampler that goes along modes.
 std::optional<Conformations> conformations_of(const SampleSettings& settings,
                                               const SampledSystem& system) {
   if (find_sampler(settings.sample.sampler).has_amplitude) return std::nullopt;

@@ -22,7 +22,7 @@ void append(std::string& text, const char* format, Values... values) {
   text.append(line, static_cast<std::size_t>(size));
 }
 
-/// One line: control characters would end it.
+/// The text as one line: control characters would end it.
 std::string one_line(std::string text) {
   for (char& letter : text)
     if (static_cast<unsigned char>(letter) < ' ') letter = ' ';

@@ -95,7 +95,7 @@ struct Resolver::MethodPlan {
     return measure(framework, positions, options.tolerance);
   }
 
-  /// Of the bars at joints that were disturbed or moved; rms_relative is -1.
+  /// Measures the bars at joints that were disturbed or moved; rms_relative is -1.
   ResidualSummary measure_near(std::span<const Vec3> positions, const Disturbed& disturbed) const {
     ResidualSummary near;
     near.rms_relative = -1.0;

@@ -31,7 +31,7 @@ class RingsOfSix {
   }
 
  private:
-  /// From the lowest atom of a ring, towards the lower of the two beside it: each ring once.
+  /// Goes from the lowest atom of a ring towards the lower of the two beside it: each ring once.
   void go_on() {
     for (const Link& link : hinges_.at(way_.back())) {
       if (link.node <= way_.front() || !extends(link.node)) continue;
