@@ -43,7 +43,7 @@ constexpr const char* summary =
 constexpr const char* footer =
     "How to read it:\n"
     "  flexibility  of a bond: 1 rotates freely, 1/7 in a ring of seven that moves as a whole,\n"
-    "               0 locked, below 0 locked by more bars than needed (redundant)\n"
+    "               0 locked, below 0 locked by more constraints than needed (redundant)\n"
     "               of a residue: the mean of its N-CA and CA-C bonds\n"
     "  dilution     hydrogen bonds are removed one by one, weakest first: the clusters that last\n"
     "               longest are the core, and they come apart at hinges\n"
