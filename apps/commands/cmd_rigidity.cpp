@@ -43,7 +43,7 @@ constexpr const char* summary =
 constexpr const char* footer =
     "How to read it:\n"
     "  flexibility  of a bond: 1 rotates freely, 1/7 in a ring of seven that moves as a whole,\n"
-    "               0 locked, below 0 locked by more bars than needed (redundant)\n"
+    "               0 locked, below 0 locked by more constraints than needed (redundant)\n"
     "               of a residue: the mean of its N-CA and CA-C bonds\n"
     "  dilution     hydrogen bonds are removed one by one, weakest first: the clusters that last\n"
     "               longest are the core, and they come apart at hinges\n"
@@ -115,8 +115,8 @@ RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
                         settings.molecule.file,
                         {},
                         {}};
-  if (const std::string told = told_of_rings_of_six(report.rigidity.rings_of_six); !told.empty())
-    log.note(told);
+  if (const std::string note = note_on_rings_of_six(report.rigidity.rings_of_six); !note.empty())
+    log.note(note);
   if (settings.dilution) dilute(report);
   return report;
 }

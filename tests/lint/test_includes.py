@@ -131,8 +131,8 @@ def rows_of_page(columns: int) -> Iterator[list[str]]:
 
 def test_the_page_on_structure_tells_the_same():
     folders = {row[0].strip("`"): row[3] for row in rows_of_page(4)}
-    told = {name: ", ".join(needs) or "nothing of ours" for name, needs in MAY_INCLUDE.items()}
-    assert folders == told
+    expected = {name: ", ".join(needs) or "nothing of ours" for name, needs in MAY_INCLUDE.items()}
+    assert folders == expected
     wings = {row[0].strip("`"): row[1] for row in rows_of_page(2)}
     assert {name: ", ".join(row) for name, row in WINGS.items()} == wings
 

@@ -31,7 +31,7 @@ def test_a_job_is_done():
     assert version
 
 
-def test_an_exception_is_told_and_costs_no_other_job():
+def test_an_exception_is_reported_and_costs_no_other_job():
     massless = chain(masses=np.array([12.0, 0.0, 12.0]))
     outcomes, _ = run_jobs([massless, chain()])
     assert outcomes[0].brief() == (
@@ -62,10 +62,12 @@ def worker(tmp_path, monkeypatch):
     [
         ("__import__('os').abort()", "died: SIGABRT"),
         ("__import__('os')._exit(3)", "died: exit code 3"),
-        ("(print('QUERN: assert', file=sys.stderr), __import__('os').abort())",
-         "died: SIGABRT, QUERN: assert"),
+        (
+            "(print('QUERN: assert', file=sys.stderr), __import__('os').abort())",
+            "died: SIGABRT, QUERN: assert",
+        ),
     ],
-)  # fmt: skip
+)
 def test_a_dead_process_is_an_outcome_and_the_next_job_is_done(worker, ending, brief):
     worker(ending)
     fatal = Job("bond_energies", {}, {})

@@ -43,7 +43,7 @@ std::vector<std::uint8_t> sorts_of_bars(const Document& document) {
   return sorts;
 }
 
-/// As many pairs of numbers as there are rows.
+/// Pairs of numbers, as many as there are rows.
 template <class Rows>
 std::vector<std::int32_t> pairs_of(const Rows& rows) {
   std::vector<std::int32_t> pairs;

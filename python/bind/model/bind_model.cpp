@@ -184,7 +184,7 @@ void bind_built_model(nb::module_& module) {
           "contacts", [](const MolecularModel& self) { return contacts_to_python(self.contacts); },
           nb::sig("def contacts(self) -> numpy.typing.NDArray[numpy.void]"),
           "(C,) what holds it besides bars and sterics, as ``contacts`` gives it.")
-      .def_ro("told", &MolecularModel::told, "What was done and found, line by line.")
+      .def_ro("notes", &MolecularModel::notes, "What was done and found, line by line.")
       .def_ro("missing", &MolecularModel::missing, "What the file lacks, line by line.");
 }
 

@@ -31,7 +31,7 @@ auto of_edges(const MoleculeRigidity& self, const Value& value) {
 ContactModel contact_model_from(const nb::handle& argument, const ModelOptions& options) {
   if (nb::isinstance<MolecularModel>(argument)) {
     const auto& model = nb::cast<const MolecularModel&>(argument);
-    return {model.structure, options.contacts ? *options.contacts : model.contacts, model.told,
+    return {model.structure, options.contacts ? *options.contacts : model.contacts, model.notes,
             model.missing};
   }
   if (!nb::isinstance<Structure>(argument))

@@ -98,9 +98,13 @@ def _path(arguments: argparse.Namespace) -> int:
         start, end = read(arguments.start), read(arguments.end)
     with console.progress("path") as show:
         path = walk.find(
-            start, end, options, arguments.output, arguments.overwrite,
+            start,
+            end,
+            options,
+            arguments.output,
+            arguments.overwrite,
             lambda done: show(done, walk.WHOLE),
-        )  # fmt: skip
+        )
     if arguments.csv:
         write_table(path, arguments.csv)
     if arguments.json:

@@ -40,7 +40,7 @@ def test_json_and_csv_say_the_same(pliant):
     assert [float(row["energy"]) for row in rows] == [contact["energy"] for contact in contacts]
 
 
-def test_what_was_done_is_told(pliant):
+def test_what_was_done_is_reported(pliant):
     ended = pliant("contacts", XRAY)
     assert ended.code == 0
     assert "note: 180 waters taken out\n" in ended.err
@@ -84,10 +84,7 @@ def test_a_wrong_line_is_named(pliant, tmp_path):
             ["--model", "protein", "--bars", "bonds"],
             "--model, --bars: expected one of them: a model has bars of its own",
         ),
-        (
-            ["--keep-waters"],
-            "--keep-waters: goes with --model molecule or --model protein",
-        ),
+        (["--keep-waters"], "--keep-waters: goes with --model molecule or --model protein"),
         (["--model", "molecule", "--floppy"], "--floppy: goes with --model protein"),
         (
             ["--model", "protein", "--lengths", "table"],

@@ -132,7 +132,7 @@ FIGURES = (
         "sweeps", EXACT, series.sweeps, Sweeps,
         "How many sweeps over all bars it took to mend each recorded step.",
     ),
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 
 
 def figures_of(analysis: Analysis) -> list[FigureKind]:

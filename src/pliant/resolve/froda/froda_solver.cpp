@@ -28,7 +28,7 @@ FrodaResult FrodaSolver::resolve(std::span<const Vec3> start, std::span<const Ve
   return finish(out);
 }
 
-/// Contacts alone, then loops.
+/// Resolves contacts alone, then loops.
 FrodaResult FrodaSolver::finish(std::span<Vec3> out) {
   while (frame_.ask_for_contacts()) step();
   while (frame_.ask_for_closing()) step();
