@@ -127,6 +127,7 @@ else:
     from pliant import analyse, check, compare, path
 
 __all__ = [
+    "ContactKindEntry",
     "Error",
     "Example",
     "ExampleFacts",
@@ -182,6 +183,7 @@ __all__ = [
     "choose_technique",
     "compare",
     "constraints_from_openmm",
+    "contact_kinds",
     "contacts",
     "continue_run",
     "continue_sample",

@@ -26,8 +26,7 @@ constexpr std::array<ModelEntry, 4> table{
      {ModelKind::molecule, "molecule", "angles, and atoms keep their distance", BarKind::angles,
       true, true, false},
      {ModelKind::protein, "protein",
-      "molecule, and hydrogen bonds, salt bridges and hydrophobic tethers", BarKind::angles, true,
-      true, true}}};
+      "molecule, and contacts such as hydrogen bonds", BarKind::angles, true, true, true}}};
 
 /// Limits of pairs that have no bar: a bar holds its distance anyhow.
 std::vector<Limit> without_barred(std::vector<Limit> limits, const Framework& bars) {
@@ -198,7 +197,7 @@ std::vector<MolecularContact> find_contacts(const Structure& structure, const Mo
 std::vector<MolecularContact> contacts_for(const Preparation& ready, const ModelOptions& options) {
   const bool are_given = options.contacts || !options.contacts_file.empty();
   if (are_given && !options.more_contacts.empty())
-    throw OptionError("more contacts: are found, which goes with no contacts that are given");
+    throw OptionError("more_contacts: goes with contacts that are found, not with given ones");
   if (options.contacts) return *options.contacts;
   if (!options.contacts_file.empty()) return read_contacts(options.contacts_file, ready.structure);
   return find_contacts(ready.structure, options, ready.floppy);
