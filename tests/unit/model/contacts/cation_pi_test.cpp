@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "pliant/model/contacts/contact_list.hpp"
 #include "unit/molecule/made_structure.hpp"
 

@@ -4,6 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
 #include "pliant/base/choices.hpp"
 #include "pliant/model/contacts/contact_file.hpp"
 #include "pliant/model/model.hpp"
