@@ -12,8 +12,7 @@ namespace {
 std::string unusual_contacts() {
   std::string text;
   for (const MolecularContactKindEntry& row : molecular_contact_kinds())
-    if (!row.is_usual)
-      text += "\n" + std::string(row.name) + " (" + std::string(row.summary) + ")";
+    if (!row.is_usual) text += "\n" + std::string(row.name) + " (" + std::string(row.summary) + ")";
   return text;
 }
 

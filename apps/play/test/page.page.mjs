@@ -131,7 +131,7 @@ test('contacts are dashed lines that can be left out', async () => {
   const colours = () => {
     const {contactKindColours: known, contactKinds: kinds} = P.stage.model;
     const {data} = P.view.textures.bars.image;
-    const drawn = (k) => `#${data[4 * (P.view.textures.stickCount - kinds.length + k) + 3].toString(16)}`;
+    const drawn = (k) => `#${data[4 * (P.view.textures.stickCount - kinds.length + k) + 3].toString(16).padStart(6, '0')}`;
     return Array.from(kinds, (kind, k) => drawn(k) === known[kind]);
   };
   assert.ok((await page.evaluate(colours)).every(Boolean), 'each in the colour of its kind');

@@ -8,6 +8,7 @@
 #include "model/molecular_contacts.hpp"
 #include "molecule/structure.hpp"
 #include "option_fields.hpp"
+#include "pliant/base/error.hpp"
 #include "pliant/model/rigidity/rigidity_dilution.hpp"
 #include "pliant/tasks/rigidity_task.hpp"
 
@@ -360,8 +361,8 @@ void bind_rigidity(nb::module_& module) {
   module.def("rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
              "contacts"_a = nb::none(), "keep_waters"_a = false,
              "protonate"_a = std::vector<std::string>{},
-             "more_contacts"_a = std::vector<std::string>{}, "options"_a, nb::sig(signature.c_str()),
-             doc.c_str());
+             "more_contacts"_a = std::vector<std::string>{}, "options"_a,
+             nb::sig(signature.c_str()), doc.c_str());
 }
 
 }  // namespace pliant::python

@@ -25,8 +25,8 @@ constexpr std::array<ModelEntry, 4> table{
       false, false, false},
      {ModelKind::molecule, "molecule", "angles, and atoms keep their distance", BarKind::angles,
       true, true, false},
-     {ModelKind::protein, "protein",
-      "molecule, and contacts such as hydrogen bonds", BarKind::angles, true, true, true}}};
+     {ModelKind::protein, "protein", "molecule, and contacts such as hydrogen bonds",
+      BarKind::angles, true, true, true}}};
 
 /// Limits of pairs that have no bar: a bar holds its distance anyhow.
 std::vector<Limit> without_barred(std::vector<Limit> limits, const Framework& bars) {

@@ -14,7 +14,11 @@ import MDAnalysisTests
 FOLDER = Path(MDAnalysisTests.__file__).parent / "data"
 CHARGES = {"LYS": "NZ", "ARG": "CZ"}
 BENZENE = "CG CD1 CE1 CZ CE2 CD2"
-RINGS = {"PHE": [BENZENE], "TYR": [BENZENE], "TRP": ["CG CD1 NE1 CE2 CD2", "CD2 CE2 CZ2 CH2 CZ3 CE3"]}
+RINGS = {
+    "PHE": [BENZENE],
+    "TYR": [BENZENE],
+    "TRP": ["CG CD1 NE1 CE2 CD2", "CD2 CE2 CZ2 CH2 CZ3 CE3"],
+}
 
 
 def places_of(structure, residue):

@@ -48,7 +48,8 @@ class CationPiFinder {
         if (standard(r) == named.residue) add_ring(r, named);
     find_pairs();
     std::vector<MolecularContact> found;
-    for (const auto& [of, pair] : nearest_) found.push_back(contact_of(of.first, rings_[pair.ring]));
+    for (const auto& [of, pair] : nearest_)
+      found.push_back(contact_of(of.first, rings_[pair.ring]));
     sort(found);
     return found;
   }
@@ -106,8 +107,8 @@ class CationPiFinder {
       const Vec3 way = points[charge] - rings_[ring].centre;
       const double apart = norm(way);
       if (apart >= furthest_charge || off_axis(way, rings_[ring]) >= furthest_from_axis) return;
-      Pair& best = nearest_.try_emplace({charges_[charge], rings_[ring].residue}, apart, ring)
-                       .first->second;
+      Pair& best =
+          nearest_.try_emplace({charges_[charge], rings_[ring].residue}, apart, ring).first->second;
       if (apart < best.apart) best = {apart, ring};
     };
     CellList(points, furthest_charge).for_each_pair(look_at);

@@ -75,12 +75,11 @@ TEST(ContactKinds, ThoseThatAreNotUsualAreFoundWhereTheyAreAskedFor) {
 TEST(ContactKinds, AnUnknownOneIsRefusedWithThoseThatAreThere) {
   const std::string refusal = test::error_text<OptionError>(
       [] { find_contacts(four_atoms(), {.more_contacts = {"cation_pie"}}); });
-  EXPECT_EQ(refusal, unknown_choice("kind of contact", "cation_pie",
-                                    names_of(molecular_contact_kinds())));
+  EXPECT_EQ(refusal,
+            unknown_choice("kind of contact", "cation_pie", names_of(molecular_contact_kinds())));
   EXPECT_EQ(test::error_text<OptionError>([] {
-              build_model(four_atoms(),
-                          {.more_contacts = {"cation_pi"},
-                           .contacts = std::vector<MolecularContact>{}});
+              build_model(four_atoms(), {.more_contacts = {"cation_pi"},
+                                         .contacts = std::vector<MolecularContact>{}});
             }),
             "more_contacts: goes with contacts that are found, not with given ones");
 }
