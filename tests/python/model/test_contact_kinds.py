@@ -84,7 +84,7 @@ def test_models_and_rigidity_take_more_kinds(inhibitor):
 
 @pytest.mark.parametrize("take", [pliant.contacts, pliant.build_model, pliant.rigidity])
 def test_an_unknown_kind_is_refused(inhibitor, take):
-    with pytest.raises(pliant.OptionError, match="known: hydrogen_bond, .*, cation_pi$"):
+    with pytest.raises(pliant.OptionError, match=r"known: hydrogen_bond, .*, cation_pi$"):
         take(inhibitor, more_contacts=["pi_pi"])
 
 
