@@ -107,9 +107,10 @@ class CationPiFinder {
       const Vec3 way = points[charge] - rings_[ring].centre;
       const double apart = norm(way);
       if (apart >= furthest_charge || off_axis(way, rings_[ring]) >= furthest_from_axis) return;
+      const Pair here{apart, ring};
       Pair& best =
-          nearest_.try_emplace({charges_[charge], rings_[ring].residue}, apart, ring).first->second;
-      if (apart < best.apart) best = {apart, ring};
+          nearest_.try_emplace({charges_[charge], rings_[ring].residue}, here).first->second;
+      if (apart < best.apart) best = here;
     };
     CellList(points, furthest_charge).for_each_pair(look_at);
   }
