@@ -31,7 +31,7 @@ struct RigiditySettings {
 std::string bars_of_contacts() {
   std::string text;
   for (const MolecularContactKindEntry& row : molecular_contact_kinds())
-    text += fmt::format("  {} {}\n", row.singular, row.bars);
+    text += fmt::format("\n  {} {}", row.singular, row.bars);
   return text;
 }
 
@@ -45,7 +45,7 @@ constexpr const char* summary =
     "degrees of freedom: a ring of six single bonds has none, a ring of seven has one. The\n"
     "count looks at the graph alone, not at positions: it does not see that a ring of six\n"
     "moves as a boat, though not as a chair. Contacts never break. So the answer depends on\n"
-    "--hbond-cutoff: try --dilution. Freedoms that contacts remove:\n";
+    "--hbond-cutoff: try --dilution. Freedoms that contacts remove:";
 
 constexpr const char* footer =
     "How to read it:\n"
