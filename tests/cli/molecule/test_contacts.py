@@ -232,7 +232,7 @@ def test_what_goes_on_keeps_its_kinds(pliant, tmp_path, command, counter):
     for name, count in (("whole", 4), ("part", 2)):
         ended = pliant(*command, TRYPSIN_INHIBITOR, "-o", f"{name}.h5md", counter, count, *common)
         assert ended.code == 0, ended.err
-    go_on = (command[0], "--continue", "part.h5md", counter, 4, "--quiet")
+    go_on = (*command, "--continue", "part.h5md", counter, 4, "--quiet")
     assert "--more-contacts: is cation_pi in the run of part.h5md, not metal;" in (
         pliant(*go_on, "--more-contacts", "metal").err
     )
