@@ -133,7 +133,7 @@ model : str
     A name in ``models()``: ``bonds``, ``angles``, ``molecule`` or ``protein``.
 keep_waters, protonate, floppy_below
     As in ``prepare``.
-hbond_cutoff, more_contacts
+hbond_cutoff : float
     As in ``contacts``.
 contacts : array, optional
     Rows as ``contacts`` gives them, atoms of the prepared structure, in place of those found.
@@ -145,6 +145,8 @@ free_torsions : bool
     When it is sampled, do not pull side chains towards staggered torsions (the rotamers of Lovell
     et al., Proteins 40 (2000) 389), nor phi and psi back to the usual regions of the Ramachandran
     plot.
+more_contacts : sequence of str
+    As in ``contacts``.
 
 Raises
 ------

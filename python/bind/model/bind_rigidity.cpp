@@ -133,12 +133,14 @@ Parameters
 structure : Structure or MolecularModel
     A structure with its bonds, as ``read`` gives it, which is prepared first; or a model, which is
     taken with its contacts as it is.
-hbond_cutoff, more_contacts
+hbond_cutoff : float
     As in ``contacts``.
 contacts : array, optional
     Rows as ``contacts`` gives them, atoms of the prepared structure, in place of those found.
 keep_waters, protonate
     As in ``prepare``.
+more_contacts : sequence of str
+    As in ``contacts``.
 )";
 
 constexpr const char* refusals_doc =

@@ -11,6 +11,8 @@ import pliant
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
 
+pytestmark = pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
+
 FOLDER = Path(MDAnalysisTests.__file__).parent / "data"
 CHARGES = {"LYS": "NZ", "ARG": "CZ"}
 BENZENE = "CG CD1 CE1 CZ CE2 CD2"
@@ -53,7 +55,6 @@ def pairs_by_geometry(structure):
     return pairs
 
 
-@pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
 @pytest.mark.parametrize(("file", "count"), [("mmcif/5PTI.cif.gz", 1), ("mmcif/1BD2.cif.gz", 7)])
 def test_cation_pi_contacts_are_where_geometry_says(file, count):
     structure = pliant.prepare(pliant.read(FOLDER / file)).structure
