@@ -35,7 +35,7 @@ constexpr std::array table{
                .has_sterics = true},
     ModelEntry{.kind = ModelKind::protein,
                .name = "protein",
-               .summary = "molecule, and hydrogen bonds, salt bridges and hydrophobic tethers",
+               .summary = "molecule, and contacts such as hydrogen bonds",
                .bars = BarKind::angles,
                .is_prepared = true,
                .has_sterics = true,
@@ -211,7 +211,7 @@ std::vector<MolecularContact> find_contacts(const Structure& structure, const Mo
 std::vector<MolecularContact> contacts_for(const Preparation& ready, const ModelOptions& options) {
   const bool are_given = options.contacts || !options.contacts_file.empty();
   if (are_given && !options.more_contacts.empty())
-    throw OptionError("more contacts: are found, which goes with no contacts that are given");
+    throw OptionError("more_contacts: goes with contacts that are found, not with given ones");
   if (options.contacts) return *options.contacts;
   if (!options.contacts_file.empty()) return read_contacts(options.contacts_file, ready.structure);
   return find_contacts(ready.structure, options, ready.floppy);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The model of a molecule: the constraints that hold it. A table of models, from bonds alone to
-// those of a protein: bars, sterics, hydrogen bonds, salt bridges and hydrophobic tethers.
+// those of a protein: bars, sterics and contacts.
 #pragma once
 
 #include <optional>

@@ -95,7 +95,7 @@ FIGURES = (
         "Residues with heavy atoms within 4.5 Å, more than three apart in the chain. Below the "
         "diagonal those of the start, above it the share of frames that have each.",
         "",
-        "Hydrogen bonds and hydrophobic contacts of the start are held by construction.",
+        "What the model holds together at the start is held by construction.",
     ),
     FigureKind(
         "distances", SHAPES, flexibility_figures.distances, Distances,

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pliant._core import contact_kinds
 from pliant.console import printable_name
 
 if TYPE_CHECKING:
@@ -25,7 +26,7 @@ COLOURS = tuple(
 LEAST = 3
 
 #: kinds of contacts that have an energy
-HYDROGEN_BONDS = ("hydrogen_bond", "salt_bridge")
+HYDROGEN_BONDS = [kind.name for kind in contact_kinds() if kind.has_hydrogen]
 
 
 @dataclass

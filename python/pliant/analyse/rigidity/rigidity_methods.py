@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: MIT
 """How rigidity is counted, and how its page is to be read."""
 
+from pliant._core import contact_kinds
+
+BARS = ", ".join(f"{kind.singular} {kind.bars}" for kind in contact_kinds())
+
 READING = (
     "Believe what holds together over a range of cut-offs. A cluster is not necessarily stiff, and "
     "a degree of freedom is not an amplitude."
@@ -10,7 +14,7 @@ METHODS = (
     (
         "Count",
         "Each atom is a body with six freedoms. A bond that can rotate removes five (a hinge), "
-        "one that does not six, a hydrogen bond five, a hydrophobic contact two, unless they "
+        f"one that does not six, a contact its own number ({BARS}), unless they "
         "depend on those before: internal degrees of freedom = 6 atoms - independent constraints - "
         "6 parts (D. J. Jacobs, M. F. Thorpe, Phys. Rev. Lett. 75 (1995) 4051; D. J. Jacobs, A. J. "
         "Rader, L. A. Kuhn, M. F. Thorpe, Proteins 44 (2001) 150).",
