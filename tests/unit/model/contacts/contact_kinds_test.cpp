@@ -64,7 +64,7 @@ TEST(ContactKinds, ThoseThatAreNotUsualAreFoundWhereTheyAreAskedFor) {
     const std::string shown = std::string(row.name) + " 0";
     const auto is_told = [&](const ModelOptions& options) {
       const MolecularModel model = build_model(four_atoms(), options);
-      return std::any_of(model.told.begin(), model.told.end(),
+      return std::any_of(model.notes.begin(), model.notes.end(),
                          [&](const auto& line) { return line.find(shown) != line.npos; });
     };
     EXPECT_EQ(is_told({}), row.is_usual) << row.name;
