@@ -37,8 +37,8 @@ constexpr Command commands[] = {
     {reading, "representatives", "choose a few frames that represent all the others", nullptr},
     {reading, "check", "check a trajectory with OpenMM: may MD start from it?", nullptr},
 
-    {structures, "contacts",
-     "list hydrogen bonds, salt bridges and hydrophobic contacts of a molecule", command_contacts},
+    {structures, "contacts", "list what holds a molecule besides its bonds, such as hydrogen bonds",
+     command_contacts},
     {structures, "rigidity",
      "count degrees of freedom: which parts of a molecule are rigid, which flexible",
      command_rigidity},

@@ -113,7 +113,7 @@ void put(std::string& script, std::string_view mark, std::string_view text) {
   if (place != script.npos) script.replace(place, mark.size(), text);
 }
 
-/// Between single quotes.
+/// The text between single quotes.
 std::string quoted_for_shell(std::string_view text) {
   std::string quoted = "'";
   for (char letter : text) quoted += letter == '\'' ? std::string("'\\''") : std::string(1, letter);

@@ -41,7 +41,7 @@ std::string_view search_path() {
   throw FileError(path + ": cannot be run: " + std::strerror(errno));
 }
 
-/// As far as the reader takes it: one that ends early says why itself.
+/// Writes as far as the reader takes it: one that ends early says why itself.
 void write_all(int descriptor, std::string_view text) {
   while (!text.empty()) {
     const ssize_t written = write(descriptor, text.data(), text.size());

@@ -296,7 +296,7 @@ MECHANISMS = [
      "is symmetric", "Bricard 1897; PyRigi, Octahedron('Bricard_line')"),
     ("kaleidocycle", kaleidocycle, 1, "an over-constrained ring of six hinges (6R) that turns "
      "inside out without end", "Schattschneider, Walker 1977; Bricard 1927"),
-]  # fmt: skip
+]  # fmt: skip  # a table: a row a line
 
 
 def row(name: str, it: Mechanism, freedom: int, why: str, source: str) -> str:

@@ -65,9 +65,13 @@ def draw_ensemble(figure, place, trajectory, title):
     for k, frame in enumerate(frames[::-1]):
         is_start = k == len(frames) - 1
         lines = LineCollection(
-            frame[bonds][:, :, [0, 2]], array=values, cmap="viridis",
-            linewidths=2.6 if is_start else 0.9, alpha=1.0 if is_start else 0.3, capstyle="round",
-        )  # fmt: skip
+            frame[bonds][:, :, [0, 2]],
+            array=values,
+            cmap="viridis",
+            linewidths=2.6 if is_start else 0.9,
+            alpha=1.0 if is_start else 0.3,
+            capstyle="round",
+        )
         lines.set_clim(0, values.max())
         axes.add_collection(lines)
     axes.autoscale()
@@ -91,8 +95,8 @@ def draw_series(axes, row):
     """One method's time over the displacement; a cross where it did not repair all."""
     label, colour, style = SERIES[row["name"]]
     whole = [r for r in row["results"] if r["outcome"] == "whole"]
-    axes.loglog([r["displacement"] for r in whole], [1e6 * r["seconds"] for r in whole], style,
-                color=colour, label=label, markersize=7, linewidth=2)  # fmt: skip
+    size, time = [r["displacement"] for r in whole], [1e6 * r["seconds"] for r in whole]
+    axes.loglog(size, time, style, color=colour, label=label, markersize=7, linewidth=2)
     failed = [r["displacement"] for r in row["results"] if r["outcome"] != "whole"]
     if failed:
         top = [1e6 * max(r["seconds"] for r in whole)] * len(failed)
@@ -113,18 +117,18 @@ def draw_times(figure, place, rows):
     axes.grid(alpha=0.25)
     axes.spines[["top", "right"]].set_visible(False)
     axes.legend(frameon=False, fontsize=9, loc="upper left", ncols=1)
-    figure.text(place[0] + place[2] / 2, 0.93, "3341 atoms made whole to 1e-6",
-                ha="center", color=INK, fontsize=12)  # fmt: skip
+    middle, title = place[0] + place[2] / 2, "3341 atoms made whole to 1e-6"
+    figure.text(middle, 0.93, title, ha="center", color=INK, fontsize=12)
 
 
 def draw_pliant():
     """A peptide in motion, and the time to repair a protein beside OpenMM's."""
     with tempfile.TemporaryDirectory() as folder:
         peptide, protein = Path(folder) / "peptide.h5md", Path(folder) / "adk.h5md"
-        pliant("run", HERE / "molecules" / "peptide_20.pdb", "-o", peptide, "--steps", 200,
-               "--every", 10, "--perturb", "displacement", "--technique", "blocks")  # fmt: skip
-        pliant("run", datafiles.PDB_small, "-o", protein, "--steps", 20,
-               "--perturb", "displacement", "--technique", "blocks")  # fmt: skip
+        start = HERE / "molecules" / "peptide_20.pdb"
+        words = "--perturb displacement --technique blocks"
+        pliant("run", start, "-o", peptide, "--steps", 200, "--every", 10, *words.split())
+        pliant("run", datafiles.PDB_small, "-o", protein, "--steps", 20, *words.split())
         check = json.loads(pliant("check", protein, "--no-picture", "--json"))
         figure = plt.figure(figsize=(11, 4.6), facecolor="white")
         draw_ensemble(
@@ -172,9 +176,9 @@ def free_superposed(frames, pinned):
 def run_mechanism(path, force, folder):
     """Frames (F, N, 3), bars (B, 2), pinned joints and names of a run in small random steps."""
     trajectory = Path(folder) / "out.h5md"
-    pliant("run", path, "-o", trajectory, "--topology", "none", "--overwrite", "--steps", 3000,
-           "--every", 10, "--force", force, "--damping", 1, "--seed", 3,
-           "--tolerance", 1e-8, "--max-sweeps", 100000)  # fmt: skip
+    words = "--topology none --overwrite --steps 3000 --every 10 --damping 1 --seed 3"
+    words += " --tolerance 1e-8 --max-sweeps 100000"
+    pliant("run", path, "-o", trajectory, "--force", force, *words.split())
     names = re.findall(r'<joint id="([^"]+)"', path.read_text())
     pinned = re.findall(r'<joint id="([^"]+)".*pinned', path.read_text())
     with h5py.File(trajectory) as file:
@@ -189,10 +193,16 @@ def draw_mechanism(axes, title, run, traced, view):
     points = seen_from(frames, view)
     for k in np.linspace(0, len(points) - 1, 6).astype(int)[::-1]:
         first = k == 0
-        axes.add_collection(LineCollection(
-            points[k][bars], colors=INK if first else PLIANT_BLUE, linewidths=1.6 if first else 0.8,
-            alpha=1.0 if first else 0.35, zorder=3 if first else 1, capstyle="round",
-        ))  # fmt: skip
+        axes.add_collection(
+            LineCollection(
+                points[k][bars],
+                colors=INK if first else PLIANT_BLUE,
+                linewidths=1.6 if first else 0.8,
+                alpha=1.0 if first else 0.35,
+                zorder=3 if first else 1,
+                capstyle="round",
+            )
+        )
     if traced:
         path = points[:, names.index(traced)]
         axes.plot(*path.T, ".", color=OPENMM_ORANGE, markersize=2.2, zorder=4)
@@ -215,7 +225,7 @@ def draw_legend(axes):
         axes.plot([], [], "^", color="white", markeredgecolor=INK, markersize=7,
                   label="joint of the ground (pinned)")[0],
         axes.plot([], [], ".", color=OPENMM_ORANGE, label="path of one joint")[0],
-    ]  # fmt: skip
+    ]  # fmt: skip  # a table: a row a line
     axes.legend(handles=marks, loc="center", frameon=False, fontsize=10)
     axes.set_axis_off()
 
@@ -233,8 +243,8 @@ def draw_mechanisms():
 
 def draw_work_precision():
     """Run time against error of every technique, OpenMM, and GROMACS if installed, on a protein."""
-    pliant("bench", "work-precision", datafiles.PDB_small, "--quiet", "--repeats", 15,
-           "-o", HERE / "pictures" / "work_precision.png")  # fmt: skip
+    words = ["--quiet", "--repeats", 15, "-o", HERE / "pictures" / "work_precision.png"]
+    pliant("bench", "work-precision", datafiles.PDB_small, *words)
 
 
 def draw_thesis():

@@ -56,17 +56,16 @@ def draw_outward_pass(axis):
             draw_bridge(axis, x[step[0]], x[step[1]], number)
     axis.plot(*x.T, "o", color=style.INK, markersize=3.5, zorder=4)
     axis.plot(*x[ROOT], "o", color=style.VERMILION, markersize=9, zorder=5)
-    axis.annotate("pushed joint", x[ROOT], (10, 6), textcoords="offset points", fontsize=9,
-                  color=style.VERMILION)  # fmt: skip
+    place = {"textcoords": "offset points", "fontsize": 9}
+    axis.annotate("pushed joint", x[ROOT], (10, 6), color=style.VERMILION, **place)
     axis.set_title("blocks: one pass outward over aspirin")
     tidy(axis)
 
 
 def draw_bridge(axis, near, far, number):
     """An arrow to the joint that moves."""
-    axis.annotate("", far, near, arrowprops={
-        "arrowstyle": "-|>", "color": style.BLUE, "linewidth": 1.6, "shrinkA": 3, "shrinkB": 2,
-    })  # fmt: skip
+    arrow = {"arrowstyle": "-|>", "color": style.BLUE, "linewidth": 1.6}
+    axis.annotate("", far, near, arrowprops=arrow | {"shrinkA": 3, "shrinkB": 2})
     side = np.array([near[1] - far[1], far[0] - near[0]])
     place = 0.5 * (near + far) + 0.26 * side / np.linalg.norm(side)
     axis.text(*place, str(number), ha="center", va="center", fontsize=8, color=style.BLUE)
@@ -91,12 +90,14 @@ def draw_work_list(axis):
     centred = structure.positions - structure.positions.mean(axis=0)
     x = centred @ np.linalg.svd(centred, full_matrices=False)[2][:2].T
     axis.add_collection(LineCollection(x[framework.bars], colors=style.GREY, linewidths=0.9))
-    axis.plot(*x[~moved].T, "o", color=style.FAINT, markeredgecolor=style.GREY, markersize=4,
-              markeredgewidth=0.6, label=f"{np.sum(~moved)} atoms not touched")  # fmt: skip
-    axis.plot(*x[moved].T, "o", color=style.VERMILION, markersize=5, zorder=4,
-              label=f"{np.sum(moved)} atoms moved")  # fmt: skip
-    axis.set_title(f"after a push of one atom: {done.projections} of {framework.bar_count} bars "
-                   "looked at")  # fmt: skip
+    edge = {"markeredgecolor": style.GREY, "markeredgewidth": 0.6}
+    kept = f"{np.sum(~moved)} atoms not touched"
+    axis.plot(*x[~moved].T, "o", color=style.FAINT, markersize=4, label=kept, **edge)
+    label = f"{np.sum(moved)} atoms moved"
+    axis.plot(*x[moved].T, "o", color=style.VERMILION, markersize=5, zorder=4, label=label)
+    axis.set_title(
+        f"after a push of one atom: {done.projections} of {framework.bar_count} bars looked at"
+    )
     axis.legend(loc="lower center", bbox_to_anchor=(0.5, -0.12), ncols=2, frameon=False)
     tidy(axis)
 

@@ -27,10 +27,7 @@ RESIDUES = {
     "PRO": ("N1[C@@H](CCC1)C(=O)", "N CA CB CG CD C O"),
     "SER": ("N[C@@H](CO)C(=O)", "N CA CB OG C O"),
     "THR": ("N[C@@H]([C@H](O)C)C(=O)", "N CA CB OG1 CG2 C O"),
-    "TRP": (
-        "N[C@@H](Cc1c[nH]c2ccccc12)C(=O)",
-        "N CA CB CG CD1 NE1 CE2 CZ2 CH2 CZ3 CE3 CD2 C O",
-    ),
+    "TRP": ("N[C@@H](Cc1c[nH]c2ccccc12)C(=O)", "N CA CB CG CD1 NE1 CE2 CZ2 CH2 CZ3 CE3 CD2 C O"),
     "TYR": ("N[C@@H](Cc1ccc(O)cc1)C(=O)", "N CA CB CG CD1 CE1 CZ OH CE2 CD2 C O"),
     "VAL": ("N[C@@H](C(C)C)C(=O)", "N CA CB CG1 CG2 C O"),
     "ACE": ("CC(=O)", "CH3 C O"),

@@ -37,10 +37,8 @@ def main() -> None:
     frames = frames_of(parser.parse_args().protein)
     output = HERE / "pictures" / "play.webp"
     duration = round(1000 * SECONDS / len(frames))
-    frames[0].save(
-        output, save_all=True, append_images=frames[1:], duration=duration, loop=0, quality=70,
-        method=6,
-    )  # fmt: skip
+    webp = {"duration": duration, "loop": 0, "quality": 70, "method": 6}
+    frames[0].save(output, save_all=True, append_images=frames[1:], **webp)
     frames[len(frames) // 4].save(HERE / "pictures" / "play.png", optimize=True)
     if output.stat().st_size > MOST_BYTES:
         raise SystemExit(f"{output}: {output.stat().st_size} bytes, more than {MOST_BYTES}")

@@ -11,7 +11,7 @@ from pliant.lab.experiment.laboratory import run_experiment
 from pliant.lab.experiment.pool import usable_cores
 from pliant.lab.experiment.settings import Settings
 from pliant.lab.experiment.settled import settle
-from pliant.lab.experiment.statistics import YARDSTICKS, Study
+from pliant.lab.experiment.statistics import YARDSTICKS, Evidence
 from pliant.lab.experiment.sweep import run_sweep
 from pliant.analyse.figures import style
 
@@ -25,23 +25,26 @@ SHORT = {
     "C7": "spread of bfs_cycle by weighting", "R1": "bfs_reverse 0.5 is best of all",
     "R2": "modes of reverse", "R3": "reverse 0.5 spreads less",
     "A1": "bfs_adapt is worst", "B1": "bfs_random is like bfs_cycle",
-}  # fmt: skip
+}  # fmt: skip  # some pairs a line
 WORDS = {"holds": style.GREEN, "depends": style.ORANGE, "fails": style.VERMILION}
 
 
-def draw_means(axis, study):
+def draw_means(axis, evidence):
     """Figure 5.6 of the thesis, its first panel, by one yardstick."""
-    group_bars(axis, study, "1-cycle", SHOWN, "mean")
+    group_bars(axis, evidence, "1-cycle", SHOWN, "mean")
     axis.set_ylim(0, 8)
-    axis.set_title(f"1-cycle graphs: mean {study.yardstick}")
+    axis.set_title(f"1-cycle graphs: mean {evidence.yardstick}")
     axis.set_xlabel("weighting")
-    axis.set_ylabel(study.yardstick)
+    axis.set_ylabel(evidence.yardstick)
 
 
 def share_of(points, identity, yardstick):
     """Mean share of a claim's statements that hold, over the settings of the sweep."""
-    shares = [p.holding / p.statements for p in points
-              if (p.claim, p.yardstick) == (identity, yardstick) and p.statements]  # fmt: skip
+    shares = [
+        p.holding / p.statements
+        for p in points
+        if (p.claim, p.yardstick) == (identity, yardstick) and p.statements
+    ]
     return 100 * np.mean(shares) if shares else None
 
 
@@ -66,8 +69,10 @@ def draw_claims(axis, settled, points):
 def draw_legend(axis, settled):
     """Counts of verdicts."""
     found = [one.word for one in settled]
-    handles = [axis.bar(0, 0, color=color, label=f"{word}: {found.count(word)}")
-               for word, color in WORDS.items()]  # fmt: skip
+    handles = [
+        axis.bar(0, 0, color=color, label=f"{word}: {found.count(word)}")
+        for word, color in WORDS.items()
+    ]
     handles += axis.plot([], [], "D", color=style.INK, markersize=4.5, label="counted in passes")
     axis.figure.legend(handles=handles, loc="outside lower right", ncols=4, fontsize=8.5)
 
@@ -83,14 +88,14 @@ def make_thesis_picture(path):
 
 def draw(table, points, path):
     """The picture of an experiment and its sweep."""
-    study = Study(table)
-    studies = {name: study.with_yardstick(name) for name in YARDSTICKS}
-    settled = settle(studies, points)
+    evidence = Evidence(table)
+    all_evidence = {name: evidence.with_yardstick(name) for name in YARDSTICKS}
+    settled = settle(all_evidence, points)
     assert len(settled) == len(CLAIMS)
     with style.styled():
         figure, axes = style.new_figure((12.6, 4.2), 1, 3, width_ratios=(1, 1, 1.1))
         for axis, name in zip(axes, ("sweeps", "passes"), strict=False):
-            draw_means(axis, studies[name])
+            draw_means(axis, all_evidence[name])
         axes[0].legend(*axes[1].get_legend_handles_labels(), loc="upper left", ncols=3, fontsize=8)
         draw_claims(axes[2], settled, points)
         draw_legend(axes[2], settled)

@@ -7,12 +7,15 @@ from pathlib import Path
 
 import leftovers
 import pytest
+from cpu_seconds import CpuSeconds
 
 
 def pytest_configure(config):
     """Nothing may be left behind. And shells start background jobs with Ctrl-C ignored; the tests
     that send it want it heard."""
     leftovers.watch(config, Path(__file__).parents[1])
+    if Path("/proc/self/task").exists():
+        config.pluginmanager.register(CpuSeconds(), "cpu_seconds")
     if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
         signal.signal(signal.SIGINT, signal.default_int_handler)
 

@@ -49,14 +49,22 @@ void print_table(const std::vector<MolecularContact>& contacts, const AtomTable&
   fmt::print("\n");
 }
 
+/// One usual kind a line.
+std::string kinds_found() {
+  std::string text;
+  for (const auto& row : molecular_contact_kinds())
+    if (row.is_usual) text += fmt::format("  {:<21} {}\n", row.plural, row.summary);
+  return text;
+}
+
 }  // namespace
 
 int command_contacts(const Arguments& arguments) {
   CommandLine line(
       "pliant contacts",
-      "Lists what holds a molecule together besides its bonds: hydrogen bonds and salt\n"
-      "bridges with their energies, hydrophobic contacts, metals. Polar hydrogens that the\n"
-      "file lacks are added by geometric rules, the same way each time; stderr says which.");
+      "Lists what holds a molecule together besides its bonds:\n" + kinds_found() +
+          "Polar hydrogens that the file lacks are added by geometric rules, the same way each\n"
+          "time; stderr says which.");
   line.set_footer(
       "Examples:\n"
       "  pliant contacts protein.pdb\n"

@@ -232,7 +232,7 @@ void print_graph_rows(const Facts& facts) {
   print_row("bars", facts.graph.bars, "");
 }
 
-/// Only of what is there: most frameworks have bars alone.
+/// Prints only what is there: most frameworks have bars alone.
 void print_limit_rows(const Facts& facts) {
   if (const std::size_t limits = sum_of(facts.limits_by_kind); limits != 0)
     print_row("limits", limits, "of kind " + listed(facts.limits_by_kind));
@@ -253,7 +253,7 @@ void print_table(const Facts& facts) {
   print_limit_rows(facts);
 }
 
-/// Of a molecule without residues there is nothing to add to its atoms and bonds.
+/// A molecule without residues has nothing to add to its atoms and bonds.
 void print_survey(const Facts& facts) {
   const Survey& found = facts.survey;
   if (!facts.has_atoms() || found.amino_acids + found.nucleotides + found.waters == 0) return;

@@ -27,23 +27,30 @@ struct RigiditySettings {
   bool dilution = false, overwrite = false, as_csv = false, as_json = false;
 };
 
+/// "hydrogen bond 5", one kind a line.
+std::string bars_of_contacts() {
+  std::string text;
+  for (const MolecularContactKindEntry& row : molecular_contact_kinds())
+    text += fmt::format("\n  {} {}", row.singular, row.bars);
+  return text;
+}
+
 constexpr const char* summary =
     "Counts degrees of freedom (body-bar pebble game, as FIRST does): which atoms move as\n"
     "one (rigid clusters), which bonds can still rotate, and where there are more\n"
     "constraints than needed.\n"
     "\n"
     "Each atom is a body with 6 freedoms. A bond that can rotate removes 5 of them (a\n"
-    "hinge), one that cannot (peptide, double, aromatic) 6, a hydrogen bond 5, a hydrophobic\n"
-    "contact 2. Those that remain are internal degrees of freedom: a ring of six single\n"
-    "bonds has none, a ring of seven has one. The count looks at the graph alone, not at\n"
-    "positions: it does not see that a ring of six moves as a boat, though not as a chair.\n"
-    "Contacts never break. So the answer depends on --hbond-cutoff: try\n"
-    "--dilution.";
+    "hinge), one that cannot (peptide, double, aromatic) 6. Those that remain are internal\n"
+    "degrees of freedom: a ring of six single bonds has none, a ring of seven has one. The\n"
+    "count looks at the graph alone, not at positions: it does not see that a ring of six\n"
+    "moves as a boat, though not as a chair. Contacts never break. So the answer depends on\n"
+    "--hbond-cutoff: try --dilution. Freedoms that contacts remove:";
 
 constexpr const char* footer =
     "How to read it:\n"
     "  flexibility  of a bond: 1 rotates freely, 1/7 in a ring of seven that moves as a whole,\n"
-    "               0 locked, below 0 locked by more bars than needed (redundant)\n"
+    "               0 locked, below 0 locked by more constraints than needed (redundant)\n"
     "               of a residue: the mean of its N-CA and CA-C bonds\n"
     "  dilution     hydrogen bonds are removed one by one, weakest first: the clusters that last\n"
     "               longest are the core, and they come apart at hinges\n"
@@ -115,8 +122,8 @@ RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
                         settings.molecule.file,
                         {},
                         {}};
-  if (const std::string told = told_of_rings_of_six(report.rigidity.rings_of_six); !told.empty())
-    log.note(told);
+  if (const std::string note = note_on_rings_of_six(report.rigidity.rings_of_six); !note.empty())
+    log.note(note);
   if (settings.dilution) dilute(report);
   return report;
 }
@@ -124,7 +131,7 @@ RigidityReport report_of(const RigiditySettings& settings, const Log& log) {
 }  // namespace
 
 int command_rigidity(const Arguments& arguments) {
-  CommandLine line("pliant rigidity", summary);
+  CommandLine line("pliant rigidity", summary + bars_of_contacts());
   line.set_footer(footer);
   RigiditySettings settings;
   add_options(line, settings);

@@ -65,7 +65,7 @@ void tell_what_is_free(const MoleculeOptions& options, const Structure& structur
         "overlap; --model protein prevents this, and pliant sample makes ensembles");
 }
 
-/// Null: nobody looks.
+/// Null where nobody looks.
 std::unique_ptr<LiveRun> live_run(const RunSettings& settings, const Molecule& molecule,
                                   const Log& log) {
   if (!settings.imd.is_asked) return nullptr;

@@ -84,7 +84,7 @@ SampledSystem system_of(const PlannedSample& planned) {
           planned.task.framework(),
           model.positions,
           model.contacts.size(),
-          model.told,
+          model.notes,
           model.missing};
 }
 

@@ -75,7 +75,7 @@ class ContinuedRun {
   const RunOptions& options() const { return options_; }
 
  private:
-  /// Of walkers that have not begun.
+  /// Where walkers that have not begun will start.
   std::vector<Vec3> start() const {
     return pattern_.inputs.start.empty() ? pattern_.state.positions : pattern_.inputs.start;
   }

@@ -45,7 +45,8 @@ H5mdCheckpoint read_sample(const CommandLine& line, const SampleSettings& settin
   return from;
 }
 
-/// Of an amplitude, what was asked for, which may be a file.
+/// The path at which files keep an option; for the amplitude it is what was asked for, which may be
+/// a file.
 std::string recorded_path(const SampleField& field) {
   const bool is_asked = field.name == "amplitude";
   return "sample/" + std::string(field.name) + (is_asked ? "_from" : "");

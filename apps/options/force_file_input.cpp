@@ -44,26 +44,26 @@ class SettingsTaking {
   void take() {
     for (const ForceEvent& event : settings_of(file_)) {
       const auto& set = std::get<SetOption>(event.what);
-      RunOptions told = settings_.run;
+      RunOptions taken = settings_.run;
       try {
-        set_run_field(told, set.name, set.value);
-        check_fields(told);
+        set_run_field(taken, set.name, set.value);
+        check_fields(taken);
       } catch (const OptionError& error) {
         fail({settings_.forces, event.line}, error.what());
       }
-      take(find_run_field(set.name), told);
+      take(find_run_field(set.name), taken);
     }
   }
 
  private:
-  void take(const RunField& field, const RunOptions& told) {
+  void take(const RunField& field, const RunOptions& taken) {
     const bool is_free = std::ranges::count(free_settings, field.name) > 0;
     const bool is_left_to_ordering = field.name == "technique" && !settings_.ordering.empty();
     const std::string option = rival_of(field);
     if (is_left_to_ordering || (is_free && line_.was_given(option))) return;
-    if (line_.was_given(option)) return compare(option, field, told);
-    settings_.run = told;
-    settings_.taken_from_forces.emplace_back(field.name, run_field_text(told, field));
+    if (line_.was_given(option)) return compare(option, field, taken);
+    settings_.run = taken;
+    settings_.taken_from_forces.emplace_back(field.name, run_field_text(taken, field));
   }
 
   /// The option that would replace the setting: of the two kinds of tolerance the one that is
@@ -77,11 +77,11 @@ class SettingsTaking {
     return option_name(field.name);
   }
 
-  void compare(const std::string& option, const RunField& field, const RunOptions& told) const {
+  void compare(const std::string& option, const RunField& field, const RunOptions& taken) const {
     std::string name = option.substr(2);
     std::ranges::replace(name, '-', '_');
     const std::string given = run_field_text(settings_.run, find_run_field(name));
-    const std::string made = run_field_text(told, field);
+    const std::string made = run_field_text(taken, field);
     if (file_.header.version == 1 || (name == field.name && given == made)) return;
     overrides_forces(settings_, option + " " + given,
                      "with " + option_name(field.name) + " " + made);

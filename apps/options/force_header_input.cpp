@@ -66,21 +66,21 @@ class HeaderTaking {
 
   /// The model and the bars exclude each other.
   void take_model() {
-    const ForceSetting* told = find("model") ? find("model") : find("bars");
-    if (told == nullptr) return;
-    const bool is_model = told->name == "model";
+    const ForceSetting* named = find("model") ? find("model") : find("bars");
+    if (named == nullptr) return;
+    const bool is_model = named->name == "model";
     const bool is_given = !options_.kind.name.empty() || !options_.bars.empty();
     if (!is_given) {
-      (is_model ? options_.kind.name : options_.bars) = told->value;
-      return note(*told);
+      (is_model ? options_.kind.name : options_.bars) = named->value;
+      return note(*named);
     }
     const std::string option = options_.kind.name.empty() ? "--bars" : "--model";
     const bool is_same =
-        option == "--" + told->name && compared(bars_of(options_), is_bars_file(told->value)) ==
-                                           compared(told->value, is_bars_file(told->value));
+        option == "--" + named->name && compared(bars_of(options_), is_bars_file(named->value)) ==
+                                            compared(named->value, is_bars_file(named->value));
     if (!is_same)
       overrides_forces(settings_, spelled(option, bars_of(options_)),
-                       "with " + spelled("--" + told->name, told->value));
+                       "with " + spelled("--" + named->name, named->value));
   }
 
   bool was_given(const MoleculeField& field) const {
@@ -90,18 +90,18 @@ class HeaderTaking {
   }
 
   void take(const MoleculeField& field) {
-    const ForceSetting* told = find(field.name);
+    const ForceSetting* named = find(field.name);
     if (!was_given(field)) {
-      if (told == nullptr) return;
-      at_line(*told, [&] { set_molecule_field(options_, field, told->value); });
-      return note(*told);
+      if (named == nullptr) return;
+      at_line(*named, [&] { set_molecule_field(options_, field, named->value); });
+      return note(*named);
     }
     const std::string given = molecule_field_text(options_, field);
-    const std::string made = told ? told->value : molecule_field_text({}, field);
+    const std::string made = named ? named->value : molecule_field_text({}, field);
     if (compared(given, field.is_file) == compared(made, field.is_file)) return;
     overrides_forces(
         settings_, spelled(field.option, given),
-        told ? "with " + spelled(field.option, made) : std::string("without ") + field.option);
+        named ? "with " + spelled(field.option, made) : std::string("without ") + field.option);
   }
 
   const CommandLine& line_;

@@ -59,7 +59,7 @@ NetworkNodes network_nodes_of(const Structure& structure) {
 
 Pull pull_of(const std::vector<std::string>& words, const Structure& structure) {
   Pull pull{selected("--pull", words[0], structure), vector_of(words[1])};
-  // From where the centre is.
+  // The way begins where the centre is.
   pull.to += way_of({pull.joints, {}}, structure.positions) * -1.0;
   return pull;
 }

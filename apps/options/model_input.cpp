@@ -6,6 +6,23 @@
 #include "pliant/base/choices.hpp"
 
 namespace pliant::app {
+namespace {
+
+/// "cation_pi (LYS or ARG over ...)", one kind a line.
+std::string unusual_contacts() {
+  std::string text;
+  for (const MolecularContactKindEntry& row : molecular_contact_kinds())
+    if (!row.is_usual) text += "\n" + std::string(row.name) + " (" + std::string(row.summary) + ")";
+  return text;
+}
+
+std::string comma_separated(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ",") + word;
+  return text;
+}
+
+}  // namespace
 
 void add_model_options(CommandLine& line, ModelSettings& settings) {
   line.start_group("Model");
@@ -13,6 +30,8 @@ void add_model_options(CommandLine& line, ModelSettings& settings) {
                 "leave out hydrogen bonds that are weaker than this energy, kcal/mol");
   line.add_text("--contacts", settings.contacts, "FILE",
                 "use the contacts in this file (as written by pliant contacts --csv or --json)");
+  line.add_names("--more-contacts", settings.more_contacts, "",
+                 "find contacts of these kinds besides the usual ones:" + unusual_contacts());
   line.add_flag("--keep-waters", settings.keep_waters, "do not remove waters");
   line.add_flag("--fill-side-chains", settings.fill_side_chains,
                 "build missing side-chain atoms by rule (a guess: the data does not show them)");
@@ -50,22 +69,22 @@ void check(const ModelSettings& settings) {
   if (model == nullptr || !model->has_contacts) {
     refuse(settings.hbond_cutoff != usual.hbond_cutoff, "--hbond-cutoff", "--model protein");
     refuse(!settings.contacts.empty(), "--contacts", "--model protein");
+    refuse(!settings.more_contacts.empty(), "--more-contacts", "--model protein");
     refuse(settings.floppy, "--floppy", "--model protein");
   }
 }
 
 std::vector<NamedParameter> parameters_of(const ModelSettings& settings) {
   if (settings.name.empty()) return {};
-  std::string forms;
-  for (const std::string& form : settings.protonate) forms += (forms.empty() ? "" : ",") + form;
   return {{"model/kind", settings.name},
           {"model/hbond_cutoff", settings.hbond_cutoff},
           {"model/keep_waters", settings.keep_waters},
           {"model/fill_side_chains", settings.fill_side_chains},
           {"model/all_hydrogens", settings.all_hydrogens},
-          {"model/protonate", forms},
+          {"model/protonate", comma_separated(settings.protonate)},
           {"model/floppy", settings.floppy},
-          {"model/contacts", std::filesystem::path(settings.contacts).filename().string()}};
+          {"model/contacts", std::filesystem::path(settings.contacts).filename().string()},
+          {"model/more_contacts", comma_separated(settings.more_contacts)}};
 }
 
 ModelOptions model_options_of(const ModelSettings& settings, const Log& log) {
@@ -79,6 +98,7 @@ ModelOptions model_options_of(const ModelSettings& settings, const Log& log) {
   options.prepare.floppy_below = settings.floppy ? disordered_below : 0.0;
   options.hydrogen_bonds.cutoff = settings.hbond_cutoff;
   options.contacts_file = settings.contacts;
+  options.more_contacts = settings.more_contacts;
   options.log = log;
   return options;
 }

@@ -18,7 +18,8 @@ struct ModelSettings {
   bool has_torsions = false;  ///< the command uses torsion preferences
   bool free_torsions = false;
   std::vector<std::string> protonate;
-  std::string contacts;  ///< file of contacts; "": they are searched for
+  std::string contacts;                    ///< file of contacts; "": they are searched for
+  std::vector<std::string> more_contacts;  ///< kinds that are not usual
 };
 
 /// Adds the options of preparation and contacts.

@@ -30,6 +30,7 @@ constexpr MoleculeField table[] = {
      .option = "--contacts",
      .place = of_kind<&ModelSettings::contacts>,
      .is_file = true},
+    {"more_contacts", "--more-contacts", of_kind<&ModelSettings::more_contacts>},
     {"keep_waters", "--keep-waters", of_kind<&ModelSettings::keep_waters>},
     {"fill_side_chains", "--fill-side-chains", of_kind<&ModelSettings::fill_side_chains>},
     {"all_hydrogens", "--all-hydrogens", of_kind<&ModelSettings::all_hydrogens>},

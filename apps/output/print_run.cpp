@@ -13,7 +13,7 @@
 
 namespace pliant::app {
 namespace {
-/// Of the walkers that were begun: each shows at least its start, or has no more to do.
+/// The files of the walkers that were begun: each shows at least its start, or has no more to do.
 std::vector<std::string> outputs_of(const RunSettings& settings,
                                     const std::vector<RunSummary>& summaries) {
   if (settings.one_file) return {settings.output};

@@ -49,7 +49,7 @@ void print_totals(const RigidityReport& report) {
             found.components == 1
                 ? std::string("all is linked")
                 : fmt::format("of {} parts that nothing links", found.components));
-  print_row("bars", found.bars, fmt::format("{} redundant", report.redundant_bars()));
+  print_row("constraints", found.bars, fmt::format("{} redundant", report.redundant_bars()));
   print_row("rigid clusters", report.listed_clusters(),
             fmt::format("of {} atoms or more; {} of the atoms", least_cluster,
                         percent(report.atoms_in_listed(), rigidity.network.atoms)));

@@ -28,7 +28,7 @@ std::string names_of(const Framework& framework, const std::vector<Joint>& atoms
   return names;
 }
 
-/// None of a sampler that goes along modes.
+/// Nothing for a sampler that goes along modes.
 std::optional<Conformations> conformations_of(const SampleSettings& settings,
                                               const SampledSystem& system) {
   if (find_sampler(settings.sample.sampler).has_amplitude) return std::nullopt;
@@ -172,7 +172,7 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"stopped_early", summary.stopped_by_caller},
                   {"seconds", summary.seconds},
                   {"cpu_ms_per_frame", ms_a_frame(summary)},
-                  {"told", system.told},
+                  {"notes", system.notes},
                   {"missing", system.missing},
                   {"warnings", warnings}};
   print_json(json);

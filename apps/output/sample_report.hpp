@@ -16,7 +16,7 @@ struct SampledSystem {
   const Framework& framework;
   std::span<const Vec3> start;  ///< (N) Angstrom
   std::size_t contacts = 0;
-  std::vector<std::string> told = {}, missing = {};  ///< from preparation
+  std::vector<std::string> notes = {}, missing = {};  ///< from preparation
 };
 
 /// Prints a table, JSON or nothing.

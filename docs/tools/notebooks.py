@@ -52,8 +52,8 @@ def as_page(path: Path) -> tuple[str, dict[str, bytes]]:
 def _shown(cell: NotebookNode, stem: str, pictures: dict[str, bytes]) -> str:
     if cell.cell_type == "markdown":
         return str(cell.source)
-    told = [one for one in cell.outputs if one.get("name") != "stderr"]
-    shown = [_output(output, stem, pictures) for output in told]
+    kept = [one for one in cell.outputs if one.get("name") != "stderr"]
+    shown = [_output(output, stem, pictures) for output in kept]
     return "\n\n".join([f"```python\n{cell.source}\n```", *shown])
 
 

@@ -86,7 +86,7 @@ std::vector<T> vector_from(nb::handle array, const char* type) {
   return std::vector<T>(values.data(), values.data() + values.size());
 }
 
-/// Row after row.
+/// The values row after row.
 std::vector<std::int64_t> pair_values(const ArrayLike& argument, const char* name) {
   const nb::object array = array_from(argument, name, "iu", "integers");
   if (nb::cast<std::size_t>(array.attr("size")) == 0) return {};

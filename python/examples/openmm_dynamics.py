@@ -88,9 +88,11 @@ def main(words: list[str] | None = None) -> int:
     run_dynamics(simulation, arguments.picoseconds, arguments.frames, f"{stem}-openmm.dcd")
     run_pliant(f"{stem}-start.pdb", f"{stem}.h5md", arguments.frames, arguments.seed)
     report = pliant.compare(
-        f"{stem}.h5md", f"{stem}-openmm.dcd", topology=f"{stem}-start.pdb",
+        f"{stem}.h5md",
+        f"{stem}-openmm.dcd",
+        topology=f"{stem}-start.pdb",
         pictures=arguments.output,
-    )  # fmt: skip
+    )
     print_report(report)
     return 0
 

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 
 from pliant import _core
 from pliant._core import (
+    ContactKindEntry,
     Error,
     Example,
     ExampleFacts,
@@ -56,6 +57,7 @@ from pliant._core import (
     WalkerResolver,
     build_model,
     choose_technique,
+    contact_kinds,
     contacts,
     continue_sample,
     estimate_b_factors,
@@ -127,6 +129,7 @@ else:
     from pliant import analyse, check, compare, path
 
 __all__ = [
+    "ContactKindEntry",
     "Error",
     "Example",
     "ExampleFacts",
@@ -182,6 +185,7 @@ __all__ = [
     "choose_technique",
     "compare",
     "constraints_from_openmm",
+    "contact_kinds",
     "contacts",
     "continue_run",
     "continue_sample",

@@ -11,12 +11,11 @@ import numpy as np
 
 from pliant import _core
 
-COLUMNS = (
-    "group_PDB", "id", "type_symbol", "label_atom_id", "label_alt_id", "label_comp_id",
-    "label_asym_id", "label_entity_id", "label_seq_id", "pdbx_PDB_ins_code", "Cartn_x", "Cartn_y",
-    "Cartn_z", "occupancy", "B_iso_or_equiv", "auth_seq_id", "auth_comp_id", "auth_asym_id",
-    "auth_atom_id", "pdbx_PDB_model_num",
-)  # fmt: skip
+COLUMNS = tuple(
+    "group_PDB id type_symbol label_atom_id label_alt_id label_comp_id label_asym_id "
+    "label_entity_id label_seq_id pdbx_PDB_ins_code Cartn_x Cartn_y Cartn_z occupancy "
+    "B_iso_or_equiv auth_seq_id auth_comp_id auth_asym_id auth_atom_id pdbx_PDB_model_num".split()
+)
 #: what must stand in quotes: empty, blanks, a first sign that means something, words of the format
 QUOTED = re.compile(
     r"$|.*[\s'\"]|[_#$;\[\]]|[.?]$|(data_|loop_|global_|save_|stop_)", re.IGNORECASE
@@ -71,11 +70,16 @@ def _around_places(structure: _core.Structure) -> Iterator[tuple[str, str, str]]
     if len(b_factors) == 0:
         b_factors = np.zeros(len(structure))
     for symbol, name, residue_name, chain, residue, insertion, number, b_factor in zip(
-        _values(structure.symbols, "X"), _values(structure.names, "X"),
-        _values(structure.residue_names, "UNK"), _values(structure.chains, "A"),
-        structure.residue_of.tolist(), _values(structure.insertion_codes, "?"),
-        structure.residue_ids.tolist(), b_factors.tolist(), strict=True,
-    ):  # fmt: skip
+        _values(structure.symbols, "X"),
+        _values(structure.names, "X"),
+        _values(structure.residue_names, "UNK"),
+        _values(structure.chains, "A"),
+        structure.residue_of.tolist(),
+        _values(structure.insertion_codes, "?"),
+        structure.residue_ids.tolist(),
+        b_factors.tolist(),
+        strict=True,
+    ):
         place = sequence[residue]
         before = f"{symbol} {name} . {residue_name} {chain} ? {place} {insertion}"
         after = f"1.00 {b_factor:.2f} {number} {residue_name} {chain} {name}"

@@ -148,7 +148,7 @@ def _model(shown: _core.MolecularModel) -> Facts:
         ("atoms", f"{framework.joint_count}"),
         ("bars", f"{framework.bar_count}"),
         ("contacts", f"{len(shown.contacts)}" + (f": {kinds}" if kinds else "")),
-        *(("done", line) for line in shown.told),
+        *(("done", line) for line in shown.notes),
         *(("missing", line) for line in shown.missing),
     ]
 

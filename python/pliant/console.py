@@ -137,13 +137,13 @@ def add_rows(
     Those in `without_value` need no value, and then have the one there.
     """
     for row in rows:
-        default, told = row["default"], f"default: {row['default']}"
+        default, hint = row["default"], f"default: {row['default']}"
         how: dict[str, Any] = {"default": default}
         if row["name"] in without_value:
             how |= {"nargs": "?", "const": without_value[row["name"]]}
-            told = f"{how['const']} if N is not given; {told}"
+            hint = f"{how['const']} if N is not given; {hint}"
         if row["type"] == "bool":
-            how, told = {"action": "store_true"}, ""
+            how, hint = {"action": "store_true"}, ""
         elif row["type"] == "int":
             most = row.get("most", 2**64 - 1)
             how |= {"metavar": "N", "type": whole_number(row.get("least", 0), most=most)}
@@ -151,7 +151,7 @@ def add_rows(
             how |= {"metavar": "X", "type": positive_number}
         else:
             how["choices"] = row["choices"]
-        text = row["help"] + (f" ({told})" if told else "")
+        text = row["help"] + (f" ({hint})" if hint else "")
         parser.add_argument("--" + row["name"].replace("_", "-"), help=text, **how)
 
 

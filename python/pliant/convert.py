@@ -260,14 +260,14 @@ def make_parser() -> console.Parser:
         metavar="IN",
         help="H5MD trajectory of pliant run or sample, or the folder of an ensemble",
     )
-    add("-o", "--output", metavar="OUT", required=True, type=_file_name,
-        help="file to write; its ending says the format")  # fmt: skip
-    add("--select", metavar="WORDS", default="",
-        help='atoms that are written, such as "protein and name CA" (default: all)')  # fmt: skip
-    add("--every", metavar="N", type=console.whole_number(1), default=1,
-        help="only each Nth frame, from the first (default 1)")  # fmt: skip
-    add("--superpose", action="store_true",
-        help="superpose each frame on the first, by least squares over these atoms")  # fmt: skip
+    text = "file to write; its ending says the format"
+    add("-o", "--output", metavar="OUT", required=True, type=_file_name, help=text)
+    text = 'atoms that are written, such as "protein and name CA" (default: all)'
+    add("--select", metavar="WORDS", default="", help=text)
+    text = "only each Nth frame, from the first (default 1)"
+    add("--every", metavar="N", type=console.whole_number(1), default=1, help=text)
+    text = "superpose each frame on the first, by least squares over these atoms"
+    add("--superpose", action="store_true", help=text)
     add("--overwrite", action="store_true", help="replace an existing OUT")
     add("--json", action="store_true", help="print what was written as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")

@@ -42,10 +42,9 @@ def make_parser() -> console.Parser:
         EPILOG,
     )
     add = parser.add_argument
-    add("-o", "--output", metavar="DIR", default="pliant-demo",
-        help="folder to write to (default: pliant-demo)")  # fmt: skip
-    add("--frames", metavar="N", type=int, default=200,
-        help="number of frames (default: 200)")  # fmt: skip
+    text = "folder to write to (default: pliant-demo)"
+    add("-o", "--output", metavar="DIR", default="pliant-demo", help=text)
+    add("--frames", metavar="N", type=int, default=200, help="number of frames (default: 200)")
     add("--overwrite", action="store_true", help="replace what is in DIR")
     return parser
 

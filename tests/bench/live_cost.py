@@ -47,9 +47,12 @@ class Run:
         words = ["run", Path(molecule).resolve(), "-o", "run.h5md", "--steps", str(10**12)]
         words += ["--every", str(10**12), "--imd", "0", *options]
         self.process = subprocess.Popen(
-            [str(word) for word in [COMMAND, *words]], cwd=folder, text=True,
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE,
-        )  # fmt: skip
+            [str(word) for word in [COMMAND, *words]],
+            cwd=folder,
+            text=True,
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+        )
         assert self.process.stderr is not None
         for line in self.process.stderr:
             if found := re.search(r"IMD version \d on \S+:(\d+)", line):

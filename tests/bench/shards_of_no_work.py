@@ -19,10 +19,10 @@ from pliant.ensemble.cluster import open_place
 from pliant.ensemble.drive import made_by
 from pliant.ensemble.inspect_shard import ShardRecord
 from pliant.ensemble.manifest import Manifest
-from pliant.ensemble.plan import Plan, Shard
+from pliant.ensemble.plan import EnsemblePlan, Shard
 
 
-def nothing(plan: Plan, shard: Shard, folder: str) -> ShardRecord:
+def nothing(plan: EnsemblePlan, shard: Shard, folder: str) -> ShardRecord:
     """The record of a shard that nobody made."""
     return ShardRecord(shard.number, shard.first, shard.last, shard.name, 0, 0, 0, 0, "0" * 64)
 
@@ -32,7 +32,7 @@ def main() -> None:
     parser.add_argument("shards", type=int)
     parser.add_argument("--workers", type=int, default=2)
     options = parser.parse_args()
-    plan = Plan("run", "/none", options.shards, 1)
+    plan = EnsemblePlan("run", "/none", options.shards, 1)
     with (
         tempfile.TemporaryDirectory() as folder,
         open_place(options.workers, None, None, options.shards) as place,

@@ -15,9 +15,13 @@ def shell(name, *words, script):
     if shutil.which(name) is None:
         pytest.skip(f"{name} is not installed")
     done = subprocess.run(
-        [name, *words, script], capture_output=True, text=True, check=False, timeout=60,
+        [name, *words, script],
+        capture_output=True,
+        text=True,
+        check=False,
+        timeout=60,
         env={**os.environ, "HOME": "/nonexistent"},
-    )  # fmt: skip
+    )
     assert done.returncode == 0, done.stderr
     return done.stdout
 
@@ -27,11 +31,13 @@ def in_bash(command, *words):
     folder = Path(command).parent
     line = " ".join(f"'{word}'" for word in ("pliant", *words))
     return shell(
-        "bash", "--norc", "-c",
+        "bash",
+        "--norc",
+        "-c",
         script=f"PATH={folder}:$PATH; source <(pliant --completion bash) || exit 1; "
-               f"COMP_WORDS=({line}); COMP_CWORD={len(words)}; _pliant; "
-               'printf "%s\\n" "${COMPREPLY[@]}"',
-    ).split()  # fmt: skip
+        f"COMP_WORDS=({line}); COMP_CWORD={len(words)}; _pliant; "
+        'printf "%s\\n" "${COMPREPLY[@]}"',
+    ).split()
 
 
 def test_bash_completes_commands(command):
@@ -62,10 +68,11 @@ def test_bash_completes_subcommands(command):
 
 def test_every_option_of_a_help_is_offered(command):
     text = subprocess.run([command, "run", "--help"], capture_output=True, text=True).stdout
-    told = {word for line in text.splitlines() if line.startswith("  -")
-            for word in line.split()[0].split(",") if word.startswith("--")}  # fmt: skip
-    assert len(told) > 30
-    assert set(in_bash(command, "run", "--")) == told
+    lines = [line for line in text.splitlines() if line.startswith("  -")]
+    words = [word for line in lines for word in line.split()[0].split(",")]
+    options = {word for word in words if word.startswith("--")}
+    assert len(options) > 30
+    assert set(in_bash(command, "run", "--")) == options
 
 
 def test_zsh_takes_it(command):

@@ -21,8 +21,8 @@ def test_the_ensemble_and_what_moves_are_there(pliant, tmp_path):
     assert universe.trajectory.n_frames == 40
     residues = [f"{one.resname}{one.resid}" for one in universe.residues]
     assert [name for name, _, _ in found] == residues
-    told = np.array([float(moved) for _, moved, _ in found])
-    ends, middle = told[[0, -1]], told[4:7]
+    moves = np.array([float(moved) for _, moved, _ in found])
+    ends, middle = moves[[0, -1]], moves[4:7]
     assert ends.min() > middle.max()  # a helix frays
     assert (tmp_path / "first/report.html").is_file()
 

@@ -55,8 +55,11 @@ def measured(command, folder, words):
     words = ["bad.h5md" if word == "BAD" else word for word in words]
     ended = subprocess.run(
         [sys.executable, "-c", MEASURE, command, *words],
-        cwd=folder, capture_output=True, text=True, timeout=120,
-    )  # fmt: skip
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
     *said, memory = ended.stderr.split("\n ")
     return ended.returncode, "".join(said).strip(), int(memory) / 1024
 

@@ -68,8 +68,8 @@ def test_forces_are_replayed_to_the_frames_of_that_version(pliant, recorded, tmp
 
 
 def test_a_graph_and_its_ordering_are_read(pliant):
-    told = pliant("order", FILES / "graph.xml", "--ordering", "dfs_cycle").out
-    assert told == (FILES / "ordering.txt").read_text()
+    printed = pliant("order", FILES / "graph.xml", "--ordering", "dfs_cycle").out
+    assert printed == (FILES / "ordering.txt").read_text()
     arguments = ("--steps", 5, "--technique", "input", "--ordering", FILES / "ordering.txt")
     run = pliant("run", FILES / "graph.xml", "-o", "g.h5md", "--json", *arguments)
     assert json.loads(run.out)["unconverged_steps"] == 0

@@ -54,17 +54,19 @@ def test_recorded_forces_replay_to_the_same_bits(pliant, ethanol, tmp_path, tech
 
 
 def test_recorded_forces_hold_the_settings_of_the_run(pliant, ethanol, tmp_path):
-    pliant(
-        "run", ethanol, "--steps", 1, "--timestep", 0.005, "--tolerance-length", 0.001,
-        "--max-sweeps", 77, "--record-forces", "f.txt",
-    )  # fmt: skip
+    words = "--steps 1 --timestep 0.005 --tolerance-length 0.001 --max-sweeps 77"
+    pliant("run", ethanol, *words.split(), "--record-forces", "f.txt")
     lines = (tmp_path / "f.txt").read_text().splitlines()
     assert lines[0] == "pliant-forces 3"
     assert lines[1].startswith("structure ")
     assert lines[2:8] == [
-        "joints 9", "bars 8", "input bars bonds",
-        "set timestep 0.005", "set tolerance_length 0.001", "set max_sweeps 77",
-    ]  # fmt: skip
+        "joints 9",
+        "bars 8",
+        "input bars bonds",
+        "set timestep 0.005",
+        "set tolerance_length 0.001",
+        "set max_sweeps 77",
+    ]
     assert lines[8].startswith("push ")
     assert len(lines) == 9
 
@@ -89,9 +91,7 @@ def test_each_walker_records_its_own_forces(pliant, ethanol, tmp_path):
 def test_recorded_forces_replace_nothing_unless_asked(pliant, ethanol, tmp_path):
     (tmp_path / "f.txt").write_text("mine")
     ended = pliant("run", ethanol, "--steps", 1, "--record-forces", "f.txt")
-    assert (ended.code, ended.err) == (
-        1, "pliant: error: f.txt: exists; --overwrite replaces it\n",
-    )  # fmt: skip
+    assert (ended.code, ended.err) == (1, "pliant: error: f.txt: exists; --overwrite replaces it\n")
     assert (tmp_path / "f.txt").read_text() == "mine"
     ended = pliant("run", ethanol, "--forces", "f.txt", "--record-forces", "f.txt", "--overwrite")
     assert ended.code in (1, 2)
@@ -108,10 +108,14 @@ def test_generated_forces_are_those_of_a_run(pliant, ethanol, tmp_path):
 
 
 def test_generated_forces_as_json(pliant, ethanol):
-    told = json.loads(pliant("forcegen", ethanol, "-o", "f.txt", "--json").out)
-    assert told == {
-        "input": str(ethanol), "output": "f.txt", "pushes": 50, "force": 50.0, "seed": 0,
-    }  # fmt: skip
+    report = json.loads(pliant("forcegen", ethanol, "-o", "f.txt", "--json").out)
+    assert report == {
+        "input": str(ethanol),
+        "output": "f.txt",
+        "pushes": 50,
+        "force": 50.0,
+        "seed": 0,
+    }
 
 
 @pytest.mark.parametrize("command", ["forcegen", "order"])
@@ -133,15 +137,16 @@ def test_an_ordering_is_printed_bar_by_bar(pliant, triangle):
     )
     bars = json.loads(pliant("order", triangle, "--ordering", "input", "--json").out)["bars"]
     assert [(bar["near"], bar["far"], bar["is_tree"]) for bar in bars] == [
-        (0, 1, True), (1, 2, True), (2, 0, True), (2, 3, True),
-    ]  # fmt: skip
+        (0, 1, True),
+        (1, 2, True),
+        (2, 0, True),
+        (2, 3, True),
+    ]
 
 
 def test_an_ordering_that_leaves_bars_out_is_refused(pliant, triangle):
     ended = pliant("order", triangle, "--ordering", "bfs_tree")
-    assert (ended.code, ended.err) == (
-        1, "pliant: error: ordering file: bar b - c is missing\n",
-    )  # fmt: skip
+    assert (ended.code, ended.err) == (1, "pliant: error: ordering file: bar b - c is missing\n")
 
 
 def test_a_run_with_an_ordering_file_is_that_of_its_technique(pliant, triangle, tmp_path):
@@ -163,11 +168,11 @@ def test_a_run_with_an_ordering_file_is_that_of_its_technique(pliant, triangle, 
 @pytest.mark.parametrize(
     ("lines", "message"),
     [
-        ("bar a zz tree", "o.txt:2: joint: no joint is named \"zz\""),
-        ("bar a d tree", "o.txt:2: bar \"a\" - \"d\": the framework has no such bar"),
+        ("bar a zz tree", 'o.txt:2: joint: no joint is named "zz"'),
+        ("bar a d tree", 'o.txt:2: bar "a" - "d": the framework has no such bar'),
         ("bar a b tree", "o.txt: bar b - c is missing: expected 4 bars, found 1"),
     ],
-)  # fmt: skip
+)
 def test_a_bad_ordering_file_is_named(pliant, triangle, tmp_path, lines, message):
     (tmp_path / "o.txt").write_text(f"pliant-ordering 1\n{lines}\n")
     ended = pliant("run", triangle, "--ordering", "o.txt")
@@ -183,12 +188,15 @@ def test_an_ordering_file_goes_with_no_other_technique(pliant, triangle, tmp_pat
 
 def test_one_graph_of_a_class(pliant, tmp_path):
     made = pliant("structgen", "2-cycle-tree", "--seed", 7, "--ring", 12, "--json")
-    told = json.loads(made.out)
-    assert (told["cycles"], told["output"]) == (2, "2-cycle-tree.xml")
+    report = json.loads(made.out)
+    assert (report["cycles"], report["output"]) == (2, "2-cycle-tree.xml")
     seen = json.loads(pliant("info", "2-cycle-tree.xml", "--json").out)
     assert (seen["joints"], seen["bars"], seen["cycles"], seen["components"]) == (
-        told["joints"], told["bars"], 2, 1,
-    )  # fmt: skip
+        report["joints"],
+        report["bars"],
+        2,
+        1,
+    )
     before = (tmp_path / "2-cycle-tree.xml").read_bytes()
     refused = pliant("structgen", "2-cycle-tree", "--seed", 8)
     assert refused.code == 1
@@ -207,10 +215,9 @@ def test_a_generated_graph_runs_records_and_replays(pliant, tmp_path):
 
 
 def test_a_test_set_reruns_to_what_its_graphs_and_forces_say(pliant, tmp_path):
-    made = pliant(
-        "structgen", "--test-set", "set", "--classes", "tree,1-cycle-bar", "--graphs", 3,
-        "--forces", 4, "--seed", 2, "--techniques", "bfs_cycle", "--weightings", "0.5,1", "--json",
-    )  # fmt: skip
+    words = "--classes tree,1-cycle-bar --graphs 3 --forces 4 --seed 2 --techniques bfs_cycle"
+    words += " --weightings 0.5,1 --json"
+    made = pliant("structgen", "--test-set", "set", *words.split())
     assert made.code == 0
     assert json.loads(made.out)["classes"] == [
         {"name": name, "graphs": 3, "heuristics": ["bfs_cycle-0.5", "bfs_cycle-1"]}
@@ -220,10 +227,9 @@ def test_a_test_set_reruns_to_what_its_graphs_and_forces_say(pliant, tmp_path):
     graph = tmp_path / "set/1-cycle-bar/graph-002"
     pliant("structgen", "1-cycle-bar", "--seed", 2, "--number", 2, "-o", "g.xml")
     assert (tmp_path / "g.xml").read_bytes() == (graph / "graph.xml").read_bytes()
-    run = pliant(
-        "run", graph / "graph.xml", "--forces", graph / "heuristics/forces/forces-0.txt",
-        "--ordering", graph / "ordering.txt", "-o", "o.h5md",
-    )  # fmt: skip
+    forces = graph / "heuristics/forces/forces-0.txt"
+    words = ["--forces", forces, "--ordering", graph / "ordering.txt", "-o", "o.h5md"]
+    run = pliant("run", graph / "graph.xml", *words)
     assert run.code == 0
 
 
@@ -235,13 +241,15 @@ def test_a_test_set_reruns_to_what_its_graphs_and_forces_say(pliant, tmp_path):
         (("tree", "--test-set", "x"), "CLASS: does not go with --test-set"),
         (("tree", "--graphs", 2), "--graphs: goes with --test-set alone"),
         (("tree", "--ring", 2), '--ring: expected a whole number from 3, found "2"'),
-        (("--test-set", "x", "--weightings", "0.5,nan"),
-         '--weightings: expected a number from 0 to 1, found "nan"'),
+        (
+            ("--test-set", "x", "--weightings", "0.5,nan"),
+            '--weightings: expected a number from 0 to 1, found "nan"',
+        ),
         (("--test-set", "x", "--techniques", "bfs"), 'no technique named "bfs"'),
         (("--test-set", "x", "--classes", "tree,tree"), "classes: tree is given twice"),
         (("--test-set", "x", "--force-files", 51), "force_files = 51: must be at most the forces"),
     ],
-)  # fmt: skip
+)
 def test_options_of_structgen_are_checked(pliant, tmp_path, arguments, message):
     ended = pliant("structgen", *arguments)
     assert ended.code == 2
@@ -265,6 +273,6 @@ def test_settings_that_no_one_gives_are_named(pliant, triangle, tmp_path, lines,
         assert (ended.code, ended.err) == (0, "")
     else:
         assert (ended.code, ended.err) == (
-            1, "pliant: error: f.txt: lacks settings, which must be given as options: "
-            f"{missing}\n",
-        )  # fmt: skip
+            1,
+            f"pliant: error: f.txt: lacks settings, which must be given as options: {missing}\n",
+        )

@@ -43,11 +43,11 @@ TEST_P(LaboratoryCorpus, IsReadAsExpected) {
 TEST_P(LaboratoryCorpus, IsReadOrRefusedWhenBroken) {
   std::size_t readings = 0;
   const auto read = [&](const std::string& text) {
-    const std::string told = GetParam().read({"broken", text});
-    if (told.starts_with("error: ")) {
-      ASSERT_TRUE(std::all_of(told.begin(), told.end() - 1, [](char c) {
+    const std::string said = GetParam().read({"broken", text});
+    if (said.starts_with("error: ")) {
+      ASSERT_TRUE(std::all_of(said.begin(), said.end() - 1, [](char c) {
         return c >= ' ' && c <= '~';
-      })) << told;
+      })) << said;
     }
     ++readings;
   };

@@ -31,8 +31,11 @@ def test_every_page_is_in_the_navigation_once():
     ("page", "link", "expected"),
     [
         ("protein.md", "[a](../../src/pliant/sample/README.md#b)", "[a](inside/sampling.md#b)"),
-        ("protein.md", "![a](../pictures/ubiquitin_flexibility.png)",
-         "![a](pictures/ubiquitin_flexibility.png)"),
+        (
+            "protein.md",
+            "![a](../pictures/ubiquitin_flexibility.png)",
+            "![a](pictures/ubiquitin_flexibility.png)",
+        ),
         ("api/cpp/index.md", "[a](../../cpp.md)", "[a](../../cpp.md)"),
         ("inside/methods.md", "[a](../sample/README.md)", "[a](sampling.md)"),
         ("inside/methods.md", "[a](../../../LICENSE)", "a"),
@@ -40,7 +43,7 @@ def test_every_page_is_in_the_navigation_once():
         ("protein.md", "[a](https://example.org/x.md)", "[a](https://example.org/x.md)"),
         ("protein.md", "[a](no_such_page.md)", "[a](no_such_page.md)"),
     ],
-)  # fmt: skip
+)
 def test_links_lead_to_where_the_site_has_it(page, link, expected):
     assert places.with_links_of_the_site(link, page) == expected
     fenced = f"```\n{link}\n```"
@@ -79,8 +82,11 @@ def test_site_builds_without_a_warning_and_needs_no_network():
     command = ["mkdocs", "build", "--strict", "--config-file", "docs/mkdocs.yml"]
     done = subprocess.run(
         [sys.executable, "-m", *command],
-        cwd=places.ROOT, capture_output=True, text=True, check=False,
-    )  # fmt: skip
+        cwd=places.ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
     assert "WARNING" not in done.stderr.replace("WARNING=1", "")
     pages = list(SITE.rglob("*.html"))

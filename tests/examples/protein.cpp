@@ -10,7 +10,7 @@ int main(int count, char** arguments) {
   pliant::Structure structure = pliant::read_structure(arguments[1]);
   pliant::perceive_bonds(structure);
   const pliant::MolecularModel model = pliant::build_model(structure);
-  for (const std::string& line : model.told) std::printf("%s\n", line.c_str());
+  for (const std::string& line : model.notes) std::printf("%s\n", line.c_str());
 
   pliant::Motion motion(model.framework, pliant::State(model.positions), {.push = {"force"}});
   double worst = 0.0;

@@ -40,8 +40,8 @@ std::uint64_t hash_of_runs(std::string_view perturbation, const Technique& techn
   return hash;
 }
 
-// The numbers of the first build; a change of them changes what every user's run gives, and is told
-// in the changelog.
+// The numbers of the first build; a change of them changes what every user's run gives, and
+// goes into the changelog.
 TEST(Determinism, EveryPerturbationGivesTheseBits) {
   const std::pair<std::string_view, std::uint64_t> expected[] = {
       {"force", 0x19239afaf5993254},

@@ -108,7 +108,7 @@ TEST_P(OutcomeLaw, TheCallerCanStopItAfterASweep) {
   EXPECT_EQ(summary.max_residual, measure(example.framework, x).max_relative);
 }
 
-/// A length that overflows is told, and the positions are put back.
+/// A length that overflows is reported, and the positions are put back.
 TEST_P(OutcomeLaw, OverflowPutsThePositionsBack) {
   const Framework framework = framework_of(chain(6));
   for (double far : {1e200, 1e308, -1.7e308}) {

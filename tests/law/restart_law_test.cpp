@@ -51,7 +51,7 @@ void expect_same(const State& one, const State& other) {
   EXPECT_EQ(one.time, other.time);
 }
 
-/// What observers are told, but for positions.
+/// What observers see, but for positions.
 void expect_same(const Frame& one, const Frame& other) {
   EXPECT_EQ(one.sweeps, other.sweeps);
   EXPECT_EQ(one.projections, other.projections);

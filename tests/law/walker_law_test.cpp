@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A walker ends with the same bits in lanes as alone, whatever the level of instructions, its place
-// among the lanes and its neighbours, and is told the same about.
+// among the lanes and its neighbours, and its summary is the same.
 #include "pliant/resolve/walkers.hpp"
 
 #include <gtest/gtest.h>

@@ -39,8 +39,11 @@ def run_of(folder, made, processes):
     words = ["-q", "-c", "/dev/null", "--rootdir", folder, "-n", processes, folder]
     return subprocess.run(
         [sys.executable, "-m", "pytest", *map(str, words)],
-        cwd=folder, capture_output=True, text=True, timeout=120,
-    )  # fmt: skip
+        cwd=folder,
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
 
 
 @pytest.mark.parametrize(("made", "processes"), [("empty-report", 0), ("data/empty", 2)])

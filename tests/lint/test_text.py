@@ -68,7 +68,7 @@ OPENING = re.compile(
 
 
 def cpp_functions(path: Path) -> Iterator[Function]:
-    """Definitions that take more than one line; told by the indentation that the format gives.
+    """Definitions that take more than one line; known by the indentation that the format gives.
 
     One that is nothing but `return {` and rows is a table, and may be as long as it needs.
     """

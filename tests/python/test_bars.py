@@ -51,9 +51,8 @@ def test_the_rounding_of_an_energy_bounds_what_exact_numbers_say():
         rest = _bars.lengths(positions, bar) * (1 + rng.normal() * 1e-8)
         energy, rounding = _bars.harmonic_energy(positions, bar, rest, np.array([1e5]))
         squared = sum(
-            (Fraction(float(a)) - Fraction(float(b))) ** 2
-            for a, b in zip(*positions, strict=True)
-        )  # fmt: skip
+            (Fraction(float(a)) - Fraction(float(b))) ** 2 for a, b in zip(*positions, strict=True)
+        )
         # r = sqrt(squared) to 40 digits, by integers
         scale = 10**40
         length = Fraction(int_root(squared * scale**2), scale)
@@ -91,9 +90,8 @@ def slow_triangles(bars, count):
     found = {
         tuple(sorted({a} | around[a]))
         for a in around
-        if len(around[a]) == 2
-        and all(around[b] | {b} == around[a] | {a} for b in around[a])
-    }  # fmt: skip
+        if len(around[a]) == 2 and all(around[b] | {b} == around[a] | {a} for b in around[a])
+    }
     return sorted(found)
 
 
@@ -186,8 +184,9 @@ def test_pairs_of_bars_and_their_angles():
     }
     assert {(min(i, k), j, max(i, k)) for i, j, k in triples.tolist()} == slow
     assert len(triples) == len(slow)
-    angles = dict(zip(map(tuple, triples.tolist()), _bars.angles_between(SQUARE, triples),
-                      strict=True))  # fmt: skip
+    angles = dict(
+        zip(map(tuple, triples.tolist()), _bars.angles_between(SQUARE, triples), strict=True)
+    )
     by_ends = {frozenset((i, j, k)): angle for (i, j, k), angle in angles.items() if j == 1}
     assert by_ends[frozenset((0, 1, 2))] == pytest.approx(np.pi / 2, rel=1e-15)
 

@@ -66,11 +66,11 @@ def test_summaries_of_resolves_and_runs(caffeine):
     check(ran, {"steps": "7, 8 frames shown or recorded", "not converged": "0"})
 
 
-def test_steps_that_did_not_converge_are_told(caffeine):
+def test_steps_that_did_not_converge_are_reported(caffeine):
     ran = pliant.run(caffeine, steps=3, technique="random", max_sweeps=1)
     assert ran.unconverged_steps > 0
-    told = f"{ran.unconverged_steps}, the first is step {ran.first_unconverged_step}"
-    check(ran, {"not converged": told})
+    text = f"{ran.unconverged_steps}, the first is step {ran.first_unconverged_step}"
+    check(ran, {"not converged": text})
 
 
 def test_model_ensemble_and_rigidity(peptide):

@@ -3,10 +3,10 @@
 
 import itertools
 
+import expected_warnings
 import networkx as nx
 import numpy as np
 import pytest
-import told
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -68,7 +68,7 @@ def test_converged_means_whole(name, technique):
     framework, positions = example.framework, example.positions
     positions += np.random.default_rng(4).normal(scale=0.05, size=positions.shape)
     try:
-        with told.of_fit(framework, technique):
+        with expected_warnings.of_fit(framework, technique):
             summary = pliant.resolve(framework, positions, technique, max_sweeps=500)
     except pliant.OptionError as error:
         if "is for trees only" in str(error):

@@ -18,10 +18,9 @@ except ModuleNotFoundError:  # Python 3.10
 
 ROOT = Path(__file__).parents[2]
 CAFFEINE = ROOT / "data" / "molecules" / "caffeine.sdf"
-EXTRAS = (
-    "MDAnalysis", "anywidget", "dask", "distributed", "matplotlib", "openmm", "rdkit", "rich",
-    "scipy", "websockets",
-)  # fmt: skip
+EXTRAS = tuple(
+    "MDAnalysis anywidget dask distributed matplotlib openmm rdkit rich scipy websockets".split()
+)
 
 NEEDED = ("h5py", "inspect", "numpy")
 
@@ -95,7 +94,7 @@ assert not set(sys.modules) & set({EXTRAS!r})
         ("pliant.constraints_from_openmm(None)", "openmm",
          'pliant.constraints_from_openmm needs OpenMM: pip install "pliant[openmm]"'),
     ],
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 def test_python_says_what_is_missing_in_one_line(code, missing, said):
     line = message_without(f"import pliant\n{code}", missing)
     assert line == f"pliant._extras.MissingPackageError: {said}"
@@ -130,7 +129,7 @@ def commands():
         ("bench", ["stress"], "openmm", "OpenMM", "lab"),
         ("play", ["--connect", ":8888", str(CAFFEINE)], "websockets", "websockets", "play"),
         ("experiment", ["report", "."], "matplotlib", "matplotlib", "plot"),
-    ]  # fmt: skip
+    ]  # fmt: skip  # a table: a row a line
 
 
 def scripts():
@@ -164,7 +163,7 @@ def test_help_needs_none(command):
     assert ended.stdout.startswith(f"usage: pliant {command}")
 
 
-def test_a_check_is_told_without_rich_and_matplotlib(trajectory, tmp_path):
+def test_a_check_is_reported_without_rich_and_matplotlib(trajectory, tmp_path):
     words = [str(trajectory), "--no-picture", "--json"]
     code = f"from pliant.check.command import main\nsys.exit(main({words!r}))"
     ended = run_without(code, "MDAnalysis", "matplotlib", "rdkit", "rich", "scipy")

@@ -67,7 +67,7 @@ def test_few_positions_are_in_memory():
     assert FrameStore(2, 3, most=143).array is None
 
 
-def test_no_room_is_told(positions, monkeypatch):
+def test_no_room_is_reported(positions, monkeypatch):
     def full(*_):
         raise OSError(errno.ENOSPC, "No space left on device")
 

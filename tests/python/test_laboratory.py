@@ -70,7 +70,7 @@ def test_lists_are_an_ordering_too():
          "is_tree: expected an array of truth values, found an array of int64 with shape (2,)"),
         (([0, -1], [0, 1], [True, True]), IndexError, "bar -1 of 4294967295 does not exist"),
     ],
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 def test_what_is_no_ordering_is_refused(ordering, error, message):
     pair = pliant.Framework([[0, 1], [1, 2]], [1.0, 1.0])
     with pytest.raises(error) as caught:

@@ -48,10 +48,9 @@ def test_every_bar_of_every_frame_is_whole_or_the_frame_says_so(molecule, tmp_pa
     facts = pliant_json("info", molecule)
     for technique in techniques_for(facts["cycles"]):
         output = tmp_path / f"{technique}.h5md"
-        summary = pliant_json(
-            "run", molecule, "-o", output, "--technique", technique, "--weighting", 0.5,
-            "--steps", 200, "--tolerance", TOLERANCE, "--topology", "none",
-        )  # fmt: skip
+        words = "--weighting 0.5 --steps 200 --topology none".split()
+        words += ["--technique", technique, "--tolerance", TOLERANCE]
+        summary = pliant_json("run", molecule, "-o", output, *words)
         residuals, converged = relative_residuals(output)
         assert len(residuals) == 201
         assert (residuals[converged] <= TOLERANCE * (1 + 1e-9)).all(), technique

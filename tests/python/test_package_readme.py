@@ -31,8 +31,11 @@ def metadata(tmp_path_factory):
     folder = tmp_path_factory.mktemp("metadata")
     done = subprocess.run(
         [sys.executable, "-c", METADATA_STEP, folder],
-        cwd=ROOT, capture_output=True, text=True, check=False,
-    )  # fmt: skip
+        cwd=ROOT,
+        capture_output=True,
+        text=True,
+        check=False,
+    )
     assert done.returncode == 0, done.stderr
     (path,) = folder.glob("*.dist-info/METADATA")
     return email.message_from_bytes(path.read_bytes())

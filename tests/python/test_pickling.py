@@ -26,11 +26,10 @@ def structure():
     return made
 
 
-COLUMNS = (
-    "positions", "names", "symbols", "elements", "serials", "residue_of", "residue_ids",
-    "residue_names", "insertion_codes", "chains", "bonds", "bond_orders", "bond_origins",
-    "b_factors",
-)  # fmt: skip
+COLUMNS = tuple(
+    "positions names symbols elements serials residue_of residue_ids residue_names "
+    "insertion_codes chains bonds bond_orders bond_origins b_factors".split()
+)
 
 
 @pytest.mark.parametrize("protocol", PROTOCOLS)
@@ -86,9 +85,12 @@ def test_masses_keep_every_bit():
 def test_limits_sterics_planes_and_merged_bars_are_kept(tmp_path):
     positions = [(0, 0, 0), (1, 0, 0), (1, 1, 0)]
     here = pliant.Framework(
-        [(0, 1), (1, 2), (1, 0)], positions=positions, planar=True,
-        limits=[(0, 2, 1.0, np.inf, "torsion", 2.5, 1)], names=["a", "b", "c"],
-    )  # fmt: skip
+        [(0, 1), (1, 2), (1, 0)],
+        positions=positions,
+        planar=True,
+        limits=[(0, 2, 1.0, np.inf, "torsion", 2.5, 1)],
+        names=["a", "b", "c"],
+    )
     there = sent(here)
     assert (there.is_planar, there.merged_bar_count) == (True, 1)
     assert there.limits.tolist() == here.limits.tolist()

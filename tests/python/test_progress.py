@@ -58,8 +58,10 @@ def on_a_terminal(code, **environment):
     fcntl.ioctl(theirs, termios.TIOCSWINSZ, struct.pack("4H", 24, 80, 0, 0))
     process = subprocess.Popen(
         [sys.executable, "-c", code],
-        stdout=subprocess.DEVNULL, stderr=theirs, env={**os.environ, **environment},
-    )  # fmt: skip
+        stdout=subprocess.DEVNULL,
+        stderr=theirs,
+        env={**os.environ, **environment},
+    )
     os.close(theirs)
     text = b""
     try:
@@ -172,9 +174,12 @@ def test_walkers_that_begin_are_shown(monkeypatch, bars):
     structure = pliant.read(CAFFEINE)
     seen = []
     pliant.run_ensemble(
-        structure.framework(), structure.positions, (3, 8), steps=2,
+        structure.framework(),
+        structure.positions,
+        (3, 8),
+        steps=2,
         observers_of=lambda walker: seen.append(walker) or (),
-    )  # fmt: skip
+    )
     (bar,) = bars
     assert (bar.what, bar.total, bar.shown, bar.closed) == ("walkers begun", 5, [1, 2, 3, 4, 5], 1)
     assert sorted(seen) == [3, 4, 5, 6, 7]

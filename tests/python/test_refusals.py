@@ -53,7 +53,7 @@ ARGUMENTS = {
     "prepare": {"keep_waters": "truth", "floppy_below": "real"},
     "contacts": {"hbond_cutoff": "real"},
     "read": {"model": "whole", "perceive_bonds": "truth"},
-}  # fmt: skip
+}  # fmt: skip  # some pairs a line
 
 ROWS = [
     (call, name, value)
@@ -74,9 +74,13 @@ def test_an_unfit_argument_is_named_with_its_value(call, name, value):
 
 @pytest.mark.parametrize(
     ("call", "name", "most"),
-    [("run", "steps", 2**63 - 1), ("resolve", "max_sweeps", 2**63 - 1), ("run", "seed", 2**64 - 1),
-     ("sample", "frames", 2**63 - 1)],
-)  # fmt: skip
+    [
+        ("run", "steps", 2**63 - 1),
+        ("resolve", "max_sweeps", 2**63 - 1),
+        ("run", "seed", 2**64 - 1),
+        ("sample", "frames", 2**63 - 1),
+    ],
+)
 def test_a_number_of_more_than_64_bits(call, name, most):
     with pytest.raises(pliant.OptionError) as error:
         CALLS[call](**{name: most + 1})
@@ -98,7 +102,8 @@ def test_what_is_no_argument_at_all():
     assert str(error.value) == "sample: has no argument 'colour'"
     with pytest.raises(TypeError) as error:
         pliant.contacts(ETHANE, colour=3)
-    assert str(error.value) == "contacts: has no argument 'colour'; known: structure, hbond_cutoff"
+    known = "structure, hbond_cutoff, more_contacts"
+    assert str(error.value) == f"contacts: has no argument 'colour'; known: {known}"
     with pytest.raises(TypeError) as error:
         pliant.resolve(7, np.array(LINE))
     assert str(error.value) == "framework = 7: must be a Framework"

@@ -56,7 +56,7 @@ def test_what_is_refused_is_a_result():
     assert refused[0][1].startswith("OptionError: ")
 
 
-def test_changed_missing_and_new_results_are_told():
+def test_changed_missing_and_new_results_are_reported():
     before, after = ["a b  1", "c  2", "d  3"], ["a b  1", "c  4", "e  OptionError: no  more"]
     assert differences(before, after) == [
         "c\n  before 2\n  after  4",
@@ -85,7 +85,7 @@ def test_instructions_are_those_of_the_library_itself():
     assert not is_counted("/site-packages/numpy/_core/_multiarray_umath.so")
 
 
-def test_what_became_slower_is_told():
+def test_what_became_slower_is_reported():
     before = with_sums({"step a": {"instructions": 100, "bars": 0}})
     assert findings(with_sums({"step a": {"instructions": 103, "bars": 0}}), before) == []
     assert findings(with_sums({"step a": {"instructions": 104, "bars": 1}}), before) == [

@@ -46,10 +46,8 @@ def resolve_all(test_set, graph, technique, weighting):
             max_sweeps=test_set.max_sweeps,
             root=joint,
         )
-        rows.append(
-            (summary.sweeps, summary.sweeps, summary.projections, summary.converged,
-             summary.max_residual)
-        )  # fmt: skip
+        work = summary.sweeps, summary.sweeps, summary.projections
+        rows.append((*work, summary.converged, summary.max_residual))
     return [list(column) for column in zip(*rows, strict=True)]
 
 
@@ -61,8 +59,11 @@ def test_the_set_says_what_it_holds(made):
     tree, ring = made.classes[0].graphs[1], made.class_named("1-cycle-ring").graphs[0]
     assert (tree.name, tree.number) == ("graph-001", 1)
     assert [row.name for row in tree.heuristics] == [
-        "bfs_tree-0.5", "bfs_tree-1", "bfs_cycle-0.5", "bfs_cycle-1",
-    ]  # fmt: skip
+        "bfs_tree-0.5",
+        "bfs_tree-1",
+        "bfs_cycle-0.5",
+        "bfs_cycle-1",
+    ]
     assert [row.name for row in ring.heuristics] == ["bfs_cycle-0.5", "bfs_cycle-1"]
     assert all(Path(row.directory).is_dir() for row in tree.heuristics)
     with pytest.raises(pliant.OptionError, match="no class in the test set named"):
@@ -128,9 +129,13 @@ def test_tables_are_plain_csv(made):
     with open(Path(row.directory) / "results.csv", encoding="utf-8", newline="") as file:
         table = list(csv.DictReader(file))
     assert table[5] == {
-        "force": "5", "sweeps": "6", "passes": "0", "projections": "9", "converged": "false",
+        "force": "5",
+        "sweeps": "6",
+        "passes": "0",
+        "projections": "9",
+        "converged": "false",
         "final_residual": "0.25",
-    }  # fmt: skip
+    }
     assert (row.results.mean, row.results.mode, row.results.converged) == (3.5, 1, 5)
 
 

@@ -3,9 +3,9 @@
 
 from pathlib import Path
 
+import expected_warnings
 import numpy as np
 import pytest
-import told
 from MDAnalysisTests import datafiles
 from scipy.optimize import minimize, minimize_scalar
 from scipy.spatial.transform import Rotation
@@ -155,7 +155,7 @@ def many_of(framework, positions, copies):
 )
 def test_angles_that_were_never_drawn_cost_as_much_a_bar_at_any_size(technique, copies):
     """A protein's angles, up to 10^6 atoms: once 447 s, to no end."""
-    structure = told.read_without_elements(datafiles.PDB_small)
+    structure = expected_warnings.read_without_elements(datafiles.PDB_small)
     kinase = structure.framework(bars="angles")
     framework, positions = many_of(kinase, structure.positions, copies)
     positions += np.random.default_rng(3).normal(0.0, 0.3, positions.shape)

@@ -128,6 +128,13 @@ test('each style and colouring draws another picture', async () => {
 test('contacts are dashed lines that can be left out', async () => {
   const picture = () => page.evaluate(() => { P.view.draw(); return document.getElementById('canvas').toDataURL(); });
   assert.ok(await page.evaluate(() => P.stage.model.contacts.length) > 0);
+  const colours = () => {
+    const {contactKindColours: known, contactKinds: kinds} = P.stage.model;
+    const {data} = P.view.textures.bars.image;
+    const drawn = (k) => `#${data[4 * (P.view.textures.stickCount - kinds.length + k) + 3].toString(16).padStart(6, '0')}`;
+    return Array.from(kinds, (kind, k) => drawn(k) === known[kind]);
+  };
+  assert.ok((await page.evaluate(colours)).every(Boolean), 'each in the colour of its kind');
   const withThem = await picture();
   await page.uncheck('#show-contacts');
   assert.notEqual(await picture(), withThem);

@@ -43,7 +43,7 @@ std::vector<std::uint8_t> sorts_of_bars(const Document& document) {
   return sorts;
 }
 
-/// As many pairs of numbers as there are rows.
+/// Pairs of numbers, as many as there are rows.
 template <class Rows>
 std::vector<std::int32_t> pairs_of(const Rows& rows) {
   std::vector<std::int32_t> pairs;
@@ -119,9 +119,13 @@ void describe_contacts(const Document& document, Reply& reply) {
   std::vector<std::uint8_t> kinds;
   for (const MolecularContact& contact : document.contacts)
     kinds.push_back(static_cast<std::uint8_t>(contact.kind));
-  Json names = Json::array();
-  for (const MolecularContactKindEntry& row : molecular_contact_kinds()) names.push_back(row.name);
+  Json names = Json::array(), colours = Json::array();
+  for (const MolecularContactKindEntry& row : molecular_contact_kinds()) {
+    names.push_back(row.name);
+    colours.push_back(row.colour);
+  }
   reply.fields["contactKindNames"] = std::move(names);
+  reply.fields["contactKindColours"] = std::move(colours);
   reply.add("contacts", std::span<const std::int32_t>(pairs_of(document.contacts)));
   reply.add("contactKinds", std::span<const std::uint8_t>(kinds));
 }

@@ -23,7 +23,7 @@ bool ends_with_xml(std::string_view name) {
   return name.size() > 4 && name.substr(name.size() - 4) == ".xml";
 }
 
-/// Of what is compressed, what it holds: a build without zlib and its like says that it cannot.
+/// The text of a compressed file: a build without zlib and its like says that it cannot.
 std::string expanded(const std::string& name, std::string_view bytes) {
   const Compression* compression = compression_of(bytes);
   return compression ? expand(*compression, bytes, name, usual_text) : std::string(bytes);

@@ -25,7 +25,7 @@ std::int64_t ended_detours(const PathWalk& walk) {
   return walk.attempts() - (is_under_way ? 1 : 0);
 }
 
-/// At least one step, and as many as there is time for.
+/// Makes at least one step, and as many as there is time for.
 void go_on(PathWalk& walk, double milliseconds) {
   using Clock = std::chrono::steady_clock;
   const auto start = Clock::now();

@@ -61,7 +61,8 @@ std::vector<NamedParameter> of_input(const Document& document, const std::string
                                {"model/all_hydrogens", usual.prepare.all_hydrogens},
                                {"model/protonate", none},
                                {"model/floppy", usual.prepare.floppy_below > 0.0},
-                               {"model/contacts", none}});
+                               {"model/contacts", none},
+                               {"model/more_contacts", none}});
   return values;
 }
 

@@ -62,7 +62,7 @@ Reply reply_of(const StepReport& report) {
   return reply;
 }
 
-/// With what each bar has left, and had before it was resolved: (length - rest) / rest.
+/// Adds what each bar has left, and had before it was resolved: (length - rest) / rest.
 Reply with_bars(const StepReport& report) {
   Reply reply = reply_of(report);
   KeptResiduals& residuals = session().residuals();

@@ -152,8 +152,8 @@ planar : bool
     A planar framework: no push changes the z of a joint.
 limits : sequence of (a, b, least, most[, kind[, energy[, group]]]), optional
     Pairs of joints whose distance is held to [least, most] Angstrom; ``most`` may be infinite. Kind:
-    "given", "hydrogen_bond", "hydrophobic" or "torsion"; energy in kJ/mol, 0 if not known; limits of
-    one group, from 0, stand for one contact.
+    "given", "torsion" or that of a contact, such as "hydrogen_bond"; energy in kJ/mol, 0 if not
+    known; limits of one group, from 0, stand for one contact.
 sterics : Sterics, optional
     Least distances of joints that no bar joins.
 torsion_preferences : TorsionPreferences, optional

@@ -33,8 +33,10 @@ Preparation prepare_structure(const Structure& structure, bool keep_waters, bool
   return prepare(structure, options);
 }
 
-nb::object contacts_of(const Structure& structure, double hbond_cutoff) {
+nb::object contacts_of(const Structure& structure, double hbond_cutoff,
+                       std::vector<std::string> more_contacts) {
   ModelOptions options;
+  options.more_contacts = std::move(more_contacts);
   options.hydrogen_bonds.cutoff = hbond_cutoff;
   return contacts_to_python(find_contacts(structure, options));
 }
@@ -42,8 +44,10 @@ nb::object contacts_of(const Structure& structure, double hbond_cutoff) {
 MolecularModel model_of(const Structure& structure, const std::string& model, bool keep_waters,
                         std::vector<std::string> protonate, double floppy_below,
                         double hbond_cutoff, const nb::object& contacts, const std::string& pin,
-                        bool fill_side_chains, bool all_hydrogens, bool free_torsions) {
+                        bool fill_side_chains, bool all_hydrogens, bool free_torsions,
+                        std::vector<std::string> more_contacts) {
   ModelOptions options;
+  options.more_contacts = std::move(more_contacts);
   options.kind = choose(models(), "model", model).kind;
   options.prepare = prepare_options(keep_waters, std::move(protonate), floppy_below,
                                     fill_side_chains, all_hydrogens);
@@ -94,7 +98,7 @@ OptionError
 )";
 
 constexpr const char* contacts_doc =
-    R"(Hydrogen bonds, salt bridges, hydrophobic tethers and metals of a structure as it stands.
+    R"(What holds a structure as it stands besides its bonds.
 
 Parameters
 ----------
@@ -102,13 +106,20 @@ structure : Structure
     With its bonds and polar hydrogens: that of ``prepare``.
 hbond_cutoff : float
     kcal/mol: hydrogen bonds of no lower energy are left out.
+more_contacts : sequence of str
+    Names in ``contact_kinds()`` of kinds to find besides the usual ones.
 
 Returns
 -------
 (C,) array with fields
-    kind ("hydrogen_bond", "salt_bridge", "hydrophobic", "metal"); a, b (donor and acceptor, or two
-    atoms); hydrogen, base (-1: none); energy (kcal/mol); distance, least, most (a..b), hydrogen_most
-    (H..acceptor), base_least, base_most (H..base), Angstrom.
+    kind (a name in ``contact_kinds()``); a, b (donor and acceptor, or two atoms); hydrogen, base (-1:
+    none); energy (kcal/mol); distance, least, most (a..b), hydrogen_most (H..acceptor), base_least,
+    base_most (H..base), Angstrom.
+
+Raises
+------
+OptionError
+    An unknown kind.
 )";
 
 constexpr const char* build_doc =
@@ -134,11 +145,13 @@ free_torsions : bool
     When it is sampled, do not pull side chains towards staggered torsions (the rotamers of Lovell
     et al., Proteins 40 (2000) 389), nor phi and psi back to the usual regions of the Ramachandran
     plot.
+more_contacts : sequence of str
+    As in ``contacts``.
 
 Raises
 ------
 InputError, OptionError
-    As ``prepare`` and ``Structure.framework`` do.
+    As ``prepare`` and ``Structure.framework`` do; an unknown kind of contacts, or kinds and `contacts`.
 )";
 
 void bind_preparation(nb::module_& module) {
@@ -157,6 +170,22 @@ void bind_preparation(nb::module_& module) {
              "add_hydrogens"_a = true, "protonate"_a = std::vector<std::string>{},
              "floppy_below"_a = 0.0, "fill_side_chains"_a = false, "all_hydrogens"_a = false,
              prepare_doc);
+}
+
+void bind_contact_kinds(nb::module_& module) {
+  using Row = MolecularContactKindEntry;
+  bind_row<Row>(module, "ContactKindEntry", "One row of the table of kinds of contacts.")
+      .def_ro("singular", &Row::singular, "What text calls one.")
+      .def_ro("plural", &Row::plural, "What text calls several.")
+      .def_ro("slack", &Row::slack, "Angstrom.")
+      .def_ro("bars", &Row::bars, "How many it counts as in the pebble game.")
+      .def_ro("colour", &Row::colour, "What it is drawn in, as ``#3a9d8f``.")
+      .def_prop_ro("has_hydrogen", &Row::has_hydrogen,
+                   "Whether it has a hydrogen and an energy by which it is diluted.")
+      .def_ro("is_usual", &Row::is_usual, "Whether it is found where nothing else is asked for.");
+  module.def(
+      "contact_kinds", [] { return rows_of(molecular_contact_kinds()); }, nb::rv_policy::reference,
+      "The table of kinds of contacts that ``contacts`` finds.");
 }
 
 void bind_built_model(nb::module_& module) {
@@ -184,7 +213,7 @@ void bind_built_model(nb::module_& module) {
           "contacts", [](const MolecularModel& self) { return contacts_to_python(self.contacts); },
           nb::sig("def contacts(self) -> numpy.typing.NDArray[numpy.void]"),
           "(C,) what holds it besides bars and sterics, as ``contacts`` gives it.")
-      .def_ro("told", &MolecularModel::told, "What was done and found, line by line.")
+      .def_ro("notes", &MolecularModel::notes, "What was done and found, line by line.")
       .def_ro("missing", &MolecularModel::missing, "What the file lacks, line by line.");
 }
 
@@ -193,10 +222,13 @@ void bind_built_model(nb::module_& module) {
 void bind_model(nb::module_& module) {
   const ModelOptions usual;
   bind_preparation(module);
+  bind_contact_kinds(module);
   bind_built_model(module);
   module.def("contacts", &contacts_of, "structure"_a, nb::kw_only(),
              "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
-             nb::sig("def contacts(structure: Structure, *, hbond_cutoff: float = -1.0) -> "
+             "more_contacts"_a = std::vector<std::string>{},
+             nb::sig("def contacts(structure: Structure, *, hbond_cutoff: float = -1.0, "
+                     "more_contacts: collections.abc.Sequence[str] = ()) -> "
                      "numpy.typing.NDArray[numpy.void]"),
              contacts_doc);
   module.def("build_model", &model_of, "structure"_a, "model"_a = "protein", nb::kw_only(),
@@ -204,12 +236,14 @@ void bind_model(nb::module_& module) {
              "floppy_below"_a = 0.0, "hbond_cutoff"_a = usual.hydrogen_bonds.cutoff,
              "contacts"_a = nb::none(), "pin"_a = "", "fill_side_chains"_a = false,
              "all_hydrogens"_a = false, "free_torsions"_a = false,
+             "more_contacts"_a = std::vector<std::string>{},
              nb::sig("def build_model(structure: Structure, model: str = \"protein\", *, "
                      "keep_waters: bool = False, protonate: collections.abc.Sequence[str] = (), "
                      "floppy_below: float = 0.0, hbond_cutoff: float = -1.0, "
                      "contacts: numpy.typing.ArrayLike | None = None, pin: str = \"\", "
                      "fill_side_chains: bool = False, all_hydrogens: bool = False, "
-                     "free_torsions: bool = False) -> MolecularModel"),
+                     "free_torsions: bool = False, "
+                     "more_contacts: collections.abc.Sequence[str] = ()) -> MolecularModel"),
              build_doc);
 }
 

@@ -8,6 +8,7 @@
 #include "model/molecular_contacts.hpp"
 #include "molecule/structure.hpp"
 #include "option_fields.hpp"
+#include "pliant/base/error.hpp"
 #include "pliant/model/rigidity/rigidity_dilution.hpp"
 #include "pliant/tasks/rigidity_task.hpp"
 
@@ -31,7 +32,9 @@ auto of_edges(const MoleculeRigidity& self, const Value& value) {
 ContactModel contact_model_from(const nb::handle& argument, const ModelOptions& options) {
   if (nb::isinstance<MolecularModel>(argument)) {
     const auto& model = nb::cast<const MolecularModel&>(argument);
-    return {model.structure, options.contacts ? *options.contacts : model.contacts, model.told,
+    if (!options.more_contacts.empty())
+      throw OptionError("more_contacts: goes with a Structure; a MolecularModel has its contacts");
+    return {model.structure, options.contacts ? *options.contacts : model.contacts, model.notes,
             model.missing};
   }
   if (!nb::isinstance<Structure>(argument))
@@ -43,7 +46,8 @@ ContactModel contact_model_from(const nb::handle& argument, const ModelOptions& 
 
 MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
                              const nb::object& contacts, bool keep_waters,
-                             std::vector<std::string> protonate, const nb::kwargs& more) {
+                             std::vector<std::string> protonate,
+                             std::vector<std::string> more_contacts, const nb::kwargs& more) {
   nb::dict given(more);
   RigidityAsked counting;
   take_values(rigidity_fields(), given, counting);
@@ -53,6 +57,7 @@ MoleculeRigidity rigidity_of(const nb::handle& structure, double hbond_cutoff,
   options.prepare.keep_waters = keep_waters;
   options.prepare.protonate = std::move(protonate);
   options.hydrogen_bonds.cutoff = hbond_cutoff;
+  options.more_contacts = std::move(more_contacts);
   options.log = python_log();
   if (!contacts.is_none()) options.contacts = contacts_from(contacts);
   ContactModel model = contact_model_from(structure, options);
@@ -119,9 +124,9 @@ constexpr const char* rigidity_doc =
 
 Body-bar pebble game, as FIRST plays it (Jacobs, Rader, Kuhn, Thorpe, Proteins 44 (2001) 150): each
 atom is a body with six freedoms; a bond that may turn takes five of them, one that does not six, a
-hydrogen bond five, a hydrophobic contact two. What is left are degrees of freedom. Only the graph
-counts, not positions, and contacts hold as if they never broke: the result depends on the cut-off
-of hydrogen bonds (``Rigidity.dilution``).
+contact as many as its kind has ``bars`` (``contact_kinds()``). What is left are degrees of freedom.
+Only the graph counts, not positions, and contacts hold as if they never broke: the result depends on
+the cut-off of hydrogen bonds (``Rigidity.dilution``).
 
 Parameters
 ----------
@@ -129,11 +134,13 @@ structure : Structure or MolecularModel
     A structure with its bonds, as ``read`` gives it, which is prepared first; or a model, which is
     taken with its contacts as it is.
 hbond_cutoff : float
-    kcal/mol: hydrogen bonds of no lower energy are left out.
+    As in ``contacts``.
 contacts : array, optional
     Rows as ``contacts`` gives them, atoms of the prepared structure, in place of those found.
 keep_waters, protonate
     As in ``prepare``.
+more_contacts : sequence of str
+    As in ``contacts``.
 )";
 
 constexpr const char* refusals_doc =
@@ -304,8 +311,8 @@ void bind_edges(nb::class_<MoleculeRigidity>& bound) {
             return pairs_array_of(std::move(ends));
           },
           nb::rv_policy::reference,
-          "(E, 2) int64: atoms of bonds, then of metals and tethers, then of hydrogen "
-          "bonds (H and acceptor) from the strongest on.")
+          "(E, 2) int64: atoms of bonds, then of contacts without a hydrogen, then of "
+          "hydrogen bonds (H and acceptor) from the strongest on.")
       .def_prop_ro(
           "edge_bars",
           [](Self self) {
@@ -348,14 +355,16 @@ void bind_rigidity(nb::module_& module) {
   const std::string signature =
       "def rigidity(structure: Structure | MolecularModel, *, hbond_cutoff: float = -1.0, "
       "contacts: numpy.typing.ArrayLike | None = None, keep_waters: bool = False, "
-      "protonate: collections.abc.Sequence[str] = (), " +
+      "protonate: collections.abc.Sequence[str] = (), "
+      "more_contacts: collections.abc.Sequence[str] = (), " +
       argument_texts(rigidity_fields(), RigidityAsked()) + ") -> Rigidity";
   const std::string doc =
       rigidity_doc + argument_docs(rigidity_fields(), RigidityAsked()) + refusals_doc;
   module.def("rigidity", &rigidity_of, "structure"_a, nb::kw_only(), "hbond_cutoff"_a = -1.0,
              "contacts"_a = nb::none(), "keep_waters"_a = false,
-             "protonate"_a = std::vector<std::string>{}, "options"_a, nb::sig(signature.c_str()),
-             doc.c_str());
+             "protonate"_a = std::vector<std::string>{},
+             "more_contacts"_a = std::vector<std::string>{}, "options"_a,
+             nb::sig(signature.c_str()), doc.c_str());
 }
 
 }  // namespace pliant::python

@@ -41,7 +41,7 @@ class SharedResolver {
   }
   void clear() { callable_.clear(); }
 
-  /// None: it may have been any joints.
+  /// None where it may have been any joints.
   std::optional<std::vector<Joint>> moved() {
     const nb::gil_scoped_release no_gil;
     const std::lock_guard one_at_a_time(mutex_);

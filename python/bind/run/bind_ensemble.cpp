@@ -16,7 +16,7 @@
 namespace pliant::python {
 namespace {
 
-/// Of frames that belong to nobody in Python: each is given a copy of its positions.
+/// Frames belong to nobody in Python: the observer is given a copy of the positions of each.
 Observer copying_observer(nb::handle object) {
   if (nb::isinstance<LockedRecorder>(object)) return recorder_observer(object);
   return [object](const Frame& frame) {

@@ -306,7 +306,7 @@ void bind_ensemble_class(nb::module_& module) {
   bind_summary(ensemble);
 }
 
-/// Of the options of scripts, frames come first and may be given by place.
+/// Options of scripts: frames come first and may be given by place.
 std::string signature() {
   SampleOptions usual = unset_sample_options();
   std::string text = "def sample(structure: Structure | MolecularModel";

@@ -102,8 +102,12 @@ def _misfit(name: str, stored: StoredValues, count: int) -> str:
         fits = values.ndim == 2 and values.shape[1] == 2 and values.dtype.kind in "iu"
         if not fits or (values.size and (values.min() < 0 or values.max() >= count)):
             return "names joints that are not there"
-    per_joint = (f"{TRAJECTORY}/mass", "parameters/topology/atom_name",
-                 "parameters/framework/pinned", "parameters/topology/residue_of")  # fmt: skip
+    per_joint = (
+        f"{TRAJECTORY}/mass",
+        "parameters/topology/atom_name",
+        "parameters/framework/pinned",
+        "parameters/topology/residue_of",
+    )
     if name in per_joint and values.shape != (count,):
         return f"has not one value for each of {count} joints"
     if values.dtype.kind == "f" and not np.isfinite(values).all() and "most" not in name:

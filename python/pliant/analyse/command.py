@@ -72,14 +72,10 @@ def _parser() -> Parser:
         help="trajectory of pliant sample or run (H5MD), or of another program; or the folder of\n"
         "an ensemble",
     )
-    add(
-        "-o", "--output", metavar="DIR",
-        help="folder for the results (default: FILE's name with -report)",
-    )  # fmt: skip
-    add(
-        "--topology", metavar="FILE",
-        help="file of atoms and bonds, if FILE holds none (PDB, GRO, PSF ...)",
-    )  # fmt: skip
+    text = "folder for the results (default: FILE's name with -report)"
+    add("-o", "--output", metavar="DIR", help=text)
+    text = "file of atoms and bonds, if FILE holds none (PDB, GRO, PSF ...)"
+    add("--topology", metavar="FILE", help=text)
     _add_choice_of_atoms(parser.add_argument_group("atoms").add_argument)
     _add_choice_of_frames(parser.add_argument_group("frames").add_argument)
     _add_output(parser.add_argument_group("output").add_argument)
@@ -89,20 +85,20 @@ def _parser() -> Parser:
 def _add_choice_of_atoms(add: Callable[..., object]) -> None:
     add("--select", metavar="SELECTION", default="all", help="atoms to analyse (default: all)")
     add(
-        "--superpose", metavar="SELECTION",
+        "--superpose",
+        metavar="SELECTION",
         help="atoms to superpose, also used for the PCA (default: CA and P atoms if they form "
         "chains, else all but hydrogens)",
-    )  # fmt: skip
+    )
     add("--hydrogens", action="store_true", help="include torsions that turn hydrogens only")
     add(
-        "--reference", metavar="FILE",
+        "--reference",
+        metavar="FILE",
         help="structure to compare frames with (default: the PDB that run and sample write beside "
         "FILE, else the first frame)",
-    )  # fmt: skip
-    add(
-        "--distance", nargs=2, metavar=("A", "B"), action="append", default=[],
-        help="measure the distance of the centres of two selections; may be given again",
-    )  # fmt: skip
+    )
+    text = "measure the distance of the centres of two selections; may be given again"
+    add("--distance", nargs=2, metavar=("A", "B"), action="append", default=[], help=text)
     add("--mass-weighted", action="store_true", help="weigh the PCA by mass")
 
 
@@ -110,17 +106,13 @@ def _add_choice_of_frames(add: Callable[..., object]) -> None:
     add("--start", type=int, metavar="N", help="first frame, from 0 (negative: from the end)")
     add("--stop", type=int, metavar="N", help="frame before which to stop")
     add("--step", type=whole_number(1), metavar="N", help="take every N-th frame")
-    add(
-        "--workers", type=whole_number(1, most=MOST_PROCESSES), default=1, metavar="N",
-        help="number of processes; more than 1 is worth it only for gigabytes (default: 1)",
-    )  # fmt: skip
+    text = "number of processes; more than 1 is worth it only for gigabytes (default: 1)"
+    add("--workers", type=whole_number(1, most=MOST_PROCESSES), default=1, metavar="N", help=text)
 
 
 def _add_output(add: Callable[..., object]) -> None:
-    add(
-        "--dpi", type=whole_number(50, most=1200), default=150, metavar="N",
-        help="resolution of the figures, dots per inch (default: 150)",
-    )  # fmt: skip
+    text = "resolution of the figures, dots per inch (default: 150)"
+    add("--dpi", type=whole_number(50, most=1200), default=150, metavar="N", help=text)
     add("--json", action="store_true", help="print the results as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")
 

@@ -44,10 +44,8 @@ def opened(options: AnalysisOptions) -> Analysis:
         )
     if min(options.workers, len(chosen.frames)) > 1 and not HAS_BACKENDS:
         remarks.append("one process: MDAnalysis runs analyses in several from 2.8 on")
-    return Analysis(
-        options, universe, record, stored, atoms, fitted, name,
-        chosen.frames, chosen.times, chosen.steps, chosen.held, tuple(remarks),
-    )  # fmt: skip
+    which = (chosen.frames, chosen.times, chosen.steps, chosen.held)
+    return Analysis(options, universe, record, stored, atoms, fitted, name, *which, tuple(remarks))
 
 
 def _fitted(universe: Universe, atoms: AtomGroup, selection: str | None) -> tuple[AtomGroup, str]:

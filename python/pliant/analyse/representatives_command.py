@@ -48,10 +48,11 @@ def _parser() -> Parser:
     add("--topology", metavar="FILE", help="file of atoms, if FILE holds none (PDB, GRO, PSF ...)")
     add("--select", metavar="SELECTION", default="all", help="atoms to write (default: all)")
     add(
-        "--superpose", metavar="SELECTION",
+        "--superpose",
+        metavar="SELECTION",
         help="atoms to superpose and compare (default: CA and P atoms if they form chains, else "
         "all but hydrogens)",
-    )  # fmt: skip
+    )
     add("--overwrite", action="store_true", help="replace an existing output")
     add("--json", action="store_true", help="print the results as one JSON object")
     add("--quiet", action="store_true", help="print nothing but errors")

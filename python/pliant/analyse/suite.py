@@ -52,10 +52,7 @@ class AnalysisReport(Displayed):
 
 
 @checked(
-    step=NOT_ZERO,
-    workers=whole(1, MOST_PROCESSES),
-    dpi=whole(50, 1200),
-    distances=PAIRS_OF_TEXTS,
+    step=NOT_ZERO, workers=whole(1, MOST_PROCESSES), dpi=whole(50, 1200), distances=PAIRS_OF_TEXTS
 )
 def analyse(
     path: str | os.PathLike[str],

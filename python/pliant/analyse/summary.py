@@ -145,7 +145,7 @@ VALUES: dict[type[Part], Callable[[Analysis], Values]] = {
     Sweeps: _sweeps,
     Rmsd: _rmsd,
     AtomFluctuations: lambda analysis: {
-        "rmsf_mean": float(analysis[AtomFluctuations].found.rmsf.mean()),
+        "rmsf_mean": float(analysis[AtomFluctuations].found.rmsf.mean())
     },
     Gyration: _gyration,
     Torsions: lambda analysis: {"rotatable_bonds": len(analysis[Torsions].measured.torsions)},

@@ -102,10 +102,9 @@ def _cells(column: Any) -> list[Any]:
 
 
 #: observables of a recording that go into the table of frames as they are
-RECORDED = (
-    "sweeps", "projections", "root_joint", "redraws", "contacts_held", "contacts_broken",
-    "contacts_off",
-)  # fmt: skip
+RECORDED = tuple(
+    "sweeps projections root_joint redraws contacts_held contacts_broken contacts_off".split()
+)
 
 
 #: what /observables/sampler says of a frame

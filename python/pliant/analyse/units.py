@@ -62,11 +62,9 @@ def trace_units(trace: AtomGroup) -> Units:
     """The residues of a trace, each by its one atom."""
     residues, owners = trace.universe.residues, trace.resindices
     labels = residue_labels(residues)
-    return Units(
-        "residue", [labels[k] for k in owners], numbers_of(residues)[owners],
-        chains_of(residues)[owners], owners, trace.ix, np.arange(len(trace)),
-        np.ones(len(trace), dtype=bool),
-    )  # fmt: skip
+    names, whole = [labels[k] for k in owners], np.ones(len(trace), dtype=bool)
+    numbers, chains = numbers_of(residues)[owners], chains_of(residues)[owners]
+    return Units("residue", names, numbers, chains, owners, trace.ix, np.arange(len(trace)), whole)
 
 
 def single_atoms(atoms: AtomGroup) -> Units:
@@ -75,7 +73,6 @@ def single_atoms(atoms: AtomGroup) -> Units:
     labels = atom_labels(atoms)
     if len(set(labels)) < count:
         labels = [f"{label}({k + 1})" for label, k in zip(labels, atoms.ix, strict=True)]
-    return Units(
-        "atom", labels, atoms.ix + 1, np.full(count, ""), atoms.ix, atoms.ix, np.arange(count),
-        of_chain=np.zeros(count, dtype=bool),
-    )  # fmt: skip
+    places, chains = np.arange(count), np.full(count, "")
+    free = np.zeros(count, dtype=bool)
+    return Units("atom", labels, atoms.ix + 1, chains, atoms.ix, atoms.ix, places, of_chain=free)

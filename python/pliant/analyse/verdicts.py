@@ -57,28 +57,32 @@ def shape_rows(analysis: Analysis) -> list[ShapeRow]:
     shape, found, start = part.measured, part.found, part.found.reference
     rows = [
         ShapeRow(
-            "bond angles", f"{found.angle.max():.1f}° at most", "0°",
-            f"change of {MOST_ANGLE:g}°", bool(found.angle.max() <= MOST_ANGLE),
+            "bond angles",
+            f"{found.angle.max():.1f}° at most",
+            "0°",
+            f"change of {MOST_ANGLE:g}°",
+            bool(found.angle.max() <= MOST_ANGLE),
         ),
         ShapeRow(
-            "overlaps of heavy atoms", f"{found.overlaps.mean():.2g} new per frame, "
-            f"{found.overlap.max():.2f} Å deep at most",
+            "overlaps of heavy atoms",
+            f"{found.overlaps.mean():.2g} new per frame, {found.overlap.max():.2f} Å deep at most",
             f"{start['overlaps']:.0f}, {start['overlap']:.2f} Å",
-            f"new ones of {MOST_OVERLAP:g} Å", bool(found.overlap.max() <= MOST_OVERLAP),
+            f"new ones of {MOST_OVERLAP:g} Å",
+            bool(found.overlap.max() <= MOST_OVERLAP),
         ),
-    ]  # fmt: skip
+    ]
     if len(shape.corners.handed):
         flips = int(np.count_nonzero(found.flips))
-        rows.append(ShapeRow(
-            "chirality", f"{flips} frames with an inverted centre", "0", "none", flips == 0
-        ))  # fmt: skip
+        rows.append(
+            ShapeRow(
+                "chirality", f"{flips} frames with an inverted centre", "0", "none", flips == 0
+            )
+        )
     if len(shape.corners.planar):
         worst = float(found.plane.max())
         limit = max(MOST_OUT_OF_PLANE, start["plane"] + 0.01)
-        rows.append(ShapeRow(
-            "planar groups", f"{worst:.2f} Å off at most", f"{start['plane']:.2f} Å",
-            f"{limit:.2g} Å", worst <= limit,
-        ))  # fmt: skip
+        off, before = f"{worst:.2f} Å off at most", f"{start['plane']:.2f} Å"
+        rows.append(ShapeRow("planar groups", off, before, f"{limit:.2g} Å", worst <= limit))
     return rows + _backbone_rows(part)
 
 
@@ -87,20 +91,16 @@ def _backbone_rows(part: Shapes) -> list[ShapeRow]:
     start, rows = found.reference, []
     if len(shape.omega):
         more = int(found.twisted.max())
-        rows.append(ShapeRow(
-            f"peptide bonds (ω beyond {TWISTED:g}°)", f"{more} in a frame at most",
-            f"{start['twisted']:.0f}", "no more than the start", more <= start["twisted"],
-        ))  # fmt: skip
+        bonds, before = f"peptide bonds (ω beyond {TWISTED:g}°)", f"{start['twisted']:.0f}"
+        few, most = more <= start["twisted"], f"{more} in a frame at most"
+        rows.append(ShapeRow(bonds, most, before, "no more than the start", few))
     if len(shape.phi):
         outliers = float(found.outliers.mean())
-        rows.append(ShapeRow(
-            "Ramachandran outliers", f"{100 * outliers:.1f} %", f"{100 * start['outliers']:.1f} %",
-            "1 % more than the start", outliers <= start["outliers"] + MORE_OUTLIERS,
-        ))  # fmt: skip
-        rows.append(ShapeRow(
-            "Ramachandran favoured", f"{100 * found.favoured.mean():.0f} %",
-            f"{100 * start['favoured']:.0f} %", "–", True,
-        ))  # fmt: skip
+        few = outliers <= start["outliers"] + MORE_OUTLIERS
+        shares = f"{100 * outliers:.1f} %", f"{100 * start['outliers']:.1f} %"
+        rows.append(ShapeRow("Ramachandran outliers", *shares, "1 % more than the start", few))
+        shares = f"{100 * found.favoured.mean():.0f} %", f"{100 * start['favoured']:.0f} %"
+        rows.append(ShapeRow("Ramachandran favoured", *shares, "–", True))
     return rows
 
 
@@ -159,9 +159,10 @@ def _convergence(analysis: Analysis) -> Verdict:
     found = part.found
     if found.still:
         return Verdict(
-            "mixed", "Nothing moves.",
+            "mixed",
+            "Nothing moves.",
             f"Nothing fluctuates by more than {found.rmsf.max():.1g} Å: all frames are alike.",
-        )  # fmt: skip
+        )
     details = (
         f"Profiles of the two halves of the frames correlate by {found.correlation:.3f} and differ "
         f"by {100 * found.difference:.0f} % on average (converged: 0.95 and more, 10 % and less). "

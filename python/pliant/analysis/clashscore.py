@@ -95,8 +95,9 @@ class Clashes:
 
 def _graph(bonds: np.ndarray, count: int) -> csr_matrix:
     ends = np.concatenate([bonds, bonds[:, ::-1]])
-    made = csr_matrix((np.ones(len(ends), dtype=np.int32), (ends[:, 0], ends[:, 1])),
-                      shape=(count, count))  # fmt: skip
+    made = csr_matrix(
+        (np.ones(len(ends), dtype=np.int32), (ends[:, 0], ends[:, 1])), shape=(count, count)
+    )
     made.sum_duplicates()
     made.data[:] = 1
     return made

@@ -74,11 +74,7 @@ def flexibility(
     variance = widened**2 * _moderated(parts, every) / len(parts)
     halves = np.array([_together(parts, sizes, half) for half in _halves(len(blocks))])
     return Flexibility(
-        every,
-        np.sqrt(variance + (every - together) ** 2),
-        halves,
-        len(blocks),
-        *agreement(halves),
+        every, np.sqrt(variance + (every - together) ** 2), halves, len(blocks), *agreement(halves)
     )
 
 

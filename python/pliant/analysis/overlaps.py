@@ -13,7 +13,7 @@ OUTER_LIMITS = {
     ("C", "C"): 3.0, ("C", "N"): 2.8, ("C", "O"): 2.7, ("C", "S"): 3.1,
     ("N", "N"): 2.6, ("N", "O"): 2.6, ("N", "S"): 3.0,
     ("O", "O"): 2.6, ("O", "S"): 2.9, ("S", "S"): 3.2,
-}  # fmt: skip
+}  # fmt: skip  # some pairs a line
 
 #: pairs so many bonds apart, or fewer, have no limit
 BONDS_APART = 3

@@ -8,23 +8,16 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from pliant.analysis.geometry import (
-    angles_of,
-    corners_of,
-    out_of_plane,
-    torsions_of,
-    volumes,
-)
+from pliant.analysis.geometry import angles_of, corners_of, out_of_plane, torsions_of, volumes
 from pliant.analysis.overlaps import Overlaps
 from pliant.analysis.ramachandran import FAVOURED, OUTLIER, judged
 
 #: a peptide bond is twisted where omega is further than this from 0 and 180 degrees
 TWISTED = 30.0
 
-_QUANTITIES = (
-    "angle", "angle_rms", "flips", "plane", "omega", "twisted", "outliers", "favoured", "overlap",
-    "overlaps",
-)  # fmt: skip
+_QUANTITIES = tuple(
+    "angle angle_rms flips plane omega twisted outliers favoured overlap overlaps".split()
+)
 
 
 @dataclass

@@ -43,19 +43,19 @@ def make_parser() -> console.Parser:
     )
     add = parser.add_argument
     add("file", metavar="FILE", help="H5MD trajectory of pliant run or pliant sample")
-    add("--frames", metavar="N", type=console.whole_number(1, "all"), default=20,
-        help="number of frames shown to OpenMM, spread evenly, or all (default 20)")  # fmt: skip
-    add("--break", metavar="A,A,...", type=console.positive_numbers, default="0.01,0.03,0.1,0.3",
-        dest="displacements",
-        help="standard deviations of the displacements that break frames, Angstrom "
-        "(default 0.01,0.03,0.1,0.3)")  # fmt: skip
-    add("--seed", metavar="N", type=console.whole_number(0), default=0,
-        help="seed of the displacements (default 0)")  # fmt: skip
-    add("--time-limit", metavar="S", type=console.positive_number, default=300.0,
-        help="give up on an OpenMM job after this many seconds (default 300)")  # fmt: skip
+    text = "number of frames shown to OpenMM, spread evenly, or all (default 20)"
+    add("--frames", metavar="N", type=console.whole_number(1, "all"), default=20, help=text)
+    sizes = "0.01,0.03,0.1,0.3"
+    text = f"standard deviations of the displacements that break frames, Angstrom (default {sizes})"
+    numbers = console.positive_numbers
+    add("--break", dest="displacements", metavar="A,A,...", type=numbers, default=sizes, help=text)
+    text = "seed of the displacements (default 0)"
+    add("--seed", metavar="N", type=console.whole_number(0), default=0, help=text)
+    text = "give up on an OpenMM job after this many seconds (default 300)"
+    add("--time-limit", metavar="S", type=console.positive_number, default=300.0, help=text)
     _add_force_field(parser)
-    add("-o", "--output", metavar="FOLDER", type=pathlib.Path,
-        help="folder for the picture (default: that of the trajectory)")  # fmt: skip
+    text = "folder for the picture (default: that of the trajectory)"
+    add("-o", "--output", metavar="FOLDER", type=pathlib.Path, help=text)
     add("--no-picture", action="store_true", help="draw no picture")
     add("--json", action="store_true", help="print the report as one JSON object")
     add("--quiet", action="store_true", help="show no progress")
@@ -64,20 +64,21 @@ def make_parser() -> console.Parser:
 
 def _add_force_field(parser: console.Parser) -> None:
     add = parser.add_argument_group("force field").add_argument
-    add("--force-field", action=argparse.BooleanOptionalAction, default=None,
-        help="minimise frames (default: if the file is an ensemble of a protein)")  # fmt: skip
-    add("--starts", metavar="N", type=console.whole_number(1, "all"), default=20,
-        help="frames minimised for 100 steps, spread evenly, or all (default 20)")  # fmt: skip
-    add("--long-starts", metavar="N", type=console.whole_number(0), default=3,
-        help="how many of these are minimised for 500 steps (default 3)")  # fmt: skip
-    add("--md-steps", metavar="N", type=console.whole_number(0), default=250,
-        help="steps of 4 fs of MD at 300 K from the start, whose frames are minimised too; "
-        "0 for none (default 250)")  # fmt: skip
-    add("--start", metavar="FILE",
-        help="structure that the ensemble began with (default: the PDB beside it)")  # fmt: skip
-    add("--total-limit", metavar="S", type=console.positive_number, default=1200.0,
-        help="stop minimising after this many seconds, and say what is missing "
-        "(default 1200)")  # fmt: skip
+    text = "minimise frames (default: if the file is an ensemble of a protein)"
+    add("--force-field", action=argparse.BooleanOptionalAction, default=None, help=text)
+    text = "frames minimised for 100 steps, spread evenly, or all (default 20)"
+    add("--starts", metavar="N", type=console.whole_number(1, "all"), default=20, help=text)
+    text = "how many of these are minimised for 500 steps (default 3)"
+    add("--long-starts", metavar="N", type=console.whole_number(0), default=3, help=text)
+    text = (
+        "steps of 4 fs of MD at 300 K from the start, whose frames are minimised too; 0 for none "
+        "(default 250)"
+    )
+    add("--md-steps", metavar="N", type=console.whole_number(0), default=250, help=text)
+    text = "structure that the ensemble began with (default: the PDB beside it)"
+    add("--start", metavar="FILE", help=text)
+    text = "stop minimising after this many seconds, and say what is missing (default 1200)"
+    add("--total-limit", metavar="S", type=console.positive_number, default=1200.0, help=text)
 
 
 def main(words: Sequence[str] | None = None) -> int:

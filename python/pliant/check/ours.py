@@ -10,14 +10,7 @@ import numpy as np
 
 from pliant._core import Framework, OptionError, Resolver, choose_technique, techniques
 from pliant._weightings import WEIGHTINGS
-from pliant.check.contest import (
-    BUDGET_SECONDS,
-    REPEATS,
-    Contest,
-    Method,
-    Result,
-    describe,
-)
+from pliant.check.contest import BUDGET_SECONDS, REPEATS, Contest, Method, Result, describe
 from pliant.check.recording import Recording
 
 DEFAULT = ("auto", 0.5)  #: technique and weighting of `pliant run`

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.ticker import LogLocator, NullLocator
 
-from pliant.check.force_field.figure import draw_energies, draw_moves
+from pliant.check.force_field.figure import draw_energies, draw_moves, note
 from pliant.plotting import BLUE, DASHED, GREY, PALETTE, VERMILION, figure, save
 
 if TYPE_CHECKING:
@@ -63,8 +63,9 @@ def _draw_residuals(axes: Axes, report: CheckReport) -> None:
         (below, "v", BLUE, "this or less"),
     ):
         if mask.any():
-            axes.plot(recording.steps[mask], shown[mask], marker, color=colour, label=label,
-                markersize=3 if len(shown) > 100 else 5)  # fmt: skip
+            size = 3 if len(shown) > 100 else 5
+            x, y = recording.steps[mask], shown[mask]
+            axes.plot(x, y, marker, color=colour, label=label, markersize=size)
     axes.set(
         yscale="log",
         ylim=(least / 2, None),
@@ -84,8 +85,7 @@ def _least_shown(residual: np.ndarray) -> float:
 
 def _draw_tolerance(axes: Axes, tolerance: float) -> None:
     axes.axhline(tolerance, color="black", linestyle=DASHED, linewidth=1)
-    axes.annotate("tolerance", (0.99, tolerance), (0, 3), xycoords=("axes fraction", "data"),
-        textcoords="offset points", ha="right", fontsize="small")  # fmt: skip
+    note(axes, "tolerance", (0.99, tolerance), ha="right")
 
 
 def _draw_moves(axes: Axes, report: CheckReport) -> None:
@@ -156,8 +156,7 @@ def _draw_left(axes: Axes, report: CheckReport) -> None:
     )
     axes.set_ylim(min(axes.get_ylim()[0], report.tolerance / 10), 10.0 * LOST)
     axes.axhspan(LOST, 10.0 * LOST, color=GREY, alpha=0.25, linewidth=0)
-    axes.annotate("diverged, or no number", (0.01, LOST), (0, -11), fontsize="small",
-        xycoords=("axes fraction", "data"), textcoords="offset points")  # fmt: skip
+    note(axes, "diverged, or no number", (0.01, LOST), up=-11)
     _draw_tolerance(axes, report.tolerance)
     _tick_at_displacements(axes, report.methods)
 

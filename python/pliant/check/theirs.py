@@ -11,14 +11,7 @@ import numpy as np
 from pliant import _bars
 from pliant._openmm.angles import MOST_BARS_WITH_ANGLES, why_no_angles
 from pliant._openmm.child import Job, Outcome
-from pliant.check.contest import (
-    BUDGET_SECONDS,
-    REPEATS,
-    Contest,
-    Method,
-    Result,
-    describe,
-)
+from pliant.check.contest import BUDGET_SECONDS, REPEATS, Contest, Method, Result, describe
 from pliant.check.sample import NM, constraint_job
 
 
@@ -28,7 +21,7 @@ class Way:
 
     name: str
     kind: str  #: of job
-    told_angles: bool
+    given_angles: bool
     description: str
 
 
@@ -59,7 +52,7 @@ def ways_for(contest: Contest) -> tuple[Way, ...]:
     contest.note = why_no_angles(contest.sample.recording.bars)
     if not contest.note:
         return ALL_WAYS
-    return tuple(way for way in ALL_WAYS if not way.told_angles)
+    return tuple(way for way in ALL_WAYS if not way.given_angles)
 
 
 def contest_jobs(contest: Contest, ways: Sequence[Way]) -> list[Job]:
@@ -69,10 +62,10 @@ def contest_jobs(contest: Contest, ways: Sequence[Way]) -> list[Job]:
     """
     broken = contest.broken * NM
     shared = {"repeats": REPEATS, "budget_seconds": BUDGET_SECONDS}
-    angles = _angles_of(contest) if any(way.told_angles for way in ways) else {}
+    angles = _angles_of(contest) if any(way.given_angles for way in ways) else {}
     jobs = []
     for way in ways:
-        more = shared | {"broken": broken} | (angles if way.told_angles else {})
+        more = shared | {"broken": broken} | (angles if way.given_angles else {})
         more |= {"intact": contest.intact * NM} if way.kind == "constrain_step" else {}
         jobs.append(constraint_job(contest.sample.recording, way.kind, contest.tolerance, **more))
     if len(contest.sample.recording.bars) > MOST_BARS_WITH_ANGLES:

@@ -41,21 +41,27 @@ def make_parser() -> console.Parser:
     )
     add = parser.add_argument
     add("ours", metavar="OURS", help="H5MD file of pliant sample or pliant run")
-    add("theirs", metavar="THEIRS", nargs="+",
+    add(
+        "theirs",
+        metavar="THEIRS",
+        nargs="+",
         help="a PDB or mmCIF file with models, several files of one structure each (.gz too), "
-             "or a trajectory: DCD, XTC, ...")  # fmt: skip
-    add("--topology", metavar="FILE",
-        help="file with the atom names of THEIRS (default: THEIRS itself, else OURS)")  # fmt: skip
-    add("--select", metavar="TEXT", default="all",
-        help="MDAnalysis selection for both (default all)")  # fmt: skip
-    add("--frames", metavar="N", type=console.whole_number(2, "all"),
-        help="frames to read of each at most, spread evenly, or all (default 2000; 500 with "
-             "--path)")  # fmt: skip
-    add("-o", "--output", metavar="FOLDER", type=pathlib.Path,
-        help="folder for the pictures (default: that of OURS)")  # fmt: skip
-    add("--path", action="store_true",
+        "or a trajectory: DCD, XTC, ...",
+    )
+    text = "file with the atom names of THEIRS (default: THEIRS itself, else OURS)"
+    add("--topology", metavar="FILE", help=text)
+    text = "MDAnalysis selection for both (default all)"
+    add("--select", metavar="TEXT", default="all", help=text)
+    text = "frames to read of each at most, spread evenly, or all (default 2000; 500 with --path)"
+    add("--frames", metavar="N", type=console.whole_number(2, "all"), help=text)
+    text = "folder for the pictures (default: that of OURS)"
+    add("-o", "--output", metavar="FOLDER", type=pathlib.Path, help=text)
+    add(
+        "--path",
+        action="store_true",
         help="OURS and one file of THEIRS are paths: mean nearest, Hausdorff and Frechet "
-             "distances of their frames, beside a straight line")  # fmt: skip
+        "distances of their frames, beside a straight line",
+    )
     add("--no-picture", action="store_true", help="draw no picture")
     add("--json", action="store_true", help="print the comparison as one JSON object")
     return parser

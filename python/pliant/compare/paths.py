@@ -26,7 +26,7 @@ from pliant.compare.ensembles import read_trace
 from pliant.compare.pairing import choose, open_universe
 from pliant.compare.reference import read_reference
 from pliant.compare.suite import LEAST_RESIDUES
-from pliant.compare.traces import trace_of_atoms
+from pliant.compare.trace_of_atoms import trace_of_atoms
 
 FRAMES = 500
 
@@ -177,8 +177,10 @@ def print_paths(found: PathComparison) -> None:
 
     print(f"ours    {printable_name(found.path)}: {found.frames[0]} frames compared")
     print(f"theirs  {printable_name(found.theirs[0])}: {found.frames[1]} frames compared")
-    print(f"\n{found.residues} residues; first frames {found.ends[0]:.2f} A apart, "
-          f"last {found.ends[1]:.2f} A\n")  # fmt: skip
+    print(
+        f"\n{found.residues} residues; first frames {found.ends[0]:.2f} A apart, "
+        f"last {found.ends[1]:.2f} A\n"
+    )
     table = Table("how near the paths are, Angstrom", ["what", "ours", "straight line"])
     for what, name in (
         ("mean of the nearest of theirs", "nearest_theirs"),
@@ -189,7 +191,9 @@ def print_paths(found: PathComparison) -> None:
         values = (f"{getattr(one, name):.2f}" for one in (found.ours, found.line))
         table.rows.append((what, *values))
     table.print()
-    print("\nthe line joins the ends of theirs; a path no nearer to theirs than the line shows "
-          "that a way exists, not which one is taken")  # fmt: skip
+    print(
+        "\nthe line joins the ends of theirs; a path no nearer to theirs than the line shows "
+        "that a way exists, not which one is taken"
+    )
     for note in found.notes:
         print(f"note: {note}")

@@ -64,10 +64,7 @@ def _draw_summary(report: AtomComparison, title: str, path: pathlib.Path) -> Non
 def _draw_profile(axes: Axes, found: Fluctuations) -> None:
     places = np.arange(len(found.labels))
     marker = "o" if len(places) <= 100 else ""
-    for values, colour, name in (
-        (found.ours, BLUE, "ours"),
-        (found.theirs, VERMILION, "theirs"),
-    ):
+    for values, colour, name in ((found.ours, BLUE, "ours"), (found.theirs, VERMILION, "theirs")):
         axes.plot(places, values, marker=marker, markersize=3.5, color=colour, label=name)
     what = "alpha carbons" if found.kind == "residue" else "atoms"
     axes.set(ylabel="RMSF (Å)", title=f"Fluctuation of {what}", ylim=(0, None))
@@ -94,7 +91,7 @@ def _draw_overlaps(axes: Axes, report: AtomComparison) -> None:
     draw_matrix(axes, modes.overlaps)
     axes.set(
         title=f"Modes: RMSIP {modes.rmsip:.2f} (by chance {modes.chance:.2f}, "
-        f"halves of theirs {modes.halves_theirs:.2f})",
+        f"halves of theirs {modes.halves_theirs:.2f})"
     )
 
 

@@ -14,10 +14,10 @@ import numpy as np
 
 from pliant import _core
 from pliant._core import InputError, PliantWarning, Trace, match_residues, trace_of
-from pliant.analysis.traces import joined_along
+from pliant.analysis.joined_chains import joined_along
 from pliant.check.sample import choose_frames
 from pliant.compare.pairing import choose, open_theirs
-from pliant.compare.traces import trace_of_atoms
+from pliant.compare.trace_of_atoms import trace_of_atoms
 
 if TYPE_CHECKING:
     from MDAnalysis import Universe

@@ -69,23 +69,23 @@ def _summary_table(report: AtomComparison) -> Table:
         add(_fluctuation_row("RMSF of alpha carbons, mean (A)", report.residue_fluctuations))
     modes = report.modes
     count = min(modes.overlaps.shape, default=0)
-    add((f"first {count} modes, share of the variance", _number(modes.share_ours),
-         _number(modes.share_theirs), f"RMSIP {_number(modes.rmsip)}"))  # fmt: skip
-    add(("  RMSIP of its two halves", _number(modes.halves_ours), _number(modes.halves_theirs),
-         f"{_number(modes.chance)} by chance"))  # fmt: skip
+    shares = (_number(modes.share_ours), _number(modes.share_theirs))
+    add((f"first {count} modes, share of the variance", *shares, f"RMSIP {_number(modes.rmsip)}"))
+    halves = (_number(modes.halves_ours), _number(modes.halves_theirs))
+    add(("  RMSIP of its two halves", *halves, f"{_number(modes.chance)} by chance"))
     radii = [f"{np.mean(r):.2f} +- {np.std(r):.2f}" for r in report.radii]
     add(("radius of gyration (A)", *radii, ""))
     bars = report.bars
     if len(bars.labels):
         spreads = (np.sqrt(np.mean(s**2)) for s in (bars.spread_ours, bars.spread_theirs))
         add(("lengths of bars, standard deviation (A)", *(f"{s:.1e}" for s in spreads), ""))
-        add(("  furthest from rest, relative", f"{bars.residual_ours:.1e}",
-             f"{bars.residual_theirs:.1e}", ""))  # fmt: skip
+        worst = (f"{bars.residual_ours:.1e}", f"{bars.residual_theirs:.1e}")
+        add(("  furthest from rest, relative", *worst, ""))
     if report.torsions:
         mean = float(np.mean([torsion.distance for torsion in report.torsions]))
         noise = float(np.mean([torsion.halves_theirs for torsion in report.torsions]))
-        add(("torsions, Jensen-Shannon distance, mean", "", _number(noise) + " between halves",
-             _number(mean)))  # fmt: skip
+        apart = f"{_number(noise)} between halves"
+        add(("torsions, Jensen-Shannon distance, mean", "", apart, _number(mean)))
     return table
 
 

@@ -76,9 +76,13 @@ def _band(
 ) -> None:
     middle, error = scale * profile.rmsf, scale * np.nan_to_num(profile.error)
     axes.fill_between(
-        places, np.maximum(middle - 2 * error, 0), middle + 2 * error, color=colour, alpha=0.25,
+        places,
+        np.maximum(middle - 2 * error, 0),
+        middle + 2 * error,
+        color=colour,
+        alpha=0.25,
         linewidth=0,
-    )  # fmt: skip
+    )
     axes.plot(places, middle, color=colour, label=label)
 
 
@@ -107,10 +111,10 @@ def _draw_modes(axes: Axes, both: Subspaces) -> None:
 def draw_matrix(axes: Axes, overlaps: np.ndarray) -> None:
     """Overlaps (K, L) of our modes and theirs as an image."""
     rows, columns = overlaps.shape
+    extent = (0.5, rows + 0.5, 0.5, columns + 0.5)
     image = axes.imshow(
-        overlaps.T, origin="lower", vmin=0, vmax=1, cmap="cividis", aspect="auto",
-        extent=(0.5, rows + 0.5, 0.5, columns + 0.5),
-    )  # fmt: skip
+        overlaps.T, origin="lower", vmin=0, vmax=1, cmap="cividis", aspect="auto", extent=extent
+    )
     axes.figure.colorbar(image, ax=axes, label="overlap |u · v|")
     axes.grid(False)
     axes.set_xticks(np.arange(1, rows + 1))
@@ -127,8 +131,10 @@ def _draw_covered(axes: Axes, both: Subspaces) -> None:
     axes.axhline(both.chance, color="black", linewidth=1.0, linestyle=":", label="by chance")
     axes.xaxis.set_major_locator(MaxNLocator(integer=True))
     axes.set(
-        xlabel="mode", ylabel="share in the other's first modes", ylim=(0, 1.19),
+        xlabel="mode",
+        ylabel="share in the other's first modes",
+        ylim=(0, 1.19),
         title="What each has of the other's modes",
-    )  # fmt: skip
+    )
     axes.set_yticks(np.linspace(0, 1, 6))
     axes.legend(frameon=False, ncols=3, loc="upper center", columnspacing=1.0, handlelength=1.2)

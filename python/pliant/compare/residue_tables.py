@@ -61,16 +61,12 @@ def _table(found: ResidueComparison) -> Table:
 
 def _add_modes(table: Table, both: Subspaces) -> None:
     shares = _number(both.ours.share), _number(both.theirs.share)
-    table.rows += [
-        (f"first {TEN} modes, share of motion", *shares, f"RMSIP {figure_text(both.rmsip)}",
-         _number(both.ceiling), _number(both.chance)),
-        ("  of theirs within ours", "", "", _number(both.share_covered), "", ""),
-        *(
-            (f"  mode {k + 1} in the other's {TEN}", _at(both.covered_ours, k),
-             _at(both.covered_theirs, k), "", "", "")
-            for k in range(3)
-        ),
-    ]  # fmt: skip
+    found = f"RMSIP {figure_text(both.rmsip)}", _number(both.ceiling), _number(both.chance)
+    table.rows.append((f"first {TEN} modes, share of motion", *shares, *found))
+    table.rows.append(("  of theirs within ours", "", "", _number(both.share_covered), "", ""))
+    for k in range(3):
+        covered = _at(both.covered_ours, k), _at(both.covered_theirs, k)
+        table.rows.append((f"  mode {k + 1} in the other's {TEN}", *covered, "", "", ""))
 
 
 def _at(values: np.ndarray, place: int) -> str:
@@ -89,8 +85,11 @@ def residues_json(found: ResidueComparison) -> dict[str, Any]:
             for name, one in (("ours", found.ours), ("theirs", found.theirs))
         },
         "r": {
-            "value": found.r.value, "error": found.r.error, "with_free_ends": found.r_all,
-            "ceiling": found.r_ceiling, "halves_in_time": found.r_in_time,
+            "value": found.r.value,
+            "error": found.r.error,
+            "with_free_ends": found.r_all,
+            "ceiling": found.r_ceiling,
+            "halves_in_time": found.r_in_time,
         },
         "scale": found.scale,
         "more_in_ours": [asdict(one) for one in found.more_stretches],
@@ -98,7 +97,7 @@ def residues_json(found: ResidueComparison) -> dict[str, Any]:
         "modes": _modes_json(found.subspaces) if found.subspaces else None,
         "displacement": asdict(found.displacement) if found.displacement else None,
         "notes": found.notes,
-    }  # fmt: skip
+    }
 
 
 def _modes_json(both: Subspaces) -> dict[str, Any]:

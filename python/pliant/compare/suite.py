@@ -40,7 +40,7 @@ from pliant.compare.pairing import choose, open_theirs, open_universe, pair
 from pliant.compare.reference import read_reference
 from pliant.compare.residue_report import ResidueComparison
 from pliant.compare.residues import compare_residues
-from pliant.compare.traces import trace_of_atoms
+from pliant.compare.trace_of_atoms import trace_of_atoms
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup, Universe

@@ -13,7 +13,7 @@ from pliant.ensemble.frames import EnsembleFrames
 from pliant.ensemble.inspect_shard import ShardRecord
 from pliant.ensemble.open_shard import counted_files
 from pliant.ensemble.over_shards import each_part, parts_of
-from pliant.ensemble.plan import Plan
+from pliant.ensemble.plan import EnsemblePlan
 from pliant.ensemble.sums import blocks, walkers_of
 
 CLUSTERS = 10
@@ -39,7 +39,7 @@ class Clusters:
 class _Task:
     """A part of the shards, for one process."""
 
-    plan: Plan
+    plan: EnsemblePlan
     paths: list[Path]
     records: list[ShardRecord | None]  #: what to check the files by, where that is to be done
     atoms: np.ndarray  #: (U,)
@@ -93,8 +93,8 @@ def _result(
     errors = np.sqrt(variance / max(walkers - 1, 1))
     halves = counts.shares / np.maximum(counts.walkers, 1)[:, None]
     mean = counts.distances / np.maximum(counts.frames, 1)
-    return Clusters(numbers, positions, records, shares[order], errors[order], halves[:, order],
-                    mean[order], compared)  # fmt: skip
+    made = shares[order], errors[order], halves[:, order]
+    return Clusters(numbers, positions, records, *made, mean[order], compared)
 
 
 def _counts(
@@ -111,8 +111,8 @@ def _counts(
 
 def _counts_of(task: _Task) -> _Counts:
     k = len(task.medoids)
-    counts = _Counts(np.zeros(2, dtype=np.int64), np.zeros((2, k)), np.zeros(k),
-                     np.zeros(k, dtype=np.int64), np.zeros(k))  # fmt: skip
+    frames, sizes = np.zeros(2, dtype=np.int64), np.zeros(k, dtype=np.int64)
+    counts = _Counts(frames, np.zeros((2, k)), np.zeros(k), sizes, np.zeros(k))
     for file in counted_files(task.plan, task.paths, task.records):
         walkers = walkers_of(file, task.plan)
         dealt = [rmsd_to(some, task.medoids) for _, some in blocks(file, task.atoms)]

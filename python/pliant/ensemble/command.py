@@ -31,7 +31,7 @@ from pliant.ensemble.make_shard import check_options, make_shard
 from pliant.ensemble.options import parse_options
 from pliant.ensemble.plan import (
     PLAN,
-    Plan,
+    EnsemblePlan,
     load_plan,
     make_plan,
     settled,
@@ -96,15 +96,11 @@ def _add_ensemble(add: Callable[..., object]) -> None:
     number = whole_number(1, most=MOST)
     add("--walkers", type=number, metavar="N", help="walkers of pliant run in all")
     add("--frames", type=number, metavar="N", help="frames of pliant sample in all")
-    add(
-        "--shard-size", type=number, metavar="N",
-        help="walkers (default: 128) or frames (default: 1024) a shard",
-    )  # fmt: skip
+    text = "walkers (default: 128) or frames (default: 1024) a shard"
+    add("--shard-size", type=number, metavar="N", help=text)
     add("--verify", metavar="DIR", help="check every byte of an ensemble, and make no shards")
-    add(
-        "--only", type=whole_number(0), metavar="K",
-        help="make shard K of the ensemble in DIR, without Dask",
-    )  # fmt: skip
+    text = "make shard K of the ensemble in DIR, without Dask"
+    add("--only", type=whole_number(0), metavar="K", help=text)
 
 
 def _add_places(add: Callable[..., object]) -> None:
@@ -123,10 +119,8 @@ def _add_places(add: Callable[..., object]) -> None:
         metavar="FILE",
         help="write a script for a Slurm job array, and make no shards",
     )
-    add(
-        "--retries", type=whole_number(0, most=1000), default=3, metavar="N",
-        help="further attempts at a shard that fails (default: 3)",
-    )  # fmt: skip
+    text = "further attempts at a shard that fails (default: 3)"
+    add("--retries", type=whole_number(0, most=1000), default=3, metavar="N", help=text)
 
 
 def _add_output(add: Callable[..., object]) -> None:
@@ -172,7 +166,7 @@ def _expect_no_more(file: str | None, passed_on: list[str], name: str) -> None:
             raise OptionError(f'unexpected argument "{word}": does not go with {name}')
 
 
-def _plan(file: str | None, options: argparse.Namespace, passed_on: list[str]) -> Plan:
+def _plan(file: str | None, options: argparse.Namespace, passed_on: list[str]) -> EnsemblePlan:
     if file is None:
         raise OptionError("INPUT: expected a file before all options")
     if (options.walkers is None) == (options.frames is None):
@@ -182,7 +176,7 @@ def _plan(file: str | None, options: argparse.Namespace, passed_on: list[str]) -
     return make_plan(command, file, count, options.shard_size, parse_options(passed_on, command))
 
 
-def _make_all(plan: Plan, folder: Path, options: argparse.Namespace) -> int:
+def _make_all(plan: EnsemblePlan, folder: Path, options: argparse.Namespace) -> int:
     @contextlib.contextmanager
     def place(shards: int) -> Iterator[Place]:
         where = (options.workers, options.scheduler, options.cluster)
@@ -191,10 +185,7 @@ def _make_all(plan: Plan, folder: Path, options: argparse.Namespace) -> int:
                 note(f"Dask's dashboard: {link}")
             yield opened
 
-    with (
-        _planned(plan, folder, options) as agreed,
-        progress("shards", options.quiet) as show,
-    ):
+    with _planned(plan, folder, options) as agreed, progress("shards", options.quiet) as show:
         outcome = complete(agreed, folder, place, show, options.retries)
     if options.json:
         print_json(outcome.as_json())
@@ -204,7 +195,9 @@ def _make_all(plan: Plan, folder: Path, options: argparse.Namespace) -> int:
 
 
 @contextlib.contextmanager
-def _planned(plan: Plan, folder: Path, options: argparse.Namespace) -> Iterator[Plan]:
+def _planned(
+    plan: EnsemblePlan, folder: Path, options: argparse.Namespace
+) -> Iterator[EnsemblePlan]:
     """The folder's plan. One that is new goes again if an error comes before its first shard."""
     there = settled(folder, plan, options.shard_size)
     if there is not None:
@@ -239,8 +232,9 @@ def _print_outcome(outcome: Outcome) -> None:
 def _make_one(folder: Path, options: argparse.Namespace) -> int:
     plan = load_plan(folder)
     if options.only >= plan.shard_count:
-        raise OptionError(f"--only {options.only}: expected a shard from 0 to "
-                          f"{plan.shard_count - 1}")  # fmt: skip
+        raise OptionError(
+            f"--only {options.only}: expected a shard from 0 to {plan.shard_count - 1}"
+        )
     record = make_shard(plan, plan.shard(options.only), str(folder))
     if options.json:
         print_json(record.as_json())
@@ -249,7 +243,9 @@ def _make_one(folder: Path, options: argparse.Namespace) -> int:
     return EXIT_OK
 
 
-def _write_script(plan: Plan, folder: Path, options: argparse.Namespace, words: list[str]) -> int:
+def _write_script(
+    plan: EnsemblePlan, folder: Path, options: argparse.Namespace, words: list[str]
+) -> int:
     path = Path(options.slurm_script)
     with _planned(plan, folder, options) as agreed:
         check_options(agreed, str(folder))  # the jobs would all fail, later

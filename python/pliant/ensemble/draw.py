@@ -56,8 +56,12 @@ def _draw_part(axes: Axes, found: EnsembleFlexibility, part: slice, is_first: bo
     place = np.arange(len(found.rmsf))[part]
     low, high = found.rmsf - 2 * found.error, found.rmsf + 2 * found.error
     what = found.what
-    names = [f"all {found.walkers} {what}", f"even-numbered {what}", f"odd-numbered {what}",
-             f"2 standard errors, between {what}"]  # fmt: skip
+    names = [
+        f"all {found.walkers} {what}",
+        f"even-numbered {what}",
+        f"odd-numbered {what}",
+        f"2 standard errors, between {what}",
+    ]
     labels = names if is_first else [None] * len(names)
     axes.plot(place, found.rmsf[part], color=BLUE, label=labels[0])
     for half, colour, label in zip(found.halves, (ORANGE, GREY), labels[1:3], strict=True):

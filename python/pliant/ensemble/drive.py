@@ -20,7 +20,7 @@ from pliant.ensemble.inspect_shard import ShardRecord, check_shard
 from pliant.ensemble.make_shard import MAKING, make_shard
 from pliant.ensemble.manifest import Manifest
 from pliant.ensemble.over_shards import in_threads
-from pliant.ensemble.plan import NO_SHARD, PLAN, Plan, Shard, has_shards, strangers
+from pliant.ensemble.plan import NO_SHARD, PLAN, EnsemblePlan, Shard, has_shards, strangers
 
 #: Shards that the scheduler knows of at once: it need not hold 10^5 to keep hundreds of workers.
 WINDOW = 1024
@@ -35,7 +35,7 @@ Progress = Callable[[int, int], None]
 class Outcome:
     """What is there after all."""
 
-    plan: Plan
+    plan: EnsemblePlan
     folder: Path
     found: int = 0  #: shards that were there already
     made: int = 0
@@ -90,7 +90,7 @@ def alone_in(folder: Path) -> Iterator[None]:
 
 
 def complete(
-    plan: Plan,
+    plan: EnsemblePlan,
     folder: Path,
     place: Callable[[int], contextlib.AbstractContextManager[Place]],
     show: Progress,
@@ -118,7 +118,9 @@ def complete(
     return outcome
 
 
-def _take_stock(plan: Plan, folder: Path, manifest: Manifest, show: Progress) -> list[Shard]:
+def _take_stock(
+    plan: EnsemblePlan, folder: Path, manifest: Manifest, show: Progress
+) -> list[Shard]:
     """Checks every byte of the shards that are there; returns those to be made.
 
     One that is damaged, or in the place of another, is removed: the same bits will be made again.
@@ -141,7 +143,7 @@ def _take_stock(plan: Plan, folder: Path, manifest: Manifest, show: Progress) ->
 
 
 def _checked(
-    plan: Plan, folder: Path, shards: list[Shard], manifest: Manifest
+    plan: EnsemblePlan, folder: Path, shards: list[Shard], manifest: Manifest
 ) -> Iterator[tuple[Shard, ShardRecord | str]]:
     """The record of each shard, or what is wrong with it."""
     counted = dict(manifest.records)
@@ -155,7 +157,7 @@ def _checked(
     return zip(shards, in_threads(check, shards), strict=True)
 
 
-def make(plan: Plan, shard: Shard, folder: str) -> ShardRecord | str:
+def make(plan: EnsemblePlan, shard: Shard, folder: str) -> ShardRecord | str:
     """On a worker: the record, or why no attempt can succeed."""
     try:
         return make_shard(plan, shard, folder)
@@ -165,8 +167,8 @@ def make(plan: Plan, shard: Shard, folder: str) -> ShardRecord | str:
 
 def made_by(
     place: Place,
-    task: Callable[[Plan, Shard, str], ShardRecord | str],
-    plan: Plan,
+    task: Callable[[EnsemblePlan, Shard, str], ShardRecord | str],
+    plan: EnsemblePlan,
     folder: Path,
     shards: Iterable[Shard],
     retries: int,

@@ -147,12 +147,11 @@ def _result(
     both += odd
     square, square_error = _moments(both)
     rmsf = np.sqrt(square)
+    errors = np.divide(square_error, 2 * rmsf, out=np.zeros_like(rmsf), where=rmsf > 0)
+    profile = rmsf, errors, halves, correlation(halves[0], halves[1]), float(square.sum())
     found = EnsembleFlexibility(
-        units, what, both.frames, both.walkers, rmsf,
-        np.divide(square_error, 2 * rmsf, out=np.zeros_like(rmsf), where=rmsf > 0),
-        halves, correlation(halves[0], halves[1]), float(square.sum()), sums.max_residual,
-        contacts, atoms,
-    )  # fmt: skip
+        units, what, both.frames, both.walkers, *profile, sums.max_residual, contacts, atoms
+    )
     if found.still:
         found.why_no_modes = "nothing moves"
     elif both.has_modes:

@@ -13,7 +13,7 @@ from pliant._core import FileError, InputError, PliantWarning
 from pliant.ensemble.inspect_shard import REMAKE, ShardRecord
 from pliant.ensemble.manifest import Manifest
 from pliant.ensemble.open_shard import OpenShard, expect_counted
-from pliant.ensemble.plan import NO_SHARD, SHARDS, Plan, load_plan, strangers
+from pliant.ensemble.plan import NO_SHARD, SHARDS, EnsemblePlan, load_plan, strangers
 
 #: Shards that are open at once: frames are mostly asked for one after another.
 _OPEN = 4
@@ -24,7 +24,7 @@ def folder_of(path: Path) -> Path:
     return path if path.is_dir() else path.parent
 
 
-def _why_empty(folder: Path, plan: Plan) -> str:
+def _why_empty(folder: Path, plan: EnsemblePlan) -> str:
     if any((folder / SHARDS).glob("shard-*.h5md")):  # of a job array, or of --only
         return "no shard is counted yet: run the command of the ensemble once more"
     return f"none of its {plan.shard_count} shards is whole yet"

@@ -15,7 +15,7 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import Error, InputError
-from pliant.ensemble.plan import Plan, Shard, file_digest
+from pliant.ensemble.plan import EnsemblePlan, Shard, file_digest
 
 POSITION = "particles/trajectory/position"
 
@@ -42,25 +42,26 @@ class ShardRecord:
         return asdict(self)
 
 
-def inspect_shard(plan: Plan, shard: Shard, path: Path) -> ShardRecord:
+def inspect_shard(plan: EnsemblePlan, shard: Shard, path: Path) -> ShardRecord:
     """The record of a whole shard. Raises InputError saying what is wrong with the file."""
     return _record(plan, shard, path, file_digest(path))
 
 
-def _record(plan: Plan, shard: Shard, path: Path, digest: str) -> ShardRecord:
+def _record(plan: EnsemblePlan, shard: Shard, path: Path, digest: str) -> ShardRecord:
     with _hdf5.open_file(path) as file:
         _check_header(file, plan)
         numbers = _frame_numbers(file, plan)
         left_out = _check_numbers(path, plan, shard, *numbers)
         frames = len(numbers[0])
         unconverged = _unconverged(file, frames)
-    return ShardRecord(
-        shard.number, shard.first, shard.last, shard.name, frames, left_out, unconverged,
-        path.stat().st_size, digest,
-    )  # fmt: skip
+    which = (shard.number, shard.first, shard.last, shard.name)
+    size = path.stat().st_size
+    return ShardRecord(*which, frames, left_out, unconverged, size, digest)
 
 
-def check_shard(plan: Plan, shard: Shard, expected: ShardRecord | None, path: Path) -> ShardRecord:
+def check_shard(
+    plan: EnsemblePlan, shard: Shard, expected: ShardRecord | None, path: Path
+) -> ShardRecord:
     """The record of a whole shard, which is the one that the manifest counts where it counts it.
 
     Reads every byte. Raises FileError where the file cannot be read, InputError saying what is
@@ -78,7 +79,7 @@ def check_shard(plan: Plan, shard: Shard, expected: ShardRecord | None, path: Pa
     return found
 
 
-def _check_header(file: h5py.File, plan: Plan) -> None:
+def _check_header(file: h5py.File, plan: EnsemblePlan) -> None:
     """Raises InputError where the file says that it was made with another seed."""
     found = _hdf5.item(file, f"parameters/{plan.command}/seed")
     seed = _hdf5.plain(_hdf5.read(found)) if _hdf5.is_array(found, "OS", ()) else None
@@ -86,7 +87,7 @@ def _check_header(file: h5py.File, plan: Plan) -> None:
         raise InputError(f"{file.filename}: expected --seed {plan.seed}, found {seed}")
 
 
-def _frame_numbers(file: h5py.File, plan: Plan) -> tuple[np.ndarray, np.ndarray]:
+def _frame_numbers(file: h5py.File, plan: EnsemblePlan) -> tuple[np.ndarray, np.ndarray]:
     """Walker and step of each frame; each frame of a sample stands for itself."""
     value = _hdf5.item(file, f"{POSITION}/value")
     steps = _integers(file, f"{POSITION}/step")
@@ -108,7 +109,7 @@ def _integers(file: h5py.File, path: str) -> np.ndarray:
 
 
 def _check_numbers(
-    path: Path, plan: Plan, shard: Shard, walkers: np.ndarray, steps: np.ndarray
+    path: Path, plan: EnsemblePlan, shard: Shard, walkers: np.ndarray, steps: np.ndarray
 ) -> int:
     """Raises InputError unless all are there, in order and once; returns frames left out."""
     order = np.lexsort((steps, walkers))

@@ -19,7 +19,7 @@ from pliant._core import Error, InputError, OptionError
 from pliant._processes import die_with_parent
 from pliant.console import command_path, warn
 from pliant.ensemble.inspect_shard import ShardRecord, check_shard, inspect_shard
-from pliant.ensemble.plan import Plan, Shard
+from pliant.ensemble.plan import EnsemblePlan, Shard
 
 MAKING = "making"  #: folder of unfinished shards; what killed workers leave there is removed
 _WITH_FRAMES = (0, 3)  #: exit codes of a command that has written all that it could
@@ -30,7 +30,7 @@ class ShardError(Error):
     """A shard could not be made; another attempt might succeed."""
 
 
-def make_shard(plan: Plan, shard: Shard, folder: str) -> ShardRecord:
+def make_shard(plan: EnsemblePlan, shard: Shard, folder: str) -> ShardRecord:
     """Makes a shard, unless it is there and whole, and returns its record.
 
     The file takes its name when it is whole, and then replaces one that is not. Where two make the
@@ -79,7 +79,7 @@ def _publish(made: Path, target: Path, replaces: bool) -> bool:
     return True
 
 
-def check_options(plan: Plan, folder: str) -> None:
+def check_options(plan: EnsemblePlan, folder: str) -> None:
     """Raises as make_shard does where the input or the options are bad; makes nothing."""
     words = plan.words(plan.shard(0), str(Path(folder, "nothing.h5md")))
     _call([*words, "--dry-run"])

@@ -13,7 +13,7 @@ from pathlib import Path
 
 from pliant._core import FileError, InputError
 from pliant.ensemble.inspect_shard import ShardRecord
-from pliant.ensemble.plan import Plan
+from pliant.ensemble.plan import EnsemblePlan
 
 MANIFEST = "shards.jsonl"
 
@@ -24,7 +24,7 @@ class Manifest:
     Raises InputError where a line is no record of a shard of the plan.
     """
 
-    def __init__(self, folder: Path, plan: Plan) -> None:
+    def __init__(self, folder: Path, plan: EnsemblePlan) -> None:
         self.path = folder / MANIFEST
         data = self.path.read_bytes() if self.path.exists() else b""
         self._end = data.rfind(b"\n") + 1  # a line that a crash has cut short does not count
@@ -51,7 +51,7 @@ class Manifest:
         return [self.records[number] for number in sorted(self.records)]
 
 
-def _read(path: Path, data: bytes, plan: Plan) -> Iterator[tuple[int, ShardRecord]]:
+def _read(path: Path, data: bytes, plan: EnsemblePlan) -> Iterator[tuple[int, ShardRecord]]:
     for k, line in enumerate(data.splitlines(), 1):
         try:
             record = ShardRecord(**json.loads(line))
@@ -72,7 +72,7 @@ def _check_types(record: ShardRecord) -> None:
             raise ValueError(name)
 
 
-def _check_place(where: str, record: ShardRecord, plan: Plan) -> None:
+def _check_place(where: str, record: ShardRecord, plan: EnsemblePlan) -> None:
     """Raises InputError unless the plan has this shard, with these walkers or frames."""
     if record.shard >= plan.shard_count:
         most = plan.shard_count - 1

@@ -13,7 +13,7 @@ import numpy as np
 from pliant import _hdf5
 from pliant._core import FileError, InputError
 from pliant.ensemble.inspect_shard import POSITION, REMAKE, ShardRecord, check_shard
-from pliant.ensemble.plan import Plan
+from pliant.ensemble.plan import EnsemblePlan
 
 _POSITION_BYTES = 1 << 22  #: of a block of positions
 _NUMBERS = 1024  #: of one observable in a block
@@ -23,7 +23,7 @@ _NUMBERS = 1024  #: of one observable in a block
 _good: dict[Path, tuple[int | str, ...]] = {}
 
 
-def expect_counted(plan: Plan, record: ShardRecord, path: Path) -> None:
+def expect_counted(plan: EnsemblePlan, record: ShardRecord, path: Path) -> None:
     """Reads every byte of a shard, once as long as the file stays as it is.
 
     Raises FileError where it is gone or cannot be read, InputError unless it is what the manifest
@@ -50,7 +50,7 @@ def open_shard(path: Path) -> h5py.File:
 
 
 def counted_files(
-    plan: Plan, paths: Sequence[Path], records: Sequence[ShardRecord | None]
+    plan: EnsemblePlan, paths: Sequence[Path], records: Sequence[ShardRecord | None]
 ) -> Iterator[h5py.File]:
     """Each of these shards while it is open, first checked where there is a record to check it by.
 

@@ -44,7 +44,7 @@ class Shard:
 
 
 @dataclass
-class Plan:
+class EnsemblePlan:
     """What an ensemble is; shards depend on nothing else."""
 
     command: str  #: "run" or "sample"
@@ -93,7 +93,7 @@ class Plan:
 
 def make_plan(
     command: str, input_file: str, count: int, shard_size: int | None, options: Options
-) -> Plan:
+) -> EnsemblePlan:
     """A plan with the digests of all files that it names. Raises FileError if one is not there."""
     digests = {"input": file_digest(input_file)}
     for name, words, k in file_options(options):
@@ -102,7 +102,7 @@ def make_plan(
             words[k] = os.path.abspath(words[k])
     size = shard_size or USUAL_SHARD[command]
     path = os.path.abspath(input_file)
-    return Plan(command, path, count, size, options, digests, _core.version())
+    return EnsemblePlan(command, path, count, size, options, digests, _core.version())
 
 
 def file_digest(path: str | os.PathLike[str]) -> str:
@@ -132,14 +132,14 @@ def refuse_ensemble(path: str | os.PathLike[str]) -> None:
         )
 
 
-def load_plan(folder: str | os.PathLike[str]) -> Plan:
+def load_plan(folder: str | os.PathLike[str]) -> EnsemblePlan:
     """The plan of a folder. Raises FileError if there is none, InputError if it is not whole."""
     path = Path(folder, PLAN)
     try:
         found = json.loads(path.read_text(encoding="utf-8"))
         if found.pop("pliant_ensemble") != _FORMAT:
             raise ValueError("another version of the format")
-        plan = Plan(**found)
+        plan = EnsemblePlan(**found)
         plan.options = renewed(plan.options)
         if plan.command not in USUAL_SHARD or plan.count < 1 or plan.shard_size < 1:
             raise ValueError("numbers that cannot be")
@@ -150,7 +150,7 @@ def load_plan(folder: str | os.PathLike[str]) -> Plan:
         raise InputError(f"{path}: expected the plan of an ensemble: {error}") from None
 
 
-def settled(folder: Path, plan: Plan, asked_size: int | None) -> Plan | None:
+def settled(folder: Path, plan: EnsemblePlan, asked_size: int | None) -> EnsemblePlan | None:
     """The plan of the folder, if there is one and it is that plan; None if there is none yet.
 
     A plan binds from the moment that it is written: jobs of a queue may be waiting to make its
@@ -167,7 +167,7 @@ def settled(folder: Path, plan: Plan, asked_size: int | None) -> Plan | None:
     return there
 
 
-def write_plan(folder: Path, plan: Plan) -> None:
+def write_plan(folder: Path, plan: EnsemblePlan) -> None:
     """Writes the plan to its folder. Raises FileError."""
     text = json.dumps({"pliant_ensemble": _FORMAT, **asdict(plan)}, indent=1) + "\n"
     (folder / SHARDS).mkdir(exist_ok=True)
@@ -185,7 +185,7 @@ def has_shards(folder: Path) -> bool:
     return any((folder / SHARDS).glob("shard-*"))
 
 
-def strangers(folder: Path, plan: Plan) -> list[Path]:
+def strangers(folder: Path, plan: EnsemblePlan) -> list[Path]:
     """Files among the shards that the plan does not have: their frames would be there twice."""
     known = {Path(shard.name).name for shard in plan.shards()}
     found = (folder / SHARDS).glob("[!.]*")  # file systems keep names with a dot for themselves
@@ -205,7 +205,7 @@ def write_whole(path: Path, text: str) -> None:
         raise FileError(f"{path}: {error.strerror}") from None
 
 
-def _expect_same(folder: Path, there: Plan, asked: Plan) -> None:
+def _expect_same(folder: Path, there: EnsemblePlan, asked: EnsemblePlan) -> None:
     rows = [
         ("pliant", there.version, asked.version),
         ("the command", f"pliant {there.command}", f"pliant {asked.command}"),

@@ -39,7 +39,7 @@ class Queue:
         self._submitting = 0
         self._taken: set[Any] = set()  #: jobs that wait or run, as far as is known
         self._refusals: list[str] = []  #: that were not shown yet
-        self._is_told = False
+        self._is_reported = False
 
     def jobs(self, asked: int | None, shards: int) -> tuple[Any, Callable[[], None]]:
         """The cluster, which has begun to submit jobs, and a function that replaces lost ones.
@@ -73,9 +73,9 @@ class Queue:
         what = f"{self._path}: {self._program}: {words}"
         if not self._taken:
             raise InputError(what)
-        if not self._is_told:
+        if not self._is_reported:
             warn(f"{what}: goes on with {counted(len(self._taken), 'job')}")
-        self._is_told = True
+        self._is_reported = True
 
     def _scheduler_options(self) -> dict[str, Any]:
         """Options of the file, or of Dask's settings, with any free port for the dashboard.
@@ -155,8 +155,10 @@ def _first_sentence(error: Exception) -> str:
 
 def _expect_program(path: str, program: str) -> None:
     if shutil.which(program) is None:
-        raise InputError(f"{path}: queue_system: its program {program} is not on PATH: "
-                         "run this where jobs are submitted")  # fmt: skip
+        raise InputError(
+            f"{path}: queue_system: its program {program} is not on PATH: "
+            "run this where jobs are submitted"
+        )
 
 
 def _settings(path: str) -> dict[str, Any]:

@@ -112,8 +112,8 @@ def _write_clusters(found: EnsembleFlexibility, folder: Path) -> Path:
             zip(chosen.frames, chosen.records, columns, strict=True)
         )
     )
-    head = ["cluster", "frame", *own, "share_of_frames", "standard_error",
-            f"share_even_{what}", f"share_odd_{what}", "mean_rmsd_angstrom"]  # fmt: skip
+    head = ["cluster", "frame", *own, "share_of_frames", "standard_error"]
+    head += [f"share_even_{what}", f"share_odd_{what}", "mean_rmsd_angstrom"]
     return _write(folder / "clusters.csv", head, rows)
 
 

@@ -9,13 +9,13 @@ import sys
 from pathlib import Path
 
 from pliant.console import counted
-from pliant.ensemble.plan import Plan
+from pliant.ensemble.plan import EnsemblePlan
 
 #: Slurm takes up to 1001 jobs in an array unless it is set otherwise (MaxArraySize).
 MOST_JOBS = 1000
 
 
-def slurm_script(plan: Plan, folder: Path, words: list[str]) -> str:
+def slurm_script(plan: EnsemblePlan, folder: Path, words: list[str]) -> str:
     """The script; `words` are the arguments of the command that asked for it."""
     jobs = min(plan.shard_count, MOST_JOBS)
     shards = counted(plan.shard_count, "shard")

@@ -14,7 +14,7 @@ from pliant import _hdf5
 from pliant._core import InputError
 from pliant.ensemble.inspect_shard import POSITION, ShardRecord
 from pliant.ensemble.open_shard import counted_files, positions_in
-from pliant.ensemble.plan import Plan
+from pliant.ensemble.plan import EnsemblePlan
 
 _BLOCK_BYTES = 16 << 20  #: of the frames that are read at once
 _HELD = 0  #: of contact states
@@ -109,7 +109,7 @@ class Sums:
 class Task:
     """A part of the shards, for one process."""
 
-    plan: Plan
+    plan: EnsemblePlan
     paths: list[Path]
     records: list[ShardRecord | None]  #: what to check the files by, where that is to be done
     atoms: np.ndarray  #: (U,) one of each unit
@@ -166,7 +166,7 @@ def _counted(file: h5py.File) -> tuple[np.ndarray | None, float]:
     return np.count_nonzero(_hdf5.read(states) == _HELD, axis=0), worst
 
 
-def walkers_of(file: h5py.File, plan: Plan) -> np.ndarray:
+def walkers_of(file: h5py.File, plan: EnsemblePlan) -> np.ndarray:
     """(F,) whose frames they are; each frame of a sample is its own walker."""
     path = f"{POSITION}/step" if plan.command == "sample" else "observables/walker/value"
     found = _hdf5.item(file, path)

@@ -12,14 +12,14 @@ from pliant.ensemble.drive import Progress
 from pliant.ensemble.inspect_shard import REMAKE, ShardRecord, check_shard
 from pliant.ensemble.manifest import Manifest
 from pliant.ensemble.over_shards import in_threads
-from pliant.ensemble.plan import NO_SHARD, Plan, Shard, load_plan, strangers
+from pliant.ensemble.plan import NO_SHARD, EnsemblePlan, Shard, load_plan, strangers
 
 
 @dataclass
 class Verification:
     """What was looked at, and what is wrong."""
 
-    plan: Plan
+    plan: EnsemblePlan
     folder: Path
     shards: int = 0  #: whole
     frames: int = 0
@@ -62,7 +62,7 @@ def verify(folder: Path, show: Progress = lambda done, total: None) -> Verificat
 
 
 def _look(
-    plan: Plan, folder: Path, shard: Shard, expected: ShardRecord | None
+    plan: EnsemblePlan, folder: Path, shard: Shard, expected: ShardRecord | None
 ) -> ShardRecord | str:
     path = folder / shard.name
     if not path.exists():

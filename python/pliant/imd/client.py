@@ -31,8 +31,14 @@ class ImdFrame:
 
 #: Packets of a frame of version 3, by their place in the session's information.
 _ANNOUNCED = (
-    Type.TIME, Type.ENERGIES, Type.BOX, Type.COORDINATES, None, Type.VELOCITIES, Type.FORCES,
-)  # fmt: skip
+    Type.TIME,
+    Type.ENERGIES,
+    Type.BOX,
+    Type.COORDINATES,
+    None,
+    Type.VELOCITIES,
+    Type.FORCES,
+)
 
 
 class Client:

@@ -43,13 +43,13 @@ def make_parser() -> console.Parser:
         "watch", "Follows a live run over IMD: how fast it is, how exact.", EPILOG
     )
     add = parser.add_argument
-    add("server", metavar="HOST:PORT", type=server_address,
-        help="address of the run; :PORT alone means this machine")  # fmt: skip
+    text = "address of the run; :PORT alone means this machine"
+    add("server", metavar="HOST:PORT", type=server_address, help=text)
     add("--record", metavar="FILE", help="record what arrives in this H5MD trajectory")
     add("--topology", metavar="PDB", help="names and bonds of its atoms; --record needs it")
     add("--frames", metavar="N", type=console.whole_number(1), help="leave after this many frames")
-    add("--rate", metavar="N", type=console.whole_number(1),
-        help="ask for every N-th step (default: as the run sends them)")  # fmt: skip
+    text = "ask for every N-th step (default: as the run sends them)"
+    add("--rate", metavar="N", type=console.whole_number(1), help=text)
     add("--kill", action="store_true", help="end the run on leaving; it must allow it (--imd-kill)")
     add("--overwrite", action="store_true", help="replace an existing trajectory")
     add("--json", action="store_true", help="print what was seen as one JSON object")
@@ -207,12 +207,14 @@ class _Recorder:
         step = self._count if frame.step is None else frame.step
         self._recorder.record(
             Frame(
-                step, float(step if frame.time is None else frame.time), frame.positions,
+                step,
+                float(step if frame.time is None else frame.time),
+                frame.positions,
                 sweeps=int(energies.get("bonds_energy", 0.0)),
                 max_residual=energies.get("total_energy", 0.0),
                 rms_residual=energies.get("potential_energy", 0.0),
             )
-        )  # fmt: skip
+        )
         self._count += 1
 
     def close(self) -> None:

@@ -31,11 +31,10 @@ FRAME = (
 PLACE = ("atoms", "overlap", "step", "frames")
 
 EPILOG = """\
-Residues are matched by chain and number, else by sequence. Hydrogen bonds, salt bridges and
-hydrophobic contacts that both structures have are held on the way; contacts in only one of them,
-or of atoms that are not matched, are not held. Ligands and metals are matched by chain, number and
-name. Bonds, angles and planar groups are those of START, exact in each frame, and atoms do not
-overlap.
+Residues are matched by chain and number, else by sequence. Contacts that both structures have are
+held on the way; those in only one of them, or of atoms that are not matched, are not held. Ligands
+and metals are matched by chain, number and name. Bonds, angles and planar groups are those of
+START, exact in each frame, and atoms do not overlap.
 
 A path shows that a way exists, and what must give way on it. It does not show how fast or how
 likely it is, or that the molecule takes it.
@@ -98,9 +97,13 @@ def _path(arguments: argparse.Namespace) -> int:
         start, end = read(arguments.start), read(arguments.end)
     with console.progress("path") as show:
         path = walk.find(
-            start, end, options, arguments.output, arguments.overwrite,
+            start,
+            end,
+            options,
+            arguments.output,
+            arguments.overwrite,
             lambda done: show(done, walk.WHOLE),
-        )  # fmt: skip
+        )
     if arguments.csv:
         write_table(path, arguments.csv)
     if arguments.json:

@@ -9,14 +9,7 @@ from collections.abc import Callable
 
 from pliant import _progress
 from pliant._checked import SEED, checked
-from pliant._core import (
-    H5mdRecorder,
-    PathEnds,
-    PathOptions,
-    PathWalk,
-    Structure,
-    read,
-)
+from pliant._core import H5mdRecorder, PathEnds, PathOptions, PathWalk, Structure, read
 from pliant.path.found import MolecularPath
 
 __all__ = ["PathEnds", "PathOptions", "PathWalk", "find", "path"]
@@ -99,10 +92,9 @@ def find(
         if recorder is not None:
             walk.record(recorder)
             recorder.close()
-    found = MolecularPath(
-        ends.model, walk.positions(), walk.table(), ends.matched, options.atoms,
-        len(ends.model.contacts), ends.only_start, ends.only_end, walk.notes, walk.attempts,
-    )  # fmt: skip
+    atoms, contacts = options.atoms, len(ends.model.contacts)
+    made = ends.model, walk.positions(), walk.table(), ends.matched, atoms, contacts
+    found = MolecularPath(*made, ends.only_start, ends.only_end, walk.notes, walk.attempts)
     found.seconds = time.perf_counter() - begun
     return found
 
@@ -124,6 +116,9 @@ def _recorder(
 ) -> H5mdRecorder:
     end = {"path/end": os.path.basename(ends.source_of_end)}
     return H5mdRecorder(
-        output, ends.model.framework, structure=ends.model.structure,
-        parameters=end | options.parameters(), overwrite=overwrite,
-    )  # fmt: skip
+        output,
+        ends.model.framework,
+        structure=ends.model.structure,
+        parameters=end | options.parameters(),
+        overwrite=overwrite,
+    )

@@ -74,9 +74,14 @@ class Bridge:
         """Serves pages until the run has ended, and each of them knows how it ended."""
         self.upstream.start()
         server = await serve(
-            self._talk, sock=self.listener, process_request=self._admit, compression=None,
-            max_size=MOST_BYTES, server_header="pliant", close_timeout=2,
-        )  # fmt: skip
+            self._talk,
+            sock=self.listener,
+            process_request=self._admit,
+            compression=None,
+            max_size=MOST_BYTES,
+            server_header="pliant",
+            close_timeout=2,
+        )
         show(self.address)
         await self.upstream.end()
         tell_end(self.upstream.over)

@@ -51,11 +51,14 @@ def make_parser() -> console.Parser:
         EPILOG,
     )
     add = parser.add_argument
-    add("file", metavar="FILE", nargs="?",
-        help="PDB, mmCIF, XYZ, SDF, graph XML or H5MD file to open in it")  # fmt: skip
-    add("--connect", metavar="HOST:PORT", type=server_address,
-        help="show a live run (pliant run --imd) and pull on it;\n"
-        ":PORT alone means this machine")  # fmt: skip
+    text = "PDB, mmCIF, XYZ, SDF, graph XML or H5MD file to open in it"
+    add("file", metavar="FILE", nargs="?", help=text)
+    add(
+        "--connect",
+        metavar="HOST:PORT",
+        type=server_address,
+        help="show a live run (pliant run --imd) and pull on it;\n:PORT alone means this machine",
+    )
     add("--no-open", action="store_true", help="print the address of the page, open no browser")
     return parser
 

@@ -76,11 +76,7 @@ class _Handler(BaseHTTPRequestHandler):
 
     def _answer(self, status: HTTPStatus, body: bytes, kind: str) -> None:
         self.send_response(status)
-        headers = {
-            "Content-Type": kind,
-            "Content-Length": str(len(body)),
-            **HEADERS,
-        }
+        headers = {"Content-Type": kind, "Content-Length": str(len(body)), **HEADERS}
         for name, value in headers.items():
             self.send_header(name, value)
         self.end_headers()

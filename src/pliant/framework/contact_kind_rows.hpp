@@ -37,5 +37,11 @@ PLIANT_CONTACT_KIND(metal, 4, find_metals,  //
                     .hold = ContactHold::both_ways, .slack = 0.2, .bars = 5, .colour = "#6b5bd2",
                     .is_usual = true)
 
+PLIANT_CONTACT_KIND(cation_pi, 5, find_cation_pi,  //
+                    .singular = "cation-pi contact", .plural = "cation-pi contacts",
+                    .summary = "LYS or ARG over the face of a ring of PHE, TYR or TRP",
+                    .hold = ContactHold::below, .slack = 0.5, .bars = 2, .colour = "#c77f2e",
+                    .is_usual = false)
+
 #undef PLIANT_CONTACT_KIND
 #endif

@@ -18,7 +18,7 @@ class Fnv1a {
     for (const Vec3& x : positions)
       for (double part : {x.x, x.y, x.z}) add(part);
   }
-  /// With an end, so that "C", "A1" is not "CA", "1".
+  /// Adds a text with an end, so that "C", "A1" is not "CA", "1".
   void add(std::string_view text) {
     for (char c : text) add(static_cast<std::uint8_t>(c));
     add(std::uint8_t{0});

@@ -9,7 +9,7 @@
 namespace pliant {
 namespace {
 
-/// Of kinds that have one number, files have the name of the first.
+/// Kinds that share a number are written to files by the name of the first.
 constexpr LimitKindEntry named[] = {
     {LimitKind::given, "given"},
     {LimitKind::torsion, "torsion"},

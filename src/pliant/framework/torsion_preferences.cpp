@@ -23,7 +23,7 @@ struct Region {
   double per_long, per_short;  ///< one by half the axes, radians^-1
 };
 
-/// Of degrees.
+/// A region whose angles are given in degrees.
 constexpr Region region(double phi, double psi, double along_phi, double along_psi,
                         double half_long, double half_short) {
   return {phi * radians,

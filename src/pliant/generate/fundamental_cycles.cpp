@@ -36,7 +36,7 @@ Forest breadth_first_forest(const Framework& framework) {
   return forest;
 }
 
-/// Up from both ends of the bar until the ways meet.
+/// Goes up from both ends of the bar until the ways meet.
 std::vector<Joint> cycle_of(const Forest& forest, Bar bar) {
   std::vector<Joint> from_a{bar.a}, from_b{bar.b};
   while (from_a.back() != from_b.back()) {

@@ -60,7 +60,7 @@ GeneratedGraph make_two_cycle_tree(const GenerateOptions& options, const RandomK
   return growth.finish();
 }
 
-/// Between two joints of a ring that are no neighbours the path may be a single bar.
+/// The path between two joints of a ring that are no neighbours may be a single bar.
 GeneratedGraph make_two_cycle_path(const GenerateOptions& options, const RandomKey& key) {
   GraphGrowth growth(options, key);
   std::vector<Joint> ring = growth.add_ring(growth.add_joint());

@@ -50,7 +50,7 @@ void check(const TestSetOptions& options) {
   for (double weighting : options.weightings) pliant::check(Technique{"random", weighting});
 }
 
-/// Each once, in the order given.
+/// The classes, each once, in the order given.
 std::vector<const GraphClass*> classes_of(const TestSetOptions& options) {
   std::vector<const GraphClass*> rows;
   for (const std::string& name : options.classes) {
@@ -72,7 +72,7 @@ std::vector<std::string> techniques_of(const TestSetOptions& options) {
   return names;
 }
 
-/// Those that resolve the class; one weighting is enough for a technique that has none.
+/// The heuristics that resolve the class; one weighting is enough for a technique that has none.
 std::deque<TestHeuristic> heuristics_of(const TestSetOptions& options, const GraphClass& kind) {
   std::deque<TestHeuristic> rows;
   const auto add = [&](const std::string& technique, double weighting) {

@@ -47,8 +47,8 @@ std::vector<std::uint32_t> atoms_that_count(const Structure& structure) {
   return out;
 }
 
-/// One value a residue, from above 0 to 100. Hydrogens may have been placed since the file was
-/// read.
+/// Confidences have one value for each residue, from above 0 to 100. Hydrogens may have been placed
+/// since the file was read.
 bool looks_like_confidence(const Structure& structure) {
   const ResidueAtoms residues(structure.atoms);
   const std::size_t count = structure.atoms.residues.size();

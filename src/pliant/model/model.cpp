@@ -18,16 +18,28 @@
 namespace pliant {
 namespace {
 
-constexpr std::array<ModelEntry, 4> table{
-    {{ModelKind::bonds, "bonds", "a bar for each bond: only bond lengths hold", BarKind::bonds,
-      false, false, false},
-     {ModelKind::angles, "angles", "bars for bonds, angles and planar groups", BarKind::angles,
-      false, false, false},
-     {ModelKind::molecule, "molecule", "angles, and atoms keep their distance", BarKind::angles,
-      true, true, false},
-     {ModelKind::protein, "protein",
-      "molecule, and hydrogen bonds, salt bridges and hydrophobic tethers", BarKind::angles, true,
-      true, true}}};
+constexpr std::array table{
+    ModelEntry{.kind = ModelKind::bonds,
+               .name = "bonds",
+               .summary = "a bar for each bond: only bond lengths hold",
+               .bars = BarKind::bonds},
+    ModelEntry{.kind = ModelKind::angles,
+               .name = "angles",
+               .summary = "bars for bonds, angles and planar groups",
+               .bars = BarKind::angles},
+    ModelEntry{.kind = ModelKind::molecule,
+               .name = "molecule",
+               .summary = "angles, and atoms keep their distance",
+               .bars = BarKind::angles,
+               .is_prepared = true,
+               .has_sterics = true},
+    ModelEntry{.kind = ModelKind::protein,
+               .name = "protein",
+               .summary = "molecule, and contacts such as hydrogen bonds",
+               .bars = BarKind::angles,
+               .is_prepared = true,
+               .has_sterics = true,
+               .has_contacts = true}};
 
 /// Limits of pairs that have no bar: a bar holds its distance anyhow.
 std::vector<Limit> without_barred(std::vector<Limit> limits, const Framework& bars) {
@@ -67,7 +79,8 @@ class WantedKinds {
 
 /// "contacts: hydrogen_bond 54, salt_bridge 4, hydrophobic 31, metal 0", and kinds that are not
 /// usual where there are any or they were asked for.
-std::string told_of(std::span<const MolecularContact> contacts, const WantedKinds& wanted) {
+std::string note_of_contacts(std::span<const MolecularContact> contacts,
+                             const WantedKinds& wanted) {
   std::map<MolecularContactKind, std::size_t> counts;
   for (const MolecularContact& contact : contacts) ++counts[contact.kind];
   std::string text;
@@ -104,7 +117,7 @@ class ModelBuilder {
   }
 
  private:
-  void tell(std::string line) {
+  void note(std::string line) {
     options_.log.note(line);
     ready_.steps.push_back(std::move(line));
   }
@@ -114,7 +127,7 @@ class ModelBuilder {
     check_atoms();
     building_.limits =
         without_barred(limits_of(contacts_), build_framework(ready_.structure, building_));
-    tell(told_of(contacts_, WantedKinds(options_.more_contacts)));
+    note(note_of_contacts(contacts_, WantedKinds(options_.more_contacts)));
   }
 
   /// Contacts that a caller gives may name anything.
@@ -141,7 +154,7 @@ class ModelBuilder {
                             .sterics = std::make_shared<const Sterics>(sterics)});
     sterics.own = own_distances(joints, ready_.structure.positions);
     if (!sterics.own.empty())
-      tell("sterics: " + std::to_string(sterics.own.size()) +
+      note("sterics: " + std::to_string(sterics.own.size()) +
            " pairs are nearer than usual and keep their own distance");
     building_.sterics = std::make_shared<const Sterics>(std::move(sterics));
   }
@@ -149,7 +162,7 @@ class ModelBuilder {
   void take_torsions() {
     TorsionPreferences torsions = torsions_of_residues(ready_.structure);
     if (torsions.staggered.empty() && torsions.backbone.empty()) return;
-    tell("torsions: " + std::to_string(torsions.staggered.size()) +
+    note("torsions: " + std::to_string(torsions.staggered.size()) +
          " of side chains prefer to be staggered, phi and psi of " +
          std::to_string(torsions.backbone.size()) + " residues prefer the usual regions");
     building_.torsion_preferences = std::make_shared<const TorsionPreferences>(std::move(torsions));
@@ -198,7 +211,7 @@ std::vector<MolecularContact> find_contacts(const Structure& structure, const Mo
 std::vector<MolecularContact> contacts_for(const Preparation& ready, const ModelOptions& options) {
   const bool are_given = options.contacts || !options.contacts_file.empty();
   if (are_given && !options.more_contacts.empty())
-    throw OptionError("more contacts: are found, which goes with no contacts that are given");
+    throw OptionError("more_contacts: goes with contacts that are found, not with given ones");
   if (options.contacts) return *options.contacts;
   if (!options.contacts_file.empty()) return read_contacts(options.contacts_file, ready.structure);
   return find_contacts(ready.structure, options, ready.floppy);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The model of a molecule: the constraints that hold it. A table of models, from bonds alone to
-// those of a protein: bars, sterics, hydrogen bonds, salt bridges and hydrophobic tethers.
+// those of a protein: bars, sterics and contacts.
 #pragma once
 
 #include <optional>
@@ -27,9 +27,9 @@ struct ModelEntry {
   std::string_view name;     ///< "protein"
   std::string_view summary;  ///< one line for help
   BarKind bars;
-  bool is_prepared;  ///< waters out, polar hydrogens in
-  bool has_sterics;
-  bool has_contacts;  ///< those of molecular_contact_kinds()
+  bool is_prepared = false;  ///< waters out, polar hydrogens in
+  bool has_sterics = false;
+  bool has_contacts = false;  ///< those of molecular_contact_kinds()
 };
 
 /// All models, in the order of their numbers.
@@ -65,7 +65,7 @@ struct MolecularModel {
   Framework framework;          ///< bars, limits (group k is contact k), sterics
   std::vector<Vec3> positions;  ///< (N) Angstrom, start; satisfies all limits and least distances
   std::vector<MolecularContact> contacts;
-  std::vector<std::string> told;     ///< what was done and found, one sentence each
+  std::vector<std::string> notes;    ///< what was done and found, one sentence each
   std::vector<std::string> missing;  ///< what the structure lacks
 };
 

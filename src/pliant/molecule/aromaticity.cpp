@@ -124,8 +124,8 @@ class RingSearch {
   }
 
  private:
-  /// From its lowest atom, towards the lower of the two beside it: each ring once. What would go
-  /// on from an atom that is bonded to the first has a chord.
+  /// Goes from a ring's lowest atom towards the lower of the two beside it: each ring once. What
+  /// would go on from an atom that is bonded to the first has a chord.
   void go_on() {
     const auto links = graph_.at(atoms_.back());
     const auto closing = std::find_if(links.begin(), links.end(), [&](const Link& link) {

@@ -217,7 +217,7 @@ class Writer {
     line({"bonds_apart", std::to_string(sterics.excluded_bonds)});
   }
 
-  /// Nothing where the reader finds that kind by itself.
+  /// Writes nothing where the reader finds that kind by itself.
   void write_kind(Joint joint, std::string_view kind, const std::vector<std::string>& kinds) {
     const std::string_view usual = usual_kind(joints_, joint);
     const bool is_known = std::find(kinds.begin(), kinds.end(), usual) != kinds.end();

@@ -93,7 +93,7 @@ class FrameworkBuilder {
            "bar " + label(a, b) + " has length 0: both atoms are at " + std::string(text));
   }
 
-  /// In an aromatic ring it is not the drawing that tells the length.
+  /// The length of a bond in an aromatic ring does not depend on how the ring is drawn.
   double table_length(const Bond& bond, bool is_aromatic) {
     const std::uint8_t one = structure_.atoms.elements[bond.a];
     const std::uint8_t other = structure_.atoms.elements[bond.b];

@@ -117,7 +117,7 @@ class PlanarGroups {
     });
   }
 
-  /// Beyond its bond to `c`.
+  /// Whether n bears only hydrogens besides its bond to `c`.
   bool bears_hydrogens_alone(std::uint32_t n, std::uint32_t c) const {
     const auto around = neighbours_.at(n);
     return std::all_of(around.begin(), around.end(), [&](const Neighbour& at) {

@@ -54,7 +54,7 @@ struct OrderingEntry {
   std::string_view name;
   std::string_view summary;
   Repeat repeat;
-  bool forests_only;  ///< leaves non-tree bars out, so that it resolves only forests
+  bool forests_only = false;  ///< leaves non-tree bars out, so that it resolves only forests
   void (*order)(const OrderRequest& request, OrderScratch& scratch, Ordering& out);
 };
 

@@ -23,7 +23,7 @@ std::vector<double> noise(std::size_t count, std::uint64_t attempt, std::uint64_
   return values;
 }
 
-/// Of residues so far apart, until they are nothing.
+/// Weights by the number of residues between two, until they vanish.
 std::vector<double> smoothing_weights(std::size_t residues) {
   std::vector<double> weights;
   for (std::size_t apart = 0; apart < residues; ++apart) {

@@ -115,7 +115,7 @@ class EndsMatcher {
     return build_model(structure, options);
   }
 
-  /// How.
+  /// Matches the traces; returns notes on how.
   std::vector<std::string> match_traces() {
     const Trace ours = trace_of(whole_.structure), theirs = trace_of(goal_.structure);
     if (ours.size() == 0)

@@ -16,7 +16,8 @@ namespace {
 using Indices = std::vector<std::uint32_t>;
 using Pairs = std::vector<ResiduePair>;
 
-/// By number where so many of the residues of the shorter chain are found and called the same.
+/// Residues are matched by number where so many of those of the shorter chain are found and called
+/// the same.
 constexpr double least_by_number = 0.9;
 /// Chains are the same molecule where so many residues of the shorter one are the same.
 constexpr double least_alike = 0.3;

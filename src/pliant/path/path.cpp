@@ -16,7 +16,7 @@ constexpr double timestep = 0.01;  // ps a step, as files of Motion have it; a p
 }  // namespace
 
 /// First both ends, if so asked; then the march of the start; then detours, each with a march.
-struct PathWalk::Plan {
+struct PathWalk::Search {
   std::shared_ptr<const PathEnds> ends;
   PathOptions options;
   PathWalker walker;
@@ -30,7 +30,7 @@ struct PathWalk::Plan {
   std::int64_t attempts = 0;
   bool is_over = false;
 
-  Plan(std::shared_ptr<const PathEnds> given, const PathOptions& asked)
+  Search(std::shared_ptr<const PathEnds> given, const PathOptions& asked)
       : ends(std::move(given)),
         options(asked),
         walker(ends->start, options.should_stop),
@@ -42,8 +42,8 @@ struct PathWalk::Plan {
       march.emplace(walker, best, goals, options.step);
     }
   }
-  Plan(const Plan&) = delete;
-  Plan& operator=(const Plan&) = delete;
+  Search(const Search&) = delete;
+  Search& operator=(const Search&) = delete;
 
   void advance() {
     if (meeting) {
@@ -89,22 +89,22 @@ struct PathWalk::Plan {
 
 PathWalk::PathWalk(std::shared_ptr<const PathEnds> ends, const PathOptions& options) {
   check(options);
-  plan_ = std::make_unique<Plan>(std::move(ends), options);
+  search_ = std::make_unique<Search>(std::move(ends), options);
 }
 
 PathWalk::~PathWalk() = default;
 PathWalk::PathWalk(PathWalk&&) noexcept = default;
 
 bool PathWalk::advance() {
-  if (!plan_->is_over) plan_->advance();
-  return !plan_->is_over;
+  if (!search_->is_over) search_->advance();
+  return !search_->is_over;
 }
 
-bool PathWalk::is_over() const { return plan_->is_over; }
-std::size_t PathWalk::frame_count() const { return plan_->best.places.size(); }
+bool PathWalk::is_over() const { return search_->is_over; }
+std::size_t PathWalk::frame_count() const { return search_->best.places.size(); }
 
 Frame PathWalk::frame(std::size_t number) const {
-  const PathPlace& place = *plan_->best.places[number];
+  const PathPlace& place = *search_->best.places[number];
   Frame frame;
   frame.step = std::int64_t(number);
   frame.time = double(number) * timestep;
@@ -118,19 +118,19 @@ Frame PathWalk::frame(std::size_t number) const {
   return frame;
 }
 
-double PathWalk::left() const { return plan_->best.left.back(); }
-std::int64_t PathWalk::attempts() const { return plan_->attempts; }
+double PathWalk::left() const { return search_->best.left.back(); }
+std::int64_t PathWalk::attempts() const { return search_->attempts; }
 
 std::vector<std::string> PathWalk::notes() const {
-  std::vector<std::string> all = plan_->ends->notes;
-  all.insert(all.end(), plan_->notes.begin(), plan_->notes.end());
-  const std::vector<std::string>& of_way = plan_->best.notes;
+  std::vector<std::string> all = search_->ends->notes;
+  all.insert(all.end(), search_->notes.begin(), search_->notes.end());
+  const std::vector<std::string>& of_way = search_->best.notes;
   all.insert(all.end(), of_way.begin(), of_way.end());
   return all;
 }
 
-const std::shared_ptr<const PathEnds>& PathWalk::ends() const { return plan_->ends; }
-const PathOptions& PathWalk::options() const { return plan_->options; }
+const std::shared_ptr<const PathEnds>& PathWalk::ends() const { return search_->ends; }
+const PathOptions& PathWalk::options() const { return search_->options; }
 
 std::vector<PathFrame> table_of(const PathWalk& walk) {
   PathTable table(*walk.ends());

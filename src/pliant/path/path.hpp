@@ -51,8 +51,8 @@ class PathWalk {
   const PathOptions& options() const;
 
  private:
-  struct Plan;
-  std::unique_ptr<Plan> plan_;
+  struct Search;
+  std::unique_ptr<Search> search_;
 };
 
 /// A path and its costs.

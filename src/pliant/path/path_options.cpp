@@ -6,7 +6,9 @@
 namespace pliant {
 namespace {
 
-constexpr PathAtoms table_of_atoms[] = {{"CA", false, 0.5}, {"heavy", true, 1.0}};
+constexpr PathAtoms table_of_atoms[] = {
+    {.name = "CA", .are_heavy = false, .arrived_within = 0.5},
+    {.name = "heavy", .are_heavy = true, .arrived_within = 1.0}};
 
 template <auto Member>
 constexpr auto at = place_at<PathOptions, Member>;

@@ -23,7 +23,7 @@ constexpr std::int32_t match = 2, mismatch = -1, gap = -2;
 
 enum class Came : std::uint8_t { paired, gap_in_theirs, gap_in_ours };
 
-/// From where the best score of each two beginnings comes. Scores are kept for one row only.
+/// Where the best score of each two beginnings comes from. Scores are kept for one row only.
 class AlignmentTable {
  public:
   AlignmentTable(std::string_view ours, std::string_view theirs)

@@ -95,7 +95,8 @@ class PairDistances final : public Pusher {
   }
 
  private:
-  /// From the centre of the first group to that of the second; along x where they are in one place.
+  /// The direction from the centre of the first group to that of the second; along x where they are
+  /// in one place.
   static Vec3 direction_of(const PairDistance& pair, std::span<const Vec3> positions) {
     const Vec3 line = line_of(pair, positions);
     const double length = norm(line);

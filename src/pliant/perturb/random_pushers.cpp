@@ -45,7 +45,7 @@ std::int64_t random_free_joint(const Framework& framework, const RandomKey& key)
   }
 }
 
-/// Nothing if all joints are pinned.
+/// A push, or nothing if all joints are pinned.
 std::optional<JointForce> random_push(const Framework& framework, const RandomKey& key,
                                       double size) {
   const std::int64_t found = random_free_joint(framework, key);

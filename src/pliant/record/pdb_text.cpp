@@ -174,7 +174,7 @@ void PdbText::add_bonds(std::span<const RecordedBond> bonds) {
   }
 }
 
-/// Four to a record.
+/// A record holds four atoms.
 void PdbText::add_conect(std::size_t atom, std::span<const std::uint32_t> others) {
   for (std::size_t first = 0; first < others.size(); first += 4) {
     text_ += "CONECT" + hybrid36(std::int64_t(atom) + 1, 5);

@@ -22,7 +22,7 @@ void append(std::string& text, const char* format, Values... values) {
   text.append(line, static_cast<std::size_t>(size));
 }
 
-/// One line: control characters would end it.
+/// The text as one line: control characters would end it.
 std::string one_line(std::string text) {
   for (char& letter : text)
     if (static_cast<unsigned char>(letter) < ' ') letter = ' ';
@@ -92,14 +92,14 @@ class SdfRecorder::Writer {
 
   template <class Value>
   void add_pairs(const char* name, const std::vector<Value>& values) {
-    std::vector<std::size_t> told;
+    std::vector<std::size_t> changed;
     for (std::size_t k = 0; k < values.size(); ++k)
-      if (values[k] != 0) told.push_back(k);
-    for (std::size_t first = 0; first < told.size(); first += pairs_a_line) {
-      const std::size_t count = std::min(pairs_a_line, told.size() - first);
+      if (values[k] != 0) changed.push_back(k);
+    for (std::size_t first = 0; first < changed.size(); first += pairs_a_line) {
+      const std::size_t count = std::min(pairs_a_line, changed.size() - first);
       append(text_, "M  %s%3zu", name, count);
       for (std::size_t k = first; k < first + count; ++k)
-        append(text_, " %3zu %3d", told[k] + 1, int{values[told[k]]});
+        append(text_, " %3zu %3d", changed[k] + 1, int{values[changed[k]]});
       text_ += '\n';
     }
   }

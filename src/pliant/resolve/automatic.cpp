@@ -142,7 +142,7 @@ class Automatic final : public Method {
     return *made;
   }
 
-  /// To where the push left the joints.
+  /// Puts joints back to where the push left them.
   static void put_back(const ResolveCall& call) {
     if (call.moved != nullptr) {
       call.moved->put_back(call.positions);

@@ -36,7 +36,7 @@ void check_on_bar(const Framework& framework, const Technique& technique,
 using Clock = std::chrono::steady_clock;
 
 /// What stays between resolves: the technique's method, and the positions to go back to.
-struct Resolver::Plan {
+struct Resolver::MethodPlan {
   const Framework& framework;
   ResolveOptions options;
   Technique technique;
@@ -45,7 +45,8 @@ struct Resolver::Plan {
   std::vector<std::uint8_t> limits_off;
   std::unique_ptr<KeptMeasure> kept;  ///< null: bars alone
 
-  Plan(const Framework& framework_, const Technique& technique_, const ResolveOptions& options_)
+  MethodPlan(const Framework& framework_, const Technique& technique_,
+             const ResolveOptions& options_)
       : framework(framework_), options(options_), technique(technique_) {
     method = entry_of(technique).make(framework, technique, options);
     if (framework.has_bars_only() && shifts_to_mass_centre(technique_used(framework, technique)))
@@ -94,7 +95,7 @@ struct Resolver::Plan {
     return measure(framework, positions, options.tolerance);
   }
 
-  /// Of the bars at joints that were disturbed or moved; rms_relative is -1.
+  /// Measures the bars at joints that were disturbed or moved; rms_relative is -1.
   ResidualSummary measure_near(std::span<const Vec3> positions, const Disturbed& disturbed) const {
     ResidualSummary near;
     near.rms_relative = -1.0;
@@ -127,7 +128,7 @@ Resolver::Resolver(const Framework& framework, const Technique& technique,
   check(options);
   check(technique, framework);
   check_on_bar(framework, technique, options);
-  plan_ = std::make_unique<Plan>(framework, technique, options);
+  plan_ = std::make_unique<MethodPlan>(framework, technique, options);
 }
 
 Resolver::~Resolver() = default;

@@ -69,8 +69,8 @@ class Resolver {
   std::optional<std::span<const Joint>> moved() const;
 
  private:
-  struct Plan;
-  std::unique_ptr<Plan> plan_;
+  struct MethodPlan;
+  std::unique_ptr<MethodPlan> plan_;
 };
 
 /// Resolves once: Resolver(framework, technique, options).resolve(positions, root).

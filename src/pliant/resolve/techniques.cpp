@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/resolve/techniques.hpp"
 
+#include <iterator>
 #include <vector>
 
 #include "pliant/base/choices.hpp"
@@ -24,36 +25,77 @@
 namespace pliant {
 namespace {
 
+constexpr TechniqueEntry auto_entry{
+    .name = "auto",
+    .summary = "chosen from what the bars form: blocks, units, newton, froda or anderson",
+    .has_weighting = false,
+    .knows_limits = true,
+    .make = make_automatic};
+
+TechniqueEntry entry_of_ordering(const OrderingEntry& row) {
+  return {.name = row.name,
+          .summary = row.summary,
+          .forests_only = row.forests_only,
+          .knows_limits = true,
+          .make = make_sweeps,
+          .make_lanes = make_lane_sweeps,
+          .bar_by_bar = true};
+}
+
+constexpr TechniqueEntry method_entries[] = {
+    {.name = "blocks",
+     .summary = "bridges in one outward pass, exactly; each ring system alone by Newton's method",
+     .has_weighting = false,
+     .make = make_blocks,
+     .make_lanes = make_lane_blocks,
+     .carries = true},
+    {.name = "anderson",
+     .summary = "bfs_cycle with Anderson acceleration from sweep to sweep",
+     .knows_limits = true,
+     .make = make_anderson,
+     .bar_by_bar = true},
+    {.name = "newton",
+     .summary = "the nearest whole positions, weighted by mass",
+     .has_weighting = false,
+     .make = make_newton_in_shape,
+     .make_lanes = make_lane_newton},
+    {.name = "shake",
+     .summary = "along the directions of the bars before the push, by inverse mass (SHAKE, CCMA)",
+     .has_weighting = false,
+     .make = make_shake_in_shape,
+     .make_lanes = make_lane_shake},
+    {.name = "units",
+     .summary = "rigid units (angles, small rings) placed exactly in one outward pass over hinges",
+     .has_weighting = false,
+     .make = make_units,
+     .carries = true},
+    {.name = "units_nearest",
+     .summary = "units, then all hinges turned at once towards where the joints were",
+     .has_weighting = false,
+     .make = make_units_nearest,
+     .carries = true},
+    {.name = "froda",
+     .summary = "rigid units turned about their hinges, towards the push and out of contacts",
+     .has_weighting = false,
+     .knows_limits = true,
+     .make = make_froda},
+    {.name = "froda_templates",
+     .summary = "rigid units and the joints that they share fitted to each other in turn (FRODA)",
+     .has_weighting = false,
+     .knows_limits = true,
+     .make = make_templates},
+};
+
+constexpr TechniqueEntry custom_entry{.name = custom_technique,
+                                      .summary = "sweeps of your own",
+                                      .has_weighting = false,
+                                      .knows_limits = true,
+                                      .make = make_custom_sweeps};
+
 std::vector<TechniqueEntry> all_techniques() {
-  std::vector<TechniqueEntry> rows;
-  rows.push_back({"auto",
-                  "chosen from what the bars form: blocks, units, newton, froda or anderson", false,
-                  false, true, make_automatic});
-  for (const OrderingEntry& row : orderings())
-    rows.push_back({row.name, row.summary, row.forests_only, true, true, make_sweeps,
-                    make_lane_sweeps, false, true});
-  rows.push_back({"blocks",
-                  "bridges in one outward pass, exactly; each ring system alone by Newton's method",
-                  false, false, false, make_blocks, make_lane_blocks, true});
-  rows.push_back({"anderson", "bfs_cycle with Anderson acceleration from sweep to sweep", false,
-                  true, true, make_anderson, nullptr, false, true});
-  rows.push_back({"newton", "the nearest whole positions, weighted by mass", false, false, false,
-                  make_newton_in_shape, make_lane_newton});
-  rows.push_back({"shake",
-                  "along the directions of the bars before the push, by inverse mass (SHAKE, CCMA)",
-                  false, false, false, make_shake_in_shape, make_lane_shake});
-  rows.push_back(
-      {"units", "rigid units (angles, small rings) placed exactly in one outward pass over hinges",
-       false, false, false, make_units, nullptr, true});
-  rows.push_back({"units_nearest",
-                  "units, then all hinges turned at once towards where the joints were", false,
-                  false, false, make_units_nearest, nullptr, true});
-  rows.push_back({"froda",
-                  "rigid units turned about their hinges, towards the push and out of contacts",
-                  false, false, true, make_froda});
-  rows.push_back({"froda_templates",
-                  "rigid units and the joints that they share fitted to each other in turn (FRODA)",
-                  false, false, true, make_templates});
+  std::vector<TechniqueEntry> rows{auto_entry};
+  for (const OrderingEntry& row : orderings()) rows.push_back(entry_of_ordering(row));
+  rows.insert(rows.end(), std::begin(method_entries), std::end(method_entries));
   return rows;
 }
 
@@ -103,9 +145,7 @@ const TechniqueEntry& find_technique(std::string_view name) {
 }
 
 const TechniqueEntry& entry_of(const Technique& technique) {
-  static const TechniqueEntry custom{custom_technique,  "sweeps of your own", false, false, true,
-                                     make_custom_sweeps};
-  return technique.sweep ? custom : find_technique(technique.name);
+  return technique.sweep ? custom_entry : find_technique(technique.name);
 }
 
 bool shifts_to_mass_centre(const Technique& technique) {

@@ -54,7 +54,7 @@ std::span<const std::string_view> lane_level_names() {
 }
 
 /// The resolver of one walker, and the lanes once they are needed.
-struct WalkerResolver::Plan {
+struct WalkerResolver::LanePlan {
   const Framework& framework;
   Technique technique;
   ResolveOptions options;
@@ -63,8 +63,8 @@ struct WalkerResolver::Plan {
   bool uses_lanes;
   std::optional<LaneGroup> lanes;
 
-  Plan(const Framework& framework_, const Technique& asked, const ResolveOptions& options_,
-       const LaneOptions& lane_options)
+  LanePlan(const Framework& framework_, const Technique& asked, const ResolveOptions& options_,
+           const LaneOptions& lane_options)
       : framework(framework_),
         technique(technique_used(framework_, asked)),
         options(options_),
@@ -128,7 +128,7 @@ struct WalkerResolver::Plan {
 
 WalkerResolver::WalkerResolver(const Framework& framework, const Technique& technique,
                                const ResolveOptions& options, const LaneOptions& lanes)
-    : plan_(std::make_unique<Plan>(framework, technique, options, lanes)) {}
+    : plan_(std::make_unique<LanePlan>(framework, technique, options, lanes)) {}
 
 WalkerResolver::~WalkerResolver() = default;
 WalkerResolver::WalkerResolver(WalkerResolver&&) noexcept = default;

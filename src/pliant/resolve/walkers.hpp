@@ -47,8 +47,8 @@ class WalkerResolver {
                Joint root = 0, std::int64_t step = 0, Measured measured = Measured::max_residual);
 
  private:
-  struct Plan;
-  std::unique_ptr<Plan> plan_;
+  struct LanePlan;
+  std::unique_ptr<LanePlan> plan_;
 };
 
 }  // namespace pliant

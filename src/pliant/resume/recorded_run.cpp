@@ -79,7 +79,7 @@ Guide guide_of(const RunInputs& inputs) {
   return guide;
 }
 
-/// Empty: none was given.
+/// The ordering; empty where none was given.
 Ordering ordering_of(const RunInputs& inputs) {
   Ordering ordering;
   const std::size_t visits = std::min(

@@ -10,7 +10,7 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t most_bars_a_joint = 256;
-/// Of so many bars from a joint to a unit, three that are not on one line are looked for.
+/// Among so many bars from a joint to a unit, three that are not on one line are looked for.
 constexpr std::size_t most_links = 6;
 /// Least squared sine, roughly, of a triangle that counts as one.
 constexpr double flat = 1e-6;
@@ -136,7 +136,7 @@ class UnitSearch {
     return ab && bc && ac && !is_flat(*ab, *bc, *ac);
   }
 
-  /// As drawn, else as a bar between them says.
+  /// The squared distance as drawn, else as a bar between them says.
   std::optional<double> squared_distance(Joint a, Joint b) const {
     const auto drawn = framework_.drawn();
     if (!drawn.empty()) return norm_squared(drawn[b] - drawn[a]);

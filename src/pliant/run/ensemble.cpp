@@ -17,7 +17,7 @@ namespace {
 /// The first failure of several threads.
 class FirstFailure {
  public:
-  /// Of the exception being handled.
+  /// Keeps the exception that is being handled.
   void keep() {
     const std::lock_guard hold(mutex_);
     if (!first_) first_ = std::current_exception();

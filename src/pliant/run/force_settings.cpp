@@ -9,7 +9,7 @@
 namespace pliant {
 namespace {
 
-constexpr std::array<std::string_view, 6> told_elsewhere{
+constexpr std::array<std::string_view, 6> kept_elsewhere{
     "steps", "every", "timestep", "tolerance", "tolerance_length", "max_sweeps"};
 constexpr std::array<std::string_view, 3> of_perturbation{"perturb", "force", "displacement"};
 
@@ -23,7 +23,7 @@ std::vector<ForceSetting> force_settings(const RunOptions& options) {
   std::vector<ForceSetting> settings;
   for (const RunField& field : run_fields()) {
     const std::string text = run_field_text(options, field);
-    if (!is_in(told_elsewhere, field.name) && text != run_field_text(RunOptions(), field))
+    if (!is_in(kept_elsewhere, field.name) && text != run_field_text(RunOptions(), field))
       settings.push_back({std::string(field.name), text});
   }
   return settings;

@@ -8,13 +8,13 @@
 namespace pliant {
 
 /// The walker and what resolves it.
-struct Motion::Plan {
+struct Motion::WalkPlan {
   std::unique_ptr<State> own;  ///< null if the state lives elsewhere
   Walk walk;
   Resolver resolver;
 
-  Plan(const Framework& framework, std::unique_ptr<State> mine, State& state,
-       const MotionOptions& options, std::uint64_t walker)
+  WalkPlan(const Framework& framework, std::unique_ptr<State> mine, State& state,
+           const MotionOptions& options, std::uint64_t walker)
       : own(std::move(mine)),
         walk(framework, state, options, walker),
         resolver(framework, options.technique, options.resolve) {
@@ -34,13 +34,13 @@ Motion::Motion(const Framework& framework, State state, const MotionOptions& opt
   check(options);
   auto own = std::make_unique<State>(std::move(state));
   State& kept = *own;
-  plan_ = std::make_unique<Plan>(framework, std::move(own), kept, options, walker);
+  plan_ = std::make_unique<WalkPlan>(framework, std::move(own), kept, options, walker);
 }
 
 Motion::Motion(const Framework& framework, std::reference_wrapper<State> state,
                const MotionOptions& options, std::uint64_t walker) {
   check(options);
-  plan_ = std::make_unique<Plan>(framework, nullptr, state.get(), options, walker);
+  plan_ = std::make_unique<WalkPlan>(framework, nullptr, state.get(), options, walker);
 }
 
 Motion::~Motion() = default;

@@ -80,8 +80,8 @@ class Motion {
   void stop();
 
  private:
-  struct Plan;
-  std::unique_ptr<Plan> plan_;
+  struct WalkPlan;
+  std::unique_ptr<WalkPlan> plan_;
 };
 
 }  // namespace pliant

@@ -35,7 +35,8 @@ FrodaOptions patient() {
   return options;
 }
 
-/// Of this thread alone; of the wall where the system knows no other clock (WebAssembly).
+/// Seconds of this thread alone; of the clock on the wall where the system knows no other
+/// (WebAssembly).
 double thread_seconds() {
   timespec now{};
 #ifdef CLOCK_THREAD_CPUTIME_ID
@@ -103,7 +104,7 @@ void FrameMaker::make_many(std::int64_t first, std::span<const Vec3> now,
   for (MadeFrame& frame : out) frame.cpu_seconds = share;
 }
 
-/// Of a frame that is made: what the last request said, and how whole its bars are.
+/// Completes a frame that is made: what the last request said, and how whole its bars are.
 void FrameMaker::finish(MadeFrame& out) const {
   if (!out.is_made) return;
   out.limits_off = request_.limits_off;
@@ -151,7 +152,7 @@ bool FrameMaker::draw_again(std::int64_t number, int step, std::span<const Vec3>
   return false;
 }
 
-/// By blind steps, else by many small ones.
+/// Rescues a frame by blind steps, else by many small ones.
 bool FrameMaker::rescue(std::span<const Vec3> from, MadeFrame& out) {
   out.is_rescued = true;
   return resolve(from, blind(), out) || resolve(from, patient(), out);

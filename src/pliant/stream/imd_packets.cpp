@@ -102,7 +102,7 @@ Bytes imd_head(const ImdFormat& format, const Frame& frame, double timestep,
   return bytes;
 }
 
-// Most of a frame, and so without a call for each number.
+// Coordinates are most of a frame, and are written without a call for each number.
 void imd_coordinates(const ImdFormat& format, std::span<const Vec3> positions, Bytes& bytes) {
   bytes.clear();
   PacketWriter(format, bytes).header(ImdType::coordinates, static_cast<int>(positions.size()));

@@ -23,7 +23,7 @@ const ImdOptions& checked(const ImdOptions& options) {
   return options;
 }
 
-/// As poll() takes it: -1 is for ever.
+/// Milliseconds as poll() takes them: -1 is for ever.
 int milliseconds_until(ImdSession::Clock::time_point deadline) {
   if (deadline == ImdSession::Clock::time_point::max()) return -1;
   const auto left = deadline - ImdSession::Clock::now();

@@ -122,7 +122,7 @@ Descriptor make_wake() {
 
 void wake(const Descriptor& descriptor) {
   const std::uint64_t one = 1;
-  // It fails only where it has been woken 2^64 times and not slept since.
+  // Writing fails only where the descriptor has been woken 2^64 times and not slept since.
   if (write(descriptor.get(), &one, sizeof one) < 0) return;
 }
 

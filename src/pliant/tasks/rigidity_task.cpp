@@ -52,11 +52,9 @@ RigidityOptions options_of(const RigidityAsked& asked, const AtomTable& atoms) {
   for (const OptionField<RigidityAsked>& field : rigidity_fields())
     check_option(field, field.place(places_of(asked)));
   RigidityOptions options;
-  const auto hydrogen_bars = static_cast<std::uint8_t>(asked.hbond_bars);
-  options.bars = {
-      {MolecularContactKind::hydrogen_bond, hydrogen_bars},
-      {MolecularContactKind::salt_bridge, hydrogen_bars},
-      {MolecularContactKind::hydrophobic, static_cast<std::uint8_t>(asked.tether_bars)}};
+  for (const MolecularContactKindEntry& row : molecular_contact_kinds())
+    if (row.has_hydrogen()) options.bars[row.kind] = static_cast<std::uint8_t>(asked.hbond_bars);
+  options.bars[MolecularContactKind::hydrophobic] = static_cast<std::uint8_t>(asked.tether_bars);
   options.ends_turn = asked.ends_turn;
   if (!asked.free_angles.empty())
     options.free_angles = select_some_atoms(atoms, asked.free_angles, "free angles");

@@ -15,7 +15,8 @@ namespace pliant {
 
 /// How freedoms are counted, as users say it: see RigidityOptions.
 struct RigidityAsked {
-  std::int64_t hbond_bars = 5, tether_bars = 2;
+  std::int64_t hbond_bars = entry(MolecularContactKind::hydrogen_bond).bars;
+  std::int64_t tether_bars = entry(MolecularContactKind::hydrophobic).bars;
   bool ends_turn = true;
   std::string free_angles = {};  ///< selection of atoms; "": none
 };

@@ -118,7 +118,7 @@ fs::path resolved(const fs::path& target) {
   return found;
 }
 
-/// Beside the target, hidden. Without a number it is the same for all who write the target.
+/// A hidden file beside the target. Without a number it is the same for all who write the target.
 fs::path temporary_name(const fs::path& target, const std::string& number) {
   return target.parent_path() / ("." + target.filename().string() + number + ".partial");
 }
@@ -212,7 +212,7 @@ void OutputFile::publish() {
   if (!published_) fail_with(target_, "cannot take its name", EBUSY);
 }
 
-/// False when the name is taken.
+/// Returns false when the name is taken.
 bool OutputFile::take_free_name() {
   if (::link(temporary_.c_str(), target_.c_str()) == 0) {
     ::unlink(temporary_.c_str());
@@ -227,7 +227,7 @@ bool OutputFile::take_free_name() {
   return true;
 }
 
-/// False when the name has become free, or another file's.
+/// Returns false when the name has become free, or another file's.
 bool OutputFile::replace_existing() {
   if (!overwrite_) refuse_existing(target_);
   const Descriptor existing(::open(target_.c_str(), O_RDWR | O_CLOEXEC | O_NONBLOCK));

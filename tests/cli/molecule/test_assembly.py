@@ -49,8 +49,9 @@ def test_contacts_and_samples_are_of_the_assembly(pliant, pair, tmp_path):
     one = json.loads(pliant("contacts", pair, "--json").out)["contacts"]
     two = json.loads(pliant("contacts", pair, "--json", "--assembly", 1).out)["contacts"]
     assert len(two) == 2 * len(one)  # 30 Angstrom apart
-    ended = pliant("sample", pair, "-o", "o.h5md", "--assembly", 1, "--frames", 2, "--amplitude",
-                   0.4, "--quiet")  # fmt: skip
+    ended = pliant(
+        "sample", pair, *"-o o.h5md --assembly 1 --frames 2 --amplitude 0.4 --quiet".split()
+    )
     assert ended.code == 0, ended.err
     with h5py.File(tmp_path / "o.h5md") as file:
         assert file["parameters/input/assembly"][()] == b"1"

@@ -57,16 +57,16 @@ def packaged(name):
 
 def lines_given_back(pliant, folder, path, form):
     """The contacts of a file, or None where it is refused; they were read back as they are."""
-    told = pliant("contacts", path, form)
-    if told.code != 0:
+    listed = pliant("contacts", path, form)
+    if listed.code != 0:
         return None
-    if CORPUS in path.parents and told.out.count("\n") < 2:
+    if CORPUS in path.parents and listed.out.count("\n") < 2:
         return []  # no contacts, as most have none: to be quick
-    (folder / "given.txt").write_text(told.out)
+    (folder / "given.txt").write_text(listed.out)
     again = pliant("contacts", path, form, "--contacts", "given.txt")
     assert again.code == 0, f"{path}: {again.err.splitlines()[-1]}"
-    assert again.out == told.out, path
-    return told.out.splitlines()[1:]
+    assert again.out == listed.out, path
+    return listed.out.splitlines()[1:]
 
 
 @pytest.mark.parametrize("folder", ["pdb", "mmcif", "sdf", "xyz"])

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from h5md_contents import contents
+from h5md_contents import assert_same_runs, contents
 
 pytest.importorskip("MDAnalysisTests")
 import MDAnalysisTests
@@ -40,7 +40,7 @@ def test_json_and_csv_say_the_same(pliant):
     assert [float(row["energy"]) for row in rows] == [contact["energy"] for contact in contacts]
 
 
-def test_what_was_done_is_told(pliant):
+def test_what_was_done_is_reported(pliant):
     ended = pliant("contacts", XRAY)
     assert ended.code == 0
     assert "note: 180 waters taken out\n" in ended.err
@@ -84,11 +84,12 @@ def test_a_wrong_line_is_named(pliant, tmp_path):
             ["--model", "protein", "--bars", "bonds"],
             "--model, --bars: expected one of them: a model has bars of its own",
         ),
-        (
-            ["--keep-waters"],
-            "--keep-waters: goes with --model molecule or --model protein",
-        ),
+        (["--keep-waters"], "--keep-waters: goes with --model molecule or --model protein"),
         (["--model", "molecule", "--floppy"], "--floppy: goes with --model protein"),
+        (
+            ["--model", "molecule", "--more-contacts", "cation_pi"],
+            "--more-contacts: goes with --model protein",
+        ),
         (
             ["--model", "protein", "--lengths", "table"],
             "--lengths table: goes with --bars: a model has the lengths of the file",
@@ -176,3 +177,64 @@ def test_side_chains_are_built_where_asked(pliant):
     assert filled.code == 0
     assert "atoms of 5 residues built by rule, which is a guess: A:GLN682" in filled.err
     assert "lack atoms" not in filled.err
+
+
+CATION_PI = ("--more-contacts", "cation_pi")
+
+
+def test_kinds_that_are_not_usual_are_found_where_asked(pliant, tmp_path):
+    usual = pliant("contacts", TRYPSIN_INHIBITOR, "--csv").out
+    more = pliant("contacts", TRYPSIN_INHIBITOR, "--csv", *CATION_PI)
+    assert ", metal 0, cation_pi 1\n" in more.err
+    (row,) = rows_of(more.out)[len(rows_of(usual)) :]
+    assert more.out.startswith(usual)
+    assert (row["kind"], row["a"]) == ("cation_pi", "A:LYS41:NZ")
+    assert row["b"].startswith("A:TYR10:C")
+    (tmp_path / "more.csv").write_text(more.out)
+    assert pliant("contacts", TRYPSIN_INHIBITOR, "--contacts", "more.csv", "--csv").out == more.out
+
+
+def test_a_kind_that_is_not_usual_counts_in_the_pebble_game(pliant):
+    usual, more = (
+        json.loads(pliant("rigidity", TRYPSIN_INHIBITOR, "--json", *options).out)
+        for options in ((), CATION_PI)
+    )
+    assert more["contacts"] == usual["contacts"] + 1
+    assert more["bars"] == usual["bars"] + 2
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--more-contacts", "cation_pie"],
+         'no kind of contact named "cation_pie" (did you mean "cation_pi"?); known: '),
+        (["--contacts", "none.csv", *CATION_PI],
+         "more_contacts: goes with contacts that are found, not with given ones"),
+    ],
+)  # fmt: skip
+@pytest.mark.parametrize("command", ["contacts", "rigidity", "sample"])
+def test_kinds_that_cannot_be_found_are_refused(pliant, tmp_path, command, options, message):
+    (tmp_path / "none.csv").write_text("kind,a,b\n")
+    ended = pliant(command, TRYPSIN_INHIBITOR, *options)
+    assert ended.code == 2
+    assert ended.err.splitlines()[-1].startswith(f"pliant: error: {message}")
+
+
+@pytest.mark.parametrize(
+    ("command", "counter"), [(["sample"], "--frames"), (["run", "--model", "protein"], "--steps")]
+)
+def test_what_goes_on_keeps_its_kinds(pliant, tmp_path, command, counter):
+    """Two parts are the whole; asking for other kinds than the file has is refused."""
+    common = ("--topology", "none", "--quiet", *CATION_PI)
+    for name, count in (("whole", 4), ("part", 2)):
+        ended = pliant(*command, TRYPSIN_INHIBITOR, "-o", f"{name}.h5md", counter, count, *common)
+        assert ended.code == 0, ended.err
+    go_on = (*command, "--continue", "part.h5md", counter, 4, "--quiet")
+    assert "--more-contacts: is cation_pi in the run of part.h5md, not metal;" in (
+        pliant(*go_on, "--more-contacts", "metal").err
+    )
+    assert pliant(*go_on, *CATION_PI).err == ""
+    assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
+    found = contents(tmp_path / "part.h5md")
+    assert found["parameters/model/more_contacts"] == b"cation_pi"
+    assert 5 in found["parameters/limit/kind"]

@@ -82,13 +82,8 @@ def test_limits_and_sterics_of_a_bars_file_are_counted(pliant, tmp_path):
     ]
     facts = json.loads(pliant("info", "g.xml", "--bars", "bars.txt", "--json").out)
     assert (facts["bars"], facts["limits"], facts["sterics"]) == (4, 2, True)
-    assert facts["limits_by_kind"] == {
-        "given": 1,
-        "hydrogen_bond": 0,
-        "hydrophobic": 1,
-        "torsion": 0,
-        "metal": 0,
-    }
+    counts = {kind: count for kind, count in facts["limits_by_kind"].items() if count}
+    assert counts == {"given": 1, "hydrophobic": 1}
 
 
 TINKER = """     3  WATER

@@ -39,7 +39,7 @@ FILES = [
     ("joints.xml", b"<graph/>\n", "joints.xml: holds no joint"),
     ("cut.xml", b"<graph><joint>\n",
      "cut.xml:1: column 15: is not well-formed XML: Start-end tags mismatch"),
-]  # fmt: skip
+]  # fmt: skip  # a table: a row a line
 
 
 @pytest.mark.parametrize(("name", "content", "said"), FILES, ids=[repr(row[0]) for row in FILES])

@@ -10,7 +10,7 @@ from xml.etree import ElementTree
 
 import numpy as np
 import pytest
-from told import read_without_elements
+from expected_warnings import read_without_elements
 
 import pliant as pythons_pliant
 
@@ -88,7 +88,7 @@ SIX = (
 
 
 @pytest.mark.parametrize(("atoms", "rings"), [(5, 0), (6, 1), (7, 0)])
-def test_a_ring_of_six_is_told_of(pliant, tmp_path, atoms, rings):
+def test_a_ring_of_six_is_reported(pliant, tmp_path, atoms, rings):
     path = tmp_path / "ring.xyz"
     path.write_text(ring(atoms))
     ended = pliant("rigidity", path, "--page", "page.html", "--json")

@@ -20,13 +20,18 @@ def mixture(tmp_path):
     atoms = [line for line in lines if line.startswith(("ATOM", "HETATM"))]
     (oxygen,) = [line for line in atoms if line[12:16].strip() == "O" and "ALA" in line]
     here = np.array([float(oxygen[k : k + 8]) for k in (30, 38, 46)])
-    others = [("CA", "CA", (0, 0, 2.4), "CA"), ("O", "HOH", (20, 0, 0), "O"),
-              ("O", "HOH", (25, 0, 0), "O")]  # fmt: skip
+    others = [
+        ("CA", "CA", (0, 0, 2.4), "CA"),
+        ("O", "HOH", (20, 0, 0), "O"),
+        ("O", "HOH", (25, 0, 0), "O"),
+    ]
     for k, (name, residue, shift, element) in enumerate(others):
         x, y, z = here + shift
         number = f"{501 + k:>5}"
-        atoms.append(f"HETATM{number} {name:<4} {residue:>3} W{k + 1:>4}    "
-                     f"{x:8.3f}{y:8.3f}{z:8.3f}  1.00  0.00          {element:>2}")  # fmt: skip
+        atoms.append(
+            f"HETATM{number} {name:<4} {residue:>3} W{k + 1:>4}    "
+            f"{x:8.3f}{y:8.3f}{z:8.3f}  1.00  0.00          {element:>2}"
+        )
     atoms.append(f"CONECT{oxygen[6:11]}  501")
     path = tmp_path / "mixture.pdb"
     path.write_text("\n".join(atoms) + "\nEND\n")

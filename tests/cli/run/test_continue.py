@@ -58,7 +58,7 @@ def test_a_replay_and_an_ordering_need_no_other_file(pliant, ethanol, tmp_path):
                         "a run goes on as it began"),
         (["-o", "p.h5md"], "--output p.h5md: --continue adds to o.h5md itself"),
     ],
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 def test_what_contradicts_the_file_is_refused(pliant, ethanol, tmp_path, words, message):
     pliant("run", ethanol, "-o", "o.h5md", "--steps", 5)
     before = (tmp_path / "o.h5md").read_bytes()
@@ -67,7 +67,7 @@ def test_what_contradicts_the_file_is_refused(pliant, ethanol, tmp_path, words, 
     assert (tmp_path / "o.h5md").read_bytes() == before
 
 
-def test_a_file_without_a_checkpoint_is_told(pliant, ethanol, tmp_path):
+def test_a_file_without_a_checkpoint_is_reported(pliant, ethanol, tmp_path):
     pliant("run", ethanol, "-o", "o.h5md", "--steps", 5)
     with h5py.File(tmp_path / "o.h5md", "r+") as file:
         del file["parameters/checkpoint"]
@@ -89,16 +89,16 @@ def test_a_run_that_is_done_has_nothing_to_do(pliant, ethanol, tmp_path):
 
 
 def check_interruptions(command, ethanol, tmp_path, times, seed):
-    start = ["run", str(ethanol), "--steps", "40000", "--every", "3", "--topology", "none",
-             "--quiet", "-o"]  # fmt: skip
+    start = ["run", str(ethanol), *"--steps 40000 --every 3 --topology none --quiet -o".split()]
     before = time.monotonic()
     subprocess.run([command, *start, "whole.h5md"], cwd=tmp_path, check=True)
     seconds = 1.5 * (time.monotonic() - before) / times
     words = [*start, "left.h5md"]
-    interrupt_again_and_again(
-        command, tmp_path, words, times, seconds, seed,
-        lambda steps: np.array_equal(steps[:-1], 3 * np.arange(len(steps) - 1)),
-    )  # fmt: skip
+
+    def complete(steps):
+        return np.array_equal(steps[:-1], 3 * np.arange(len(steps) - 1))
+
+    interrupt_again_and_again(command, tmp_path, words, times, seconds, seed, complete)
     assert_same_runs(tmp_path / "whole.h5md", tmp_path / "left.h5md")
     assert sorted(os.listdir(tmp_path)) == ["ethanol.xyz", "left.h5md", "whole.h5md"]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""--dry-run: what is bad is told, and nothing is made."""
+"""--dry-run: what is bad is reported, and nothing is made."""
 
 import pytest
 
@@ -21,7 +21,7 @@ def test_nothing_is_made(pliant, ethanol, tmp_path, command):
         ("run", ("--forces", "none.txt"), 1, "none.txt"),
     ],
 )
-def test_what_is_bad_is_told(pliant, ethanol, command, words, code, message):
+def test_what_is_bad_is_reported(pliant, ethanol, command, words, code, message):
     ended = pliant(command, ethanol, *words, "--dry-run")
     assert (ended.code, ended.out) == (code, "")
     assert message in ended.err

@@ -59,8 +59,9 @@ def by_hand():
 
     def go_on(state, pin, steps, pull=(), push=(), **options):
         framework = structure.framework(pin=pin)
-        motion = library.Motion(framework, state, "bfs_cycle", push=list(push), damping=0.25,
-                                **options)  # fmt: skip
+        motion = library.Motion(
+            framework, state, "bfs_cycle", push=list(push), damping=0.25, **options
+        )
         steering = library.Steering()
         steering.pull(pull)
         if not push:
@@ -72,8 +73,9 @@ def by_hand():
             steering.release()
         return motion.state
 
-    state = go_on(library.State(structure.positions), "element O", 1,
-                  [(1, (30, -4, 11)), (0, (1, 2, 3))])  # fmt: skip
+    state = go_on(
+        library.State(structure.positions), "element O", 1, [(1, (30, -4, 11)), (0, (1, 2, 3))]
+    )
     state = go_on(state, "", 2, [(1, (-9, 0.5, 0.25))], timestep=0.02)
     go_on(state, "", 3, push=["force_all"], timestep=0.02, seed=4)
     return np.array(seen)
@@ -83,8 +85,8 @@ def test_a_session_is_repeated_bit_by_bit(pliant, session):
     ended = pliant("run", "m.mol", "--forces", "s.txt", "--json")
     assert ended.code == 0, ended.err
     np.testing.assert_array_equal(frames(session / "m.h5md"), by_hand())
-    told = json.loads(ended.out)
-    assert (told["steps"], told["frames"], told["technique"]) == (6, 7, "bfs_cycle")
+    report = json.loads(ended.out)
+    assert (report["steps"], report["frames"], report["technique"]) == (6, 7, "bfs_cycle")
 
 
 def test_every_other_step_is_shown(pliant, session):
@@ -150,7 +152,7 @@ REFUSED = [
 
 
 @pytest.mark.parametrize(("text", "message"), REFUSED)
-def test_what_is_wrong_is_told_with_its_line(pliant, session, text, message):
+def test_what_is_wrong_is_reported_with_its_line(pliant, session, text, message):
     (session / "s.txt").write_text(text)
     ended = pliant("run", "m.mol", "--forces", "s.txt")
     assert ended.code == 1

@@ -37,9 +37,9 @@ def frames(path):
 def test_the_model_comes_from_the_file(pliant, session, tmp_path, name):
     ended = pliant("run", PEPTIDE, "--forces", name, "-o", "a.h5md", "--json")
     assert ended.code == 0, ended.err
-    told = json.loads(ended.out)
-    assert (told["bars"], told["forces"]["version"]) == (950, 3)
-    assert told["forces"]["taken"]["model"] == "protein"
+    report = json.loads(ended.out)
+    assert (report["bars"], report["forces"]["version"]) == (950, 3)
+    assert report["forces"]["taken"]["model"] == "protein"
     assert pliant("run", PEPTIDE, "--model", "protein", "--forces", name, "-o", "b.h5md").code == 0
     np.testing.assert_array_equal(frames(tmp_path / "a.h5md"), frames(tmp_path / "b.h5md"))
 
@@ -50,10 +50,12 @@ CONTRADICTIONS = [
     (["--pin", "name CA"], "--pin name CA: f.txt was made without --pin"),
     (["--all-hydrogens"], "--all-hydrogens: f.txt was made without --all-hydrogens"),
     (["--tolerance", "0.001"], "--tolerance 0.001: f.txt was made with --tolerance 1e-06"),
-    (["--tolerance-length", "0.1"],
-     "--tolerance-length 0.1: f.txt was made with --tolerance 1e-06"),
+    (
+        ["--tolerance-length", "0.1"],
+        "--tolerance-length 0.1: f.txt was made with --tolerance 1e-06",
+    ),
     (["--timestep", "0.02"], "--timestep 0.02: f.txt was made with --timestep 0.01"),
-]  # fmt: skip
+]
 
 
 @pytest.mark.parametrize(("options", "message"), CONTRADICTIONS)
@@ -129,7 +131,7 @@ def test_a_replay_goes_on(pliant, forces, tmp_path):
 def test_a_recorded_run_is_repeated_by_its_technique(pliant, tmp_path):
     run = ("run", PEPTIDE, "--model", "angles", "--technique", "newton", "--damping", 0.25)
     assert pliant(*run, "--steps", 4, "--record-forces", "f.txt", "-o", "a.h5md").code == 0
-    told = json.loads(pliant("run", PEPTIDE, "--forces", "f.txt", "-o", "b.h5md", "--json").out)
-    assert told["technique"] == "newton"
-    assert told["forces"]["taken"]["damping"] == "0.25"
+    report = json.loads(pliant("run", PEPTIDE, "--forces", "f.txt", "-o", "b.h5md", "--json").out)
+    assert report["technique"] == "newton"
+    assert report["forces"]["taken"]["damping"] == "0.25"
     np.testing.assert_array_equal(frames(tmp_path / "a.h5md"), frames(tmp_path / "b.h5md"))

@@ -12,7 +12,7 @@ PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 MODEL = ["run", PEPTIDE, "--model", "protein"]
 
 
-def test_pulls_and_pairs_are_told_with_what_came_of_them(pliant):
+def test_pulls_and_pairs_are_reported_with_what_came_of_them(pliant):
     words = ["--pull", "resid 20", "0,-1,0.5", "--pair-distance", "resid 3", "resid 18", "20..22"]
     ended = pliant(*MODEL, *words, "-o", "o.h5md")
     assert ended.code == 0, ended.err
@@ -23,8 +23,9 @@ def test_pulls_and_pairs_are_told_with_what_came_of_them(pliant):
 
 
 def test_what_does_not_arrive_ends_with_3(pliant, tmp_path):
-    ended = pliant(*MODEL, "--pair-distance", "resid 1", "resid 2", 20, "--steps", 20, "--json",
-                   "-o", "o.h5md")  # fmt: skip
+    ended = pliant(
+        *MODEL, "--pair-distance", "resid 1", "resid 2", 20, "--steps", 20, "--json", "-o", "o.h5md"
+    )
     assert ended.code == 3
     pair = json.loads(ended.out)["pair_distances"][0]
     assert not pair["is_reached"] and pair["least"] == pair["most"] == 20.0
@@ -67,7 +68,7 @@ def test_rocking_goes_on_with_the_bits_of_one_run(pliant, tmp_path):
         (["--pull", "resid 1", "1,0,0", "--displacement", 0],
          "displacement = 0: must be above 0 to pull by it"),
     ],
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 def test_what_makes_no_sense_is_refused(pliant, tmp_path, words, said):
     ended = pliant(*MODEL, *words, "-o", "o.h5md")
     assert ended.code == 2

@@ -32,7 +32,7 @@ PEPTIDE = MOLECULES / "alanine_dipeptide.pdb"
          'above 0, found "0"'),
         (("--imd", "--walkers", "2"), "pliant: error: --imd: follows one walker, not several"),
     ],
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 def test_options_that_make_no_sense(pliant, tmp_path, options, said):
     ended = pliant("run", PEPTIDE, *options)
     assert ended.code == 2
@@ -126,7 +126,7 @@ def test_who_reads_nothing_is_dropped_and_the_log_says_so(command, tmp_path):
     assert re.fullmatch(r"127\.0\.0\.1:\d+ dropped: read nothing for 0\.2 s", said), said
 
 
-def test_one_client_too_many_is_told(pliant, command, tmp_path):
+def test_one_client_too_many_is_reported(pliant, command, tmp_path):
     with served_run(command, tmp_path, *ENDLESS) as run, ExitStack() as clients:
         for _ in range(16):
             client = clients.enter_context(Client(port=run.port))

@@ -28,7 +28,11 @@ def test_run_writes_what_h5md_has(pliant, ethanol, tmp_path, name):
     assert np.abs(models_of(tmp_path / name) - expected).max() < 5.01e-4
     # No topology beside: the file has names and bonds itself.
     assert {path.name for path in tmp_path.iterdir()} == {
-        "ethanol.xyz", "same.h5md", "same.pdb", name}  # fmt: skip
+        "ethanol.xyz",
+        "same.h5md",
+        "same.pdb",
+        name,
+    }
     source = package.read(tmp_path / "same.pdb")
     assert package.read(tmp_path / name, model=1).bonds.tolist() == source.bonds.tolist()
 

@@ -35,7 +35,7 @@ def test_positions_are_off_by_half_of_it_at_most(runs):
     assert 0.4 * unit < np.abs(rounded - plain).max() <= 0.5 * unit
 
 
-def test_what_is_told_of_frames_is_of_before_the_rounding(runs):
+def test_what_is_reported_of_frames_is_of_before_the_rounding(runs):
     (_, _, plain), (_, _, rounded) = runs
     for name in plain:
         assert np.array_equal(plain[name], rounded[name]), name

@@ -12,10 +12,14 @@ from h5md_contents import contents
 
 def test_the_start_is_no_step(tmp_path, pliant):
     graph = tmp_path / "triangle.xml"
-    joints = "".join(f'<joint id="{n}" x="{x}" y="{y}" z="0"/>' for n, x, y in
-                     [("a", 0, 0), ("b", 1, 0.5), ("c", 2, 0)])  # fmt: skip
-    bars = "".join(f'<bar a="{a}" b="{b}" length="{length}"/>' for a, b, length in
-                   [("a", "b", 1), ("b", "c", 1), ("a", "c", 3)])  # fmt: skip
+    joints = "".join(
+        f'<joint id="{n}" x="{x}" y="{y}" z="0"/>'
+        for n, x, y in [("a", 0, 0), ("b", 1, 0.5), ("c", 2, 0)]
+    )
+    bars = "".join(
+        f'<bar a="{a}" b="{b}" length="{length}"/>'
+        for a, b, length in [("a", "b", 1), ("b", "c", 1), ("a", "c", 3)]
+    )
     graph.write_text(f"<graph>{joints}{bars}</graph>")
     words = ["run", graph, "--steps", "20", "--max-sweeps", "10", "--topology", "none"]
     ended = pliant(*words, "-o", tmp_path / "one.h5md")
@@ -52,9 +56,10 @@ def test_every_option_is_recorded(pliant, ethanol, tmp_path):
         assert options["technique"].asstr()[()] == "bfs_cycle"
 
 
-def test_an_unconverged_step_is_recorded_and_told(pliant, ethanol, tmp_path):
-    ended = pliant("run", ethanol, "-o", "o.h5md", "--steps", 5, "--max-sweeps", 1,
-                   "--technique", "bfs_cycle")  # fmt: skip
+def test_an_unconverged_step_is_recorded_and_reported(pliant, ethanol, tmp_path):
+    ended = pliant(
+        "run", ethanol, "-o", "o.h5md", "--steps", 5, "--max-sweeps", 1, "--technique", "bfs_cycle"
+    )
     assert ended.code == 3
     assert "not converged" in ended.out
     with h5py.File(tmp_path / "o.h5md") as file:
@@ -93,7 +98,7 @@ def test_a_pdb_file_runs_where_it_lies(pliant, ethanol, tmp_path):
 
 
 @pytest.mark.parametrize("output", ["missing/o.h5md", "/dev/full"])
-def test_an_output_that_cannot_be_written_is_told(pliant, ethanol, output):
+def test_an_output_that_cannot_be_written_is_reported(pliant, ethanol, output):
     ended = pliant("run", ethanol, "-o", output, "--topology", "none")
     assert ended.code == 1
     assert output in ended.err
@@ -149,8 +154,8 @@ def test_walkers_do_not_depend_on_threads(pliant, ethanol, tmp_path):
 
 @pytest.mark.parametrize("technique", ["auto", "bfs_cycle", "random", "shake"])
 def test_walkers_do_not_depend_on_how_many_go_together(pliant, ethanol, tmp_path, technique):
-    words = ["run", ethanol, "--perturb", "displacement", "--technique", technique, "--steps", 12,
-             "--every", 5, "--topology", "none"]  # fmt: skip
+    words = ["run", ethanol, "--technique", technique]
+    words += "--perturb displacement --steps 12 --every 5 --topology none".split()
     for name, walkers, threads in (("many", 11, 1), ("two", 11, 2), ("few", 2, 2)):
         ended = pliant(*words, "-o", f"{name}.h5md", "--walkers", walkers, "--threads", threads)
         assert ended.code == 0, ended.err
@@ -306,8 +311,8 @@ def paths_to_one_file(folder):
     (folder / "alias").symlink_to(folder / "sub")
     (folder / "dangling.h5md").symlink_to("sub/y.h5md")
     (folder / "chain.h5md").symlink_to("dangling.h5md")
-    return [("y.h5md", "y.h5md"), ("y.h5md", "sub/../y.h5md"), ("sub/y.h5md", "alias/y.h5md"),
-            ("dangling.h5md", "sub/y.h5md"), ("chain.h5md", "alias/y.h5md")]  # fmt: skip
+    names = "y y", "y sub/../y", "sub/y alias/y", "dangling sub/y", "chain alias/y"
+    return [tuple(f"{name}.h5md" for name in two.split()) for two in names]
 
 
 @pytest.mark.parametrize("other", ["--record-forces", "--topology"])
@@ -350,8 +355,8 @@ def test_no_output_is_any_input(pliant, ethanol, tmp_path, option):
     assert (tmp_path / "in.txt").read_text() == "mine"
 
 
-FOREIGN = {"dcd": "DCD", "xtc": "XTC", "xyz": "XYZ", "DCD": "DCD", "trr": "TRR",
-           "nc": "NetCDF", "cif": "mmCIF"}  # fmt: skip
+FOREIGN = {"dcd": "DCD", "xtc": "XTC", "xyz": "XYZ", "DCD": "DCD", "trr": "TRR"}
+FOREIGN |= {"nc": "NetCDF", "cif": "mmCIF"}
 CONVERTIBLE = ("cif", "dcd", "xtc", "xyz", "trr")
 
 

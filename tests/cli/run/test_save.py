@@ -57,8 +57,11 @@ def test_contacts_of_the_part_are_counted(pliant, tmp_path):
         assert np.array_equal(part.positions(frame), positions[kept])
     states = arrays(tmp_path / "some.h5md")["connectivity/contact_states/value"]
     held = arrays(tmp_path / "some.h5md")["observables/contacts_held/value"]
-    assert 0 < states.shape[1] < arrays(tmp_path / "all.h5md")[
-        "connectivity/contact_states/value"].shape[1]  # fmt: skip
+    assert (
+        0
+        < states.shape[1]
+        < arrays(tmp_path / "all.h5md")["connectivity/contact_states/value"].shape[1]
+    )
     assert held.tolist() == (states == 0).sum(axis=1).tolist()
 
 
@@ -80,8 +83,8 @@ def test_python_does_the_same(pliant, tmp_path):
     assert pliant("sample", PEPTIDE, "--frames", "3", "--save", "name CA", "-o", "c.h5md").code == 0
     structure = package.read(PEPTIDE)
     package.sample(structure, 3, save="name CA", output=tmp_path / "p.h5md")
-    package.run(structure, steps=3, save="name CA", precision=1e-3, output=tmp_path / "r.h5md",
-                topology=tmp_path / "r.pdb")  # fmt: skip
+    files = {"output": tmp_path / "r.h5md", "topology": tmp_path / "r.pdb"}
+    package.run(structure, steps=3, save="name CA", precision=1e-3, **files)
     command, python = arrays(tmp_path / "c.h5md"), arrays(tmp_path / "p.h5md")
     assert python[POSITIONS].tobytes() == command[POSITIONS].tobytes()
     run = arrays(tmp_path / "r.h5md")

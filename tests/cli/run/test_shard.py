@@ -7,8 +7,8 @@ import pytest
 
 
 def test_two_shards_are_the_whole(pliant, ethanol, tmp_path):
-    words = ("run", ethanol, "--perturb", "displacement", "--steps", 12, "--every", 5,
-             "--technique", "shake")  # fmt: skip
+    options = "--perturb displacement --steps 12 --every 5 --technique shake"
+    words = ("run", ethanol, *options.split())
     for folder, shards in (("whole", ["0..11"]), ("parts", ["0..4", "5..11"])):
         (tmp_path / folder).mkdir()
         for shard in shards:
@@ -26,8 +26,9 @@ def test_a_shard_names_its_files_by_the_numbers_of_its_walkers(pliant, ethanol, 
     assert ended.code == 0
     assert sorted(path.name for path in tmp_path.glob("o*")) == ["o-800.h5md", "o-801.h5md"]
     assert '"o-800.h5md"' in ended.out
-    ended = pliant("run", ethanol, "-o", "p.h5md", "--shard", "7..7", "--topology", "p.pdb",
-                   "--steps", 2)  # fmt: skip
+    ended = pliant(
+        "run", ethanol, "-o", "p.h5md", "--shard", "7..7", "--topology", "p.pdb", "--steps", 2
+    )
     assert ended.code == 0
     assert sorted(path.name for path in tmp_path.glob("p*")) == ["p-7.h5md", "p.pdb"]
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""pliant sample of small molecules: what is told, and SDF files of conformers read by RDKit."""
+"""pliant sample of small molecules: what is reported, and SDF files of conformers read by RDKit."""
 
 import json
 
@@ -60,8 +60,9 @@ def test_large_molecules_are_written_as_v3000(pliant, tmp_path):
     conformer.SetPositions(positions)
     made.AddConformer(conformer)
     Chem.MolToMolFile(made, str(tmp_path / "long.sdf"), forceV3000=True)
-    ended = pliant("sample", "long.sdf", "-o", "out.sdf", "--frames", 1, "--model", "bonds",
-                   "--sampler", "torsions")  # fmt: skip
+    ended = pliant(
+        *"sample long.sdf -o out.sdf --frames 1 --model bonds --sampler torsions".split()
+    )
     assert ended.code in (0, 3), ended.err
     if ended.code == 0:
         (read,) = records(tmp_path / "out.sdf")
@@ -71,12 +72,12 @@ def test_large_molecules_are_written_as_v3000(pliant, tmp_path):
 
 def test_what_moves_is_named_in_json(pliant, drug):
     ended = pliant("sample", drug, "-o", "out.sdf", "--frames", 2, "--json")
-    told = json.loads(ended.out)
-    assert told["sampler"] == "torsions"
-    assert len(told["rotors"]) == 6
-    assert len(told["rings"]) == 1
-    assert told["amides"] == ["C(3) - N(5)"]
-    assert told["loop_units"] == 0
+    report = json.loads(ended.out)
+    assert report["sampler"] == "torsions"
+    assert len(report["rotors"]) == 6
+    assert len(report["rings"]) == 1
+    assert report["amides"] == ["C(3) - N(5)"]
+    assert report["loop_units"] == 0
 
 
 def named(pliant, tmp_path, smiles):
@@ -127,7 +128,7 @@ def test_sdf_takes_no_options_of_h5md(pliant, drug):
     assert "--single: goes with H5MD, not with the SDF file out.sdf" in ended.err
 
 
-def test_what_cannot_turn_is_told(pliant, tmp_path):
+def test_what_cannot_turn_is_reported(pliant, tmp_path):
     made = Chem.AddHs(Chem.MolFromSmiles("Cn1cnc2c1c(=O)n(C)c(=O)n2C"))
     AllChem.EmbedMolecule(made, randomSeed=7)
     Chem.MolToMolFile(made, str(tmp_path / "caffeine.sdf"))

@@ -79,7 +79,7 @@ def test_it_needs_no_other_file_and_says_what_it_added(pliant, tmp_path):
                         "a run goes on as it began"),
         (["-o", "p.h5md"], "--output p.h5md: --continue adds to o.h5md itself"),
     ],
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 def test_what_contradicts_the_file_is_refused(pliant, tmp_path, words, message):
     pliant("sample", PEPTIDE, "-o", "o.h5md", "--frames", 3, *COMMON)
     before = (tmp_path / "o.h5md").read_bytes()
@@ -107,7 +107,7 @@ def test_runs_and_samples_are_not_mixed_up(pliant, ethanol):
     assert (ended.code, ended.err) == (1, "pliant: error: none.h5md: is not there\n")
 
 
-def test_a_file_without_nodes_is_told(pliant, tmp_path):
+def test_a_file_without_nodes_is_reported(pliant, tmp_path):
     pliant("sample", PEPTIDE, "-o", "o.h5md", "--frames", 2, *COMMON)
     with h5py.File(tmp_path / "o.h5md", "r+") as file:
         del file["parameters/checkpoint"]
@@ -147,10 +147,11 @@ def check_interruptions(command, tmp_path, times, seed):
     subprocess.run([command, *start, "whole.h5md"], cwd=tmp_path, check=True)
     seconds = 1.5 * (time.monotonic() - before) / times
     words = [*start, "left.h5md"]
-    interrupt_again_and_again(
-        command, tmp_path, words, times, seconds, seed,
-        lambda steps: np.array_equal(steps, np.arange(len(steps))),
-    )  # fmt: skip
+
+    def complete(steps):
+        return np.array_equal(steps, np.arange(len(steps)))
+
+    interrupt_again_and_again(command, tmp_path, words, times, seconds, seed, complete)
     assert_same_runs(tmp_path / "whole.h5md", tmp_path / "left.h5md")
     assert sorted(os.listdir(tmp_path)) == ["left.h5md", "whole.h5md"]
 
@@ -177,8 +178,10 @@ def test_a_temperature_is_refused_with_its_value_in_kcal(pliant):
 def test_redraws_and_contacts_are_recorded(pliant, tmp_path):
     """Counts of contacts by NumPy, from positions and the limits of the file."""
     pliant("sample", PEPTIDE, "-o", "m.h5md", "--frames", 20, "--amplitude", 1, "--quiet")
-    pliant("sample", PEPTIDE, "-o", "d.h5md", "--frames", 20, "--amplitude", 1, "--quiet",
-           "--sampler", "dilute", "--contact-energy", 9.6, "--topology", "none")  # fmt: skip
+    options = (
+        "--frames 20 --amplitude 1 --quiet --sampler dilute --contact-energy 9.6 --topology none"
+    )
+    pliant("sample", PEPTIDE, "-o", "d.h5md", *options.split())
     for name in ("m.h5md", "d.h5md"):
         found = contents(tmp_path / name)
         held, broken, off, redraws = (

@@ -30,13 +30,13 @@ def test_frames_are_written_with_what_they_were_made_with(pliant, tmp_path):
         "--json",
     )
     assert ended.code == 0, ended.err
-    told = json.loads(ended.out)
-    assert told["frames"] == 5
-    assert told["amplitude_is_input"] is True
-    assert told["worst_residual"] < 1e-10
+    report = json.loads(ended.out)
+    assert report["frames"] == 5
+    assert report["amplitude_is_input"] is True
+    assert report["worst_residual"] < 1e-10
     with h5py.File(tmp_path / "out.h5md") as file:
         positions = file["particles/trajectory/position/value"][:]
-        assert positions.shape == (5, told["atoms"], 3)
+        assert positions.shape == (5, report["atoms"], 3)
         assert np.isfinite(positions).all()
         assert file["parameters/sample"].attrs.get("amplitude", None) == pytest.approx(0.4) or (
             file["parameters/sample/amplitude"][()] == pytest.approx(0.4)
@@ -93,10 +93,10 @@ def test_disulphides_close_without_a_last_move(pliant, tmp_path):
     (tmp_path / "bpti.cif").write_bytes(gzip.decompress((folder / "5PTI.cif.gz").read_bytes()))
     ended = pliant("sample", "bpti.cif", "-o", "out.h5md", "--frames", 8, "--json")
     assert ended.code == 0, ended.err
-    told = json.loads(ended.out)
-    assert told["frames"] == 8
-    assert told["worst_residual"] < 1e-10
-    assert 0.0 < told["worst_closing"] <= 0.3
+    report = json.loads(ended.out)
+    assert report["frames"] == 8
+    assert report["worst_residual"] < 1e-10
+    assert 0.0 < report["worst_closing"] <= 0.3
     lines = (tmp_path / "out.pdb").read_text().splitlines()
     atoms = [line for line in lines if line.startswith(("ATOM", "HETATM"))]
     sulphurs = [k for k, line in enumerate(atoms) if line[12:16].strip() == "SG"]

@@ -10,9 +10,12 @@ import pytest
 LINE = "ATOM  {:5d} {:<4s} ALA {:s}{:4d}    {:8.3f}{:8.3f}{:8.3f}  1.00{:6.2f}          {:>2s}"
 #: an alanine of a helix: N, CA, C, O, CB (Angstrom)
 RESIDUE = {
-    "N": (1.357, -0.757, -0.796), "CA": (2.28, 0.0, 0.0), "C": (1.63, 0.35, 1.33),
-    "O": (1.65, 1.53, 1.72), "CB": (2.72, 1.26, -0.72),
-}  # fmt: skip
+    "N": (1.357, -0.757, -0.796),
+    "CA": (2.28, 0.0, 0.0),
+    "C": (1.63, 0.35, 1.33),
+    "O": (1.65, 1.53, 1.72),
+    "CB": (2.72, 1.26, -0.72),
+}
 COUNT = 14
 
 
@@ -36,8 +39,11 @@ def pdb(models, b_of=lambda residue, name: 10.0, first=1, chain="A"):
         for k in range(len(places)):
             for name, place in zip(RESIDUE, places[k], strict=True):
                 serial += 1
-                lines.append(LINE.format(serial, f" {name}", chain, k + first, *place,
-                                         b_of(k, name), name[0]))  # fmt: skip
+                lines.append(
+                    LINE.format(
+                        serial, f" {name}", chain, k + first, *place, b_of(k, name), name[0]
+                    )
+                )
         lines.append("ENDMDL")
     return "\n".join([*lines, "END", ""])
 
@@ -84,13 +90,13 @@ def asked(pliant, start, *words):
 
 
 def test_it_is_as_b_factors_say(pliant, start, tmp_path):
-    told = asked(pliant, start, "--amplitude", "bfactors")
+    report = asked(pliant, start, "--amplitude", "bfactors")
     b = 6.0 + 2.0 * np.arange(COUNT)
     expected = np.sqrt(3 * b / (8 * np.pi**2)).mean()
-    assert told["amplitude_asked"] == pytest.approx(expected, rel=1e-6)
-    assert told["amplitude_from"] == "bfactors"
-    assert told["amplitude_reason"] == "B factors of 14 residues, mean 19 A^2"
-    assert any("B factors, which contain disorder of the crystal" in w for w in told["warnings"])
+    assert report["amplitude_asked"] == pytest.approx(expected, rel=1e-6)
+    assert report["amplitude_from"] == "bfactors"
+    assert report["amplitude_reason"] == "B factors of 14 residues, mean 19 A^2"
+    assert any("B factors, which contain disorder of the crystal" in w for w in report["warnings"])
     with h5py.File(tmp_path / "out.h5md") as file:
         assert file["parameters/sample/amplitude"][()] == pytest.approx(expected, rel=1e-6)
         assert file["parameters/sample/amplitude_from"][()] == b"bfactors"
@@ -100,9 +106,9 @@ def test_it_is_as_b_factors_say(pliant, start, tmp_path):
 def test_it_is_as_far_as_an_ensemble_goes(pliant, start, tmp_path, first, chain):
     frames = ensemble(25)
     (tmp_path / "nmr.pdb").write_text(pdb(frames, first=first, chain=chain))
-    told = asked(pliant, start, "--amplitude", "nmr.pdb")
-    assert told["amplitude_asked"] == pytest.approx(mean_rmsf(frames[:, :, 1]), rel=1e-5)
-    assert told["amplitude_reason"] == (
+    report = asked(pliant, start, "--amplitude", "nmr.pdb")
+    assert report["amplitude_asked"] == pytest.approx(mean_rmsf(frames[:, :, 1]), rel=1e-5)
+    assert report["amplitude_reason"] == (
         "25 models of nmr.pdb, mean RMSF of 14 of 14 residues, superposed"
     )
 
@@ -112,12 +118,12 @@ def test_a_trajectory_of_ours_is_an_ensemble(pliant, start, tmp_path):
         "sample", start, "-o", "first.h5md", "--frames", 30, "--amplitude", 0.5, "--json"
     )
     reached = json.loads(ended.out)["amplitude_reached"]
-    told = asked(pliant, start, "--amplitude", "first.h5md")
+    report = asked(pliant, start, "--amplitude", "first.h5md")
     with h5py.File(tmp_path / "first.h5md") as file:
         names = file["parameters/topology/atom_name"].asstr()[:]
         positions = file["particles/trajectory/position/value"][:][:, names == "CA"]
-    assert told["amplitude_asked"] == pytest.approx(mean_rmsf(positions), rel=1e-5)
-    assert reached == pytest.approx(told["amplitude_asked"], rel=0.01)
+    assert report["amplitude_asked"] == pytest.approx(mean_rmsf(positions), rel=1e-5)
+    assert reached == pytest.approx(report["amplitude_asked"], rel=0.01)
 
 
 def test_what_cannot_be_an_amplitude_is_refused(pliant, start, tmp_path):
@@ -136,7 +142,7 @@ def test_what_cannot_be_an_amplitude_is_refused(pliant, start, tmp_path):
         (start, "nmr", "amplitude: expected a number above 0 (Angstrom), bfactors, or a file with "
          'models of the molecule; found "nmr"'),
         (start, "-1", '--amplitude: expected a number above 0, found "-1"'),
-    ]  # fmt: skip
+    ]  # fmt: skip  # a table: a row a line
     for file, word, message in cases:
         ended = pliant("sample", file, "-o", "out.h5md", f"--amplitude={word}", "--quiet")
         assert (ended.code, ended.err.splitlines()[-1]) == (2, f"pliant: error: {message}")
@@ -147,11 +153,15 @@ def test_files_that_are_no_ensemble_of_it_are_refused(pliant, start, tmp_path):
     (tmp_path / "one.pdb").write_text(pdb([helix()]))
     (tmp_path / "far.pdb").write_text(pdb(ensemble(3), first=401))
     cases = [
-        ("one.pdb", "amplitude: expected at least 2 models, found 1: one structure does not "
-         "fluctuate"),
-        ("far.pdb", "has 0 of 14 residues of the sampled molecule, by chain and number: number "
-         "both alike"),
-    ]  # fmt: skip
+        (
+            "one.pdb",
+            "amplitude: expected at least 2 models, found 1: one structure does not fluctuate",
+        ),
+        (
+            "far.pdb",
+            "has 0 of 14 residues of the sampled molecule, by chain and number: number both alike",
+        ),
+    ]
     for file, message in cases:
         ended = pliant("sample", start, "-o", "out.h5md", "--amplitude", file, "--quiet")
         assert (ended.code, ended.err.splitlines()[-1]) == (1, f"pliant: error: {file}: {message}")
@@ -172,8 +182,9 @@ def test_what_does_not_move_is_a_warning(pliant, tmp_path):
     angles = np.radians(60.0) * np.arange(6)
     lines = [f"C {1.39 * np.cos(a):.4f} {1.39 * np.sin(a):.4f} 0.0" for a in angles]
     ring.write_text("\n".join(["6", "ring", *lines, ""]))
-    ended = pliant("sample", ring, "-o", "out.h5md", "--frames", "20", "--quiet", "--json",
-                   "--sampler", "modes")  # fmt: skip
+    ended = pliant(
+        "sample", ring, *"-o out.h5md --frames 20 --quiet --json --sampler modes".split()
+    )
     assert ended.code == 0
     assert json.loads(ended.out)["warnings"] == [
         "frames reach an amplitude of 0.00 of the 1.40 Angstrom asked for: the molecule "

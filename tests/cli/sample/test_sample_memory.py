@@ -39,6 +39,6 @@ def test_an_assembly_takes_less_than_2_gb(pliant, tmp_path):
     assembly(tmp_path / "assembly.pdb")
     assert cost_of(tmp_path / "assembly.pdb", 20).megabytes < 2000.0
     words = ("--frames", 1, "--topology", "none", "--json")
-    told = json.loads(pliant("sample", tmp_path / "assembly.pdb", *words).out)
-    assert (told["atoms"], told["failed"]) == (100230, 0)
-    assert told["worst_residual"] < 1e-10
+    report = json.loads(pliant("sample", tmp_path / "assembly.pdb", *words).out)
+    assert (report["atoms"], report["failed"]) == (100230, 0)
+    assert report["worst_residual"] < 1e-10

@@ -54,7 +54,7 @@ bool may_fail(const SampleCase& at);
 /// A few frames, from a seed.
 SampleOptions options_of(const SampleCase& at);
 std::unique_ptr<SampleTask> task_of(const SampleCase& at, const SampleOptions& options);
-/// Fails where frames that were given up are not told of.
+/// Fails where frames that were given up are not reported.
 std::vector<KeptFrame> frames_of(const SampleTask& task);
 std::vector<KeptFrame> frames_of(const SampleCase& at, const SampleOptions& options);
 

@@ -88,7 +88,7 @@ class Page:
         while time.monotonic() < end:
             if self.evaluate(expression):
                 return
-            time.sleep(0.1)
+            time.sleep(0.02)
         raise AssertionError(f"never became true: {expression}; errors: {self.errors}")
 
     def screenshot(self, path, whole=False):

@@ -44,14 +44,14 @@ def read_csv(path):
         return list(csv.DictReader(file))
 
 
-FIGURES = {
-    "residuals", "sweeps", "rmsd", "radius_of_gyration", "flexibility", "correlations", "motions",
-    "torsions", "ramachandran", "pca",
-}  # fmt: skip
-TABLES = {
-    "frames", "atoms", "residues", "bars", "torsions", "torsion_histograms", "torsion_angles",
-    "pca", "flexibility", "correlations", "stereochemistry",
-}  # fmt: skip
+FIGURES = set(
+    "residuals sweeps rmsd radius_of_gyration flexibility correlations motions torsions "
+    "ramachandran pca".split()
+)
+TABLES = set(
+    "frames atoms residues bars torsions torsion_histograms torsion_angles pca "
+    "flexibility correlations stereochemistry".split()
+)
 EXPORTS = {"bfactors.pdb", "ensemble.pdb", "modes.nmd", "show.pml", "show.cxc"}
 
 
@@ -332,8 +332,12 @@ def test_pymol_runs_the_script(tmp_path, analysed):
     count = "print('states', cmd.count_states())"
     words = ["/usr/bin/pymol", "-cq", "show.pml", "-d", "mstop", "-d", count]  # else it plays on
     done = subprocess.run(
-        words, cwd=tmp_path / "out", capture_output=True, text=True, timeout=120,
+        words,
+        cwd=tmp_path / "out",
+        capture_output=True,
+        text=True,
+        timeout=120,
         env={"PATH": "/usr/bin:/bin"},
-    )  # fmt: skip
+    )
     assert "Error" not in done.stdout + done.stderr
     assert "states 24" in done.stdout

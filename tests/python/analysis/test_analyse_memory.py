@@ -44,8 +44,10 @@ def write_two_frames(path, count):
         for model in range(2):
             file.write(f"MODEL     {model + 1:4d}\n")
             for k, (x, y, z) in enumerate(places + move[model], 1):
-                file.write(f"HETATM{k:5d}  C   LIG A   1    {x:8.3f}{y:8.3f}{z:8.3f}"
-                           "  1.00  0.00           C\n")  # fmt: skip
+                file.write(
+                    f"HETATM{k:5d}  C   LIG A   1    {x:8.3f}{y:8.3f}{z:8.3f}"
+                    "  1.00  0.00           C\n"
+                )
             file.write("ENDMDL\n")
 
 

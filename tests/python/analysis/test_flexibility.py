@@ -100,9 +100,11 @@ def test_superposition_takes_rigid_motion_away():
     random = np.random.default_rng(5)
     shape = random.standard_normal((12, 3)) * 5
     frames = np.array(
-        [turned(shape, random.standard_normal(3), a) + 10 * random.standard_normal(3)
-         for a in random.uniform(0, 3, 20)]
-    )  # fmt: skip
+        [
+            turned(shape, random.standard_normal(3), a) + 10 * random.standard_normal(3)
+            for a in random.uniform(0, 3, 20)
+        ]
+    )
     assert np.ptp(superpose_all(frames), axis=0).max() < 1e-9
     part = superpose_all(frames, np.arange(4))
     assert np.ptp(part, axis=0).max() < 1e-9
@@ -185,5 +187,7 @@ def test_stretches_that_move_do_not_cross_chains():
     share[18:22] = 0.15
     chains = np.repeat(["A", "B"], 20)
     assert moving_stretches(share, chains) == [
-        (5, 8, pytest.approx(0.4)), (18, 19, pytest.approx(0.3)), (20, 21, pytest.approx(0.3)),
-    ]  # fmt: skip
+        (5, 8, pytest.approx(0.4)),
+        (18, 19, pytest.approx(0.3)),
+        (20, 21, pytest.approx(0.3)),
+    ]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Which contact of the model is held, broken or off in which frame: as recorded, read and told."""
+"""Which contact of the model is held, broken or off in which frame: in files and reports."""
 
 import csv
 from pathlib import Path
@@ -23,9 +23,13 @@ def diluted(tmp_path_factory):
     path = tmp_path_factory.mktemp("diluted") / "d.h5md"
     with pytest.warns(pliant.PliantWarning, match="held too tightly to move that far"):
         pliant.sample(
-            pliant.read(PEPTIDE), frames=FRAMES, sampler="dilute", contact_energy=CONTACT_ENERGY,
-            amplitude=0.3, output=path,
-        )  # fmt: skip
+            pliant.read(PEPTIDE),
+            frames=FRAMES,
+            sampler="dilute",
+            contact_energy=CONTACT_ENERGY,
+            amplitude=0.3,
+            output=path,
+        )
     return path
 
 
@@ -57,9 +61,9 @@ def test_the_report_has_a_row_for_each(diluted, tmp_path):
 def test_energies_are_those_of_the_model_in_kcal(diluted, tmp_path):
     analyse(diluted, tmp_path / "report")
     with open(tmp_path / "report" / "held_contacts.csv", encoding="utf-8") as file:
-        told = [float(row["energy_kcal_per_mol"]) for row in csv.DictReader(file)]
+        written = [float(row["energy_kcal_per_mol"]) for row in csv.DictReader(file)]
     listed = pliant.build_model(pliant.read(PEPTIDE)).contacts["energy"]
-    np.testing.assert_allclose(told, listed, rtol=1e-12)
+    np.testing.assert_allclose(written, listed, rtol=1e-12)
     with h5py.File(diluted) as file:
         stored = file["parameters/limit/energy"]
         assert stored.attrs["unit"] == b"kJ mol-1" or stored.attrs["unit"] == "kJ mol-1"
@@ -67,9 +71,9 @@ def test_energies_are_those_of_the_model_in_kcal(diluted, tmp_path):
 
 
 def test_a_temperature_is_refused_with_its_value_in_kcal():
-    with pytest.raises(pliant.OptionError) as told:
+    with pytest.raises(pliant.OptionError) as raised:
         pliant.sample(pliant.read(PEPTIDE), 2, sampler="dilute", temperature=12.552)
-    assert str(told.value) == "temperature is now contact_energy, in kcal/mol: contact_energy=3"
+    assert str(raised.value) == "temperature is now contact_energy, in kcal/mol: contact_energy=3"
 
 
 def test_they_are_saved_from_a_broken_file(diluted, tmp_path):

@@ -132,9 +132,9 @@ def test_distances_are_those_of_mdanalysis(folder, report, universe):
     ]
     name = f"distance {ENDS[0]} to {ENDS[1]} (angstrom)"
     np.testing.assert_allclose(column(folder, "frames", name), theirs, atol=1e-4)
-    (told,) = report.as_json()["distances"]
-    assert told["mean"] == pytest.approx(np.mean(theirs), abs=1e-4)
-    assert told["sd"] == pytest.approx(np.std(theirs), abs=1e-4)
+    (distance,) = report.as_json()["distances"]
+    assert distance["mean"] == pytest.approx(np.mean(theirs), abs=1e-4)
+    assert distance["sd"] == pytest.approx(np.std(theirs), abs=1e-4)
 
 
 def test_components_are_those_of_numpy(report, places):
@@ -202,8 +202,8 @@ def test_b_factors_and_frames_in_pdb_files(folder, universe):
     played = MDAnalysis.Universe(folder / "out" / "ensemble.pdb")
     assert len(played.trajectory) == 25
     head = (folder / "out" / "ensemble.pdb").read_text().split("MODEL")[0]
-    told = head.split("frames")[1].replace("REMARK  99", "")
-    numbers = [int(word) for word in re.findall(r"\d+", told)]
+    sentence = head.split("frames")[1].replace("REMARK  99", "")
+    numbers = [int(word) for word in re.findall(r"\d+", sentence)]
     for k in (0, 24):
         played.trajectory[k]
         universe.trajectory[numbers[k]]
@@ -217,9 +217,9 @@ def test_the_page_says_what_the_tables_hold(folder, report):
     assert f"{rmsf.max():.3f}" in text
     assert f"reached {rmsf.mean():.2f} Å" in text
     assert "asked 1.40 Å" in text
-    told = report.as_json()
-    assert told["frames_are"] == "ensemble"
-    assert f"correlate by {told['halves_correlation']:.3f}" in text
+    as_json = report.as_json()
+    assert as_json["frames_are"] == "ensemble"
+    assert f"correlate by {as_json['halves_correlation']:.3f}" in text
     shares = [float(row["explained"]) for row in rows(folder, "pca")]
     for share in shares[:5]:
         assert f"{100 * share:.1f} %" in text

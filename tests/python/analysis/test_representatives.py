@@ -86,10 +86,9 @@ def test_from_python_without_a_file(run):
     [
         (["-k", "41", "-o", "{new}"], 2, "-k: expected up to 40 frames, found 41"),
         (["-k", "2", "-o", "{old}"], 1, "{old}: exists; --overwrite replaces it"),
-        (["-k", "2", "-o", "{new}", "--select", "name XX"], 2,
-         "--select 'name XX': selects no atoms"),
+        ([*"-k 2 -o {new} --select".split(), "name XX"], 2, "--select 'name XX': selects no atoms"),
     ],
-)  # fmt: skip
+)
 def test_what_cannot_be_done(run, tmp_path, capsys, words, code, message):
     names = {"new": str(tmp_path / "new.pdb"), "old": str(tmp_path / "old.pdb")}
     (tmp_path / "old.pdb").write_text("kept")

@@ -146,8 +146,8 @@ def test_without_the_python_package_it_says_so(tmp_path):
 def test_pymol_runs_the_script(tmp_path):
     """Its own colours of residues, as it says them."""
     assert run(OPEN, "-o", tmp_path / "found").returncode == 0
-    told = "iterate clusters and name CA and resi 100+130+50, print('found', resi, color)"
-    words = ["/usr/bin/pymol", "-cq", "show.pml", "-d", told]
+    command = "iterate clusters and name CA and resi 100+130+50, print('found', resi, color)"
+    words = ["/usr/bin/pymol", "-cq", "show.pml", "-d", command]
     done = subprocess.run(
         words, cwd=tmp_path / "found", capture_output=True, text=True, env={"PATH": "/usr/bin:/bin"}
     )

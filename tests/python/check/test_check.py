@@ -52,9 +52,13 @@ def tampered(caffeine, by):
     positions = caffeine.positions.copy()
     positions[7, 3, 1] += by
     return Made(
-        positions, caffeine.bars, caffeine.rest_lengths, caffeine.bonds, caffeine.elements,
+        positions,
+        caffeine.bars,
+        caffeine.rest_lengths,
+        caffeine.bonds,
+        caffeine.elements,
         max_residual=caffeine.residual(),
-    )  # fmt: skip
+    )
 
 
 @pytest.mark.parametrize("by", [0.5, 1e-5])
@@ -107,9 +111,12 @@ def test_a_frame_that_says_it_did_not_converge_is_held_to_nothing(caffeine, tmp_
 def test_when_no_frame_converged_nothing_is_called_passed(caffeine, tmp_path):
     made = Made(
         caffeine.positions + np.random.default_rng(0).normal(size=caffeine.positions.shape),
-        caffeine.bars, caffeine.rest_lengths, caffeine.bonds, caffeine.elements,
+        caffeine.bars,
+        caffeine.rest_lengths,
+        caffeine.bonds,
+        caffeine.elements,
         converged=np.zeros(len(caffeine.positions), bool),
-    )  # fmt: skip
+    )
     report = pliant.check(made.write(tmp_path / "none.h5md"), **FEW)
     assert found(report, "frames_stay").status == "skipped"
     assert found(report, "energies_vanish").status == "skipped"
@@ -127,10 +134,14 @@ def test_a_frame_without_numbers_fails_and_is_named(caffeine, tmp_path):
 
 def test_a_wrong_recorded_residual_fails(caffeine, tmp_path):
     made = Made(
-        caffeine.positions, caffeine.bars, caffeine.rest_lengths, caffeine.bonds,
-        caffeine.elements, max_residual=caffeine.residual() * np.where(np.arange(12) == 4, 0.5, 1),
-    )  # fmt: skip
-    report = pliant.check(made.write(tmp_path / "told.h5md"), **FEW)
+        caffeine.positions,
+        caffeine.bars,
+        caffeine.rest_lengths,
+        caffeine.bonds,
+        caffeine.elements,
+        max_residual=caffeine.residual() * np.where(np.arange(12) == 4, 0.5, 1),
+    )
+    report = pliant.check(made.write(tmp_path / "given.h5md"), **FEW)
     record = found(report, "record")
     assert (record.status, record.figures["recorded_differently"]) == ("failed", 1)
     assert "1 frames do not have the residual that is recorded: step 4 (" in record.notes[0]
@@ -153,8 +164,9 @@ def test_a_tolerance_in_angstrom(caffeine, tmp_path):
 
 
 def test_angle_bars_openmm_keeps_whole_frames_and_cannot_repair(tmp_path):
-    made = molecule_run("CC(=O)NC(C)C(=O)NC", kind_of_bars="angles", tolerance=1e-4,
-                        displacement=0.003)  # fmt: skip
+    made = molecule_run(
+        "CC(=O)NC(C)C(=O)NC", kind_of_bars="angles", tolerance=1e-4, displacement=0.003
+    )
     path = made.write(tmp_path / "angles.h5md")
     with pytest.warns(pliant.PliantWarning, match="goes from bar to bar"):
         report = pliant.check(path, displacements=(0.1,), frames=5)
@@ -202,7 +214,7 @@ def test_the_diamond_that_ccma_cannot_repair(tmp_path):
     bare = method(report, "OpenMM, no angles").results[0]
     assert bare.whole < bare.structures and "diverged" in bare.outcome
     assert method(report, "Pliant, default").results[0].whole == 5
-    # Told the angles of the very frame CCMA manages: the comparison is at its best, too.
+    # Given the angles of the very frame CCMA manages: the comparison is at its best, too.
     assert method(report, "OpenMM, applyConstraints").results[0].whole == 5
 
 

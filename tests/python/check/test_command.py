@@ -33,9 +33,13 @@ def test_a_tampered_trajectory_ends_with_1(ethanol, tmp_path, capsys):
     recorded = ethanol.residual()
     positions[3, 0, 0] += 0.01
     made = type(ethanol)(
-        positions, ethanol.bars, ethanol.rest_lengths, ethanol.bonds, ethanol.elements,
+        positions,
+        ethanol.bars,
+        ethanol.rest_lengths,
+        ethanol.bonds,
+        ethanol.elements,
         max_residual=recorded,
-    )  # fmt: skip
+    )
     path = made.write(tmp_path / "tampered.h5md")
     assert main([str(path), "--no-picture", "--break", "0.05"]) == 1
     out = capsys.readouterr().out

@@ -5,6 +5,7 @@ import json
 
 import numpy as np
 import pytest
+from expected_warnings import read_without_elements
 from pliant.check.command import main
 from pliant.check.findings import CANNOT, FAILED, PASSED, SKIPPED
 from pliant.check.force_field import jobs as force_field_jobs
@@ -13,7 +14,6 @@ from pliant.check.force_field.minimise import Wanted, minimise_frames
 from pliant.check.force_field.minimised import ForceFieldReport, Minimised
 from pliant.check.force_field.molecule import molecule_of
 from pliant.check.force_field.verdicts import findings_of, is_usable, reached
-from told import read_without_elements
 
 import pliant
 
@@ -50,8 +50,11 @@ def minimised(peptide, start, sampled):
 
 def write(sampled, path, parameters=None):
     """An ensemble as pliant sample writes it, with its start beside."""
-    model, told = sampled.model, {"sample": {"sampler": "modes"}, "model": {"kind": "protein"}}
-    flat = {f"{group}/{name}": v for group, one in told.items() for name, v in one.items()}
+    model, parameters = (
+        sampled.model,
+        {"sample": {"sampler": "modes"}, "model": {"kind": "protein"}},
+    )
+    flat = {f"{group}/{name}": v for group, one in parameters.items() for name, v in one.items()}
     with pliant.H5mdRecorder(
         path,
         model.framework,
@@ -247,8 +250,8 @@ def test_the_command_says_whether_md_may_start(sampled, tmp_path, capsys):
     path = write(sampled, tmp_path / "ensemble.h5md")
     words = [str(path), "--starts", "2", "--long-starts", "1", "--md-steps", "20", "-o"]
     code = main([*words, str(tmp_path / "out"), "--json"])
-    told = json.loads(capsys.readouterr().out)
-    names = [check["name"] for check in told["checks"]]
+    report = json.loads(capsys.readouterr().out)
+    names = [check["name"] for check in report["checks"]]
     assert names[-5:] == [
         "starts_finite",
         "starts_energy_100",
@@ -256,14 +259,14 @@ def test_the_command_says_whether_md_may_start(sampled, tmp_path, capsys):
         "starts_moved",
         "starts_shape",
     ]
-    found = told["force_field"]
+    found = report["force_field"]
     assert [frame["frame"] for frame in found["frames"]] == [0, 2]
     assert [frame["name"] for frame in found["dynamics"]][-1] == "MD 0.08 ps"
     assert all(frame["above_start"]["100"] is not None for frame in found["dynamics"])
     assert found["frames"][0]["above_start"]["500"] is not None
-    assert code == (0 if told["passed"] else 1)
+    assert code == (0 if report["passed"] else 1)
     assert (tmp_path / "out" / "ensemble.check.png").stat().st_size > 20_000
-    assert told["side_by_side"] == []
+    assert report["side_by_side"] == []
 
 
 def test_without_a_start_structure_the_error_says_what_to_do(sampled, tmp_path, capsys):
@@ -289,13 +292,11 @@ def test_without_a_start_structure_the_error_says_what_to_do(sampled, tmp_path, 
 
 def made(above_short, above_long, moved, residues=100):
     """A report of frames with these energies a residue above a start of -1000 kJ/mol."""
+    rows = enumerate(zip(above_short, above_long, moved, strict=True))
     frames = [
-        Minimised(
-            f"frame {k}", k, worst_force=1e4, before=0.0, moved=m,
-            after_short=residues * a - 1000.0, after_long=residues * b - 1000.0,
-        )
-        for k, (a, b, m) in enumerate(zip(above_short, above_long, moved, strict=True))
-    ]  # fmt: skip
+        Minimised(f"frame {k}", k, 1e4, 0.0, residues * a - 1000.0, residues * b - 1000.0, m)
+        for k, (a, b, m) in rows
+    ]
     start = Minimised("start", None, 1e4, 0.0, -1000.0, -1000.0, 0.2)
     return ForceFieldReport(start, frames, [], residues, 1000, 0, 0.0)
 

@@ -98,10 +98,7 @@ REST = "parameters/framework/rest_length"
         ),
         (replace("particles/trajectory/position/step", np.empty(0, int)), "holds no frame"),
         (remove(BARS), f"/{BARS}: expected joints (B, 2), found nothing"),
-        (
-            replace(BARS, np.array([[0, 8]] * 7)),
-            f"/{BARS}: expected joints from 0 to 7, found 8",
-        ),
+        (replace(BARS, np.array([[0, 8]] * 7)), f"/{BARS}: expected joints from 0 to 7, found 8"),
         (
             replace(REST, np.ones(6)),
             f"/{REST}: expected one length for each of 7 bars, found float64 of shape (6,)",

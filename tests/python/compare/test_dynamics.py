@@ -22,8 +22,12 @@ def example():
 
 
 def test_dynamics_and_pliant_side_by_side(example, tmp_path, capsys):
-    words = [str(MOLECULE), "-o", str(tmp_path), "--picoseconds", "1", "--frames", "20",
-             "--platform", "Reference"]  # fmt: skip
+    words = [
+        str(MOLECULE),
+        "-o",
+        str(tmp_path),
+        *"--picoseconds 1 --frames 20 --platform Reference".split(),
+    ]
     assert example.main(words) == 0
     out = capsys.readouterr().out
     assert "theirs  " in out and "ALA2 phi" in out and "ALA2 psi" in out

@@ -16,8 +16,8 @@ from pliant.compare.core import core_of
 
 import pliant
 
-THREE = {"A": "ALA", "R": "ARG", "N": "ASN", "D": "ASP", "G": "GLY", "K": "LYS", "L": "LEU",
-         "M": "MET", "S": "SER", "T": "THR", "V": "VAL", "W": "TRP"}  # fmt: skip
+NAMES = "ALA ARG ASN ASP GLY LYS LEU MET SER THR VAL TRP".split()
+THREE = dict(zip("ARNDGKLMSTVW", NAMES, strict=True))
 SEQUENCE = "MKTAVLSGDNRWLKATVSGLMDNKRAVTSG"
 COUNT = len(SEQUENCE)
 
@@ -138,14 +138,14 @@ def test_the_first_screen_says_what_follows(ours, models, tmp_path, capsys):
 
 def test_json_holds_profiles_errors_and_modes(ours, models, capsys):
     assert main([ours, models, "--json", "--no-picture"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    residues = told["residues"]
-    assert residues["kind"] == "models" and told["theirs"] == {"file": models, "frames": 60}
+    report = json.loads(capsys.readouterr().out)
+    residues = report["residues"]
+    assert residues["kind"] == "models" and report["theirs"] == {"file": models, "frames": 60}
     assert len(residues["rmsf"]["ours"]["value"]) == COUNT
     assert len(residues["rmsf"]["theirs"]["error"]) == COUNT
     assert np.array(residues["modes"]["overlaps"]).shape == (10, 10)
     assert 0.5 < residues["modes"]["ceiling"] <= 1.0
-    assert told["conclusions"] and told["modes"]["atoms"] == COUNT
+    assert report["conclusions"] and report["modes"]["atoms"] == COUNT
 
 
 def test_the_same_ensemble_lacks_nothing(ours, tmp_path):
@@ -173,7 +173,7 @@ def test_what_moves_in_one_alone_is_named(tmp_path):
     assert found.conclusions[0].startswith("It cannot be said that the same parts move: r = ")
 
 
-def test_residues_are_matched_by_sequence_and_what_differs_is_told(ours, tmp_path):
+def test_residues_are_matched_by_sequence_and_what_differs_is_reported(ours, tmp_path):
     other = SEQUENCE[:11] + "G" + SEQUENCE[12:]
     kept = [k for k in range(COUNT) if k not in (4, 5, 29)]
     theirs = motions(50, 2, SIZES, shared=7)

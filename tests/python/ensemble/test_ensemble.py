@@ -123,7 +123,7 @@ def test_bad_options_are_one_line_and_leave_no_shard(tmp_path, words, message):
     assert not shards_of(tmp_path / "d")
 
 
-def test_a_bad_input_is_told_in_one_line(tmp_path, there):
+def test_a_bad_input_is_reported_in_one_line(tmp_path, there):
     (tmp_path / "bad.pdb").write_text("ATOM\n")
     words = ("-o", tmp_path / "d", "--walkers", 4, "--retries", 0, *there)
     ended = call("ensemble", tmp_path / "bad.pdb", *words)

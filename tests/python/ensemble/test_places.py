@@ -24,7 +24,7 @@ def test_a_scheduler_that_is_there(ensemble, tmp_path, there):
     assert same_files(tmp_path / "many", ensemble)
 
 
-def test_no_worker_is_told_once(capfd, monkeypatch):
+def test_no_worker_is_reported_once(capfd, monkeypatch):
     from distributed import LocalCluster
     from pliant.ensemble import cluster as places
 
@@ -35,24 +35,24 @@ def test_no_worker_is_told_once(capfd, monkeypatch):
         places.open_place(None, cluster.scheduler_address, None, 1),
     ):
         time.sleep(1.5)
-    told = [line for line in capfd.readouterr().err.splitlines() if "no worker for" in line]
-    assert len(told) == 1
-    assert "jobs wait in their queue, or end before they begin" in told[0]
+    lines = [line for line in capfd.readouterr().err.splitlines() if "no worker for" in line]
+    assert len(lines) == 1
+    assert "jobs wait in their queue, or end before they begin" in lines[0]
 
 
 @pytest.mark.parametrize("is_drawn", [False, True])
-def test_the_dashboard_is_told_where_something_draws_it(is_drawn, tmp_path):
+def test_the_dashboard_is_reported_where_something_draws_it(is_drawn, tmp_path):
     beside = tmp_path / "packages"
     beside.mkdir()
     if is_drawn:  # enough for Dask to look for it, and to say what is missing
         (beside / "bokeh.py").write_text("__version__ = '0'\n")
     path = os.pathsep.join([str(beside), os.environ.get("PYTHONPATH", "")])
-    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--workers", 1,
-                 env={**os.environ, "PYTHONPATH": path})  # fmt: skip
+    env = {**os.environ, "PYTHONPATH": path}
+    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--workers", 1, env=env)
     assert ended.returncode == 0, ended.stderr
-    told = re.findall(r"note: Dask's dashboard: http://127\.0\.0\.1:\d+/status\n", ended.stderr)
+    lines = re.findall(r"note: Dask's dashboard: http://127\.0\.0\.1:\d+/status\n", ended.stderr)
     if is_drawn or importlib.util.find_spec("bokeh") is None:
-        assert len(told) == is_drawn
+        assert len(lines) == is_drawn
 
 
 def test_a_scheduler_that_is_not_there(tmp_path):
@@ -97,8 +97,8 @@ def test_the_script_names_the_command_without_itself(tmp_path, form):
 )
 def test_a_script_whose_jobs_would_fail_is_not_written(tmp_path, words, code, message):
     script = tmp_path / "jobs.sh"
-    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", "--walkers", 4,
-                 "--slurm-script", script, *words, cwd=tmp_path)  # fmt: skip
+    words = ["--walkers", 4, "--slurm-script", script, *words]
+    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *words, cwd=tmp_path)
     assert (ended.returncode, ended.stderr.count("\n")) == (code, 1), ended.stderr
     assert message in ended.stderr
     assert not script.exists() and not (tmp_path / "many" / "ensemble.pliant").exists()
@@ -143,7 +143,7 @@ def test_more_shards_than_an_array_has_jobs(tmp_path):
     assert "echo" in tell
     for job, shards in ((0, [0, 1000, 2000]), (499, [499, 1499, 2499]), (500, [500, 1500])):
         environment = {"SLURM_ARRAY_TASK_ID": str(job)}
-        told = subprocess.run(
+        lines = subprocess.run(
             ["/bin/sh", "-c", tell], env=environment, check=True, capture_output=True, text=True
         ).stdout.split()
-        assert [int(number) for number in told] == shards
+        assert [int(number) for number in lines] == shards

@@ -62,8 +62,8 @@ def settings(tmp_path):
 
 
 def test_jobs_of_a_queue(ensemble, tmp_path, settings):
-    made(PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", settings, env=queue_in(tmp_path),
-         cwd=tmp_path)  # fmt: skip
+    env = queue_in(tmp_path)
+    made(PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", settings, env=env, cwd=tmp_path)
     assert len((tmp_path / "jobs").read_text().split()) >= 2
     shards = zip(shards_of(tmp_path / "many"), shards_of(ensemble), strict=True)
     assert all(ours.read_bytes() == theirs.read_bytes() for ours, theirs in shards)
@@ -71,8 +71,8 @@ def test_jobs_of_a_queue(ensemble, tmp_path, settings):
 
 def test_no_more_jobs_than_shards(tmp_path, settings):
     words = ("--walkers", 4, "--steps", 5, "--workers", 60)
-    made(PEPTIDE, "-o", tmp_path / "many", *words, "--cluster", settings, env=queue_in(tmp_path),
-         cwd=tmp_path)  # fmt: skip
+    words += ("--cluster", settings)
+    made(PEPTIDE, "-o", tmp_path / "many", *words, env=queue_in(tmp_path), cwd=tmp_path)
     assert len((tmp_path / "jobs").read_text().split()) == 1
 
 
@@ -90,8 +90,9 @@ REFUSED = "Batch job submission failed: Invalid account"
 )
 def test_a_queue_that_takes_no_job_has_the_last_word(tmp_path, settings, sbatch, words):
     environment = with_programs(tmp_path, sbatch=f"#!/bin/sh\n{sbatch}\n")
-    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", settings,
-                 env=environment)  # fmt: skip
+    ended = call(
+        "ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", settings, env=environment
+    )
     assert ended.stderr == f"pliant ensemble: error: {settings}: sbatch: {words}\n"
     assert ended.returncode == 1
     assert not (tmp_path / "many" / "ensemble.pliant").exists()
@@ -103,11 +104,11 @@ def test_a_queue_that_takes_some_jobs(ensemble, tmp_path, settings):
     sbatch = f"#!/bin/sh\nmkdir {tmp_path}/first 2> /dev/null || {refuse}\n"
     sbatch += SBATCH.format(folder=tmp_path)
     environment = with_programs(tmp_path, sbatch=sbatch, scancel=SCANCEL)
-    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", settings,
-                 env=environment, cwd=tmp_path)  # fmt: skip
+    words = ["ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", settings]
+    ended = call(*words, env=environment, cwd=tmp_path)
     assert ended.returncode == 0, ended.stderr
-    told = [line for line in ended.stderr.splitlines() if "note: Dask" not in line]
-    assert told == [f"warning: {settings}: sbatch: {REFUSED}: goes on with 1 job"]
+    lines = [line for line in ended.stderr.splitlines() if "note: Dask" not in line]
+    assert lines == [f"warning: {settings}: sbatch: {REFUSED}: goes on with 1 job"]
     assert len(shards_of(tmp_path / "many")) == len(shards_of(ensemble))
 
 
@@ -160,8 +161,8 @@ def test_a_bad_cluster_file(tmp_path, text, message):
     path = tmp_path / "slurm.yaml"
     path.write_text(text)
     # Whether there is a queue on this machine makes no difference.
-    ended = call("ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", path,
-                 env={**os.environ, "PATH": str(tmp_path)})  # fmt: skip
+    words = ["ensemble", PEPTIDE, "-o", tmp_path / "many", *WORDS, "--cluster", path]
+    ended = call(*words, env={**os.environ, "PATH": str(tmp_path)})
     assert ended.returncode == 1, ended.stderr
     assert message in ended.stderr and ended.stderr.count("\n") == 1, ended.stderr
     assert not (tmp_path / "many" / "ensemble.pliant").exists()

@@ -108,8 +108,11 @@ def test_the_folder_may_be_moved_and_needs_no_other_file(ensemble, tmp_path):
     code = "import pliant, MDAnalysis, sys; print(len(MDAnalysis.Universe(sys.argv[1]).trajectory))"
     ended = subprocess.run(
         [sys.executable, "-c", code, moved / "ensemble.pliant"],
-        capture_output=True, text=True, cwd=tmp_path, check=True,
-    )  # fmt: skip
+        capture_output=True,
+        text=True,
+        cwd=tmp_path,
+        check=True,
+    )
     assert ended.stdout == "120\n"
 
 

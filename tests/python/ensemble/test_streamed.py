@@ -162,7 +162,9 @@ def test_clusters_are_those_of_all_frames(many, tmp_path):
         )
         assert found.positions[k].tolist() == positions[found.frames[k]].tolist()
         assert (found.records[k]["walker"], found.records[k]["step"]) == (
-            walkers[found.frames[k]], steps[found.frames[k]])  # fmt: skip
+            walkers[found.frames[k]],
+            steps[found.frames[k]],
+        )
 
 
 def peak_memory(tasks):
@@ -283,8 +285,8 @@ def test_the_figure_has_the_numbers_of_residues(many):
     assert (labels[0], labels[-1], len(labels), axis) == ("SER1", "GLY20", 20, "residue")
     numbers = np.arange(24, 84)
     places = np.arange(60)
-    units = Units("residue", [f"ALA{n}" for n in numbers], numbers, np.full(60, ""), places,
-                  places, places, places >= 0)  # fmt: skip
+    names, chains = [f"ALA{n}" for n in numbers], np.full(60, "")
+    units = Units("residue", names, numbers, chains, places, places, places, places >= 0)
     values = np.linspace(0.1, 1, 60)
     longer = replace(
         found, units=units, rmsf=values, error=values / 9, halves=np.array(2 * [values])
@@ -312,7 +314,7 @@ def test_a_shard_that_is_gone_is_named(many, tmp_path, lost):
     )
 
 
-def test_shards_that_are_not_counted_are_told_from_none(many, tmp_path):
+def test_shards_that_are_not_counted_are_reported_from_none(many, tmp_path):
     folder = shutil.copytree(many, tmp_path / "many")
     (folder / "shards.jsonl").unlink()
     ended = call("analyse", folder)

@@ -4,9 +4,9 @@
 from collections import Counter
 from pathlib import Path
 
+import expected_warnings
 import numpy as np
 import pytest
-import told
 
 import pliant
 
@@ -44,7 +44,9 @@ def on_carbon(structure):
 @pytest.fixture(scope="module")
 def kinase():
     """All hydrogens in the file, placed by CHARMM."""
-    structure = told.read_without_elements(f"{MDA.PDB_small.rpartition('/')[0]}/adk_open.pdb")
+    structure = expected_warnings.read_without_elements(
+        f"{MDA.PDB_small.rpartition('/')[0]}/adk_open.pdb"
+    )
     structure.perceive_bonds()
     return structure
 
@@ -136,7 +138,7 @@ def test_the_sugar_and_bases_of_nucleotides(tmp_path):
     part = residue.atoms
     path = tmp_path / "ade.pdb"
     part.write(path)
-    structure = told.read_without_elements(path)
+    structure = expected_warnings.read_without_elements(path)
     structure.perceive_bonds()
     bare = without(structure, on_carbon(structure))
     made = pliant.prepare(bare, all_hydrogens=True).structure

@@ -160,7 +160,7 @@ def test_files_as_they_come_make_a_model(name, what):
     model = pliant.build_model(pliant.read(DATA / name))
     summary = pliant.measure(model.framework, model.positions)
     assert (summary.max_limit, summary.max_overlap) == (0, 0), what
-    assert model.told
+    assert model.notes
 
 
 def test_the_table_of_models():

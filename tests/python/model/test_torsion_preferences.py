@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Torsion preferences beside MDAnalysis: which torsions they are, and what they do to frames."""
 
+import expected_warnings
 import numpy as np
 import pytest
-import told
 
 import pliant
 
@@ -18,13 +18,13 @@ AFTER = {  # chi 2 and further about bonds of tetrahedral atoms, by the names of
         "MET": "SD"},
     3: {"LYS": "CE", "ARG": "NE", "MET": "CE"},
     4: {"LYS": "NZ"},
-}  # fmt: skip
+}  # fmt: skip  # some pairs a line
 GAMMA = ("CG", "CG1", "OG", "OG1", "SG")
 
 
 @pytest.fixture(scope="module")
 def closed():
-    structure = told.read_without_elements(MDA.PDB_closed)
+    structure = expected_warnings.read_without_elements(MDA.PDB_closed)
     structure.perceive_bonds()
     return structure
 
@@ -88,7 +88,7 @@ def test_side_chains_are_those_of_rotamer_libraries(model):
     preferences = model.framework.torsion_preferences
     found = {tuple(row[:4]) for row in preferences.staggered}
     assert found == set(side_chain_torsions(model.structure))
-    assert f"torsions: {len(found)} of side chains" in "\n".join(model.told)
+    assert f"torsions: {len(found)} of side chains" in "\n".join(model.notes)
 
 
 def test_backbone_is_all_but_ends_and_glycine(model):

@@ -62,8 +62,12 @@ def what_is_held(structure: Any) -> tuple[Any, ...]:
     """Bars across angles and planar groups; bonds that turn; bars of each edge in a count."""
     framework = structure.framework("angles")
     counted = pliant.rigidity(structure, contacts=np.empty(0, pliant.contacts(structure).dtype))
-    return (framework.bars.tolist(), structure.aromatic_bonds.tolist(),
-            counted.edge_bars.tolist(), counted.degrees_of_freedom)  # fmt: skip
+    return (
+        framework.bars.tolist(),
+        structure.aromatic_bonds.tolist(),
+        counted.edge_bars.tolist(),
+        counted.degrees_of_freedom,
+    )
 
 
 @pytest.mark.filterwarnings("ignore::pliant.PliantWarning")

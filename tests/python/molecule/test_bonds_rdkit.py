@@ -16,19 +16,11 @@ FLUORIDE = "RDKit has no force field for this atom and leaves fluorine atoms 0.9
 KNOWN_DIFFERENCES = {
     "sulfur-hexafluoride": (
         FLUORIDE,
-        [
-            "F(3) - F(4): ours only",
-            "S(2) - F(3): theirs only",
-            "S(2) - F(4): theirs only",
-        ],
+        ["F(3) - F(4): ours only", "S(2) - F(3): theirs only", "S(2) - F(4): theirs only"],
     ),
     "phosphorus-pentafluoride": (
         FLUORIDE,
-        [
-            "F(1) - F(5): ours only",
-            "F(1) - P(2): theirs only",
-            "P(2) - F(5): theirs only",
-        ],
+        ["F(1) - F(5): ours only", "F(1) - P(2): theirs only", "P(2) - F(5): theirs only"],
     ),
     "hexafluorophosphate": (
         FLUORIDE,

@@ -99,8 +99,9 @@ def test_orders_and_elements_of_a_mol2_file():
         structure = pliant.from_mdanalysis(universe)
     assert structure.symbols.tolist() == universe.atoms.elements.tolist()
     orders = {tuple(sorted(b.indices)): b.order for b in universe.bonds}
-    expected = [{"1": 1, "2": 2, "3": 3, "ar": 4}.get(orders[tuple(b)], 0)
-                for b in structure.bonds.tolist()]  # fmt: skip
+    expected = [
+        {"1": 1, "2": 2, "3": 3, "ar": 4}.get(orders[tuple(b)], 0) for b in structure.bonds.tolist()
+    ]
     assert structure.bond_orders.tolist() == expected
     assert len(set(expected)) > 1
 

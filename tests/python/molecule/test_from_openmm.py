@@ -45,8 +45,8 @@ def test_bare_numbers_are_nanometres():
     from openmm import unit
 
     quantity = pdb.getPositions(asNumpy=True)
-    for positions in (quantity, quantity.value_in_unit(unit.nanometer), pdb.positions,
-                      quantity.in_units_of(unit.bohr), list(pdb.positions)):  # fmt: skip
+    again = quantity.in_units_of(unit.bohr), list(pdb.positions)
+    for positions in (quantity, quantity.value_in_unit(unit.nanometer), pdb.positions, *again):
         structure = pliant.from_openmm(pdb.topology, positions)
         expected = quantity.value_in_unit(unit.angstrom)
         np.testing.assert_allclose(structure.positions, expected, rtol=1e-12)

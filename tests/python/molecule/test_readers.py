@@ -24,10 +24,7 @@ import openmm.app
 OPENMM = Path(openmm.app.__file__).parent / "data"
 MDA = Path(MDAnalysisTests.__file__).parent / "data"
 ENDINGS = (".pdb", ".pdb.gz", ".ent", ".pdbx", ".cif", ".cif.gz")
-REFUSED = {
-    "cryst_then_model.pdb.gz": "a tar archive",
-    "model_then_cryst.pdb.gz": "a tar archive",
-}
+REFUSED = {"cryst_then_model.pdb.gz": "a tar archive", "model_then_cryst.pdb.gz": "a tar archive"}
 GEMMI_REFUSES = {
     "incomplete.pdb": "two models of one number",
     "varying_occ_tmp.pdb": "a MODEL record inside a model",
@@ -96,7 +93,7 @@ TWICE_IN_DSSP = {
     "2xcjA": 3, "2xr6A": 78, "3a4rA": 11, "3e8mA": 39, "3ejfA": 19, "3fhkA": 7, "3ii2A": 20,
     "3k7pA": 452, "3l4rA": 28, "3lqcA": 2, "3nbkA": 918, "3on9A": 7, "3q4oA": 558, "3so6A": 24,
     "4gcnA": 22,
-}  # fmt: skip
+}  # fmt: skip  # some pairs a line
 LEFT_OUT |= {f"dssp/{name}.pdb.gz": {TWICE: count} for name, count in TWICE_IN_DSSP.items()}
 
 # Ions whose names are no symbols (CHARMM).

@@ -16,7 +16,7 @@ NO_TEMPLATE = {"UNK": "an unknown residue: distances tell its bonds"}
 # {residue: bonds that only one of the two has}
 KNOWN_DIFFERENCES = {
     # OpenMM ties the formyl group's names to an amino acid's nitrogen, which it does not have.
-    "FOR": ["C - H3: ours only", "H3 - N: theirs only"],
+    "FOR": ["C - H3: ours only", "H3 - N: theirs only"]
 }
 
 # OpenMM applies the names of a chain's ends to caps as well, where they mean other atoms.

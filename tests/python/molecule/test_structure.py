@@ -142,8 +142,12 @@ def test_reads_a_file(tmp_path):
     assert structure.positions[5].tolist() == [3.95, 2.86, 0]
     bonds = dict(zip(map(tuple, structure.bonds.tolist()), structure.bond_origins, strict=True))
     assert bonds == {
-        (0, 1): "residue", (1, 2): "residue", (2, 3): "residue", (2, 4): "link", (4, 5): "residue"
-    }  # fmt: skip
+        (0, 1): "residue",
+        (1, 2): "residue",
+        (2, 3): "residue",
+        (2, 4): "link",
+        (4, 5): "residue",
+    }
 
 
 def test_reads_gzipped_files_given_as_text(tmp_path):

@@ -46,8 +46,7 @@ def test_arrives(start, end):
     assert path.arrived
     goal = pliant.read(end)
     there = fitted(
-        alpha_carbons(path.model.structure, path.positions[-1]),
-        alpha_carbons(goal, goal.positions),
+        alpha_carbons(path.model.structure, path.positions[-1]), alpha_carbons(goal, goal.positions)
     )
     assert there == pytest.approx(path.reached, abs=1e-6)
     assert there < 0.5
@@ -160,15 +159,15 @@ def test_the_command_writes_and_tells(tmp_path, monkeypatch, capsys):
     monkeypatch.chdir(tmp_path)
     words = [str(OPEN), str(CLOSED), "-o", "p.h5md", "--csv", "p.csv", "--json"]
     assert main(words) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert told["arrived"]
-    assert told["residues_matched"] == 214
+    report = json.loads(capsys.readouterr().out)
+    assert report["arrived"]
+    assert report["residues_matched"] == 214
     with open("p.csv", encoding="utf-8") as file:
         rows = list(csv.DictReader(file))
     reader = pliant.H5mdReader("p.h5md")
-    assert len(reader) == len(rows) == len(told["frames"])
+    assert len(reader) == len(rows) == len(report["frames"])
     assert reader.positions(0).shape == (3341, 3)
-    assert float(rows[-1]["to_end"]) == pytest.approx(told["rmsd_reached"])
+    assert float(rows[-1]["to_end"]) == pytest.approx(report["rmsd_reached"])
     assert main(words) == 2
     assert "--csv p.csv: exists; --overwrite replaces it" in capsys.readouterr().err
     assert main([str(OPEN), str(CLOSED), "-o", "p.pdb"]) == 2

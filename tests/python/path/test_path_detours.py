@@ -108,8 +108,8 @@ def test_both_ends_meet(start, end):
     path = pliant.path(start, end, both=True)
     assert path.arrived
     assert path.frames[0].from_start == pytest.approx(0, abs=1e-9)
-    told = [note for note in path.notes if note.startswith("the two ends met, ")]
-    assert len(told) == 1
+    notes = [note for note in path.notes if note.startswith("the two ends met, ")]
+    assert len(notes) == 1
     assert_exact(path)
     assert np.array_equal(path.model.structure.names, pliant.path(start, end).model.structure.names)
 
@@ -147,10 +147,10 @@ def test_the_command_goes_back(hairpin, tmp_path, monkeypatch, capsys):
     assert main(words) == 3
     assert "--both and --backtrack try other ways round" in capsys.readouterr().out
     assert main([*words, "--overwrite", "--json", "--backtrack"]) == 0
-    told = json.loads(capsys.readouterr().out)
-    assert told["attempts"] >= 1
-    assert len(pliant.H5mdReader("p.h5md")) == len(told["frames"])
-    assert set(told["frames"][0]) >= {"to_end", "lost", "made", "overlap", "tightest"}
+    report = json.loads(capsys.readouterr().out)
+    assert report["attempts"] >= 1
+    assert len(pliant.H5mdReader("p.h5md")) == len(report["frames"])
+    assert set(report["frames"][0]) >= {"to_end", "lost", "made", "overlap", "tightest"}
     assert main([*words, "--overwrite", "--both"]) in (0, 3)
     assert "the two ends " in capsys.readouterr().err
 

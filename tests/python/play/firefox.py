@@ -35,14 +35,18 @@ class Firefox:
         self._open = contextlib.ExitStack()
         self.screen = subprocess.Popen(
             ["Xvfb", "-displayfd", "1", "-screen", "0", "1280x900x24"],
-            stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True,
-        )  # fmt: skip
+            stdout=subprocess.PIPE,
+            stderr=subprocess.DEVNULL,
+            text=True,
+        )
         display = f":{self.screen.stdout.readline().strip()}"
         self.process = subprocess.Popen(
             [BINARY, "--no-remote", "--profile", profile, "--remote-debugging-port=0"],
             env={**os.environ, "DISPLAY": display, "LIBGL_ALWAYS_SOFTWARE": "1"},
-            stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True,
-        )  # fmt: skip
+            stdout=subprocess.DEVNULL,
+            stderr=subprocess.PIPE,
+            text=True,
+        )
         address = self._address()
         threading.Thread(target=self.process.stderr.read, daemon=True).start()  # or it would fill
         opened = connect(f"{address}/session", max_size=None, compression=None)

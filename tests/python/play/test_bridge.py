@@ -95,13 +95,13 @@ def pull(talk, *forces):
     talk.send(json.dumps({"do": "pull", "forces": forces}))
 
 
-def test_the_last_frame_of_a_run_is_shown_and_its_end_is_told(tmp_path, monkeypatch):
+def test_the_last_frame_of_a_run_is_shown_and_its_end_is_reported(tmp_path, monkeypatch):
     monkeypatch.setattr(upstream._Rate, "wanted", lambda *_: 0)  # each step is sent
     with bridged(tmp_path, "--steps", "300", "--imd-wait") as (run, served), served.talk() as talk:
         frames = []
-        while isinstance(told := asked(talk), tuple):
-            frames.append(told)
-        assert told == {"over": "the run has ended", "ended": True}
+        while isinstance(reply := asked(talk), tuple):
+            frames.append(reply)
+        assert reply == {"over": "the run has ended", "ended": True}
         talk.close()  # as the page does
         code, out, _ = run.end()
         assert (code, served.end()) == (0, 0)
@@ -154,7 +154,7 @@ def test_a_page_that_asks_for_nothing_holds_nothing_up(tmp_path):
         assert asked(talk)["ended"]
 
 
-def test_the_end_is_told_to_a_page_that_asks_for_nothing(tmp_path):
+def test_the_end_is_reported_to_a_page_that_asks_for_nothing(tmp_path):
     with bridged(tmp_path) as (run, served), served.talk() as talk:
         run.process.send_signal(signal.SIGINT)
         assert len(talk.recv(timeout=60)) > 8 * NUMBERS  # the last frame
@@ -221,7 +221,7 @@ BAD = [
     '{"do": "pull", "forces": [[1, 0, 0, NaN]]}', '{"do": "pull", "forces": [[1, 0, 0, 1e39]]}',
     '{"do": "pull", "forces": [[1, 0, 0, 1], [1, 0, 0, 1]]}', " " * 70000, b"\xff\x00",
     b"[" * 60000,
-]  # fmt: skip
+]  # fmt: skip  # a table: a row a line
 
 
 def test_what_no_page_says_costs_the_page_its_connection_and_nothing_else(tmp_path):
@@ -273,9 +273,9 @@ def test_a_connection_that_is_lost_is_no_end(capsys):
         served = Served(listener.getsockname()[1])
         with served.talk() as talk:
             assert np.isnan(np.frombuffer(talk_frame(talk), "<f8", NUMBERS)).all()
-            told = asked(talk)
+            report = asked(talk)
         thread.join()
-    assert told == {
+    assert report == {
         "over": "the connection is lost: IMD: the server stopped within a packet",
         "ended": False,
     }

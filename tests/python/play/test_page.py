@@ -135,9 +135,11 @@ def test_pliant_run_replays_the_session_to_the_same_bits(session):
 
 
 #: Of the page's file alone: contacts step by step, limits, sterics, and where a run would go on.
-NOT_OF_THE_PAGE = ("connectivity/contact_states", "connectivity/limits", "observables/contacts_",
-                   "parameters/limit", "parameters/sterics", "parameters/torsion_preferences",
-                   "parameters/checkpoint")  # fmt: skip
+NOT_OF_THE_PAGE = tuple(
+    "connectivity/contact_states connectivity/limits observables/contacts_ "
+    "parameters/limit parameters/sterics parameters/torsion_preferences "
+    "parameters/checkpoint".split()
+)
 
 
 def test_the_h5md_says_of_itself_what_that_of_pliant_run_says(session):

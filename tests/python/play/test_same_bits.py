@@ -65,8 +65,9 @@ def test_the_model_of_a_protein(solver):
 
 def test_every_joint_pushed_at_random(solver):
     options = {"perturb": "force_all", "force": 5.0, "seed": 7}
-    assert_same_walk(solver, MOLECULES / "crown_18_6.cif", "bonds", ["blocks", "newton"], 10,
-                     **options)  # fmt: skip
+    assert_same_walk(
+        solver, MOLECULES / "crown_18_6.cif", "bonds", ["blocks", "newton"], 10, **options
+    )
 
 
 @pytest.mark.long
@@ -100,17 +101,17 @@ BROKEN = [
 
 
 @pytest.mark.parametrize(("name", "content"), BROKEN)
-def test_what_is_wrong_with_a_file_is_told_in_the_same_words(solver, tmp_path, name, content):
+def test_what_is_wrong_with_a_file_is_reported_in_the_same_words(solver, tmp_path, name, content):
     path = tmp_path / name
     path.write_bytes(content)
-    with pytest.raises(ValueError) as told:
+    with pytest.raises(ValueError) as raised:
         solver.open(path)
     if content.startswith(b"\x1f\x8b"):
-        assert str(told.value) == (
+        assert str(raised.value) == (
             "x.pdb: is compressed with gzip, which this build of Pliant does not read: "
             "it was made without zlib"
         )
         return
     with pytest.raises(pliant.Error) as expected:
         opened_natively(path, "bonds")
-    assert str(told.value) == str(expected.value).replace(str(tmp_path) + "/", "")
+    assert str(raised.value) == str(expected.value).replace(str(tmp_path) + "/", "")

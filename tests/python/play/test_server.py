@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""pliant play: what is served, to whom, and once; what is told where something is missing."""
+"""pliant play: what is served, to whom, and once; the message where something is missing."""
 
 import base64
 import http.client

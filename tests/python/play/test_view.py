@@ -40,10 +40,14 @@ def digits():
     """A peptide with more digits than a PDB file has."""
     structure = pliant.read(PEPTIDE)
     return pliant.Structure(
-        structure.positions * (1 + 1e-9) + 5000, elements=structure.elements,
-        names=structure.names, residue_names=structure.residue_names,
-        residue_ids=structure.residue_ids, bonds=structure.bonds[:-3], title="some/title.xml",
-    )  # fmt: skip
+        structure.positions * (1 + 1e-9) + 5000,
+        elements=structure.elements,
+        names=structure.names,
+        residue_names=structure.residue_names,
+        residue_ids=structure.residue_ids,
+        bonds=structure.bonds[:-3],
+        title="some/title.xml",
+    )
 
 
 def facts_in(view):
@@ -143,7 +147,7 @@ TELL = """\
 import json
 import numpy as np
 np.save("positions.npy", view.positions)
-pathlib.Path("told.json").write_text(json.dumps([view.names, view.model]))
+pathlib.Path("view.json").write_text(json.dumps([view.names, view.model]))
 print("written")"""
 
 
@@ -182,9 +186,12 @@ def lab(folder):
     path = f"{Path(sys.executable).parent}{os.pathsep}{os.environ['PATH']}"
     homes = {name: str(folder / name) for name in ("JUPYTER_CONFIG_DIR", "JUPYTER_DATA_DIR")}
     server = subprocess.Popen(
-        [sys.executable, *words], cwd=folder, stderr=subprocess.PIPE, text=True,
+        [sys.executable, *words],
+        cwd=folder,
+        stderr=subprocess.PIPE,
+        text=True,
         env={**os.environ, **homes, "PATH": path},
-    )  # fmt: skip
+    )
     try:
         for line in server.stderr:
             if "is running at" in line:
@@ -219,6 +226,6 @@ def test_a_drag_in_a_notebook_comes_back_to_python(tmp_path):
     assert np.linalg.norm(positions - structure.positions, axis=1)[shown["joint"]] > 0.05
     off = pliant.residuals(structure.framework(), positions)  # Angstrom, of bars below 2
     assert np.abs(off).max() <= 2e-6
-    names, model = json.loads((tmp_path / "told.json").read_text())
+    names, model = json.loads((tmp_path / "view.json").read_text())
     assert (len(names), names[0], model) == (22, "A:ACE1:CH3", "bonds")
     assert shown["complaints"] == []

@@ -23,8 +23,9 @@ class Solver:
 
     def __enter__(self):
         script = ROOT / "apps" / "play" / "test" / "answer_lines.mjs"
-        self.node = subprocess.Popen(["node", script], stdin=subprocess.PIPE,
-                                     stdout=subprocess.PIPE, text=True)  # fmt: skip
+        self.node = subprocess.Popen(
+            ["node", script], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+        )
         return self
 
     def __exit__(self, *_):

@@ -117,10 +117,17 @@ def test_gemmi_reads_mmcif_as_it_was_recorded(odd, tmp_path):
     found = np.array([[[*one.atom.pos.tolist()] for one in model.all()] for model in models])
     assert np.abs(found - positions(odd)).max() < DIGITS[".cif"]
     read = [
-        (one.chain.name, one.residue.name, str(one.residue.seqid), one.atom.name,
-         one.atom.element.name, one.residue.het_flag, one.residue.label_seq)
+        (
+            one.chain.name,
+            one.residue.name,
+            str(one.residue.seqid),
+            one.atom.name,
+            one.atom.element.name,
+            one.residue.het_flag,
+            one.residue.label_seq,
+        )
         for one in models[2].all()
-    ]  # fmt: skip
+    ]
     assert read == [
         ("A", "ALA", "5", "N", "N", "A", 1),
         ("A", "ALA", "5", "CA", "C", "A", 1),

@@ -136,10 +136,10 @@ CHANGES = {
 }
 
 #: What of a file does not matter to a reader may be damaged; these cannot be used by any.
-FATAL = (
-    "scalar", "empty", "no_frames", "one_axis", "text", "compound", "not_finite", "huge_atoms",
-    "all_huge", "link_to_itself", "particles_in_a_circle", "other_file", "particles_a_number",
-)  # fmt: skip
+FATAL = tuple(
+    "scalar empty no_frames one_axis text compound not_finite huge_atoms all_huge "
+    "link_to_itself particles_in_a_circle other_file particles_a_number".split()
+)
 
 
 @pytest.fixture(params=CHANGES)

@@ -26,10 +26,14 @@ def test_a_run_is_recorded(tmp_path):
     path = tmp_path / "out.h5md"
     frames = []
     summary = pliant.run(
-        WATER, output=path, steps=20, every=4, seed=3,
+        WATER,
+        output=path,
+        steps=20,
+        every=4,
+        seed=3,
         observers=[lambda frame: frames.append(frame.positions.copy())],
         parameters={"note/why": "test", "note/times": 2, "note/yes": True, "note/half": 0.5},
-    )  # fmt: skip
+    )
     assert (summary.frames, summary.converged) == (6, True)
     assert np.array_equal(positions_in(path), frames)
     assert np.array_equal(frames[-1], summary.state.positions)
@@ -151,8 +155,8 @@ def test_a_recorder_of_ones_own(tmp_path):
     framework = WATER.framework()
     with pliant.H5mdRecorder(tmp_path / "out.h5md", framework, structure=WATER) as recorder:
         recorder.record(pliant.Frame(0, 0.0, WATER.positions))
-        recorder(pliant.Frame(5, 0.5, WATER.positions + 1, max_residual=0.25, root_joint=2,
-                              stop=pliant.Stop.max_sweeps, force=(1, 2, 3)))  # fmt: skip
+        found = {"max_residual": 0.25, "root_joint": 2, "stop": pliant.Stop.max_sweeps}
+        recorder(pliant.Frame(5, 0.5, WATER.positions + 1, force=(1, 2, 3), **found))
         recorder.flush()
         assert (recorder.frames, recorder.committed_frames) == (2, 2)
         assert recorder.path == tmp_path / "out.h5md"
@@ -264,8 +268,11 @@ print(codes.count(0), frames == len(reader), reader.step(-1) < 10**9)
 def test_a_forked_process_neither_hangs_nor_writes(tmp_path):
     done = subprocess.run(
         [sys.executable, "-c", FORKS, tmp_path / "out.h5md", tmp_path / "child"],
-        capture_output=True, text=True, timeout=300, check=False,
-    )  # fmt: skip
+        capture_output=True,
+        text=True,
+        timeout=300,
+        check=False,
+    )
     assert (done.returncode, done.stdout) == (0, "20 True True\n"), done.stderr
 
 
@@ -309,9 +316,12 @@ def test_replays_a_force_file(tmp_path):
     assert forces.pushes == [(1, (30.0, -3.0, 0.25)), (2, (0.0, 40.0, 0.0))]
     seen = []
     pliant.run(
-        framework, WATER.positions, replay=forces.pushes, timestep=forces.timestep,
+        framework,
+        WATER.positions,
+        replay=forces.pushes,
+        timestep=forces.timestep,
         observers=[lambda frame: seen.append((frame.root_joint, frame.force))],
-    )  # fmt: skip
+    )
     assert seen == [(None, (0.0, 0.0, 0.0)), *forces.pushes]
     path.write_text(forces.text(framework))
     assert pliant.read_force_file(path, framework).pushes == forces.pushes

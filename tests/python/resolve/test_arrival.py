@@ -49,7 +49,7 @@ def test_auto_arrives_on_every_file(path: Path, bars: str, push: str) -> None:
     check(path, bars, push, 100, MOST_SECONDS)
 
 
-def test_dear_steps_are_told() -> None:
+def test_dear_steps_are_reported() -> None:
     assert Run(10, looked=[10] * 9 + [600]).over_median == 60.0 > MOST_OVER_MEDIAN
     assert Run(100, looked=[2] * 9 + [600]).over_median == 6.0
     assert Run(10).over_median == 0.0

@@ -75,14 +75,17 @@ def test_what_is_not_finite_is_put_back():
 
 
 @pytest.mark.filterwarnings("ignore::pliant.PliantWarning")
-@pytest.mark.parametrize("call", [
-    lambda f, x, t: pliant.resolve(f, x, t),
-    lambda f, x, t: pliant.Resolver(f, technique=t).resolve(x),
-    lambda f, x, t: pliant.WalkerResolver(f, technique=t).resolve(x[None]),
-    lambda f, x, t: pliant.Motion(f, x, technique=t).start(),
-    lambda f, x, t: pliant.run(f, x, technique=t, steps=1),
-    lambda f, x, t: pliant.run_ensemble(f, x, technique=t, steps=1, threads=2),
-])  # fmt: skip
+@pytest.mark.parametrize(
+    "call",
+    [
+        lambda f, x, t: pliant.resolve(f, x, t),
+        lambda f, x, t: pliant.Resolver(f, technique=t).resolve(x),
+        lambda f, x, t: pliant.WalkerResolver(f, technique=t).resolve(x[None]),
+        lambda f, x, t: pliant.Motion(f, x, technique=t).start(),
+        lambda f, x, t: pliant.run(f, x, technique=t, steps=1),
+        lambda f, x, t: pliant.run_ensemble(f, x, technique=t, steps=1, threads=2),
+    ],
+)
 def test_what_it_raises_propagates(call):
     def fail(positions, sweep, framework):
         positions += 1

@@ -110,10 +110,7 @@ def test_refuses_bad_values(arguments, options, message):
             ([[0, 1.5]], [1]),
             "bars: expected an array of integers, found an array of float64 with shape (1, 2)",
         ),
-        (
-            ([[0, 1], [2]], [1]),
-            "bars: expected an array of integers, found an object of type list",
-        ),
+        (([[0, 1], [2]], [1]), "bars: expected an array of integers, found an object of type list"),
         (
             ([[0, 1]], ["long"]),
             "rest_lengths: expected an array of real numbers, found an array of <U4 "

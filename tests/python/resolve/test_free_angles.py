@@ -22,8 +22,11 @@ def sodalite_cage() -> tuple[Any, Pairs]:
     signs = product((1, -1), repeat=2)
     corners = {p for one, two in signs for p in permutations((0, one, 2 * two))}
     silicon = np.array(sorted(corners), dtype=float)
-    pairs = [(a, b) for a, b in combinations(range(24), 2)
-             if np.isclose(np.sum((silicon[a] - silicon[b]) ** 2), 2)]  # fmt: skip
+    pairs = [
+        (a, b)
+        for a, b in combinations(range(24), 2)
+        if np.isclose(np.sum((silicon[a] - silicon[b]) ** 2), 2)
+    ]
     oxygen = np.array([(silicon[a] + silicon[b]) / 2 * 1.05 for a, b in pairs])
     positions = np.concatenate([silicon, oxygen]) * 3.1 / np.sqrt(2)
     positions += np.random.default_rng(3).normal(0, 0.05, positions.shape)

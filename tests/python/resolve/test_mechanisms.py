@@ -12,9 +12,9 @@ import sys
 from functools import cache
 from math import acos, cos, pi, sin, sqrt
 
+import expected_warnings
 import numpy as np
 import pytest
-import told
 from support_program import ROOT
 
 import pliant
@@ -135,12 +135,12 @@ class Motion:
         self.graph = pliant.read_graph_xml(path_of(name))
         self.framework = self.graph.framework
         frames = [self.graph.positions.copy()]
-        with told.of_fit(self.framework, options.get("technique", "auto")):
+        with expected_warnings.of_fit(self.framework, options.get("technique", "auto")):
+            options |= {"steps": steps, "tolerance": tolerance, "seed": seed, "max_sweeps": 200_000}
+            look = [lambda frame: frames.append(frame.positions.copy())]
             self.summary = pliant.run(
-                self.framework, self.graph.positions, steps=steps, tolerance=tolerance, seed=seed,
-                max_sweeps=200_000, observers=[lambda frame: frames.append(frame.positions.copy())],
-                **options,
-            )  # fmt: skip
+                self.framework, self.graph.positions, observers=look, **options
+            )
         self.frames = np.array(frames)
         assert np.abs(relative_residuals(self.framework, self.frames)).max() <= tolerance
 
@@ -282,11 +282,9 @@ def test_every_technique_runs_every_mechanism(name, technique):
         assert (frame.positions[graph.framework.pinned] == start[graph.framework.pinned]).all()
 
     start = graph.positions.copy()
-    with told.of_fit(graph.framework, technique):
-        pliant.run(
-            graph.framework, start, steps=10, technique=technique, force=10.0, max_sweeps=100_000,
-            observers=[look],
-        )  # fmt: skip
+    with expected_warnings.of_fit(graph.framework, technique):
+        options = {"technique": technique, "force": 10.0, "max_sweeps": 100_000}
+        pliant.run(graph.framework, start, steps=10, observers=[look], **options)
     assert [residual <= 1e-6 for residual in worst] == converged
     assert all(converged)
 

@@ -175,7 +175,7 @@ def test_closing_bars_come_after_both_their_joints_were_met(case):
 
 
 # Figures 2.2, 5.2, 5.5, 5.8 and 5.10, as printed: a bar is a pair of letters; which of the two
-# comes first is told for tree bars alone.
+# comes first is known for tree bars alone.
 PRINTED = [
     ("thesis_figure_2_2", "bfs_tree", "ab ac bd ce", ""),
     ("thesis_figure_2_2", "dfs_tree", "ab bd de ec", ""),

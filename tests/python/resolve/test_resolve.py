@@ -31,12 +31,14 @@ def test_moves_the_very_array():
         (broken(3)[:, :2].copy(), "an array of float64 with shape (3, 2)"),
         (broken(6)[::2], "an array of float64 with shape (3, 3) that is not C-contiguous"),
         (broken(3).ravel(), "an array of float64 with shape (9,)"),
-        (np.asfortranarray(broken(3)),
-         "an array of float64 with shape (3, 3) that is not C-contiguous"),
+        (
+            np.asfortranarray(broken(3)),
+            "an array of float64 with shape (3, 3) that is not C-contiguous",
+        ),
         (broken(3).tolist(), "an object of type list"),
         (broken(3).astype(">f8"), "an array of >f8 with shape (3, 3)"),
     ],
-)  # fmt: skip
+)
 def test_refuses_an_array_that_it_would_have_to_copy(positions, found):
     with pytest.raises(TypeError) as caught:
         pliant.resolve(TRIANGLE, positions)
@@ -114,7 +116,7 @@ def ring_with_tail(seed=3):
     shape = np.array(
         [[0, 0, 0], [1.5, 0, 0], [2, 1.4, 0.3], [0.7, 2.2, 0.6], [-0.5, 1.3, 0.2], [3.4, 1.8, 0.4],
          [4.1, 3.1, 0.1]]
-    )  # fmt: skip
+    )  # fmt: skip  # some points a line
     bars = [[0, 1], [1, 2], [2, 3], [3, 4], [4, 0], [2, 5], [5, 6]]
     framework = pliant.Framework(bars, positions=shape)
     return framework, shape + np.random.default_rng(seed).normal(scale=0.1, size=shape.shape)

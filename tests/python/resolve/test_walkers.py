@@ -9,7 +9,7 @@ import pliant
 SHAPE = np.array(
     [[0, 0, 0], [1.5, 0, 0], [2, 1.4, 0.3], [0.7, 2.2, 0.6], [-0.5, 1.3, 0.2], [3.4, 1.8, 0.4],
      [4.1, 3.1, 0.1]]
-)  # fmt: skip
+)  # fmt: skip  # some points a line
 BARS = [[0, 1], [1, 2], [2, 3], [3, 4], [4, 0], [2, 5], [5, 6]]
 FRAMEWORK = pliant.Framework(BARS, positions=SHAPE)
 

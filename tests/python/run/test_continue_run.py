@@ -46,7 +46,7 @@ def test_times_are_products_and_no_sums(tmp_path):
         assert np.array_equal(group["time"][:], group["step"][:] * timestep)
 
 
-def test_what_cannot_go_on_is_told(tmp_path):
+def test_what_cannot_go_on_is_reported(tmp_path):
     pliant.run(WATER, output=tmp_path / "a.h5md", steps=5)
     with pytest.raises(pliant.OptionError, match="has 5 steps already"):
         pliant.continue_run(tmp_path / "a.h5md", 3)

@@ -28,10 +28,14 @@ def run(model, guide, steps=300, **options):
     seen = []
     state = pliant.State(np.array(model.positions))
     summary = pliant.run(
-        model.framework, state, structure=model.structure, guide=guide, steps=steps,
+        model.framework,
+        state,
+        structure=model.structure,
+        guide=guide,
+        steps=steps,
         observers=[lambda frame: seen.append((np.array(frame.positions), frame.max_residual))],
         **options,
-    )  # fmt: skip
+    )
     return summary, seen
 
 

@@ -169,8 +169,10 @@ def test_vmd_drags_atoms_and_the_session_is_repeated_bit_by_bit(tmp_path):
     assert alone and alone[-1] >= 9, alone
     subprocess.run(
         [COMMAND, "run", MOLECULES / "peptide_20.pdb", "-o", "again.h5md", "--forces", forces],
-        cwd=tmp_path, check=True, capture_output=True,
-    )  # fmt: skip
+        cwd=tmp_path,
+        check=True,
+        capture_output=True,
+    )
     steps, positions = positions_of(tmp_path / "run.h5md")
     again = positions_of(tmp_path / "again.h5md")
     assert np.array_equal(again[0], steps)
@@ -182,11 +184,8 @@ def test_nobody_who_looks_changes_a_run(tmp_path):
         with Client(port=run.port) as client:
             assert sum(1 for _ in client) == 301
         assert run.end()[0] == 0
-    subprocess.run(
-        [COMMAND, "run", MOLECULES / "peptide_20.pdb", "-o", "alone.h5md", "--steps", "300",
-         "--every", "7"],
-        cwd=tmp_path, check=True, capture_output=True,
-    )  # fmt: skip
+    words = [MOLECULES / "peptide_20.pdb", *"-o alone.h5md --steps 300 --every 7".split()]
+    subprocess.run([COMMAND, "run", *words], cwd=tmp_path, check=True, capture_output=True)
     assert not (tmp_path / "run.forces").exists()
     seen, alone = (positions_of(tmp_path / name) for name in ("run.h5md", "alone.h5md"))
     assert seen[1].tobytes() == alone[1].tobytes()
@@ -239,7 +238,7 @@ def test_a_run_goes_on_whose_clients_may_not_end_it(tmp_path, capsys, monkeypatc
     )
 
 
-def test_a_server_that_says_nothing_is_told_of(capsys, monkeypatch):
+def test_a_server_that_says_nothing_is_reported(capsys, monkeypatch):
     monkeypatch.setattr(watch, "GREETING", 0.05)
     with socket.create_server(("127.0.0.1", 0)) as listener:
         port = listener.getsockname()[1]

@@ -26,8 +26,12 @@ def test_the_example_runs():
 def test_it_steps_as_a_run_does(push):
     seen = []
     run = {"technique": "bfs_cycle", "perturb": push, "seed": 4, "walker": 2, "steps": 10}
-    pliant.run(RING.framework, RING.positions,
-               observers=[lambda frame: seen.append(frame.positions.copy())], **run)  # fmt: skip
+    pliant.run(
+        RING.framework,
+        RING.positions,
+        observers=[lambda frame: seen.append(frame.positions.copy())],
+        **run,
+    )
     motion = motion_of(push, seed=4, walker=2)
     frames = [motion.start().positions.copy()]
     frames += [motion.step().positions.copy() for _ in range(10)]
@@ -41,8 +45,9 @@ def test_a_copy_of_the_state_goes_on_as_it_does():
     first.start()
     for _ in range(5):
         first.step()
-    second = pliant.Motion(RING.framework, first.state, "bfs_cycle",
-                           push=["force", "displacement"], seed=3)  # fmt: skip
+    second = pliant.Motion(
+        RING.framework, first.state, "bfs_cycle", push=["force", "displacement"], seed=3
+    )
     for _ in range(5):
         np.testing.assert_array_equal(first.step().positions, second.step().positions)
     np.testing.assert_array_equal(first.state.previous, second.state.previous)

@@ -47,7 +47,7 @@ def test_residues_of_a_structure_by_their_alpha_carbons():
     assert values[0] > values[10] < values[19]
 
 
-def test_chains_are_told_apart_by_equal_numbers_that_follow():
+def test_chains_are_reported_apart_by_equal_numbers_that_follow():
     x = np.array([[0.0, 0, 0], [3.8, 0, 0], [7.6, 0, 0], [7.6, 3.8, 0]])
     one, two = pliant.node_b_factors(x), pliant.node_b_factors(x, [5, 5, 2, 2])
     assert not np.array_equal(one, two)
@@ -63,7 +63,7 @@ def test_chains_are_told_apart_by_equal_numbers_that_follow():
         (([[0.0, 0, 0], [np.nan, 0, 0]],), pliant.InputError,
          "network: the position of node 1 is not finite"),
     ],
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 def test_what_is_wrong_is_said(arguments, error, said):
     with pytest.raises(error) as raised:
         pliant.node_b_factors(*arguments)

@@ -155,8 +155,7 @@ def test_tertiary_amides_are_cis_and_trans(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("smiles", "pattern"),
-    [("CCC(=O)NCC", "O=C-N-[CH2]"), ("CCC(=O)OCC", "O=C-O-C")],
+    ("smiles", "pattern"), [("CCC(=O)NCC", "O=C-N-[CH2]"), ("CCC(=O)OCC", "O=C-O-C")]
 )
 def test_other_amides_and_esters_stay(smiles, pattern, tmp_path):
     made, path = molecule(smiles, tmp_path)
@@ -348,7 +347,7 @@ def test_proteins_go_along_modes(tmp_path):
     assert np.array_equal(by_default, pliant.sample(kinase, 1, sampler="modes").positions)
 
 
-def test_what_cannot_turn_is_told(tmp_path):
+def test_what_cannot_turn_is_reported(tmp_path):
     _, path = molecule("c1ccccc1", tmp_path)
     with pytest.warns(pliant.PliantWarning, match="all conformers are the same"):
         ensemble = pliant.sample(pliant.read(path), 3)

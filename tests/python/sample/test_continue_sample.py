@@ -51,7 +51,7 @@ def test_the_command_goes_on_with_what_python_began(peptide, tmp_path):
     assert_same_runs(tmp_path / "whole.h5md", tmp_path / "part.h5md")
 
 
-def test_what_cannot_go_on_is_told(peptide, tmp_path):
+def test_what_cannot_go_on_is_reported(peptide, tmp_path):
     path = tmp_path / "a.h5md"
     pliant.sample(peptide, 3, amplitude=0.4, output=path)
     with pytest.raises(pliant.OptionError, match=r"frames = 2: .*a\.h5md has 3 frames already"):

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: MIT
 """Elastic networks beside numpy, and ensembles by numpy's own measures."""
 
+import expected_warnings
 import numpy as np
 import pytest
-import told
 
 import pliant
 
@@ -13,7 +13,7 @@ MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 @pytest.fixture(scope="module")
 def kinase():
     """Adenylate kinase, 214 residues."""
-    structure = told.read_without_elements(MDA.PDB_small)
+    structure = expected_warnings.read_without_elements(MDA.PDB_small)
     structure.perceive_bonds()
     return structure
 
@@ -51,8 +51,7 @@ def same_modes(found, expected):
 
 
 @pytest.mark.parametrize(
-    ("network", "spring"),
-    [("anm", lambda r: (r < 15.0) * 1.0), ("pfanm", lambda r: r**-2.0)],
+    ("network", "spring"), [("anm", lambda r: (r < 15.0) * 1.0), ("pfanm", lambda r: r**-2.0)]
 )
 def test_modes_are_those_of_numpy(kinase, network, spring):
     found = pliant.network_modes(kinase, network)

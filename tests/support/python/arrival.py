@@ -87,11 +87,7 @@ def who_arrives(
 
 
 def failures(
-    structure: pliant.Structure,
-    bars: str,
-    push: str,
-    seconds: float = np.inf,
-    steps: int = STEPS,
+    structure: pliant.Structure, bars: str, push: str, seconds: float = np.inf, steps: int = STEPS
 ) -> tuple[list[str], Run]:
     """What does not hold, in words, and the run of `auto`."""
     framework = structure.framework(bars=bars)

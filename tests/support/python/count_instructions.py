@@ -4,7 +4,7 @@
     PYTHONPATH=PACKAGE count_instructions.py [--json] [--compare BEFORE.json]
 
 Whichever package is importable does the small fixed work of counted_work.py under valgrind's
-callgrind, which counts what the processor is told to do. Plans, imports and the interpreter do not
+callgrind, which counts the instructions of the processor. Plans, imports and the interpreter do not
 count. With --compare the ratios to an earlier --json are printed, and the exit code is 1 if one is
 above 1.03. Needs valgrind with its headers and a C compiler.
 """
@@ -73,8 +73,12 @@ def compiled_switch(folder: Path) -> Path:
 
 def run_under_callgrind(folder: Path, switch: Path) -> list[str]:
     """The lines that the process says; the counts are in out.1, out.2 and so on."""
-    command = ["valgrind", "--tool=callgrind", "--instr-atstart=no", "-q",
-               f"--callgrind-out-file={folder}/out", sys.executable, __file__]  # fmt: skip
+    command = [
+        *"valgrind --tool=callgrind --instr-atstart=no -q".split(),
+        f"--callgrind-out-file={folder}/out",
+        sys.executable,
+        __file__,
+    ]
     environment = os.environ | {"PYTHONHASHSEED": "0", "OPENBLAS_NUM_THREADS": "1"}
     done = subprocess.run(
         [*command, "--within", switch],
@@ -133,8 +137,8 @@ def print_table(counts: Counts, before: Counts) -> None:
     print(f"{'':{width}} {'instructions':>15} {'bars':>11}" + "   ratios" * bool(before))
     for name, row in counts.items():
         ratios = ratios_of(row, before[name]) if name in before else {}
-        told = "".join(f" {ratio:8.4f}" for ratio in ratios.values())
-        print(f"{name:{width}} {row['instructions']:15,} {row['bars']:11,}{told}")
+        columns = "".join(f" {ratio:8.4f}" for ratio in ratios.values())
+        print(f"{name:{width}} {row['instructions']:15,} {row['bars']:11,}{columns}")
 
 
 def ratios_of(row: dict[str, int], before: dict[str, int]) -> dict[str, float]:

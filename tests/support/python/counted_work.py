@@ -96,12 +96,15 @@ def work_precision(bars: str) -> Iterator[Row]:
         if row.forests_only:  # none of the molecules is one
             continue
         asked = [
-            (framework, positions, {"technique": row.name, "weighting": w, "tolerance": t,
-                                    "max_sweeps": RACE_SWEEPS})
+            (
+                framework,
+                positions,
+                {"technique": row.name, "weighting": w, "tolerance": t, "max_sweeps": RACE_SWEEPS},
+            )
             for framework, positions in targets
             for w in weightings(row)
             for t in RACE["tolerances"]
-        ]  # fmt: skip
+        ]
         alone = [repairs(pliant.Resolver(f, **o), broken(x, 1)) for f, x, o in asked]
         yield Row(f"work-precision {bars} {row.name}", one_by_one(alone))
         if row.name in IN_LANES:
@@ -145,8 +148,8 @@ def step_row(name: str, framework: pliant.Framework, positions: np.ndarray, **op
 
 def peptide(residues: int) -> tuple[pliant.Framework, np.ndarray]:
     """A long zigzag of residues: six atoms in the chain and its branches, a ring in every fifth."""
-    shape = np.array([(0, 0, 0), (1.4, 0.5, 0), (2.5, -0.4, 0), (2.5, -1.6, 0.1), (1.4, 1.4, 1.2),
-                      (0.4, 2.2, 1.6), (1.2, 3.3, 2.2), (2.5, 2.4, 1.9)])  # fmt: skip
+    chain = [(0, 0, 0), (1.4, 0.5, 0), (2.5, -0.4, 0), (2.5, -1.6, 0.1), (1.4, 1.4, 1.2)]
+    shape = np.array([*chain, (0.4, 2.2, 1.6), (1.2, 3.3, 2.2), (2.5, 2.4, 1.9)])
     own = [(0, 1), (1, 2), (2, 3), (1, 4), (4, 5), (5, 6), (6, 7)]
     positions, bars = [], []
     for k in range(residues):

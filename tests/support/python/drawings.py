@@ -34,8 +34,12 @@ def kekule_forms(made: Any, numbers: list[int]) -> Iterator[str]:
     kekule = Chem.Mol(made)
     Chem.Kekulize(kekule, clearAromaticFlags=True)
     rings = [kekule.GetBondWithIdx(number) for number in numbers]
-    paired = {k for bond in rings if bond.GetBondType() == Chem.BondType.DOUBLE
-              for k in (bond.GetBeginAtomIdx(), bond.GetEndAtomIdx())}  # fmt: skip
+    paired = {
+        k
+        for bond in rings
+        if bond.GetBondType() == Chem.BondType.DOUBLE
+        for k in (bond.GetBeginAtomIdx(), bond.GetEndAtomIdx())
+    }
     pairs = [(bond.GetIdx(), bond.GetBeginAtomIdx(), bond.GetEndAtomIdx()) for bond in rings]
     for double in islice(pairings(sorted(paired), pairs), MOST_FORMS):
         form = Chem.RWMol(kekule)

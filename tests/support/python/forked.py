@@ -22,12 +22,12 @@ from pathlib import Path
 SCRIPTS = Path(sys.executable).parent
 
 #: what the commands import when they begin to work
-HEAVY = (
-    "MDAnalysis", "MDAnalysis.analysis.rms", "dask_jobqueue", "distributed", "h5py",
-    "matplotlib.figure", "matplotlib.backends.backend_agg", "openmm.app", "rich.live",
-    "scipy.spatial", "scipy.stats", "pliant.analyse.suite", "pliant.check.suite",
-    "pliant.compare.suite", "pliant.ensemble.cluster", "pliant.ensemble.flexibility",
-)  # fmt: skip
+HEAVY = tuple(
+    "MDAnalysis MDAnalysis.analysis.rms dask_jobqueue distributed h5py matplotlib.figure "
+    "matplotlib.backends.backend_agg openmm.app rich.live scipy.spatial scipy.stats "
+    "pliant.analyse.suite pliant.check.suite pliant.compare.suite pliant.ensemble.cluster "
+    "pliant.ensemble.flexibility".split()
+)
 
 #: what may differ from the environment of the tests, since no import looks at it
 LATE_VARIABLES = {"PATH", "COLUMNS", "HOME", "SLURM_ARRAY_TASK_ID"}
@@ -115,8 +115,11 @@ def take_place(job):
     os.chdir(job["cwd"])
     os.environ.clear()
     os.environ.update(job["env"])
-    for descriptor, path, how in ((0, os.devnull, os.O_RDONLY), (1, job["out"], os.O_WRONLY),
-                                  (2, job["err"], os.O_WRONLY)):  # fmt: skip
+    for descriptor, path, how in (
+        (0, os.devnull, os.O_RDONLY),
+        (1, job["out"], os.O_WRONLY),
+        (2, job["err"], os.O_WRONLY),
+    ):
         opened = os.open(path, how)
         os.dup2(opened, descriptor)
         os.close(opened)

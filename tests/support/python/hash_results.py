@@ -74,8 +74,8 @@ def report(found: list[str], count: int) -> int:
         print(text)
     if len(found) > MOST_PRINTED:
         kinds = Counter(text.split()[0] for text in found)
-        told = ", ".join(f"{number} of {kind}" for kind, number in kinds.items())
-        print(f"and {len(found) - MOST_PRINTED} more; in all {told}")
+        counts = ", ".join(f"{number} of {kind}" for kind, number in kinds.items())
+        print(f"and {len(found) - MOST_PRINTED} more; in all {counts}")
     print(f"{len(found)} of {count} results differ")
     return int(bool(found))
 

@@ -20,7 +20,7 @@ CAFFEINE = "caffeine.sdf"
 RUN = ["run", CAFFEINE, "-o", "out.h5md", "--quiet"]
 TOGETHER = ["--walkers", "11", "--perturb", "displacement", "--steps", "20", "--topology", "none"]
 STEPS = ["--steps", "30"]
-# Each row is one after the other in one folder; what the last prints, and all files, are told.
+# Each row is one after the other in one folder; what the last prints, and all files, are hashed.
 JOBS = [
     [[*RUN, *STEPS, "--record-forces", "forces.txt", "--seed", "3"]],
     [[*RUN, *STEPS, "--single", "--compress", "--every", "7", "--damping", "0.2"]],
@@ -79,8 +79,11 @@ def in_a_folder(command: Path, job: list[list[str]]) -> dict[str, object]:
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         for arguments in job:
-            ended = subprocess.run([command, *with_inputs(arguments, folder)], cwd=folder,
-                                   capture_output=True, timeout=120, check=False)  # fmt: skip
+            words, how = (
+                [command, *with_inputs(arguments, folder)],
+                {"capture_output": True, "timeout": 120},
+            )
+            ended = subprocess.run(words, cwd=folder, check=False, **how)
         spoken = [out.replace(name.encode(), b"FOLDER") for out in (ended.stdout, ended.stderr)]
         return {"printed": [ended.returncode, *spoken]} | written(folder)
 

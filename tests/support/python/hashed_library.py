@@ -24,14 +24,16 @@ RUNS = {
 STEPS, MOST_SWEEPS = 25, 60
 ALONE = "alone"  # in place of a level: walkers one after the other
 WALKERS = 11  # a full group of lanes, and one that is not
-OF_FRAME = ("step", "time", "sweeps", "projections", "max_residual", "rms_residual",
-            "root_joint", "force")  # fmt: skip
-OF_RUN = ("steps", "frames", "unconverged_steps", "first_unconverged_step", "sweeps", "max_sweeps",
-          "projections", "worst_residual", "worst_bar", "worst_step")  # fmt: skip
-OF_RESOLVE = ("sweeps", "projections", "max_residual", "rms_residual", "worst_bar",
-              "dropped_bars", "finishing_sweeps", "off_nearest")  # fmt: skip
-OF_GRAPH = ("components", "cycles", "bridges", "blocks", "largest_block", "bars_in_blocks",
-            "is_forest")  # fmt: skip
+OF_FRAME = tuple("step time sweeps projections max_residual rms_residual root_joint force".split())
+OF_RUN = tuple(
+    "steps frames unconverged_steps first_unconverged_step sweeps max_sweeps projections "
+    "worst_residual worst_bar worst_step".split()
+)
+OF_RESOLVE = tuple(
+    "sweeps projections max_residual rms_residual worst_bar dropped_bars finishing_sweeps "
+    "off_nearest".split()
+)
+OF_GRAPH = tuple("components cycles bridges blocks largest_block bars_in_blocks is_forest".split())
 
 
 class Subject:
@@ -134,7 +136,7 @@ def by_ordering(subject: Subject) -> dict[str, object]:
 
 
 def resolve(subject: Subject, way: Way, mass_weighted: bool) -> dict[str, object]:
-    """Resolves one after the other: near, told the positions before the push, and far."""
+    """Resolves one after the other: near, given the positions before the push, and far."""
     options = {"tolerance": 1e-9, "max_sweeps": MOST_SWEEPS, "seed": 5, "walker": 2}
     resolver = pliant.Resolver(
         subject.framework, **way.options, mass_weighted=mass_weighted, **options
@@ -150,11 +152,10 @@ def resolve(subject: Subject, way: Way, mass_weighted: bool) -> dict[str, object
 
 
 def lanes(subject: Subject, way: Way, level: str) -> dict[str, object]:
-    """Walkers resolved together; then fewer of them, with less told."""
-    resolver = pliant.WalkerResolver(
-        subject.framework, **way.options, tolerance=1e-6, max_sweeps=MOST_SWEEPS, seed=5,
-        lanes=level != ALONE, level="" if level == ALONE else level,
-    )  # fmt: skip
+    """Walkers resolved together; then fewer of them, with less given."""
+    lanes = {"lanes": level != ALONE, "level": "" if level == ALONE else level}
+    limits = {"tolerance": 1e-6, "max_sweeps": MOST_SWEEPS, "seed": 5}
+    resolver = pliant.WalkerResolver(subject.framework, **way.options, **limits, **lanes)
     jobs = (
         (WALKERS, {"root": subject.roots[1], "measured": "rms_residual"}),
         (8, {"reference": subject.positions}),
@@ -180,7 +181,7 @@ def graph(subject: Subject) -> dict[str, object]:
         "measured": [pliant.residuals(framework, pushed), measured.max_relative,
                      measured.rms_relative, measured.max_length, measured.worst_bar],
         "choice": [pliant.choose_technique(framework, mass_weighted=m) for m in (False, True)],
-    }  # fmt: skip
+    }  # fmt: skip  # a table: a row a line
 
 
 def order(subject: Subject, ordering: str) -> dict[str, object]:
@@ -196,8 +197,10 @@ def order(subject: Subject, ordering: str) -> dict[str, object]:
 def read(path: Path) -> dict[str, object]:
     """A molecule's atoms and bonds, and the bars made of them."""
     structure = pliant.read(path)
-    columns = ("positions", "names", "elements", "residue_of", "residue_ids", "residue_names",
-               "chains", "bonds", "bond_orders", "bond_origins", "masses")  # fmt: skip
+    columns = tuple(
+        "positions names elements residue_of residue_ids residue_names chains bonds "
+        "bond_orders bond_origins masses".split()
+    )
     kinds = (("bonds", "geometry"), ("bonds", "table"), ("angles", "geometry"))
     made = [structure.framework(bars, lengths) for bars, lengths in kinds]
     return {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Samples, conformers and paths whose bits are looked at: every sampler, every option changed once.
 
-What a sample with an option is, what its file says and what goes on with that file are told, of the
+What a sample with an option is, what its file says and what goes on with it are hashed, of the
 package and of the command.
 """
 
@@ -19,18 +19,25 @@ import pliant
 PEPTIDES = ("cyclic_hexapeptide", "alanine_dipeptide")
 SMALL = ("butane", "caffeine", "aspirin", "cyclohexane_chair", "glucose")
 FRAMES = 4
-OF_SAMPLE = ("positions", "rmsf", "rmsf_error", "redrawn", "failed", "amplitude_asked",
-             "amplitude_reason", "amplitude_reached", "max_residual", "max_limit",
-             "max_overlap")  # fmt: skip
+OF_SAMPLE = tuple(
+    "positions rmsf rmsf_error redrawn failed amplitude_asked amplitude_reason "
+    "amplitude_reached max_residual max_limit max_overlap".split()
+)
 # Each option of a sample once, for scripts and for the command.
 OPTIONS = {
-    "first_frame": 97, "amplitude": 0.3, "seed": 2**64 - 1, "threads": 2, "network": "gnm",
+    "first_frame": 97,
+    "amplitude": 0.3,
+    "seed": 2**64 - 1,
+    "threads": 2,
+    "network": "gnm",
     "contact_energy": 5.0,
-}  # fmt: skip
+}
 OF_OUTPUT = ({}, {"single": True}, {"compress": True}, {"precision": 0.01}, {"save": "name CA"})
-OF_MODEL = ([], ["--model", "angles"], ["--free-torsions"], ["--keep-waters"],
-            ["--all-hydrogens"], ["--hbond-cutoff", "-3"], ["--select", "not element H"],
-            ["--single"], ["--compress"], ["--precision", "0.01"])  # fmt: skip
+OF_MODEL = (
+    [], ["--model", "angles"], ["--free-torsions"], ["--keep-waters"], ["--all-hydrogens"],
+    ["--hbond-cutoff", "-3"], ["--select", "not element H"], ["--single"], ["--compress"],
+    ["--precision", "0.01"],
+)  # fmt: skip  # a table: a row a line
 OF_PATH = ({}, {"atoms": "heavy"}, {"step": 0.1}, {"both": True}, {"backtrack": 2, "seed": 5})
 
 
@@ -80,12 +87,12 @@ def library_lines() -> Iterator[Line]:
     for name in PEPTIDES + SMALL:
         yield from lines(f"sample auto {name}", partial(sample, name))
         for sampler, options in rows():
-            told = f"{sampler} {name} {options}"
-            yield from lines(f"sample {told}", partial(sample, name, sampler=sampler, **options))
+            title = f"{sampler} {name} {options}"
+            yield from lines(f"sample {title}", partial(sample, name, sampler=sampler, **options))
     for name in (PEPTIDES[0], SMALL[0]):
         for sampler, options in rows():
-            told = f"{sampler} {name} {options}"
-            yield from lines(f"file {told}", partial(recorded, name, sampler=sampler, **options))
+            title = f"{sampler} {name} {options}"
+            yield from lines(f"file {title}", partial(recorded, name, sampler=sampler, **options))
         for options in OF_OUTPUT:
             yield from lines(f"file {name} {options}", partial(recorded, name, **options))
     for options in OF_PATH:
@@ -97,10 +104,14 @@ def command_jobs() -> Iterator[list[list[str]]]:
     output = ["-o", "out.h5md", "--quiet", "--frames", str(FRAMES)]
     go_on = ["sample", "--continue", "out.h5md", "--frames", str(2 * FRAMES), "--quiet"]
     words = [
-        [word for name, value in options.items()
-         for word in (f"--{name.replace('_', '-')}", str(value))] + ["--sampler", sampler]
+        [
+            word
+            for name, value in options.items()
+            for word in (f"--{name.replace('_', '-')}", str(value))
+        ]
+        + ["--sampler", sampler]
         for sampler, options in rows()
-    ]  # fmt: skip
+    ]
     for file in ("cyclic_hexapeptide.pdb", "caffeine.sdf"):
         for more in [*OF_MODEL, *words]:
             yield [["sample", file, *output, *more], go_on]

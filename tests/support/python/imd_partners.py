@@ -22,8 +22,11 @@ class Job:
     def __init__(self, words, folder):
         self.process = subprocess.Popen(
             [str(word) for word in words],
-            cwd=folder, text=True, stdout=subprocess.PIPE, stderr=subprocess.PIPE,
-        )  # fmt: skip
+            cwd=folder,
+            text=True,
+            stdout=subprocess.PIPE,
+            stderr=subprocess.PIPE,
+        )
         self.said = ""
 
     def wait_for(self, pattern, stream):

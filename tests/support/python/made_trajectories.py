@@ -156,5 +156,5 @@ def molecule_run(smiles, frames=12, kind_of_bars="bonds", tolerance=1e-6, pinned
     rest = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)
     framework = pliant.Framework(bars, rest, len(elements), pinned=np.array(pinned, int))
     positions = moved(framework, start, frames, tolerance, **options)
-    return Made(positions, bars, rest, np.array(bonds), elements, tolerance,
-                kind_of_bars=kind_of_bars, pinned=pinned)  # fmt: skip
+    measured = positions, bars, rest, np.array(bonds), elements, tolerance
+    return Made(*measured, kind_of_bars=kind_of_bars, pinned=pinned)

@@ -35,8 +35,8 @@ def end_of(path, model, technique, steps):
         last.append(frame.positions.copy())
 
     try:
-        pliant.run(framework, positions, steps=steps, every=steps, technique=technique,
-                   observers=[keep], **SETTINGS)  # fmt: skip
+        often = {"steps": steps, "every": steps, "observers": [keep]}
+        pliant.run(framework, positions, technique=technique, **often, **SETTINGS)
     except pliant.Error as error:
         return str(error)
     return hashlib.sha1(last[-1].tobytes()).hexdigest()

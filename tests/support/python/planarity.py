@@ -37,11 +37,7 @@ TORSIONS = {
 CENTRES = {
     "amide": [("C", "CA", "N", "O"), ("CG", "CB", "ND2", "OD1"), ("CD", "CG", "NE2", "OE1")],
     "guanidinium": [("CZ", "NE", "NH1", "NH2")],
-    "chirality": [
-        ("CA", "N", "C", "CB"),
-        ("CB", "CA", "OG1", "CG2"),
-        ("CB", "CA", "CG1", "CG2"),
-    ],
+    "chirality": [("CA", "N", "C", "CB"), ("CB", "CA", "OG1", "CG2"), ("CB", "CA", "CG1", "CG2")],
 }
 KINDS = ("omega", "amide", "guanidinium", "aromatic", "chirality")
 

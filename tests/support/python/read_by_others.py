@@ -33,10 +33,14 @@ def ours(path: Path) -> list[Atom]:
         warnings.simplefilter("ignore", pliant.PliantWarning)
         read = pliant.read(path, perceive_bonds=False)
     columns = (
-        map(tuple, read.positions.tolist()), read.names.tolist(), read.elements.tolist(),
-        read.residue_names.tolist(), read.residue_ids.tolist(), read.insertion_codes.tolist(),
+        map(tuple, read.positions.tolist()),
+        read.names.tolist(),
+        read.elements.tolist(),
+        read.residue_names.tolist(),
+        read.residue_ids.tolist(),
+        read.insertion_codes.tolist(),
         read.chains.tolist(),
-    )  # fmt: skip
+    )
     return [Atom(*row) for row in zip(*columns, strict=True)]
 
 
@@ -49,12 +53,14 @@ def gemmis(path: Path) -> list[Atom]:
     model = gemmi.read_structure(str(path), merge_chain_parts=False, format=kind)[0]
     return [
         Atom(
-            tuple(atom.pos.tolist()), atom.name, atom.element.atomic_number,
-            residue.name, residue.seqid.num, residue.seqid.icode.strip(), chain.name,
-            atom.altloc.strip("\0"),
+            tuple(atom.pos.tolist()),
+            *(atom.name, atom.element.atomic_number, residue.name, residue.seqid.num),
+            *(residue.seqid.icode.strip(), chain.name, atom.altloc.strip("\0")),
         )
-        for chain in model for residue in chain for atom in residue
-    ]  # fmt: skip
+        for chain in model
+        for residue in chain
+        for atom in residue
+    ]
 
 
 def mdanalysis(path: Path) -> list[Atom]:
@@ -70,10 +76,15 @@ def mdanalysis(path: Path) -> list[Atom]:
 
     symbols = column("elements") if hasattr(atoms, "elements") else column("types")
     columns = (
-        map(tuple, atoms.positions.tolist()), column("names"), map(number_of, symbols),
-        column("resnames"), column("resids"), column("icodes"), column("chainIDs"),
+        map(tuple, atoms.positions.tolist()),
+        column("names"),
+        map(number_of, symbols),
+        column("resnames"),
+        column("resids"),
+        column("icodes"),
+        column("chainIDs"),
         [text or "" for text in column("altLocs")],
-    )  # fmt: skip
+    )
     return [Atom(*row) for row in zip(*columns, strict=True)]
 
 

@@ -189,14 +189,14 @@ TEST(PathTable, TightPlacesAreThoseThatOverlapMost) {
 }
 
 TEST(PathOptions, OutOfRangeAreRefused) {
-  const auto told = [](PathOptions options) {
+  const auto said = [](PathOptions options) {
     return test::error_text<OptionError>([&] { check(options); });
   };
-  EXPECT_EQ(told({.step = 0.0}), "step = 0: must be positive and finite");
-  EXPECT_EQ(told({.step = 2.5}), "step = 2.5: must be at most 2 Angstrom");
-  EXPECT_EQ(told({.backtrack = -1}), "backtrack = -1: must be from 0");
-  EXPECT_EQ(told({.backtrack = 1001}), "backtrack = 1001: must be at most 1000");
-  EXPECT_EQ(told({.atoms = "all"}), "no atoms named \"all\"; known: CA, heavy");
+  EXPECT_EQ(said({.step = 0.0}), "step = 0: must be positive and finite");
+  EXPECT_EQ(said({.step = 2.5}), "step = 2.5: must be at most 2 Angstrom");
+  EXPECT_EQ(said({.backtrack = -1}), "backtrack = -1: must be from 0");
+  EXPECT_EQ(said({.backtrack = 1001}), "backtrack = 1001: must be at most 1000");
+  EXPECT_EQ(said({.atoms = "all"}), "no atoms named \"all\"; known: CA, heavy");
 }
 
 TEST(PathEnds, AnotherMoleculeIsRefused) {

@@ -166,9 +166,9 @@ int record_with_limit(const std::filesystem::path& path) {
   const rlimit limit{400'000, 400'000};
   ::setrlimit(RLIMIT_FSIZE, &limit);
   const Recorded recorded = record_until_failure(path, 200, 1000);
-  const bool told =
+  const bool shown =
       recorded.message.find("File too large; the file holds the first ") != std::string::npos;
-  return told && recorded.committed > 10 ? 0 : 1;
+  return shown && recorded.committed > 10 ? 0 : 1;
 }
 
 TEST(FileSizeLimit, IsAnErrorAndNoDeath) {

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "pliant/examples/examples.hpp"
+#include "pliant/run/run.hpp"
 #include "support/error_text.hpp"
 #include "support/frameworks.hpp"
 

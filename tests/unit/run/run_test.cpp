@@ -121,7 +121,7 @@ TEST(Run, NoStepsShowTheStart) {
   EXPECT_EQ(story.summary.ns_per_bar_and_sweep(), 0.0);
 }
 
-/// A broken start is resolved first, told, and its sweeps are no step's.
+/// A broken start is resolved first and reported, and its sweeps are no step's.
 TEST(Run, ResolvesABrokenStart) {
   const Framework framework = framework_of(ring(5));
   State state(ring(5).positions);
@@ -290,7 +290,8 @@ TEST(Run, RefusesStatesThatCannotCarryTheFramework) {
             "nothing to run: no joints");
 }
 
-/// Every push is told, whether its frame is shown or not, and replaying them gives the same bits.
+/// Every push is reported, whether its frame is shown or not, and replaying them gives the same
+/// bits.
 TEST(Run, TellsThePushesThatReplayIt) {
   const Framework framework = framework_of(ring(6));
   RunOptions options;
@@ -316,12 +317,12 @@ TEST(Run, DoesNotTellThePushOfAStepThatWasCutShort) {
   RunOptions options;
   options.steps = 5;
   options.technique.name = "bfs_cycle";
-  int asked = 0, told = 0;
+  int asked = 0, pushed = 0;
   options.resolve.should_stop = [&] { return ++asked > 3; };
-  options.on_push = [&](const Push&) { ++told; };
+  options.on_push = [&](const Push&) { ++pushed; };
   const Story story = tell(framework, State(ring(6).positions), options);
   EXPECT_TRUE(story.summary.stopped_by_caller);
-  EXPECT_EQ(told, story.summary.steps);
+  EXPECT_EQ(pushed, story.summary.steps);
 }
 
 /// Steps that look only where a push reaches show frames and keep Verlet's memory as others do.

@@ -36,18 +36,18 @@ TEST(FluctuationSums, TheErrorIsHalfTheDifferenceOfHalves) {
 }
 
 TEST(SampleSummary, WarnsOfLessThanHalfOfTheAmplitude) {
-  std::string told;
+  std::string said;
   Log log;
-  log.function = [&](Severity, std::string_view text) { told = text; };
+  log.function = [&](Severity, std::string_view text) { said = text; };
   SampleSummary summary;
   summary.frames = 10;
   summary.amplitude_asked = 1.4;
   summary.amplitude_reached = 0.71;
   warn_of_amplitude(summary, log);
-  EXPECT_EQ(told, "");
+  EXPECT_EQ(said, "");
   summary.amplitude_reached = 0.5;
   warn_of_amplitude(summary, log);
-  EXPECT_EQ(told,
+  EXPECT_EQ(said,
             "frames reach an amplitude of 0.50 of the 1.40 Angstrom asked for: the molecule is "
             "held too tightly to move that far");
 }

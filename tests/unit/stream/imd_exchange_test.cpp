@@ -57,12 +57,12 @@ TEST_F(ImdExchanges, TellEachClientOfItselfAlone) {
   exchange_.set_ready(slow);
   exchange_.wants(2);
   exchange_.pull(quick, {{3, {1, 0, 0}}});
-  std::vector<std::string> told;
+  std::vector<std::string> said;
   exchange_.put(exchange_.buffer(), [&](const ImdCounts& counts) {
-    told.push_back(std::to_string(counts.forces) + " " + std::to_string(counts.dropped));
+    said.push_back(std::to_string(counts.forces) + " " + std::to_string(counts.dropped));
     return Bytes{};
   });
-  EXPECT_EQ(told, (std::vector<std::string>{"0 1", "1 0"}));
+  EXPECT_EQ(said, (std::vector<std::string>{"0 1", "1 0"}));
 }
 
 TEST_F(ImdExchanges, MakeTheCoordinatesOnceForAll) {

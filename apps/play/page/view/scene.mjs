@@ -28,7 +28,7 @@ export const STYLES = {
 const COLOURS = {
   hoverColour: '#ffd23f', nearColour: '#56b4e9', farColour: '#e69f00', pinColour: '#222831',
   waveColour: '#56b4e9', longColour: '#e0201b', shortColour: '#c2185b', plainColour: '#9aa3ad',
-  litColour: '#ffd23f', contactColour: '#3a9d8f',
+  litColour: '#ffd23f',
 };
 
 function uniformsOf() {

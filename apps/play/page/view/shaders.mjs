@@ -116,12 +116,12 @@ void box() {
 `;
 
 export const stickVertex = shared + capsuleVertex + /* glsl */`
-uniform isampler2D bars;               // joint, joint, kind
+uniform isampler2D bars;               // joint, joint, kind; of a contact 0xrrggbb
 uniform highp sampler2D strain;        // relative deviation of a bar
 uniform int barCount;
 uniform float stickRadius, residualScale, litBar;
 uniform vec4 kindRadius;               // of bonds, other bars, contacts, all in shares of stickRadius
-uniform vec3 longColour, shortColour, plainColour, litColour, contactColour;
+uniform vec3 longColour, shortColour, plainColour, litColour;
 uniform float splitColours;            // 1: each half takes the colour of its joint
 float shownStrain(float s) {           // 0 at 1e-4 of the length, 1 at a tenth of it
   return clamp((log(abs(s) * residualScale + 1e-9) / log(10.) + 4.) / 3., 0., 1.);
@@ -140,7 +140,7 @@ void main() {
   dashes = b.z == 2 ? 1. : 0.;
   colourFrom = mix(plainColour, texelFetch(look, texel(b.x), 0).rgb, splitColours);
   colourTo = mix(plainColour, texelFetch(look, texel(b.y), 0).rgb, splitColours);
-  if (b.z == 2) colourFrom = colourTo = contactColour;
+  if (b.z == 2) colourFrom = colourTo = vec3(b.w >> 16 & 255, b.w >> 8 & 255, b.w & 255) / 255.;
   if (walker > 0) { colourFrom = mix(colourFrom, vec3(.5), .35); colourTo = mix(colourTo, vec3(.5), .35); }
   vec3 broken = s > 0. ? longColour : shortColour;
   colourFrom = mix(colourFrom, broken, t);

@@ -40,8 +40,9 @@ export function sticksOf(model) {
     sticks.push([a, b, isBond ? BOND : OTHER_BAR]);
   }
   for (const key of bonds) sticks.push([...key.split(' ').map(Number), BOND]);
-  for (let k = 0; k < model.contacts.length; k += 2)
-    sticks.push([model.contacts[k], model.contacts[k + 1], CONTACT]);
+  const colours = (model.contactKindColours ?? []).map((text) => parseInt(text.slice(1), 16));
+  for (let k = 0; k < model.contacts.length / 2; ++k)
+    sticks.push([model.contacts[2 * k], model.contacts[2 * k + 1], CONTACT, colours[model.contactKinds[k]]]);
   return sticks;
 }
 

@@ -95,7 +95,7 @@ FIGURES = (
         "Residues with heavy atoms within 4.5 Å, more than three apart in the chain. Below the "
         "diagonal those of the start, above it the share of frames that have each.",
         "",
-        "Hydrogen bonds and hydrophobic contacts of the start are held by construction.",
+        "What the model holds together at the start is held by construction.",
     ),
     FigureKind(
         "distances", SHAPES, flexibility_figures.distances, Distances,
@@ -132,7 +132,7 @@ FIGURES = (
         "sweeps", EXACT, series.sweeps, Sweeps,
         "How many sweeps over all bars it took to mend each recorded step.",
     ),
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 
 
 def figures_of(analysis: Analysis) -> list[FigureKind]:

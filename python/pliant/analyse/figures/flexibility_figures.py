@@ -133,9 +133,13 @@ def _domain_strip(axes: Axes, analysis: Analysis) -> None:
     for first, last in itertools.pairwise(edges):
         if domain[first] != LOOSE:
             axes.plot(
-                [first - 0.5, last - 0.5], [0.012, 0.012], lw=6, solid_capstyle="butt",
-                color=DOMAIN_COLOURS[domain[first]], transform=axes.get_xaxis_transform(),
-            )  # fmt: skip
+                [first - 0.5, last - 0.5],
+                [0.012, 0.012],
+                lw=6,
+                solid_capstyle="butt",
+                color=DOMAIN_COLOURS[domain[first]],
+                transform=axes.get_xaxis_transform(),
+            )
 
 
 def together(analysis: Analysis) -> Figure:
@@ -182,10 +186,9 @@ def motions(analysis: Analysis) -> Figure:
             row.plot(place, heights, color=BLUE, lw=1.2)
         row.set_ylabel(f"PC{k + 1} (Å)")
         row.set_ylim(bottom=0)
-        row.text(
-            0.995, 0.93, f"{100 * found.explained[k]:.0f} % of the motion", ha="right", va="top",
-            transform=row.transAxes, fontsize=8.5, color=INK,
-        )  # fmt: skip
+        share = f"{100 * found.explained[k]:.0f} % of the motion"
+        place = row.transAxes
+        row.text(0.995, 0.93, share, ha="right", va="top", transform=place, fontsize=8.5, color=INK)
     chain_axis(axes[-1, 0], units.numbers[moved], chains)
     axes[0, 0].set_title("Collective motions: what each moves")
     return figure
@@ -200,10 +203,10 @@ def contacts(analysis: Analysis) -> Figure:
     size = float(np.clip(900 / len(units.labels), 1.0, 14))
     axes.scatter(second[start], first[start], s=size, c=GREY, marker="s", lw=0)
     seen = found.share > 0
+    c = 100 * found.share[seen]
     dots = axes.scatter(
-        first[seen], second[seen], c=100 * found.share[seen], s=size, marker="s", lw=0,
-        cmap="cividis_r", vmin=0, vmax=100,
-    )  # fmt: skip
+        first[seen], second[seen], c=c, s=size, marker="s", lw=0, cmap="cividis_r", vmin=0, vmax=100
+    )
     ends = -0.5, len(units.labels) - 0.5
     axes.plot(ends, ends, color=FAINT, lw=1)
     chain_axis(axes, units.numbers, units.chains)

@@ -121,10 +121,9 @@ def chain_axis(axes: Axes, numbers: np.ndarray, chains: np.ndarray, what: str = 
     starts = [0, *(np.flatnonzero(chains[1:] != chains[:-1]) + 1).tolist(), len(chains)]
     for first, last in itertools.pairwise(starts):
         if len(starts) > 2 and chains[first]:
-            axes.text(
-                (first + last - 1) / 2, 1.0, chains[first], ha="center", va="bottom",
-                transform=axes.get_xaxis_transform(), color=GREY,
-            )  # fmt: skip
+            place, across = (first + last - 1) / 2, axes.get_xaxis_transform()
+            name = chains[first]
+            axes.text(place, 1.0, name, ha="center", va="bottom", transform=across, color=GREY)
     ticks = _round_numbers(numbers)
     axes.set_xticks(ticks, [str(numbers[tick]) for tick in ticks])
     axes.margins(x=0.01)

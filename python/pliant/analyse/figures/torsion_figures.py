@@ -105,14 +105,15 @@ def ramachandran(analysis: Analysis) -> Figure:
     image = axes.pcolormesh(edges, edges, shares, cmap=MAP + "_r", rasterized=True)
     cells = np.linspace(-180, 180, 361)
     axes.contour(
-        cells[:-1] + 0.5, cells[:-1] + 0.5,
-        judged(*np.meshgrid(cells[:-1] + 0.5, cells[:-1] + 0.5)), levels=[0.5, 1.5],
-        colors=[VERMILION, GREEN], linewidths=0.8,
-    )  # fmt: skip
-    axes.scatter(
-        angles[0, phi], angles[0, psi], s=7, facecolors="none", edgecolors=INK, linewidths=0.5,
-        label="first frame",
-    )  # fmt: skip
+        cells[:-1] + 0.5,
+        cells[:-1] + 0.5,
+        judged(*np.meshgrid(cells[:-1] + 0.5, cells[:-1] + 0.5)),
+        levels=[0.5, 1.5],
+        colors=[VERMILION, GREEN],
+        linewidths=0.8,
+    )
+    x, y = angles[0, phi], angles[0, psi]
+    axes.scatter(x, y, s=7, facecolors="none", edgecolors=INK, linewidths=0.5, label="first frame")
     axes.set(xlabel="φ (degrees)", ylabel="ψ (degrees)", title="Ramachandran plot", aspect="equal")
     axes.set_xticks(range(-180, 181, 60))
     axes.set_yticks(range(-180, 181, 60))

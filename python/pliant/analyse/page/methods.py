@@ -34,4 +34,4 @@ METHODS = (
      "have visited its states repeatedly."),
     ("Frames", "All counts of frames and atoms begin at 0. A step of a geometric run is a push and "
      "its resolution, not a time."),
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line

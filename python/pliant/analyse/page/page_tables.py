@@ -204,9 +204,11 @@ def _contact_table(analysis: Analysis) -> PageTable:
     found, labels = analysis[ContactFrequencies], analysis[Units].labels
     classes = _contact_classes(found)
     meaning = {
-        "kept": "of the start, in 90 % of frames and more", "come and go": "of the start, between",
-        "lost": "of the start, in 10 % and less", "gained": "not of the start, in 50 % and more",
-    }  # fmt: skip
+        "kept": "of the start, in 90 % of frames and more",
+        "come and go": "of the start, between",
+        "lost": "of the start, in 10 % and less",
+        "gained": "not of the start, in 50 % and more",
+    }
     rows = [(name, meaning[name], str(np.count_nonzero(classes[name]))) for name in classes]
     least = np.flatnonzero(found.at_start)
     for k in least[np.argsort(found.share[least], kind="stable")][:5]:
@@ -219,10 +221,14 @@ def _contact_table(analysis: Analysis) -> PageTable:
 def _distance_table(analysis: Analysis) -> PageTable:
     found = analysis[Distances]
     rows = [
-        (f"{ends[0]} to {ends[1]}", f"{values.mean():.2f}", f"{values.std():.2f}",
-         f"{values.min():.2f} to {values.max():.2f}")
+        (
+            f"{ends[0]} to {ends[1]}",
+            f"{values.mean():.2f}",
+            f"{values.std():.2f}",
+            f"{values.min():.2f} to {values.max():.2f}",
+        )
         for ends, values in zip(found.ends, found.values, strict=True)
-    ]  # fmt: skip
+    ]
     headers = ("distance", "mean (Å)", "standard deviation", "range")
     return PageTable(SHAPES, "Distances asked for", headers, rows)
 
@@ -246,11 +252,7 @@ def _torsion_table(analysis: Analysis) -> PageTable:
     torsions = analysis[Torsions].measured
     found = torsions.results
     rows = [
-        (
-            greek(torsions.torsions[k].label),
-            f"{found.mean[k]:.0f}°",
-            f"{found.spread[k]:.0f}°",
-        )
+        (greek(torsions.torsions[k].label), f"{found.mean[k]:.0f}°", f"{found.spread[k]:.0f}°")
         for k in sorted(most_mobile(torsions, 8), key=lambda k: -found.spread[k])
     ]
     headers = ("torsion", "circular mean", "spread")

@@ -251,10 +251,13 @@ def _series(analysis: Analysis, frames: np.ndarray) -> dict[str, Any]:
         measured, found = residuals.measured, residuals.found
         limit = measured.tolerance if measured.tolerance_length == 0 else None
         series["residual"] = {
-            "label": "largest residual", "unit": "", "log": True, "limit": limit,
+            "label": "largest residual",
+            "unit": "",
+            "log": True,
+            "limit": limit,
             "values": _rounded(np.maximum(found.max_relative[frames], 1e-17)),
             "marked": np.flatnonzero(~found.within[frames]).tolist(),
-        }  # fmt: skip
+        }
     return series
 
 

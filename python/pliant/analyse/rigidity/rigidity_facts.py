@@ -10,22 +10,23 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from pliant._core import contact_kinds
 from pliant.console import printable_name
 
 if TYPE_CHECKING:
     from pliant._core import Rigidity
 
 #: of clusters, the largest first, as src/pliant/model/rigidity/dilution_picture.cpp has them
-COLOURS = (
-    "#0072b2", "#e69f00", "#009e73", "#cc79a7", "#56b4e9", "#d55e00", "#f0e442",
-    "#5a4fcf", "#8c564b", "#7f9f3f", "#b05a8f", "#2f8f9f", "#c0a060", "#6b6b9f",
-)  # fmt: skip
+COLOURS = tuple(
+    "#0072b2 #e69f00 #009e73 #cc79a7 #56b4e9 #d55e00 #f0e442 #5a4fcf #8c564b #7f9f3f "
+    "#b05a8f #2f8f9f #c0a060 #6b6b9f".split()
+)
 
 #: atoms of a cluster
 LEAST = 3
 
 #: kinds of contacts that have an energy
-HYDROGEN_BONDS = ("hydrogen_bond", "salt_bridge")
+HYDROGEN_BONDS = [kind.name for kind in contact_kinds() if kind.has_hydrogen]
 
 
 @dataclass

@@ -146,7 +146,7 @@ def _numbers(facts: RigidityFacts) -> list[tuple[str, str, str]]:
         (_percent(clustered, len(facts.names)), "", "of the atoms are in them"),
         (f"{counts['small_pieces']:,}", "", "small pieces of one or two atoms"),
         (f"{counts['flexible_bonds']:,}", "", hinges),
-        (f"{counts['redundant']:,}", "", f"of {counts['bars']:,} bars are redundant"),
+        (f"{counts['redundant']:,}", "", f"of {counts['bars']:,} constraints are redundant"),
         (str(counts["parts"]), "", "parts that nothing links" if counts["parts"] > 1 else "part"),
     ]
 
@@ -210,7 +210,7 @@ def _segments(facts: RigidityFacts) -> str:
 
 PROFILE_CAPTION = (
     "Flexibility of each residue (mean of its N-CA and CA-C bonds: 1 rotates freely, 0 locked, "
-    "below 0 locked by more bars than needed), and the cluster of its alpha carbon."
+    "below 0 locked by more constraints than needed), and the cluster of its alpha carbon."
 )
 
 DILUTION_CAPTION = (

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -17,6 +17,18 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
 
+def note(axes: Axes, text: str, place: tuple[float, float], up: int = 3, **look: Any) -> None:
+    """Small text at a share of the width and a height of the data, some points above it."""
+    axes.annotate(
+        text,
+        place,
+        (0, up),
+        textcoords="offset points",
+        fontsize="small",
+        **({"xycoords": ("axes fraction", "data")} | look),
+    )
+
+
 def draw_energies(axes: Axes, report: ForceFieldReport) -> None:
     """Strips of frames and of MD, after 100 and after 500 steps, with the limits."""
     places = {(SHORT, 0): 0.0, (SHORT, 1): 0.8, (LONG, 0): 2.0, (LONG, 1): 2.8}
@@ -27,10 +39,9 @@ def draw_energies(axes: Axes, report: ForceFieldReport) -> None:
         if len(values) == 0:
             axes.text(x, 0.1, "none", ha="center", fontsize="small", color=GREY)
     for steps, x in ((SHORT, 0.4), (LONG, 2.4)):
-        axes.plot([x - 0.75, x + 0.75], [MOST_ABOVE[steps]] * 2, color="black", linewidth=1,
-            linestyle=DASHED)  # fmt: skip
-        axes.annotate("limit", (x + 0.75, MOST_ABOVE[steps]), (0, 3), ha="right",
-            textcoords="offset points", fontsize="small")  # fmt: skip
+        ends, limit = [x - 0.75, x + 0.75], [MOST_ABOVE[steps]] * 2
+        axes.plot(ends, limit, color="black", linewidth=1, linestyle=DASHED)
+        note(axes, "limit", (x + 0.75, MOST_ABOVE[steps]), xycoords="data", ha="right")
     axes.axhline(0, color=GREY, linewidth=1)
     axes.set(
         ylabel="kJ/mol a residue above the start",
@@ -49,12 +60,9 @@ def draw_moves(axes: Axes, report: ForceFieldReport) -> None:
         _strip(axes, x, report.moved(structures), colour)
     if np.isfinite(report.start.moved):
         axes.axhline(report.start.moved, color=VERMILION, linewidth=1.2)
-        axes.annotate("the start", (0.01, report.start.moved), (0, 3), color=VERMILION,
-            xycoords=("axes fraction", "data"), textcoords="offset points",
-            fontsize="small")  # fmt: skip
+        note(axes, "the start", (0.01, report.start.moved), color=VERMILION)
     axes.axhline(MOST_MOVED, color="black", linewidth=1, linestyle=DASHED)
-    axes.annotate("limit", (0.99, MOST_MOVED), (0, 3), xycoords=("axes fraction", "data"),
-        textcoords="offset points", ha="right", fontsize="small")  # fmt: skip
+    note(axes, "limit", (0.99, MOST_MOVED), ha="right")
     top = axes.get_ylim()[1]
     axes.set(
         ylabel="RMSD of alpha carbons (Å)",

@@ -16,13 +16,7 @@ from pliant._core import H5mdReader, InputError, Structure
 from pliant._openmm.child import Job, Outcome
 from pliant._superposition import Superposition
 from pliant.check.force_field.jobs import Bench, Progress, deadline_in
-from pliant.check.force_field.minimised import (
-    LONG,
-    SHORT,
-    ForceFieldReport,
-    Minimised,
-    handedness,
-)
+from pliant.check.force_field.minimised import LONG, SHORT, ForceFieldReport, Minimised, handedness
 from pliant.check.force_field.molecule import Molecule, molecule_of, why_not
 from pliant.check.sample import NM, choose_frames
 

@@ -46,8 +46,9 @@ def make_parser() -> console.Parser:
         EPILOG,
     )
     parser.add_argument("subcommand", metavar="SUBCOMMAND", help="one of the above")
-    parser.add_argument("words", metavar="...", nargs=argparse.REMAINDER,
-        help="options of the subcommand")  # fmt: skip
+    parser.add_argument(
+        "words", metavar="...", nargs=argparse.REMAINDER, help="options of the subcommand"
+    )
     return parser
 
 

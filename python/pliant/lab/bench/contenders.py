@@ -51,12 +51,12 @@ class Ours:
         technique: str,
         weighting: float | None,
         mass_weighted: bool = False,
-        told_intact: bool = False,
+        given_intact: bool = False,
     ) -> None:
         self._target, self._technique, self.weighting = target, technique, weighting
-        self.method = f"{technique}_dynamics" if told_intact else technique
+        self.method = f"{technique}_dynamics" if given_intact else technique
         self._mass_weighted = mass_weighted
-        self._reference = target.positions if told_intact else None
+        self._reference = target.positions if given_intact else None
         self._resolver: pliant.Resolver | None = None
 
     def prepare(self, tolerance: float) -> None:
@@ -160,7 +160,7 @@ def our_contenders(
             if row.name in IN_LANES and not mass_weighted:
                 yield InLanes(target, row.name, weighting)
         if row.name in TOLD_INTACT:
-            yield Ours(target, row.name, None, mass_weighted, told_intact=True)
+            yield Ours(target, row.name, None, mass_weighted, given_intact=True)
 
 
 def _takes(row: pliant.TechniqueEntry, target: Target) -> bool:
@@ -174,8 +174,8 @@ def their_contenders(target: Target) -> tuple[list[Theirs], str]:
     outcome = _trial(target)
     if not outcome.done:
         return [], f"OpenMM takes no part, in a process of its own it {outcome.brief()}"
-    told = not why
-    arguments = (target.masses, target.bars, target.rest_lengths, target.positions, told)
+    given = not why
+    arguments = (target.masses, target.bars, target.rest_lengths, target.positions, given)
     return [Theirs(kind(*arguments)) for kind in (Ccma, CcmaInDynamics)], why
 
 

@@ -3,7 +3,7 @@
 
 LINCS knows no tolerance, so that settings of it are tried until the tightest tolerance is met or
 more work gains nothing; a row has the quickest setting that meets its tolerance. Each step of a run
-is another push of the same size, told the structure before it as in dynamics; a run's error is the
+is another push of the same size, with the structure before it as in dynamics; a run's error is the
 median over its frames of the worst bar's.
 """
 
@@ -82,8 +82,9 @@ def race_gromacs(
         found.notes.append("GROMACS takes no part: there is neither gmx_d nor gmx on PATH")
         return
     target = found.target
-    with Gromacs(target.positions, target.masses, target.bars, target.rest_lengths,
-                 found.displacement) as molecule:  # fmt: skip
+    with Gromacs(
+        target.positions, target.masses, target.bars, target.rest_lengths, found.displacement
+    ) as molecule:
         series = [Series(p, name) for p in found.gromacs for name in ("lincs", "shake")]
         for one in series:
             _try_settings(one, molecule, found)
@@ -128,7 +129,7 @@ def _gained(tried: Tried, least: float) -> bool:
 
 
 def worth_timing(series: Series, tolerances: Sequence[float]) -> list[Tried]:
-    """For each tolerance the quickest that meet it, by what the first run told."""
+    """For each tolerance the quickest that meet it, by the errors of the first run."""
     chosen: list[Tried] = []
     for tolerance in tolerances:
         able = [t for t in series.tried if not t.failure and t.meets(tolerance)]

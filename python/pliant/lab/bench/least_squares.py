@@ -40,8 +40,9 @@ def least_squares_floor(start: Broken) -> np.ndarray | None:
             x[free] = values.reshape(-1, 3)
             return _slopes(start, x)[:, free].reshape(len(start.bars), -1)
 
-        found = least_squares(residuals, x[free].ravel(), slopes, xtol=1e-15, ftol=1e-15,
-                              gtol=1e-15, max_nfev=200)  # fmt: skip
+        found = least_squares(
+            residuals, x[free].ravel(), slopes, xtol=1e-15, ftol=1e-15, gtol=1e-15, max_nfev=200
+        )
         rms = float(np.sqrt(np.mean(residuals(found.x) ** 2)))
         if rms < lowest:
             lowest, best = rms, x.copy()

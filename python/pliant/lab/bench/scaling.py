@@ -183,8 +183,8 @@ def slope_of(kind: str, rows: Sequence[SizeRow]) -> Slope:
 def print_report(found: Scaling) -> None:
     """The tables for people."""
     print(f"technique {found.technique}, tolerance {found.tolerance:g}")
-    columns = ["framework", "joints", "bars", "outcome", "ns per bar", "plan, ns per bar",
-               "bytes per joint + bar, peak", "after"]  # fmt: skip
+    columns = ["framework", "joints", "bars", "outcome", "ns per bar", "plan, ns per bar"]
+    columns += ["bytes per joint + bar, peak", "after"]
     table = console.Table("", columns, text_columns=(0, 3))
     for row in found.rows:
         table.rows.append(_cells(row))
@@ -202,5 +202,6 @@ def _cells(row: SizeRow) -> list[str]:
     if not row.seconds > 0:
         return [row.kind, str(row.joints), "", f"{row.outcome}: {row.note}", "", "", "", ""]
     plan = 1e9 * row.ready_seconds / row.bars
-    return [row.kind, str(row.joints), str(row.bars), row.outcome, f"{row.ns_per_bar:.1f}",
-            f"{plan:.1f}", f"{row.bytes_peak:.0f}", f"{row.bytes_after:.0f}"]  # fmt: skip
+    figures = (row.ns_per_bar, plan), (row.bytes_peak, row.bytes_after)
+    cells = [f"{x:.1f}" for x in figures[0]] + [f"{x:.0f}" for x in figures[1]]
+    return [row.kind, str(row.joints), str(row.bars), row.outcome, *cells]

@@ -55,8 +55,9 @@ def measure_one(options: dict[str, Any]) -> dict[str, Any]:
     start = time.thread_time()
     framework = pliant.Framework(bars, lengths, joints)
     built = time.thread_time() - start
-    resolver = pliant.Resolver(framework, options["technique"], options["weighting"],
-                               tolerance=options["tolerance"])  # fmt: skip
+    resolver = pliant.Resolver(
+        framework, options["technique"], options["weighting"], tolerance=options["tolerance"]
+    )
     times, summary = _repair(resolver, x, broken, options["repeats"])
     peak, after = resident("VmHWM"), resident("VmRSS")
     seconds = float(np.median(times[1:]))

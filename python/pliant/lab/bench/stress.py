@@ -242,8 +242,17 @@ def worst(start: Broken, x: np.ndarray) -> tuple[float, str]:
 
 
 def _describe(case: Case, start: Broken, rows: list[StressRow]) -> StressCase:
-    found = StressCase(case.name, case.group, case.source, len(start.positions), len(start.bars),
-                       case.tolerance, case.steps, case.feasible, rows=rows)  # fmt: skip
+    found = StressCase(
+        case.name,
+        case.group,
+        case.source,
+        len(start.positions),
+        len(start.bars),
+        case.tolerance,
+        case.steps,
+        case.feasible,
+        rows=rows,
+    )
     short = [row for row in rows if row.outcome == "max_sweeps"]
     if not short or case.steps or not 0 < len(start.bars) <= MOST_BARS:
         return found

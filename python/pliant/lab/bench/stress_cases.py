@@ -67,8 +67,8 @@ def _example(example: pliant.Example) -> Broken:
     framework = example.framework
     inverse = np.array(framework.inverse_masses)
     masses = np.divide(1.0, inverse, out=np.ones_like(inverse), where=inverse > 0)
-    made = broken(example.positions, framework.bars, framework.rest_lengths, masses=masses,
-                  pinned=np.array(framework.pinned))  # fmt: skip
+    pinned, lengths = np.array(framework.pinned), framework.rest_lengths
+    made = broken(example.positions, framework.bars, lengths, masses=masses, pinned=pinned)
     if not example.facts.whole or framework.bar_count == 0:
         return made
     return shaken(made, 0.1 * float(made.rest_lengths.min()))
@@ -77,8 +77,9 @@ def _example(example: pliant.Example) -> Broken:
 def examples() -> Iterator[Case]:
     """Every example of the library; whole ones shaken by a tenth of their shortest bar."""
     for row in pliant.examples():
-        yield Case(row.name, "examples", row.source, partial(_example, row),
-                   feasible=row.facts.feasible)  # fmt: skip
+        yield Case(
+            row.name, "examples", row.source, partial(_example, row), feasible=row.facts.feasible
+        )
 
 
 def bent_chain(count: int, length: float = 1.0) -> Broken:
@@ -122,20 +123,32 @@ def coincident() -> Iterator[Case]:
         "K4": lambda: complete(4),
         "K5": lambda: complete(5),
     }.items():
-        yield Case(f"coincident_{name}", "coincident", "closed form",
-                   partial(lambda make: _at_one_place(make()), make))  # fmt: skip
+        yield Case(
+            f"coincident_{name}",
+            "coincident",
+            "closed form",
+            partial(lambda make: _at_one_place(make()), make),
+        )
 
 
 def lengths() -> Iterator[Case]:
     """Bars of zero length, next to zero, and of twelve decades in one framework."""
     for length in (0.0, 1e-310, 1e200):
-        yield Case(f"bar_of_{length:g}", "lengths", "squares of lengths underflow or overflow",
-                   partial(broken, [[0, 0, 0], [1, 0, 0]], [[0, 1]], [length]),
-                   feasible=None)  # fmt: skip
+        yield Case(
+            f"bar_of_{length:g}",
+            "lengths",
+            "squares of lengths underflow or overflow",
+            partial(broken, [[0, 0, 0], [1, 0, 0]], [[0, 1]], [length]),
+            feasible=None,
+        )
     for length in (1e-150, 1e-100, 1e-12, 1e-6, 1e6, 1e100, 1e150):
-        yield Case(f"chain_with_a_bar_of_{length:g}", "lengths", "closed form",
-                   partial(_with_one_length, length),
-                   feasible=None if length < 1e-12 else True)  # fmt: skip
+        yield Case(
+            f"chain_with_a_bar_of_{length:g}",
+            "lengths",
+            "closed form",
+            partial(_with_one_length, length),
+            feasible=None if length < 1e-12 else True,
+        )
     yield Case("lengths_1e-6_to_1e6_chain", "lengths", "closed form", _thirteen_decades)
     yield Case("lengths_1e-6_to_1e6_ring", "lengths", "closed form", _thirteen_decades_closed)
 
@@ -168,11 +181,13 @@ def offsets() -> Iterator[Case]:
     """Far from the origin, where doubles lie far apart."""
     for exponent in range(0, 13, 2):
         for name, make in (("chain_10", lambda: bent_chain(10)), ("ring_17", lambda: ring(17))):
-            yield Case(f"{name}_at_1e{exponent}", "offset",
-                       "doubles are 2.2e-16 of a coordinate apart",
-                       partial(lambda make, by: _moved(shaken(make(), 0.1), by), make,
-                               10.0**exponent),
-                       feasible=True if exponent <= 8 else None)  # fmt: skip
+            yield Case(
+                f"{name}_at_1e{exponent}",
+                "offset",
+                "doubles are 2.2e-16 of a coordinate apart",
+                partial(lambda make, by: _moved(shaken(make(), 0.1), by), make, 10.0**exponent),
+                feasible=True if exponent <= 8 else None,
+            )
 
 
 def _moved(whole: Broken, by: float) -> Broken:
@@ -182,11 +197,17 @@ def _moved(whole: Broken, by: float) -> Broken:
 def pushes() -> Iterator[Case]:
     """One joint pushed from 1e-8 to 1e6 Angstrom away."""
     for exponent in range(-8, 7, 2):
-        for name, make in (("chain_10", lambda: bent_chain(10)), ("ring_17", lambda: ring(17)),
-                           ("K5", lambda: complete(5))):  # fmt: skip
-            yield Case(f"{name}_pushed_1e{exponent}", "push", "closed form",
-                       partial(lambda make, by: _pushed(make(), by), make,
-                               10.0**exponent))  # fmt: skip
+        for name, make in (
+            ("chain_10", lambda: bent_chain(10)),
+            ("ring_17", lambda: ring(17)),
+            ("K5", lambda: complete(5)),
+        ):
+            yield Case(
+                f"{name}_pushed_1e{exponent}",
+                "push",
+                "closed form",
+                partial(lambda make, by: _pushed(make(), by), make, 10.0**exponent),
+            )
 
 
 def _pushed(whole: Broken, by: float) -> Broken:
@@ -197,9 +218,9 @@ def _pushed(whole: Broken, by: float) -> Broken:
 def masses() -> Iterator[Case]:
     """Neighbours a million million times as heavy as each other, corrections shared by mass."""
     for name, make in (("chain_10", lambda: bent_chain(10)), ("ring_17", lambda: ring(17))):
-        yield Case(f"{name}_of_masses_1e-6_to_1e6", "masses", "closed form",
-                   partial(lambda make: _unequal(shaken(make(), 0.1)), make), mass_weighted=True,
-                   feasible=True)  # fmt: skip
+        start = partial(lambda make: _unequal(shaken(make(), 0.1)), make)
+        title = f"{name}_of_masses_1e-6_to_1e6"
+        yield Case(title, "masses", "closed form", start, mass_weighted=True, feasible=True)
 
 
 def _unequal(whole: Broken) -> Broken:
@@ -210,9 +231,13 @@ def _unequal(whole: Broken) -> Broken:
 def not_finite() -> Iterator[Case]:
     """Positions that are no numbers, or whose squares overflow: they come back as they were."""
     for value in (np.nan, np.inf, 1e200):
-        yield Case(f"start_at_{value:g}", "not_finite", "IEEE 754",
-                   partial(lambda value: _moved_joint(ring(6), value), value),
-                   feasible=False)  # fmt: skip
+        yield Case(
+            f"start_at_{value:g}",
+            "not_finite",
+            "IEEE 754",
+            partial(lambda value: _moved_joint(ring(6), value), value),
+            feasible=False,
+        )
 
 
 def _moved_joint(whole: Broken, to: float) -> Broken:

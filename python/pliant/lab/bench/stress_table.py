@@ -41,20 +41,26 @@ def large(shrink: int) -> Iterator[Case]:
     }
     for name, (count, make) in sizes.items():
         size = max(count // shrink, 10)
-        yield Case(f"{name}_{size}", "large", "closed form",
-                   partial(lambda make, size: _bent_once(make(size)), make, size),
-                   max_sweeps=FEW_SWEEPS)  # fmt: skip
+        yield Case(
+            f"{name}_{size}",
+            "large",
+            "closed form",
+            partial(lambda make, size: _bent_once(make(size)), make, size),
+            max_sweeps=FEW_SWEEPS,
+        )
     count = max(200 // min(shrink, 20), 10)
-    yield Case(f"K_{count}", "large", "3 n - 6 of n (n - 1) / 2 bars are independent",
-               lambda: shaken(complete(count), 0.01), max_sweeps=1000)  # fmt: skip
+    what = "3 n - 6 of n (n - 1) / 2 bars are independent"
+    start = partial(lambda count: shaken(complete(count), 0.01), count)
+    yield Case(f"K_{count}", "large", what, start, max_sweeps=1000)
 
 
 def _star(leaves: int) -> Broken:
     """Leaves a unit away from joint 0, spread by the golden angle."""
     k = np.arange(leaves) + 0.5
     polar, around = np.arccos(1 - 2 * k / leaves), np.pi * (1 + 5**0.5) * k
-    x = np.column_stack([np.cos(around) * np.sin(polar), np.sin(around) * np.sin(polar),
-                         np.cos(polar)])  # fmt: skip
+    x = np.column_stack(
+        [np.cos(around) * np.sin(polar), np.sin(around) * np.sin(polar), np.cos(polar)]
+    )
     bars = np.column_stack([np.zeros(leaves, int), np.arange(1, leaves + 1)])
     return broken(np.concatenate([[[0.0, 0, 0]], x]), bars, np.ones(leaves))
 
@@ -68,17 +74,27 @@ def redundant() -> Iterator[Case]:
     """Bars that ask twice for the same, agreeing or not."""
     closed = "closed form"
     two = [[0.0, 0.0, 0.0], [1.1, 0.0, 0.0]]
-    yield Case("duplicate_bar_same_length", "redundant", closed,
-               lambda: broken(two, [[0, 1], [1, 0]], [1, 1]))  # fmt: skip
-    yield Case("duplicate_bar_conflict_1_2", "impossible", closed,
-               lambda: broken(two, [[0, 1], [1, 0]], [1, 2]),
-               feasible=False)  # fmt: skip
+    yield Case(
+        "duplicate_bar_same_length",
+        "redundant",
+        closed,
+        lambda: broken(two, [[0, 1], [1, 0]], [1, 1]),
+    )
+    yield Case(
+        "duplicate_bar_conflict_1_2",
+        "impossible",
+        closed,
+        lambda: broken(two, [[0, 1], [1, 0]], [1, 2]),
+        feasible=False,
+    )
     yield Case("dodecahedron_edges", "redundant", "Schlaefli: 20 vertices, 30 edges", _dodecahedron)
     for n in (6, 8):
-        yield Case(f"K_{n}_far_off", "redundant", "3 n - 6 of n (n - 1) / 2 bars are independent",
-                   partial(lambda n: shaken(complete(n), 1.0), n), feasible=True)  # fmt: skip
-    yield Case("two_far_atoms_of_a_pinned_square", "impossible", closed, _pinned_square,
-               feasible=False)  # fmt: skip
+        what = "3 n - 6 of n (n - 1) / 2 bars are independent"
+        start = partial(lambda n: shaken(complete(n), 1.0), n)
+        yield Case(f"K_{n}_far_off", "redundant", what, start, feasible=True)
+    yield Case(
+        "two_far_atoms_of_a_pinned_square", "impossible", closed, _pinned_square, feasible=False
+    )
 
 
 def _dodecahedron() -> Broken:
@@ -102,13 +118,21 @@ def _pinned_square() -> Broken:
 def peers() -> Iterator[Case]:
     """What other programs have met with."""
     for tolerance in (1e-2, 1e-4, 1e-8):
-        yield Case(f"openmm_3603_diamond_{tolerance:.0e}", "peers",
-                   "OpenMM issue 3603: masses, lengths and coordinates", _diamond,
-                   tolerance=tolerance)  # fmt: skip
+        yield Case(
+            f"openmm_3603_diamond_{tolerance:.0e}",
+            "peers",
+            "OpenMM issue 3603: masses, lengths and coordinates",
+            _diamond,
+            tolerance=tolerance,
+        )
     source = "OpenMM, tests/TestVerletIntegrator.h: unit chain of random directions"
     for count in (10, 1500):
-        yield Case(f"openmm_chain_{count}", "peers", source,
-                   partial(lambda count: shaken(_random_chain(count), 0.1), count))  # fmt: skip
+        yield Case(
+            f"openmm_chain_{count}",
+            "peers",
+            source,
+            partial(lambda count: shaken(_random_chain(count), 0.1), count),
+        )
 
 
 def _diamond() -> Broken:
@@ -133,14 +157,13 @@ def long_runs(steps: int) -> Iterator[Case]:
     known = {row.name: row for row in pliant.examples()}
     for name in ("peaucellier_cell_2D", "cyclohexane_boat"):
         row = known[name]
-        yield Case(f"{name}_{steps}_steps", "steps", row.source,
-                   partial(broken, row.positions, row.framework.bars, row.framework.rest_lengths),
-                   max_sweeps=1000, steps=steps)  # fmt: skip
+        bars = row.framework.bars, row.framework.rest_lengths
+        start, title = partial(broken, row.positions, *bars), f"{name}_{steps}_steps"
+        yield Case(title, "steps", row.source, start, max_sweeps=1000, steps=steps)
 
 
 def all_cases(shrink: int = 1, steps: int = STEPS) -> list[Case]:
     """The whole table; large frameworks are made `shrink` times smaller."""
-    tables = (examples(), coincident(), lengths(), offsets(), pushes(), masses(),
-              not_finite(), redundant(), peers(),
-              large(shrink), long_runs(steps))  # fmt: skip
+    tables = [examples(), coincident(), lengths(), offsets(), pushes(), masses(), not_finite()]
+    tables += [redundant(), peers(), large(shrink), long_runs(steps)]
     return [case for table in tables for case in table]

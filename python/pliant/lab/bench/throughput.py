@@ -37,7 +37,7 @@ class Throughput:
     lane_levels: list[str]  #: instructions that this processor has for lanes, the best first
     rows: list[ThroughputRow] = field(default_factory=list)
     openmm: list[OpenmmRow] = field(default_factory=list)
-    about_openmm: str = ""  #: why OpenMM takes no part, or what it was not told
+    about_openmm: str = ""  #: why OpenMM takes no part, or what it was not given
 
     def wrong(self) -> list[str]:
         """What is not as it must be: conformers not whole, or with other bits than alone."""
@@ -57,7 +57,7 @@ class Throughput:
 class OpenmmRow:
     """OpenMM's CCMA, one conformer after the other on one thread."""
 
-    method: str  #: "ccma" (applyConstraints) or "ccma_dynamics" (told the intact structure)
+    method: str  #: "ccma" (applyConstraints) or "ccma_dynamics" (given the intact structure)
     ns_per_bar: float  #: median over the rounds
     max_residual: float  #: of the worst conformer, measured anew
 
@@ -77,7 +77,7 @@ class ThroughputRow:
     processor_ns_per_bar: float  #: the same in processor time of the threads, added up
     same_bits: bool  #: the conformers are those of one thread without lanes, bit by bit
     ratio_to_openmm: float = math.nan  #: CCMA's time for a bar over that of this row
-    ratio_to_openmm_in_dynamics: float = math.nan  #: the same, CCMA told the intact structure
+    ratio_to_openmm_in_dynamics: float = math.nan  #: the same, CCMA given the intact structure
 
 
 @dataclass
@@ -121,8 +121,8 @@ def throughput(
             entry.times.append(_round(entry.team, entry.result, conformers))
         for _, race in races:
             race.run(broken[:OPENMM_CONFORMERS])
-    found = Throughput(target.name, len(target.positions), len(target.bars), tolerance,
-                       os.cpu_count() or 1, pliant.lane_levels())  # fmt: skip
+    sizes, cores = (len(target.positions), len(target.bars)), os.cpu_count() or 1
+    found = Throughput(target.name, *sizes, tolerance, cores, pliant.lane_levels())
     found.openmm = [race.row() for _, race in races]
     found.about_openmm = about
     found.rows = [_row(entry, entries, found, target, conformers) for entry in entries]
@@ -171,11 +171,7 @@ class _OpenmmRace:
 
 
 def _row(
-    entry: _Entry,
-    entries: Sequence[_Entry],
-    found: Throughput,
-    target: Target,
-    conformers: int,
+    entry: _Entry, entries: Sequence[_Entry], found: Throughput, target: Target, conformers: int
 ) -> ThroughputRow:
     alone = next(e for e in entries if e.technique == entry.technique)
     wall, processor = np.median(entry.times[1:], axis=0) / len(entry.result)  # first: plans

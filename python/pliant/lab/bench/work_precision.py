@@ -61,8 +61,9 @@ def work_precision(
     theirs, note = their_contenders(target) if openmm else ([], "OpenMM was not asked to take part")
     found = prepare(target, bars, displacement, seed, tolerances)
     found.notes += [note] if note else []
-    race(found, [*theirs, *ours], target.broken(displacement, seed), repeats, limit_seconds,
-         progress)  # fmt: skip
+    race(
+        found, [*theirs, *ours], target.broken(displacement, seed), repeats, limit_seconds, progress
+    )
     if gromacs:
         race_gromacs(found, repeats, progress)
     compare_with_openmm(found.rows)
@@ -128,7 +129,7 @@ def race(
 
 
 def _time(row: Row, seconds: float, bars: int) -> None:
-    """Fills the time: none where it is the difference of two that cannot be told apart."""
+    """Fills the time: none where it is the difference of two that hardly differ."""
     if seconds > 0:
         row.ns_per_bar = 1e9 * seconds / bars
     else:
@@ -191,7 +192,7 @@ def _rounds(
 def fastest_to(rows: Sequence[Row], method: str, error: float) -> float:
     """Least ns per bar in which a method reaches `error` or less.
 
-    Infinite if it never does; not-a-number if none of the times can be told.
+    Infinite if it never does; not-a-number if none of the times is known.
     """
     reached = [r.ns_per_bar for r in rows if r.method == method and r.max_residual <= error]
     return min((t for t in reached if t > 0), default=math.nan if reached else math.inf)

@@ -107,5 +107,5 @@ def _whole(rows: Sequence[Row]) -> int:
 
 
 def _cost(rows: Sequence[Row]) -> float:
-    told = [row.ns_per_bar for row in rows if row.outcome == WHOLE and row.ns_per_bar > 0]
-    return float(np.median(told)) / len(told) if told else math.inf
+    times = [row.ns_per_bar for row in rows if row.outcome == WHOLE and row.ns_per_bar > 0]
+    return float(np.median(times)) / len(times) if times else math.inf

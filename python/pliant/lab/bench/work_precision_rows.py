@@ -43,7 +43,7 @@ class Row:
     walkers: int = 1  #: structures that were repaired together; times are of one
     repeats: int = 0
     ratio_to_openmm: float = math.nan  #: CCMA's time to reach this tolerance, over this time
-    ratio_to_openmm_in_dynamics: float = math.nan  #: the same, CCMA told the intact directions
+    ratio_to_openmm_in_dynamics: float = math.nan  #: the same, CCMA given the intact directions
     note: str = ""
 
 

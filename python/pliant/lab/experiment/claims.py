@@ -15,7 +15,7 @@ import numpy as np
 from pliant._weightings import WEIGHTINGS
 from pliant.lab.experiment.compare import ALIKE, BY_FAR, EXTREMELY, Court
 from pliant.lab.experiment.settings import reverse_techniques
-from pliant.lab.experiment.statistics import Study, with_interval
+from pliant.lab.experiment.statistics import Evidence, with_interval
 from pliant.lab.experiment.verdict import Statement, Verdict, verdict_of
 
 RAGDOLL = ("random", 0.5)
@@ -45,22 +45,22 @@ class Claim:
         passes = ("passes",) if set(self.techniques) & reverse_techniques() else ()
         return ("sweeps", *passes, *(("projections",) if self.effort_matters else ()))
 
-    def judged(self, study: Study) -> Verdict:
-        """The verdict by the yardstick of `study`."""
-        return verdict_of(self._statements(study))
+    def judged(self, evidence: Evidence) -> Verdict:
+        """The verdict by the yardstick of `evidence`."""
+        return verdict_of(self._statements(evidence))
 
-    def judged_by_all(self, studies: dict[str, Study]) -> Verdict:
+    def judged_by_all(self, all_evidence: dict[str, Evidence]) -> Verdict:
         """The verdict over all yardsticks that can matter to it."""
-        found = [self._statements(studies[yardstick]) for yardstick in self.yardsticks]
+        found = [self._statements(all_evidence[yardstick]) for yardstick in self.yardsticks]
         return verdict_of([statement for statements in found for statement in statements])
 
-    def _statements(self, study: Study) -> list[Statement]:
+    def _statements(self, evidence: Evidence) -> list[Statement]:
         statements: list[Statement] = []
         for family in self.families:
-            court = Court(study, family)
+            court = Court(evidence, family)
             self.judge(court)
             statements += court.statements
-        if study.yardstick != "projections":
+        if evidence.yardstick != "projections":
             return statements
         return [s for s in statements if _about_effort(s)]
 
@@ -91,16 +91,21 @@ def _t3(court: Court) -> None:
 
 def _t4(court: Court) -> None:
     """Main effects of a two-way table of means: spread over weightings against orderings."""
-    found = [[court.of((technique, w)) for w in WEIGHTINGS]
-             for technique in ("bfs_tree", "dfs_tree", "random")]  # fmt: skip
+    found = [
+        [court.of((technique, w)) for w in WEIGHTINGS]
+        for technique in ("bfs_tree", "dfs_tree", "random")
+    ]
     known = [[cell.mean for cell in row if cell is not None] for row in found]
     if any(len(row) < len(WEIGHTINGS) for row in known):
         return
     means = np.array(known)
     of_weighting, of_ordering = np.std(means.mean(0), axis=0), np.std(means.mean(1), axis=0)
-    court.add("spread of the mean over weightings above that over orderings",
-              f"{with_interval(of_weighting)} and {with_interval(of_ordering)}",
-              of_weighting > of_ordering, ("bfs_tree", 1.0))  # fmt: skip
+    court.add(
+        "spread of the mean over weightings above that over orderings",
+        f"{with_interval(of_weighting)} and {with_interval(of_ordering)}",
+        of_weighting > of_ordering,
+        ("bfs_tree", 1.0),
+    )
 
 
 def _all_of(techniques: tuple[str, ...]) -> list[tuple[str, float]]:
@@ -249,7 +254,7 @@ CLAIMS = (
           "bfs_random better than bfs_adapt, like bfs_cycle; best at 0.5; mode 1 at 1.0", _b1,
           f"like: means within a factor of {ALIKE:g}",
           techniques=("bfs_random", "bfs_adapt", "bfs_cycle")),
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 
 
 def claim(identity: str) -> Claim:
@@ -257,6 +262,6 @@ def claim(identity: str) -> Claim:
     return next(row for row in CLAIMS if row.id == identity)
 
 
-def studies_of(study: Study) -> dict[str, Study]:
+def evidence_by_yardstick(evidence: Evidence) -> dict[str, Evidence]:
     """The same table by every yardstick."""
-    return {name: study.with_yardstick(name) for name in ("sweeps", "passes", "projections")}
+    return {name: evidence.with_yardstick(name) for name in ("sweeps", "passes", "projections")}

@@ -47,8 +47,8 @@ def make_parser() -> console.Parser:
         "every technique and weighting, and writes one tidy table (thesis, chapter 5).",
         EPILOG,
     )
-    parser.add_argument("-o", "--output", metavar="DIR", type=Path, required=True,
-                        help="folder of the table; an unfinished table is continued")  # fmt: skip
+    text = "folder of the table; an unfinished table is continued"
+    parser.add_argument("-o", "--output", metavar="DIR", type=Path, required=True, help=text)
     _add_counts(parser)
     _add_sizes(parser)
     _add_forces(parser)
@@ -73,64 +73,77 @@ def _add_counts(parser: console.Parser) -> None:
         type=whole(1),
         help=f"graphs of each class (default {default.graphs})",
     )
-    add("--forces", metavar="N", type=whole(1),
-        help=f"forces on each graph, each from the start (default {default.forces})")  # fmt: skip
-    add("--consecutive", action="store_true", default=None,
+    text = f"forces on each graph, each from the start (default {default.forces})"
+    add("--forces", metavar="N", type=whole(1), help=text)
+    add(
+        "--consecutive",
+        action="store_true",
+        default=None,
         help="each force acts on what the last one left, as in pliant run; the starts then "
-             "differ between techniques")  # fmt: skip
-    add("--class", dest="classes", metavar="NAME", action="append",
-        help="class of graphs; may be given several times (default: all)")  # fmt: skip
-    add("--technique", dest="techniques", metavar="NAME", action="append",
-        help="technique; may be given several times (default: all that apply)")  # fmt: skip
-    add("--weighting", dest="weightings", metavar="W", type=float, action="append",
-        help="weighting; may be given several times (default 0.5, 0.75, 1)")  # fmt: skip
+        "differ between techniques",
+    )
+    text = "class of graphs; may be given several times (default: all)"
+    add("--class", dest="classes", metavar="NAME", action="append", help=text)
+    text = "technique; may be given several times (default: all that apply)"
+    add("--technique", dest="techniques", metavar="NAME", action="append", help=text)
+    text = "weighting; may be given several times (default 0.5, 0.75, 1)"
+    add("--weighting", dest="weightings", metavar="W", type=float, action="append", help=text)
 
 
 def _add_sizes(parser: console.Parser) -> None:
     add = parser.add_argument
     default = Settings()
     whole = console.whole_number
-    add("--depth", type=whole(1), metavar="N",
-        help=f"levels of a tree below its root (default {default.depth})")  # fmt: skip
-    add("--children", type=whole(1), metavar="N",
-        help=f"most children of a joint (default {default.children})")  # fmt: skip
-    add("--ring", type=whole(3), metavar="N",
-        help=f"most joints of a closed chain (default {default.ring})")  # fmt: skip
-    add("--cycles", type=whole(0), metavar="N",
-        help=f"non-tree bars of an n-cycle (default {default.cycles})")  # fmt: skip
-    add("--joints", type=whole(0), metavar="N",
-        help="joints of a tree, in place of depth and children")  # fmt: skip
-    add("--box", type=console.positive_number, metavar="L",
-        help=f"edge of the box of positions, Angstrom (default {default.box:g})")  # fmt: skip
+    text = f"levels of a tree below its root (default {default.depth})"
+    add("--depth", type=whole(1), metavar="N", help=text)
+    text = f"most children of a joint (default {default.children})"
+    add("--children", type=whole(1), metavar="N", help=text)
+    text = f"most joints of a closed chain (default {default.ring})"
+    add("--ring", type=whole(3), metavar="N", help=text)
+    text = f"non-tree bars of an n-cycle (default {default.cycles})"
+    add("--cycles", type=whole(0), metavar="N", help=text)
+    text = "joints of a tree, in place of depth and children"
+    add("--joints", type=whole(0), metavar="N", help=text)
+    text = f"edge of the box of positions, Angstrom (default {default.box:g})"
+    add("--box", type=console.positive_number, metavar="L", help=text)
 
 
 def _add_forces(parser: console.Parser) -> None:
     add = parser.add_argument
     default = Settings()
     positive = console.positive_number
-    add("--force", type=positive, metavar="F",
-        help=f"size of a force, kJ/(mol Angstrom) (default {default.force:g})")  # fmt: skip
+    text = f"size of a force, kJ/(mol Angstrom) (default {default.force:g})"
+    add("--force", type=positive, metavar="F", help=text)
     add(
         "--timestep",
         type=positive,
         metavar="T",
         help=f"length of a step, ps (default {default.timestep:g})",
     )
-    add("--tolerance-length", type=positive, metavar="E",
-        help="largest |length - rest| of a whole bar, Angstrom "
-             f"(default {default.tolerance_length:g})")  # fmt: skip
-    add("--max-sweeps", type=console.whole_number(1), metavar="N",
-        help=f"give up after this many sweeps (default {default.max_sweeps})")  # fmt: skip
+    text = (
+        f"largest |length - rest| of a whole bar, Angstrom (default {default.tolerance_length:g})"
+    )
+    add("--tolerance-length", type=positive, metavar="E", help=text)
+    text = f"give up after this many sweeps (default {default.max_sweeps})"
+    add("--max-sweeps", type=console.whole_number(1), metavar="N", help=text)
 
 
 def _add_test_set(parser: console.Parser) -> None:
     add = parser.add_argument
-    add("--test-set", metavar="FOLDER", type=Path,
+    add(
+        "--test-set",
+        metavar="FOLDER",
+        type=Path,
         help="take graphs, forces and settings from a test set (pliant structgen --test-set) and "
-             "write the results into its folders; results already there are compared")  # fmt: skip
-    add("--folders", metavar="FOLDER", type=Path,
+        "write the results into its folders; results already there are compared",
+    )
+    add(
+        "--folders",
+        metavar="FOLDER",
+        type=Path,
         help="also write the results into a test set; if FOLDER does not exist, it is made from "
-             "the same graphs and forces")  # fmt: skip
+        "the same graphs and forces",
+    )
 
 
 def main(words: Sequence[str] | None = None) -> int:
@@ -201,17 +214,18 @@ def _say(
     count = len(table)
     stuck = int(count - table.columns["converged"].sum())
     if arguments.json:
-        console.print_json({"output": str(arguments.output),
-                            "resolves": count, "unconverged": stuck,
-                            "seconds": seconds, "folders": vars(filled) if filled else None}
-                           )  # fmt: skip
+        report = {"output": str(arguments.output), "resolves": count, "unconverged": stuck}
+        report |= {"seconds": seconds, "folders": vars(filled) if filled else None}
+        console.print_json(report)
         return
     where = console.printable_name(arguments.output)
     print(f"{where}: {count} resolves, {stuck} of them not converged; {seconds:.1f} s")
     if filled:
         folder = console.printable_name(arguments.test_set or arguments.folders)
-        print(f"{folder}: {filled.written} results written, {filled.same} there already and the "
-              f"same, {len(filled.different)} different")  # fmt: skip
+        print(
+            f"{folder}: {filled.written} results written, {filled.same} there already and the "
+            f"same, {len(filled.different)} different"
+        )
         for path in filled.different:
             console.warn(f"{path}: holds other numbers; they were left")
     print(f"next: pliant experiment report {where}")

@@ -24,4 +24,4 @@ CONTRADICTIONS = (
      "and counts |E| = 6"),
     ("5.2.2 and 6", "bfs_reverse 1.0 \"performs much worse than the other techniques\"",
      "\"BFS_reverse consistently outperforms other constraint satisfaction techniques\""),
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line

@@ -85,8 +85,10 @@ def table(made: Table, kind: str = "") -> str:
     head = "".join(f"<th>{escape(name)}</th>" for name in made.header)
     rows = "\n".join("<tr>" + "".join(map(_cell, row)) + "</tr>" for row in made.rows)
     caption = f"<caption>{escape(made.caption)}</caption>" if made.caption else ""
-    return (f'<div class="scroll"><table class="{kind}">{caption}<thead><tr>{head}</tr></thead>\n'
-            f"<tbody>{rows}</tbody></table></div>")  # fmt: skip
+    return (
+        f'<div class="scroll"><table class="{kind}">{caption}<thead><tr>{head}</tr></thead>\n'
+        f"<tbody>{rows}</tbody></table></div>"
+    )
 
 
 def _cell(value: str | int | float) -> str:
@@ -102,15 +104,20 @@ def figure(drawn: Figure) -> str:
     """A figure with its picture in the page."""
     kind = "svg+xml" if drawn.path.suffix == ".svg" else "png"
     data = base64.b64encode(Path(drawn.path).read_bytes()).decode("ascii")
-    return (f'<figure class="card"><img alt="{escape(drawn.caption, quote=True)}" '
-            f'src="data:image/{kind};base64,{data}">'
-            f"<figcaption>{escape(drawn.caption)}</figcaption></figure>")  # fmt: skip
+    return (
+        f'<figure class="card"><img alt="{escape(drawn.caption, quote=True)}" '
+        f'src="data:image/{kind};base64,{data}">'
+        f"<figcaption>{escape(drawn.caption)}</figcaption></figure>"
+    )
 
 
 def figures(drawn: Sequence[Figure], wide: bool = False) -> str:
     """Figures beside each other, or each over the whole width."""
-    return (f'<div class="figures{" wide" if wide else ""}">'
-            + "\n".join(figure(one) for one in drawn) + "</div>")  # fmt: skip
+    return (
+        f'<div class="figures{" wide" if wide else ""}">'
+        + "\n".join(figure(one) for one in drawn)
+        + "</div>"
+    )
 
 
 def fold(summary: str, *parts: str) -> str:
@@ -120,7 +127,9 @@ def fold(summary: str, *parts: str) -> str:
 
 def answer(made: Answer) -> str:
     """A question with its answer, as a section's HTML."""
-    head = block(f"<p><strong>{escape(made.verdict)}</strong></p>",
-                 *(paragraph(text) for text in made.paragraphs))  # fmt: skip
+    head = block(
+        f"<p><strong>{escape(made.verdict)}</strong></p>",
+        *(paragraph(text) for text in made.paragraphs),
+    )
     tables = "".join(block(table(one)) for one in made.tables)
     return head + tables + (figures(made.figures, wide=True) if made.figures else "")

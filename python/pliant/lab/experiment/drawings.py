@@ -6,6 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
@@ -16,15 +17,18 @@ from pliant._weightings import WEIGHTINGS
 from pliant.analyse.figures import style
 from pliant.lab.experiment.answer import Figure
 from pliant.lab.experiment.settings import reverse_techniques
-from pliant.lab.experiment.statistics import Statistics, Study, interval
+from pliant.lab.experiment.statistics import Evidence, Statistics, interval
 
 DPI = 130
 LAST_BIN = 20  #: histograms gather what is above
-# Told apart by hue for most, by lightness for all (Okabe and Ito 2008), and by hatching in print.
+# Distinct by hue for most, by lightness for all (Okabe and Ito 2008), and by hatching in print.
 LOOKS = (
-    (style.GREY, ""), (style.BLUE, ""), (style.SKY, "///"), (style.VERMILION, ""),
+    (style.GREY, ""),
+    (style.BLUE, ""),
+    (style.SKY, "///"),
+    (style.VERMILION, ""),
     (style.ORANGE, "///"),
-)  # fmt: skip
+)
 SHADES = {0.5: style.BLUE, 0.75: style.ORANGE, 1.0: style.VERMILION}
 
 
@@ -63,29 +67,33 @@ HISTOGRAMS = tuple(
     for k, (technique, family) in enumerate(
         [(technique, "tree") for technique in ("bfs_tree", "dfs_tree", "random")]
         + [(technique, "1-cycle") for technique in _ONE]
-        + [(technique, "2-cycle") for technique in _TWO], start=1)
-)  # fmt: skip
+        + [(technique, "2-cycle") for technique in _TWO],
+        start=1,
+    )
+)
 
 _MEASURES = (("mean", "mean"), ("mode", "mode"), ("sd", "standard deviation"))
 
 
-def draw_bars(chart: BarChart, studies: dict[str, Study], folder: Path) -> Figure | None:
+def draw_bars(chart: BarChart, all_evidence: dict[str, Evidence], folder: Path) -> Figure | None:
     """One row of mean, mode and sd in sweeps; a second in passes if a reverse one is among them.
 
     None if the table has nothing of it.
     """
-    techniques = [t for t in chart.techniques
-                  if studies["sweeps"].has(chart.family, t, WEIGHTINGS[0])]  # fmt: skip
+    techniques = [
+        t for t in chart.techniques if all_evidence["sweeps"].has(chart.family, t, WEIGHTINGS[0])
+    ]
     if not techniques:
         return None
     reverse = bool(set(techniques) & reverse_techniques())
     yardsticks = ("sweeps", "passes") if reverse else ("sweeps",)
     with style.styled():
-        figure, axes = style.new_figure((9.2, 0.7 + 2.45 * len(yardsticks)), len(yardsticks), 3,
-                                        squeeze=False)  # fmt: skip
+        figure, axes = style.new_figure(
+            (9.2, 0.7 + 2.45 * len(yardsticks)), len(yardsticks), 3, squeeze=False
+        )
         for row, yardstick in zip(axes, yardsticks, strict=True):
             for axis, (what, words) in zip(row, _MEASURES, strict=True):
-                group_bars(axis, studies[yardstick], chart.family, techniques, what)
+                group_bars(axis, all_evidence[yardstick], chart.family, techniques, what)
                 axis.set_title(f"{words}, {yardstick}")
                 axis.set_xlabel("weighting")
                 axis.set_ylabel(yardstick)
@@ -97,21 +105,25 @@ def draw_bars(chart: BarChart, studies: dict[str, Study], folder: Path) -> Figur
 
 
 def _bar_caption(chart: BarChart, reverse: bool) -> str:
-    text = (f"Figure {chart.number} of the thesis: {', '.join(chart.techniques)} on {chart.family} "
-            "graphs. Whiskers: 95 % of the bootstrap over graphs.")  # fmt: skip
+    text = (
+        f"Figure {chart.number} of the thesis: {', '.join(chart.techniques)} on {chart.family} "
+        "graphs. Whiskers: 95 % of the bootstrap over graphs."
+    )
     if reverse:
         text += " Lower row: there and back counts as one for the reverse techniques."
     return text
 
 
-def group_bars(axis: Axes, study: Study, family: str, techniques: Sequence[str], what: str) -> None:
+def group_bars(
+    axis: Axes, evidence: Evidence, family: str, techniques: Sequence[str], what: str
+) -> None:
     """Bars of one measure: weightings side by side, one bar a technique, whiskers of 95 %."""
     width = 0.82 / len(techniques)
     for k, technique in enumerate(techniques):
         color, hatch = LOOKS[k % len(LOOKS)]
         places, heights, errors = [], [], []
         for place, weighting in enumerate(WEIGHTINGS):
-            found = study.of(family, technique, weighting)
+            found = evidence.of(family, technique, weighting)
             if found is None:
                 continue
             values = getattr(found, what)
@@ -119,9 +131,17 @@ def group_bars(axis: Axes, study: Study, family: str, techniques: Sequence[str],
             places.append(place + (k - 0.5 * (len(techniques) - 1)) * width)
             heights.append(values[0])
             errors.append((max(values[0] - low, 0.0), max(high - values[0], 0.0)))
-        axis.bar(places, heights, width * 0.92, label=technique, color=color, hatch=hatch,
-                 edgecolor="white", linewidth=0.4, yerr=np.array(errors).T,
-                 error_kw={"ecolor": style.INK, "elinewidth": 0.8, "capsize": 1.6})  # fmt: skip
+        edge: dict[str, Any] = {"hatch": hatch, "edgecolor": "white", "linewidth": 0.4}
+        edge["error_kw"] = {"ecolor": style.INK, "elinewidth": 0.8, "capsize": 1.6}
+        axis.bar(
+            places,
+            heights,
+            width * 0.92,
+            label=technique,
+            color=color,
+            yerr=np.array(errors).T,
+            **edge,
+        )
     _finish_bars(axis)
 
 
@@ -136,9 +156,9 @@ def _finish_bars(axis: Axes) -> None:
         axis.set_ylim(bottom=0.0)
 
 
-def draw_histogram(chart: Histogram, study: Study, folder: Path) -> Figure | None:
+def draw_histogram(chart: Histogram, evidence: Evidence, folder: Path) -> Figure | None:
     """How many pushes took how many sweeps, one panel a weighting; None without data."""
-    found = {w: study.of(chart.family, chart.technique, w) for w in WEIGHTINGS}
+    found = {w: evidence.of(chart.family, chart.technique, w) for w in WEIGHTINGS}
     if all(statistics is None for statistics in found.values()):
         return None
     with style.styled():
@@ -151,8 +171,11 @@ def draw_histogram(chart: Histogram, study: Study, folder: Path) -> Figure | Non
         axes[0].set_ylabel("share of pushes (%)")
         path = folder / f"figure-{chart.number}.png"
         figure.savefig(path, dpi=DPI, metadata={"Software": None})
-    return Figure(path, f"Figure {chart.number} of the thesis: sweeps of {chart.technique} on "
-                        f"{chart.family} graphs.")  # fmt: skip
+    return Figure(
+        path,
+        f"Figure {chart.number} of the thesis: sweeps of {chart.technique} on "
+        f"{chart.family} graphs.",
+    )
 
 
 def _columns(axis: Axes, statistics: Statistics, color: str) -> None:
@@ -165,14 +188,16 @@ def _columns(axis: Axes, statistics: Statistics, color: str) -> None:
     axis.yaxis.set_major_locator(MaxNLocator(5, integer=True))
     axis.grid(axis="x", visible=False)
     worst = int(statistics.values.max())
-    text = (f"mean {statistics.mean[0]:.2f}\nmode {int(statistics.mode[0])}\n"
-            f"sd {statistics.sd[0]:.2f}\nmost {worst}")  # fmt: skip
+    text = (
+        f"mean {statistics.mean[0]:.2f}\nmode {int(statistics.mode[0])}\n"
+        f"sd {statistics.sd[0]:.2f}\nmost {worst}"
+    )
     axis.text(0.97, 0.95, text, transform=axis.transAxes, ha="right", va="top", fontsize=8.5)
 
 
-def draw_all(studies: dict[str, Study], folder: Path) -> tuple[list[Figure], list[Figure]]:
+def draw_all(all_evidence: dict[str, Evidence], folder: Path) -> tuple[list[Figure], list[Figure]]:
     """All figures of chapter 5, and all of appendix C, that the table has data for."""
     folder.mkdir(parents=True, exist_ok=True)
-    bars = [draw_bars(chart, studies, folder) for chart in BAR_CHARTS]
-    histograms = [draw_histogram(chart, studies["sweeps"], folder) for chart in HISTOGRAMS]
+    bars = [draw_bars(chart, all_evidence, folder) for chart in BAR_CHARTS]
+    histograms = [draw_histogram(chart, all_evidence["sweeps"], folder) for chart in HISTOGRAMS]
     return [f for f in bars if f is not None], [f for f in histograms if f is not None]

@@ -45,10 +45,9 @@ def make_set(settings: Settings, folder: Path) -> None:
     beside = folder.with_name(folder.name + ".part")  # of a call that was killed
     shutil.rmtree(beside, ignore_errors=True)
     values = {name: getattr(settings, name) for name in OF_THE_SET}
-    pliant.write_test_set(
-        beside, classes=list(settings.classes), graphs=settings.graphs, forces=settings.forces,
-        techniques=list(settings.techniques), weightings=list(settings.weightings), **values,
-    )  # fmt: skip
+    values |= {"classes": list(settings.classes), "techniques": list(settings.techniques)}
+    values |= {"graphs": settings.graphs, "forces": settings.forces}
+    pliant.write_test_set(beside, weightings=list(settings.weightings), **values)
     beside.rename(folder)
 
 
@@ -66,18 +65,24 @@ def settings_of_set(folder: Path) -> Settings:
     """The experiment that a test set asks for. Raises InputError for a bad set."""
     made = pliant.read_test_set(folder)
     rows = {row.name: row for row in pliant.techniques()}
-    named = [heuristic for kind in made.classes for graph in kind.graphs
-             for heuristic in graph.heuristics]  # fmt: skip
+    named = [
+        heuristic
+        for kind in made.classes
+        for graph in kind.graphs
+        for heuristic in graph.heuristics
+    ]
     asked = dict.fromkeys(heuristic.technique for heuristic in named)
     weightings = dict.fromkeys(h.weighting for h in named if rows[h.technique].has_weighting)
     return dataclasses.replace(
-        Settings(), **{name: getattr(made, name) for name in OF_THE_SET}, forces=made.forces,
+        Settings(),
+        **{name: getattr(made, name) for name in OF_THE_SET},
+        forces=made.forces,
         graphs=max(len(kind.graphs) for kind in made.classes),
         classes=tuple(kind.name for kind in made.classes),
         techniques=tuple(asked) or Settings().techniques,
         weightings=tuple(weightings) or Settings().weightings,
         test_set_digest=_digest(made),
-    )  # fmt: skip
+    )
 
 
 def graphs_of_set(folder: Path) -> list[tuple[str, int]]:

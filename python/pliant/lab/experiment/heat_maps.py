@@ -26,8 +26,12 @@ Axis = tuple[str, list[Any], list[str], Callable[[Point], object]]
 
 def axes_of(start: Settings, points: list[Point]) -> list[Axis]:
     """Label, values, their texts, and the value of a point, None if it is of another axis."""
-    usual = {"force": start.force, "size": (start.depth, start.children, start.ring),
-             "box": start.box, "consecutive": start.consecutive}  # fmt: skip
+    usual = {
+        "force": start.force,
+        "size": (start.depth, start.children, start.ring),
+        "box": start.box,
+        "consecutive": start.consecutive,
+    }
     small = usual | {"size": SIZES[0], "consecutive": True}
 
     def along(name: str, fixed: dict[str, object] = usual) -> Callable[[Point], object]:
@@ -40,12 +44,16 @@ def axes_of(start: Settings, points: list[Point]) -> list[Axis]:
     forces = [f"{100 * force * start.timestep**2:g}" for force in FORCES]
     return [
         ("push (Å)", list(FORCES), forces, along("force")),
-        ("joints, mean", list(SIZES), [f"{joints.get(key, 0):.0f}" for key in SIZES],
-         along("size")),
+        (
+            "joints, mean",
+            list(SIZES),
+            [f"{joints.get(key, 0):.0f}" for key in SIZES],
+            along("size"),
+        ),
         ("box (Å)", list(BOXES), [f"{box:g}" for box in BOXES], along("box")),
         ("pushes act", [False, True], ["from\nrest", "in\nturn"], along("consecutive")),
         ("push (Å), few joints, in turn", list(FORCES), forces, along("force", small)),
-    ]  # fmt: skip
+    ]
 
 
 def shares(
@@ -65,12 +73,12 @@ def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path)
     """Tolerance across; what else was varied up; one row of panels a yardstick."""
     rows = claim.yardsticks
     with style.styled():
-        figure, axes = style.new_figure((11.6, 0.7 + 2.35 * len(rows)), len(rows), 5,
-                                        squeeze=False)  # fmt: skip
+        figure, axes = style.new_figure((11.6, 0.7 + 2.35 * len(rows)), len(rows), 5, squeeze=False)
         for panels, yardstick in zip(axes, rows, strict=True):
             mine = [p for p in points if (p.claim, p.yardstick) == (claim.id, yardstick)]
-            for axis, (label, values, texts, value_of) in zip(panels, axes_of(start, mine),
-                                                              strict=True):  # fmt: skip
+            for axis, (label, values, texts, value_of) in zip(
+                panels, axes_of(start, mine), strict=True
+            ):
                 image = _draw_grid(axis, shares(mine, values, value_of), texts)
                 axis.set_ylabel(label)
                 axis.set_xlabel("tolerance ($10^x$ Å), x")
@@ -79,8 +87,9 @@ def draw_claim(claim: Claim, points: list[Point], start: Settings, folder: Path)
         bar.set_label("share of its statements that hold")
         path = folder / f"claim-{claim.id}.png"
         figure.savefig(path, dpi=DPI, metadata={"Software": None})
-    return Figure(path, f"{claim.id}: {claim.text}. A dot: every statement holds; empty: no push "
-                        "broke a bar.")  # fmt: skip
+    return Figure(
+        path, f"{claim.id}: {claim.text}. A dot: every statement holds; empty: no push broke a bar."
+    )
 
 
 def _draw_grid(axis: Axes, grid: np.ndarray, texts: list[str]) -> AxesImage:

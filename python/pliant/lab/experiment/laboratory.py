@@ -23,9 +23,13 @@ Source = Callable[[Settings, str, int], Subject]  #: settings, class, number
 
 
 def run_experiment(
-    settings: Settings, out: Path, graphs: list[tuple[str, int]] | None = None,
-    source: Source = make_subject, workers: int = 1, show: Show = lambda done, total: None,
-) -> tables.Table:  # fmt: skip
+    settings: Settings,
+    out: Path,
+    graphs: list[tuple[str, int]] | None = None,
+    source: Source = make_subject,
+    workers: int = 1,
+    show: Show = lambda done, total: None,
+) -> tables.Table:
     """Fills the folder `out` with the table, and returns it.
 
     What an earlier call with the same settings has done is not done again, whenever and however
@@ -82,9 +86,13 @@ def _part(out: Path, kind: str, number: int) -> Path:
 
 
 def _measure_missing(
-    settings: Settings, out: Path, todo: list[tuple[str, int]], source: Source, workers: int,
+    settings: Settings,
+    out: Path,
+    todo: list[tuple[str, int]],
+    source: Source,
+    workers: int,
     show: Show,
-) -> None:  # fmt: skip
+) -> None:
     missing = [task for task in todo if not _part(out, *task).is_file()]
     work = functools.partial(_measure_one, settings, out, source)
     done = len(todo) - len(missing)

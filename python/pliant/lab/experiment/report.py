@@ -11,9 +11,10 @@ from pliant import FileError
 from pliant.lab.experiment import document, drawings, heat_maps, sections
 from pliant.lab.experiment import table as tables
 from pliant.lab.experiment.choices import Choices
+from pliant.lab.experiment.claims import evidence_by_yardstick
 from pliant.lab.experiment.inquiry import run_questions
 from pliant.lab.experiment.settled import Settled, settle
-from pliant.lab.experiment.statistics import Study
+from pliant.lab.experiment.statistics import Evidence
 from pliant.lab.experiment.sweep import Point, read_sweep, run_sweep
 
 REPORT = "report.html"
@@ -38,12 +39,12 @@ def make_report(folder: Path, choices: Choices | None = None) -> Report:
     choices = choices or Choices()
     begin = time.monotonic()
     table = tables.read(folder)
-    studies = _studies(table, choices.replicates)
+    all_evidence = evidence_by_yardstick(Evidence(table, replicates=choices.replicates))
     points = _points(folder, table, choices) if choices.sweep else []
-    settled = settle(studies, points)
+    settled = settle(all_evidence, points)
     pictures = folder / FIGURES
     with choices.progress("drawing figures"):
-        bars, histograms = drawings.draw_all(studies, pictures)
+        bars, histograms = drawings.draw_all(all_evidence, pictures)
         maps = heat_maps.draw_maps(points, table.settings, pictures) if points else {}
     asked = run_questions(folder, table.settings.seed, choices) if choices.questions else []
     limits = sections.cannot_judge(settled, points, choices.quick)
@@ -62,11 +63,6 @@ def make_report(folder: Path, choices: Choices | None = None) -> Report:
     tables.replace(path, lambda beside: _write(beside, text))
     failed = [name for name, answer in asked if answer.verdict.startswith("not answered")]
     return Report(path, settled, failed, time.monotonic() - begin)
-
-
-def _studies(table: tables.Table, replicates: int) -> dict[str, Study]:
-    study = Study(table, replicates=replicates)
-    return {name: study.with_yardstick(name) for name in ("sweeps", "passes", "projections")}
 
 
 def _points(folder: Path, table: tables.Table, choices: Choices) -> list[Point]:

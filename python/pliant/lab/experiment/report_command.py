@@ -88,14 +88,20 @@ def _report(arguments: argparse.Namespace) -> int:
     from pliant.lab.experiment.choices import Choices
     from pliant.lab.experiment.report import make_report
 
-    report = make_report(arguments.folder, Choices(
-        sweep=not arguments.no_sweep, questions=not arguments.no_questions, quick=arguments.quick,
-        workers=arguments.workers or usable_cores(),
+    workers = arguments.workers or usable_cores()
+    choices = Choices(
+        sweep=not arguments.no_sweep,
+        questions=not arguments.no_questions,
+        quick=arguments.quick,
+        workers=workers,
         progress=lambda what: console.progress(what, arguments.quiet),
-    ))  # fmt: skip
+    )
+    report = make_report(arguments.folder, choices)
     if arguments.json:
-        console.print_json({"report": str(report.path), "seconds": report.seconds,
-                            "claims": sections.as_json(report.settled)})  # fmt: skip
+        claims = sections.as_json(report.settled)
+        console.print_json(
+            {"report": str(report.path), "seconds": report.seconds, "claims": claims}
+        )
     else:
         _print_claims(report.settled)
         _warn_of_open(report.settled)
@@ -106,8 +112,11 @@ def _report(arguments: argparse.Namespace) -> int:
 def _print_claims(settled: Sequence[Settled]) -> None:
     from pliant.lab.experiment.settled import settings_text
 
-    table = console.Table("claims of the thesis", ["id", "verdict", "settings", "depends on"],
-                          text_columns=(0, 1, 2, 3))  # fmt: skip
+    table = console.Table(
+        "claims of the thesis",
+        ["id", "verdict", "settings", "depends on"],
+        text_columns=(0, 1, 2, 3),
+    )
     for one in settled:
         table.rows.append((one.claim.id, one.word, settings_text(one), one.on_what))
     table.print()
@@ -117,8 +126,10 @@ def _warn_of_open(settled: Sequence[Settled]) -> None:
     """The sweep that must confirm these was too small, in this report or when it was made."""
     left_open = [one.claim.id for one in settled if one.word == "open"]
     if left_open:
-        console.warn(f"cannot judge {', '.join(left_open)}: the sweep has too few graphs and forces"
-                     "; remove sweep.csv and make the report without --quick")  # fmt: skip
+        console.warn(
+            f"cannot judge {', '.join(left_open)}: the sweep has too few graphs and forces"
+            "; remove sweep.csv and make the report without --quick"
+        )
 
 
 def _sweep(arguments: argparse.Namespace) -> int:

@@ -24,20 +24,23 @@ from pliant.lab.experiment.verdict import CONFIDENCE, FAILS, HOLDS, OPEN, Verdic
 def subtitle(table: Rows) -> str:
     """The experiment in one line."""
     made = table.settings
-    return (f"{len(table)} resolves: {len(made.classes)} classes of graphs, {made.graphs} graphs a "
-            f"class, {made.forces} forces a graph, {len(made.techniques)} techniques; seed "
-            f"{made.seed}")  # fmt: skip
+    return (
+        f"{len(table)} resolves: {len(made.classes)} classes of graphs, {made.graphs} graphs a "
+        f"class, {made.forces} forces a graph, {len(made.techniques)} techniques; seed "
+        f"{made.seed}"
+    )
 
 
 def summary(settled: list[Settled], swept: bool) -> str:
     """How many claims hold, and the table of all."""
     words = [one.word for one in settled]
-    verbs = {"holds": "hold", "depends": "depend", "fails": "fail", "open": "are open",
-             "untested": "are untested"}  # fmt: skip
+    verbs = {"holds": "hold", "depends": "depend", "fails": "fail"}
+    verbs |= {"open": "are open", "untested": "are untested"}
     counts = ", ".join(f"{words.count(w)} {verb}" for w, verb in verbs.items() if w in words)
     text = f"Of {len(settled)} claims of chapter 5: {counts}."
-    return document.block(document.paragraph(text), document.table(claims_table(settled, swept),
-                                                                   "claims"))  # fmt: skip
+    return document.block(
+        document.paragraph(text), document.table(claims_table(settled, swept), "claims")
+    )
 
 
 def cannot_judge(settled: list[Settled], points: list[Point], quick: bool) -> str:
@@ -49,10 +52,13 @@ def cannot_judge(settled: list[Settled], points: list[Point], quick: bool) -> st
             f"This report cannot judge {', '.join(left_open)}: they hold or fail in the table of "
             f"this experiment, but the sweep, which must confirm that, {_sweep_size(points)}. A "
             f"verdict takes {GRAPHS} graphs of each family and {PUSHES} forces a graph: remove "
-            f"{SWEEP_CSV} and make the report without --quick.")  # fmt: skip
+            f"{SWEEP_CSV} and make the report without --quick."
+        )
     if quick:
-        texts.append("It was asked to be quick: its open questions are answered on fewer and "
-                     "smaller graphs. It is for a look, not to be cited.")  # fmt: skip
+        texts.append(
+            "It was asked to be quick: its open questions are answered on fewer and "
+            "smaller graphs. It is for a look, not to be cited."
+        )
     return document.block(*map(document.paragraph, texts)) if texts else ""
 
 
@@ -61,24 +67,23 @@ def _sweep_size(points: list[Point]) -> str:
     graphs, pushes = ({getattr(point, name) for point in points} for name in ("graphs", "pushes"))
     if 0 in graphs | pushes:
         return "does not say how many graphs and forces it has"
-    return (f"has {between(graphs)} graphs of each of {len(THESIS_FAMILIES)} families and "
-            f"{between(pushes)} forces a graph")  # fmt: skip
+    return (
+        f"has {between(graphs)} graphs of each of {len(THESIS_FAMILIES)} families and "
+        f"{between(pushes)} forces a graph"
+    )
 
 
 def claims_table(settled: list[Settled], swept: bool) -> Table:
     """One row a claim."""
-    header = ["id", "the thesis claims", "verdict", "depends on, or note", "our numbers", "sweeps",
-              "passes", "work"] + ["settings"] * swept  # fmt: skip
+    header = ["id", "the thesis claims", "verdict", "depends on, or note", "our numbers"]
+    header += ["sweeps", "passes", "work"] + ["settings"] * swept
     made = Table("", header)
     for one in settled:
         claim = one.claim
-        made.rows.append([
-            claim.id, f"{', '.join(claim.families)}: {claim.text}", one.word, one.on_what or "–",
-            headline(one),
-            *(one.by_yardstick[name].word if name in one.by_yardstick else "–"
-              for name in WORDS),
-            *([settings_text(one)] if swept else []),
-        ])  # fmt: skip
+        found = one.by_yardstick
+        row = [claim.id, f"{', '.join(claim.families)}: {claim.text}", one.word, one.on_what or "–"]
+        row += [headline(one), *(found[name].word if name in found else "–" for name in WORDS)]
+        made.rows.append([*row, *([settings_text(one)] if swept else [])])
     return made
 
 
@@ -103,10 +108,13 @@ def each_claim(settled: list[Settled], maps: dict[str, Figure]) -> str:
 def _one_claim(one: Settled, heat_map: Figure | None) -> str:
     claim = one.claim
     title = escape(f"{claim.id} · {claim.text}")
-    parts = [f"<h3>{title} {document.badge(one.word)}</h3>",
-             document.paragraph(f"Thesis, section {claim.section}; {', '.join(claim.families)}."
-                                + (f" Judged as: {claim.measured_as}." if claim.measured_as else "")
-                                )]  # fmt: skip
+    parts = [
+        f"<h3>{title} {document.badge(one.word)}</h3>",
+        document.paragraph(
+            f"Thesis, section {claim.section}; {', '.join(claim.families)}."
+            + (f" Judged as: {claim.measured_as}." if claim.measured_as else "")
+        ),
+    ]
     if one.on_what:
         parts.append(document.paragraph(f"{one.word.capitalize()}: {one.on_what}."))
     if claim.contradiction:
@@ -127,8 +135,8 @@ def _in_sweep(one: Settled) -> str:
 def _statements(verdict: Verdict) -> Table:
     made = Table("", ["counted in", "statement", "numbers [95 %]", "verdict", "replicates"])
     for statement in verdict.statements:
-        made.rows.append([WORDS[statement.tags["yardstick"]], statement.text, statement.numbers,
-                          statement.verdict, f"{100 * statement.share:.0f} %"])  # fmt: skip
+        row = [WORDS[statement.tags["yardstick"]], statement.text, statement.numbers]
+        made.rows.append([*row, statement.verdict, f"{100 * statement.share:.0f} %"])
     return made
 
 
@@ -137,8 +145,11 @@ def method(table: Rows, points: list[Point], replicates: int = REPLICATES) -> st
     made = table.settings
     broken = int(np.sum(table.columns["sweeps"] == 0))
     stuck = int(np.sum(~table.columns["converged"]))
-    start = ("each on one joint of the graph at rest" if not made.consecutive
-             else "each where the last one led")  # fmt: skip
+    start = (
+        "each on one joint of the graph at rest"
+        if not made.consecutive
+        else "each where the last one led"
+    )
     texts = [
         f"Each graph gets {made.forces} forces, {start}; a force of {made.force:g} kJ/(mol Å) "
         f"moves its joint (1 u) by {made.push_length:g} Å in one Verlet step of "
@@ -164,12 +175,13 @@ def method(table: Rows, points: list[Point], replicates: int = REPLICATES) -> st
 def _sweep_text(points: list[Point]) -> str:
     names = ("tolerance_length", "force", "size", "box", "consecutive")
     settings = len({tuple(getattr(point, name) for name in names) for point in points})
-    return (f"The sweep of {settings} settings {_sweep_size(points)}. It varies "
-            "tolerance with the length of the push, the size of graphs (from mostly "
-            "cycle to mostly tree), the box, pushes from rest or in turn, and pushes in "
-            "turn on small graphs such as the thesis draws. Lengths scale: only push and "
-            "tolerance over the lengths of bars matter, so the box is another view on both."
-            )  # fmt: skip
+    return (
+        f"The sweep of {settings} settings {_sweep_size(points)}. It varies "
+        "tolerance with the length of the push, the size of graphs (from mostly "
+        "cycle to mostly tree), the box, pushes from rest or in turn, and pushes in "
+        "turn on small graphs such as the thesis draws. Lengths scale: only push and "
+        "tolerance over the lengths of bars matter, so the box is another view on both."
+    )
 
 
 def contradictions() -> str:
@@ -190,12 +202,14 @@ def settings(table: Rows) -> str:
 
 def as_json(settled: list[Settled]) -> list[dict[str, Any]]:
     """The claims table for programs."""
-    return [
-        {"id": one.claim.id, "claim": one.claim.text, "verdict": one.word,
-         "depends_on": one.on_what, "settings_held": one.held_by, "settings": one.settings,
-         "holds": sum(s.verdict == HOLDS for s in one.here.statements),
-         "fails": sum(s.verdict == FAILS for s in one.here.statements),
-         "statements": [{"text": s.text, "yardstick": s.tags["yardstick"], "numbers": s.numbers,
-                         "verdict": s.verdict, "share": s.share} for s in one.here.statements]}
-        for one in settled
-    ]  # fmt: skip
+    return [_claim_json(one) for one in settled]
+
+
+def _claim_json(one: Settled) -> dict[str, Any]:
+    found = [(s, s.tags["yardstick"]) for s in one.here.statements]
+    made: dict[str, Any] = {"id": one.claim.id, "claim": one.claim.text, "verdict": one.word}
+    made |= {"depends_on": one.on_what, "settings_held": one.held_by, "settings": one.settings}
+    made |= {word: sum(s.verdict == word for s, _ in found) for word in (HOLDS, FAILS)}
+    keys = ("text", "yardstick", "numbers", "verdict", "share")
+    rows = [(s.text, yardstick, s.numbers, s.verdict, s.share) for s, yardstick in found]
+    return made | {"statements": [dict(zip(keys, row, strict=True)) for row in rows]}

@@ -106,8 +106,9 @@ class Settings:
     def differences(self, other: Settings) -> list[str]:
         """One phrase for each option that differs: "force 50.0 there, 60.0 asked"."""
         pairs = [(f.name, getattr(self, f.name), getattr(other, f.name)) for f in _fields()]
-        return [f"{name} {ours} there, {asked} asked" for name, ours, asked in pairs
-                if ours != asked]  # fmt: skip
+        return [
+            f"{name} {ours} there, {asked} asked" for name, ours, asked in pairs if ours != asked
+        ]
 
 
 def _fields() -> tuple[dataclasses.Field[Any], ...]:

@@ -11,7 +11,7 @@ import numpy as np
 from pliant.lab.experiment.claims import CLAIMS, Claim
 from pliant.lab.experiment.heat_maps import WORDS, axes_of, shares
 from pliant.lab.experiment.settings import Settings
-from pliant.lab.experiment.statistics import Study
+from pliant.lab.experiment.statistics import Evidence
 from pliant.lab.experiment.sweep import TOLERANCES, Point
 from pliant.lab.experiment.verdict import DEPENDS, FAILS, HOLDS, OPEN, UNTESTED, Verdict
 
@@ -33,17 +33,17 @@ class Settled:
     on_what: str
 
 
-def settle(studies: dict[str, Study], points: Sequence[Point]) -> list[Settled]:
+def settle(all_evidence: dict[str, Evidence], points: Sequence[Point]) -> list[Settled]:
     """Every claim, in the order of the table."""
-    start = studies["sweeps"].table.settings
-    return [_settle_one(claim, studies, list(points), start) for claim in CLAIMS]
+    start = all_evidence["sweeps"].table.settings
+    return [_settle_one(claim, all_evidence, list(points), start) for claim in CLAIMS]
 
 
 def _settle_one(
-    claim: Claim, studies: dict[str, Study], points: list[Point], start: Settings
+    claim: Claim, all_evidence: dict[str, Evidence], points: list[Point], start: Settings
 ) -> Settled:
-    by_yardstick = {name: claim.judged(studies[name]) for name in claim.yardsticks}
-    here = claim.judged_by_all(studies)
+    by_yardstick = {name: claim.judged(all_evidence[name]) for name in claim.yardsticks}
+    here = claim.judged_by_all(all_evidence)
     mine = [point for point in points if point.claim == claim.id and point.statements]
     held, total = _settings_held(mine)
     word, on_what = _last_word(here, mine, held, total)
@@ -113,8 +113,10 @@ def _strongest_axis(points: list[Point], start: Settings) -> str:
     if means[high] - means[low] < 0.05:
         return "alike over the whole sweep"
     texts = [text.replace("\n", " ") for text in texts]
-    return (f"in the sweep most on {label}: {100 * means[low]:.0f} % of its statements hold at "
-            f"{texts[low]}, {100 * means[high]:.0f} % at {texts[high]}")  # fmt: skip
+    return (
+        f"in the sweep most on {label}: {100 * means[low]:.0f} % of its statements hold at "
+        f"{texts[low]}, {100 * means[high]:.0f} % at {texts[high]}"
+    )
 
 
 def _by_tolerance(points: list[Point]) -> tuple[list[str], np.ndarray]:

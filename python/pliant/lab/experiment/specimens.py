@@ -51,7 +51,7 @@ SMILES = {
     "porphine": "C1=CC2=NC1=CC1=NC(=CC3=CC=C(N3)C=C3C=CC(=C2)N3)C=C1",
     "cyclohexaglycine": "N1CC(=O)NCC(=O)NCC(=O)NCC(=O)NCC(=O)NCC1=O",
     "dodecahedrane": "C12C3C4C5C1C6C7C2C8C3C9C4C1C5C6C2C7C8C9C12",
-}  # fmt: skip
+}  # fmt: skip  # some pairs a line
 
 #: package -> its files with proteins and peptides
 FILES = {
@@ -94,8 +94,12 @@ def rdkit_molecules(names: list[str], bars: str = "bonds") -> Iterator[Specimen]
         if EmbedMolecule(molecule, randomSeed=7) != 0:
             continue
         structure = pliant.from_rdkit(molecule)
-        yield Specimen(name, "molecule", structure.framework(bars, use_masses=False),
-                       np.array(structure.positions))  # fmt: skip
+        yield Specimen(
+            name,
+            "molecule",
+            structure.framework(bars, use_masses=False),
+            np.array(structure.positions),
+        )
 
 
 def packaged_proteins(bars: str = "bonds") -> tuple[list[Specimen], list[str]]:
@@ -125,6 +129,7 @@ def _protein(path: Path, name: str, bars: str) -> Specimen:
     place = np.cumsum(keep) - 1
     kept = keep[framework.bars].all(axis=1)
     positions = np.array(structure.positions)[keep]
-    dry = pliant.Framework(place[framework.bars[kept]], framework.rest_lengths[kept],
-                           joint_count=int(keep.sum()))  # fmt: skip
+    dry = pliant.Framework(
+        place[framework.bars[kept]], framework.rest_lengths[kept], joint_count=int(keep.sum())
+    )
     return Specimen(name, "protein", dry, positions)

@@ -47,8 +47,9 @@ def statistics_of(sample: Sample) -> Statistics:
     count = np.maximum(count, 1)  # a replicate of graphs without any push
     mean = total / count
     variance = (squares - total * mean) / np.maximum(count - 1, 1)
-    return Statistics(shift + mean, _modes(sample), np.sqrt(np.maximum(variance, 0.0)),
-                      sample.values)  # fmt: skip
+    return Statistics(
+        shift + mean, _modes(sample), np.sqrt(np.maximum(variance, 0.0)), sample.values
+    )
 
 
 def _sum_by_graph(sample: Sample, weights: np.ndarray) -> np.ndarray:
@@ -74,10 +75,10 @@ def resampling(graphs: int, replicates: int, seed: int) -> np.ndarray:
 
 
 @dataclass
-class Study:
+class Evidence:
     """What the claims are judged on: pushes that broke a bar, by family of graphs and technique.
 
-    A push that breaks nothing takes 0 sweeps with every technique and tells nothing of them.
+    A push that breaks nothing takes 0 sweeps with every technique and is left out.
     """
 
     table: Table
@@ -97,9 +98,9 @@ class Study:
         self._broken = columns["sweeps"] > 0
         self._counts = {name: self._resampling(name) for name in np.unique(self._family)}
 
-    def with_yardstick(self, yardstick: str) -> Study:
+    def with_yardstick(self, yardstick: str) -> Evidence:
         """The same with another measure of effort."""
-        return Study(self.table, yardstick, self.replicates)
+        return Evidence(self.table, yardstick, self.replicates)
 
     def _resampling(self, family: bytes) -> tuple[np.ndarray, np.ndarray]:
         graphs = np.unique(self._graph[self._family == family])

@@ -81,10 +81,14 @@ def _resolve_all(
 ) -> None:
     technique, weighting = combination
     resolver = pliant.Resolver(
-        subject.framework, technique, 0.5 if weighting == NO_WEIGHTING else weighting,
-        tolerance_length=settings.tolerance_length, max_sweeps=settings.max_sweeps,
-        seed=settings.seed, walker=subject.number,
-    )  # fmt: skip
+        subject.framework,
+        technique,
+        0.5 if weighting == NO_WEIGHTING else weighting,
+        tolerance_length=settings.tolerance_length,
+        max_sweeps=settings.max_sweeps,
+        seed=settings.seed,
+        walker=subject.number,
+    )
     there_and_back = technique in reverse_techniques()
     positions = previous = subject.positions
     for k, push in enumerate(subject.pushes):
@@ -92,8 +96,9 @@ def _resolve_all(
         # Step numbers are those of a run, whose first push is step 1.
         found = resolver.resolve(moved, push[0], step=k + 1)
         passes = (found.sweeps + 1) // 2 if there_and_back else found.sweeps
-        rows[k] = (rows[k]["combination"], k, found.sweeps, passes, found.projections,
-                   found.converged, found.max_residual, found.seconds)  # fmt: skip
+        work = found.sweeps, passes, found.projections
+        ended = found.converged, found.max_residual, found.seconds
+        rows[k] = (rows[k]["combination"], k, *work, *ended)
         if settings.consecutive:
             previous = positions
             positions = moved if found.stop != pliant.Stop.not_finite else positions

@@ -14,11 +14,11 @@ from typing import Any
 
 from pliant import InputError, OptionError
 from pliant.lab.experiment import table as tables
-from pliant.lab.experiment.claims import CLAIMS, studies_of
+from pliant.lab.experiment.claims import CLAIMS, evidence_by_yardstick
 from pliant.lab.experiment.laboratory import Show
 from pliant.lab.experiment.pool import each_done
 from pliant.lab.experiment.settings import Settings, families
-from pliant.lab.experiment.statistics import Study
+from pliant.lab.experiment.statistics import Evidence
 from pliant.lab.experiment.subject import Subject, make_subject, measure_subject
 
 SWEEP_CSV = "sweep.csv"
@@ -73,8 +73,10 @@ def grid(start: Settings) -> list[Settings]:
     for tolerance in TOLERANCES:
         base = dataclasses.replace(start, tolerance_length=tolerance)
         cells += [dataclasses.replace(base, force=force) for force in FORCES]
-        cells += [dataclasses.replace(base, depth=depth, children=children, ring=ring)
-                  for depth, children, ring in SIZES]  # fmt: skip
+        cells += [
+            dataclasses.replace(base, depth=depth, children=children, ring=ring)
+            for depth, children, ring in SIZES
+        ]
         cells += [dataclasses.replace(base, box=box) for box in BOXES]
         cells += [dataclasses.replace(base, consecutive=value) for value in (False, True)]
         small = dataclasses.replace(base, **SMALL_IN_TURN)
@@ -83,9 +85,12 @@ def grid(start: Settings) -> list[Settings]:
 
 
 def run_sweep(
-    start: Settings, out: Path, workers: int = 1, quick: bool = False,
+    start: Settings,
+    out: Path,
+    workers: int = 1,
+    quick: bool = False,
     show: Show = lambda done, total: None,
-) -> list[Point]:  # fmt: skip
+) -> list[Point]:
     """Runs every cell and writes ``sweep.csv`` into the folder; the same settings, the same file.
 
     Each cell has GRAPHS graphs of each family of the thesis and PUSHES forces on each (fewer if
@@ -104,13 +109,18 @@ def run_sweep(
 def _thesis(start: Settings) -> Settings:
     classes = [name for name, family in families().items() if family in THESIS_FAMILIES]
     techniques = dict.fromkeys(name for claim in CLAIMS for name in claim.techniques)
-    return dataclasses.replace(start, classes=tuple(classes), techniques=tuple(techniques),
-                               weightings=Settings().weightings, joints=0)  # fmt: skip
+    return dataclasses.replace(
+        start,
+        classes=tuple(classes),
+        techniques=tuple(techniques),
+        weightings=Settings().weightings,
+        joints=0,
+    )
 
 
 def _place(point: Point) -> tuple[float | str, ...]:
-    return (-point.tolerance_length, point.force, point.joints, *point.size, point.box,
-            point.consecutive, point.claim, point.yardstick)  # fmt: skip
+    sizes = point.force, point.joints, *point.size, point.box
+    return (-point.tolerance_length, *sizes, point.consecutive, point.claim, point.yardstick)
 
 
 def _numbers(settings: Settings, quick: bool) -> dict[str, int]:
@@ -122,8 +132,11 @@ def _numbers(settings: Settings, quick: bool) -> dict[str, int]:
 
 def _cell(quick: bool, settings: Settings) -> list[Point]:
     settings = dataclasses.replace(settings, forces=QUICK_PUSHES if quick else PUSHES)
-    subjects = [subject for kind, count in _numbers(settings, quick).items()
-                for subject in _subjects(settings, kind, count)]  # fmt: skip
+    subjects = [
+        subject
+        for kind, count in _numbers(settings, quick).items()
+        for subject in _subjects(settings, kind, count)
+    ]
     joints = sum(len(subject.positions) for subject in subjects) / len(subjects)
     parts = ((s.kind, s.number, measure_subject(s, settings)) for s in subjects)
     return points_of(tables.join(settings, parts), joints)
@@ -146,17 +159,25 @@ def _subjects(settings: Settings, kind: str, count: int) -> list[Subject]:
 def points_of(table: tables.Table, joints: float) -> list[Point]:
     """How every claim fares in one table, by each yardstick."""
     settings = table.settings
-    studies = studies_of(Study(table, replicates=0))
+    all_evidence = evidence_by_yardstick(Evidence(table, replicates=0))
     axes = {name: getattr(settings, name) for name in AXES}
     graphs = _graphs_of_each_family(table)
     points = []
     for claim in CLAIMS:
         for yardstick in claim.yardsticks:
-            statements = claim.judged(studies[yardstick]).statements
+            statements = claim.judged(all_evidence[yardstick]).statements
             holding = sum(bool(statement.holds[0]) for statement in statements)
-            points.append(Point(**axes, joints=joints, claim=claim.id, yardstick=yardstick,
-                                statements=len(statements), holding=holding, graphs=graphs,
-                                pushes=settings.forces))  # fmt: skip
+            point = Point(
+                **axes,
+                joints=joints,
+                claim=claim.id,
+                yardstick=yardstick,
+                statements=len(statements),
+                holding=holding,
+                graphs=graphs,
+                pushes=settings.forces,
+            )
+            points.append(point)
     return points
 
 
@@ -186,7 +207,9 @@ def read_sweep(out: Path) -> list[Point]:
     types |= {"claim": str, "yardstick": str, "consecutive": "True".__eq__}
     try:
         with open(path, encoding="ascii", newline="") as file:
-            return [Point(**{name: types.get(name, float)(text) for name, text in row.items()})
-                    for row in csv.DictReader(file)]  # fmt: skip
+            return [
+                Point(**{name: types.get(name, float)(text) for name, text in row.items()})
+                for row in csv.DictReader(file)
+            ]
     except (TypeError, ValueError) as error:
         raise InputError(f"{path}: no table of pliant experiment sweep: {error}") from error

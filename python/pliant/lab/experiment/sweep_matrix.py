@@ -20,9 +20,12 @@ import pliant
 
 
 def sweep_matrix(
-    framework: pliant.Framework, positions: np.ndarray, root: int, weighting: float,
+    framework: pliant.Framework,
+    positions: np.ndarray,
+    root: int,
+    weighting: float,
     ordering: str = "bfs_cycle",
-) -> np.ndarray:  # fmt: skip
+) -> np.ndarray:
     """(B, B) matrix of one sweep at `positions`, for joints of equal shares and none pinned."""
     bars = framework.bars.astype(int)
     order, near, is_tree = pliant.order(framework, ordering, root)
@@ -64,8 +67,9 @@ def closing_rate(framework: pliant.Framework, positions: np.ndarray, root: int) 
     order, near, is_tree = pliant.order(framework, "bfs_cycle", root)
     bars = framework.bars.astype(int)
     (closing,) = order[~is_tree].astype(int)
-    parents = {_other(bars[k], n): int(n) for k, n, tree in zip(order, near, is_tree, strict=True)
-               if tree}  # fmt: skip
+    parents = {
+        _other(bars[k], n): int(n) for k, n, tree in zip(order, near, is_tree, strict=True) if tree
+    }
     total = 0.0
     for end, other in (bars[closing], bars[closing][::-1]):
         if end not in parents:

@@ -20,8 +20,10 @@ import numpy as np
 from pliant import FileError, InputError
 from pliant.lab.experiment.settings import NO_WEIGHTING, Settings
 
-COLUMNS = ("class", "graph", "force", "technique", "weighting", "sweeps", "passes", "projections",
-           "converged", "final_residual")  # fmt: skip
+COLUMNS = tuple(
+    "class graph force technique weighting sweeps passes projections converged "
+    "final_residual".split()
+)
 TABLE_CSV, TABLE_H5 = "table.csv", "table.h5"
 SECONDS_CSV, SECONDS_H5 = "seconds.csv", "seconds.h5"
 
@@ -132,8 +134,9 @@ def _write_seconds_h5(table: Table, path: Path) -> None:
 
 
 def _write_column(file: h5py.File, name: str, values: np.ndarray) -> None:
-    column = file.create_dataset(name, data=values, compression="gzip", shuffle=True,
-                                 track_times=False)  # fmt: skip
+    column = file.create_dataset(
+        name, data=values, compression="gzip", shuffle=True, track_times=False
+    )
     column.attrs["meaning"] = MEANINGS[name]
 
 

@@ -14,9 +14,7 @@ import pliant
 from pliant._weightings import WEIGHTINGS
 from pliant.lab.experiment.answer import Table
 
-THESIS = (
-    "random", "bfs_cycle", "dfs_cycle", "bfs_reverse", "dfs_reverse", "bfs_adapt", "bfs_random",
-)  # fmt: skip
+THESIS = tuple("random bfs_cycle dfs_cycle bfs_reverse dfs_reverse bfs_adapt bfs_random".split())
 PUSH = 0.5  #: Angstrom: what 50 kJ/(mol Angstrom) do to 1 u in one step of 0.01 ps
 TOLERANCE = 0.01  #: Angstrom
 LIMIT = 2000  #: sweeps
@@ -43,9 +41,12 @@ class Trial:
 
 
 def pushes_of(
-    framework: pliant.Framework, positions: np.ndarray, count: int, key: tuple[int, int],
+    framework: pliant.Framework,
+    positions: np.ndarray,
+    count: int,
+    key: tuple[int, int],
     length: float = PUSH,
-) -> list[Trial]:  # fmt: skip
+) -> list[Trial]:
     """Random joints pushed into random directions; `key` = (seed, number of the framework)."""
     draws = np.random.Generator(np.random.Philox(key=np.array(key, dtype=np.uint64)))
     trials = []
@@ -85,16 +86,27 @@ class Work:
 
 
 def work_of(
-    trials: Sequence[Trial], technique: str, weighting: float = 0.5, *,
-    length: float | None = TOLERANCE, relative: float = 1e-6, limit: int = LIMIT,
-) -> Work:  # fmt: skip
+    trials: Sequence[Trial],
+    technique: str,
+    weighting: float = 0.5,
+    *,
+    length: float | None = TOLERANCE,
+    relative: float = 1e-6,
+    limit: int = LIMIT,
+) -> Work:
     """Resolves each trial; the tolerance is `length` (Angstrom), or `relative` if that is None."""
     rows, resolver, owner = [], None, None
     for step, trial in enumerate(trials):
         if owner is not trial.framework:
             owner = trial.framework
-            resolver = pliant.Resolver(owner, technique, weighting, tolerance=relative,
-                                       tolerance_length=length, max_sweeps=limit)  # fmt: skip
+            resolver = pliant.Resolver(
+                owner,
+                technique,
+                weighting,
+                tolerance=relative,
+                tolerance_length=length,
+                max_sweeps=limit,
+            )
         assert resolver is not None
         done = resolver.resolve(trial.pushed(), trial.root, step=step, reference=trial.positions)
         rows.append((done.sweeps, done.projections, done.converged, done.seconds, trial.graph))

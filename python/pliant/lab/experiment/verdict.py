@@ -89,8 +89,10 @@ def _gain(statements: list[Statement], tag: str) -> float:
     holds = np.array([statement.verdict == HOLDS for statement in statements], float)
     if holds.std() == 0.0:
         return 0.0
-    groups = [np.array([word == HOLDS for word in words], float)
-              for words in _by_value(statements, tag).values()]  # fmt: skip
+    groups = [
+        np.array([word == HOLDS for word in words], float)
+        for words in _by_value(statements, tag).values()
+    ]
     between = sum(len(group) * (group.mean() - holds.mean()) ** 2 for group in groups)
     return float(between / len(holds) / holds.var())
 

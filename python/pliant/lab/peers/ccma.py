@@ -34,7 +34,7 @@ def openmm_version() -> str:
 class Ccma:
     """A Context of OpenMM's Reference platform that repairs broken structures.
 
-    Told the angles between bars in the intact structure (N, 3), Angstrom, unless `told_angles` is
+    Given the angles between bars in the intact structure (N, 3), Angstrom, unless `given_angles` is
     false. Corrections act along the bars of the broken structure, as ``applyConstraints`` has it.
     """
 
@@ -46,14 +46,14 @@ class Ccma:
         bars: np.ndarray,
         rest_lengths: np.ndarray,
         intact: np.ndarray,
-        told_angles: bool = True,
+        given_angles: bool = True,
     ) -> None:
         from pliant._openmm import worker
 
         self._worker = worker
         job = {"masses": masses, "bars": bars, "rest_lengths": rest_lengths * NM}
         angles = None
-        if told_angles:
+        if given_angles:
             job["triples"] = _bars.bar_pairs(bars, len(masses))
             angles = _bars.angles_between(intact, job["triples"])
         self._intact = intact * NM

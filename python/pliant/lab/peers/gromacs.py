@@ -3,7 +3,7 @@
 
 LINCS: Hess et al., J. Comput. Chem. 18 (1997) 1463; SHAKE: Ryckaert et al., J. Comput. Phys. 23
 (1977) 327. GROMACS offers neither to callers, so that bars are constrained in a run of many steps,
-each of which pushes all joints anew (``gromacs_files`` tells how). What a step costs is the row
+each of which pushes all joints anew (see ``gromacs_files``). What a step costs is the row
 "Constraints" of the log over its calls. That is wall time, in which the velocities are corrected
 too; times the share of a processor that the run had, it is comparable to processor time.
 """
@@ -37,7 +37,7 @@ NM = 0.1  #: nanometres in an Angstrom
 NAMES = {"double": "gmx_d", "single": "gmx"}  #: by the precision of positions
 FRAMES = 10  #: looked at in a run
 FIRST_STEPS, MOST_STEPS, MOST_GROWTH = 20, 10_000_000, 50.0
-RESOLVED = 0.05  #: seconds of constraints that the log, which has thousandths, tells well enough
+RESOLVED = 0.05  #: seconds of constraints that the log, which has thousandths, resolves well enough
 
 
 @dataclass(frozen=True)
@@ -56,7 +56,7 @@ class Run:
 
     failure: str = ""  #: why it did not come to its end; "" if it did
     seconds: float = float("nan")  #: for the constraints of one step
-    in_all: float = 0.0  #: wall seconds of constraints that the log tells
+    in_all: float = 0.0  #: wall seconds of constraints in the log
     steps: int = 0
     frames: list[np.ndarray] = field(default_factory=list)  #: (N, 3) Angstrom, after a step
 
@@ -106,7 +106,7 @@ class Gromacs:
         self._folder.cleanup()
 
     def trial(self, program: Program, setting: Setting, time_limit: float) -> Run:
-        """A run that is just long enough for the log to tell what a step costs."""
+        """A run that is just long enough for the log to show what a step costs."""
         steps = FIRST_STEPS
         while True:
             run = self.run(program, setting, steps, 1, time_limit)
@@ -125,11 +125,23 @@ class Gromacs:
         )
         pathlib.Path(self._folder.name, "bars.mdp").write_text(parameters, encoding="ascii")
         try:
-            self._call(program, "grompp", time_limit, f="bars.mdp", c="bars.gro", r="bars.gro",
-                       p="bars.top", n="bars.ndx", o="bars.tpr", maxwarn=9)  # fmt: skip
-            share = self._call(program, "mdrun", time_limit, s="bars.tpr", o="bars.trr",
-                               g="bars.log", e="bars.edr", c="after.gro", ntmpi=1, ntomp=1,
-                               nb="cpu", pin="off", cpt=-1)  # fmt: skip
+            files = {
+                "f": "bars.mdp",
+                "c": "bars.gro",
+                "r": "bars.gro",
+                "p": "bars.top",
+                "n": "bars.ndx",
+            }
+            self._call(program, "grompp", time_limit, **files, o="bars.tpr", maxwarn=9)
+            files = {
+                "s": "bars.tpr",
+                "o": "bars.trr",
+                "g": "bars.log",
+                "e": "bars.edr",
+                "c": "after.gro",
+            }
+            one_core = {"ntmpi": 1, "ntomp": 1, "nb": "cpu", "pin": "off"}
+            share = self._call(program, "mdrun", time_limit, **files, **one_core, cpt=-1)
             return self._read(share, steps)
         except _Failed as failed:
             return Run(str(failed), steps=steps)
@@ -141,9 +153,14 @@ class Gromacs:
         used, start = _processor_seconds(), time.monotonic()
         try:
             done = subprocess.run(
-                [program.path, "-quiet", name, *words], cwd=self._folder.name, env=surroundings,
-                stdin=subprocess.DEVNULL, capture_output=True, timeout=time_limit, check=False,
-            )  # fmt: skip
+                [program.path, "-quiet", name, *words],
+                cwd=self._folder.name,
+                env=surroundings,
+                stdin=subprocess.DEVNULL,
+                capture_output=True,
+                timeout=time_limit,
+                check=False,
+            )
         except subprocess.TimeoutExpired:
             raise _Failed(f"{name} took more than {time_limit:g} s") from None
         if done.returncode != 0:

@@ -121,7 +121,7 @@ def parameters_text(
         "constraints": "none", "constraint-algorithm": setting.algorithm,
         "lincs-order": setting.order, "lincs-iter": setting.iterations, "lincs-warnangle": 90,
         "shake-tol": f"{setting.tolerance:.10g}",
-    }  # fmt: skip
+    }  # fmt: skip  # some pairs a line
     return "".join(f"{name} = {value}\n" for name, value in values.items())
 
 

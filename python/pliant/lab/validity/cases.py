@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from pliant.lab.validity.references import Reference, models_of, trajectory_of
+from pliant.lab.validity.references import ReferenceEnsemble, models_of, trajectory_of
 from pliant.lab.validity.rows import CHOSE, TUNED
 from pliant.lab.validity.sources import (
     BIO3D,
@@ -27,7 +27,7 @@ class Fluctuation:
     name: str
     start: Source
     reference: tuple[Source, ...]
-    read: Callable[..., Reference]  #: of the paths of the reference
+    read: Callable[..., ReferenceEnsemble]  #: of the paths of the reference
     data: str  #: whether it was tuned on
     residues: int | None = None  #: r is of the first so many of the reference
     note: str = ""
@@ -88,9 +88,7 @@ CHANGES = {
     "adk_open": Change("AdK, open to closed", OPEN, CLOSED, TUNED),
 }
 
-PATHS = {
-    "adk_closed": (Source("adk.psf", MDANALYSIS), Source("adk_dims.dcd", MDANALYSIS)),
-}
+PATHS = {"adk_closed": (Source("adk.psf", MDANALYSIS), Source("adk_dims.dcd", MDANALYSIS))}
 
 #: Structures whose clashes are counted, in the start and in frames.
 CROWDED = {

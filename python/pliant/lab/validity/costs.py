@@ -38,10 +38,11 @@ class Cost:
 def cost_of(path: str | os.PathLike[str], frames: int) -> Cost:
     """Of ``pliant sample`` on one thread. Raises FileError with what it said if it fails."""
     with tempfile.TemporaryDirectory() as folder:
-        words = [command_path(), "sample", os.fspath(path), "-o", os.path.join(folder, "x.h5md"),
-                 "--frames", str(frames), "--threads", "1", "--quiet"]  # fmt: skip
-        done = subprocess.run([sys.executable, "-c", STARTER, *words], capture_output=True,
-                              text=True, check=True)  # fmt: skip
+        words = [command_path(), "sample", os.fspath(path), "-o", os.path.join(folder, "x.h5md")]
+        words += ["--frames", str(frames), "--threads", "1", "--quiet"]
+        done = subprocess.run(
+            [sys.executable, "-c", STARTER, *words], capture_output=True, text=True, check=True
+        )
     code, *figures = json.loads(done.stdout)
     if code not in (0, SOME_FRAMES_LEFT_OUT):
         raise FileError(f"pliant sample {os.fspath(path)} failed: {done.stderr.strip()[-300:]}")

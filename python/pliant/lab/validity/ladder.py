@@ -138,10 +138,19 @@ class Ladder:
         errors = alike.bootstrap(len(table), lambda i: list(table[i].mean(axis=0)), DRAWS)
         note = "; ".join([f"estimate_b_factors; {len(table)} X-ray files", *missing])
         goals = {"must": gnm, "aim": gnm + 0.04}
-        return [
-            Row("crystals", "r of estimated and measured root of B, mean", ours, errors[0], anm=anm,
-                anm_error=errors[1], gnm=gnm, data=HELD_OUT, note=note, **goals)
-        ]  # fmt: skip
+        figure, peers = "r of estimated and measured root of B, mean", {"anm": anm, "gnm": gnm}
+        row = Row(
+            "crystals",
+            figure,
+            ours,
+            errors[0],
+            anm_error=errors[1],
+            data=HELD_OUT,
+            note=note,
+            **peers,
+            **goals,
+        )
+        return [row]
 
     def _clashes(self) -> list[Row]:
         """A row a structure; one whose file is missing says so."""
@@ -196,9 +205,13 @@ def cost_rows(subject: Subject, path: Path, small: Path, frames: int) -> list[Ro
         (name, f"{each}, polar hydrogens", 1e3 * polar.seconds_a_frame(), fewer),
         (name, each, 1e3 * subject.seconds_a_frame(), atoms),
         (name, "MB, whole command", large.megabytes, f"{frames} frames"),
-        ("ubiquitin", f"s, whole command, {frames} frames", whole.seconds,
-         f"{whole.core_seconds:.2f} s of a core, {whole.megabytes:.0f} MB"),
-    )  # fmt: skip
+        (
+            "ubiquitin",
+            f"s, whole command, {frames} frames",
+            whole.seconds,
+            f"{whole.core_seconds:.2f} s of a core, {whole.megabytes:.0f} MB",
+        ),
+    )
     return [Row(s, f, value, note=note, **goal_of(s, f)) for s, f, value, note in figures]
 
 
@@ -235,8 +248,9 @@ def _middle(
     table = np.array([[row.ours, row.network, row.anm] for row in rows])
     values = [float(middle(table[:, k])) for k in range(3)]
     error = alike.bootstrap(len(table), lambda i: [middle(table[i, k]) for k in (0, 2)], DRAWS)
-    row = Row(name, figure, values[0], float(error[0]), values[1], values[2], float(error[1]),
-              data=data, note=f"{len(rows)} directions")  # fmt: skip
+    note, errors = f"{len(rows)} directions", [float(x) for x in error]
+    ours, peers = (values[0], errors[0]), (values[1], values[2], errors[1])
+    row = Row(name, figure, *ours, *peers, data=data, note=note)
     goal = goal_of(name, figure)
     if goal and len(rows) < GOAL_OF:
         row.note += f"; the goal, {goal['must']}, is of {GOAL_OF}, of which ANM has {GOAL_ANM}"

@@ -14,7 +14,7 @@ from pliant.analysis.agreement import TEN, Figure
 from pliant.lab.validity.cases import Fluctuation
 from pliant.lab.validity.goals import goal_of
 from pliant.lab.validity.peers import Network, gnm_fluctuations, network_of
-from pliant.lab.validity.references import BFactors, Reference
+from pliant.lab.validity.references import BFactors, ReferenceEnsemble
 from pliant.lab.validity.rows import Row
 from pliant.lab.validity.subject import AMPLITUDE, FAR, Subject
 
@@ -32,7 +32,7 @@ class Compared:
     about_start: np.ndarray  #: theirs superposed on the start, about which peers fluctuate
 
 
-def compared(subject: Subject, reference: Reference, last: int | None = None) -> Compared:
+def compared(subject: Subject, reference: ReferenceEnsemble, last: int | None = None) -> Compared:
     """Our ensemble of seed 0 and a reference, or the first `last` residues of the reference."""
     residues = aligned(subject.trace.sequence, reference.sequence)
     residues = residues[residues[:, 1] < (last or np.inf)]
@@ -102,10 +102,8 @@ def profiles(subject: Subject, both: Compared) -> dict[str, list[float]]:
 def _row(
     name: str, figure: str, ours: Figure, network: Figure, anm: Figure, gnm: Figure | None = None
 ) -> Row:
-    return Row(
-        name, figure, ours.value, ours.error, network.value, anm.value, anm.error,
-        gnm.value if gnm else float("nan"), **goal_of(name, figure),
-    )  # fmt: skip
+    rivals = (network.value, anm.value, anm.error, gnm.value if gnm else float("nan"))
+    return Row(name, figure, ours.value, ours.error, *rivals, **goal_of(name, figure))
 
 
 def _modes(subject: Subject, atoms: np.ndarray) -> dict[str, np.ndarray]:
@@ -142,7 +140,7 @@ def clash_row(subject: Subject, name: str) -> Row:
     return Row(name, CLASHES, look.clashes, must=start, aim=start, least=False, note=note)
 
 
-def change_row(subject: Subject, target: Reference, name: str, data: str) -> Row:
+def change_row(subject: Subject, target: ReferenceEnsemble, name: str, data: str) -> Row:
     """How much of the way to another structure lies within ten modes. Error over our frames."""
     pairs = aligned(subject.trace.sequence, target.sequence)
     start = subject.trace.positions[pairs[:, 0]]
@@ -166,7 +164,7 @@ def change_row(subject: Subject, target: Reference, name: str, data: str) -> Row
     return row
 
 
-def path_row(subject: Subject, path: Reference, name: str, data: str) -> Row:
+def path_row(subject: Subject, path: ReferenceEnsemble, name: str, data: str) -> Row:
     """Root of the share of a transition's motion away from the start within ten modes."""
     pairs = aligned(subject.trace.sequence, path.sequence)
     start = subject.trace.positions[pairs[:, 0]]
@@ -180,8 +178,8 @@ def path_row(subject: Subject, path: Reference, name: str, data: str) -> Row:
         return Figure(float(np.sqrt(((away @ modes[:TEN].T) ** 2).sum() / (away**2).sum())))
 
     peers = {peer: share(modes) for peer, modes in _modes(subject, pairs[:, 0]).items()}
-    row = _row(name, "of a transition (DIMS MD), in 10 modes", share(alike.components(ours)),
-               peers["shared"], peers["anm"])  # fmt: skip
+    figure, ours_share = "of a transition (DIMS MD), in 10 modes", share(alike.components(ours))
+    row = _row(name, figure, ours_share, peers["shared"], peers["anm"])
     row.data = data
     return row
 

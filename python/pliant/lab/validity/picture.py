@@ -53,8 +53,8 @@ def _profiles(axes: Axes, found: Validity, name: str) -> None:
         r = "" if key == "reference" else f", r = {_r(found, name, key):.2f}"
         axes.plot(residues, profiles[key] / profiles[key].mean(), label=label + r, **style)
     axes.set(title=title, xlabel="residue", ylabel="RMSF / its mean", ylim=(0, None))
-    axes.legend(frameon=False, ncols=3, loc="upper center", bbox_to_anchor=(0.5, -0.16),
-                columnspacing=1.0, handlelength=1.4)  # fmt: skip
+    look = {"columnspacing": 1.0, "handlelength": 1.4, "bbox_to_anchor": (0.5, -0.16)}
+    axes.legend(frameon=False, ncols=3, loc="upper center", **look)
 
 
 def _r(found: Validity, name: str, key: str) -> float:
@@ -71,12 +71,15 @@ def _overlaps(axes: Axes, rows: list[Row]) -> None:
     ours, anm = ([getattr(row, name) for row in rows] for name in ("ours", "anm"))
     axes.hlines(places, anm, ours, color=GREY)
     axes.plot(anm, places, "o", color=VERMILION, label="ANM", markersize=5)
-    axes.errorbar(ours, places, xerr=[row.error for row in rows], fmt="o", color=BLUE,
-                  label="Pliant", markersize=5)  # fmt: skip
+    xerr = [row.error for row in rows]
+    axes.errorbar(ours, places, xerr=xerr, fmt="o", color=BLUE, label="Pliant", markersize=5)
     axes.set_yticks(places, [_short(row) for row in rows])
     axes.tick_params(axis="y", labelsize=8)
-    axes.set(title="known motions", ylim=(-0.7, len(rows) - 0.3),
-             xlabel="cumulative overlap with ten modes (* tuned on)")  # fmt: skip
+    axes.set(
+        title="known motions",
+        ylim=(-0.7, len(rows) - 0.3),
+        xlabel="cumulative overlap with ten modes (* tuned on)",
+    )
     axes.legend(frameon=False, ncols=2, loc="upper center", bbox_to_anchor=(0.5, -0.16))
 
 

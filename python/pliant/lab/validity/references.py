@@ -11,12 +11,12 @@ import numpy as np
 
 import pliant
 from pliant._sequence import LETTERS
-from pliant.analysis.traces import joined_along
-from pliant.lab.validity.trace import Trace, amino_part, trace_of
+from pliant.analysis.joined_chains import joined_along
+from pliant.lab.validity.alpha_carbons import Trace, amino_part, trace_of
 
 
 @dataclass(frozen=True)
-class Reference:
+class ReferenceEnsemble:
     """Alpha carbons of R residues in F frames."""
 
     sequence: str
@@ -30,15 +30,17 @@ def read_quietly(path: str | os.PathLike[str], model: int = 1) -> pliant.Structu
         return pliant.read(path, model)
 
 
-def models_of(path: str | os.PathLike[str]) -> Reference:
+def models_of(path: str | os.PathLike[str]) -> ReferenceEnsemble:
     """All models of a file."""
     first = read_quietly(path)
     trace = trace_of(first)
     models = [first, *(read_quietly(path, k) for k in range(2, first.model_count + 1))]
-    return Reference(trace.sequence, np.array([trace_of(one).positions for one in models]))
+    return ReferenceEnsemble(trace.sequence, np.array([trace_of(one).positions for one in models]))
 
 
-def trajectory_of(topology: str | os.PathLike[str], path: str | os.PathLike[str]) -> Reference:
+def trajectory_of(
+    topology: str | os.PathLike[str], path: str | os.PathLike[str]
+) -> ReferenceEnsemble:
     """A trajectory that MDAnalysis reads; alpha carbons across a cell's border are joined."""
     import MDAnalysis
 
@@ -48,7 +50,7 @@ def trajectory_of(topology: str | os.PathLike[str], path: str | os.PathLike[str]
         alpha = universe.select_atoms("name CA and protein")
         frames = [joined_along(alpha.positions, step.dimensions) for step in universe.trajectory]
     letters = (LETTERS.get(str(name), "X") for name in alpha.resnames)
-    return Reference("".join(letters), np.array(frames))
+    return ReferenceEnsemble("".join(letters), np.array(frames))
 
 
 @dataclass(frozen=True)

@@ -8,8 +8,7 @@ import math
 from pliant import console
 from pliant.lab.validity.rows import Row, Validity
 
-COLUMNS = ("system", "figure", "ours", "+-", "network", "ANM", "+-", "GNM", "ceiling", "must",
-           "aim", "", "data")  # fmt: skip
+COLUMNS = (*"system figure ours +- network ANM +- GNM ceiling must aim".split(), "", "data")
 
 
 def print_report(found: Validity) -> None:
@@ -43,8 +42,8 @@ def _print_verdict(found: Validity) -> None:
 
 
 def _cells(row: Row) -> list[str]:
-    figures = (row.ours, row.error, row.network, row.anm, row.anm_error, row.gnm, row.ceiling,
-               row.must, row.aim)  # fmt: skip
+    measured = (row.ours, row.error, row.network, row.anm, row.anm_error, row.gnm)
+    figures = (*measured, row.ceiling, row.must, row.aim)
     return [row.system, row.figure, *map(number, figures), row.verdict, row.data]
 
 

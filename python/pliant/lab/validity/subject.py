@@ -11,10 +11,10 @@ from dataclasses import dataclass
 import numpy as np
 
 import pliant
+from pliant.lab.validity.alpha_carbons import Trace, amino_part, heavy_part, trace_of
 from pliant.lab.validity.peers import Network, drawn_frames, network_of
 from pliant.lab.validity.references import read_quietly
 from pliant.lab.validity.stereochemistry import Checker, Stereochemistry
-from pliant.lab.validity.trace import Trace, amino_part, heavy_part, trace_of
 
 AMPLITUDE = 1.4
 FAR = 2.8

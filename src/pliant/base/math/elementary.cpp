@@ -20,7 +20,7 @@ constexpr double half_pi_high = 1.57079632673412561417e+00;
 constexpr double half_pi_low = 6.07710050650619224932e-11;
 constexpr double largest_angle = 100.0;
 constexpr int cos_terms = 18;  // powers of the series
-// Of t up to 1/16, the highest power first: that of t^15 is below 6e-20.
+// Series for t up to 1/16, the highest power first: the term of t^15 is below 6e-20.
 constexpr double arctan_series[] = {1.0 / 13, 1.0 / 11, 1.0 / 9, 1.0 / 7, 1.0 / 5, 1.0 / 3, 1.0};
 constexpr double arctan_of_eighths[] = {0.0,
                                         0.12435499454676143503,
@@ -44,7 +44,7 @@ double sin_series(double r) {
   return r * sum;
 }
 
-/// Of t from 0 to 1: arctan t = arctan c + arctan((t - c) / (1 + t c)), c the nearest eighth.
+/// For t from 0 to 1: arctan t = arctan c + arctan((t - c) / (1 + t c)), c the nearest eighth.
 double arctan(double t) {
   const int eighth = static_cast<int>(8.0 * t + 0.5);
   const double c = 0.125 * eighth;

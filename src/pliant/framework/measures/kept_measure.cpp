@@ -69,7 +69,7 @@ void KeptMeasure::renew_limits(std::span<const Vec3> positions, LimitsOff off) {
   });
 }
 
-/// False if positions cannot be listed.
+/// Returns false if positions cannot be listed.
 bool KeptMeasure::renew_overlaps(std::span<const Vec3> positions) {
   if (has_moved_ && !neighbours_->update(positions)) return false;
   has_moved_ = false;
@@ -129,7 +129,7 @@ KeptMeasure::Part KeptMeasure::part_of_overlaps(std::span<const Vec3> positions,
   return part;
 }
 
-/// False if a length is not finite.
+/// Returns false if a length is not finite.
 bool KeptMeasure::take_bars(ResidualSummary& summary) const {
   for (const Part& part : bar_parts_) {
     if (!part.finite) return false;
@@ -163,8 +163,8 @@ void KeptMeasure::take_overlaps(ResidualSummary& summary) const {
   }
 }
 
-/// One after the other, in the order of the bars, as measure() adds them up: from the first group
-/// on that was measured anew.
+/// Adds squares one after the other, in the order of the bars, as measure() does, from the first
+/// group on that was measured anew.
 double KeptMeasure::sum_of_squares() {
   double sum = sums_[right_sums_];
   for (std::size_t group = right_sums_; group < bars_.size(); ++group) {

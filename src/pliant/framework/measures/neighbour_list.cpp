@@ -39,7 +39,7 @@ std::vector<std::vector<Joint>> neighbours_by_bonds(const Framework& framework) 
   return neighbours;
 }
 
-/// By a, then b: counted into place by a, and sorted among the few of one a.
+/// Sorted by a, then b: counted into place by a, and sorted among the few of one a.
 std::vector<NeighbourPair> by_joints(const std::vector<NeighbourPair>& pairs,
                                      std::size_t joint_count) {
   std::vector<std::size_t> end(joint_count + 1, 0);
@@ -79,7 +79,7 @@ LeastDistances::LeastDistances(const Framework& framework)
   exclude_within(framework);
 }
 
-/// Breadth first from each joint, as many bonds deep as are excluded.
+/// Searches breadth first from each joint, as many bonds deep as are excluded.
 void LeastDistances::exclude_within(const Framework& framework) {
   const auto neighbours = neighbours_by_bonds(framework);
   std::vector<std::uint8_t> is_reached(neighbours.size(), 0);
@@ -179,8 +179,8 @@ void NeighbourList::choose_renewed(std::span<const Vec3> positions) {
   }
 }
 
-/// Of few joints the pairs are found anew, and those of all others kept: two that are not listed
-/// were further apart than it takes, each where it was looked at last.
+/// The pairs of a few joints are found anew, and those of all others are kept: two joints that are
+/// not listed were further apart than it takes, each where it was last looked at.
 void NeighbourList::renew_list(std::span<const Vec3> positions) {
   if (rules_.largest() == 0.0) return;
   choose_renewed(positions);

@@ -230,7 +230,7 @@ class Parser {
   AtomWords names_;
   std::map<std::string, std::size_t, std::less<>> columns_;
   std::vector<std::string_view> cells_;
-  /// Of each two atoms and hydrogen, the line.
+  /// The line on which a pair of atoms and its hydrogen stood.
   std::map<std::tuple<std::uint32_t, std::uint32_t, std::uint32_t>, std::size_t> lines_;
   std::vector<MolecularContact> found_;
 };

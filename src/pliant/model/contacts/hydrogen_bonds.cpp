@@ -28,7 +28,7 @@ constexpr Reach usual_reach{3.9, 2.6, 100.0 * degree, 80.0 * degree};
 // it.
 constexpr Reach salt_reach{4.0, 5.1, 80.0 * degree, 80.0 * degree};
 
-/// At `at`, between `one` and `other`; 0 to pi.
+/// The angle at `at`, between `one` and `other`; 0 to pi.
 double angle(Vec3 one, Vec3 at, Vec3 other) {
   const Vec3 u = one - at, v = other - at;
   const double lengths = norm(u) * norm(v);

@@ -108,7 +108,8 @@ class CarbonPlacer {
     return name == "C2'" && graph_.heavy_at(atom).size() == 3 ? 1 : count;
   }
 
-  /// By the number of heavy neighbours: what they leave open of a tetrahedron, or of a plane.
+  /// Places hydrogens by the number of heavy neighbours: what they leave open of a tetrahedron, or
+  /// of a plane.
   void place_at(std::uint32_t atom, std::size_t count) {
     const std::vector<std::uint32_t> heavy = graph_.heavy_at(atom);
     std::vector<Vec3> places;

@@ -214,7 +214,7 @@ class Placer {
     return places;
   }
 
-  /// In tens of degrees; the first of equal ones.
+  /// The best torsion in tens of degrees; the first of equal ones.
   int best_torsion(std::size_t k, std::uint32_t neighbour, std::size_t count) const {
     const bool is_flat = sites_[k].shape == HydrogenShape::conjugated;
     int best = 0;

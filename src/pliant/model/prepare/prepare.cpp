@@ -31,7 +31,7 @@ struct Substitute {
 constexpr Substitute substitutes[] = {{"MSE", "MET", "SE", "SD"}, {"SEC", "CYS", "SE", "SG"}};
 constexpr std::uint8_t sulphur = 16;
 
-/// Angstrom: a side chain that was built so deep into other atoms is told.
+/// Angstrom: side chains that were built so deep into other atoms are reported.
 constexpr double crowded_from = 0.7;
 
 bool is_dummy(const Residue& residue) { return residue.name == "DUM"; }
@@ -64,7 +64,7 @@ class Preparer {
 
  private:
   const AtomTable& atoms() const { return now_.structure.atoms; }
-  void tell(std::string line) { now_.steps.push_back(std::move(line)); }
+  void note(std::string line) { now_.steps.push_back(std::move(line)); }
 
   /// Goes on with an edited structure, origins counted from the first.
   void take(EditedStructure edited) {
@@ -98,9 +98,9 @@ class Preparer {
   void take_out_waters() {
     const std::size_t waters = residues_that(is_water);
     if (waters == 0) return;
-    if (options_.keep_waters) return tell(counted(waters, "water kept", "waters kept"));
+    if (options_.keep_waters) return note(counted(waters, "water kept", "waters kept"));
     take_out(is_water, "water");
-    tell(counted(waters, "water taken out", "waters taken out"));
+    note(counted(waters, "water taken out", "waters taken out"));
   }
 
   /// Files of membrane proteins draw the membrane so (OPM); nothing is there.
@@ -108,7 +108,7 @@ class Preparer {
     const std::size_t dummies = residues_that(is_dummy);
     if (dummies == 0) return;
     take_out(is_dummy, "dummy atoms");
-    tell(counted(dummies, "dummy residue", "dummy residues") + " (DUM) taken out");
+    note(counted(dummies, "dummy residue", "dummy residues") + " (DUM) taken out");
   }
 
   void rename_selenium() {
@@ -126,7 +126,7 @@ class Preparer {
       for (Residue& residue : table.residues)
         if (residue.name == row.residue) residue.name = row.becomes;
       if (counts[row.residue] > 0)
-        tell(counted(counts[row.residue], "residue", "residues") + " " + std::string(row.residue) +
+        note(counted(counts[row.residue], "residue", "residues") + " " + std::string(row.residue) +
              " taken as " + std::string(row.becomes));
     }
   }
@@ -143,7 +143,7 @@ class Preparer {
           "side chains that cannot be built: " + listed_residues(atoms(), filled.left) +
           " (N, CA or C is missing, or an atom between atoms that are there)");
     if (filled.built.empty()) {
-      if (filled.left.empty()) tell("side chains: no atoms were missing");
+      if (filled.left.empty()) note("side chains: no atoms were missing");
       return;
     }
     std::vector<std::uint32_t> residues, crowded;
@@ -186,9 +186,9 @@ class Preparer {
     std::vector<NewAtom> added;
     for (PlacedHydrogen& h : place_polar_hydrogens(now_.structure, protonation))
       added.push_back({h.parent, std::move(h.name), 1, h.position});
-    if (had_hydrogens) tell("hydrogens of the file kept");
+    if (had_hydrogens) note("hydrogens of the file kept");
     if (!added.empty())
-      tell(counted(added.size(), "polar hydrogen", "polar hydrogens") + " placed by rule");
+      note(counted(added.size(), "polar hydrogen", "polar hydrogens") + " placed by rule");
     tell_of_protonation(protonation);
     if (!added.empty()) take(with_atoms(now_.structure, added));
     if (options_.all_hydrogens) add_carbon_hydrogens();
@@ -198,8 +198,8 @@ class Preparer {
     std::vector<NewAtom> added;
     for (PlacedHydrogen& h : place_carbon_hydrogens(now_.structure))
       added.push_back({h.parent, std::move(h.name), 1, h.position});
-    if (added.empty()) return tell("hydrogens on carbon: none was missing");
-    tell(counted(added.size(), "hydrogen on carbon", "hydrogens on carbon") + " placed by rule");
+    if (added.empty()) return note("hydrogens on carbon: none was missing");
+    note(counted(added.size(), "hydrogen on carbon", "hydrogens on carbon") + " placed by rule");
     take(with_atoms(now_.structure, added));
   }
 
@@ -227,13 +227,13 @@ class Preparer {
       if (form != standard && form != "CYX") by_form[form].push_back(r);
     }
     for (const auto& [form, residues] : by_form)
-      tell("protonation " + form + ": " + listed_residues(atoms(), residues));
+      note("protonation " + form + ": " + listed_residues(atoms(), residues));
   }
 
   void tell_of_survey(bool is_backbone_only) {
     Survey found = survey(now_.structure);
     if (is_backbone_only) found.incomplete.clear();  // it was said already
-    for (const std::string& line : found_parts(now_.structure, found)) tell("kept " + line);
+    for (const std::string& line : found_parts(now_.structure, found)) note("kept " + line);
     tell_of_ligands_without_hydrogens(found);
     for (std::string& line : missing_parts(now_.structure, found)) {
       if (line.starts_with("side chains") && !options_.fill_side_chains)
@@ -273,7 +273,7 @@ class Preparer {
       now_.missing.push_back(named + "; --floppy leaves out their contacts");
       return;
     }
-    tell(named + "; their contacts are left out");
+    note(named + "; their contacts are left out");
     now_.floppy.assign(confidence.size(), false);
     for (std::uint32_t r : low) now_.floppy[r] = true;
   }

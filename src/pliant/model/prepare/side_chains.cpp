@@ -17,7 +17,7 @@
 namespace pliant {
 namespace {
 
-/// From CA to the last atom of ARG, and a contact beyond it.
+/// Angstrom, from CA to the last atom of ARG, and to a contact beyond it.
 constexpr double reach_of_atoms = 11.0, reach_of_side_chains = 19.0;
 
 /// Nearer than this two atoms overlap, Angstrom (see steric_table.hpp; hydrogen: with any).
@@ -80,7 +80,7 @@ class Builder {
     });
   }
 
-  /// Not what bonds bring near: its own residue but O, and what proline's N binds.
+  /// Atoms that bonds bring near do not count: the own residue but O, and what proline's N binds.
   bool may_run_into(const SideChain& side_chain, std::uint32_t atom) const {
     const std::uint32_t residue = structure_.atoms.residue_of[atom];
     const std::string& name = structure_.atoms.names[atom];

@@ -81,7 +81,7 @@ class NetworkMaker {
     }
   }
 
-  /// Of a hydrogen bond the hydrogen, where there is one.
+  /// The hydrogen of a hydrogen bond, where there is one.
   static std::uint32_t near_end(const MolecularContact& contact) {
     const bool is_by_hydrogen =
         is_hydrogen_bond(contact) && contact.hydrogen != MolecularContact::none;
@@ -110,7 +110,7 @@ class NetworkMaker {
 
   bool carries(std::uint32_t atom) const { return !is_free_[atom] && bonds_at_[atom] > 1; }
 
-  /// Of a bond at an atom whose angles are free; nothing of another bond.
+  /// The bars of a bond at an atom whose angles are free; nothing for another bond.
   std::optional<std::uint8_t> bars_of_free(std::uint32_t k) const {
     const Bond& bond = structure_.bonds[k];
     if (!is_free_[bond.a] && !is_free_[bond.b]) return std::nullopt;

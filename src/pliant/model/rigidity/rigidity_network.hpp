@@ -28,8 +28,8 @@ struct RigidityOptions {
 };
 
 /// Edges of the network: first Structure::bonds in their order, then contacts without a hydrogen,
-/// kinds with most bars first (metals, then hydrophobic contacts), then hydrogen bonds and salt
-/// bridges from the lowest energy to the highest.
+/// kinds with most bars first, then those with one (hydrogen bonds, salt bridges) from the
+/// lowest energy to the highest.
 struct RigidityNetwork {
   std::size_t atoms = 0;
   std::vector<BodyEdge> edges;          ///< (E)

@@ -31,7 +31,7 @@ class RingsOfSix {
   }
 
  private:
-  /// From the lowest atom of a ring, towards the lower of the two beside it: each ring once.
+  /// Goes from the lowest atom of a ring towards the lower of the two beside it: each ring once.
   void go_on() {
     for (const Link& link : hinges_.at(way_.back())) {
       if (link.node <= way_.front() || !extends(link.node)) continue;
@@ -78,7 +78,7 @@ std::vector<std::array<std::uint32_t, 6>> rings_of_six(const RigidityNetwork& ne
   return RingsOfSix(network).find();
 }
 
-std::string told_of_rings_of_six(std::size_t rings) {
+std::string note_on_rings_of_six(std::size_t rings) {
   if (rings == 0) return "";
   return std::to_string(rings) + (rings == 1 ? " ring" : " rings") +
          " of six bonds that may turn: counted as rigid. At fixed angles a chair is, but a boat "

@@ -18,6 +18,6 @@ namespace pliant {
 std::vector<std::array<std::uint32_t, 6>> rings_of_six(const RigidityNetwork& network);
 
 /// How to read the count: "1 ring of six bonds that may turn: ..."; "" if there is no ring.
-std::string told_of_rings_of_six(std::size_t rings);
+std::string note_on_rings_of_six(std::size_t rings);
 
 }  // namespace pliant

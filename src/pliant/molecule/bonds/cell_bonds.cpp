@@ -13,7 +13,7 @@ namespace {
 // Wider than the sum of two radii of elements that bond by distance, and the usual slack.
 constexpr double longest_by_distance = 4.0;
 
-// In units of the edges: so far away positions have lost their decimals.
+// In units of the edges: positions so far away have lost their decimals.
 constexpr double farthest_part = 1e6;
 
 /// An atom, or an image of it near a face, in the cell that begins at the origin.

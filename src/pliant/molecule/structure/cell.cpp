@@ -13,7 +13,7 @@ namespace {
 // No crystal has a shorter edge: that of beryllium is 2.3 Angstrom.
 constexpr double shortest_edge = 2.0;
 
-// Of the volume to that of a box with the same edges: what is flatter is no cell.
+// Share of the volume of a box with the same edges: what is flatter is no cell.
 constexpr double flattest = 1e-3;
 
 /// Exact for right angles, which most cells have.
@@ -21,7 +21,7 @@ double cosine(double degrees) {
   return degrees == 90.0 ? 0.0 : exact_bits_cos(degrees * std::numbers::pi / 180.0);
 }
 
-// So many edges away from the origin positions have lost their decimals.
+// Positions so many edges away from the origin have lost their decimals.
 constexpr double farthest_shift = 1e9;
 
 std::int32_t nearest_whole(double value) {

@@ -30,10 +30,10 @@ std::string escaped(std::string_view value) {
   return text;
 }
 
-std::string difference(const std::optional<std::int64_t>& told, std::size_t found,
+std::string difference(const std::optional<std::int64_t>& expected, std::size_t found,
                        const char* what) {
-  if (!told || static_cast<std::uint64_t>(*told) == found) return "";
-  return std::to_string(*told) + " " + what + ", not " + std::to_string(found);
+  if (!expected || static_cast<std::uint64_t>(*expected) == found) return "";
+  return std::to_string(*expected) + " " + what + ", not " + std::to_string(found);
 }
 
 }  // namespace

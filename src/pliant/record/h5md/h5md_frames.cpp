@@ -31,7 +31,8 @@ bool of_limits(const Framework& framework, O) { return !framework.limits().empty
 bool of_samples(const Framework&, O origin) { return origin.is_sample; }
 bool of_walkers(const Framework&, O origin) { return origin.several_walkers; }
 
-/// One row an observable. MDAnalysis takes numbers with one value a frame only, no vectors.
+/// One row for each observable. MDAnalysis takes numbers with one value for each frame only, no
+/// vectors.
 struct Observable {
   const char* name;
   const char* unit;  // "" for none

@@ -9,7 +9,7 @@ namespace {
 
 // No filter makes more of a byte: deflate's limit is 1032, and shuffle changes no size.
 constexpr std::uint64_t most_expansion = 1100;
-// Of what is large.
+// The same for what is large.
 constexpr std::uint64_t most_of_large = 100;
 
 std::string too_large(const std::string& what, std::uint64_t wanted, std::uint64_t stored) {

@@ -40,7 +40,7 @@ void look_at_dataset(hid_t dataset) {
   H5Dget_storage_size(dataset);
 }
 
-/// Of links within the file.
+/// Keeps the name of a link within the file.
 herr_t keep_name(hid_t, const char* name, const H5L_info_t* link, void* names) {
   if (link->type != H5L_TYPE_EXTERNAL)
     static_cast<std::vector<std::string>*>(names)->emplace_back(name);
@@ -82,7 +82,7 @@ void fill_memory() {
 #endif
 }
 
-/// In the process that may crash: never returns.
+/// Runs in the process that may crash, and never returns.
 [[noreturn]] void look_at_all(const std::filesystem::path& path) {
   const rlimit none{0, 0}, time{most_seconds, most_seconds};
   ::setrlimit(RLIMIT_CORE, &none);

@@ -50,7 +50,7 @@ void after_fork_in_child() {
   std::construct_at(&hdf5_lock().mutex);
 }
 
-/// Never ended: exit handlers may still look at it.
+/// The lock is never destroyed: exit handlers may still look at it.
 Hdf5Lock& hdf5_lock() {
   alignas(Hdf5Lock) static std::array<std::byte, sizeof(Hdf5Lock)> room;
   static Hdf5Lock* lock = [] {

@@ -40,7 +40,7 @@ Hid link_properties(const std::string& path) {
   return properties;
 }
 
-/// Without times, so that the same run writes the same bytes.
+/// No times are kept, so that the same run writes the same bytes.
 Hid dataset_properties() {
   Hid properties = owned(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, "make dataset properties");
   checked(H5Pset_obj_track_times(properties, false), "switch time stamps off");

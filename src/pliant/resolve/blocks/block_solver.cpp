@@ -7,7 +7,7 @@ namespace pliant {
 namespace {
 
 constexpr std::int64_t most_iterations = 1000;
-/// From a shape nearer to one that is whole Newton's method arrives soon or not at all.
+/// Newton's method arrives soon or not at all from a shape nearer to one that is whole.
 constexpr std::int64_t most_iterations_on_the_way = 20;
 
 std::vector<double> weights_of(const Framework& framework, const Technique& technique) {

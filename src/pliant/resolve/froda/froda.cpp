@@ -83,7 +83,7 @@ class Froda final : public Method {
     return *own_measure_;
   }
 
-  /// Before the push is looked at: most often it is what was measured last.
+  /// The reference is looked at before the push: most often it is what was measured last.
   void look_at_reference(const ResolveCall& call) {
     starts_at_reference_ = call.reference.size() == call.positions.size();
     if (!starts_at_reference_) return;

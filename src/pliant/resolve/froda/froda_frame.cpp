@@ -23,7 +23,7 @@ constexpr int most_closings = 12;
 /// where something is still too near, later.
 constexpr double least_gain = 0.95;
 constexpr int patience = 6, long_patience = 15;
-/// Without gain for so many steps torsion preferences let go: contacts win against them.
+/// After so many steps without gain torsion preferences let go: contacts win against them.
 constexpr int patience_with_springs = 3;
 constexpr double least_length = 1e-9;
 
@@ -103,7 +103,7 @@ void FrodaFrame::ask_for_pull(double share, bool sees_contacts) {
   request_ = {target_, rows_, springs(sees_contacts), options_.bound * unit_, conjugate_gradients()};
 }
 
-/// Of working bodies, to which contacts add some.
+/// Targets are set for working bodies, to which contacts add some.
 void FrodaFrame::set_targets(double share) {
   const auto working = working_.bodies();
   if (share != target_share_) bodies_with_targets_ = 0;

@@ -8,7 +8,7 @@ namespace {
 
 /// Bodies of eight frames beyond which lanes wait for memory.
 constexpr std::size_t most_bodies = 4000;
-/// So few frames that are left are faster one by one.
+/// So few remaining frames are faster one by one.
 constexpr std::ptrdiff_t few = 2;
 
 // Without registers of several numbers, as in WebAssembly, lanes would only move more memory.
@@ -75,7 +75,7 @@ void FrodaLanes::step_together() {
     if (lane.job != nullptr) lane.frame->note_step();
 }
 
-/// Of a frame whose next step is asked for already.
+/// Finishes a frame whose next step is asked for already.
 void FrodaLanes::finish_alone(Lane& lane) {
   do {
     alone_.step(lane.frame->positions(), lane.frame->request());
@@ -84,7 +84,7 @@ void FrodaLanes::finish_alone(Lane& lane) {
   leave(lane);
 }
 
-/// Of a frame that asks for no more steps.
+/// Takes out a frame that asks for no more steps.
 void FrodaLanes::leave(Lane& lane) {
   lane.job->result = lane.frame->finish(lane.job->out);
   lane.job = nullptr;

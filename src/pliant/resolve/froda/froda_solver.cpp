@@ -33,7 +33,7 @@ FrodaResult FrodaSolver::resolve(const FrodaPush& push, std::span<Vec3> out,
   return finish(out);
 }
 
-/// Contacts alone, then loops.
+/// Resolves contacts alone, then loops.
 FrodaResult FrodaSolver::finish(std::span<Vec3> out) {
   while (frame_.ask_for_contacts()) step();
   while (frame_.ask_for_closing()) step();

@@ -28,7 +28,7 @@ LaneMask LaneMeter::confirm(const LaneVector* positions, LaneMask lanes, Stop st
   return lanes;
 }
 
-/// As measure() does.
+/// Adds up as measure() does.
 double LaneMeter::rms_of(const LaneResiduals& found, std::size_t lane) const {
   if (bars_.empty()) return 0.0;
   return std::min(std::sqrt(found.sum_of_squares[lane] / double(bars_.size())),

@@ -11,12 +11,12 @@ namespace pliant {
 /// Remembers the root of the plan that its owner holds.
 class PlanOfRoot {
  public:
-  /// Calls `plan(root)` unless the last plan has this root.
-  template <class Plan>
-  void prepare(Joint root, Plan plan) {
+  /// Calls `make(root)` unless the last plan has this root.
+  template <class Make>
+  void prepare(Joint root, Make make) {
     if (root_ == root) return;
     root_.reset();  // in case it throws
-    plan(root);
+    make(root);
     root_ = root;
   }
 

@@ -4,7 +4,7 @@
 namespace pliant {
 namespace {
 
-/// Between joints of which `far` takes the given share, unless masses or pins say otherwise.
+/// Shares between joints of which `far` takes the given one, unless masses or pins say otherwise.
 std::pair<double, double> shared(const Framework& framework, Joint near_joint, Joint far_joint,
                                  double far, bool mass_weighted) {
   const bool near_pinned = framework.is_pinned(near_joint);

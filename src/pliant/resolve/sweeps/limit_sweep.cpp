@@ -16,7 +16,7 @@ bool overlaps(std::span<const Vec3> positions, const NeighbourPair& pair, double
   return pair.least - distance(positions[pair.a], positions[pair.b]) > most;
 }
 
-/// As escape_direction, for joints that no bar joins.
+/// As escape_direction(), for joints that no bar joins.
 Vec3 escape_of_pair(RandomKey key, Joint a, Joint b, bool planar) {
   key.domain = Domain::escape;
   key.joint = (std::uint64_t{a} + 1) << 32 | b;

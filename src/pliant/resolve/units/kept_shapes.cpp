@@ -11,14 +11,14 @@ namespace pliant {
 namespace {
 
 constexpr std::size_t fewest_joints = 4;  // three have no mirror image
-/// Of its radius: what turns a torsion by less than a degree.
+/// Share of a unit's radius: what turns a torsion by less than a degree.
 constexpr double most_off = 0.002;
 /// Thickness of what is flat, in widths.
 constexpr double thinnest = 0.1;
 /// By so many units away from a bent one, and so often, shapes are fitted until they agree.
 constexpr std::size_t shells = 3;
 constexpr int most_rounds = 100;
-/// Of what a joint may be off the shape of its unit.
+/// Share of what a joint may be off the shape of its unit.
 constexpr double well_enough = 0.01;
 
 Vec3 centroid(std::span<const Joint> joints, std::span<const Vec3> positions) {

@@ -15,7 +15,7 @@ namespace {
 
 /// Units that share joints may bend each other once more.
 constexpr int most_fits = 3;
-/// Of `units_nearest`, in all it does.
+/// Sweeps of `units_nearest` in all.
 constexpr std::int64_t most_sweeps = 20;
 
 class ShapeKeeper final : public Method {
@@ -52,7 +52,7 @@ class ShapeKeeper final : public Method {
     return keep_if_whole(call, *method_, summary);
   }
 
-  /// From where the push left the joints; what was there is kept if that does no better.
+  /// Begins where the push left the joints; what was there is kept if that does no better.
   void place_units(const ResolveCall& call, ResolveSummary& summary) {
     whole_.assign(call.positions.begin(), call.positions.end());
     if (!units_) {

@@ -85,7 +85,8 @@ bool UnitLoop::find_shape(const ResolveCall& call) {
   return false;
 }
 
-/// From where it was whole before the push, less and less far; at last it keeps that shape.
+/// Goes from where the loop was whole before the push, less and less far; at last it keeps that
+/// shape.
 bool UnitLoop::go_part_of_the_way(const ResolveCall& call) {
   for (double share : shares) {
     take(call.reference);

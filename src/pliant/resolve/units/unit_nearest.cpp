@@ -34,7 +34,7 @@ void UnitNearest::approach(UnitPlan& plan, std::span<Vec3> positions,
   }
 }
 
-/// As far along the turns found as pays; the sum there.
+/// Goes as far along the turns found as pays; returns the sum there.
 double UnitNearest::step_nearer(UnitPlan& plan, std::span<Vec3> positions,
                                 std::span<const Vec3> targets, double before) {
   double share = longest_share();

@@ -117,7 +117,7 @@ UnitPass::Placement UnitPass::look_ahead(const ResolveCall& call, std::span<cons
 UnitPass::Placement UnitPass::approach(const ResolveCall& call, std::span<const Vec3> targets) {
   nearest_.approach(plan_, call.positions, targets);
   approached_.assign(call.positions.begin(), call.positions.end());
-  // Not one unit at a time: rounding would grow from unit to unit.
+  // Units are not placed one at a time: rounding would grow from unit to unit.
   return look_ahead(call, approached_);
 }
 

@@ -110,7 +110,7 @@ class Units final : public Method {
     return pliant::is_whole(framework_, positions, options_.tolerance);
   }
 
-  /// In units of what is allowed; infinite if a length is no number.
+  /// The largest error in units of what is allowed; infinite if a length is no number.
   double largest_error(std::span<const Vec3> positions) const {
     double largest = 0.0;
     for (std::size_t k = 0; k < framework_.bar_count(); ++k) {

@@ -25,9 +25,9 @@ std::vector<bool> bodies_in_loops(const BodyPlan& plan) {
   return is_in_loop;
 }
 
-/// By a field of strain and one of bending, d = a (u.r) w + b (u'.r)(v'.r) w', r from the middle of
-/// the loops in units of their size: neighbours go nearly alike. What hangs on a loop goes with the
-/// middle of the unit that it hangs on.
+/// Pushes by a field of strain and one of bending, d = a (u.r) w + b (u'.r)(v'.r) w', r from the
+/// middle of the loops in units of their size: neighbours go nearly alike. What hangs on a loop
+/// goes with the middle of the unit that it hangs on.
 void LoopBending::push(RandomSequence& draws, std::span<Vec3> targets) const {
   const auto bodies = plan_.bodies();
   std::vector<Vec3> middle(bodies.size()), push(bodies.size());

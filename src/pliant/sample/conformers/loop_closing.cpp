@@ -74,15 +74,15 @@ void LoopClosing::open(RandomSequence& draws, TorsionDraw how) {
   }
 }
 
-/// By how much a torsion is turned: to one that is usual for its bond, or by any angle; esters stay
-/// as they are.
+/// How much a torsion is turned: to one that is usual for its bond, or by any angle; esters stay as
+/// they are.
 Turn LoopClosing::opened(const LoopTorsion& torsion, RandomSequence& draws, TorsionDraw how) const {
   if (torsion.kind == BondTurn::ester) return drawn_jitter(draws, torsion.kind);
   if (how == TorsionDraw::uniform) return drawn_angle(draws);
   return drawn_in_loop(draws, torsion.kind) * back(torsion_now(torsion));
 }
 
-/// The widest gap.
+/// Adds the equations of gaps; returns the widest gap.
 double LoopClosing::add_gaps(double weight) {
   constexpr std::array<Vec3, 3> axes{Vec3{1, 0, 0}, Vec3{0, 1, 0}, Vec3{0, 0, 1}};
   double widest = 0.0;
@@ -99,7 +99,7 @@ double LoopClosing::add_gaps(double weight) {
   return widest;
 }
 
-/// From the nearest torsion that is usual; of esters from that of the start.
+/// How far a torsion is from the nearest usual one, that of an ester from that of the start.
 Turn LoopClosing::off_usual(std::size_t torsion, Turn now) const {
   const BondTurn kind = loops_.torsions[torsion].kind;
   return now * back(kind == BondTurn::ester ? at_start_[torsion] : nearest_usual(now, kind));
@@ -122,7 +122,7 @@ void LoopClosing::add_torsions(TorsionDraw how) {
   }
 }
 
-/// Nothing of atoms that are far enough apart.
+/// Asks nothing of atoms that are far enough apart.
 LoopClosing::Wish LoopClosing::apart_wish(const LoopPair& pair, double length) const {
   const double least = (pair.bond == HydrogenBond::none ? reach_ : 1.0) * pair.least;
   if (length < least) return {length - least, overlap_weight};
@@ -149,7 +149,8 @@ void LoopClosing::add_pair(const LoopPair& pair, Vec3 apart, double length, Wish
   equations_.end_row(wish.off, wish.weight);
 }
 
-/// By the solution of the equations, but none by more than `largest_turn`; the largest.
+/// Turns by the solution of the equations, but none by more than `largest_turn`; returns the
+/// largest.
 double LoopClosing::turn_all() {
   const std::span<const double> turns = equations_.solve();
   double largest = 0.0;

@@ -8,7 +8,7 @@
 namespace pliant {
 namespace {
 
-/// Of so many draws the least strained is taken; none more where hydrogen bonds outweigh strain.
+/// The least strained of so many draws is taken; draws end where hydrogen bonds outweigh strain.
 constexpr int draws_a_loop = 8;
 /// Some frames are made wide, others compact: atoms of loops are asked to be up to so many times as
 /// far apart as they must be.

@@ -75,7 +75,7 @@ class LoopPlanner {
     return nullptr;
   }
 
-  /// None where the bond is in one rigid unit with what is on both sides.
+  /// Adds none where the bond is in one rigid unit with what is on both sides.
   void add_torsion(Joint a, Joint b) {
     const Joint before = chemistry_.reference(a, b), after = chemistry_.reference(b, a);
     const PlanBody* one = body_with({before, a, b});

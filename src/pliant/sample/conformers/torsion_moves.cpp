@@ -27,7 +27,7 @@ std::optional<Turn> torsion(Vec3 i, Vec3 a, Vec3 b, Vec3 j) {
   return Turn{dot(from, to) / lengths, dot(cross(from, to), axis) / lengths};
 }
 
-/// To a usual torsion from where it is; where three atoms lie on a line there is none.
+/// The turn from where a torsion is to a usual one; where three atoms lie on a line there is none.
 Turn usual_turn(const Rotor& rotor, RandomSequence& draws, std::span<const Vec3> x) {
   if (rotor.kind == BondTurn::ester) return drawn_jitter(draws, rotor.kind);
   const Turn wanted = drawn_usual(draws, rotor.kind);
@@ -110,7 +110,7 @@ void TorsionMoves::find_rotors(const BondChemistry& chemistry,
   }
 }
 
-/// Those forms that hold bars and angles.
+/// Finds the forms of rings that hold bars and angles.
 void TorsionMoves::find_rings(const BondChemistry& chemistry) {
   for (FlexibleRing& ring : flexible_rings(framework_, chemistry, start_, !drawn_)) {
     std::vector<RingForm> forms;
@@ -181,7 +181,7 @@ bool TorsionMoves::holds_bars(std::span<const Vec3> x) const {
   return true;
 }
 
-/// Of the bonds that are in no ring, that with the fewest atoms beyond it turns over.
+/// An amine turns over by the bond outside rings that has the fewest atoms beyond it.
 void TorsionMoves::find_amines(const BondChemistry& chemistry) {
   if (framework_.atoms() == nullptr) return;
   for (Joint atom = 0; atom < framework_.joint_count(); ++atom) {

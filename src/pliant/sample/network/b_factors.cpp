@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::size_t most_nodes = 3000;
 
-/// Weaker springs than this join nothing: parts that nothing holds to the rest would be told to
-/// move without bounds.
+/// Weaker springs than this join nothing: parts that nothing holds to the rest could move
+/// without bounds.
 constexpr double least_spring = 1e-6;
 
 DenseMatrix springs_of(const NetworkNodes& nodes) {

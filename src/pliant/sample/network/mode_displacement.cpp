@@ -20,7 +20,7 @@ std::uint32_t nearest_node(std::span<const Vec3> nodes, Vec3 x) {
                                     nodes.begin());
 }
 
-/// Of [xx xy xz; xy yy yz; xz yz zz]; all 0 if it is nearly singular.
+/// Inverse of [xx xy xz; xy yy yz; xz yz zz]; all 0 if it is nearly singular.
 std::array<double, 9> inverse_of(double xx, double xy, double xz, double yy, double yz, double zz) {
   const double a = yy * zz - yz * yz, b = xz * yz - xy * zz, c = xy * yz - xz * yy;
   const double det = xx * a + xy * b + xz * c;

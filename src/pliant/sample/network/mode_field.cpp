@@ -19,7 +19,7 @@ std::vector<Vec3> mode_field(const NetworkNodes& nodes, std::span<const Vec3> st
   if (mode < 1 || mode > modes.variances.size())
     throw OptionError("mode = " + std::to_string(mode) + ": must be from 1 to " +
                       std::to_string(modes.variances.size()) + ", the modes of the network");
-  // Of unit length: mean square of n nodes is 1 / n.
+  // Modes have unit length: the mean square of n nodes is 1 / n.
   for (double& variance : modes.variances) variance = 1.0;
   std::vector<double> amplitudes(modes.variances.size(), 0.0);
   amplitudes[mode - 1] = amplitude * std::sqrt(double(coarse.positions.size()));

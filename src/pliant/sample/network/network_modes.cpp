@@ -22,7 +22,7 @@ NetworkModes from_stiffness(EigenPairs pairs) {
   return modes;
 }
 
-/// Of each mode without a direction three, along x, y and z.
+/// Makes three modes, along x, y and z, of each mode without a direction.
 NetworkModes in_three_directions(const NetworkModes& plain, std::size_t nodes, std::size_t count) {
   NetworkModes modes;
   const std::size_t kept = std::min(count, 3 * plain.variances.size());

@@ -91,7 +91,7 @@ bool BondChemistry::is_bonded(Joint a, Joint b) const {
   return std::any_of(bonds.begin(), bonds.end(), [&](const Link& bond) { return bond.node == b; });
 }
 
-/// Round the ring from its lowest atom; empty if it is none.
+/// The atoms round the ring from its lowest one; empty if it is none.
 SimpleRing BondChemistry::in_order(const std::vector<Bar>& edges) {
   std::vector<std::pair<Joint, Joint>> steps;
   for (const Bar& edge : edges) {

@@ -21,7 +21,7 @@ constexpr double relaxing = 0.05;
 constexpr double relaxing_five = 1.0;
 constexpr double pucker_of_five = 0.4;  // Angstrom, that of cyclopentane and proline
 
-/// Across one, up to `most` bonds.
+/// Distances across one bond, up to `most` bonds.
 std::vector<WantedDistance> distances_of(std::span<const Vec3> ring, std::size_t most) {
   std::vector<WantedDistance> all;
   for (std::size_t step = 1; step <= most; ++step)

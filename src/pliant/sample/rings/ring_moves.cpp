@@ -16,7 +16,7 @@ struct Axes {
   Vec3 x, y, z;
 };
 
-/// By two bonds from one atom.
+/// Axes given by two bonds from one atom.
 Axes axes_of(Vec3 one, Vec3 other) {
   const Vec3 x = unit(one + other), z = unit(cross(one, other));
   return {x, cross(z, x), z};
@@ -39,7 +39,7 @@ void turn_by_two(const FlexibleRing& ring, std::size_t k, Change ring_at, std::s
   }
 }
 
-/// On one with more it turns as they do on the whole.
+/// What hangs on an atom with more bonds of the ring turns as they do on the whole.
 void turn_by_all(const FlexibleRing& ring, std::size_t k, Change ring_at, std::span<Vec3> x) {
   std::vector<Vec3> was{ring_at.old[k]}, is{ring_at.now[k]};
   for (std::size_t at : ring.neighbours[k]) {

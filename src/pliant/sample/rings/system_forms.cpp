@@ -21,7 +21,7 @@ constexpr double soft_angle = 0.12;     // Angstrom
 constexpr double least_square = 0.135;  // Angstrom^2, that of six atoms 0.15 apart
 constexpr std::size_t most_forms = 60;
 
-/// Pressed onto its mean plane.
+/// A form pressed onto its mean plane.
 std::vector<Vec3> flattened(std::vector<Vec3> x) {
   Vec3 centre{};
   for (Vec3 point : x) centre += (1.0 / double(x.size())) * point;
@@ -128,7 +128,7 @@ class SystemForms {
     forms_.push_back({std::move(x), false});
   }
 
-  /// Those with the most chairs.
+  /// Marks the forms with the most chairs.
   void mark_chairs() {
     std::vector<std::size_t> chairs;
     for (const RingForm& form : forms_) chairs.push_back(chairs_of(form.positions));

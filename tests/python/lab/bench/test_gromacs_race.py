@@ -70,14 +70,14 @@ def test_a_row_has_the_quickest_that_meets_it():
     assert label(middle.method, None) == "GROMACS LINCS, single"
 
 
-def test_what_falls_short_is_told_and_asked_no_more():
+def test_what_falls_short_is_reported_and_asked_no_more():
     series = Series(PROGRAM, "lincs", [tried(1e-3, 1e-6)])
     rows = rows_of(series, diagram(tolerances=(1e-2, 1e-4, 1e-6)))
     assert [row.outcome for row in rows] == ["whole", "not converged", "stopped"]
     assert rows[2].note == "not converged at 1e-04" and math.isnan(rows[2].ns_per_bar)
 
 
-def test_what_failed_is_told_with_the_reason():
+def test_what_failed_is_reported_with_the_reason():
     series = Series(PROGRAM, "lincs", [Tried(Setting("lincs"), "Too many LINCS warnings (9)")])
     found = diagram()
     rows = rows_of(series, found)
@@ -151,6 +151,6 @@ def test_bonds_are_whole_to_what_was_asked(measured):
     assert not worst or np.isclose(worst[0], 1e-2, rtol=0.2)  # no more than was asked for
 
 
-def test_angles_are_beyond_lincs_and_this_is_told(measured):
+def test_angles_are_beyond_lincs_and_this_is_reported(measured):
     for row in measured("angles").rows:
         assert row.outcome != "whole", row

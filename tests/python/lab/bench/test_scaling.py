@@ -68,8 +68,10 @@ def test_sizes_that_are_not_what_they_say_are_named():
     found = sizes.Scaling("blocks", 0.5, 1e-6)
     found.rows = [SizeRow("chain", 10, outcome="converged", max_residual=r) for r in (1e-6, 2e-6)]
     found.rows += [SizeRow("tree", 20, outcome="failed", note="no memory"), SizeRow("tree", 30)]
-    assert found.faults == ["chain of 10: counts as whole, but a bar is off by 2.0e-06",
-                            "tree of 20: failed: no memory"]  # fmt: skip
+    assert found.faults == [
+        "chain of 10: counts as whole, but a bar is off by 2.0e-06",
+        "tree of 20: failed: no memory",
+    ]
 
 
 def test_the_command_prints_a_table(capsys):
@@ -82,8 +84,13 @@ def test_throughput_is_whole_and_the_same_in_lanes_and_on_two_threads():
     found = throughput(CAFFEINE, conformers=5, repeats=1, techniques=("blocks", "random"))
     best = pliant.lane_levels()[0]
     assert [(row.technique, row.lanes, row.threads) for row in found.rows] == [
-        ("blocks", "", 1), ("blocks", "", 2), ("blocks", best, 1), ("blocks", best, 2),
-        ("random", "", 1), ("random", "", 2)]  # fmt: skip
+        ("blocks", "", 1),
+        ("blocks", "", 2),
+        ("blocks", best, 1),
+        ("blocks", best, 2),
+        ("random", "", 1),
+        ("random", "", 2),
+    ]
     assert all(row.same_bits and row.whole == row.conformers for row in found.rows)
     assert [row.conformers for row in found.rows] == [5, 10] * 3
     assert [row.method for row in found.openmm] == ["ccma", "ccma_dynamics"]
@@ -107,8 +114,8 @@ def test_throughput_says_what_is_wrong():
 
 
 def test_throughput_by_the_command(capsys, tmp_path):
-    words = ["throughput", str(CAFFEINE), "--conformers", "2", "--repeats", "1", "--csv",
-             str(tmp_path / "a.csv"), "--techniques", "blocks", "--without-openmm"]  # fmt: skip
+    words = ["throughput", str(CAFFEINE), "--csv", str(tmp_path / "a.csv")]
+    words += "--conformers 2 --repeats 1 --techniques blocks --without-openmm".split()
     assert main([*words, "--json"]) == 0
     printed = json.loads(capsys.readouterr().out)
     assert len(printed["rows"]) == 4

@@ -18,8 +18,11 @@ def test_local_techniques_look_at_as_many_bars_in_any_size():
     assert found.faults == []
     sizes = [(row.technique, row.joints) for row in found.rows]
     assert sizes == [
-        ("blocks", 1020), ("blocks", 10_020), ("bfs_cycle", 1020), ("bfs_cycle", 10_020),
-    ]  # fmt: skip
+        ("blocks", 1020),
+        ("blocks", 10_020),
+        ("bfs_cycle", 1020),
+        ("bfs_cycle", 10_020),
+    ]
     small, large, all_small, all_large = found.rows
     assert large.projections == pytest.approx(small.projections, rel=0.5)
     assert all_large.projections > 5 * all_small.projections > 100 * small.projections

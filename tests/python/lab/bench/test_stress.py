@@ -28,7 +28,7 @@ def table():
     return stress([few_sweeps(case) for case in CASES], weightings=(1.0,), openmm=False)
 
 
-def test_names_are_told_apart():
+def test_names_are_reported_apart():
     names = [case.name for case in CASES]
     assert len(set(names)) == len(names) > 130
 
@@ -60,8 +60,12 @@ def test_forests_are_whole_by_their_own_technique(table):
 @pytest.mark.long
 def test_refusals_say_why(table):
     refused = {c.name: c.rows[0].note for c in table.cases if c.rows[0].outcome == "refused"}
-    assert set(refused) == {"bar_of_0", "bar_of_1e-310", "bar_of_1e+200",
-                            "duplicate_bar_conflict_1_2"}  # fmt: skip
+    assert set(refused) == {
+        "bar_of_0",
+        "bar_of_1e-310",
+        "bar_of_1e+200",
+        "duplicate_bar_conflict_1_2",
+    }
     assert all(refused.values())
 
 
@@ -113,7 +117,7 @@ WHOLE, LONG = [[0, 0, 0], [1, 0, 0]], [[0, 0, 0], [1.1, 0, 0]]
         (ONE_BAR, START, Outcome("raised", "bar 0 - 1: length 0"), ""),
         (ONE_BAR, START, Outcome("too_slow", "took more than 1 s"), ""),
     ],
-)  # fmt: skip
+)  # fmt: skip  # a table: a row a line
 def test_what_must_never_happen_is_seen(case, start, outcome, violation):
     assert _row(case, start, "blocks", None, outcome).violation == violation
 

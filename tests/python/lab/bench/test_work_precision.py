@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Work against precision: what is measured is true, and whoever fails is told to."""
+"""Work against precision: what is measured is true, and who fails is reported."""
 
 import csv
 import json
@@ -136,7 +136,7 @@ def test_a_false_claim_is_seen_through():
     assert (second.outcome, second.note) == ("stopped", "not converged at 1e-02")
 
 
-def test_what_is_no_number_is_told():
+def test_what_is_no_number_is_reported():
     first, second = rows_of(Pretender(lambda x: x * math.nan))
     assert (first.outcome, second.outcome) == ("not finite", "stopped")
 
@@ -148,9 +148,7 @@ def test_who_takes_too_long_is_stopped_and_asked_no_more():
     found = race.WorkPrecision(target, "bonds", 0.1, math.nan, math.nan, 1.0, (1e-2, 1e-4))
     endless = next(c for c in race.our_contenders(target) if c.method == "bfs_cycle")
     endless.prepare = lambda tolerance: setattr(
-        endless,
-        "_resolver",
-        pliant.Resolver(framework, tolerance=tolerance, max_sweeps=10**12),
+        endless, "_resolver", pliant.Resolver(framework, tolerance=tolerance, max_sweeps=10**12)
     )
     race.race(found, [endless], np.eye(3), 1, 0.3)
     assert [row.outcome for row in found.rows] == ["stopped", "stopped"]
@@ -171,14 +169,16 @@ def test_ratios_compare_times_to_the_same_error():
 
 
 def test_the_command_writes_json_csv_and_a_picture(tmp_path, capsys):
-    words = ["work-precision", str(CAFFEINE), "--tolerances", "1e-2,1e-6", "--repeats", "1",
-             "--techniques", "blocks,bfs_cycle", "--no-gromacs", "--json"]  # fmt: skip
+    options = "--tolerances 1e-2,1e-6 --repeats 1 --techniques blocks,bfs_cycle --no-gromacs --json"
+    words = ["work-precision", str(CAFFEINE), *options.split()]
     words += ["--csv", str(tmp_path / "a.csv"), "-o", str(tmp_path / "a.png")]
     assert main(words) == 0
     said = json.loads(capsys.readouterr().out)
     assert said["joints"] == 24 and said["bars"] == 25
-    keys = {"method", "weighting", "tolerance", "ns_per_bar", "sweeps", "projections",
-            "max_residual", "displacement", "walkers"}  # fmt: skip
+    keys = set(
+        "method weighting tolerance ns_per_bar sweeps projections max_residual displacement "
+        "walkers".split()
+    )
     assert all(keys <= set(row) for row in said["rows"])
     with open(tmp_path / "a.csv", newline="") as file:
         assert len(list(csv.DictReader(file))) == len(said["rows"]) == 2 * (2 * (1 + 3) + 2)
@@ -186,8 +186,8 @@ def test_the_command_writes_json_csv_and_a_picture(tmp_path, capsys):
 
 
 def test_the_table_names_everyone(capsys):
-    assert main(["work-precision", str(CAFFEINE), "--tolerances", "1e-6", "--repeats", "1",
-                 "--quiet", "--no-gromacs"]) == 0  # fmt: skip
+    words = "--tolerances 1e-6 --repeats 1 --quiet --no-gromacs".split()
+    assert main(["work-precision", str(CAFFEINE), *words]) == 0
     out = capsys.readouterr().out
     assert all(
         name in out for name in ("blocks", "bfs_cycle 0.75", "OpenMM CCMA", "moved, by mass:")

@@ -16,7 +16,7 @@ SMALL = Settings(seed=7, graphs=3, forces=8)
 
 
 @pytest.fixture(scope="session")
-def study_folder(tmp_path_factory):
+def experiment_folder(tmp_path_factory):
     """The folder of a finished small experiment. Do not write into it."""
     folder = tmp_path_factory.mktemp("experiment") / "study"
     run_experiment(SMALL, folder)

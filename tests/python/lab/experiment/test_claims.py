@@ -6,15 +6,17 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from pliant.lab.experiment.claims import CLAIMS, claim, studies_of
+from pliant.lab.experiment.claims import CLAIMS, claim, evidence_by_yardstick
 from pliant.lab.experiment.contradictions import CONTRADICTIONS
-from pliant.lab.experiment.statistics import Study
+from pliant.lab.experiment.statistics import Evidence
 from pliant.lab.experiment.sweep import Point
 from pliant.lab.experiment.verdict import DEPENDS, FAILS, HOLDS, OPEN, Statement, verdict_of
 
 KINDS = {"tree": "tree", "1-cycle": "1-cycle-bar", "2-cycle": "2-cycle-path"}
-ORDERINGS = ("random", "bfs_tree", "dfs_tree", "bfs_cycle", "dfs_cycle", "bfs_reverse",
-             "dfs_reverse", "bfs_adapt", "bfs_random")  # fmt: skip
+ORDERINGS = tuple(
+    "random bfs_tree dfs_tree bfs_cycle dfs_cycle bfs_reverse dfs_reverse bfs_adapt "
+    "bfs_random".split()
+)
 W = (0.5, 0.75, 1.0)
 
 
@@ -48,20 +50,22 @@ def as_the_thesis_says():
 
 
 def table_of(made_table, cells):
-    return made_table({(KINDS[family], technique, w): around(*shape)
-                       for (family, technique, w), shape in cells.items()})  # fmt: skip
+    return made_table(
+        {
+            (KINDS[family], technique, w): around(*shape)
+            for (family, technique, w), shape in cells.items()
+        }
+    )
 
 
 def verdict(made_table, identity, changes=None, cells=None):
     cells = (cells or as_the_thesis_says()) | (changes or {})
-    studies = studies_of(Study(table_of(made_table, cells), replicates=100))
-    return claim(identity).judged_by_all(studies)
+    all_evidence = evidence_by_yardstick(Evidence(table_of(made_table, cells), replicates=100))
+    return claim(identity).judged_by_all(all_evidence)
 
 
 def test_the_table_has_all_sixteen():
-    assert [row.id for row in CLAIMS] == [
-        "T1", "T2", "T3", "T4", "C1", "C2", "C3", "C4", "C5", "C6", "C7", "R1", "R2", "R3", "A1",
-        "B1"]  # fmt: skip
+    assert [row.id for row in CLAIMS] == "T1 T2 T3 T4 C1 C2 C3 C4 C5 C6 C7 R1 R2 R3 A1 B1".split()
 
 
 @pytest.mark.parametrize("identity", ["T1", "T2", "T3", "T4", "C1", "C2", "C3", "C4", "C5", "C6"])
@@ -75,16 +79,20 @@ SPOILED = {
     "T1": {("tree", t, 1.0): (2, 2) for t in ("bfs_tree", "dfs_tree")},
     "T2": {("tree", "random", 1.0): (3, 4.0)},
     "T3": {("tree", t, 1.0): (9, 9.0) for t in ("bfs_tree", "dfs_tree", "random")},
-    "T4": {("tree", t, w): (k, k) for k, t in ((2, "bfs_tree"), (9, "dfs_tree"), (20, "random"))
-           for w in W},
+    "T4": {
+        ("tree", t, w): (k, k)
+        for k, t in ((2, "bfs_tree"), (9, "dfs_tree"), (20, "random"))
+        for w in W
+    },
     "C1": {(f, "bfs_cycle", 0.5): (9, 9.0) for f in ("1-cycle", "2-cycle")},
     "C2": {(f, t, 0.5): (9, 9.0) for f in ("1-cycle", "2-cycle") for t in ("dfs_cycle", "random")},
     "C3": {(f, "bfs_cycle", 1.0): (1, 1.5) for f in ("1-cycle", "2-cycle")},
-    "C4": {(f, t, 0.5): (9, 9.0) for f in ("1-cycle", "2-cycle")
-           for t in ("bfs_cycle", "dfs_cycle")},
+    "C4": {
+        (f, t, 0.5): (9, 9.0) for f in ("1-cycle", "2-cycle") for t in ("bfs_cycle", "dfs_cycle")
+    },
     "C5": {("1-cycle", t, w): (5, 5) for t in ("dfs_cycle", "random") for w in W},
     "C6": {(f, "bfs_cycle", w): (9, 9) for f in ("1-cycle", "2-cycle") for w in W},
-}  # fmt: skip
+}
 
 
 @pytest.mark.parametrize("identity", SPOILED)
@@ -99,8 +107,11 @@ def test_does_not_hold_where_it_must_not(made_table, identity):
 
 
 def test_c7_spread_of_the_weightings(made_table):
-    cells = {(f, t, 0.5): (3, 4.0, 2.0) for f in ("1-cycle", "2-cycle")
-             for t in ("random", "bfs_cycle", "dfs_cycle")}  # fmt: skip
+    cells = {
+        (f, t, 0.5): (3, 4.0, 2.0)
+        for f in ("1-cycle", "2-cycle")
+        for t in ("random", "bfs_cycle", "dfs_cycle")
+    }
     cells |= {("1-cycle", "bfs_cycle", 0.75): (3, 6.0, 6.0)}
     cells |= {(f, "bfs_cycle", 1.0): (3, 12.0, 20.0) for f in ("1-cycle", "2-cycle")}
     assert verdict(made_table, "C7", cells=cells).word == HOLDS
@@ -123,14 +134,17 @@ def reverse_cells(best, far):
 
 def test_r1_by_each_yardstick(made_table):
     """8 sweeps are more than 5 and, being 4 passes, less."""
-    studies = studies_of(Study(table_of(made_table, reverse_cells(8, 12)), replicates=50))
-    best = [claim("R1").judged(studies[name]).statements[0] for name in ("sweeps", "passes")]
+    all_evidence = evidence_by_yardstick(
+        Evidence(table_of(made_table, reverse_cells(8, 12)), replicates=50)
+    )
+    best = [claim("R1").judged(all_evidence[name]).statements[0] for name in ("sweeps", "passes")]
     assert best[0].verdict == FAILS and best[1].verdict == HOLDS
     assert verdict(made_table, "R1", cells=reverse_cells(8, 12)).word == DEPENDS
-    clear = reverse_cells(4, 7) | {(f, "dfs_reverse", w): (6, 6) for f in ("1-cycle", "2-cycle")
-                                   for w in W}  # fmt: skip
-    studies = studies_of(Study(table_of(made_table, clear), replicates=50))
-    assert claim("R1").judged(studies["sweeps"]).word == HOLDS
+    clear = reverse_cells(4, 7) | {
+        (f, "dfs_reverse", w): (6, 6) for f in ("1-cycle", "2-cycle") for w in W
+    }
+    all_evidence = evidence_by_yardstick(Evidence(table_of(made_table, clear), replicates=50))
+    assert claim("R1").judged(all_evidence["sweeps"]).word == HOLDS
 
 
 def test_r2_and_r3(made_table):
@@ -141,13 +155,16 @@ def test_r2_and_r3(made_table):
             cells[family, "bfs_reverse", w] = (1, 1) if w == 1 else (2, 2)
             cells[family, "bfs_cycle", w] = cells[family, "dfs_cycle", w] = (2, 6.0, 4.0)
     cells["2-cycle", "dfs_reverse", 0.5] = (7, 7)
-    studies = studies_of(Study(table_of(made_table, cells), replicates=50))
-    assert claim("R2").judged(studies["sweeps"]).word == HOLDS
-    assert claim("R3").judged_by_all(studies).word == HOLDS
+    all_evidence = evidence_by_yardstick(Evidence(table_of(made_table, cells), replicates=50))
+    assert claim("R2").judged(all_evidence["sweeps"]).word == HOLDS
+    assert claim("R3").judged_by_all(all_evidence).word == HOLDS
     # Two sweeps are one pass: by passes the modes are 1.
-    assert claim("R2").judged(studies["passes"]).share < 0.7
-    wild = {(f, t, 0.5): (2, 12.0, 9.0) for f in ("1-cycle", "2-cycle")
-            for t in ("bfs_reverse", "dfs_reverse")}  # fmt: skip
+    assert claim("R2").judged(all_evidence["passes"]).share < 0.7
+    wild = {
+        (f, t, 0.5): (2, 12.0, 9.0)
+        for f in ("1-cycle", "2-cycle")
+        for t in ("bfs_reverse", "dfs_reverse")
+    }
     assert verdict(made_table, "R3", wild, cells).share == 0
 
 
@@ -179,14 +196,17 @@ def test_what_a_verdict_depends_on():
     yes, no = ({"yardstick": name} for name in ("passes", "sweeps"))
     found = verdict_of([statement(True, 1, **yes), statement(False, 0, **no)])
     assert (found.word, found.on_what) == (
-        DEPENDS, "on the yardstick: holds for passes; fails for sweeps")  # fmt: skip
+        DEPENDS,
+        "on the yardstick: holds for passes; fails for sweeps",
+    )
     mixed = verdict_of([statement(True, 1, **yes), statement(False, 0, **yes)])
     assert mixed.on_what == "on no single thing: of 2 statements 1 holds, 1 fails"
     most = [statement(k < 3, k < 3, yardstick="passes") for k in range(4)]
     most += [statement(False, 0, yardstick=name) for name in ("sweeps", "projections")]
     assert verdict_of(most).on_what == (
         "mostly on the yardstick: 3 of 4 statements hold for passes, "
-        "0 of 2 for sweeps and projections")  # fmt: skip
+        "0 of 2 for sweeps and projections"
+    )
     assert verdict_of([]).word == "untested"
     assert verdict_of([statement(False, 0.5), statement(False, 0)]).word == FAILS
 
@@ -206,7 +226,7 @@ def test_points_of_the_sweep_have_every_claim(made_table):
     assert (t1.statements, t1.holding) == (6, 6)
 
 
-def test_every_number_that_stands_for_a_word_is_told():
+def test_every_number_that_stands_for_a_word_is_reported():
     text = (Path(__file__).parents[4] / "python/pliant/lab/experiment/claims.py").read_text()
     for name in re.findall(r"^([A-Z_]+) = [\d.]+", text, re.M):
         assert f"{{{name}:g}}" in text

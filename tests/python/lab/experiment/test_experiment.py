@@ -36,8 +36,8 @@ def select(table, **wanted):
     return keep
 
 
-def test_every_class_graph_force_technique_and_weighting_has_one_row(study_folder):
-    rows = rows_of(study_folder)
+def test_every_class_graph_force_technique_and_weighting_has_one_row(experiment_folder):
+    rows = rows_of(experiment_folder)
     found = {(r["class"], r["graph"], r["force"], r["technique"], r["weighting"]) for r in rows}
     assert len(found) == len(rows)
     forests = {row.name for row in pliant.techniques() if row.forests_only}
@@ -49,8 +49,8 @@ def test_every_class_graph_force_technique_and_weighting_has_one_row(study_folde
     assert {r["weighting"] for r in rows if r["technique"] == "blocks"} == {""}
 
 
-def test_csv_and_hdf5_hold_the_same(study_folder):
-    rows, table = rows_of(study_folder), tables.read(study_folder)
+def test_csv_and_hdf5_hold_the_same(experiment_folder):
+    rows, table = rows_of(experiment_folder), tables.read(experiment_folder)
     assert list(rows[0]) == list(tables.COLUMNS)
     for name in ("graph", "force", "sweeps", "passes", "projections", "final_residual"):
         assert [float(row[name]) for row in rows] == table.columns[name].tolist()
@@ -61,27 +61,27 @@ def test_csv_and_hdf5_hold_the_same(study_folder):
     assert weightings == table.columns["weighting"].tolist()
 
 
-def test_seconds_stand_beside_the_table_row_by_row(study_folder):
-    with h5py.File(study_folder / "table.h5") as file:
+def test_seconds_stand_beside_the_table_row_by_row(experiment_folder):
+    with h5py.File(experiment_folder / "table.h5") as file:
         seconds = file["seconds"][:]
         assert len(seconds) == len(file["sweeps"])
     assert np.all(seconds > 0) and np.all(np.isfinite(seconds))
-    lines = (study_folder / "seconds.csv").read_text().split()
+    lines = (experiment_folder / "seconds.csv").read_text().split()
     assert lines[0] == "seconds"
     np.testing.assert_allclose([float(line) for line in lines[1:]], seconds, atol=1e-9)
 
 
-def test_two_runs_give_the_same_bytes_on_any_number_of_processes(study_folder, tmp_path):
+def test_two_runs_give_the_same_bytes_on_any_number_of_processes(experiment_folder, tmp_path):
     run_experiment(SMALL, tmp_path / "again", workers=2)
     for name in ("table.csv", "table.h5", "settings.json"):
-        assert (tmp_path / "again" / name).read_bytes() == (study_folder / name).read_bytes()
+        assert (tmp_path / "again" / name).read_bytes() == (experiment_folder / name).read_bytes()
 
 
-def test_another_seed_gives_another_table(study_folder, tmp_path):
+def test_another_seed_gives_another_table(experiment_folder, tmp_path):
     settings = dataclasses.replace(SMALL, seed=8, classes=("tree",))
     other = run_experiment(settings, tmp_path / "other")
     assert other.columns["sweeps"].tolist() != (
-        tables.read(study_folder).columns["sweeps"][: len(other)].tolist()
+        tables.read(experiment_folder).columns["sweeps"][: len(other)].tolist()
     )
 
 
@@ -94,12 +94,13 @@ def test_numbers_are_those_of_pliant_run():
         rows = measure_subject(subject, in_turn)
         rows = rows[rows["combination"] == place]
         frames = []
-        pliant.run(
-            subject.framework, subject.positions.copy(), steps=12, seed=7, walker=2,
-            technique=technique, weighting=weighting, tolerance_length=0.01,
-            observers=[lambda f, kept=frames: kept.append(
-                (f.sweeps, f.projections, f.max_residual)) and None],
-        )  # fmt: skip
+
+        def look(f, kept=frames):
+            kept.append((f.sweeps, f.projections, f.max_residual))
+
+        way = {"technique": technique, "weighting": weighting, "tolerance_length": 0.01}
+        way |= {"steps": 12, "seed": 7, "walker": 2, "observers": [look]}
+        pliant.run(subject.framework, subject.positions.copy(), **way)
         assert frames[1:] == rows[["sweeps", "projections", "final_residual"]].tolist()
         at_rest = measure_subject(subject, dataclasses.replace(in_turn, consecutive=False))
         at_rest = at_rest[at_rest["combination"] == place]
@@ -109,9 +110,9 @@ def test_numbers_are_those_of_pliant_run():
 @pytest.mark.parametrize("size", [10, 100, 1000])
 def test_t1_exactly(size):
     """Root outwards with the whole correction on the far joint: any tree, any force, one sweep."""
-    settings = Settings(seed=size, classes=("tree",), techniques=("bfs_tree", "dfs_tree"),
-                        weightings=(1.0,), joints=size, forces=5, force=3000.0,
-                        tolerance_length=1e-9)  # fmt: skip
+    names = {"classes": ("tree",), "techniques": ("bfs_tree", "dfs_tree"), "weightings": (1.0,)}
+    sizes = {"joints": size, "forces": 5, "force": 3000.0, "tolerance_length": 1e-9}
+    settings = Settings(seed=size, **names, **sizes)
     for number in range(3):
         rows = measure_subject(make_subject(settings, "tree", number), settings)
         assert rows["sweeps"].tolist() == [1] * len(rows)
@@ -128,15 +129,14 @@ def test_t1_over_ten_thousand_trees():
         positions = graph.positions
         length = 10 ** draws.uniform(-3, 2)
         positions[root] += length * direction / np.linalg.norm(direction)
-        found = pliant.resolve(
-            graph.framework, positions, ("bfs_tree", "dfs_tree")[number % 2], 1.0,
-            tolerance_length=1e-9, max_sweeps=50, root=root,
-        )  # fmt: skip
+        limits = {"tolerance_length": 1e-9, "max_sweeps": 50, "root": root}
+        technique = ("bfs_tree", "dfs_tree")[number % 2]
+        found = pliant.resolve(graph.framework, positions, technique, 1.0, **limits)
         assert (found.converged, found.sweeps) == (True, 1), number
 
 
-def test_on_trees_cycle_orderings_are_the_tree_orderings(study_folder):
-    table = tables.read(study_folder)
+def test_on_trees_cycle_orderings_are_the_tree_orderings(experiment_folder):
+    table = tables.read(experiment_folder)
     for name in ("sweeps", "projections", "final_residual"):
         column = table.columns[name]
         for search in ("bfs", "dfs"):
@@ -150,24 +150,25 @@ def test_on_trees_cycle_orderings_are_the_tree_orderings(study_folder):
 def test_lengths_scale_together():
     """Twice the box, push and tolerance: the same sweeps to the last one, for powers of two."""
     one = dataclasses.replace(SMALL, graphs=1)
-    two = dataclasses.replace(one, box=2 * one.box, force=2 * one.force,
-                              tolerance_length=2 * one.tolerance_length)  # fmt: skip
+    two = dataclasses.replace(
+        one, box=2 * one.box, force=2 * one.force, tolerance_length=2 * one.tolerance_length
+    )
     for kind in ("1-cycle-ring", "n-cycle"):
         rows = [measure_subject(make_subject(s, kind, 0), s) for s in (one, two)]
         assert rows[0]["sweeps"].tolist() == rows[1]["sweeps"].tolist()
         assert rows[0]["final_residual"].tolist() == rows[1]["final_residual"].tolist()
 
 
-def test_passes_are_half_the_sweeps_of_reverse_techniques_only(study_folder):
-    columns = tables.read(study_folder).columns
+def test_passes_are_half_the_sweeps_of_reverse_techniques_only(experiment_folder):
+    columns = tables.read(experiment_folder).columns
     reverse = np.isin(columns["technique"], [name.encode() for name in reverse_techniques()])
     assert reverse.any() and not reverse.all()
     assert np.all(columns["passes"][~reverse] == columns["sweeps"][~reverse])
     assert np.all(columns["passes"][reverse] == np.ceil(columns["sweeps"][reverse] / 2))
 
 
-def test_reverse_is_cycle_in_its_first_sweep(study_folder):
-    table = tables.read(study_folder)
+def test_reverse_is_cycle_in_its_first_sweep(experiment_folder):
+    table = tables.read(experiment_folder)
     cycle, reverse = (
         table.columns["sweeps"][select(table, technique=name, weighting=1.0)] == 1
         for name in ("bfs_cycle", "bfs_reverse")
@@ -199,10 +200,13 @@ def test_what_is_done_is_not_done_again(tmp_path, monkeypatch):
     assert not (tmp_path / "cut" / laboratory.PARTS).exists()
 
 
-def test_killed_and_run_again(tmp_path, study_folder):
-    words = [sys.executable, "-m", "pliant.lab.experiment.command",
-             "--output", str(tmp_path / "study"), "--seed", "7", "--graphs", "3", "--forces", "8",
-             "--workers", "2"]  # fmt: skip
+def test_killed_and_run_again(tmp_path, experiment_folder):
+    words = [
+        sys.executable,
+        *"-m pliant.lab.experiment.command --output".split(),
+        str(tmp_path / "study"),
+        *"--seed 7 --graphs 3 --forces 8 --workers 2".split(),
+    ]
     child = subprocess.Popen(words, stdout=subprocess.DEVNULL, start_new_session=True)
     parts = tmp_path / "study" / "parts"
     until = time.monotonic() + 60
@@ -213,16 +217,24 @@ def test_killed_and_run_again(tmp_path, study_folder):
     child.wait()
     assert subprocess.run(words, stdout=subprocess.DEVNULL, timeout=120).returncode == 0
     for name in ("table.csv", "table.h5"):
-        assert (tmp_path / "study" / name).read_bytes() == (study_folder / name).read_bytes()
+        assert (tmp_path / "study" / name).read_bytes() == (experiment_folder / name).read_bytes()
 
 
 def test_interrupted_it_ends_at_once(tmp_path):
-    words = [sys.executable, "-m", "pliant.lab.experiment.command",
-             "--output", str(tmp_path / "study"), "--graphs", "2000", "--workers", "2"]  # fmt: skip
+    words = [
+        sys.executable,
+        *"-m pliant.lab.experiment.command --output".split(),
+        str(tmp_path / "study"),
+        *"--graphs 2000 --workers 2".split(),
+    ]
     child = subprocess.Popen(
-        words, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, start_new_session=True,
+        words,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
         preexec_fn=lambda: signal.signal(signal.SIGINT, signal.default_int_handler),
-    )  # fmt: skip
+    )
     until = time.monotonic() + 60
     while time.monotonic() < until and not list(tmp_path.glob("study/parts/*.npy")):
         time.sleep(0.02)
@@ -235,16 +247,19 @@ def test_interrupted_it_ends_at_once(tmp_path):
             os.killpg(child.pid, signal.SIGKILL)
 
 
-def test_a_folder_of_another_experiment_is_refused(study_folder, capsys):
-    words = ["--output", str(study_folder), "--seed", "7", "--graphs", "3", "--forces", "9"]
+def test_a_folder_of_another_experiment_is_refused(experiment_folder, capsys):
+    words = ["--output", str(experiment_folder), "--seed", "7", "--graphs", "3", "--forces", "9"]
     assert command.main(words) == 2
     assert "holds another experiment: forces 8 there, 9 asked" in capsys.readouterr().err
 
 
 def test_an_empty_folder_is_taken(tmp_path, capsys):
     (tmp_path / "new").mkdir()
-    words = ["--output", str(tmp_path / "new"), "--class", "tree", "--graphs", "1", "--forces", "2",
-             "--technique", "bfs_tree", "--workers", "1"]  # fmt: skip
+    words = [
+        "--output",
+        str(tmp_path / "new"),
+        *"--class tree --graphs 1 --forces 2 --technique bfs_tree --workers 1".split(),
+    ]
     assert command.main(words) == 0
     assert (tmp_path / "new" / "table.csv").is_file()
 
@@ -281,7 +296,10 @@ def test_bad_options(words, message, tmp_path, capsys):
 
 
 def test_the_command_says_what_it_did(tmp_path, capsys):
-    words = ["--output", str(tmp_path / "new"), "--class", "tree", "--graphs", "2", "--forces", "3",
-             "--technique", "bfs_tree", "--workers", "1"]  # fmt: skip
+    words = [
+        "--output",
+        str(tmp_path / "new"),
+        *"--class tree --graphs 2 --forces 3 --technique bfs_tree --workers 1".split(),
+    ]
     assert command.main(words) == 0
     assert "18 resolves, 0 of them not converged" in capsys.readouterr().out

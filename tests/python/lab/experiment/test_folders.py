@@ -12,9 +12,11 @@ from pliant.lab.experiment.settings import Settings
 
 import pliant
 
-WORDS = ["--seed", "5", "--graphs", "2", "--forces", "6", "--class", "tree", "--class",
-         "2-cycle-path", "--technique", "bfs_cycle", "--technique", "bfs_tree", "--technique",
-         "dfs_reverse", "--technique", "blocks", "--workers", "1", "--quiet"]  # fmt: skip
+WORDS = (
+    "--seed 5 --graphs 2 --forces 6 --class tree --class 2-cycle-path --technique "
+    "bfs_cycle --technique bfs_tree --technique dfs_reverse --technique blocks --workers "
+    "1 --quiet"
+).split()
 
 
 @pytest.fixture
@@ -45,9 +47,12 @@ def test_folders_have_what_the_table_has(filled):
 
 def test_results_xml_names_every_heuristic(filled):
     root = ET.parse(filled / "set" / "results.xml").getroot()
-    found = {kind.get("name"): [len(graph.findall("heuristic/results"))
-                                for graph in kind.findall("graph")]
-             for kind in root.findall("class")}  # fmt: skip
+    found = {
+        kind.get("name"): [
+            len(graph.findall("heuristic/results")) for graph in kind.findall("graph")
+        ]
+        for kind in root.findall("class")
+    }
     assert found == {"tree": [10, 10], "2-cycle-path": [7, 7]}
 
 
@@ -62,7 +67,7 @@ def test_read_back_and_rerun_to_the_same_numbers(filled, capsys):
         assert one.columns[name].tolist() == two.columns[name].tolist()
 
 
-def test_other_numbers_are_told_and_left(filled, capsys):
+def test_other_numbers_are_reported_and_left(filled, capsys):
     made = pliant.read_test_set(filled / "set")
     rows = made.read_results("tree", 0, "bfs_tree", 1.0)
     rows.pop("force")
@@ -79,15 +84,16 @@ def test_other_numbers_are_told_and_left(filled, capsys):
 
 
 def test_a_set_of_structgen_is_run_and_its_own_graphs_are_used(tmp_path, capsys):
-    pliant.write_test_set(tmp_path / "set", classes=["1-cycle-ring"], graphs=2, forces=5,
-                          force_files=2, seed=9, techniques=["bfs_cycle"])  # fmt: skip
+    counts = {"graphs": 2, "forces": 5, "force_files": 2, "seed": 9}
+    of = {"classes": ["1-cycle-ring"], "techniques": ["bfs_cycle"]}
+    pliant.write_test_set(tmp_path / "set", **counts, **of)
     words = ["--output", str(tmp_path / "study"), "--test-set", str(tmp_path / "set"), "--quiet"]
     assert command.main(words) == 0
     table = tables.read(tmp_path / "study")
     assert (len(table), set(table.columns["technique"])) == (30, {b"bfs_cycle"})
     # The same from its numbers alone, as generate() and make_force_file() have it.
-    words = ["--output", str(tmp_path / "made"), "--seed", "9", "--graphs", "2", "--forces", "5",
-             "--class", "1-cycle-ring", "--technique", "bfs_cycle", "--quiet"]  # fmt: skip
+    options = "--seed 9 --graphs 2 --forces 5 --class 1-cycle-ring --technique bfs_cycle --quiet"
+    words = ["--output", str(tmp_path / "made"), *options.split()]
     assert command.main(words) == 0
     again = tables.read(tmp_path / "made")
     assert again.columns["final_residual"].tolist() == table.columns["final_residual"].tolist()
@@ -98,8 +104,8 @@ def test_a_set_of_structgen_is_run_and_its_own_graphs_are_used(tmp_path, capsys)
 def test_an_experiment_knows_its_test_set(tmp_path, capsys):
     """A folder of results is not taken for that of another set with the same settings."""
     for name, seed in (("one", 1), ("two", 1)):
-        pliant.write_test_set(tmp_path / name, classes=["tree"], graphs=1, forces=3, seed=seed,
-                              techniques=["bfs_tree"])  # fmt: skip
+        of = {"classes": ["tree"], "techniques": ["bfs_tree"]}
+        pliant.write_test_set(tmp_path / name, graphs=1, forces=3, seed=seed, **of)
     path = tmp_path / "two" / "tree" / "graph-000" / "heuristics" / "forces" / "forces-0.txt"
     text = path.read_text()
     path.write_text(text.replace("\npush", "\n# moved\npush", 1))
@@ -128,7 +134,8 @@ def test_folders_of_other_settings_are_refused(filled, capsys):
 
 def test_a_set_half_made_is_made_again(tmp_path):
     (tmp_path / "set.part" / "tree").mkdir(parents=True)
-    folders.make_set(Settings(graphs=1, forces=2, classes=("tree",), techniques=("bfs_tree",)),
-                     tmp_path / "set")  # fmt: skip
+    folders.make_set(
+        Settings(graphs=1, forces=2, classes=("tree",), techniques=("bfs_tree",)), tmp_path / "set"
+    )
     assert sorted(path.name for path in tmp_path.iterdir()) == ["set"]
     assert len(pliant.read_test_set(tmp_path / "set").classes) == 1

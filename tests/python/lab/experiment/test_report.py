@@ -14,12 +14,12 @@ import pytest
 from pliant.lab.experiment import command, inquiry, sections
 from pliant.lab.experiment.answer import Answer, Figure, Table
 from pliant.lab.experiment.choices import Choices
-from pliant.lab.experiment.claims import CLAIMS, studies_of
+from pliant.lab.experiment.claims import CLAIMS, evidence_by_yardstick
 from pliant.lab.experiment.drawings import BAR_CHARTS, HISTOGRAMS
 from pliant.lab.experiment.report import make_report
 from pliant.lab.experiment.settings import Settings
 from pliant.lab.experiment.settled import settle
-from pliant.lab.experiment.statistics import Study
+from pliant.lab.experiment.statistics import Evidence
 from pliant.lab.experiment.sweep import Point, grid, read_sweep, run_sweep
 from pliant.lab.experiment.sweep import points_of as sweep_points_of
 from pliant.lab.experiment.table import read
@@ -53,9 +53,9 @@ class Page(HTMLParser):
 
 
 @pytest.fixture(scope="module")
-def report(study_folder, tmp_path_factory):
+def report(experiment_folder, tmp_path_factory):
     folder = tmp_path_factory.mktemp("report") / "study"
-    shutil.copytree(study_folder, folder)
+    shutil.copytree(experiment_folder, folder)
     return make_report(folder, Choices(questions=False, quick=True, replicates=50))
 
 
@@ -110,7 +110,7 @@ def test_the_page_has_every_claim_with_a_verdict(page, report):
 def test_the_sweep_is_read_back(report):
     points = read_sweep(report.path.parent)
     assert {point.claim for point in points} == {claim.id for claim in CLAIMS}
-    again = settle(studies_of(Study(read(report.path.parent), replicates=50)), points)
+    again = settle(evidence_by_yardstick(Evidence(read(report.path.parent), replicates=50)), points)
     assert [(one.word, one.on_what) for one in again] == [
         (one.word, one.on_what) for one in report.settled
     ]
@@ -136,58 +136,62 @@ def test_two_sweeps_are_the_same(tmp_path, monkeypatch):
 
 def points_of(holding, graphs=20, pushes=25):
     """A sweep in which `holding` of two statements of T1 hold everywhere."""
-    return [Point(tolerance, 50.0, 4, 3, 8, 10.0, False, 30.0, "T1", "sweeps", 2, holding, graphs,
-                  pushes) for tolerance in (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)]  # fmt: skip
+    return [
+        Point(
+            tolerance, 50.0, 4, 3, 8, 10.0, False, 30.0, "T1", "sweeps", 2, holding, graphs, pushes
+        )
+        for tolerance in (1e-1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6)
+    ]
 
 
-def test_a_claim_of_no_settings_must_hold_in_nearly_all_of_them(study_folder):
-    studies = studies_of(Study(read(study_folder), replicates=20))
-    assert settle(studies, points_of(2))[0].word == "holds"
-    not_there = settle(studies, points_of(1))[0]
+def test_a_claim_of_no_settings_must_hold_in_nearly_all_of_them(experiment_folder):
+    all_evidence = evidence_by_yardstick(Evidence(read(experiment_folder), replicates=20))
+    assert settle(all_evidence, points_of(2))[0].word == "holds"
+    not_there = settle(all_evidence, points_of(1))[0]
     assert not_there.word == "depends"
     assert not_there.on_what.startswith("holds here, and in 0 of 6 settings of the sweep")
 
 
 @pytest.mark.parametrize("size", [(4, 5), (19, 25), (20, 24), (0, 0)])
 @pytest.mark.parametrize("holding", [1, 2])
-def test_a_small_sweep_says_nothing_that_a_full_one_denies(study_folder, size, holding):
-    studies = studies_of(Study(read(study_folder), replicates=20))
-    full = settle(studies, points_of(1)) + settle(studies, points_of(2))
-    small = settle(studies, points_of(holding, *size))
+def test_a_small_sweep_says_nothing_that_a_full_one_denies(experiment_folder, size, holding):
+    all_evidence = evidence_by_yardstick(Evidence(read(experiment_folder), replicates=20))
+    full = settle(all_evidence, points_of(1)) + settle(all_evidence, points_of(2))
+    small = settle(all_evidence, points_of(holding, *size))
     assert small[0].word == "open"
     assert small[0].on_what.startswith("holds here; whether elsewhere too, ")
     for one in small[1:]:  # no sweep of these
         assert one.word in {other.word for other in full if other.claim is one.claim}
 
 
-def test_what_a_report_cannot_judge_is_told_with_the_numbers_of_its_sweep(study_folder):
-    table = read(study_folder)
-    studies = studies_of(Study(table, replicates=20))
+def test_what_a_report_cannot_judge_is_reported_with_the_numbers_of_its_sweep(experiment_folder):
+    table = read(experiment_folder)
+    all_evidence = evidence_by_yardstick(Evidence(table, replicates=20))
     for graphs, pushes in ((4, 5), (7, 11)):
         points = points_of(2, graphs, pushes)
-        text = sections.cannot_judge(settle(studies, points), points, quick=True)
+        text = sections.cannot_judge(settle(all_evidence, points), points, quick=True)
         size = f"has {graphs} graphs of each of 3 families and {pushes} forces a graph"
         assert "cannot judge T1:" in text and size in text and "not to be cited" in text
         assert f"The sweep of 6 settings {size}" in sections.method(table, points)
     points = points_of(2, 0, 0)
-    text = sections.cannot_judge(settle(studies, points), points, quick=False)
+    text = sections.cannot_judge(settle(all_evidence, points), points, quick=False)
     assert "does not say how many graphs and forces it has" in text
     points = points_of(2)
-    assert sections.cannot_judge(settle(studies, points), points, quick=False) == ""
+    assert sections.cannot_judge(settle(all_evidence, points), points, quick=False) == ""
 
 
-def test_the_page_tells_the_replicates_that_were_drawn(study_folder):
-    text = sections.method(read(study_folder), [], replicates=37)
+def test_the_page_tells_the_replicates_that_were_drawn(experiment_folder):
+    text = sections.method(read(experiment_folder), [], replicates=37)
     assert "Intervals are 95 % of 37 bootstrap replicates" in text
 
 
-def test_points_of_the_sweep_count_their_graphs_and_pushes(study_folder):
-    table = read(study_folder)  # 3 graphs of each class, 8 forces on each; one class of trees
+def test_points_of_the_sweep_count_their_graphs_and_pushes(experiment_folder):
+    table = read(experiment_folder)  # 3 graphs of each class, 8 forces on each; one class of trees
     assert {(p.graphs, p.pushes) for p in sweep_points_of(table, 12.0)} == {(3, 8)}
 
 
-def test_questions_have_a_page_each_in_their_order(study_folder, tmp_path, monkeypatch):
-    shutil.copytree(study_folder, tmp_path / "study")
+def test_questions_have_a_page_each_in_their_order(experiment_folder, tmp_path, monkeypatch):
+    shutil.copytree(experiment_folder, tmp_path / "study")
     asked = []
 
     def answer_of(name):
@@ -196,12 +200,20 @@ def test_questions_have_a_page_each_in_their_order(study_folder, tmp_path, monke
             if name == "broken":
                 raise RuntimeError("no data")
             picture = next((tmp_path / "study" / "figures").glob("*.png"))
-            return Answer(f"What about {name}?", "It is so.", ["Because <it> is."],
-                          [Table("counts", ["what", "n"], [["cycles", 3], ["share", 0.25]])],
-                          [Figure(picture, "seen")])  # fmt: skip
+            return Answer(
+                f"What about {name}?",
+                "It is so.",
+                ["Because <it> is."],
+                [Table("counts", ["what", "n"], [["cycles", 3], ["share", 0.25]])],
+                [Figure(picture, "seen")],
+            )
 
-        return SimpleNamespace(answer=answer, TITLE=f"About {name}", ORDER=len(name),
-                               __name__=f"pliant.lab.experiment.questions.{name}")  # fmt: skip
+        return SimpleNamespace(
+            answer=answer,
+            TITLE=f"About {name}",
+            ORDER=len(name),
+            __name__=f"pliant.lab.experiment.questions.{name}",
+        )
 
     made = [answer_of("longest"), answer_of("short"), answer_of("broken")]
     monkeypatch.setattr(inquiry, "modules", lambda: sorted(made, key=lambda one: one.ORDER))
@@ -221,10 +233,10 @@ def test_the_questions_that_are_there_can_be_asked():
         assert isinstance(module.TITLE, str) and isinstance(module.ORDER, int)
 
 
-def test_the_command_prints_the_claims(study_folder, tmp_path, capsys, monkeypatch):
+def test_the_command_prints_the_claims(experiment_folder, tmp_path, capsys, monkeypatch):
     monkeypatch.setattr("pliant.lab.experiment.drawings.HISTOGRAMS", ())
     monkeypatch.setattr("pliant.lab.experiment.drawings.BAR_CHARTS", ())
-    shutil.copytree(study_folder, tmp_path / "study")
+    shutil.copytree(experiment_folder, tmp_path / "study")
     words = ["report", str(tmp_path / "study"), "--no-sweep", "--no-questions"]
     assert command.main(words) == 0
     out = capsys.readouterr().out

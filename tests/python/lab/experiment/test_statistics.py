@@ -8,8 +8,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from pliant.lab.experiment.statistics import (
+    Evidence,
     Sample,
-    Study,
     interval,
     number,
     resampling,
@@ -59,16 +59,18 @@ def test_the_interval_covers_the_truth_as_often_as_it_says():
 
 
 def test_pushes_that_broke_nothing_are_left_out(made_table):
-    study = Study(made_table({("tree", "bfs_tree", 1.0): [[1, 0, 1], [0, 1, 1]]}))
-    found = study.of("tree", "bfs_tree", 1.0)
+    evidence = Evidence(made_table({("tree", "bfs_tree", 1.0): [[1, 0, 1], [0, 1, 1]]}))
+    found = evidence.of("tree", "bfs_tree", 1.0)
     assert found.mean[0] == 1 and found.sd[0] == 0 and len(found.values) == 4
 
 
 def test_classes_of_a_family_are_pooled(made_table):
-    study = Study(made_table({("1-cycle-bar", "bfs_cycle", 0.5): [[2, 2]],
-                              ("1-cycle-ring", "bfs_cycle", 0.5): [[4, 4]]}))  # fmt: skip
-    assert study.of("1-cycle", "bfs_cycle", 0.5).mean[0] == 3
-    assert study.of("2-cycle", "bfs_cycle", 0.5) is None
+    sweeps = {"1-cycle-bar": [[2, 2]], "1-cycle-ring": [[4, 4]]}
+    evidence = Evidence(
+        made_table({(name, "bfs_cycle", 0.5): rows for name, rows in sweeps.items()})
+    )
+    assert evidence.of("1-cycle", "bfs_cycle", 0.5).mean[0] == 3
+    assert evidence.of("2-cycle", "bfs_cycle", 0.5) is None
 
 
 def test_numbers_in_words():

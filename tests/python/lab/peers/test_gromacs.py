@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""GROMACS at work: it pushes as it is told to, and whatever becomes of it is told."""
+"""GROMACS at work: it pushes as it is asked to, and whatever becomes of it is reported."""
 
 import numpy as np
 import pytest
@@ -49,7 +49,7 @@ def test_all_masses_are_pushed_alike_by_what_was_asked(scattered, precision):
     assert bar == pytest.approx([1.0], rel=1.1e-4)
 
 
-def test_how_it_ended_is_told(scattered, tmp_path):
+def test_how_it_ended_is_reported(scattered, tmp_path):
     text = "Source file: a.cpp (line 1)\n\nFatal error:\nToo many LINCS warnings (1000)"
     run = scattered.run(
         pretender(tmp_path, f"echo '{text}' >&2; exit 1"), Setting("lincs"), 9, 1, 9

@@ -50,7 +50,7 @@ def test_coordinates_stand_in_columns_within_the_box():
     positions = np.array([[-3.0, 0.0, 0.25], [1.0 / 3, 2.0, -7.0]])
     title, count, *lines, box = files.coordinates_text(positions, push=0.01).splitlines()
     assert title and count == "2"
-    # Residue number, residue, atom, atom number in 5 each; then, told by the points' distance.
+    # Residue number, residue, atom, atom number in 5 each; then coordinates: 20 columns each.
     assert [line[:20] for line in lines] == ["    1BARS     A    1", "    1BARS     A    2"]
     read = np.array([[float(line[k : k + 20]) for k in (20, 40, 60)] for line in lines])
     assert read[1] - read[0] == pytest.approx(positions[1] - positions[0], abs=1e-14)
@@ -62,8 +62,11 @@ def test_topology_holds_masses_bars_and_tethers():
     bars = np.array([[0, 1], [0, 3]])
     top = sections(files.topology_text(MASSES, bars, np.array([0.109, 0.1])))
     assert [(float(row[7]), float(row[6])) for row in top["atoms"]] == [
-        (12, 0), (1, 0), (16, 0), (1, 0)
-    ]  # fmt: skip
+        (12, 0),
+        (1, 0),
+        (16, 0),
+        (1, 0),
+    ]
     assert top["constraints"] == [["1", "2", "2", f"{0.109:.17g}"], ["1", "4", "2", f"{0.1:.17g}"]]
     springs = [[float(k) for k in row[2:]] for row in top["position_restraints"]]
     assert springs == [3 * [files.TETHER * mass] for mass in MASSES]
@@ -72,8 +75,11 @@ def test_topology_holds_masses_bars_and_tethers():
 def test_groups_are_of_one_mass_each():
     groups = sections(files.groups_text(np.tile(MASSES, 10)))
     assert {name: sum(map(len, rows)) for name, rows in groups.items()} == {
-        "System": 40, "M0": 20, "M1": 10, "M2": 10
-    }  # fmt: skip
+        "System": 40,
+        "M0": 20,
+        "M1": 10,
+        "M2": 10,
+    }
     assert groups["M1"][0][:3] == ["1", "5", "9"]
 
 
@@ -109,7 +115,7 @@ def test_the_log_tells_calls_and_seconds():
         files.constraint_seconds(LOG.replace("Constraints", "Comm. coord."))
 
 
-def test_errors_are_told_in_a_line():
+def test_errors_are_reported_in_a_line():
     assert files.complaint(FATAL) == "Too many LINCS warnings (1000)"
     assert (
         files.complaint(FATAL.replace("1000)", "1000). More")) == "Too many LINCS warnings (1000)"

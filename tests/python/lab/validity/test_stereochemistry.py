@@ -3,16 +3,16 @@
 
 import numpy as np
 import pytest
-from told import read_without_elements
+from expected_warnings import read_without_elements
 
 import pliant
 
 MDA = pytest.importorskip("MDAnalysisTests.datafiles")
 pytest.importorskip("scipy")
 
+from pliant.lab.validity.alpha_carbons import amino_part  # noqa: E402
 from pliant.lab.validity.clashes import HeavyClashes  # noqa: E402
 from pliant.lab.validity.stereochemistry import Checker, dihedrals  # noqa: E402
-from pliant.lab.validity.trace import amino_part  # noqa: E402
 
 
 @pytest.fixture(scope="module")
@@ -89,9 +89,15 @@ def test_an_atom_put_upon_another_is_one_overlap_and_breaks_its_bars(model, star
 
 def test_overlaps_begin_at_a_tenth_of_an_angstrom():
     """Two carbons of 3.2 Angstrom at least, far from bonds."""
-    structure = pliant.Structure([[0, 0, 0], [1.5, 0, 0], [9, 0, 0], [10.5, 0, 0]],
-        elements=[6] * 4, names=["C1", "C2", "C3", "C4"], residue_names=["LIG"] * 4,
-        residue_ids=[1] * 4, chains=["A"] * 4, bonds=[[0, 1], [2, 3]])  # fmt: skip
+    structure = pliant.Structure(
+        [[0, 0, 0], [1.5, 0, 0], [9, 0, 0], [10.5, 0, 0]],
+        elements=[6] * 4,
+        names=["C1", "C2", "C3", "C4"],
+        residue_names=["LIG"] * 4,
+        residue_ids=[1] * 4,
+        chains=["A"] * 4,
+        bonds=[[0, 1], [2, 3]],
+    )
     model = pliant.build_model(structure, "molecule")
     for distance, count in ((3.2, 0), (3.11, 0), (3.09, 1)):
         frame = np.array(structure.positions)
@@ -110,8 +116,11 @@ def test_a_turned_peptide_is_found_by_its_angle(model, start):
         spoilt = start.copy()
         turn = np.radians(degrees)
         arm = start[after] - start[n]
-        spoilt[after] = start[n] + (arm * np.cos(turn) + np.cross(axis, arm) * np.sin(turn)
-            + np.outer(arm @ axis, axis) * (1 - np.cos(turn)))  # fmt: skip
+        spoilt[after] = start[n] + (
+            arm * np.cos(turn)
+            + np.cross(axis, arm) * np.sin(turn)
+            + np.outer(arm @ axis, axis) * (1 - np.cos(turn))
+        )
         found = looked(model, spoilt)
         assert found.turned == count
         assert found.worst_turn == pytest.approx(degrees)

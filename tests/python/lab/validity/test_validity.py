@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""The table: its rows, verdicts and exit codes; what is missing is told."""
+"""The table: its rows, verdicts and exit codes; what is missing is reported."""
 
 import csv
 import json
@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
-from told import read_without_elements
+from expected_warnings import read_without_elements
 
 import pliant
 
@@ -119,9 +119,11 @@ def backbone(path, structure, shift):
         if number > 30 or str(structure.names[k]) not in ("N", "CA", "C", "O"):
             continue
         x, y, z = structure.positions[k] + (shift if number > 20 else 0.0)
-        lines.append(f"ATOM  {k + 1:5d}  {structure.names[k]!s:<3} {structure.residue_names[k]} A"
-                     f"{number:4d}    {x:8.3f}{y:8.3f}{z:8.3f}  1.00  0.00           "
-                     f"{structure.names[k][0]}")  # fmt: skip
+        lines.append(
+            f"ATOM  {k + 1:5d}  {structure.names[k]!s:<3} {structure.residue_names[k]} A"
+            f"{number:4d}    {x:8.3f}{y:8.3f}{z:8.3f}  1.00  0.00           "
+            f"{structure.names[k][0]}"
+        )
     path.write_text("\n".join([*lines, "END", ""]))
 
 
@@ -135,8 +137,9 @@ def test_pairs_go_both_ways_and_means_are_of_what_was_held_out(tmp_path):
     found = ladder.validity(["pairs"], pairs=tmp_path, frames=12)
     rows = rows_of(found)
     figure = "cumulative overlap of 10"
-    there, back = (rows[f"P99999, {way}", figure].ours
-                   for way in ("1AAA_A to 2BBB_A", "2BBB_A to 1AAA_A"))  # fmt: skip
+    there, back = (
+        rows[f"P99999, {way}", figure].ours for way in ("1AAA_A to 2BBB_A", "2BBB_A to 1AAA_A")
+    )
     mean = rows["domain motions, held out", f"{figure}, mean"]
     assert mean.ours == pytest.approx((there + back) / 2)
     assert (mean.data, mean.verdict) == (HELD_OUT, "")
@@ -160,8 +163,10 @@ def test_verdicts(value, verdict):
 
 
 def test_only_what_must_be_exact_breaks_the_table():
-    rows = [Row("all", figure, 1.0, **goal_of("all", figure)) for figure in (
-        "worst bar, relative", "flipped chirality", "redrawn at 1.4 Angstrom, %")]  # fmt: skip
+    rows = [
+        Row("all", figure, 1.0, **goal_of("all", figure))
+        for figure in ("worst bar, relative", "flipped chirality", "redrawn at 1.4 Angstrom, %")
+    ]
     rows.append(Row("ubiquitin", "RMSIP of 10", 0.1, **goal_of("ubiquitin", "RMSIP of 10")))
     found = Validity(10, rows)
     assert found.broken == ["all: worst bar, relative 1", "all: flipped chirality 1"]

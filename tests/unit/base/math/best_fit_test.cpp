@@ -53,7 +53,7 @@ TEST(RotationFit, FindsTheRotationOfTurnedPoints) {
 }
 
 /// The mirror image of a shape is fitted as well as a rotation can, and no better; where it is
-/// allowed it is told.
+/// allowed the fit says so.
 TEST(RotationFit, NeverReflectsUnlessAllowed) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
     RotationFit fit;

@@ -31,7 +31,7 @@ Structure whole() {
 
 const std::string cut = "warning: select: 1 bond to an atom that is left out vanishes";
 
-struct Told {
+struct Messages {
   std::vector<std::string> lines;
   Log log() {
     return {[this](Severity severity, std::string_view line) {
@@ -41,32 +41,32 @@ struct Told {
 };
 
 TEST(SelectPart, TakesAtomsWithAllTheirColumns) {
-  Told told;
-  const Structure part = select_part(whole(), "protein", told.log());
+  Messages messages;
+  const Structure part = select_part(whole(), "protein", messages.log());
   EXPECT_EQ(part.atoms.names, (std::vector<std::string>{"N", "CA", "C", "O", "N"}));
   EXPECT_EQ(part.atoms.serials, (std::vector<std::int64_t>{1, 2, 3, 4, 5}));
   EXPECT_EQ(part.b_factors, (std::vector<float>{10, 11, 12, 13, 14}));
   EXPECT_EQ(part.positions[4], (Vec3{3.33, 1.54, 0.0}));
   EXPECT_EQ(part.bonds.size(), 4U);
   EXPECT_EQ(part.source, "x.pdb");
-  EXPECT_EQ(told.lines, (std::vector<std::string>{"note: select: 5 of 7 atoms", cut}));
+  EXPECT_EQ(messages.lines, (std::vector<std::string>{"note: select: 5 of 7 atoms", cut}));
 }
 
 TEST(SelectPart, NumbersBondsAnew) {
-  Told told;
-  const Structure part = select_part(whole(), "element O Ca", told.log());
+  Messages messages;
+  const Structure part = select_part(whole(), "element O Ca", messages.log());
   ASSERT_EQ(part.bonds.size(), 1U);
   EXPECT_EQ(part.bonds[0], (Bond{0, 1, BondOrigin::file, 0}));
-  EXPECT_EQ(told.lines, (std::vector<std::string>{"note: select: 3 of 7 atoms", cut}));
+  EXPECT_EQ(messages.lines, (std::vector<std::string>{"note: select: 3 of 7 atoms", cut}));
 }
 
 TEST(SelectPart, OfAllIsTheSame) {
-  Told told;
-  const Structure all = whole(), part = select_part(all, "all", told.log());
+  Messages messages;
+  const Structure all = whole(), part = select_part(all, "all", messages.log());
   EXPECT_EQ(part.atoms.residues, all.atoms.residues);
   EXPECT_EQ(part.bonds, all.bonds);
   EXPECT_EQ(part.chain_end, all.chain_end);
-  EXPECT_EQ(told.lines, std::vector<std::string>{"note: select: 7 of 7 atoms"});
+  EXPECT_EQ(messages.lines, std::vector<std::string>{"note: select: 7 of 7 atoms"});
 }
 
 TEST(SelectPart, OfNothingIsRefused) {

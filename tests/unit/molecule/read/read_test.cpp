@@ -161,7 +161,7 @@ TEST(ReadStructure, DoesNotFollowTheLocale) {
   EXPECT_EQ(message, "x.xyz:4: 12345 atoms wanted, 1 found");
 }
 
-/// What is told once with a count must not cost a message an atom.
+/// What is reported once with a count must not cost a message an atom.
 TEST(ReadStructure, EachKindOfWarningOnce) {
   std::string text;
   for (int k = 0; k < 50'000; ++k)

@@ -141,7 +141,7 @@ pid_t start_recording_child(const std::string& path) {
   if (child == 0) {
     H5mdRecorder recorder(path, chain(4), {}, {.flush_seconds = 0.0});
     recorder.record(sample_frame(0, 4).frame);
-    [[maybe_unused]] const auto told = ::write(ready[1], "x", 1);
+    [[maybe_unused]] const auto written = ::write(ready[1], "x", 1);
     ::pause();
   }
   char byte = 0;

@@ -237,7 +237,7 @@ TEST(FrodaSolver, ASmallPushTakesFewSteps) {
   EXPECT_GE(steps_of(0.5), 3);
 }
 
-/// The technique, from any push and without being told where bars were whole.
+/// The technique, from any push and without knowing where bars were whole.
 TEST(Froda, ResolvesFrameworksWithLimitsAndSterics) {
   const Molecule bare = molecule("cyclic_hexapeptide.pdb");
   const Molecule m = molecule("cyclic_hexapeptide.pdb", spheres(bare.framework.joint_count(), 2.0));

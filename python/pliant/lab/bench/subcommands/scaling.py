@@ -27,24 +27,24 @@ def add_options(parser: console.Parser) -> None:
     from pliant.lab.bench.scaling import LIMIT_SECONDS
 
     add = parser.add_argument
-    add("--sizes", metavar="N,N,...", type=console.positive_numbers, default="1e3,1e4,1e5,1e6,1e7",
-        help="numbers of joints (default 1e3,1e4,1e5,1e6,1e7)")  # fmt: skip
-    add("--kinds", metavar="NAME,...", type=console.words, default=tuple(KINDS),
-        help=f"kinds of framework: {', '.join(KINDS)} (default: all)")  # fmt: skip
-    add("--technique", metavar="NAME", default="",
-        help="technique (default: auto where there is one, else blocks)")  # fmt: skip
-    add("--weighting", metavar="W", type=console.positive_number, default=0.5,
-        help="weighting of the technique (default 0.5)")  # fmt: skip
-    add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
-        help="relative tolerance (default 1e-6)")  # fmt: skip
-    add("--repeats", metavar="N", type=console.whole_number(1), default=3,
-        help="number of repairs; the median is reported (default 3)")  # fmt: skip
-    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS,
-        help=f"seconds for one size of one kind (default {LIMIT_SECONDS:g})")  # fmt: skip
+    text, sizes = "numbers of joints (default 1e3,1e4,1e5,1e6,1e7)", "1e3,1e4,1e5,1e6,1e7"
+    add("--sizes", metavar="N,N,...", type=console.positive_numbers, default=sizes, help=text)
+    text = f"kinds of framework: {', '.join(KINDS)} (default: all)"
+    add("--kinds", metavar="NAME,...", type=console.words, default=tuple(KINDS), help=text)
+    text = "technique (default: auto where there is one, else blocks)"
+    add("--technique", metavar="NAME", default="", help=text)
+    text = "weighting of the technique (default 0.5)"
+    add("--weighting", metavar="W", type=console.positive_number, default=0.5, help=text)
+    text = "relative tolerance (default 1e-6)"
+    add("--tolerance", metavar="T", type=console.positive_number, default=1e-6, help=text)
+    text = "number of repairs; the median is reported (default 3)"
+    add("--repeats", metavar="N", type=console.whole_number(1), default=3, help=text)
+    text = f"seconds for one size of one kind (default {LIMIT_SECONDS:g})"
+    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS, help=text)
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant.lab.bench.scaling import print_report, scaling
 
     with console.progress("sizes", arguments.quiet or arguments.json) as show:

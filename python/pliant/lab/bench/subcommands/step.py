@@ -30,25 +30,25 @@ def add_options(parser: console.Parser) -> None:
     from pliant.lab.bench.step import ROUNDS, STEPS, TECHNIQUES
 
     add = parser.add_argument
-    add("--sizes", metavar="N,N,...", type=console.positive_numbers, default="1e4,1e6",
-        help="numbers of joints (default 1e4,1e6)")  # fmt: skip
-    add("--kinds", metavar="NAME,...", type=console.words, default=("protein",),
-        help=f"kinds of framework: {', '.join(KINDS)} (default protein)")  # fmt: skip
-    add("--techniques", metavar="NAME,...", type=console.words, default=TECHNIQUES,
-        help=f"techniques (see pliant techniques; default {','.join(TECHNIQUES)})")  # fmt: skip
-    add("--weighting", metavar="W", type=console.positive_number, default=0.5,
-        help="weighting of the techniques (default 0.5)")  # fmt: skip
-    add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
-        help="relative tolerance (default 1e-6)")  # fmt: skip
-    add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
-        help=f"steps of a round (default {STEPS})")  # fmt: skip
-    add("--rounds", metavar="N", type=console.whole_number(1), default=ROUNDS,
-        help=f"number of rounds; the median is reported (default {ROUNDS})")  # fmt: skip
+    text = "numbers of joints (default 1e4,1e6)"
+    add("--sizes", metavar="N,N,...", type=console.positive_numbers, default="1e4,1e6", help=text)
+    text = f"kinds of framework: {', '.join(KINDS)} (default protein)"
+    add("--kinds", metavar="NAME,...", type=console.words, default=("protein",), help=text)
+    text = f"techniques (see pliant techniques; default {','.join(TECHNIQUES)})"
+    add("--techniques", metavar="NAME,...", type=console.words, default=TECHNIQUES, help=text)
+    text = "weighting of the techniques (default 0.5)"
+    add("--weighting", metavar="W", type=console.positive_number, default=0.5, help=text)
+    text = "relative tolerance (default 1e-6)"
+    add("--tolerance", metavar="T", type=console.positive_number, default=1e-6, help=text)
+    text = f"steps of a round (default {STEPS})"
+    add("--steps", metavar="N", type=console.whole_number(1), default=STEPS, help=text)
+    text = f"number of rounds; the median is reported (default {ROUNDS})"
+    add("--rounds", metavar="N", type=console.whole_number(1), default=ROUNDS, help=text)
     add("--csv", metavar="FILE", help="write the rows as CSV")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.bench.step import print_report, steps_of_pushes
 

@@ -35,22 +35,22 @@ def add_options(parser: console.Parser) -> None:
         default="",
         help="only cases with this word in their name or group",
     )
-    add("--techniques", metavar="NAME,...", type=console.words, default=(),
-        help="techniques (default: all)")  # fmt: skip
-    add("--weightings", metavar="W,W,...", type=console.positive_numbers, default=(0.5,),
-        help="weightings of these techniques (default 0.5)")  # fmt: skip
-    add("--steps", metavar="N", type=console.whole_number(1), default=STEPS,
-        help=f"steps of the runs of closed mechanisms (default {STEPS})")  # fmt: skip
+    text = "techniques (default: all)"
+    add("--techniques", metavar="NAME,...", type=console.words, default=(), help=text)
+    text = "weightings of these techniques (default 0.5)"
+    add("--weightings", metavar="W,W,...", type=console.positive_numbers, default=(0.5,), help=text)
+    text = f"steps of the runs of closed mechanisms (default {STEPS})"
+    add("--steps", metavar="N", type=console.whole_number(1), default=STEPS, help=text)
     add("--full", action="store_true", help=f"make {FULL_STEPS} steps, which takes hours")
-    add("--shrink", metavar="N", type=console.whole_number(1), default=1,
-        help="make the large frameworks N times smaller (default 1)")  # fmt: skip
-    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS,
-        help=f"seconds for one technique on one case (default {LIMIT_SECONDS:g})")  # fmt: skip
+    text = "make the large frameworks N times smaller (default 1)"
+    add("--shrink", metavar="N", type=console.whole_number(1), default=1, help=text)
+    text = f"seconds for one technique on one case (default {LIMIT_SECONDS:g})"
+    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS, help=text)
     add("--no-openmm", action="store_true", help="leave OpenMM out")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant.lab.bench.stress import stress
     from pliant.lab.bench.stress_report import print_report
     from pliant.lab.bench.stress_table import FULL_STEPS, all_cases

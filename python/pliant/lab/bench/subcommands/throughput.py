@@ -25,28 +25,28 @@ def add_options(parser: console.Parser) -> None:
 
     add = parser.add_argument
     add("file", metavar="FILE", help="molecule file, as for pliant run")
-    add("--bars", choices=["bonds", "angles"], default="bonds",
-        help="what becomes a bar (default bonds)")  # fmt: skip
-    add("--techniques", metavar="NAME,...", type=console.words, default=TECHNIQUES,
-        help=f"techniques (see pliant techniques; default {','.join(TECHNIQUES)})")  # fmt: skip
-    add("--weighting", metavar="W", type=console.positive_number, default=1.0,
-        help="weighting of the techniques (default 1)")  # fmt: skip
-    add("--tolerance", metavar="T", type=console.positive_number, default=1e-6,
-        help="relative tolerance (default 1e-6)")  # fmt: skip
-    add("--displacement", metavar="A", type=console.positive_number, default=0.1,
-        help="standard deviation of each coordinate, Angstrom (default 0.1)")  # fmt: skip
-    add("--threads", metavar="N,N,...", type=console.positive_numbers, default=THREADS,
-        help="numbers of threads (default 1,2)")  # fmt: skip
-    add("--conformers", metavar="N", type=console.whole_number(1), default=CONFORMERS,
-        help=f"broken copies for each thread (default {CONFORMERS})")  # fmt: skip
-    add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
-        help=f"number of rounds; the median is reported (default {REPEATS})")  # fmt: skip
+    text = "what becomes a bar (default bonds)"
+    add("--bars", choices=["bonds", "angles"], default="bonds", help=text)
+    text = f"techniques (see pliant techniques; default {','.join(TECHNIQUES)})"
+    add("--techniques", metavar="NAME,...", type=console.words, default=TECHNIQUES, help=text)
+    text = "weighting of the techniques (default 1)"
+    add("--weighting", metavar="W", type=console.positive_number, default=1.0, help=text)
+    text = "relative tolerance (default 1e-6)"
+    add("--tolerance", metavar="T", type=console.positive_number, default=1e-6, help=text)
+    text = "standard deviation of each coordinate, Angstrom (default 0.1)"
+    add("--displacement", metavar="A", type=console.positive_number, default=0.1, help=text)
+    text = "numbers of threads (default 1,2)"
+    add("--threads", metavar="N,N,...", type=console.positive_numbers, default=THREADS, help=text)
+    text = f"broken copies for each thread (default {CONFORMERS})"
+    add("--conformers", metavar="N", type=console.whole_number(1), default=CONFORMERS, help=text)
+    text = f"number of rounds; the median is reported (default {REPEATS})"
+    add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS, help=text)
     add("--csv", metavar="FILE", help="write the rows as CSV")
     add("--without-openmm", action="store_true", help="time Pliant's techniques alone")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.bench.throughput import print_report, throughput
 

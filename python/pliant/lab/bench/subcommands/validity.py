@@ -30,25 +30,29 @@ examples:
 def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
     add = parser.add_argument
-    add("--rows", metavar="NAME,...", type=console.words, default=(),
-        help="groups: ubiquitin, hiv, adk_md, adk_closed, adk_open, pairs, crystals, clashes, cost "
-        "(default: all)")  # fmt: skip
-    add("--data", metavar="FOLDER",
-        help="look for files in this folder and its subfolders first, then in "
-        "packages")  # fmt: skip
-    add("--pairs", metavar="FOLDER",
+    text = (
+        "groups: ubiquitin, hiv, adk_md, adk_closed, adk_open, pairs, crystals, clashes, cost "
+        "(default: all)"
+    )
+    add("--rows", metavar="NAME,...", type=console.words, default=(), help=text)
+    text = "look for files in this folder and its subfolders first, then in packages"
+    add("--data", metavar="FOLDER", help=text)
+    add(
+        "--pairs",
+        metavar="FOLDER",
         help="folder of subfolders, each with two structures of a protein, compared in both "
-        "directions")  # fmt: skip
-    add("--frames", metavar="N", type=console.whole_number(12), default=200,
-        help="frames of each ensemble (default 200)")  # fmt: skip
-    add("--seeds", metavar="N", type=console.whole_number(1), default=3,
-        help="ensembles of different seeds that are compared (default 3)")  # fmt: skip
+        "directions",
+    )
+    text = "frames of each ensemble (default 200)"
+    add("--frames", metavar="N", type=console.whole_number(12), default=200, help=text)
+    text = "ensembles of different seeds that are compared (default 3)"
+    add("--seeds", metavar="N", type=console.whole_number(1), default=3, help=text)
     add("--csv", metavar="FILE", help="write the rows as CSV")
     add("-o", "--output", metavar="FILE", help="draw profiles and overlaps (PNG)")
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant._extras import need
 
     need("pliant bench validity", "MDAnalysis", "scipy")

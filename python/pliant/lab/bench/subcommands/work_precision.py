@@ -34,21 +34,25 @@ def add_options(parser: console.Parser) -> None:
 
     add = parser.add_argument
     add("file", metavar="FILE", help="molecule file, as for pliant run")
-    add("--bars", choices=["bonds", "angles"], default="bonds",
-        help="what becomes a bar (default bonds)")  # fmt: skip
-    add("--displacement", metavar="A", type=console.positive_number, default=0.1,
-        help="standard deviation of each coordinate, Angstrom (default 0.1)")  # fmt: skip
-    add("--seed", metavar="N", type=console.whole_number(0), default=0,
-        help="seed of the displacement (default 0)")  # fmt: skip
-    add("--tolerances", metavar="T,T,...", type=console.positive_numbers,
+    text = "what becomes a bar (default bonds)"
+    add("--bars", choices=["bonds", "angles"], default="bonds", help=text)
+    text = "standard deviation of each coordinate, Angstrom (default 0.1)"
+    add("--displacement", metavar="A", type=console.positive_number, default=0.1, help=text)
+    text = "seed of the displacement (default 0)"
+    add("--seed", metavar="N", type=console.whole_number(0), default=0, help=text)
+    add(
+        "--tolerances",
+        metavar="T,T,...",
+        type=console.positive_numbers,
         default=",".join(f"1e-{k}" for k in range(2, 13)),
-        help="relative tolerances, the largest first (default 1e-2,1e-3,...,1e-12)")  # fmt: skip
-    add("--techniques", metavar="NAME,...", type=console.words, default=(),
-        help="techniques (default: all)")  # fmt: skip
-    add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS,
-        help=f"number of rounds; the median is reported (default {REPEATS})")  # fmt: skip
-    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS,
-        help=f"seconds for one technique at one tolerance (default {LIMIT_SECONDS:g})")  # fmt: skip
+        help="relative tolerances, the largest first (default 1e-2,1e-3,...,1e-12)",
+    )
+    text = "techniques (default: all)"
+    add("--techniques", metavar="NAME,...", type=console.words, default=(), help=text)
+    text = f"number of rounds; the median is reported (default {REPEATS})"
+    add("--repeats", metavar="N", type=console.whole_number(1), default=REPEATS, help=text)
+    text = f"seconds for one technique at one tolerance (default {LIMIT_SECONDS:g})"
+    add("--time-limit", metavar="S", type=console.positive_number, default=LIMIT_SECONDS, help=text)
     add(
         "--mass-weighted",
         action="store_true",
@@ -61,7 +65,7 @@ def add_options(parser: console.Parser) -> None:
 
 
 def run(arguments: argparse.Namespace) -> int:
-    """Measures and tells; returns the exit code."""
+    """Measures and prints; returns the exit code."""
     from pliant.lab.bench.rows import write_csv
     from pliant.lab.bench.work_precision import work_precision
     from pliant.lab.bench.work_precision_report import print_report

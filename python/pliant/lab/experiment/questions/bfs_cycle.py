@@ -164,12 +164,12 @@ def _formula_error(trials: list[Trial]) -> float:
 
 
 def _polygon_table() -> Table:
+    columns = ["joints"] + [f for w in ("0.5", "0.75", "1") for f in (f"rate {w}", "observed")]
     table = Table(
         "Regular polygons of unit bars: spectral radius of one sweep of bfs_cycle, beside the "
         "factor observed on positions broken by 1e-4; at weighting 1 it is cos²(2π/n).",
-        ["joints", "rate 0.5", "observed", "rate 0.75", "observed", "rate 1", "observed",
-         "cos²(2π/n)"],
-    )  # fmt: skip
+        [*columns, "cos²(2π/n)"],
+    )
     for size in POLYGONS:
         framework, positions = polygon(size)
         row: list[str | int | float] = [size]
@@ -181,22 +181,21 @@ def _polygon_table() -> Table:
 
 
 def _rate_table(found: dict[float, list[Observed]], trials: int) -> Table:
+    columns = ["weighting", "pushes", "median rate", "90 % below", "largest rate", "mean sweeps"]
+    columns += ["sd", "most sweeps", "met the limit", "predicted / taken, median"]
     table = Table(
         f"{trials} pushes of random 1-cycles (both ways of making them; push {PUSH:g} Å, tolerance "
         f"{TOLERANCE:g} Å, at most {LIMIT} sweeps): those that took more than one sweep.",
-        ["weighting", "pushes", "median rate", "90 % below", "largest rate", "mean sweeps",
-         "sd", "most sweeps", "met the limit", "predicted / taken, median", "within a factor 1.5"],
-    )  # fmt: skip
+        [*columns, "within a factor 1.5"],
+    )
     for weighting, seen in found.items():
         rates, sweeps = _rates(seen), _sweeps(seen)
         ratio = np.array([s.predicted / s.sweeps for s in seen if s.converged])
         near = np.mean((ratio < 1.5) & (ratio > 1 / 1.5))
-        table.rows.append([
-            f"{weighting:g}", len(seen), f"{np.median(rates):.3f}",
-            f"{np.percentile(rates, 90):.3f}", f"{rates.max():.5f}", digits(sweeps.mean()),
-            digits(sweeps.std(ddof=1)), int(sweeps.max()),
-            sum(not s.converged for s in seen), f"{np.median(ratio):.2f}", f"{100 * near:.0f} %",
-        ])  # fmt: skip
+        row: list[str | int | float] = [f"{weighting:g}", len(seen), f"{np.median(rates):.3f}"]
+        row += [f"{np.percentile(rates, 90):.3f}", f"{rates.max():.5f}", digits(sweeps.mean())]
+        row += [digits(sweeps.std(ddof=1)), int(sweeps.max()), sum(not s.converged for s in seen)]
+        table.rows.append([*row, f"{np.median(ratio):.2f}", f"{100 * near:.0f} %"])
     return table
 
 
@@ -208,10 +207,8 @@ def _bin_table(seen: list[Observed]) -> Table:
     for low, high in itertools.pairwise(BINS):
         sweeps = np.array([s.sweeps for s in seen if low <= s.rate < high])
         if sweeps.size:
-            table.rows.append(
-                [f"{low:g}", f"{min(high, 1.0):g}", len(sweeps), digits(sweeps.mean()),
-                 int(sweeps.max())]
-            )  # fmt: skip
+            edges = f"{low:g}", f"{min(high, 1.0):g}"
+            table.rows.append([*edges, len(sweeps), digits(sweeps.mean()), int(sweeps.max())])
     return table
 
 
@@ -221,15 +218,24 @@ def _draw_rates(found: dict[float, list[Observed]], out: Path) -> Figure:
         sizes = range(3, 51)
         for weighting in WEIGHTINGS:
             rates = [_polygon_rate(size, weighting) for size in sizes]
-            left.plot(sizes, rates, color=COLORS[weighting], linestyle=LINES[weighting],
-                      linewidth=2.2, label=f"weighting {weighting:g}")  # fmt: skip
+            color, line = COLORS[weighting], LINES[weighting]
+            name = f"weighting {weighting:g}"
+            left.plot(sizes, rates, color=color, linestyle=line, linewidth=2.2, label=name)
             seen = np.sort(_rates(found[weighting]))
             right.plot(seen, 100 * (1 - np.arange(len(seen)) / len(seen)), color=COLORS[weighting])
-        left.set(xlabel="joints of a regular polygon", ylabel="spectral radius of a sweep",
-                 ylim=(0, 1.02), title="Regular polygons")  # fmt: skip
+        left.set(
+            xlabel="joints of a regular polygon",
+            ylabel="spectral radius of a sweep",
+            ylim=(0, 1.02),
+            title="Regular polygons",
+        )
         left.legend()
-        right.set(xlabel="spectral radius of a sweep", ylabel="pushes with a larger one (%)",
-                  yscale="log", title="Random 1-cycles")  # fmt: skip
+        right.set(
+            xlabel="spectral radius of a sweep",
+            ylabel="pushes with a larger one (%)",
+            yscale="log",
+            title="Random 1-cycles",
+        )
         plotting.save(plot, out / "rates.png")
     return Figure(
         out / "rates.png",
@@ -251,11 +257,17 @@ def _draw_prediction(found: dict[float, list[Observed]], out: Path) -> Figure:
             seen = [s for s in found[weighting] if s.converged]
             predicted, sweeps = [s.predicted for s in seen], [s.sweeps for s in seen]
             top = max(top, *sweeps, *predicted)
-            axis.scatter(predicted, sweeps, s=14, marker=marker, color=COLORS[weighting], alpha=0.5,
-                         linewidths=0, label=f"weighting {weighting:g}")  # fmt: skip
+            name, color = f"weighting {weighting:g}", COLORS[weighting]
+            axis.scatter(
+                predicted, sweeps, s=14, marker=marker, color=color, alpha=0.5, lw=0, label=name
+            )
         axis.plot((2, top), (2, top), color="black", linewidth=0.8)
-        axis.set(xscale="log", yscale="log", xlabel="sweeps predicted from the spectral radius",
-                 ylabel="sweeps taken")  # fmt: skip
+        axis.set(
+            xscale="log",
+            yscale="log",
+            xlabel="sweeps predicted from the spectral radius",
+            ylabel="sweeps taken",
+        )
         for side in (axis.xaxis, axis.yaxis):
             side.set_major_formatter(ScalarFormatter())
             side.set_minor_formatter(NullFormatter())

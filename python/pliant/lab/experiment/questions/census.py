@@ -16,8 +16,10 @@ from pliant.lab.experiment.trials import as_text, digits
 TITLE = "How do real molecules compare with the thesis' classes?"
 ORDER = 5
 
-CLASSES = ("tree", "1-cycle-bar", "1-cycle-ring", "2-cycle-bars", "2-cycle-shared", "2-cycle-tree",
-           "2-cycle-path", "n-cycle")  # fmt: skip
+CLASSES = tuple(
+    "tree 1-cycle-bar 1-cycle-ring 2-cycle-bars 2-cycle-shared 2-cycle-tree 2-cycle-path "
+    "n-cycle".split()
+)
 SMALL = 20  #: bonds: steroids and porphyrin rings are about as large
 
 
@@ -64,9 +66,10 @@ def _rings(facts: pliant.GraphFacts) -> float:
 
 
 def _verdict(
-    molecules: list[pliant.GraphFacts], proteins: list[pliant.GraphFacts],
+    molecules: list[pliant.GraphFacts],
+    proteins: list[pliant.GraphFacts],
     random: list[pliant.Framework],
-) -> str:  # fmt: skip
+) -> str:
     parts = []
     if molecules:
         few = sum(f.cycles <= 2 for f in molecules)
@@ -113,43 +116,50 @@ def _paragraphs(missing: list[str], count: int) -> list[str]:
 
 
 def _class_table(facts: list[pliant.GraphFacts]) -> Table:
-    table = Table("Small molecules by number of independent cycles.",
-                  ["class", "molecules", "mean bars", "mean bars on cycles"])  # fmt: skip
-    groups = {"tree": (0, 0), "1-cycle": (1, 1), "2-cycle": (2, 2), "3 to 5 cycles": (3, 5),
-              "6 and more": (6, 10**9)}  # fmt: skip
+    table = Table(
+        "Small molecules by number of independent cycles.",
+        ["class", "molecules", "mean bars", "mean bars on cycles"],
+    )
+    groups = {"tree": (0, 0), "1-cycle": (1, 1), "2-cycle": (2, 2)}
+    groups |= {"3 to 5 cycles": (3, 5), "6 and more": (6, 10**9)}
     for name, (low, high) in groups.items():
         own = [f for f in facts if low <= f.cycles <= high]
         if own:
-            table.rows.append([name, len(own), digits(float(np.mean([f.bars for f in own]))),
-                               f"{100 * np.mean([_share(f) for f in own]):.0f} %"])  # fmt: skip
+            mean, share = np.mean([f.bars for f in own]), np.mean([_share(f) for f in own])
+            table.rows.append([name, len(own), digits(float(mean)), f"{100 * share:.0f} %"])
     return table
 
 
 def _specimen_table(molecules: list[Specimen], proteins: list[Specimen]) -> Table:
-    table = Table(
-        "Each protein or peptide, and some molecules.",
-        ["name", "atoms", "bars", "components", "cycles", "bridges", "blocks",
-         "bars of the largest block", "bars on cycles"],
-    )  # fmt: skip
+    columns = ["name", "atoms", "bars", "components", "cycles", "bridges", "blocks"]
+    columns += ["bars of the largest block", "bars on cycles"]
+    table = Table("Each protein or peptide, and some molecules.", columns)
     for specimen in (*proteins, *molecules[:: max(1, len(molecules) // 12)]):
         f = specimen.framework.graph_facts()
-        table.rows.append([specimen.name, f.joints, f.bars, f.components, f.cycles, f.bridges,
-                           f.blocks, f.largest_block, f"{100 * _share(f):.0f} %"])  # fmt: skip
+        sizes = f.joints, f.bars, f.components, f.cycles, f.bridges, f.blocks, f.largest_block
+        table.rows.append([specimen.name, *sizes, f"{100 * _share(f):.0f} %"])
     return table
 
 
 def _random_table(seed: int, quick: bool) -> Table:
-    table = Table("The thesis' classes, as the default experiment makes them: means.",
-                  ["class", "bars", "cycles", "blocks", "bars on cycles"])  # fmt: skip
+    table = Table(
+        "The thesis' classes, as the default experiment makes them: means.",
+        ["class", "bars", "cycles", "blocks", "bars on cycles"],
+    )
     for kind in CLASSES:
-        facts = [pliant.generate(kind, seed, k).framework.graph_facts()
-                 for k in range(3 if quick else 20)]  # fmt: skip
-        table.rows.append([
-            kind, digits(float(np.mean([f.bars for f in facts]))),
-            digits(float(np.mean([f.cycles for f in facts]))),
-            digits(float(np.mean([f.blocks for f in facts]))),
-            f"{100 * np.mean([_share(f) for f in facts]):.0f} %",
-        ])  # fmt: skip
+        facts = [
+            pliant.generate(kind, seed, k).framework.graph_facts()
+            for k in range(3 if quick else 20)
+        ]
+        table.rows.append(
+            [
+                kind,
+                digits(float(np.mean([f.bars for f in facts]))),
+                digits(float(np.mean([f.cycles for f in facts]))),
+                digits(float(np.mean([f.blocks for f in facts]))),
+                f"{100 * np.mean([_share(f) for f in facts]):.0f} %",
+            ]
+        )
     return table
 
 

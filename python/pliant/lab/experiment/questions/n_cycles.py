@@ -20,7 +20,7 @@ from pliant.lab.experiment.trials import (
     replicates,
     with_interval,
     work_of,
-)  # fmt: skip
+)
 
 TITLE = "What about more than two cycles?"
 ORDER = 4
@@ -29,9 +29,9 @@ JOINTS = 60
 TECHNIQUES = (
     ("random", 0.5), ("bfs_cycle", 0.5), ("bfs_reverse", 0.5), ("bfs_cycle", 1.0),
     ("bfs_random", 1.0), ("anderson", 0.5), ("blocks", 0.5),
-)  # fmt: skip
-COLORS = (plotting.GREY, plotting.BLUE, plotting.SKY, plotting.VERMILION, plotting.ORANGE,
-          plotting.PURPLE, "black")  # fmt: skip
+)  # fmt: skip  # a table: a row a line
+COLORS = [plotting.GREY, plotting.BLUE, plotting.SKY, plotting.VERMILION, plotting.ORANGE]
+COLORS += [plotting.PURPLE, "black"]
 MARKERS = "o^sDvP*"
 THESIS = TECHNIQUES[:5]
 
@@ -90,7 +90,7 @@ def _paragraphs() -> list[str]:
         'that bfs_reverse "may do increasingly better" with more cycles; counted in sweeps of one '
         "direction, or in work, it does not. A push that meets the limit counts with the work done "
         "until then, so means with failures are lower bounds. A projection of blocks stands for "
-        "a bar in one Newton iteration, whose linear algebra costs more than a sweep's projection.",
+        "a bar in one Newton iteration, whose linear algebra costs more than a sweep's projection."
     ]
 
 
@@ -115,8 +115,9 @@ def _draw(found: Results, cycles: tuple[int, ...], seed: int, out: Path) -> Figu
         left, right = axes[0]
         for combination, color, marker in zip(TECHNIQUES, COLORS, MARKERS, strict=True):
             works = [found[n, combination] for n in cycles]
-            means = np.array([mean_interval(w.projections, replicates(w.graphs, seed))
-                              for w in works])  # fmt: skip
+            means = np.array(
+                [mean_interval(w.projections, replicates(w.graphs, seed)) for w in works]
+            )
             look = {"color": color, "marker": marker, "markersize": 4}
             left.plot(cycles, means[:, 0], label=label(combination), **look)
             left.fill_between(

@@ -30,7 +30,7 @@ from pliant.lab.experiment.trials import (
     replicates,
     with_interval,
     work_of,
-)  # fmt: skip
+)
 
 TITLE = "Which new techniques do better?"
 ORDER = 6
@@ -42,9 +42,9 @@ LISTED = 6  #: of the thesis, in the table of work
 NAMES = (
     "glutathione", "ibuprofen", "sucrose", "caffeine", "crown-18-6", "penicillin G", "cholesterol",
     "morphine", "porphine", "adamantane", "cyclohexaglycine", "quinine",
-)  # fmt: skip
-COLORS = (plotting.GREEN, plotting.BLUE, plotting.VERMILION, plotting.ORANGE, plotting.PURPLE,
-          plotting.SKY, "black", plotting.GREY, "#7F5539", "#44AA99")  # fmt: skip
+)  # fmt: skip  # a table: a row a line
+COLORS = [plotting.GREEN, plotting.BLUE, plotting.VERMILION, plotting.ORANGE, plotting.PURPLE]
+COLORS += [plotting.SKY, "black", plotting.GREY, "#7F5539", "#44AA99"]
 
 Results = dict[tuple[str, str], dict[Combination, Work]]  #: (family, tolerance) -> each technique
 
@@ -67,9 +67,13 @@ def answer(out: Path, seed: int, quick: bool) -> Answer:
                 c: work_of(own, *c, length=length, relative=relative, limit=_limit(family))
                 for c in (*thesis, *new)
             }
-    return Answer(TITLE, _verdict(found, new, seed), [*_paragraphs(new), *words],
-                  as_text([_ratio_table(found, new, seed), _work_table(found, seed)]),
-                  [_draw(found, new, seed, out)])  # fmt: skip
+    return Answer(
+        TITLE,
+        _verdict(found, new, seed),
+        [*_paragraphs(new), *words],
+        as_text([_ratio_table(found, new, seed), _work_table(found, seed)]),
+        [_draw(found, new, seed, out)],
+    )
 
 
 def _new() -> list[str]:
@@ -84,8 +88,10 @@ def _molecule_trials(seed: int, quick: bool) -> dict[str, list[Trial]]:
     pushes = 3 if quick else 8
     names = list(NAMES[:3] if quick else NAMES)
     assert all(name in SMILES for name in names)
-    found = {f"molecules, {bars}": _trials_of(rdkit_molecules(names, bars), pushes, seed)
-             for bars in ("bonds", "angles")}  # fmt: skip
+    found = {
+        f"molecules, {bars}": _trials_of(rdkit_molecules(names, bars), pushes, seed)
+        for bars in ("bonds", "angles")
+    }
     if not quick:
         proteins = [p for p in packaged_proteins()[0] if p.framework.bar_count < 4000]
         found["proteins, bonds"] = _trials_of(proteins, 3, seed)
@@ -109,15 +115,17 @@ def _gain(
 ) -> tuple[float, float, float]:
     """How many times the new technique's work the thesis' best takes, with its interval."""
     best = works[_best_of_thesis(works)]
-    return ratio_interval(best.projections, works[new].projections,
-                          replicates(best.graphs, seed))  # fmt: skip
+    return ratio_interval(best.projections, works[new].projections, replicates(best.graphs, seed))
 
 
 def _verdict(found: Results, new: list[Combination], seed: int) -> str:
     winners = []
     for combination in new:
-        gains = [_gain(works, combination, seed) for (family, _), works in found.items()
-                 if family.endswith("cycle")]  # fmt: skip
+        gains = [
+            _gain(works, combination, seed)
+            for (family, _), works in found.items()
+            if family.endswith("cycle")
+        ]
         if all(gain[1] > 1.0 for gain in gains):
             ratios = [gain[0] for gain in gains]
             winners.append(f"{label(combination)} by {min(ratios):.1f} to {max(ratios):.1f} times")
@@ -193,11 +201,9 @@ def _work_table(found: Results, seed: int) -> Table:
         for combination in _listed(works):
             work = works[combination]
             mean = mean_interval(work.projections, replicates(work.graphs, seed))
-            table.rows.append([
-                family, label(combination), with_interval(mean), digits(work.sweeps.mean()),
-                f"{work.failures} of {len(work.sweeps)}",
-                digits(1e6 * float(np.median(work.seconds))),
-            ])  # fmt: skip
+            row = [family, label(combination), with_interval(mean), digits(work.sweeps.mean())]
+            row += [f"{work.failures} of {len(work.sweeps)}"]
+            table.rows.append([*row, digits(1e6 * float(np.median(work.seconds)))])
     return table
 
 
@@ -225,14 +231,12 @@ def _draw(found: Results, new: list[Combination], seed: int, out: Path) -> Figur
     with plotting.figure(1, 2, panel=(5.0, 0.85 * len(families) + 1.2)) as (plot, axes):
         for axis, tolerance in zip(axes[0], SETTINGS, strict=True):
             for place, combination in enumerate(new):
-                gains = np.array([_gain(found[f, tolerance], combination, seed)
-                                  for f in families])  # fmt: skip
+                gains = np.array([_gain(found[f, tolerance], combination, seed) for f in families])
                 rows = np.arange(len(families)) + (place - 0.5 * (len(new) - 1)) * 0.8 / len(new)
-                axis.errorbar(
-                    gains[:, 0], rows, xerr=(gains[:, 0] - gains[:, 1], gains[:, 2] - gains[:, 0]),
-                    fmt="os^DvPX*<>"[place % 10], color=COLORS[place % len(COLORS)], markersize=4.5,
-                    elinewidth=1.0, capsize=2, label=label(combination),
-                )  # fmt: skip
+                errors = (gains[:, 0] - gains[:, 1], gains[:, 2] - gains[:, 0])
+                look = {"label": label(combination), "color": COLORS[place % len(COLORS)]}
+                fmt, sizes = "os^DvPX*<>"[place % 10], {"markersize": 4.5, "elinewidth": 1.0}
+                axis.errorbar(gains[:, 0], rows, xerr=errors, fmt=fmt, capsize=2, **look, **sizes)
             axis.axvline(1.0, color="black", linewidth=0.9)
             axis.set_yticks(range(len(families)), families)
             axis.invert_yaxis()

@@ -20,7 +20,7 @@ from pliant.lab.experiment.trials import (
     replicates,
     with_interval,
     work_of,
-)  # fmt: skip
+)
 
 TITLE = "Does adapting the root help?"
 ORDER = 2
@@ -54,8 +54,8 @@ def answer(out: Path, seed: int, quick: bool) -> Answer:
                     found[family, technique, weighting, name] = work_of(
                         own, technique, weighting, length=length
                     )
-    return Answer(TITLE, _verdict(found), _paragraphs(), as_text([_table(found, seed)]),
-                  [_draw(found, seed, out)])  # fmt: skip
+    table, drawing = as_text([_table(found, seed)]), _draw(found, seed, out)
+    return Answer(TITLE, _verdict(found), _paragraphs(), table, [drawing])
 
 
 def family_trials(graphs: int, pushes: int, seed: int) -> dict[str, list[Trial]]:
@@ -77,8 +77,7 @@ def _ratio(
 ) -> tuple[float, float, float]:
     family, _, weighting, tolerance = key
     plain = found[family, NONE, weighting, tolerance]
-    return ratio_interval(found[key].projections, plain.projections,
-                          replicates(plain.graphs, seed))  # fmt: skip
+    return ratio_interval(found[key].projections, plain.projections, replicates(plain.graphs, seed))
 
 
 def _range(found: Results, technique: str, weighting: float) -> str:
@@ -92,8 +91,11 @@ def _range(found: Results, technique: str, weighting: float) -> str:
 
 
 def _best(found: Results, family: str, tolerance: str) -> str:
-    works = {(t, w): found[family, t, w, tolerance].projections.mean()
-             for t in (NONE, *ADAPTIONS) for w in WEIGHTINGS}  # fmt: skip
+    works = {
+        (t, w): found[family, t, w, tolerance].projections.mean()
+        for t in (NONE, *ADAPTIONS)
+        for w in WEIGHTINGS
+    }
     return label(min(works, key=lambda key: works[key]))
 
 
@@ -126,22 +128,26 @@ def _paragraphs() -> list[str]:
 
 
 def _table(found: Results, seed: int) -> Table:
+    columns = ["class", "tolerance", "weighting"]
+    columns += [f"{t} ({what})" for t, what in ADAPTIONS.items()]
     table = Table(
         "Projections over those of bfs_cycle with the same weighting on the same pushes, with "
         "95 % of the bootstrap over graphs; below 1 adapting helps.",
-        ["class", "tolerance", "weighting", *[f"{t} ({what})" for t, what in ADAPTIONS.items()],
-         "projections of bfs_cycle", "met the limit"],
-    )  # fmt: skip
+        [*columns, "projections of bfs_cycle", "met the limit"],
+    )
     for family in KINDS:
         for tolerance in TOLERANCES:
             for weighting in WEIGHTINGS:
-                ratios = [with_interval(_ratio(found, (family, t, weighting, tolerance), seed))
-                          for t in ADAPTIONS]  # fmt: skip
-                failures = [found[family, t, weighting, tolerance].failures
-                            for t in (NONE, *ADAPTIONS)]  # fmt: skip
+                ratios = [
+                    with_interval(_ratio(found, (family, t, weighting, tolerance), seed))
+                    for t in ADAPTIONS
+                ]
+                failures = [
+                    found[family, t, weighting, tolerance].failures for t in (NONE, *ADAPTIONS)
+                ]
                 plain = found[family, NONE, weighting, tolerance].projections.mean()
-                table.rows.append([family, tolerance, f"{weighting:g}", *ratios, f"{plain:.0f}",
-                                   "/".join(map(str, failures))])  # fmt: skip
+                row = [family, tolerance, f"{weighting:g}", *ratios, f"{plain:.0f}"]
+                table.rows.append([*row, "/".join(map(str, failures))])
     return table
 
 
@@ -149,13 +155,13 @@ def _draw(found: Results, seed: int, out: Path) -> Figure:
     with plotting.figure(1, len(KINDS), panel=(3.2, 3.4)) as (plot, axes):
         for axis, family in zip(axes[0], KINDS, strict=True):
             for shift, technique in zip((-0.22, 0.0, 0.22), ADAPTIONS, strict=True):
-                ratios = np.array([_ratio(found, (family, technique, w, "0.01 Å"), seed)
-                                   for w in WEIGHTINGS])  # fmt: skip
+                ratios = np.array(
+                    [_ratio(found, (family, technique, w, "0.01 Å"), seed) for w in WEIGHTINGS]
+                )
                 places = np.arange(len(WEIGHTINGS)) + shift
-                axis.bar(places, ratios[:, 0], 0.2, color=COLORS[technique],
-                         label=ADAPTIONS[technique],
-                         yerr=(ratios[:, 0] - ratios[:, 1], ratios[:, 2] - ratios[:, 0]),
-                         error_kw={"elinewidth": 0.9, "capsize": 2})  # fmt: skip
+                look = {"color": COLORS[technique], "error_kw": {"elinewidth": 0.9, "capsize": 2}}
+                errors = (ratios[:, 0] - ratios[:, 1], ratios[:, 2] - ratios[:, 0])
+                axis.bar(places, ratios[:, 0], 0.2, label=ADAPTIONS[technique], yerr=errors, **look)
             axis.axhline(1.0, color="black", linewidth=0.9)
             axis.set_xticks(range(len(WEIGHTINGS)), [f"{w:g}" for w in WEIGHTINGS])
             axis.set(title=family, xlabel="weighting")

@@ -35,12 +35,16 @@ KINDS: dict[str, Callable[[int], int]] = {
     "n-cycle": lambda joints: joints // 20,
 }
 TECHNIQUES = (
-    ("random", 0.5), ("bfs_cycle", 0.5), ("bfs_reverse", 0.5), ("bfs_cycle", 1.0),
-    ("anderson", 0.5), ("blocks", 0.5),
-)  # fmt: skip
+    ("random", 0.5),
+    ("bfs_cycle", 0.5),
+    ("bfs_reverse", 0.5),
+    ("bfs_cycle", 1.0),
+    ("anderson", 0.5),
+    ("blocks", 0.5),
+)
 THESIS = TECHNIQUES[:4]
-COLORS = (plotting.GREY, plotting.BLUE, plotting.SKY, plotting.VERMILION, plotting.ORANGE,
-          plotting.GREEN)  # fmt: skip
+COLORS = [plotting.GREY, plotting.BLUE, plotting.SKY, plotting.VERMILION]
+COLORS += [plotting.ORANGE, plotting.GREEN]
 MARKERS = "o^sDvP"
 MOST_SWEEPS = 500
 Results = dict[tuple[str, int, tuple[str, float]], Work]
@@ -57,8 +61,8 @@ def answer(out: Path, seed: int, quick: bool) -> Answer:
             made[joints] = Counter(trial.graph for trial in trials)
             for combination in TECHNIQUES:
                 found[kind, joints, combination] = work_of(trials, *combination, limit=MOST_SWEEPS)
-    return Answer(TITLE, _verdict(found, sizes), _paragraphs(made), as_text([_table(found, sizes)]),
-                  [_draw(found, sizes, out)])  # fmt: skip
+    table, drawing = as_text([_table(found, sizes)]), _draw(found, sizes, out)
+    return Answer(TITLE, _verdict(found, sizes), _paragraphs(made), table, [drawing])
 
 
 def _trials(kind: str, joints: int, cycles: int, seed: int, quick: bool) -> list[Trial]:
@@ -75,8 +79,9 @@ def _verdict(found: Results, sizes: tuple[int, ...]) -> str:
     def sweeps(kind: str, joints: int) -> float:
         return float(found[kind, joints, ("bfs_cycle", 0.5)].sweeps.mean())
 
-    growth = ", ".join(f"{digits(sweeps(k, small))} to {digits(sweeps(k, large))} on {k}"
-                       for k in KINDS)  # fmt: skip
+    growth = ", ".join(
+        f"{digits(sweeps(k, small))} to {digits(sweeps(k, large))} on {k}" for k in KINDS
+    )
     gains = [", ".join(f"{_gain(found, k, n):.1f}" for k in KINDS) for n in (small, large)]
     return (
         f"From {small} to {large} joints the sweeps of bfs_cycle 0.5 go from {growth}: a push is "
@@ -102,7 +107,7 @@ def _paragraphs(made: dict[int, Counter[int]]) -> list[str]:
         f"graphs of each class and size with {pushes} pushes each. "
         "Bars of a ring system grow with the graph only in the n-cycle class; there a "
         "sweep of the ring system is a sweep of most of the graph, and what is left to gain is "
-        "acceleration.",
+        "acceleration."
     ]
 
 
@@ -118,8 +123,9 @@ def _table(found: Results, sizes: tuple[int, ...]) -> Table:
             for combination in TECHNIQUES:
                 work = found[kind, joints, combination]
                 lost = f" + {work.failures}" if work.failures else ""
-                cells.append(f"{digits(work.sweeps.mean())} "
-                             f"({digits(work.projections.mean() / bars)}){lost}")  # fmt: skip
+                cells.append(
+                    f"{digits(work.sweeps.mean())} ({digits(work.projections.mean() / bars)}){lost}"
+                )
             table.rows.append([kind, joints, bars, *cells])
     return table
 
@@ -130,11 +136,12 @@ def _draw(found: Results, sizes: tuple[int, ...], out: Path) -> Figure:
             for combination, color, marker in zip(TECHNIQUES, COLORS, MARKERS, strict=True):
                 works = [found[kind, n, combination] for n in sizes]
                 for axis, values in zip(
-                    column, ([w.sweeps.mean() for w in works],
-                             [w.projections.mean() for w in works]), strict=True,
-                ):  # fmt: skip
-                    axis.plot(sizes, values, color=color, marker=marker, markersize=3.5,
-                              label=label(combination))  # fmt: skip
+                    column,
+                    ([w.sweeps.mean() for w in works], [w.projections.mean() for w in works]),
+                    strict=True,
+                ):
+                    look = {"color": color, "marker": marker, "markersize": 3.5}
+                    axis.plot(sizes, values, label=label(combination), **look)
                     axis.set(xscale="log")
             column[0].set_title(kind)
             column[0].set_ylim(bottom=0)

@@ -105,7 +105,7 @@ class AssemblyReader {
     return made;
   }
 
-  /// Of a list without parentheses.
+  /// The motions of a list without parentheses.
   std::vector<RigidMotion> motions_of(const std::string& list) const {
     std::vector<RigidMotion> found;
     for (const std::string& item : split(list)) {

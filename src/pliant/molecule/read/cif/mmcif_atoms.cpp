@@ -248,7 +248,7 @@ void AtomSiteReader::take_charge(std::size_t row) {
   sites_.structure.charges.back() = static_cast<std::int8_t>(*charge);
 }
 
-/// Of the residue.
+/// Takes the residue's instance.
 void AtomSiteReader::take_instance() {
   if (!columns_.instance.index) return;
   const auto next = static_cast<std::uint32_t>(instances_.size());

@@ -157,7 +157,7 @@ void PdbReader::take_other(const PdbLine& line, std::string_view record) {
   if (record == "REMARK" && trimmed(columns(line.text, 8, 10)) == "350")
     remark_350_.push_back(line);
   if (record == "TITLE" && models_.count() == 0) take_title(line.text);
-  // That of a model stands before its atoms; programs write one for each.
+  // The cell of a model stands before its atoms; programs write one for each model.
   if (record == "CRYST1" && models_.count() < options_.model)
     sites_.structure.cell = pdb_cell(line, remarks_);
 }

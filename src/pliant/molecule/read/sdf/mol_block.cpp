@@ -11,7 +11,7 @@ namespace pliant {
 
 namespace {
 
-/// Of a row that is empty until an atom has a value.
+/// Sets a value in a row that is empty until an atom has one.
 template <class Value>
 void set_value(std::vector<Value>& row, std::size_t atom, std::int64_t value) {
   if (value == 0 && row.empty()) return;

@@ -38,7 +38,7 @@ class V3000Reader {
   using Setter = void (MolBlock::*)(std::size_t, std::int64_t, std::size_t);
 
   void take_atom();
-  /// Of the words of an atom the one KEY=VALUE.
+  /// Takes the word KEY=VALUE from the words of an atom.
   void take_value(std::string_view key, std::string_view name, Setter set);
   void take_bond();
   std::size_t atom_of_word(std::size_t k);

@@ -48,7 +48,7 @@ class Instances {
   std::map<std::string, std::size_t> numbers_;
 };
 
-/// One for each motion, whatever parts ask for it.
+/// One copy for each motion, whatever parts ask for it.
 std::vector<Copy> copies_of(const Assembly& assembly, const Instances& instances) {
   std::vector<Copy> copies;
   for (const AssemblyPart& part : assembly)

@@ -54,7 +54,8 @@ class BodyPlanner {
     plan_.trees_.push_back({first, last});
   }
 
-  /// Breadth first over units and connections; order_ is filled, from_ says whence.
+  /// Searches breadth first over units and connections; fills order_, and from_ with where each
+  /// came from.
   void search(UnitNode root) {
     ++search_;
     order_.assign(1, root);

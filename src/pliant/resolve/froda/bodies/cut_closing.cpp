@@ -34,8 +34,8 @@ void CutClosing::choose_cuts() {
   roots_.resize(cuts_.size());
 }
 
-/// From both places of a cut to where their ways meet, and on to the root. Parents come first, so
-/// that of two bodies the later one goes.
+/// Climbs from both places of a cut to where their ways meet, and on to the root. Parents come
+/// first, so that of two bodies the later one goes.
 void CutClosing::climb(const ArticulatedPass& pass, std::span<const Vec3> x, std::size_t cut) {
   const auto [copy, joint] = cuts_[cut];
   const auto bodies = plan_.bodies();
@@ -92,7 +92,7 @@ void CutClosing::multiply(const ArticulatedPass& pass) {
     products_[k * count + k] += redundant * trace / double(count);
 }
 
-/// Over the turns that both go through, and the root.
+/// Sums over the turns that both go through, and the root.
 std::array<CutClosing::Three, 3> CutClosing::product(
     std::size_t one, std::size_t other, std::span<const ArticulatedPass::Turn> turns) const {
   std::array<Three, 3> sums{};

@@ -55,7 +55,8 @@ class Hinges {
     return place >= body.first && place < body.last;
   }
 
-  /// By which sign its turn adds to the torsion a-b-c-d; 0 where it does not turn a against d.
+  /// The sign by which the body's turn adds to the torsion a-b-c-d; 0 where it does not turn a
+  /// against d.
   double sign(const PlanBody& body, Joint a, Joint b, Joint d) const {
     const bool moves_last = has(body, d);
     if (moves_last == has(body, a)) return 0.0;

@@ -24,7 +24,7 @@ consteval auto places_of_masks() {
   return places;
 }
 
-/// Those of the `width` points from m on that a run has, which ends at `to`.
+/// A bit for each of the `width` points from m on that a run has, which ends at `to`.
 template <std::uint32_t width>
 std::uint32_t mask_of(std::uint32_t m, std::uint32_t to) {
   return (1U << std::min(to - m, width)) - 1U;

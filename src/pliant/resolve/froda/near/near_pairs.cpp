@@ -44,7 +44,7 @@ double NearPairs::furthest_from_listed(std::span<const Vec3> x) {
   return std::sqrt(furthest);
 }
 
-/// Those that have gone a good part of what they may.
+/// Chooses the joints that have gone a good part of the way they may.
 void NearPairs::choose_renewed() {
   const double least = renewed_share * skin_ * renewed_share * skin_;
   is_renewed_.assign(places_, 0);

@@ -57,9 +57,9 @@ TEST(Assembly, FilesSayWhichTheyState) {
 }
 
 TEST(Assembly, CopiesAreTurnedAndShifted) {
-  std::string told;
+  std::string said;
   const Structure made = read(pdb_head + pdb_atoms, "1", "m.pdb",
-                              {[&](Severity, std::string_view text) { (told += text) += "\n"; }});
+                              {[&](Severity, std::string_view text) { (said += text) += "\n"; }});
   // The zinc is on the axis: it is there once.
   ASSERT_EQ(made.size(), 9U);
   EXPECT_EQ(chains_of(made), (std::vector<std::string>{"A", "B", "A", "C", "D"}));
@@ -70,7 +70,7 @@ TEST(Assembly, CopiesAreTurnedAndShifted) {
   EXPECT_EQ(made.atoms.serials, (std::vector<std::int64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9}));
   EXPECT_EQ(made.source, "m.pdb");
   EXPECT_EQ(
-      told,
+      said,
       "m.pdb: assembly 1: 9 atoms by 2 motions; chain \"A\" is A and C; \"B\" is B and D\n"
       "m.pdb: assembly 1: 1 copy of an atom left out that would lie on the atom itself, as on "
       "an axis of symmetry\n");

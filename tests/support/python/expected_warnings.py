@@ -23,7 +23,7 @@ def read_written(path):
 
 
 def of_fit(framework, technique="auto", **options):
-    """A context in which it is told that the technique is doubtful for the framework, if it is."""
+    """A context that expects the warning of a technique that is doubtful for the framework."""
     fits = {name: rest for name, *rest in pliant.techniques_for(framework, **options)}
     fit, why = fits[technique]
     if fit != "doubtful":
