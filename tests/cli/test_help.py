@@ -41,6 +41,7 @@ PAGES = {
     "pliant-bench-stress": ["bench", "stress", "--help"],
     "pliant-bench-step": ["bench", "step", "--help"],
     "pliant-bench-validity": ["bench", "validity", "--help"],
+    "pliant-bench-coverage": ["bench", "coverage", "--help"],
 }
 
 

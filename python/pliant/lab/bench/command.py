@@ -22,6 +22,7 @@ examples:
   pliant bench throughput protein.pdb
   pliant bench stress
   pliant bench validity
+  pliant bench coverage --data pairs
 """
 
 
