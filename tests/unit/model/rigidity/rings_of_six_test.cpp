@@ -34,9 +34,9 @@ TEST(RingsOfSix, GoRoundFromTheLowestAtom) {
 }
 
 TEST(RingsOfSix, AreToldOf) {
-  EXPECT_EQ(told_of_rings_of_six(0), "");
-  EXPECT_TRUE(told_of_rings_of_six(1).starts_with("1 ring of six bonds that may turn"));
-  EXPECT_TRUE(told_of_rings_of_six(4).starts_with("4 rings of six bonds that may turn"));
+  EXPECT_EQ(note_on_rings_of_six(0), "");
+  EXPECT_TRUE(note_on_rings_of_six(1).starts_with("1 ring of six bonds that may turn"));
+  EXPECT_TRUE(note_on_rings_of_six(4).starts_with("4 rings of six bonds that may turn"));
 }
 
 /// Three C-C of butane turn, C-H does not.
