@@ -114,7 +114,8 @@ std::int64_t near_frames_of(const SampleOptions& options) {
   if (options.near_frames > 0) return options.near_frames;
   if (options.first_frame > 0)
     throw OptionError(
-        "near_frames: a piece of an ensemble of sampler reach needs it; give all pieces the same");
+        "sampler reach: frames that begin at " + std::to_string(options.first_frame) +
+        " are a piece of an ensemble; give each piece the same number of near frames");
   return std::max(options.frames / (2 * block) * block, block);
 }
 

@@ -35,8 +35,9 @@ struct Asked {
       FrameRequest& at = requests[k];
       sampler.ask(static_cast<std::int64_t>(k), 0, 0, start, start, at);
       out[k].resize(start.size());
-      jobs.push_back({at.from.empty() ? start : std::span<const Vec3>(at.from), at.targets, out[k],
-                      at.limits_off});
+      jobs.push_back({{at.from.empty() ? start : std::span<const Vec3>(at.from), at.targets,
+                       at.limits_off, at.course.at ? &at.course : nullptr},
+                      out[k]});
     }
   }
 };
@@ -50,7 +51,7 @@ void expect_lanes_as_alone(const SampleTask& task, const BodyPlan& plan) {
   Asked alone(*sampler, task.start());
   FrodaSolver solver(task.framework(), plan);
   for (FrodaJob& job : alone.jobs)
-    job.result = solver.resolve(job.start, job.target, job.out, careful(), job.limits_off);
+    job.result = solver.resolve(job.push, job.out, careful());
   for (const LaneKernels* level : lane_levels()) {
     SCOPED_TRACE(level->level);
     Asked together(*sampler, task.start());

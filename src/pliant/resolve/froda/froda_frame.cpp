@@ -80,8 +80,13 @@ void FrodaFrame::begin(const FrodaPush& push, const FrodaOptions& options) {
   }
   x_ = start_;
   target_.resize(x_.size());
-  const double way = course != nullptr ? course->length : std::sqrt(furthest);
-  const double wanted = std::ceil(way / (options.leg * unit_));
+  double way = std::sqrt(furthest);
+  if (course != nullptr) {
+    way = course->length;
+    options_.leg = course->leg;
+    options_.bound = course->bound;
+  }
+  const double wanted = std::ceil(way / (options_.leg * unit_));
   legs_ = static_cast<int>(std::clamp(wanted, 1.0, most_legs));
 }
 

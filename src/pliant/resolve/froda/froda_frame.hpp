@@ -21,6 +21,8 @@ struct FrodaCourse {
   /// Where the push wants the joints (N, Angstrom) at a share of the way, from 0 to 1.
   std::function<void(double share, std::span<Vec3> out)> at;
   double length = 0.0;  ///< of the longest way of a joint (Angstrom)
+  /// Angstrom: in place of those of FrodaOptions. Whole domains go in longer steps than residues.
+  double leg = 3.0, bound = 3.0;
 };
 
 /// What a frame begins with. All must outlive it.
@@ -41,7 +43,7 @@ struct FrodaOptions {
   bool is_careful = false;
   int conjugate_gradients = 2;  ///< iterations of careful steps
   double leg = 2.0;             ///< Angstrom: largest distance between intermediate targets
-  double bound = 1.5;           ///< Angstrom: largest displacement of a body in a pull
+  double bound = 1.5;           ///< Angstrom: largest displacement of a body in such a step
   int last_steps = 60;          ///< number of steps for contacts alone
   /// Torsion preferences pull in steps that consider contacts. Only for frames from one start: in a
   /// run, whose steps add up, they would resist continued pushes.
