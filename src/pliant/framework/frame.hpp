@@ -57,7 +57,7 @@ struct Frame {
   std::span<const std::uint8_t> limits_off = {};
   std::int64_t redraws = 0;  ///< draws that a sampler rejected before this frame was resolved
   DrawnBy drawn_by = DrawnBy::other;
-  std::int64_t walker = 0;   ///< the walker it belongs to, where one file holds several
+  std::int64_t walker = 0;  ///< the walker it belongs to, where one file holds several
 };
 
 }  // namespace pliant

@@ -18,28 +18,27 @@
 namespace pliant {
 namespace {
 
-constexpr std::array table{
-    ModelEntry{.kind = ModelKind::bonds,
-               .name = "bonds",
-               .summary = "a bar for each bond: only bond lengths hold",
-               .bars = BarKind::bonds},
-    ModelEntry{.kind = ModelKind::angles,
-               .name = "angles",
-               .summary = "bars for bonds, angles and planar groups",
-               .bars = BarKind::angles},
-    ModelEntry{.kind = ModelKind::molecule,
-               .name = "molecule",
-               .summary = "angles, and atoms keep their distance",
-               .bars = BarKind::angles,
-               .is_prepared = true,
-               .has_sterics = true},
-    ModelEntry{.kind = ModelKind::protein,
-               .name = "protein",
-               .summary = "molecule, and contacts such as hydrogen bonds",
-               .bars = BarKind::angles,
-               .is_prepared = true,
-               .has_sterics = true,
-               .has_contacts = true}};
+constexpr std::array table{ModelEntry{.kind = ModelKind::bonds,
+                                      .name = "bonds",
+                                      .summary = "a bar for each bond: only bond lengths hold",
+                                      .bars = BarKind::bonds},
+                           ModelEntry{.kind = ModelKind::angles,
+                                      .name = "angles",
+                                      .summary = "bars for bonds, angles and planar groups",
+                                      .bars = BarKind::angles},
+                           ModelEntry{.kind = ModelKind::molecule,
+                                      .name = "molecule",
+                                      .summary = "angles, and atoms keep their distance",
+                                      .bars = BarKind::angles,
+                                      .is_prepared = true,
+                                      .has_sterics = true},
+                           ModelEntry{.kind = ModelKind::protein,
+                                      .name = "protein",
+                                      .summary = "molecule, and contacts such as hydrogen bonds",
+                                      .bars = BarKind::angles,
+                                      .is_prepared = true,
+                                      .has_sterics = true,
+                                      .has_contacts = true}};
 
 /// Limits of pairs that have no bar: a bar holds its distance anyhow.
 std::vector<Limit> without_barred(std::vector<Limit> limits, const Framework& bars) {

@@ -9,7 +9,7 @@
 namespace pliant {
 namespace {
 
-constexpr double wide = 2.0;          // of the amplitude
+constexpr double wide = 2.0;         // of the amplitude
 constexpr std::int64_t a_round = 8;  // frames: one of wide modes, five turns, two with modes on top
 constexpr std::int64_t with_modes = 2;
 
@@ -27,7 +27,8 @@ std::unique_ptr<ModesSampler> modes_of(const SamplerSetting& setting, const Netw
   options.amplitude = std::min(amplitude * options.amplitude, largest_amplitude);
   options.seed += seed * 0x9e3779b97f4a7c15u;  // far from seeds that users count up
   return std::make_unique<ModesSampler>(
-      SamplerSetting{setting.framework, setting.plan, setting.start, setting.nodes, options}, modes);
+      SamplerSetting{setting.framework, setting.plan, setting.start, setting.nodes, options},
+      modes);
 }
 
 }  // namespace

@@ -79,8 +79,9 @@ const SampleField table[] = {
                  "flexibility is computed (default: half of the frames, in hundreds)",
       .range = Range::zero_or_more,
       .is_optional = true,
-      .in_python = "Of sampler ``reach``: frames below this number are those of ``modes``. 0: half of\n"
-                   "the frames, in whole hundreds.",
+      .in_python =
+          "Of sampler ``reach``: frames below this number are those of ``modes``. 0: half of\n"
+          "the frames, in whole hundreds.",
       .most = most_frames},
      at<&SampleOptions::near_frames>},
     {{.name = "contact_energy",

@@ -162,7 +162,8 @@ constexpr SamplerEntry table[] = {
     {"dilute", "the same, with each contact off with probability exp(-|E| / X)",
      make<DiluteSampler>},
     {"turns", "domains turned as wholes about the links that join them", make<TurnsSampler>},
-    {"reach", "modes for the first half of the frames, then wide modes, and turns", make<ReachSampler>},
+    {"reach", "modes for the first half of the frames, then wide modes, and turns",
+     make<ReachSampler>},
     {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>},
     {"torsions", "conformers of small molecules: torsions, forms of rings, large rings closed",
      make<TorsionsSampler>, false}};

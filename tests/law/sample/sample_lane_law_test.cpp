@@ -50,8 +50,7 @@ void expect_lanes_as_alone(const SampleTask& task, const BodyPlan& plan) {
       find_sampler(options.sampler).make({task.framework(), plan, task.start(), nodes, options});
   Asked alone(*sampler, task.start());
   FrodaSolver solver(task.framework(), plan);
-  for (FrodaJob& job : alone.jobs)
-    job.result = solver.resolve(job.push, job.out, careful());
+  for (FrodaJob& job : alone.jobs) job.result = solver.resolve(job.push, job.out, careful());
   for (const LaneKernels* level : lane_levels()) {
     SCOPED_TRACE(level->level);
     Asked together(*sampler, task.start());

@@ -64,6 +64,7 @@ SampleOptions options_of(const SamplerEntry& sampler) {
   options.first_frame = sampler.name == "walk" ? 0 : 97;
   options.amplitude = 0.4;
   options.sampler = std::string(sampler.name);
+  if (sampler.name == "reach") options.near_frames = 99;
   return options;
 }
 
@@ -118,10 +119,11 @@ TEST(SampleRows, WhatFilesHoldChangesFramesOfSomeSampler) {
 /// A member more, and this does not compile: it needs a row, or a place among the last.
 TEST(SampleRows, EveryOptionHasOne) {
   SampleOptions options;
-  auto& [frames, first_frame, amplitude, seed, threads, network, sampler, contact_energy,
-         should_stop, log] = options;
-  const std::set<const void*> members{&frames,  &first_frame, &amplitude, &seed,
-                                      &threads, &network,     &sampler,   &contact_energy};
+  auto& [frames, first_frame, amplitude, seed, threads, network, sampler, near_frames,
+         contact_energy, should_stop, log] = options;
+  const std::set<const void*> members{&frames,  &first_frame, &amplitude,
+                                      &seed,    &threads,     &network,
+                                      &sampler, &near_frames, &contact_energy};
   std::set<const void*> places;
   for (const SampleField& field : sample_fields()) places.insert(address_of(field.place(options)));
   EXPECT_EQ(places, members);

@@ -158,4 +158,3 @@ def _inside(number: int, first: int | None, last: int | None) -> bool:
     low = -math.inf if first is None else first
     high = math.inf if last is None else last
     return low <= number <= high
-

@@ -11,9 +11,9 @@ from pathlib import Path
 import numpy as np
 
 import pliant
+from pliant.lab.validity.alpha_carbons import amino_part, trace_of
 from pliant.lab.validity.peers import drawn_frames, network_of
 from pliant.lab.validity.references import read_quietly
-from pliant.lab.validity.trace import amino_part, trace_of
 
 NEAR, WIDE = 1.4, 2.8  #: Angstrom
 

@@ -105,7 +105,8 @@ void FrodaFrame::ask_for_pull(double share, bool sees_contacts) {
     rows_.clear();
   }
   set_targets(share);
-  request_ = {target_, rows_, springs(sees_contacts), options_.bound * unit_, conjugate_gradients()};
+  request_ = {target_, rows_, springs(sees_contacts), options_.bound * unit_,
+              conjugate_gradients()};
 }
 
 /// Targets are set for working bodies, to which contacts add some.
@@ -125,8 +126,7 @@ void FrodaFrame::set_targets_on_course(double share) {
   const auto joint_at = plan_.joint_at();
   on_course_.resize(framework_.joint_count());
   course_->at(share, on_course_);
-  for (std::size_t k = 0; k < joint_at.size(); ++k)
-    target_[k] = on_course_[joint_at[k]] - origin_;
+  for (std::size_t k = 0; k < joint_at.size(); ++k) target_[k] = on_course_[joint_at[k]] - origin_;
 }
 
 std::span<const TurnSpring> FrodaFrame::springs(bool are_wanted) {

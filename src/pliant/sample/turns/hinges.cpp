@@ -62,7 +62,11 @@ Hinge hinge_of(const NetworkNodes& nodes, const PieceTree& tree, const NetworkMo
   const std::vector<std::uint32_t> sides = moved_with(tree, piece);
   const double size = double(std::count(sides.begin(), sides.end(), 1u));
   const double share = std::min(size, double(sides.size()) - size) / double(sides.size());
-  Hinge hinge{.piece = piece, .weight = share * share, .middles = {}, .centre = {}, .line = {},
+  Hinge hinge{.piece = piece,
+              .weight = share * share,
+              .middles = {},
+              .centre = {},
+              .line = {},
               .soft = turns_in_modes(nodes, modes, sides)};
   for (const auto [before, after] : tree.links)
     if (sides[before] != sides[after])

@@ -76,7 +76,8 @@ Labels smoothed(const NetworkNodes& nodes, const Labels& of_node) {
   return out;
 }
 
-/// How strongly the others hold each piece: ten for a link of a chain, and the springs between them.
+/// How strongly the others hold each piece: ten for a link of a chain, and the springs between
+/// them.
 std::vector<double> holds(const NetworkNodes& nodes, const DenseMatrix& springs,
                           const Labels& of_node, std::uint32_t piece) {
   constexpr double of_link = 1e3;  // a chain before any number of contacts
@@ -134,8 +135,8 @@ PieceTree tree_of(const NetworkNodes& nodes, const DenseMatrix& springs, const L
   for (std::uint32_t p = 0; p < sizes.size(); ++p)
     hold.push_back(holds(nodes, springs, of_node, p));
   std::vector<std::uint32_t> number(sizes.size(), none), order;
-  const auto root = static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) -
-                                               sizes.begin());
+  const auto root =
+      static_cast<std::uint32_t>(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
   PieceTree tree;
   const auto join = [&](std::uint32_t piece, std::int32_t parent) {
     number[piece] = static_cast<std::uint32_t>(order.size());

@@ -19,8 +19,8 @@ struct ChainLink {
 /// One way to divide the nodes.
 struct PieceTree {
   std::vector<std::uint32_t> of_node;  ///< (M) the piece of each node
-  std::vector<std::int32_t> parent;    ///< (P) an earlier piece; -1: the largest, with which all stay
-  std::vector<ChainLink> links;        ///< in the order of their nodes
+  std::vector<std::int32_t> parent;  ///< (P) an earlier piece; -1: the largest, with which all stay
+  std::vector<ChainLink> links;      ///< in the order of their nodes
   std::size_t piece_count() const { return parent.size(); }
 };
 

@@ -17,8 +17,8 @@ struct Screw {
   Vec3 shift;  ///< Angstrom, of the origin
 };
 
-/// The screw that fits `moves` (M, Angstrom) of the nodes (M) best by least squares, over those with
-/// of_node[i] == part. Turns about a line on which all of them lie are left out.
+/// The screw that fits `moves` (M, Angstrom) of the nodes (M) best by least squares, over those
+/// with of_node[i] == part. Turns about a line on which all of them lie are left out.
 Screw screw_of(std::span<const Vec3> nodes, std::span<const Vec3> moves,
                std::span<const std::uint32_t> of_node, std::uint32_t part);
 

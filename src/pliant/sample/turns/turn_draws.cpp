@@ -68,7 +68,8 @@ std::size_t choose(std::size_t count, const Weight& weight, RandomSequence& draw
 }
 
 const Hinge& choose_hinge(std::span<const Hinge> hinges, RandomSequence& draws) {
-  return hinges[choose(hinges.size(), [&](std::size_t k) { return hinges[k].weight; }, draws)];
+  return hinges[choose(
+      hinges.size(), [&](std::size_t k) { return hinges[k].weight; }, draws)];
 }
 
 PieceTurn turn_of(const Hinge& hinge, double scale, RandomSequence& draws) {
@@ -114,8 +115,8 @@ TurnDraws::TurnDraws(const NetworkNodes& nodes, NetworkModes modes)
 
 DrawnTurns TurnDraws::draw(RandomSequence& draws) const {
   if (empty()) return {};
-  const TurnWay& way =
-      ways[choose(std::size(ways), [](std::size_t k) { return ways[k].share; }, draws)];
+  const TurnWay& way = ways[choose(
+      std::size(ways), [](std::size_t k) { return ways[k].share; }, draws)];
   double scale = 1.0;  // turns that are small enough are always possible
   for (int k = 0; k < most_halvings; ++k, scale *= 0.5) {
     DrawnTurns drawn =
@@ -210,8 +211,7 @@ std::vector<Vec3> TurnDraws::moved(const DrawnTurns& drawn) const {
   TurnCourse course(nodes_, *drawn.tree);
   const auto motions = course.motions(drawn.turns, 1.0);
   std::vector<Vec3> out;
-  for (std::size_t i = 0; i < motions.size(); ++i)
-    out.push_back(motions[i](nodes_.positions[i]));
+  for (std::size_t i = 0; i < motions.size(); ++i) out.push_back(motions[i](nodes_.positions[i]));
   return out;
 }
 

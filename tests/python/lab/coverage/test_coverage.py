@@ -102,7 +102,9 @@ def test_the_goal_itself_is_at_no_distance(pairs):
 
 
 def nearest(protein, at_start, distance):
-    return Nearest(DOMAIN, protein, f"{protein} {at_start}", 100, "modes", 10, at_start, distance, 3)
+    return Nearest(
+        DOMAIN, protein, f"{protein} {at_start}", 100, "modes", 10, at_start, distance, 3
+    )
 
 
 def test_shares_are_counted_over_directions_and_by_distance(monkeypatch):
