@@ -148,7 +148,7 @@ def _backbones(structure: pliant.Structure) -> dict[int, tuple[list[int], np.nda
 
 
 def _within(numbers: list[int], ranges: Ranges) -> np.ndarray:
-    """Indices of residues whose numbers lie in the ranges; open ends reach to those of the chain."""
+    """Indices of residues whose numbers lie in the ranges, whose ends may be open (None)."""
     if ranges is None:
         return np.arange(len(numbers))
     return np.array([k for k, n in enumerate(numbers) if any(_inside(n, *r) for r in ranges)])

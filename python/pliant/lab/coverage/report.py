@@ -16,7 +16,7 @@ def print_report(found: Coverage) -> None:
     """A line a share; then what could not be measured."""
     limits = ", ".join(f"{kind} below {limit:g} A" for kind, limit in COVERED.items())
     print(
-        f"share of directions of which a frame comes near enough to the other structure: {limits};\n"
+        f"share of directions in which a frame comes near the other structure: {limits};\n"
         "+-: standard error by bootstrap over proteins; nearest: mean distance of the nearest frame"
     )
     table = console.Table("", COLUMNS, text_columns=(0, 1, 4))
