@@ -52,6 +52,11 @@ def parse_options(words: Sequence[str], command: str) -> Options:
             values.append(word)
     if found.get("--sampler") == [["walk"]]:
         raise OptionError("--sampler walk: each frame needs the one before; no shard can begin")
+    if found.get("--sampler") == [["reach"]]:
+        raise OptionError(
+            "--sampler reach: fluctuations of an ensemble are those of all its frames; make one of "
+            "--sampler modes and one of --sampler turns"
+        )
     return found
 
 

@@ -109,6 +109,7 @@ def test_another_content_of_the_input_is_refused(ensemble, tmp_path):
         (("--walkers", 4, "--shard", "0..3"), "--shard: is not passed on to pliant run"),
         (("--walkers", 4, "--dry-run"), "--dry-run: is not passed on to pliant run: try"),
         (("--frames", 4, "--sampler", "walk"), "--sampler walk: each frame needs the one before"),
+        (("--frames", 4, "--sampler", "reach"), "--sampler reach: fluctuations of an ensemble are"),
         (("--walkers", 4, "more.pdb"), 'unexpected argument "more.pdb"'),
         (("--walkers", 4, "--frames", 4), "expected --walkers N"),
         ((), "expected --walkers N"),
