@@ -60,15 +60,16 @@
 #include "pliant/rigidity/rigid_clusters.hpp"  // what comes of them
 
 // framework: joints, bars and what is known of them
-#include "pliant/framework/atom_table.hpp"                // names of joints
-#include "pliant/framework/contact_kind_rows.hpp"         // kinds of molecular contacts
-#include "pliant/framework/disturbed.hpp"                 // what a resolve has to look at
-#include "pliant/framework/fingerprint.hpp"               // whether two mean the same atoms
-#include "pliant/framework/frame.hpp"                     // what a step shows
-#include "pliant/framework/framework.hpp"                 // Framework, State
-#include "pliant/framework/graph.hpp"                     // components, cycles, bridges, blocks
-#include "pliant/framework/joint_names.hpp"               // how text files speak of joints
-#include "pliant/framework/limits.hpp"                    // distances held to intervals
+#include "pliant/framework/atom_table.hpp"         // names of joints
+#include "pliant/framework/contact_kind_rows.hpp"  // kinds of molecular contacts
+#include "pliant/framework/course.hpp"             // the way of a push that is no straight line
+#include "pliant/framework/disturbed.hpp"          // what a resolve has to look at
+#include "pliant/framework/fingerprint.hpp"        // whether two mean the same atoms
+#include "pliant/framework/frame.hpp"              // what a step shows
+#include "pliant/framework/framework.hpp"          // Framework, State
+#include "pliant/framework/graph.hpp"              // components, cycles, bridges, blocks
+#include "pliant/framework/joint_names.hpp"        // how text files speak of joints
+#include "pliant/framework/limits.hpp"             // distances held to intervals
 #include "pliant/framework/measures/check_positions.hpp"  // can these positions carry the framework?
 #include "pliant/framework/measures/feasibility.hpp"      // bars that cannot hold together
 #include "pliant/framework/measures/limit_counts.hpp"     // how many of them hold

@@ -9,9 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "pliant/framework/course.hpp"
 #include "pliant/framework/frame.hpp"
 #include "pliant/framework/framework.hpp"
-#include "pliant/resolve/froda/froda_frame.hpp"
 #include "pliant/sample/network/elastic_network.hpp"
 
 namespace pliant {
@@ -25,7 +25,7 @@ struct FrameRequest {
   std::vector<Vec3> from;     ///< (N) whole start of the resolve; empty: where the frame begins
   /// (L) 1: the limit is switched off in this frame; empty: all are on
   std::vector<std::uint8_t> limits_off;
-  FrodaCourse course;  ///< the way to the targets; without a function: straight lines
+  Course course;  ///< the way to the targets; without a function: straight lines
   DrawnBy drawn_by = DrawnBy::other;
 };
 

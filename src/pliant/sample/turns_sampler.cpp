@@ -75,7 +75,7 @@ void TurnsSampler::ask_with(std::vector<Vec3> displacements, std::int64_t frame,
 }
 
 /// The longest way of a joint, by straight pieces.
-double TurnsSampler::length_of(const FrodaCourse& course) const {
+double TurnsSampler::length_of(const Course& course) const {
   std::vector<Vec3> before(start_.begin(), start_.end()), now(start_.size());
   std::vector<double> ways(start_.size(), 0.0);
   for (int k = 1; k <= measured_shares; ++k) {

@@ -31,7 +31,7 @@ class TurnsSampler final : public Sampler {
 
  private:
   std::uint32_t nearest_node(Vec3 x) const;
-  double length_of(const FrodaCourse& course) const;
+  double length_of(const Course& course) const;
   void let_go(FrameRequest& request) const;
 
   const Framework& framework_;

@@ -167,6 +167,7 @@ SampleOptions options_of(const SampleCase& at) {
   options.seed = 20240607;
   options.network = std::string(networks()[at.network].name);
   options.sampler = std::string(samplers()[at.sampler].name);
+  if (options.sampler == "reach") options.near_frames = 1;
   return options;
 }
 

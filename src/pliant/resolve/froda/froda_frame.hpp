@@ -4,11 +4,11 @@
 // of eight at once.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <span>
 #include <vector>
 
+#include "pliant/framework/course.hpp"
 #include "pliant/framework/limits.hpp"
 #include "pliant/resolve/froda/bodies/articulated_step.hpp"
 #include "pliant/resolve/froda/bodies/working_trees.hpp"
@@ -16,21 +16,12 @@
 
 namespace pliant {
 
-/// The way of a push that is no straight line: domains turn along arcs.
-struct FrodaCourse {
-  /// Where the push wants the joints (N, Angstrom) at a share of the way, from 0 to 1.
-  std::function<void(double share, std::span<Vec3> out)> at;
-  double length = 0.0;  ///< of the longest way of a joint (Angstrom)
-  /// Angstrom: in place of those of FrodaOptions. Whole domains go in longer steps than residues.
-  double leg = 3.0, bound = 3.0;
-};
-
 /// What a frame begins with. All must outlive it.
 struct FrodaPush {
-  std::span<const Vec3> start;          ///< (N, Angstrom) whole positions
-  std::span<const Vec3> target;         ///< (N) where the push wants the joints at its end
-  LimitsOff limits_off = {};            ///< (L) or empty
-  const FrodaCourse* course = nullptr;  ///< null: straight lines from start to target
+  std::span<const Vec3> start;     ///< (N, Angstrom) whole positions
+  std::span<const Vec3> target;    ///< (N) where the push wants the joints at its end
+  LimitsOff limits_off = {};       ///< (L) or empty
+  const Course* course = nullptr;  ///< null: straight lines from start to target
 };
 
 struct FrodaOptions {
@@ -111,7 +102,7 @@ class FrodaFrame {
   double unit_;
   FrodaOptions options_;
   LimitsOff limits_off_;
-  const FrodaCourse* course_ = nullptr;
+  const Course* course_ = nullptr;
   std::vector<Vec3> on_course_;  ///< (N)
   WorkingTrees working_;
   TurnSprings springs_;
