@@ -126,6 +126,7 @@
 #include "pliant/sample/sample_fields.hpp"            // the table of its options
 #include "pliant/sample/sample_options.hpp"           // what it is asked for
 #include "pliant/sample/sample_summary.hpp"           // how exact, how far
+#include "pliant/sample/sampler.hpp"                  // one way to move
 #include "pliant/sample/samplers.hpp"                 // the table of ways to move
 
 // path: from one structure of a molecule to another

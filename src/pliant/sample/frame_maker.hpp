@@ -10,7 +10,7 @@
 
 #include "pliant/resolve/froda/froda_lanes.hpp"
 #include "pliant/resolve/froda/froda_solver.hpp"
-#include "pliant/sample/samplers.hpp"
+#include "pliant/sample/sampler.hpp"
 
 namespace pliant {
 

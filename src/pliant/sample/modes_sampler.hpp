@@ -6,7 +6,7 @@
 
 #include "pliant/base/math/dense_matrix.hpp"
 #include "pliant/sample/network/mode_displacement.hpp"
-#include "pliant/sample/samplers.hpp"
+#include "pliant/sample/sampler.hpp"
 
 namespace pliant {
 

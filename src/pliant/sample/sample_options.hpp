@@ -22,7 +22,7 @@ struct SampleOptions {
   std::int64_t threads = 1;        ///< from 1; changes no result
   std::string network = "shared";  ///< a name in networks()
   std::string sampler = "modes";   ///< a name in samplers()
-  /// Of `reach`: frames below this number are those of `modes`. 0: half of the frames, in whole
+  /// For `reach`: frames below this number are those of `modes`. 0: half of the frames, in whole
   /// blocks of 100 (see near_frames_of()).
   std::int64_t near_frames = 0;
   /// kcal/mol, for `dilute`: a contact of energy E is off with probability exp(-|E| / this).

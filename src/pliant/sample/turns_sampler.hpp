@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "pliant/sample/modes_sampler.hpp"
-#include "pliant/sample/samplers.hpp"
+#include "pliant/sample/sampler.hpp"
 #include "pliant/sample/turns/turn_draws.hpp"
 
 namespace pliant {
 
-/// Of a molecule without domains its frames are those of `modes`, with a warning. Frames are
+/// If a molecule has no domains, its frames are those of `modes`, with a warning. Frames are
 /// independent; each depends on the seed and its number alone.
 class TurnsSampler final : public Sampler {
  public:

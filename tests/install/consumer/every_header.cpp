@@ -23,6 +23,7 @@
 #include "pliant/examples/examples.hpp"
 #include "pliant/framework/atom_table.hpp"
 #include "pliant/framework/contact_kind_rows.hpp"
+#include "pliant/framework/course.hpp"
 #include "pliant/framework/disturbed.hpp"
 #include "pliant/framework/fingerprint.hpp"
 #include "pliant/framework/frame.hpp"
@@ -133,6 +134,7 @@
 #include "pliant/sample/sample_fields.hpp"
 #include "pliant/sample/sample_options.hpp"
 #include "pliant/sample/sample_summary.hpp"
+#include "pliant/sample/sampler.hpp"
 #include "pliant/sample/samplers.hpp"
 #include "pliant/stream/imd_commands.hpp"
 #include "pliant/stream/imd_exchange.hpp"
@@ -200,6 +202,7 @@ const Use uses[] = {
     of("pliant/sample/sample_fields.hpp", &sample_fields),
     of_type<SampleOptions>("pliant/sample/sample_options.hpp"),
     of("pliant/sample/sample_summary.hpp", &FluctuationSums::rmsf),
+    of("pliant/sample/sampler.hpp", &Sampler::steps_a_frame),
     of("pliant/sample/samplers.hpp", &samplers),
     of("pliant/stream/imd_commands.hpp", &ImdCommandReader::next),
     of("pliant/stream/imd_exchange.hpp", &ImdExchange::wants),
@@ -245,6 +248,7 @@ const Use uses[] = {
     of("pliant/framework/atom_table.hpp", overload<void(const AtomTable&)>(&check)),
     of("pliant/framework/measures/check_positions.hpp", &check_positions),
     of("pliant/framework/measures/neighbour_list.hpp", &NeighbourList::update),
+    of_type<Course>("pliant/framework/course.hpp"),
     of_type<Disturbed>("pliant/framework/disturbed.hpp"),
     of("pliant/framework/measures/feasibility.hpp", &impossible_triangles),
     of("pliant/framework/frame.hpp", overload<std::string_view(Stop)>(&name)),

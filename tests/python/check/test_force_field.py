@@ -50,11 +50,8 @@ def minimised(peptide, start, sampled):
 
 def write(sampled, path, parameters=None):
     """An ensemble as pliant sample writes it, with its start beside."""
-    model, parameters = (
-        sampled.model,
-        {"sample": {"sampler": "modes"}, "model": {"kind": "protein"}},
-    )
-    flat = {f"{group}/{name}": v for group, one in parameters.items() for name, v in one.items()}
+    model = sampled.model
+    flat = {"sample/sampler": "modes", "model/kind": "protein"}
     with pliant.H5mdRecorder(
         path,
         model.framework,
