@@ -14,6 +14,7 @@
 #include "pliant/sample/conformers/conformer_framework.hpp"
 #include "pliant/sample/frame_maker.hpp"
 #include "pliant/sample/network/coarse_nodes.hpp"
+#include "pliant/sample/samplers.hpp"
 
 namespace pliant {
 namespace {
