@@ -80,9 +80,9 @@ def test_a_folder_that_takes_too_much_is_found():
 
     assert said(a=14, b=10, c=10, d=10, e=10) == [[], []]
     assert said(a=16, b=10, c=10, d=10, e=10) == [[], ["a"]]
-    assert said(a=23, b=10, c=10, d=10, e=10) == [["a"], []]
+    assert said(a=31, b=10, c=10, d=10, e=10) == [["a"], []]
     assert said(a=23, b=20, c=20, d=20, e=20) == [[], []]  # a machine of half the speed
-    assert said(without_a_row=5) == [["without_a_row"], []]
+    assert said(without_a_row=7) == [["without_a_row"], []]
 
 
 def test_every_row_is_a_folder_of_tests():
