@@ -39,15 +39,21 @@ TEST_F(ImdServers, ServeOneClientAfterAnother) {
   ImdOptions options = on_any_port();
   options.wait = true;
   options.kill = true;
+  options.patience.finish = std::chrono::milliseconds(20);
   serve(options);
   std::jthread walker([this] { run(1'000'000'000); });
   std::int64_t last = -1;
+  // Closing a socket with frames in it that nobody read resets the connection, and the packet is
+  // lost that was sent last: the client that ends the run stays until it has ended.
+  Descriptor ender;
   for (int k = 0; k < 3; ++k) {
-    const Descriptor client = follow();
+    Descriptor client = follow();
     const std::int64_t step = step_of(test::receive(client, size_of_frame()));
     EXPECT_GT(step, last);
     last = step;
-    if (k == 2) test::send_all(client, packet(ImdType::kill));
+    if (k < 2) continue;
+    test::send_all(client, packet(ImdType::kill));
+    ender = std::move(client);
   }
   walker.join();
   EXPECT_GE(state_.step, last);
