@@ -26,7 +26,7 @@ TurnsSampler::TurnsSampler(const SamplerSetting& setting, const NetworkModes& mo
       start_(setting.start),
       nodes_(setting.nodes),
       draws_(setting.nodes, modes),
-      of_joint_(setting.nodes.of_joint),
+      of_joint_(nodes_of_joints(setting.nodes, setting.start)),
       seed_(setting.options.seed) {
   if (draws_.empty() && setting.options.sampler == "turns") {
     setting.options.log.warn(
@@ -34,15 +34,6 @@ TurnsSampler::TurnsSampler(const SamplerSetting& setting, const NetworkModes& mo
         "frames are those of sampler modes");
     modes_ = std::make_unique<ModesSampler>(setting, modes);
   }
-  for (std::size_t k = 0; k < of_joint_.size(); ++k)
-    if (of_joint_[k] == no_node) of_joint_[k] = nearest_node(start_[k]);
-}
-
-std::uint32_t TurnsSampler::nearest_node(Vec3 x) const {
-  const auto& nodes = nodes_.positions;
-  const auto nearer = [&](Vec3 a, Vec3 b) { return norm_squared(a - x) < norm_squared(b - x); };
-  return static_cast<std::uint32_t>(std::min_element(nodes.begin(), nodes.end(), nearer) -
-                                    nodes.begin());
 }
 
 void TurnsSampler::ask(std::int64_t frame, int step, int attempt, std::span<const Vec3> now,

@@ -30,7 +30,6 @@ class TurnsSampler final : public Sampler {
                 FrameRequest& request) const;
 
  private:
-  std::uint32_t nearest_node(Vec3 x) const;
   double length_of(const Course& course) const;
   void let_go(FrameRequest& request) const;
 

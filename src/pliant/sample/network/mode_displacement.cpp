@@ -40,14 +40,19 @@ std::array<double, 9> inverse_of(double xx, double xy, double xz, double yy, dou
 
 }  // namespace
 
+std::vector<std::uint32_t> nodes_of_joints(const NetworkNodes& nodes, std::span<const Vec3> start) {
+  std::vector<std::uint32_t> of_joint = nodes.of_joint;
+  for (std::size_t j = 0; j < start.size(); ++j)
+    if (of_joint[j] == no_node) of_joint[j] = nearest_node(nodes.positions, start[j]);
+  return of_joint;
+}
+
 ModeDisplacement::ModeDisplacement(const NetworkNodes& nodes, NetworkModes modes,
                                    std::span<const Vec3> start)
     : modes_(std::move(modes)),
       nodes_(nodes.positions),
       start_(start.begin(), start.end()),
-      of_joint_(nodes.of_joint) {
-  for (std::size_t j = 0; j < start_.size(); ++j)
-    if (of_joint_[j] == no_node) of_joint_[j] = nearest_node(nodes_, start_[j]);
+      of_joint_(nodes_of_joints(nodes, start)) {
   add_turns(turn_reach * nodes.scale);
 }
 
@@ -76,17 +81,6 @@ void ModeDisplacement::add_turns(double reach) {
   }
 }
 
-std::vector<Vec3> ModeDisplacement::moves_of_nodes(std::span<const double> amplitudes) const {
-  std::vector<Vec3> moves(nodes_.size());
-  for (std::size_t k = 0; k < mode_count(); ++k) {
-    const double scale = amplitudes[k] * std::sqrt(modes_.variances[k]);
-    const double* u = modes_.directions.row(k).data();
-    for (std::size_t i = 0; i < moves.size(); ++i)
-      moves[i] += scale * Vec3{u[3 * i], u[3 * i + 1], u[3 * i + 2]};
-  }
-  return moves;
-}
-
 Vec3 ModeDisplacement::turn_of(std::size_t node, std::span<const Vec3> moves) const {
   Vec3 b;
   for (std::uint32_t j : neighbours_.at(node))
@@ -98,7 +92,7 @@ Vec3 ModeDisplacement::turn_of(std::size_t node, std::span<const Vec3> moves) co
 
 void ModeDisplacement::displacements(std::span<const double> amplitudes,
                                      std::span<Vec3> out) const {
-  const std::vector<Vec3> moves = moves_of_nodes(amplitudes);
+  const std::vector<Vec3> moves = moves_along(modes_, amplitudes);
   std::vector<Vec3> turns(moves.size());
   std::vector<double> share(moves.size(), 1.0);
   for (std::size_t i = 0; i < moves.size(); ++i) {

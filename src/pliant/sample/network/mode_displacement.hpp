@@ -21,6 +21,10 @@ namespace pliant {
 /// Largest displacement of a node (Angstrom).
 inline constexpr double largest_node_move = 8.0;
 
+/// (N) The node with which each joint moves: its own, or the nearest to its position in `start` if
+/// it has none.
+std::vector<std::uint32_t> nodes_of_joints(const NetworkNodes& nodes, std::span<const Vec3> start);
+
 class ModeDisplacement {
  public:
   /// `nodes` are those of the modes; `start` (N) are the joints, each of which moves with its node,
@@ -35,7 +39,6 @@ class ModeDisplacement {
 
  private:
   void add_turns(double reach);
-  std::vector<Vec3> moves_of_nodes(std::span<const double> amplitudes) const;
   Vec3 turn_of(std::size_t node, std::span<const Vec3> moves) const;
 
   NetworkModes modes_;

@@ -142,4 +142,15 @@ void scale_to(double amplitude, NetworkModes& modes) {
   for (double& variance : modes.variances) variance *= (amplitude / mean) * (amplitude / mean);
 }
 
+std::vector<Vec3> moves_along(const NetworkModes& modes, std::span<const double> amplitudes) {
+  std::vector<Vec3> moves(modes.directions.columns() / 3);
+  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
+    const double scale = amplitudes[k] * std::sqrt(modes.variances[k]);
+    const auto u = modes.directions.row(k);
+    for (std::size_t i = 0; i < moves.size(); ++i)
+      moves[i] += scale * Vec3{u[3 * i], u[3 * i + 1], u[3 * i + 2]};
+  }
+  return moves;
+}
+
 }  // namespace pliant

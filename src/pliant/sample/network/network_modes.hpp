@@ -3,6 +3,7 @@
 // directions of the nodes, and their variances.
 #pragma once
 
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -33,5 +34,8 @@ void scale_to(double amplitude, NetworkModes& modes);
 
 /// (M) r.m.s. fluctuation of each node (Angstrom).
 std::vector<double> fluctuations(const NetworkModes& modes);
+
+/// (M) How far nodes move along modes by `amplitudes` (K), in standard deviations (Angstrom).
+std::vector<Vec3> moves_along(const NetworkModes& modes, std::span<const double> amplitudes);
 
 }  // namespace pliant

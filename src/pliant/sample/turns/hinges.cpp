@@ -2,6 +2,7 @@
 #include "pliant/sample/turns/hinges.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 #include "pliant/base/math/best_fit.hpp"
@@ -42,11 +43,12 @@ Vec3 line_through(std::span<const Vec3> points, Vec3 centre) {
 std::array<double, 9> turns_in_modes(const NetworkNodes& nodes, const NetworkModes& modes,
                                      std::span<const std::uint32_t> sides) {
   std::array<double, 9> sum{};
-  std::vector<double> amplitudes(modes.variances.size(), 0.0);
-  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
-    amplitudes[k] = 1.0;
-    const std::vector<Vec3> moves = moves_along(modes, std::span(amplitudes).first(k + 1));
-    amplitudes[k] = 0.0;
+  std::vector<Vec3> moves(nodes.positions.size());
+  for (std::size_t k = 0; k < modes.variances.size(); ++k) {
+    const double scale = std::sqrt(modes.variances[k]);
+    const auto u = modes.directions.row(k);
+    for (std::size_t i = 0; i < moves.size(); ++i)
+      moves[i] = scale * Vec3{u[3 * i], u[3 * i + 1], u[3 * i + 2]};
     add_product(screw_of(nodes.positions, moves, sides, 1).turn -
                     screw_of(nodes.positions, moves, sides, 0).turn,
                 1.0, sum);

@@ -76,8 +76,8 @@ Labels smoothed(const NetworkNodes& nodes, const Labels& of_node) {
   return out;
 }
 
-/// How strongly the others hold each piece: ten for a link of a chain, and the springs between
-/// them.
+/// How strongly the others hold a piece: by the springs between them, and far more by links of
+/// chains.
 std::vector<double> holds(const NetworkNodes& nodes, const DenseMatrix& springs,
                           const Labels& of_node, std::uint32_t piece) {
   constexpr double of_link = 1e3;  // a chain before any number of contacts

@@ -2,7 +2,6 @@
 #include "pliant/sample/turns/screw.hpp"
 
 #include <array>
-#include <cmath>
 
 #include "pliant/base/math/best_fit.hpp"
 
@@ -61,17 +60,6 @@ Screw screw_of(std::span<const Vec3> nodes, std::span<const Vec3> moves,
   }
   const Vec3 turn = turn_by(inertia, torque);
   return {turn, mean.move - cross(turn, mean.place)};
-}
-
-std::vector<Vec3> moves_along(const NetworkModes& modes, std::span<const double> amplitudes) {
-  std::vector<Vec3> moves(modes.directions.columns() / 3);
-  for (std::size_t k = 0; k < amplitudes.size(); ++k) {
-    const double scale = amplitudes[k] * std::sqrt(modes.variances[k]);
-    const auto u = modes.directions.row(k);
-    for (std::size_t i = 0; i < moves.size(); ++i)
-      moves[i] += scale * Vec3{u[3 * i], u[3 * i + 1], u[3 * i + 2]};
-  }
-  return moves;
 }
 
 }  // namespace pliant

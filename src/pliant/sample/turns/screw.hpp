@@ -4,10 +4,8 @@
 
 #include <cstdint>
 #include <span>
-#include <vector>
 
 #include "pliant/base/vec3.hpp"
-#include "pliant/sample/network/network_modes.hpp"
 
 namespace pliant {
 
@@ -21,8 +19,5 @@ struct Screw {
 /// with of_node[i] == part. Turns about a line on which all of them lie are left out.
 Screw screw_of(std::span<const Vec3> nodes, std::span<const Vec3> moves,
                std::span<const std::uint32_t> of_node, std::uint32_t part);
-
-/// How nodes (M) move along modes by `amplitudes` (K), in standard deviations (Angstrom).
-std::vector<Vec3> moves_along(const NetworkModes& modes, std::span<const double> amplitudes);
 
 }  // namespace pliant
