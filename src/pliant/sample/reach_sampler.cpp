@@ -10,8 +10,8 @@ namespace pliant {
 namespace {
 
 constexpr double wide = 2.0;         // of the amplitude
-constexpr std::int64_t a_round = 8;  // frames: one of wide modes, five turns, two with modes on top
-constexpr std::int64_t with_modes = 2;
+constexpr std::int64_t a_round = 4;  // frames: one of wide modes, two turns, one with modes on top
+constexpr std::int64_t with_modes = 1;
 
 /// Seeds of wide modes and of those on top of turns: near frames have the seed itself.
 constexpr std::uint64_t wide_seed = 1, on_top_seed = 2;

@@ -6,10 +6,20 @@
 #include <span>
 
 #include "pliant/base/math/best_fit.hpp"
+#include "pliant/base/math/cell_list.hpp"
 #include "pliant/sample/turns/screw.hpp"
 
 namespace pliant {
 namespace {
+
+/// Pairs that are no neighbours along a chain.
+template <class Visit>
+void for_each_near(double length, const NetworkNodes& nodes, std::span<const Vec3> at,
+                   const Visit& visit) {
+  CellList(at, length * nodes.scale).for_each_pair([&](std::uint32_t i, std::uint32_t j, double) {
+    if (nodes.chain[i] != nodes.chain[j] || j - i > 2) visit(i, j);
+  });
+}
 
 /// 1 for nodes that move with a piece, 0 for others.
 std::vector<std::uint32_t> moved_with(const PieceTree& tree, std::uint32_t piece) {
@@ -39,7 +49,7 @@ Vec3 line_through(std::span<const Vec3> points, Vec3 centre) {
   return {vectors[most], vectors[3 + most], vectors[6 + most]};
 }
 
-/// How both sides turn against each other in the modes.
+/// Covariance of how both sides turn against each other in the modes.
 std::array<double, 9> turns_in_modes(const NetworkNodes& nodes, const NetworkModes& modes,
                                      std::span<const std::uint32_t> sides) {
   std::array<double, 9> sum{};
@@ -53,29 +63,54 @@ std::array<double, 9> turns_in_modes(const NetworkNodes& nodes, const NetworkMod
                     screw_of(nodes.positions, moves, sides, 0).turn,
                 1.0, sum);
   }
-  const double trace = sum[0] + sum[4] + sum[8];
-  if (trace > 0.0)
-    for (double& value : sum) value *= 1.0 / trace;
   return sum;
 }
 
-Hinge hinge_of(const NetworkNodes& nodes, const PieceTree& tree, const NetworkModes& modes,
-               std::uint32_t piece) {
-  const std::vector<std::uint32_t> sides = moved_with(tree, piece);
-  const double size = double(std::count(sides.begin(), sides.end(), 1u));
-  const double share = std::min(size, double(sides.size()) - size) / double(sides.size());
-  Hinge hinge{.piece = piece,
-              .weight = share * share,
-              .middles = {},
-              .centre = {},
-              .line = {},
-              .soft = turns_in_modes(nodes, modes, sides)};
+void find_axes(std::array<double, 9> turns, Hinge& hinge) {
+  std::array<double, 9> vectors{};
+  find_eigenvectors(turns, vectors, 3);
+  const double trace = turns[0] + turns[4] + turns[8];
+  for (std::size_t k = 0; k < 3; ++k) {
+    hinge.axes[k] = {vectors[k], vectors[3 + k], vectors[6 + k]};
+    hinge.softness[k] = trace > 0.0 ? turns[4 * k] / trace : 1.0 / 3.0;
+  }
+}
+
+/// Of twelve proteins known open and closed, those that close had 0.3 to 1.7 contacts for a node of
+/// the surface of the smaller side (its nodes to the power of 2/3), those that open 1.6 to 3.6.
+double closed_share(const NetworkNodes& nodes, std::span<const std::uint32_t> sides, double smaller) {
+  constexpr double half_closed = 1.6;
+  double contacts = 0.0;
+  for_each_near(contact_distance, nodes, nodes.positions, [&](std::uint32_t i, std::uint32_t j) {
+    contacts += sides[i] != sides[j] ? 1.0 : 0.0;
+  });
+  const double surface = std::cbrt(smaller * smaller);
+  const double ratio = contacts / (half_closed * surface);
+  const double fourth = ratio * ratio * ratio * ratio;
+  return fourth / (1.0 + fourth);
+}
+
+void find_links(const NetworkNodes& nodes, const PieceTree& tree,
+                std::span<const std::uint32_t> sides, Hinge& hinge) {
   for (const auto [before, after] : tree.links)
     if (sides[before] != sides[after])
       hinge.middles.push_back(0.5 * (nodes.positions[before] + nodes.positions[after]));
   const std::span<const Vec3> points = hinge.middles.empty() ? nodes.positions : hinge.middles;
   for (const Vec3 point : points) hinge.centre += (1.0 / double(points.size())) * point;
   hinge.line = line_through(hinge.middles, hinge.centre);
+}
+
+Hinge hinge_of(const NetworkNodes& nodes, const PieceTree& tree, const NetworkModes& modes,
+               std::uint32_t piece) {
+  const std::vector<std::uint32_t> sides = moved_with(tree, piece);
+  const double size = double(std::count(sides.begin(), sides.end(), 1u));
+  const double smaller = std::min(size, double(sides.size()) - size);
+  Hinge hinge;
+  hinge.piece = piece;
+  hinge.weight = smaller * smaller / double(sides.size() * sides.size());
+  hinge.closed = closed_share(nodes, sides, smaller);
+  find_links(nodes, tree, sides, hinge);
+  find_axes(turns_in_modes(nodes, modes, sides), hinge);
   return hinge;
 }
 
@@ -89,12 +124,10 @@ std::vector<Hinge> hinges_of(const NetworkNodes& nodes, const PieceTree& tree,
   return hinges;
 }
 
-double softness(const Hinge& hinge, Vec3 axis) {
-  const std::array<double, 3> a{axis.x, axis.y, axis.z};
-  double sum = 0.0;
-  for (std::size_t i = 0; i < 3; ++i)
-    for (std::size_t j = 0; j < 3; ++j) sum += a[i] * hinge.soft[3 * i + j] * a[j];
-  return sum;
+std::size_t pairs_within(double length, const NetworkNodes& nodes, std::span<const Vec3> moved) {
+  std::size_t count = 0;
+  for_each_near(length, nodes, moved, [&](std::uint32_t, std::uint32_t) { ++count; });
+  return count;
 }
 
 }  // namespace pliant

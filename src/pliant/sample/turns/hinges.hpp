@@ -3,7 +3,9 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "pliant/base/vec3.hpp"
@@ -18,14 +20,22 @@ struct Hinge {
   std::vector<Vec3> middles;   ///< of the links across it (Angstrom)
   Vec3 centre;                 ///< mean of these; of all nodes where there are none
   Vec3 line;                   ///< direction of the line through them; 0 for fewer than two
-  std::array<double, 9> soft;  ///< covariance of the turn in the modes (3 x 3), over its trace
+  /// Main axes of the turn in the modes, and their shares of its variance.
+  std::array<Vec3, 3> axes;
+  std::array<double, 3> softness{};
+  /// 0 to 1: how far the sides touch each other already, by their contacts for the surface of the
+  /// smaller one.
+  double closed = 0.0;
 };
 
 /// The hinges of all pieces of a tree but the root, in the order of the pieces.
 std::vector<Hinge> hinges_of(const NetworkNodes& nodes, const PieceTree& tree,
                              const NetworkModes& modes);
 
-/// The share of turns about an axis (of unit length) among those that the modes make, 0 to 1.
-double softness(const Hinge& hinge, Vec3 axis);
+/// Pairs of nodes within `length` (Angstrom, times the scale of the nodes) that are no neighbours
+/// along a chain; `moved` (M) are the nodes' places.
+std::size_t pairs_within(double length, const NetworkNodes& nodes, std::span<const Vec3> moved);
+
+inline constexpr double contact_distance = 8.0;  ///< Angstrom, between alpha carbons
 
 }  // namespace pliant

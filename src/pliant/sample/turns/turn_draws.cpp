@@ -4,33 +4,45 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <utility>
 
-#include "pliant/base/math/cell_list.hpp"
 #include "pliant/base/math/normal.hpp"
 #include "pliant/sample/turns/screw.hpp"
 
 namespace pliant {
 namespace {
 
-// A domain that is open closes about a soft axis until both sides touch; one that is closed opens
-// about an axis that its contacts make stiff. Shares and weights were chosen on 12 proteins
+// A domain that is open closes about a soft axis until both sides touch; one that is closed opens,
+// most often about an axis that its contacts make stiff. Shares were chosen on 12 proteins
 // (../README.md).
-constexpr TurnWay ways[] = {
-    {.share = 0.20, .pieces = 1, .best_of = 1, .closing = 0.0, .soft = 0.0},
-    {.share = 0.15, .pieces = 1, .best_of = 4, .closing = 0.0, .soft = -1.0},
-    {.share = 0.25, .pieces = 1, .best_of = 8, .closing = 1.0, .soft = 1.0},
-    {.share = 0.20, .pieces = 2, .best_of = 6, .closing = 1.0, .soft = 1.0},
-    {.share = 0.10, .pieces = 2, .best_of = 3, .closing = 0.0, .soft = -1.0},
-    {.share = 0.10, .pieces = 0, .best_of = 1, .closing = 0.0, .soft = 0.0},
+constexpr TurnWay closing[] = {
+    {.share = 0.5, .power = 2.0, .best_of = 4, .contacts = 1.0},
+    {.share = 0.3, .power = 4.0, .best_of = 4, .contacts = 1.0},
+    {.share = 0.2, .power = 0.0, .best_of = 1, .contacts = 0.0},
 };
+constexpr TurnWay opening[] = {
+    {.share = 0.30, .power = -1.0, .best_of = 4, .contacts = 1.0},
+    {.share = 0.25, .power = -1.0, .best_of = 1, .contacts = 0.0},
+    {.share = 0.10, .power = -1.0, .best_of = 4, .contacts = -1.0},
+    {.share = 0.20, .power = 2.0, .best_of = 1, .contacts = 0.0},
+    {.share = 0.15, .power = 0.0, .best_of = 1, .contacts = 0.0},
+};
+/// Hinges that look open open further, and closed ones close further, in so many draws.
+constexpr double contrary = 0.15;
+
+// How many pieces turn; 0: all, as a draw of the modes turns them.
+struct Pieces {
+  double share;
+  std::size_t count;
+};
+constexpr Pieces frames[] = {{0.6, 1}, {0.3, 2}, {0.1, 0}};
 
 // Angstrom, between alpha carbons
 constexpr double pivot_noise = 1.5;
 constexpr double widest_gap = 6.0;        // of a link: the torsions beside it can close that
 constexpr double near_distance = 4.0;     // of nodes that are no neighbours
-constexpr double contact_distance = 8.0;  // that counts as a contact
 /// So many pairs, and as many for a hundred nodes, may come too near: they are pushed apart.
 constexpr double most_new_pairs = 2.0, most_new_pairs_a_node = 0.01;
 
@@ -39,11 +51,6 @@ constexpr double share_along_line = 0.5;  // of turns about the line through the
 constexpr double line_noise = 0.25;
 constexpr int most_draws = 24, most_hinges = 5;  // in vain
 constexpr int most_halvings = 6;                 // of angles
-
-struct ScoredTurn {
-  PieceTurn turn;
-  double contacts, softness;
-};
 
 Vec3 normal_vector(RandomSequence& draws) {
   std::array<double, 3> x{};
@@ -72,34 +79,46 @@ const Hinge& choose_hinge(std::span<const Hinge> hinges, RandomSequence& draws) 
       hinges.size(), [&](std::size_t k) { return hinges[k].weight; }, draws)];
 }
 
-PieceTurn turn_of(const Hinge& hinge, double scale, RandomSequence& draws) {
+/// Softness to the power of `power`, of 2, 4 or -1, by roots alone: their bits are the same
+/// everywhere.
+double weight_of(double softness, double power) {
+  constexpr double least = 0.01;
+  const double x = std::max(softness, least);
+  return power < 0.0 ? 1.0 / std::sqrt(x) : (power > 2.0 ? x * x : x);
+}
+
+Vec3 random_axis(const Hinge& hinge, RandomSequence& draws) {
+  const bool along = norm_squared(hinge.line) > 0.0 && draws.uniform() < share_along_line;
+  if (!along) return draws.direction();
+  const Vec3 axis = unit(hinge.line + line_noise * normal_vector(draws));
+  return draws.uniform() < 0.5 ? -axis : axis;
+}
+
+/// Normal numbers along the main axes, whose variances are powers of their softness.
+Vec3 axis_of(const TurnWay& way, const Hinge& hinge, RandomSequence& draws) {
+  if (way.power == 0.0) return random_axis(hinge, draws);
+  const Vec3 x = normal_vector(draws);
+  const std::array<double, 3> along{x.x, x.y, x.z};
+  Vec3 axis;
+  for (std::size_t k = 0; k < 3; ++k)
+    axis += weight_of(hinge.softness[k], way.power) * along[k] * hinge.axes[k];
+  return unit(axis);
+}
+
+PieceTurn turn_of(const TurnWay& way, const Hinge& hinge, double scale, RandomSequence& draws) {
   PieceTurn turn{.piece = hinge.piece,
-                 .axis = draws.direction(),
+                 .axis = axis_of(way, hinge, draws),
                  .pivot = hinge.centre,
                  .angle = scale * largest_angle * draws.uniform()};
-  if (norm_squared(hinge.line) > 0.0 && draws.uniform() < share_along_line) {
-    turn.axis = unit(hinge.line + line_noise * normal_vector(draws));
-    if (draws.uniform() < 0.5) turn.axis = -turn.axis;
-  }
   turn.pivot += pivot_noise * normal_vector(draws);
   return turn;
 }
 
-/// Over how many others a turn wins, weighted.
-double score(const ScoredTurn& one, std::span<const ScoredTurn> all, const TurnWay& way) {
-  double sum = 0.0;
-  for (const ScoredTurn& other : all)
-    sum += (one.contacts > other.contacts ? way.closing : 0.0) +
-           (one.softness > other.softness ? way.soft : 0.0);
-  return sum;
-}
-
-const PieceTurn& best_of(std::span<const ScoredTurn> all, const TurnWay& way) {
-  return std::max_element(all.begin(), all.end(),
-                          [&](const ScoredTurn& a, const ScoredTurn& b) {
-                            return score(a, all, way) < score(b, all, way);
-                          })
-      ->turn;
+const TurnWay& way_of(const Hinge& hinge, RandomSequence& draws) {
+  const double opens = contrary + (1.0 - 2.0 * contrary) * hinge.closed;
+  const std::span<const TurnWay> ways =
+      draws.uniform() < opens ? std::span<const TurnWay>(opening) : closing;
+  return ways[choose(ways.size(), [&](std::size_t k) { return ways[k].share; }, draws)];
 }
 
 }  // namespace
@@ -110,62 +129,71 @@ TurnDraws::TurnDraws(const NetworkNodes& nodes, NetworkModes modes)
     std::vector<Hinge> hinges = hinges_of(nodes, tree, modes_);
     trees_.push_back({std::move(tree), std::move(hinges)});
   }
-  near_at_start_ = pairs_within(near_distance, nodes.positions);
+  near_at_start_ = pairs_within(near_distance, nodes, nodes.positions);
 }
 
 DrawnTurns TurnDraws::draw(RandomSequence& draws) const {
   if (empty()) return {};
-  const TurnWay& way = ways[choose(
-      std::size(ways), [](std::size_t k) { return ways[k].share; }, draws)];
+  const std::size_t pieces =
+      frames[choose(std::size(frames), [](std::size_t k) { return frames[k].share; }, draws)].count;
   double scale = 1.0;  // turns that are small enough are always possible
   for (int k = 0; k < most_halvings; ++k, scale *= 0.5) {
     DrawnTurns drawn =
-        way.pieces == 0 ? draw_along_modes(scale, draws) : draw_turns(way, scale, draws);
+        pieces == 0 ? draw_along_modes(scale, draws) : draw_turns(pieces, scale, draws);
     if (drawn.tree != nullptr) return drawn;
   }
   return {};
 }
 
-/// A tree, by the weights of its hinges.
-const TurnDraws::Tree& TurnDraws::choose_tree(RandomSequence& draws) const {
+/// A tree with so many pieces that turn, where there is one, by the weights of its hinges.
+const TurnDraws::Tree& TurnDraws::choose_tree(std::size_t pieces, RandomSequence& draws) const {
   const auto weight = [&](std::size_t k) {
+    constexpr double too_few = 1e-9;
     double sum = 0.0;
     for (const Hinge& hinge : trees_[k].hinges) sum += hinge.weight;
-    return sum;
+    return trees_[k].hinges.size() < pieces ? too_few * sum : sum;
   };
   return trees_[choose(trees_.size(), weight, draws)];
 }
 
-/// One piece after the other.
-DrawnTurns TurnDraws::draw_turns(const TurnWay& way, double scale, RandomSequence& draws) const {
+/// One piece after the other; the second only where it can turn.
+DrawnTurns TurnDraws::draw_turns(std::size_t pieces, double scale, RandomSequence& draws) const {
   for (int k = 0; k < most_hinges; ++k) {
-    const Tree& tree = choose_tree(draws);
+    const Tree& tree = choose_tree(pieces, draws);
     DrawnTurns drawn{&tree.pieces, {}};
-    const Hinge& first = choose_hinge(tree.hinges, draws);
-    if (!add_best(way, first, scale, draws, drawn)) continue;
-    if (way.pieces == 1) return drawn;
-    const Hinge& second = choose_hinge(tree.hinges, draws);
-    if (second.piece != first.piece) add_best(way, second, scale, draws, drawn);
-    return drawn;
+    std::vector<double> weights;
+    for (const Hinge& hinge : tree.hinges) weights.push_back(hinge.weight);
+    for (std::size_t turn = 0; turn < std::min(pieces, tree.hinges.size()); ++turn) {
+      const std::size_t at = choose(weights.size(), [&](std::size_t h) { return weights[h]; }, draws);
+      weights[at] = 0.0;
+      if (!add_turn(tree.hinges[at], scale, draws, drawn) && turn == 0) break;
+    }
+    if (!drawn.turns.empty()) return drawn;
   }
   return {};
 }
 
 /// Adds the best of several turns that are possible. False if none is.
-bool TurnDraws::add_best(const TurnWay& way, const Hinge& hinge, double scale,
-                         RandomSequence& draws, DrawnTurns& drawn) const {
-  std::vector<ScoredTurn> found;
-  for (int k = 0; k < most_draws && std::ssize(found) < way.best_of; ++k) {
-    const PieceTurn turn = turn_of(hinge, scale, draws);
-    drawn.turns.push_back(turn);
+bool TurnDraws::add_turn(const Hinge& hinge, double scale, RandomSequence& draws,
+                         DrawnTurns& drawn) const {
+  const TurnWay& way = way_of(hinge, draws);
+  PieceTurn best;
+  double most = -std::numeric_limits<double>::infinity();
+  for (int k = 0, found = 0; k < most_draws && found < way.best_of; ++k) {
+    drawn.turns.push_back(turn_of(way, hinge, scale, draws));
     const std::vector<Vec3> at = moved(drawn);
+    const PieceTurn turn = drawn.turns.back();
     drawn.turns.pop_back();
     if (!is_possible(at)) continue;
-    const double contacts = way.closing != 0.0 ? double(pairs_within(contact_distance, at)) : 0.0;
-    found.push_back({turn, contacts, softness(hinge, turn.axis)});
+    ++found;
+    const double score =
+        way.best_of > 1 ? way.contacts * double(pairs_within(contact_distance, nodes_, at)) : 0.0;
+    if (!(score > most)) continue;
+    most = score;
+    best = turn;
   }
-  if (found.empty()) return false;
-  drawn.turns.push_back(best_of(found, way));
+  if (!std::isfinite(most)) return false;
+  drawn.turns.push_back(best);
   return true;
 }
 
@@ -222,17 +250,7 @@ bool TurnDraws::is_possible(std::span<const Vec3> moved) const {
     if (std::abs(distance(moved[i], moved[i + 1]) - before) > widest_gap) return false;
   }
   const double most = most_new_pairs + most_new_pairs_a_node * double(moved.size());
-  return double(pairs_within(near_distance, moved)) <= double(near_at_start_) + most;
-}
-
-/// Pairs of nodes that are no neighbours along a chain.
-std::size_t TurnDraws::pairs_within(double length, std::span<const Vec3> nodes) const {
-  std::size_t count = 0;
-  CellList(nodes, length * nodes_.scale)
-      .for_each_pair([&](std::uint32_t i, std::uint32_t j, double) {
-        count += nodes_.chain[i] != nodes_.chain[j] || j - i > 2 ? 1 : 0;
-      });
-  return count;
+  return double(pairs_within(near_distance, nodes_, moved)) <= double(near_at_start_) + most;
 }
 
 }  // namespace pliant

@@ -21,13 +21,12 @@ struct DrawnTurns {
   std::vector<PieceTurn> turns;
 };
 
-/// One of the ways in which turns are drawn.
+/// One of the ways in which the turn of a piece is drawn.
 struct TurnWay {
-  double share;    ///< of all draws
-  int pieces;      ///< that turn; 0: all, as a draw of the modes turns them
-  int best_of;     ///< each turn is the best of so many, by the ranks of
-  double closing;  ///<   contacts between nodes, with this weight, and of
-  double soft;     ///<   the softness of its axis
+  double share;        ///< of all ways of hinges that are open, or closed
+  double power;        ///< axes are as frequent as they are soft, to this power; 0: at random
+  int best_of;         ///< of so many that are possible
+  double contacts;     ///< +1: the one with the most, -1: with the fewest contacts between nodes
 };
 
 class TurnDraws {
@@ -48,15 +47,13 @@ class TurnDraws {
     std::vector<Hinge> hinges;
   };
 
-  const Tree& choose_tree(RandomSequence& draws) const;
-  DrawnTurns draw_turns(const TurnWay& way, double scale, RandomSequence& draws) const;
-  bool add_best(const TurnWay& way, const Hinge& hinge, double scale, RandomSequence& draws,
-                DrawnTurns& drawn) const;
+  const Tree& choose_tree(std::size_t pieces, RandomSequence& draws) const;
+  DrawnTurns draw_turns(std::size_t pieces, double scale, RandomSequence& draws) const;
+  bool add_turn(const Hinge& hinge, double scale, RandomSequence& draws, DrawnTurns& drawn) const;
   DrawnTurns draw_along_modes(double scale, RandomSequence& draws) const;
   DrawnTurns turns_in_modes(double scale, RandomSequence& draws) const;
   bool is_possible(std::span<const Vec3> moved) const;
   std::vector<Vec3> moved(const DrawnTurns& drawn) const;
-  std::size_t pairs_within(double length, std::span<const Vec3> nodes) const;
 
   const NetworkNodes& nodes_;
   NetworkModes modes_;
