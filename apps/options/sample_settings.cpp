@@ -105,6 +105,7 @@ void complete(SampleSettings& settings) {
   check_amplitude(settings);
   SampleOptions known = settings.sample;
   if (known.sampler == automatic_sampler) known.sampler = SampleOptions{}.sampler;
+  if (known.frames == open_frames) known.frames = SampleOptions{}.frames;
   check(known);
 }
 

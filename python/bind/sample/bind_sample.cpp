@@ -120,7 +120,7 @@ SampledEnsemble sample_from(const nb::handle& structure, const nb::object& frame
                             bool single, bool compress, double precision, const std::string& save,
                             const nb::kwargs& more) {
   nb::dict given(more);
-  given["frames"] = frames;
+  if (!frames.is_none()) given["frames"] = frames;
   SampleOptions options = unset_sample_options();
   take_values(sample_fields(), given, options);
   refuse_unknown(nb::module_::import_("pliant._core").attr("sample"), nb::make_tuple(structure),
@@ -128,8 +128,8 @@ SampledEnsemble sample_from(const nb::handle& structure, const nb::object& frame
   Output output = output_from(path, overwrite, single, compress, precision, save);
   SampledEnsemble out{model_from(structure, model), {}, {}, {}};
   const SampleAsked asked = asked_of(out, amplitude, std::move(options));
-  InterruptWatch watch("frames", asked.options.frames);
   const SampleTask task(subject_of(out.model), asked);
+  InterruptWatch watch("frames", task.options().frames);
   output.options.saved = select_joints(task.framework(), save, "save");
   {
     const nb::gil_scoped_release no_gil;
@@ -311,8 +311,10 @@ std::string signature() {
   SampleOptions usual = unset_sample_options();
   std::string text = "def sample(structure: Structure | MolecularModel";
   for (const SampleField& field : sample_fields()) {
-    if (field.users.python) text += ", " + argument_text(field, field.place(usual));
-    if (field.name == "frames") text += ", *, amplitude: float | str | os.PathLike | None = None";
+    if (field.name == "frames")
+      text += ", frames: int | None = None, *, amplitude: float | str | os.PathLike | None = None";
+    else if (field.users.python)
+      text += ", " + argument_text(field, field.place(usual));
   }
   return text +
          ", model: str = \"\", output: str | os.PathLike[str] | None = None, "
@@ -331,7 +333,7 @@ std::string sample_doc() {
 }
 
 void bind_sample_function(nb::module_& module) {
-  module.def("sample", &sample_from, "structure"_a, "frames"_a = SampleOptions().frames,
+  module.def("sample", &sample_from, "structure"_a, "frames"_a = nb::none(),
              nb::kw_only(), "amplitude"_a = nb::none(), "model"_a = "", "output"_a = nb::none(),
              "overwrite"_a = false, "single"_a = false, "compress"_a = false, "precision"_a = 0.0,
              "save"_a = "", "options"_a, nb::sig(signature().c_str()), sample_doc().c_str());

@@ -24,8 +24,9 @@ const SampleField table[] = {
       .group = group,
       .summary = "frames to write",
       .range = Range::positive,
-      .in_python = "How many, from 1.",
-      .most = most_frames},
+      .in_python = "How many, from 1. Default: 400 of sampler ``reach``, 200 of others.",
+      .most = most_frames,
+      .unset_means = "400 of sampler reach, 200 of others"},
      at<&SampleOptions::frames>},
     {{.name = "first_frame",
       .group = group,
@@ -66,11 +67,13 @@ const SampleField table[] = {
      at<&SampleOptions::network>},
     {{.name = "sampler",
       .group = group,
-      .summary = "way to move; auto: modes if there are residues, torsions for small molecules",
+      .summary = "way to move; auto: reach for proteins and nucleic acids (modes for up to 40\n"
+                 "residues, and up to 100 frames), torsions for small molecules",
       .choices = [] { return names_of(samplers()); },
       .kind = "sampler",
-      .in_python = "A name in ``samplers()``, or ``auto``: ``modes`` where there are residues,\n"
-                   "``torsions`` of small molecules, which have no amplitude.",
+      .in_python = "A name in ``samplers()``, or ``auto``: ``reach`` of proteins and nucleic acids\n"
+                   "(``modes`` of up to 40 residues, and of up to 100 frames), ``torsions`` of small\n"
+                   "molecules, which have no amplitude.",
       .automatic = automatic_sampler},
      at<&SampleOptions::sampler>},
     {{.name = "near_frames",
@@ -123,6 +126,7 @@ std::int64_t near_frames_of(const SampleOptions& options) {
 SampleOptions unset_sample_options() {
   SampleOptions options;
   leave_open(sample_fields(), options);
+  options.frames = open_frames;
   return options;
 }
 

@@ -4,12 +4,16 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string>
 
 #include "pliant/base/log.hpp"
 
 namespace pliant {
 
+/// A number of frames that the task chooses: 400 of sampler `reach`, 200 of others.
+inline constexpr std::int64_t open_frames = std::numeric_limits<std::int64_t>::min();
+inline constexpr std::int64_t usual_near_frames = 200;
 inline constexpr double usual_amplitude = 1.4;  // Angstrom
 inline constexpr double largest_amplitude = 10.0;
 

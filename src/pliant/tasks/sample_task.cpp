@@ -13,13 +13,43 @@
 namespace pliant {
 namespace {
 
+/// Smaller molecules have no domains.
+constexpr std::size_t most_without_domains = 40;  // residues
+
+std::string_view usual_sampler(const SampleSubject& subject) {
+  const std::string_view found =
+      pliant::usual_sampler(subject.framework, subject.start, subject.has_residues);
+  const bool may_reach =
+      subject.has_residues && subject.nodes.positions.size() > most_without_domains;
+  return found == "modes" && may_reach ? "reach" : found;
+}
+
+/// Whether all frames of `reach` are those of `modes`.
+bool is_modes_alone(const SampleOptions& options) {
+  return options.near_frames >= options.first_frame + options.frames;
+}
+
+void choose_sampler(const SampleSubject& subject, SampleOptions& options) {
+  const bool is_open = options.sampler == automatic_sampler;
+  if (is_open) options.sampler = usual_sampler(subject);
+  const bool reaches = options.sampler == "reach";
+  if (options.frames == open_frames)
+    options.frames = reaches ? 2 * usual_near_frames : SampleOptions{}.frames;
+  check(options);
+  if (!reaches) return;
+  options.near_frames = near_frames_of(options);
+  if (!is_modes_alone(options)) return;
+  if (!is_open)
+    options.log.warn("sampler reach: all frames are those of sampler modes; it turns domains in "
+                     "those from number " + std::to_string(options.near_frames) + " on");
+  options.sampler = "modes";
+  options.near_frames = 0;
+}
+
 SampleOptions completed(const SampleSubject& subject, const SampleAsked& asked) {
   SampleOptions options = asked.options;
   if (asked.amplitude) options.amplitude = asked.amplitude->value;
-  if (options.sampler == automatic_sampler)
-    options.sampler = usual_sampler(subject.framework, subject.start, subject.has_residues);
-  check(options);
-  if (options.sampler == "reach") options.near_frames = near_frames_of(options);
+  choose_sampler(subject, options);
   if (asked.amplitude && !find_sampler(options.sampler).has_amplitude)
     throw OptionError(std::string(asked.dashes) + "amplitude: sampler " + options.sampler +
                       " has none: how far torsions turn is drawn");
