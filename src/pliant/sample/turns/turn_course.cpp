@@ -2,38 +2,13 @@
 #include "pliant/sample/turns/turn_course.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
-#include "pliant/base/math/elementary.hpp"
+#include "pliant/base/math/axis_angle.hpp"
 
 namespace pliant {
 namespace {
 
 constexpr std::int64_t spread_over = 4;  // nodes on each side of a link
-
-/// Sines and cosines whose bits depend on no C library.
-Rotation turned(Vec3 axis, double angle) {
-  const double half = 0.5 * angle;
-  return turn_about(axis, exact_bits_cos(half - 0.5 * std::numbers::pi) / exact_bits_cos(half));
-}
-
-struct AxisAngle {
-  Vec3 axis;
-  double angle = 0.0;  ///< 0 to pi
-};
-
-/// Of a turn by less than 180 degrees.
-AxisAngle axis_angle(const Rotation& r) {
-  const Vec3 twice_sine{r.z.y - r.y.z, r.x.z - r.z.x, r.y.x - r.x.y};
-  const double length = norm(twice_sine);
-  if (!(length > 1e-12)) return {{0, 0, 1}, 0.0};
-  return {(1.0 / length) * twice_sine, exact_bits_atan2(length, r.x.x + r.y.y + r.z.z - 1.0)};
-}
-
-Rotation inverse(const Rotation& r) {
-  return {{r.x.x, r.y.x, r.z.x}, {r.x.y, r.y.y, r.z.y}, {r.x.z, r.y.z, r.z.z}};
-}
 
 }  // namespace
 
@@ -53,7 +28,7 @@ void TurnCourse::move_pieces(std::span<const PieceTurn> turns, double share) {
     const auto turn = std::find_if(turns.begin(), turns.end(),
                                    [&](const PieceTurn& one) { return one.piece == p; });
     if (turn == turns.end()) continue;
-    pieces_[p] = pieces_[p].after(turned(turn->axis, share * turn->angle), turn->pivot);
+    pieces_[p] = pieces_[p].after(rotation_by(turn->axis, share * turn->angle), turn->pivot);
   }
 }
 
@@ -72,7 +47,7 @@ void TurnCourse::spread(ChainLink link) {
     if (nodes_.chain[node] != nodes_.chain[link.before]) continue;
     if (tree_.of_node[node] != one && tree_.of_node[node] != other) continue;
     const double part = (double(k + spread_over) - 0.5) / double(2 * spread_over);
-    const Rotation rotation = product(turned(turn.axis, part * turn.angle), from.rotation);
+    const Rotation rotation = product(rotation_by(turn.axis, part * turn.angle), from.rotation);
     const Vec3 goal = start + part * (end - start);
     motions_[node] = {rotation, goal - rotation(middle)};
   }
