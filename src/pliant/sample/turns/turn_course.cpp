@@ -2,6 +2,7 @@
 #include "pliant/sample/turns/turn_course.hpp"
 
 #include <algorithm>
+#include <numbers>
 
 #include "pliant/base/math/axis_angle.hpp"
 
@@ -23,20 +24,31 @@ std::span<const RigidMotion> TurnCourse::motions(std::span<const PieceTurn> turn
 /// Each piece goes with its parent, and turns.
 void TurnCourse::move_pieces(std::span<const PieceTurn> turns, double share) {
   pieces_.assign(tree_.piece_count(), {});
+  turned_.assign(tree_.piece_count(), 0.0);
   for (std::uint32_t p = 0; p < pieces_.size(); ++p) {
     if (tree_.parent[p] >= 0) pieces_[p] = pieces_[static_cast<std::size_t>(tree_.parent[p])];
     const auto turn = std::find_if(turns.begin(), turns.end(),
                                    [&](const PieceTurn& one) { return one.piece == p; });
     if (turn == turns.end()) continue;
-    pieces_[p] = pieces_[p].after(rotation_by(turn->axis, share * turn->angle), turn->pivot);
+    turned_[p] = share * turn->angle;
+    pieces_[p] = pieces_[p].after(rotation_by(turn->axis, turned_[p]), turn->pivot);
   }
+}
+
+bool TurnCourse::goes_the_long_way(std::uint32_t one, std::uint32_t other) const {
+  const auto turned_on = [&](std::uint32_t piece, std::uint32_t parent) {
+    return tree_.parent[piece] == static_cast<std::int32_t>(parent) &&
+           turned_[piece] > std::numbers::pi;
+  };
+  return turned_on(one, other) || turned_on(other, one);
 }
 
 /// Nodes beside a link turn about its middle by a part of what one piece turns against the other.
 void TurnCourse::spread(ChainLink link) {
   const std::uint32_t one = tree_.of_node[link.before], other = tree_.of_node[link.after];
   const RigidMotion &from = pieces_[one], &to = pieces_[other];
-  const AxisAngle turn = axis_angle(product(to.rotation, inverse(from.rotation)));
+  AxisAngle turn = axis_angle(product(to.rotation, inverse(from.rotation)));
+  if (goes_the_long_way(one, other)) turn = {-1.0 * turn.axis, 2.0 * std::numbers::pi - turn.angle};
   const Vec3 middle = 0.5 * (nodes_.positions[link.before] + nodes_.positions[link.after]);
   const Vec3 start = from(middle), end = to(middle);
   if (turn.angle == 0.0 && norm_squared(end - start) == 0.0) return;
