@@ -12,6 +12,8 @@
 namespace pliant {
 namespace {
 
+// Angstrom; what is left where turns have come so near is no matter of the way round
+constexpr double turned_near = 1.0;
 constexpr double timestep = 0.01;  // ps a step, as files of Motion have it; a path has no time
 
 }  // namespace
@@ -86,7 +88,8 @@ struct PathWalk::Search {
     is_first = false;
     if (best.left.back() <= find_path_atoms(options.atoms).arrived_within) return end();
     if (!turns) seek_turns();
-    if (!turns->empty()) return begin_turns();
+    if (!turns->empty() && (best.turned == 0.0 || best.left.back() > turned_near))
+      return begin_turns();
     if (attempts >= options.backtrack) return end();
     ++attempts;
     detour.emplace(walker, best, goals.back(), std::uint64_t(attempts), options.seed);

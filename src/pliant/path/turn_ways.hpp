@@ -12,7 +12,8 @@ namespace pliant {
 
 /// Goals that lead to the end by turns of pieces.
 struct TurnWay {
-  double angle = 0.0;  ///< degrees: the largest turn of a piece against its parent
+  double angle = 0.0;    ///< degrees: the largest turn of a piece against its parent
+  double clashes = 0.0;  ///< TurnGuess::clashes
   std::vector<std::vector<Vec3>> goals;  ///< K positions each (Angstrom), the end last
 };
 
