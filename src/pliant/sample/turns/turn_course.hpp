@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "pliant/base/math/best_fit.hpp"
+#include "pliant/base/math/axis_angle.hpp"
 #include "pliant/base/vec3.hpp"
 #include "pliant/sample/turns/pieces.hpp"
 
@@ -33,12 +33,12 @@ class TurnCourse {
  private:
   void move_pieces(std::span<const PieceTurn> turns, double share);
   void spread(ChainLink link);
-  bool goes_the_long_way(std::uint32_t one, std::uint32_t other) const;
+  AxisAngle turn_between(std::uint32_t one, std::uint32_t other) const;
 
   const NetworkNodes& nodes_;
   const PieceTree& tree_;
   std::vector<RigidMotion> pieces_, motions_;
-  std::vector<double> turned_;  ///< (P) radians that each piece has turned against its parent
+  std::vector<AxisAngle> turned_;  ///< (P) against the parent, as the molecule lies at the start
 };
 
 }  // namespace pliant

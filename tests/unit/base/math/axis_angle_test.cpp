@@ -16,6 +16,15 @@ TEST(AxisAngle, IsThatOfTheRotation) {
   }
 }
 
+TEST(AxisAngle, OfHalfATurnIsPi) {
+  const Vec3 axis{2.0 / 7.0, -3.0 / 7.0, 6.0 / 7.0};
+  const Rotation half{2.0 * axis.x * axis - Vec3{1, 0, 0}, 2.0 * axis.y * axis - Vec3{0, 1, 0},
+                      2.0 * axis.z * axis - Vec3{0, 0, 1}};
+  const AxisAngle found = axis_angle(half);
+  EXPECT_NEAR(found.angle, 3.14159265358979, 1e-7);
+  EXPECT_NEAR(std::abs(dot(found.axis, axis)), 1.0, 1e-12);
+}
+
 TEST(AxisAngle, OfNoRotationIsZero) { EXPECT_EQ(axis_angle(Rotation{}).angle, 0.0); }
 
 TEST(RotationBy, TurnsByTheAngle) {
