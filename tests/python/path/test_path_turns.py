@@ -6,9 +6,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from pliant.path.command import main
 
 import pliant
-from pliant.path.command import main
 
 PEPTIDE = Path(__file__).parents[3] / "data" / "molecules" / "peptide_20.pdb"
 

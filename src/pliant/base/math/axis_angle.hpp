@@ -15,7 +15,7 @@ struct AxisAngle {
 /// The rotation about a unit axis by an angle (radians).
 Rotation rotation_by(Vec3 axis, double angle);
 
-/// Of a rotation. The axis of one by 180 degrees may point either way.
+/// The axis and the angle of a rotation. An axis of 180 degrees may point either way.
 AxisAngle axis_angle(const Rotation& rotation);
 
 Rotation inverse(const Rotation& rotation);
