@@ -36,6 +36,9 @@ held on the way; those in only one of them, or of atoms that are not matched, ar
 and metals are matched by chain, number and name. Bonds, angles and planar groups are those of
 START, exact in each frame, and atoms do not overlap.
 
+Where the straight way does not arrive, parts that keep their shape turn as wholes, if one turns by
+45 degrees or more.
+
 A path shows that a way exists, and what must give way on it. It does not show how fast or how
 likely it is, or that the molecule takes it.
 
