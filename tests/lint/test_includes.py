@@ -26,7 +26,7 @@ MAY_INCLUDE = {
     "resolve": ("base", "framework", "order", "rigidity"),
     "sample": ("base", "framework", "rigidity", "resolve"),
     "run": ("base", "framework", "order", "resolve", "perturb"),
-    "path": ("base", "framework", "molecule", "model", "resolve", "perturb", "run"),
+    "path": ("base", "framework", "molecule", "model", "resolve", "perturb", "sample", "run"),
     "record": ("base", "text", "framework"),
     "tasks": ("base", "framework", "molecule", "model", "sample", "record"),
     "stream": ("base", "framework", "perturb"),

@@ -15,15 +15,10 @@ namespace {
 /// What a page has of a walk.
 struct Sent {
   std::size_t frames = 0;
-  std::int64_t detours = 0;  ///< that had ended
+  std::int64_t replaced = 0;  ///< ways by better ones
 };
 
 Sent sent;
-
-std::int64_t ended_detours(const PathWalk& walk) {
-  const bool is_under_way = walk.attempts() > 0 && !walk.is_over();
-  return walk.attempts() - (is_under_way ? 1 : 0);
-}
 
 /// Makes at least one step, and as many as there is time for.
 void go_on(PathWalk& walk, double milliseconds) {
@@ -74,8 +69,8 @@ Reply path_steps(const Request& request) {
   const auto& walk = session().document().path;
   if (!walk) throw OptionError("path: none has been begun");
   go_on(*walk, request.fields.value("milliseconds", 50.0));
-  // A detour that came nearer has taken the place of what was there: all of it is sent anew.
-  const std::size_t kept = ended_detours(*walk) > sent.detours ? 0 : sent.frames;
+  // A way that came nearer has taken the place of what was there: all of it is sent anew.
+  const std::size_t kept = walk->replaced() > sent.replaced ? 0 : sent.frames;
   Reply reply;
   reply.fields = {
       {"kept", kept},
@@ -85,7 +80,7 @@ Reply path_steps(const Request& request) {
       {"attempts", walk->attempts()},
       {"notes", walk->notes()}};
   add_frames(*walk, kept, reply);
-  sent = {walk->frame_count(), ended_detours(*walk)};
+  sent = {walk->frame_count(), walk->replaced()};
   return reply;
 }
 

@@ -211,6 +211,9 @@ void bind_walk(nb::module_& module) {
       .def_prop_ro("left", looking(&PathWalk::left),
                    "How far the last frame is from the end, Angstrom.")
       .def_prop_ro("attempts", looking(&PathWalk::attempts), "Number of detours tried.")
+      .def_prop_ro("turned", looking(&PathWalk::turned),
+                   "Degrees: the largest turn of a piece of the molecule that the way was guessed "
+                   "with; 0 where it is straight.")
       .def_prop_ro("notes", looking(&PathWalk::notes),
                    "How residues were matched, where the ends met, why it ended.")
       .def("__len__", looking(&PathWalk::frame_count))

@@ -36,6 +36,9 @@ held on the way; those in only one of them, or of atoms that are not matched, ar
 and metals are matched by chain, number and name. Bonds, angles and planar groups are those of
 START, exact in each frame, and atoms do not overlap.
 
+Where the straight way does not arrive, parts that keep their shape turn as wholes, if one turns by
+45 degrees or more.
+
 A path shows that a way exists, and what must give way on it. It does not show how fast or how
 likely it is, or that the molecule takes it.
 
@@ -139,6 +142,7 @@ def _facts(path: MolecularPath, output: str) -> dict[str, Any]:
         "contacts_of_end": path.only_end,
         "worst_residual": max(frame.max_residual for frame in path.frames),
         "attempts": path.attempts,
+        "turned": path.turned,
         "tightest": [_row(place, PLACE) for place in path.tight_places()],
         "seconds": path.seconds,
         "notes": path.notes,
@@ -168,6 +172,8 @@ def _print(path: MolecularPath, output: str) -> None:
             f"{'' if k else 'tightest':15s} {place.atoms}: {place.overlap:.3f} A too near in "
             f"frame {place.step}"
         )
+    if path.turned:
+        print(f"turned          {path.turned:.0f} degrees, a piece of the molecule as a whole")
     if path.attempts:
         print(f"went back       {path.attempts} times")
     print(f"worst bar       off by {worst:.1e} of its length")

@@ -27,6 +27,8 @@ class MolecularPath(Displayed):
     only_end: int
     notes: list[str]  #: how residues were matched, where the ends met, why it ended
     attempts: int = 0  #: times that it went back and tried again
+    #: degrees: the largest turn of a piece that the way was guessed with; 0 where it is straight
+    turned: float = 0.0
     seconds: float = 0.0
 
     @property

@@ -94,7 +94,9 @@ def find(
             recorder.close()
     atoms, contacts = options.atoms, len(ends.model.contacts)
     made = ends.model, walk.positions(), walk.table(), ends.matched, atoms, contacts
-    found = MolecularPath(*made, ends.only_start, ends.only_end, walk.notes, walk.attempts)
+    found = MolecularPath(
+        *made, ends.only_start, ends.only_end, walk.notes, walk.attempts, walk.turned
+    )
     found.seconds = time.perf_counter() - begun
     return found
 

@@ -15,7 +15,7 @@ constexpr double least_guided = 0.1;  // share of a step to be gained towards a 
 
 Way Way::first(std::size_t count) const {
   const auto end = static_cast<std::ptrdiff_t>(count);
-  return {{places.begin(), places.begin() + end}, {left.begin(), left.begin() + end}, {}};
+  return {{places.begin(), places.begin() + end}, {left.begin(), left.begin() + end}, {}, turned};
 }
 
 Patience::Patience(double step, double begun)

@@ -22,6 +22,7 @@ struct Way {
   std::vector<SharedPlace> places;
   std::vector<double> left;        ///< Angstrom
   std::vector<std::string> notes;  ///< why it ended, unless steps gained too little
+  double turned = 0.0;  ///< degrees: largest turn of a piece that it began with; 0: straight
 
   void add(SharedPlace place, double apart) {
     places.push_back(std::move(place));

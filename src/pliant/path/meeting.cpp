@@ -21,7 +21,7 @@ Meeting::Meeting(const PathEnds& ends, PathWalker& walker, Way& way, const PathO
     : ends_(ends),
       step_(options.step),
       other_walker_(*ends.end, options.should_stop),
-      other_way_{{other_walker_.now()}, {way.left[0]}, {}},
+      other_way_{{other_walker_.now()}, {way.left[0]}, {}, 0.0},
       ours_{walker, way, way.left[0], {step_, way.left[0]}},
       theirs_{other_walker_, other_way_, way.left[0], {step_, way.left[0]}} {}
 

@@ -7,27 +7,33 @@
 
 #include "pliant/path/detour.hpp"
 #include "pliant/path/meeting.hpp"
+#include "pliant/path/turn_ways.hpp"
 
 namespace pliant {
 namespace {
 
+// Angstrom; what is left where turns have come so near is no matter of the way round
+constexpr double turned_near = 1.0;
 constexpr double timestep = 0.01;  // ps a step, as files of Motion have it; a path has no time
 
 }  // namespace
 
-/// First both ends, if so asked; then the march of the start; then detours, each with a march.
+/// First both ends, if so asked; then the march of the start; then turns; then detours. Each of
+/// these makes a march, and only where all before did not arrive.
 struct PathWalk::Search {
   std::shared_ptr<const PathEnds> ends;
   PathOptions options;
   PathWalker walker;
-  Way best;   ///< the first, or a better one that began with a detour
-  Way other;  ///< that began with the last detour
+  Way best;   ///< the first, or a better one that began with turns or a detour
+  Way other;  ///< that began with the last turns or detour
   std::vector<std::vector<Vec3>> goals;
   std::vector<std::string> notes;
   std::optional<Meeting> meeting;
   std::optional<Detour> detour;
   std::optional<March> march;
-  std::int64_t attempts = 0;
+  std::optional<std::vector<TurnWay>> turns;  ///< not tried yet, the next one last
+  std::int64_t attempts = 0, replaced = 0;
+  bool is_first = true;  ///< no other way has been begun
   bool is_over = false;
 
   Search(std::shared_ptr<const PathEnds> given, const PathOptions& asked)
@@ -75,15 +81,36 @@ struct PathWalk::Search {
 
   void end_march() {
     march.reset();
-    if (attempts > 0 && other.left.back() < best.left.back() - least_gain) best = std::move(other);
-    if (best.left.back() <= find_path_atoms(options.atoms).arrived_within ||
-        attempts >= options.backtrack) {
-      walker.put(best.places.back());
-      is_over = true;
-      return;
+    if (!is_first && other.left.back() < best.left.back() - least_gain) {
+      best = std::move(other);
+      ++replaced;
     }
+    is_first = false;
+    if (best.left.back() <= find_path_atoms(options.atoms).arrived_within) return end();
+    if (!turns) seek_turns();
+    if (!turns->empty() && (best.turned == 0.0 || best.left.back() > turned_near))
+      return begin_turns();
+    if (attempts >= options.backtrack) return end();
     ++attempts;
     detour.emplace(walker, best, goals.back(), std::uint64_t(attempts), options.seed);
+  }
+
+  void seek_turns() {
+    turns = find_turn_ways(ends->start, ends->goal);
+    std::reverse(turns->begin(), turns->end());
+  }
+
+  void begin_turns() {
+    other = best.first(1);
+    other.turned = turns->back().angle;
+    walker.put(other.places.back());
+    march.emplace(walker, other, std::move(turns->back().goals), options.step);
+    turns->pop_back();
+  }
+
+  void end() {
+    walker.put(best.places.back());
+    is_over = true;
   }
 };
 
@@ -120,6 +147,8 @@ Frame PathWalk::frame(std::size_t number) const {
 
 double PathWalk::left() const { return search_->best.left.back(); }
 std::int64_t PathWalk::attempts() const { return search_->attempts; }
+std::int64_t PathWalk::replaced() const { return search_->replaced; }
+double PathWalk::turned() const { return search_->best.turned; }
 
 std::vector<std::string> PathWalk::notes() const {
   std::vector<std::string> all = search_->ends->notes;
@@ -143,7 +172,8 @@ std::vector<PathFrame> table_of(const PathWalk& walk) {
 }
 
 MolecularPath found_by(const PathWalk& walk) {
-  MolecularPath found{walk.ends(), {}, table_of(walk), walk.notes(), walk.attempts(), false};
+  MolecularPath found{walk.ends(),   {},   table_of(walk), walk.notes(), walk.attempts(),
+                      walk.turned(), false};
   for (std::size_t k = 0; k < walk.frame_count(); ++k) {
     const auto positions = walk.frame(k).positions;
     found.positions.emplace_back(positions.begin(), positions.end());

@@ -4,7 +4,8 @@
 // to move towards it by a fixed r.m.s. distance; technique `froda` then makes bars whole, keeps
 // atoms apart and holds the contacts that both structures have. Contacts that only one has are
 // released (S. Wells et al., Phys. Biol. 2 (2005) S127; D. W. Farrell, K. Speranskiy, M. F. Thorpe,
-// Proteins 78 (2010) 2908).
+// Proteins 78 (2010) 2908). Where that does not arrive, pieces that keep their shape turn as
+// wholes.
 #pragma once
 
 #include <cstdint>
@@ -35,7 +36,8 @@ class PathWalk {
   bool is_over() const;
 
   /// Number of frames of the start on the best way so far. It grows with the steps of the first
-  /// way; a detour replaces that once it has come nearer. After the end these are the path.
+  /// way; one with turns or a detour replaces that once it has come nearer. After the end these are
+  /// the path.
   std::size_t frame_count() const;
   /// A frame, numbered from 0; times are 0.01 ps apart, since a path has no time. Positions remain
   /// valid as long as the frame belongs to this walk.
@@ -44,6 +46,11 @@ class PathWalk {
   double left() const;
   /// Number of detours tried.
   std::int64_t attempts() const;
+  /// How often another way has replaced the best.
+  std::int64_t replaced() const;
+  /// Degrees: the largest turn of a piece of the molecule that the best way was guessed with; 0
+  /// where it is straight.
+  double turned() const;
   /// How residues were matched, where the ends met, and why the walk ended.
   std::vector<std::string> notes() const;
 
@@ -63,6 +70,7 @@ struct MolecularPath {
   std::vector<PathFrame> frames;   ///< (F) the start first
   std::vector<std::string> notes;  ///< how residues were matched, where the ends met, why it ended
   std::int64_t attempts = 0;       ///< number of detours tried
+  double turned = 0.0;             ///< degrees, as PathWalk::turned
   bool has_arrived = false;        ///< the last frame has reached the end
 };
 

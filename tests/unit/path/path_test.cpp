@@ -5,13 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/math/superposition.hpp"
-#include "pliant/framework/measures/residual.hpp"
 #include "support/error_text.hpp"
-#include "support/molecules.hpp"
+#include "unit/path/bent_helix.hpp"
 
 namespace pliant::path_test {
 
@@ -19,29 +17,6 @@ using ::testing::Each;
 using ::testing::HasSubstr;
 using ::testing::Lt;
 using ::testing::SizeIs;
-
-/// A helix of 20 residues.
-Structure helix() { return test::bonded(molecule_file("peptide_20.pdb")); }
-
-std::size_t atom_of(const Structure& s, std::uint32_t residue, const std::string& name) {
-  for (std::size_t atom = 0; atom < s.size(); ++atom)
-    if (s.atoms.residue_of[atom] == residue && s.atoms.names[atom] == name) return atom;
-  throw std::runtime_error("no atom " + name);
-}
-
-/// The same with what follows a residue (from 0) turned about its bond N-CA.
-Structure bent(Structure s, std::uint32_t residue, double degrees) {
-  const Vec3 n = s.positions[atom_of(s, residue, "N")], ca = s.positions[atom_of(s, residue, "CA")];
-  const Rotation turn =
-      turn_about((1.0 / distance(n, ca)) * (ca - n), std::tan(degrees / 360.0 * std::numbers::pi));
-  for (std::size_t atom = 0; atom < s.size(); ++atom) {
-    const std::string& name = s.atoms.names[atom];
-    const bool stays = name == "N" || name == "H" || name == "CA" || name == "HA";
-    if (s.atoms.residue_of[atom] > residue || (s.atoms.residue_of[atom] == residue && !stays))
-      s.positions[atom] = n + turn(s.positions[atom] - n);
-  }
-  return s;
-}
 
 /// r.m.s. distance of the alpha carbons of a frame from those of a structure, superposed.
 double apart(const MolecularPath& path, const std::vector<Vec3>& frame, const Structure& end) {
@@ -55,13 +30,6 @@ double apart(const MolecularPath& path, const std::vector<Vec3>& frame, const St
   double sum = 0.0;
   for (std::size_t k = 0; k < here.size(); ++k) sum += norm_squared(onto(here[k]) - there[k]);
   return std::sqrt(sum / double(here.size()));
-}
-
-double worst_bar(const MolecularPath& path) {
-  double worst = 0.0;
-  for (const std::vector<Vec3>& frame : path.positions)
-    worst = std::max(worst, measure(path.ends->start.model.framework, frame).max_relative);
-  return worst;
 }
 
 TEST(Path, ArrivesWithEveryBarWhole) {

@@ -165,27 +165,49 @@ PieceTree tree_of(const NetworkNodes& nodes, const DenseMatrix& springs, const L
   return tree;
 }
 
-}  // namespace
+DenseMatrix distances_between(std::span<const Vec3> one, std::span<const Vec3> other) {
+  DenseMatrix apart(one.size(), one.size());
+  for (std::size_t i = 0; i < one.size(); ++i)
+    for (std::size_t j = i + 1; j < one.size(); ++j)
+      apart(i, j) = apart(j, i) = std::abs(distance(one[i], one[j]) - distance(other[i], other[j]));
+  return apart;
+}
 
-std::size_t least_piece(std::size_t nodes) { return std::clamp<std::size_t>(nodes / 5, 5, 20); }
+bool are_enough(const NetworkNodes& nodes) {
+  return nodes.positions.size() >= 2 * least_piece(nodes.positions.size());
+}
 
-std::vector<PieceTree> find_pieces(const NetworkNodes& nodes, const NetworkModes& modes) {
+std::vector<PieceTree> different_trees(const NetworkNodes& nodes, const DenseMatrix& springs,
+                                       std::span<const AverageLinkage> cuts) {
   std::vector<PieceTree> out;
-  const std::size_t n = nodes.positions.size();
-  if (n < 2 * least_piece(n) || modes.variances.empty()) return out;
-  const DenseMatrix springs = joined_springs(nodes);
-  const std::array<AverageLinkage, 2> cuts{AverageLinkage(spectral_distances(nodes, springs)),
-                                           AverageLinkage(distances_in_modes(nodes, modes))};
   for (std::size_t count = 2; count <= most_pieces; ++count)
     for (const AverageLinkage& cut : cuts) {
-      const Labels of_node =
-          without_small(nodes, springs, smoothed(nodes, cut.cut(std::min(count, n))));
+      const Labels of_node = without_small(
+          nodes, springs, smoothed(nodes, cut.cut(std::min(count, nodes.positions.size()))));
       PieceTree tree = tree_of(nodes, springs, of_node);
       const auto is_same = [&](const PieceTree& other) { return other.of_node == tree.of_node; };
       if (tree.piece_count() > 1 && std::none_of(out.begin(), out.end(), is_same))
         out.push_back(std::move(tree));
     }
   return out;
+}
+
+}  // namespace
+
+std::size_t least_piece(std::size_t nodes) { return std::clamp<std::size_t>(nodes / 5, 5, 20); }
+
+std::vector<PieceTree> find_pieces(const NetworkNodes& nodes, const NetworkModes& modes) {
+  if (!are_enough(nodes) || modes.variances.empty()) return {};
+  const DenseMatrix springs = joined_springs(nodes);
+  const std::array<AverageLinkage, 2> cuts{AverageLinkage(spectral_distances(nodes, springs)),
+                                           AverageLinkage(distances_in_modes(nodes, modes))};
+  return different_trees(nodes, springs, cuts);
+}
+
+std::vector<PieceTree> find_pieces(const NetworkNodes& nodes, std::span<const Vec3> other) {
+  if (!are_enough(nodes)) return {};
+  const AverageLinkage cut(distances_between(nodes.positions, other));
+  return different_trees(nodes, joined_springs(nodes), {&cut, 1});
 }
 
 }  // namespace pliant

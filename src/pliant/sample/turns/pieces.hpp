@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "pliant/sample/network/elastic_network.hpp"
@@ -33,5 +34,9 @@ std::size_t least_piece(std::size_t nodes);
 /// their distances in the 10 lowest of `modes`. Along chains each node goes with most of its 7
 /// neighbours, and pieces that are too small with the one that they are joined to.
 std::vector<PieceTree> find_pieces(const NetworkNodes& nodes, const NetworkModes& modes);
+
+/// Likewise by the changes of distances between the nodes and `other` (M, Angstrom), other places
+/// of the same nodes.
+std::vector<PieceTree> find_pieces(const NetworkNodes& nodes, std::span<const Vec3> other);
 
 }  // namespace pliant

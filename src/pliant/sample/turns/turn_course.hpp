@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "pliant/base/math/best_fit.hpp"
+#include "pliant/base/math/axis_angle.hpp"
 #include "pliant/base/vec3.hpp"
 #include "pliant/sample/turns/pieces.hpp"
 
@@ -17,7 +17,7 @@ struct PieceTurn {
   std::uint32_t piece = 0;
   Vec3 axis;           ///< unit length, as the molecule lies at the start
   Vec3 pivot;          ///< a point of the axis (Angstrom)
-  double angle = 0.0;  ///< radians, 0 to pi
+  double angle = 0.0;  ///< radians, 0 to 2 pi: above pi it is the long way round
 };
 
 /// Not thread-safe.
@@ -33,10 +33,12 @@ class TurnCourse {
  private:
   void move_pieces(std::span<const PieceTurn> turns, double share);
   void spread(ChainLink link);
+  AxisAngle turn_between(std::uint32_t one, std::uint32_t other) const;
 
   const NetworkNodes& nodes_;
   const PieceTree& tree_;
   std::vector<RigidMotion> pieces_, motions_;
+  std::vector<AxisAngle> turned_;  ///< (P) against the parent, as the molecule lies at the start
 };
 
 }  // namespace pliant

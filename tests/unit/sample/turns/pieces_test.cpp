@@ -38,6 +38,22 @@ TEST(Pieces, TreesAreTrees) {
   }
 }
 
+TEST(Pieces, OtherPlacesPartWhatMovedAsWholes) {
+  const NetworkNodes nodes = test::two_lobes();
+  std::vector<Vec3> other = nodes.positions;
+  const std::size_t cut = test::lobe_nodes + test::strand_nodes / 2;
+  const Vec3 pivot = other[cut];
+  for (std::size_t k = cut; k < other.size(); ++k) {
+    const Vec3 r = other[k] - pivot;
+    other[k] = pivot + Vec3{-r.x, -r.y, r.z};  // by 180 degrees
+  }
+  const std::vector<PieceTree> trees = find_pieces(nodes, other);
+  ASSERT_FALSE(trees.empty());
+  EXPECT_EQ(trees.front().piece_count(), 2U);
+  ASSERT_EQ(trees.front().links.size(), 1U);
+  EXPECT_NEAR(double(trees.front().links[0].before), double(cut), 3.0);
+}
+
 TEST(Pieces, FewNodesHaveNone) {
   NetworkNodes nodes = test::two_lobes();
   nodes.positions.resize(9);

@@ -61,5 +61,16 @@ TEST_F(TurnCourseTest, TheTurnIsSpreadBesideTheLink) {
         << k;
 }
 
+/// Above 180 degrees the nodes beside the link go the long way with their piece.
+TEST_F(TurnCourseTest, TheLongWayRoundIsContinuous) {
+  turn.angle = 1.4 * std::numbers::pi;
+  constexpr int steps = 140;  // of 1.8 degrees
+  for (std::size_t k = 0; k < nodes.positions.size(); ++k)
+    for (int step = 0; step < steps; ++step) {
+      const Vec3 now = moved(k, double(step) / steps), next = moved(k, double(step + 1) / steps);
+      EXPECT_LT(distance(now, next), 0.8) << k << " " << step;
+    }
+}
+
 }  // namespace
 }  // namespace pliant
