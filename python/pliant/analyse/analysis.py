@@ -134,6 +134,15 @@ class Analysis:
         return None if near.all() or np.count_nonzero(near) < 2 else near
 
     @property
+    def reaches(self) -> np.ndarray | None:
+        """(F,) bool: frames that were drawn to reach further; None: none was."""
+        drawn_by = self.observable("sampler")
+        if drawn_by is None:
+            return None
+        far: np.ndarray = drawn_by > DRAWN_ALONG_MODES
+        return far if far.any() else None
+
+    @property
     def converged(self) -> np.ndarray | None:
         """(F,) bool: what the run says of each frame; None if it says nothing."""
         flags = self.observable("converged")

@@ -43,7 +43,7 @@ def find_pockets(positions: np.ndarray, radii: np.ndarray, spacing: float = SPAC
     origin = positions.min(axis=0) - margin
     shape = np.ceil((positions.max(axis=0) + margin - origin) / step).astype(int) + 1
     places = (positions - origin) / step
-    free = _free_radius(places, radii / step, (LARGE_PROBE + 2.0 * step) / step, shape) * step
+    free = _free_radius(places, radii / step, (LARGE_PROBE + step) / step, shape) * step
     regions = label(free >= LARGE_PROBE)[0]
     deep = ~_covered(regions == regions[0, 0, 0], free + LEAST_DEPTH, step)
     room = deep & _covered(free >= SMALL_PROBE, free, step)
@@ -71,10 +71,12 @@ def _free_radius(
     for place, radius in zip(places, radii.tolist(), strict=True):
         first = np.maximum(np.ceil(place - radius - most), 0).astype(int)
         last = np.floor(place + radius + most).astype(int) + 1
-        x, y, z = (np.arange(a, b) - c for a, b, c in zip(first, last, place, strict=True))
-        apart = np.sqrt((x * x)[:, None, None] + (y * y)[:, None] + z * z)
+        x, y, z = ((np.arange(a, b) - c).astype(np.float32) for a, b, c in zip(first, last, place, strict=True))
+        apart = (x * x)[:, None, None] + ((y * y)[:, None] + z * z)
+        np.sqrt(apart, out=apart)
+        apart -= radius
         own = free[tuple(map(slice, first, last))]
-        np.minimum(own, apart - radius, out=own, casting="same_kind")
+        np.minimum(own, apart, out=own)
     return free
 
 

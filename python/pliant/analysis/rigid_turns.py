@@ -17,6 +17,7 @@ class RigidTurns:
 
     piece: np.ndarray  #: (n,) of each site, from 0 by size; LOOSE where it belongs to none
     angles: np.ndarray  #: (k,) degrees, of each against the largest, which has 0
+    axes: np.ndarray  #: (k, 3) unit vectors along the axes of these turns
     hinges: np.ndarray  #: (h, 2) neighbours along a chain in different pieces
     within: float  #: RMSD that is left when each piece is superposed by itself, Angstrom
     end: np.ndarray  #: (n, 3) the other structure, its largest piece superposed on the first's
@@ -34,18 +35,20 @@ def rigid_turns(start: np.ndarray, end: np.ndarray, chains: np.ndarray) -> Rigid
     piece = _whole_ends(find_domains(np.stack([start, moved]), chains).domain, chains)
     core = piece == 0
     moved = Superposition(start[core], np.ones(int(core.sum()))).apply(end, end[core])
-    angles, left = [], []
+    angles, axes, left = [], [], []
     for k in range(piece.max() + 1):
         own = piece == k
         fit = Superposition(start[own], np.ones(int(own.sum())))
-        cosine = (np.trace(fit.motion(moved[own])[0]) - 1.0) / 2.0
+        rotation = fit.motion(moved[own])[0]
+        cosine = (np.trace(rotation) - 1.0) / 2.0
         angles.append(np.degrees(np.arccos(np.clip(cosine, -1.0, 1.0))) if k else 0.0)
+        axes.append(np.linalg.svd(rotation.T - np.eye(3))[2][2])  # which the rotation leaves as is
         left.append(np.sum((fit.apply(moved[own]) - start[own]) ** 2))
     within = float(np.sqrt(sum(left) / max(1, np.count_nonzero(piece != LOOSE))))
     joined = (chains[1:] == chains[:-1]) & (piece[1:] != piece[:-1])
     first = np.flatnonzero(joined)
     hinges = np.stack([first, first + 1], axis=1)
-    return RigidTurns(piece, np.array(angles), hinges, within, moved)
+    return RigidTurns(piece, np.array(angles), np.array(axes), hinges, within, moved)
 
 
 def _whole_ends(piece: np.ndarray, chains: np.ndarray) -> np.ndarray:

@@ -14,8 +14,6 @@ from pliant.analysis.medoids import pairwise_rmsd, rmsd_to
 
 #: what is nearer to the start than this is no other shape, Angstrom
 LEAST_RMSD = 3.0
-#: nor what is nearer than this share (percent) of the frames drawn around the start
-NEAR_SHARE = 99.0
 #: more shapes than these are put together, the most alike first
 MOST_SHAPES = 8
 #: a frame that is like no other is no shape
@@ -42,15 +40,15 @@ class ShapeGroups:
 def find_shapes(frames: FrameStore, start: np.ndarray, near: np.ndarray) -> ShapeGroups:
     """Groups of the frames that are further from the start than those around it.
 
-    frames: (F, n, 3); start: (n, 3); near: (F,) bool, drawn around the start: none of these is of
-    another shape. RMSDs are of pairs superposed. Of two frames that each scatter by the limit about
+    frames: (F, n, 3); start: (n, 3); near: (F,) bool, drawn around the start: another
+    shape is further from it than these all are, and than LEAST_RMSD. RMSDs are of pairs superposed. Of two frames that each scatter by the limit about
     one shape the RMSD is sqrt(2) times the limit, so groups that are less apart on average are put
     together (average linkage), and more of them until there are at most MOST_SHAPES.
     """
     rmsd = np.concatenate([rmsd_to(block, start[None])[:, 0] for block in frames.blocks()])
     limit = LEAST_RMSD
     if near.any():
-        limit = max(limit, float(np.percentile(rmsd[near], NEAR_SHARE)))
+        limit = max(limit, float(rmsd[near].max()))
     far = np.flatnonzero(~near & (rmsd > limit))
     most = min(MOST_COMPARED, max(2, COMPARED_BYTES // (24 * len(start))))
     compared = far[:: max(1, -(-len(far) // most))]

@@ -4,8 +4,9 @@
 FLEXIBLE = "What is flexible"
 TOGETHER = "What moves together"
 COLLECTIVE = "Collective motions"
+OTHER = "What else it could look like"
 CHEMISTRY = "Contacts and stereochemistry"
 SHAPES = "Shape"
 EXACT = "Exactness and effort"
 
-SECTIONS = (FLEXIBLE, TOGETHER, COLLECTIVE, CHEMISTRY, SHAPES, EXACT)
+SECTIONS = (FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, CHEMISTRY, SHAPES, EXACT)
