@@ -33,7 +33,7 @@ class ShapeGroups:
     compared: np.ndarray  #: (c,) frames beyond the limit that were compared
     representatives: np.ndarray  #: (k,) frames, furthest from the start first
     members: tuple[np.ndarray, ...]  #: k times the frames of a shape
-    spread: np.ndarray  #: (k,) mean RMSD of a shape's frames from its representative, Angstrom
+    distances: tuple[np.ndarray, ...]  #: of these from the representative, Angstrom
     alone: np.ndarray  #: (a,) frames that were compared and are like no other
 
 
@@ -55,14 +55,13 @@ def find_shapes(frames: FrameStore, start: np.ndarray, near: np.ndarray) -> Shap
     cutoff = float(np.sqrt(2.0) * limit)
     if len(compared) < LEAST_FRAMES:
         none = np.zeros(0, dtype=np.int64)
-        return ShapeGroups(rmsd, limit, cutoff, compared, none, (), none.astype(float), compared)
+        return ShapeGroups(rmsd, limit, cutoff, compared, none, (), (), compared)
     distances = pairwise_rmsd(frames.take(compared).astype(np.float64))
     labels, cutoff = _cut(linkage(squareform(distances, checks=False), "average"), cutoff)
     groups = [np.flatnonzero(labels == k) for k in range(1, labels.max() + 1)]
     shapes = [group for group in groups if len(group) >= LEAST_FRAMES]
     centres = [group[np.argmin(distances[np.ix_(group, group)].sum(axis=0))] for group in shapes]
     order = np.argsort([-rmsd[compared[c]] for c in centres], kind="stable")
-    spread = [distances[centres[k], shapes[k]].mean() for k in order]
     return ShapeGroups(
         rmsd,
         limit,
@@ -70,7 +69,7 @@ def find_shapes(frames: FrameStore, start: np.ndarray, near: np.ndarray) -> Shap
         compared,
         np.array([compared[centres[k]] for k in order], dtype=np.int64),
         tuple(compared[shapes[k]] for k in order),
-        np.array(spread, dtype=np.float64),
+        tuple(distances[centres[k], shapes[k]] for k in order),
         compared[np.isin(np.arange(len(compared)), [g[0] for g in groups if len(g) == 1])],
     )
 

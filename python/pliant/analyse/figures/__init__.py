@@ -104,7 +104,7 @@ FIGURES = (
         "shapes", OTHER, shape_pictures, OtherShapes,
         "The frame that stands for each shape, in colour, superposed by its largest piece (blue) "
         "on the start, in grey. Other colours are pieces that turned against it, dots are hinge "
-        "residues; seen along the axis of the largest turn.",
+        "residues; seen along the axis of the largest turn. The bar is 10 Å.",
         suits=lambda analysis: bool(analysis[OtherShapes].shapes),
     ),
     FigureKind(

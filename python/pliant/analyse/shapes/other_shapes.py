@@ -22,6 +22,7 @@ if TYPE_CHECKING:
     from pliant.analyse.analysis import Analysis
     from pliant.analyse.runner import Runner
 
+REMARK_OF_SHAPES = "one frame per shape; populations are not claimed"
 #: chains shorter than this in all have no shapes
 LEAST_SITES = 20
 #: pieces of more residues than these are found on every second one, or third ...
@@ -119,7 +120,7 @@ def other_shapes(analysis: Analysis, runner: Runner) -> Iterator[OtherShapes]:
                 int(analysis.frames[place]),
                 len(groups.members[k]),
                 float(groups.rmsd[place]),
-                float(groups.spread[k]),
+                float(groups.distances[k].mean()),
                 turns,
                 _contacts_gone(analysis, place),
                 pockets.larger_than_at_start(place),

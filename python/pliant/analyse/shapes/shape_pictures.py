@@ -21,9 +21,10 @@ if TYPE_CHECKING:
     from pliant.analyse.analysis import Analysis
 
 COLUMNS = 4  #: panels in a row
-#: points of the curve for each residue, and the longest step from residue to residue, Angstrom
+#: points of the curve for half the way from a residue to the next, and the longest step from residue to residue, Angstrom
 POINTS = 4
 LONGEST_STEP = 8.0
+NEARER = 2.0  #: the shape is drawn by so much in front, Angstrom: where it has not moved it is seen
 SCALE = 10.0  #: length of the bar in the corner, Angstrom
 
 
@@ -48,24 +49,24 @@ def _draw(axes: Axes, start: np.ndarray, shape: Shape) -> None:
     view = _view(start, turns.axes[np.argmax(turns.angles)] if turns.angles.any() else None)
     middle = start.mean(axis=0)
     before, after = (start - middle) @ view, (turns.end - middle) @ view
-    colours = np.array([*DOMAIN_COLOURS, INK], dtype=object)[turns.piece]  # the last is of LOOSE
+    shade = np.array([*DOMAIN_COLOURS, INK], dtype=object)[turns.piece]  # the last is of LOOSE
     assert LOOSE == -1
     grey = np.full(len(start), GREY, dtype=object)
-    parts = [_curve(before, grey), _curve(after, colours)]
+    parts = [_curve(before, grey), _curve(after, shade)]
     segments, depths = (np.concatenate(values) for values in list(zip(*parts, strict=True))[:2])
     shades = [colour for part in parts for colour in part[2]]
+    depths[len(parts[0][1]) :] += NEARER
     order = np.argsort(depths, kind="stable")
     paths = np.repeat(segments[order], 2, axis=0)  # each over a wider one in white, for depth
     styles = [style for k in order for style in (("white", 2.8), (shades[k], 1.3))]
-    widths = [width for _, width in styles]
-    axes.add_collection(
-        LineCollection(list(paths), colors=[c for c, _ in styles], linewidths=widths)
-    )
+    colours, widths = zip(*styles, strict=True)
+    lines = LineCollection(list(paths), colors=colours, linewidths=widths, capstyle="butt")
+    axes.add_collection(lines)
     hinges = np.unique(turns.hinges)
     axes.scatter(after[hinges, 0], after[hinges, 1], s=9, color=INK, zorder=3)
     corner = np.minimum(before.min(axis=0), after.min(axis=0))[:2] - 2.0
     axes.plot(corner[0] + [0.0, SCALE], [corner[1]] * 2, color=INK, lw=1.2)
-    axes.set_aspect("equal")
+    axes.set_aspect("equal", adjustable="datalim")
     axes.autoscale_view()
 
 
@@ -81,12 +82,14 @@ def _view(start: np.ndarray, axis: np.ndarray | None) -> np.ndarray:
 
 
 def _curve(points: np.ndarray, colours: np.ndarray) -> tuple[np.ndarray, np.ndarray, list[str]]:
-    """Segments (m, 2, 2) of a smooth curve through the points, their depths and their colours."""
-    along = np.arange((len(points) - 1) * POINTS + 1) / POINTS
-    curve = CubicSpline(np.arange(len(points)), points)(along)
-    segments = np.stack([curve[:-1], curve[1:]], axis=1)
-    first = np.arange(len(segments)) // POINTS
-    whole = np.linalg.norm(np.diff(points, axis=0), axis=1)[first] < LONGEST_STEP
-    nearest = np.rint((along[:-1] + along[1:]) / 2).astype(int)
-    depth = segments[:, :, 2].mean(axis=1)
-    return segments[whole, :, :2], depth[whole], colours[nearest[whole]].tolist()
+    """Pieces (m, p, 2) of a smooth curve through the points, their depths and their colours.
+
+    A piece goes from halfway before a point to the point, or from there to halfway after it.
+    """
+    halves = np.arange(2 * (len(points) - 1))
+    curve = CubicSpline(np.arange(len(points)), points)
+    # A little further at both ends, so that no gap shows between one piece and the next.
+    pieces = curve(halves[:, None] / 2 + np.linspace(-0.03, 0.53, POINTS))
+    whole = np.linalg.norm(np.diff(points, axis=0), axis=1)[halves // 2] < LONGEST_STEP
+    shades = colours[(halves[whole] + 1) // 2].tolist()
+    return pieces[whole, :, :2], pieces[whole, :, 2].mean(axis=1), shades
