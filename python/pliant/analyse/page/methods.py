@@ -16,7 +16,7 @@ METHODS = (
      "the start (CA or P, superposed) is above 3 Å and above that of every frame around it. They "
      "are put together (average linkage) while they are less apart than √2 of that limit, and "
      "further until there are eight shapes at most; a frame that is like no other is no shape. "
-     "The frame shown is the medoid, ± the mean RMSD of the shape's frames from it. What turned "
+     "The frame shown is the medoid; the spread is the mean RMSD of the frames from it. What turned "
      "are the rigid pieces (see Domains) of the start and that frame; angles are against the "
      "largest. A contact is gone when the frame lets it go, or exceeds it by more than 0.1 Å."),
     ("Pockets", "Room for a sphere of 1.4 Å that none of 4 Å from outside comes within 2.4 Å of, on "

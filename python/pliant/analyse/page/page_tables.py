@@ -132,7 +132,7 @@ def tables(analysis: Analysis) -> list[PageTable]:
 
 def _other_tables(analysis: Analysis) -> list[PageTable]:
     """The other shapes, and their pockets."""
-    headers = ("frames are", "how many", "frame shown", "RMSD (Å)", "turned", "contacts gone")
+    headers = ("frames are", "how many", "frame shown", "RMSD (Å)", "spread (Å)", "turned", "contacts gone")
     shapes = PageTable(OTHER, NO_POPULATION, headers, page_rows(analysis))
     headers = ("", "room (Å³)", "at the start", "around it", "lined by")
     caption = "Pockets that have opened"

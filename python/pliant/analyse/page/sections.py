@@ -9,4 +9,6 @@ CHEMISTRY = "Contacts and stereochemistry"
 SHAPES = "Shape"
 EXACT = "Exactness and effort"
 
+#: sections whose figures and tables are as wide as the page
+WIDE_SECTIONS = (OTHER,)
 SECTIONS = (FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, CHEMISTRY, SHAPES, EXACT)

@@ -111,15 +111,15 @@ def page_rows(analysis: Analysis) -> list[Sequence[str]]:
     part, start = analysis[OtherShapes], analysis[ReferenceStructure].name
     if part.groups is None:
         drawn = f"{part.near} drawn around it; no other shape was looked for"
-        return [(f"around {start}", drawn, "–", "–", "–", "–")]
+        return [(f"around {start}", drawn, "–", "–", "–", "–", "–")]
     limit = f"up to {part.groups.limit:.1f}"
-    rows = [(f"around {start}", f"{part.near}", "–", limit, "–", "–")]
+    rows = [(f"around {start}", f"{part.near}", "–", limit, "–", "–", "–")]
     for number, shape in enumerate(part.shapes, 1):
         what = turns_text(analysis, shape), contacts_text(analysis, shape)
-        far = f"{shape.rmsd:.1f} (± {shape.spread:.1f})"
-        rows.append((f"shape {number}", f"{shape.frames}", f"{shape.frame}", far, *what))
+        far = f"{shape.rmsd:.1f}", f"{shape.spread:.1f}"
+        rows.append((f"shape {number}", f"{shape.frames}", f"{shape.frame}", *far, *what))
     if part.alone or not part.shapes:
-        rows.append(("like no other", f"{part.alone}", "–", "beyond", "–", "–"))
+        rows.append(("like no other", f"{part.alone}", "–", "beyond", "–", "–", "–"))
     return rows
 
 
