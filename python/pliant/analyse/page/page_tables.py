@@ -132,11 +132,13 @@ def tables(analysis: Analysis) -> list[PageTable]:
 
 def _other_tables(analysis: Analysis) -> list[PageTable]:
     """The other shapes, and their pockets."""
-    headers = ("frames are", "how many", "frame shown", "RMSD (Å)", "spread (Å)", "turned", "contacts gone")
-    shapes = PageTable(OTHER, NO_POPULATION, headers, page_rows(analysis))
+    rows = page_rows(analysis)
+    if not analysis[OtherShapes].looked_for:
+        return [PageTable(OTHER, "", ("frames", "other shapes"), rows)]
+    columns = ("how many", "frame shown", "RMSD (Å)", "spread (Å)", "turned", "contacts gone")
+    shapes = PageTable(OTHER, NO_POPULATION, ("frames are", *columns), rows)
     headers = ("", "room (Å³)", "at the start", "around it", "lined by")
-    caption = "Pockets that have opened"
-    return [shapes, PageTable(OTHER, caption, headers, pocket_rows(analysis))]
+    return [shapes, PageTable(OTHER, "Pockets that have opened", headers, pocket_rows(analysis))]
 
 
 def _flexible_table(analysis: Analysis) -> PageTable:

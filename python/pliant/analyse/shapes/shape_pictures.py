@@ -12,7 +12,6 @@ from scipy.interpolate import CubicSpline
 from pliant.analyse.figures.style import DOMAIN_COLOURS, GREY, INK, WIDE, new_figure
 from pliant.analyse.parts import ReferenceStructure
 from pliant.analyse.shapes.other_shapes import OtherShapes, Shape
-from pliant.analysis.domains import LOOSE
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -49,8 +48,7 @@ def _draw(axes: Axes, start: np.ndarray, shape: Shape) -> None:
     view = _view(start, turns.axes[np.argmax(turns.angles)] if turns.angles.any() else None)
     middle = start.mean(axis=0)
     before, after = (start - middle) @ view, (turns.end - middle) @ view
-    shade = np.array([*DOMAIN_COLOURS, INK], dtype=object)[turns.piece]  # the last is of LOOSE
-    assert LOOSE == -1
+    shade = np.array(DOMAIN_COLOURS, dtype=object)[turns.piece]
     grey = np.full(len(start), GREY, dtype=object)
     parts = [_curve(before, grey), _curve(after, shade)]
     segments, depths = (np.concatenate(values) for values in list(zip(*parts, strict=True))[:2])

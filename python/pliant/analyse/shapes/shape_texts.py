@@ -110,8 +110,7 @@ def page_rows(analysis: Analysis) -> list[Sequence[str]]:
     """Rows of the page: around the start, each shape, and frames that are alone."""
     part, start = analysis[OtherShapes], analysis[ReferenceStructure].name
     if part.groups is None:
-        drawn = f"{part.near} drawn around it; no other shape was looked for"
-        return [(f"around {start}", drawn, "–", "–", "–", "–", "–")]
+        return [(f"all {part.near} around {start}", "none looked for: see --sampler reach")]
     limit = f"up to {part.groups.limit:.1f}"
     rows = [(f"around {start}", f"{part.near}", "–", limit, "–", "–", "–")]
     for number, shape in enumerate(part.shapes, 1):
