@@ -72,7 +72,9 @@ def representatives(
     """Chooses `count` frames by k-medoids on the RMSD of frames superposed pair by pair.
 
     With `shapes`, one frame for each other shape that `analyse` finds in an ensemble of sampler
-    ``reach``, those furthest from the start first. Nothing is random: the same file gives the same frames. How many frames are nearest to each is
+    ``reach``, those furthest from the start first.
+
+    Nothing is random: the same file gives the same frames. How many frames are nearest to each is
     no population: how often a shape occurs is not claimed.
 
     Parameters

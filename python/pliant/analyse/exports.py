@@ -40,7 +40,7 @@ def b_factors(rmsf: np.ndarray) -> np.ndarray:
 
 
 def save_exports(analysis: Analysis, folder: Path) -> list[Path]:
-    """Writes what the parts allow: bfactors.pdb, ensemble.pdb and scripts, shapes.pdb, modes.nmd."""
+    """Writes what the parts allow: bfactors.pdb, ensemble.pdb, scripts, shapes.pdb, modes.nmd."""
     written = []
     if UnitFlexibility in analysis and hasattr(analysis.universe.atoms, "names"):
         written += _write_ensemble(analysis, folder)

@@ -39,7 +39,7 @@ def find_pockets(positions: np.ndarray, radii: np.ndarray, spacing: float = SPAC
     Bioinformatics 15 (2014) 197). A wide cleft that is open to water is no pocket.
     """
     step = float(spacing)
-    margin = LARGE_PROBE + float(radii.max()) + 2.0 * step
+    margin = LARGE_PROBE + float(radii.max()) + step
     origin = positions.min(axis=0) - margin
     shape = np.ceil((positions.max(axis=0) + margin - origin) / step).astype(int) + 1
     places = (positions - origin) / step
@@ -71,7 +71,10 @@ def _free_radius(
     for place, radius in zip(places, radii.tolist(), strict=True):
         first = np.maximum(np.ceil(place - radius - most), 0).astype(int)
         last = np.floor(place + radius + most).astype(int) + 1
-        x, y, z = ((np.arange(a, b) - c).astype(np.float32) for a, b, c in zip(first, last, place, strict=True))
+        x, y, z = (
+            (np.arange(a, b) - c).astype(np.float32)
+            for a, b, c in zip(first, last, place, strict=True)
+        )
         apart = (x * x)[:, None, None] + ((y * y)[:, None] + z * z)
         np.sqrt(apart, out=apart)
         apart -= radius

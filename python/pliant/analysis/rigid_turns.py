@@ -37,7 +37,9 @@ def rigid_turns(start: np.ndarray, end: np.ndarray, chains: np.ndarray) -> Rigid
     / 2.
     """
     moved = Superposition(start, np.ones(len(start))).apply(end)
-    piece = _best_pieces(start, moved, find_domains(np.stack([start, moved]), chains).domain, chains)
+    piece = _best_pieces(
+        start, moved, find_domains(np.stack([start, moved]), chains).domain, chains
+    )
     core = piece == 0
     moved = Superposition(start[core], np.ones(int(core.sum()))).apply(end, end[core])
     angles, axes, left = [], [], 0.0

@@ -40,10 +40,11 @@ class ShapeGroups:
 def find_shapes(frames: FrameStore, start: np.ndarray, near: np.ndarray) -> ShapeGroups:
     """Groups of the frames that are further from the start than those around it.
 
-    frames: (F, n, 3); start: (n, 3); near: (F,) bool, drawn around the start: another
-    shape is further from it than these all are, and than LEAST_RMSD. RMSDs are of pairs superposed. Of two frames that each scatter by the limit about
-    one shape the RMSD is sqrt(2) times the limit, so groups that are less apart on average are put
-    together (average linkage), and more of them until there are at most MOST_SHAPES.
+    frames: (F, n, 3); start: (n, 3); near: (F,) bool, drawn around the start: another shape is
+    further from it than these all are, and than LEAST_RMSD. RMSDs are of pairs superposed. Of two
+    frames that each scatter by the limit about one shape the RMSD is sqrt(2) times the limit, so
+    groups that are less apart on average are put together (average linkage), and more of them until
+    there are at most MOST_SHAPES.
     """
     rmsd = np.concatenate([rmsd_to(block, start[None])[:, 0] for block in frames.blocks()])
     limit = LEAST_RMSD

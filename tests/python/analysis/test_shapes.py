@@ -10,7 +10,13 @@ import numpy as np
 import pytest
 from conftest import Molecule, rotated
 from pliant.analyse import analyse, representatives
+from pliant.analyse.analysis import AnalysisOptions
 from pliant.analyse.command import main
+from pliant.analyse.opened import opened
+from pliant.analyse.reference import reference_of
+from pliant.analyse.runner import Runner
+from pliant.analyse.shapes.other_shapes import other_shapes
+from pliant.analyse.shapes.shape_texts import shapes_json
 from pliant.analysis.frame_store import FrameStore
 from pliant.analysis.pockets import find_pockets
 from pliant.analysis.rigid_turns import rigid_turns
@@ -30,7 +36,7 @@ TURNED = {45.0: 5, 90.0: 4, 150.0: 2}
 def two_domains():
     """CA atoms of two columns, a chain that goes round and round in each, one above the other."""
     square = 3.8 * np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0)])
-    return np.concatenate([square + [0.0, 0.0, 3.8 * k] for k in range(SITES // 4)])
+    return np.concatenate([square + np.array([0.0, 0.0, 3.8 * k]) for k in range(SITES // 4)])
 
 
 def turned(positions, degrees, axis=(1.0, 0.3, 0.0)):
@@ -146,7 +152,7 @@ def test_neither_a_ball_nor_a_wide_bowl_has_pockets_and_two_cavities_are_two():
     atoms = shell(14.0, 2500)
     bowl = atoms[atoms[:, 2] < 0]
     assert len(find_pockets(bowl, np.full(len(bowl), 1.7)).pocket) == 0
-    both = np.concatenate([shell(5.0, 800), shell(6.0, 1000) + [0.0, 0.0, 12.5]])
+    both = np.concatenate([shell(5.0, 800), shell(6.0, 1000) + np.array([0.0, 0.0, 12.5])])
     found = find_pockets(both, np.full(len(both), 1.7))
     assert set(found.pocket) == {0, 1}
     assert (found.atom[found.pocket == 0] >= 800).all()  # the larger comes first
@@ -233,8 +239,11 @@ def test_contacts_and_pockets_of_a_protein(tmp_path):
     with pytest.warns(pliant.PliantWarning, match="no element"):
         molecule = pliant.read(DATA.PDB_small)
     pliant.sample(molecule, 60, sampler="reach", near_frames=20, seed=1, output=path)
-    values = analyse(path).as_json()
-    shapes = values["shapes"]
+    analysis = opened(AnalysisOptions(str(path)))
+    analysis = analysis.having(reference_of(analysis))
+    for part in other_shapes(analysis, Runner(analysis)):
+        analysis = analysis.having(part)
+    shapes = shapes_json(analysis)["shapes"]
     assert len(shapes) >= 2
     with h5py.File(path) as file:
         states = file["connectivity/contact_states/value"][()]

@@ -101,5 +101,7 @@ class PocketFinder:
         owner = self._residues[found.atom]
         count = len(self._analysis.universe.residues)
         rooms = np.bincount(owner, minlength=count) * found.volume
-        lined = [np.unique(owner[found.pocket == k]) for k in range(found.pocket.max(initial=-1) + 1)]
+        lined = [
+            np.unique(owner[found.pocket == k]) for k in range(found.pocket.max(initial=-1) + 1)
+        ]
         return rooms, lined

@@ -127,9 +127,7 @@ def other_shapes(analysis: Analysis, runner: Runner) -> Iterator[OtherShapes]:
             )
         )
     near_count = int(np.count_nonzero(groups.rmsd <= groups.limit))
-    yield OtherShapes(
-        True, trace, near_count, groups, places, tuple(shapes), pockets.why_not
-    )
+    yield OtherShapes(True, trace, near_count, groups, places, tuple(shapes), pockets.why_not)
 
 
 def _contacts_gone(analysis: Analysis, place: int) -> np.ndarray | None:

@@ -20,10 +20,10 @@ if TYPE_CHECKING:
     from pliant.analyse.analysis import Analysis
 
 COLUMNS = 4  #: panels in a row
-#: points of the curve for half the way from a residue to the next, and the longest step from residue to residue, Angstrom
+#: points of the curve for half the way from a residue to the next
 POINTS = 4
-LONGEST_STEP = 8.0
-NEARER = 2.0  #: the shape is drawn by so much in front, Angstrom: where it has not moved it is seen
+LONGEST_STEP = 8.0  #: from residue to residue, Angstrom; a longer one is a gap
+NEARER = 2.0  #: Angstrom in front of the start: the shape is seen where it has not moved
 SCALE = 10.0  #: length of the bar in the corner, Angstrom
 
 
@@ -33,7 +33,9 @@ def shape_pictures(analysis: Analysis) -> Figure:
     columns = min(COLUMNS, len(part.shapes))
     rows = -(-len(part.shapes) // columns)
     width = WIDE[0] * max(columns, 2) / COLUMNS
-    figure, axes = new_figure((width, rows * WIDE[0] / COLUMNS * 1.12), rows, columns, squeeze=False)
+    figure, axes = new_figure(
+        (width, rows * WIDE[0] / COLUMNS * 1.12), rows, columns, squeeze=False
+    )
     start = analysis[ReferenceStructure].positions[part.sites]
     for panel in axes.flat:
         panel.set_axis_off()

@@ -33,7 +33,9 @@ def shapes_verdict(analysis: Analysis) -> Verdict | None:
         sentence = f"No other shape was looked for: all {count} frames were drawn around the start."
         return Verdict("open", sentence, "pliant sample --sampler reach goes further.")
     start, limit = analysis[ReferenceStructure].name, part.groups.limit
-    alone = f"{part.alone} frames are far from the start and from each other. " if part.alone else ""
+    alone = (
+        f"{part.alone} frames are far from the start and from each other. " if part.alone else ""
+    )
     if not part.shapes:
         sentence = f"No other shape: no two frames beyond {limit:.1f} Å from {start} are alike."
         return Verdict("open", sentence, alone.strip())
@@ -112,7 +114,7 @@ def page_rows(analysis: Analysis) -> list[Sequence[str]]:
     if part.groups is None:
         return [(f"all {part.near} around {start}", "none looked for: see --sampler reach")]
     limit = f"up to {part.groups.limit:.1f}"
-    rows = [(f"around {start}", f"{part.near}", "–", limit, "–", "–", "–")]
+    rows: list[Sequence[str]] = [(f"around {start}", f"{part.near}", "–", limit, "–", "–", "–")]
     for number, shape in enumerate(part.shapes, 1):
         what = turns_text(analysis, shape), contacts_text(analysis, shape)
         far = f"{shape.rmsd:.1f}", f"{shape.spread:.1f}"
@@ -150,7 +152,9 @@ def shapes_columns(analysis: Analysis) -> dict[str, Any]:
         "rmsd_angstrom": [shape.rmsd for shape in shapes],
         "mean_rmsd_within_angstrom": [shape.spread for shape in shapes],
         "largest_turn_degrees": [float(shape.turns.angles.max()) for shape in shapes],
-        "turned": [turns_text(analysis, shape) if t else "" for shape, t in zip(shapes, turns, strict=True)],
+        "turned": [
+            turns_text(analysis, shape) if t else "" for shape, t in zip(shapes, turns, strict=True)
+        ],
         "rmsd_within_rigid_pieces_angstrom": [shape.turns.within for shape in shapes],
     }
     if shapes[0].gone is not None:
