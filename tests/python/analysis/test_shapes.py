@@ -201,6 +201,7 @@ def test_the_report_says_which_shapes_there_are(ensemble, tmp_path, no_drawing):
     values = report.as_json()
     assert len(values["shapes"][0]["turned"][0]["hinges"]) == 1
     assert values["frames_alone"] == 1
+    assert values["flexibility_mean"] < 1.0  # of the frames around the start: 0.4 Å in x, y and z
     assert "no pockets of shapes: side chains are missing" in values["notes"]
     text = values["verdicts"]["other shapes"]["text"]
     assert text.startswith("3 other shapes, ")
