@@ -36,7 +36,8 @@ turned about which hinges, pockets that opened; contacts kept and lost; and whet
 planar groups, peptide bonds, Ramachandran, overlaps, and every bar (fixed distance) of every
 frame. It takes any trajectory that MDAnalysis reads. What cannot be computed from a file is left
 out, and the page says so. The folder also holds files for other programs: flexibility.csv,
-bfactors.pdb, modes.nmd (ProDy, VMD), shapes.pdb, ensemble.pdb with scripts for PyMOL and ChimeraX."""
+bfactors.pdb, modes.nmd (ProDy, VMD), shapes.pdb, ensemble.pdb with scripts for PyMOL and
+ChimeraX."""
 
 EPILOG = """\
 examples:

@@ -76,8 +76,8 @@ def analyse(
 
     Finds how flexible each residue is, with an error; which parts move together; collective
     motions; other shapes in an ensemble of sampler ``reach``; contacts kept and lost; whether
-    stereochemistry holds; RMSD, radius of gyration and torsions. Measures every bar of every frame. What cannot be computed from a file is left out;
-    `report.analysis.skipped` says why.
+    stereochemistry holds; RMSD, radius of gyration and torsions. Measures every bar of every frame.
+    What cannot be computed from a file is left out; `report.analysis.skipped` says why.
 
     Parameters
     ----------

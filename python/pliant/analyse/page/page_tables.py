@@ -138,7 +138,8 @@ def _other_tables(analysis: Analysis) -> list[PageTable]:
     columns = ("how many", "frame shown", "RMSD (Å)", "spread (Å)", "turned", "contacts gone")
     shapes = PageTable(OTHER, NO_POPULATION, ("frames are", *columns), rows)
     headers = ("", "room (Å³)", "at the start", "around it", "lined by")
-    return [shapes, PageTable(OTHER, "Pockets with more room than at the start", headers, pocket_rows(analysis))]
+    caption = "Pockets with more room than at the start"
+    return [shapes, PageTable(OTHER, caption, headers, pocket_rows(analysis))]
 
 
 def _flexible_table(analysis: Analysis) -> PageTable:
