@@ -32,10 +32,12 @@ opens in a browser without a network and shows the molecule moving.
 
 It shows how flexible each residue is, with an error; which parts move together; collective
 motions; what else the molecule could look like, if sampler reach drew the frames: shapes, what
-turned about which hinges, pockets that opened; contacts kept and lost; and whether the stereochemistry is sound: bond angles, chirality,
-planar groups, peptide bonds, Ramachandran, overlaps, and every bar (fixed distance) of every
-frame. It takes any trajectory that MDAnalysis reads. What cannot be computed from a file is left
-out, and the page says so. The folder also holds files for other programs: flexibility.csv,
+turned about which hinges, pockets that opened; contacts kept and lost; and whether the
+stereochemistry is sound: bond angles, chirality, planar groups, peptide bonds, Ramachandran,
+overlaps, and every bar (fixed distance) of every frame.
+
+It takes any trajectory that MDAnalysis reads. What cannot be computed from a file is left out,
+and the page says so. The folder also holds files for other programs: flexibility.csv,
 bfactors.pdb, modes.nmd (ProDy, VMD), shapes.pdb, ensemble.pdb with scripts for PyMOL and
 ChimeraX."""
 

@@ -25,7 +25,7 @@ if TYPE_CHECKING:
 REMARK_OF_SHAPES = "one frame per shape; populations are not claimed"
 #: chains shorter than this in all have no shapes
 LEAST_SITES = 20
-#: pieces of more residues than these are found on every second one, or third ...
+#: of more residues than these every second one is compared, or third ...
 MOST_SITES = 1000
 #: frames around the start whose pockets are measured, to know how much pockets differ without cause
 NEAR_LOOKED_AT = 5
@@ -81,10 +81,10 @@ def shape_groups(analysis: Analysis) -> tuple[np.ndarray, ShapeGroups] | None:
     """
     if not _has_shapes(analysis) or analysis.reaches is None:
         return None
-    trace = trace_of(analysis.atoms)
-    start = analysis[ReferenceStructure].positions[trace.ix]
-    groups = find_shapes(analysis.stored_positions(trace.ix), start, ~analysis.reaches)
-    return trace.ix, groups
+    trace = trace_of(analysis.atoms).ix
+    trace = trace[:: -(-len(trace) // MOST_SITES)]
+    start = analysis[ReferenceStructure].positions[trace]
+    return trace, find_shapes(analysis.stored_positions(trace), start, ~analysis.reaches)
 
 
 def _has_shapes(analysis: Analysis) -> bool:
@@ -104,7 +104,6 @@ def other_shapes(analysis: Analysis, runner: Runner) -> Iterator[OtherShapes]:
         yield OtherShapes(False, none, len(analysis.frames), None, none, (), "")
         return
     trace, groups = found
-    trace = trace[:: -(-len(trace) // MOST_SITES)]
     places = groups.representatives
     pockets = PocketFinder(analysis, trace)
     if len(places) and not pockets.why_not:
