@@ -67,7 +67,7 @@ class OtherShapes(Part):
         notes = []
         if self.groups is not None:
             far = int(np.count_nonzero(self.groups.rmsd > self.groups.limit))
-            if len(self.groups.compared) < far // 2:
+            if len(self.groups.compared) < far:
                 notes.append(f"shapes are of {len(self.groups.compared)} frames taken evenly")
         if self.shapes and self.no_pockets:
             notes.append(f"no pockets of shapes: {self.no_pockets}")
