@@ -15,6 +15,7 @@ from pliant.analyse.command import main
 from pliant.analyse.opened import opened
 from pliant.analyse.reference import reference_of
 from pliant.analyse.runner import Runner
+from pliant.analyse.shapes.known_pairs import KNOWN, quartiles_of_like, softness
 from pliant.analyse.shapes.other_shapes import other_shapes
 from pliant.analyse.shapes.shape_texts import shapes_json
 from pliant.analysis.frame_store import FrameStore
@@ -157,6 +158,26 @@ def test_neither_a_ball_nor_a_wide_bowl_has_pockets_and_two_cavities_are_two():
     assert set(found.pocket) == {0, 1}
     assert (found.atom[found.pocket == 0] >= 800).all()  # the larger comes first
     assert (found.atom[found.pocket == 1] < 800).all()
+
+
+def test_softness_of_four_atoms_in_a_square():
+    """Of four atoms in a square each two are neighbours, and share the other two."""
+    square = 7.0 * np.array([(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0.0)])
+    # Springs of 2 between all: three eigenvalues 4 x 2.
+    assert softness(square) == pytest.approx(1 / 8)
+
+
+def test_quartiles_are_of_pairs_of_like_softness():
+    known = np.stack([np.arange(100.0), 2.0 * np.arange(100.0)], axis=1)[::-1]
+    found = quartiles_of_like(50.2, known)
+    np.testing.assert_allclose(found, np.percentile(2.0 * np.arange(43, 59), [25, 50, 75]))
+    assert quartiles_of_like(-1.0, known) is None
+    assert quartiles_of_like(500.0, known) is None
+    inside = 0
+    for soft, off in KNOWN:
+        quartiles = quartiles_of_like(soft)
+        inside += quartiles is not None and quartiles[0] <= off <= quartiles[2]
+    assert 0.4 < inside / len(KNOWN) < 0.7
 
 
 @pytest.fixture

@@ -12,6 +12,7 @@ import numpy as np
 from pliant.analyse.kind import ENSEMBLE
 from pliant.analyse.names import chains_of
 from pliant.analyse.parts import Part, ReferenceStructure
+from pliant.analyse.shapes.known_pairs import quartiles_of_like, softness
 from pliant.analyse.shapes.opened_pockets import PocketChange, PocketFinder
 from pliant.analyse.units import trace_of
 from pliant.analysis.recorded_contacts import HELD
@@ -54,6 +55,8 @@ class OtherShapes(Part):
     groups: ShapeGroups | None
     places: np.ndarray  #: (k,) of the representatives, among the frames analysed
     shapes: tuple[Shape, ...]  #: furthest from the start first
+    #: (3,) quartiles of how far known pairs of like softness are apart, Angstrom; None: not known
+    known: np.ndarray | None
     no_pockets: str  #: why pockets were not looked for; "": they were
 
     @property
@@ -101,7 +104,7 @@ def other_shapes(analysis: Analysis, runner: Runner) -> Iterator[OtherShapes]:
     found = shape_groups(analysis)
     none = np.zeros(0, dtype=np.int64)
     if found is None:
-        yield OtherShapes(False, none, len(analysis.frames), None, none, (), "")
+        yield OtherShapes(False, none, len(analysis.frames), None, none, (), None, "")
         return
     trace, groups = found
     places = groups.representatives
@@ -111,6 +114,8 @@ def other_shapes(analysis: Analysis, runner: Runner) -> Iterator[OtherShapes]:
         pockets.look_at(near[np.linspace(0, len(near) - 1, NEAR_LOOKED_AT).astype(int)])
     chains = chains_of(analysis.universe.atoms[trace])
     start = analysis[ReferenceStructure].positions[trace]
+    one_chain = len(set(chains)) == 1 and len(trace) == len(trace_of(analysis.atoms))
+    known = quartiles_of_like(softness(start)) if one_chain else None
     shapes = []
     for k, place in enumerate(places):
         turns = rigid_turns(start, analysis.positions(place)[trace], chains)
@@ -126,7 +131,9 @@ def other_shapes(analysis: Analysis, runner: Runner) -> Iterator[OtherShapes]:
             )
         )
     near_count = int(np.count_nonzero(groups.rmsd <= groups.limit))
-    yield OtherShapes(True, trace, near_count, groups, places, tuple(shapes), pockets.why_not)
+    yield OtherShapes(
+        True, trace, near_count, groups, places, tuple(shapes), known, pockets.why_not
+    )
 
 
 def _contacts_gone(analysis: Analysis, place: int) -> np.ndarray | None:

@@ -121,6 +121,9 @@ def page_rows(analysis: Analysis) -> list[Sequence[str]]:
         rows.append((f"shape {number}", f"{shape.frames}", f"{shape.frame}", *far, *what))
     if part.alone or not part.shapes:
         rows.append(("like no other", f"{part.alone}", "–", "beyond", "–", "–", "–"))
+    if part.known is not None:
+        half = f"{part.known[0]:.1f} to {part.known[2]:.1f}"
+        rows.append(("half of known pairs of like softness", "–", "–", half, "–", "–", "–"))
     return rows
 
 
@@ -215,4 +218,6 @@ def shapes_json(analysis: Analysis) -> dict[str, Any]:
         }
         for shape in part.shapes
     ]
-    return {"shapes_looked_for": part.looked_for, "shapes": found, "frames_alone": part.alone}
+    return {"shapes_looked_for": part.looked_for, "shapes": found, "frames_alone": part.alone} | (
+        {} if part.known is None else {"known_pairs_quartiles": part.known.tolist()}
+    )
