@@ -10,8 +10,8 @@ CUTOFF = 10.0
 #: softness of a structure, and how far another known one of that protein is (RMSD of alpha
 #: carbons, Angstrom): both directions of 29 pairs that BioEmu's benchmark has because they differ
 #: (S. Lewis et al., Science 389 (2025) eadv9817). Made by data/make_known_pairs.py: of 53
-#: directions, each against those of other proteins, 57 % lie between the quartiles. Among 17 measures of
-#: softness this one was chosen on the same pairs.
+#: directions, each against those of other proteins, 57 % lie between the quartiles. Among 17
+#: measures of softness this one was chosen on the same pairs.
 KNOWN = np.array([
     (0.1088, 3.99),  # P08709
     (0.1090, 1.52),  # P00766
