@@ -6,6 +6,7 @@ Usage: .venv/bin/python docs/make_pictures.py, once `./dev demo` has fetched ubi
 
 from __future__ import annotations
 
+import importlib.resources
 import subprocess
 import sys
 import tempfile
@@ -42,11 +43,15 @@ def make(folder: Path) -> None:
     run(folder, "analyse", "ubiquitin.h5md", "-o", "report", "--dpi", str(DPI))
     run(folder, "compare", "ubiquitin.h5md", "2k39.pdb")
     draw_dilution(folder)
+    adk = importlib.resources.files("MDAnalysisTests") / "data" / "adk_open.pdb"
+    run(folder, "sample", str(adk), "--sampler", "reach", "--frames", "400", "-o", "adk.h5md")
+    run(folder, "analyse", "adk.h5md", "-o", "adk", "--dpi", str(DPI))
 
 
 NAMES = {
     "report/flexibility.png": "ubiquitin_flexibility.png",
     "ubiquitin.compare-residues.png": "ubiquitin_comparison.png",
+    "adk/shapes.png": "adk_shapes.png",
     "dilution.svg": "ubiquitin_dilution.svg",
 }
 

@@ -108,12 +108,18 @@ class Analysis:
             part = range(first, min(first + size, len(self.frames)))
             yield np.array([self.positions(k)[atoms] for k in part])
 
-    def stored_positions(self, atoms: np.ndarray) -> FrameStore:
-        """Positions (F, m, 3) of some atoms in all frames analysed, Angstrom, float64."""
-        store, first = FrameStore(len(self.frames), len(atoms)), 0
+    def stored_positions(self, atoms: np.ndarray, chosen: np.ndarray | None = None) -> FrameStore:
+        """Positions (F, m, 3) of some atoms, Angstrom, float64.
+
+        chosen: (F,) bool, of which of the frames analysed; None: of all.
+        """
+        kept = np.ones(len(self.frames), dtype=bool) if chosen is None else chosen
+        store, first, place = FrameStore(int(kept.sum()), len(atoms)), 0, 0
         for block in self.some_positions(atoms):
-            store.put(first, block)
+            some = kept[first : first + len(block)]
+            store.put(place, block if some.all() else block[some])
             first += len(block)
+            place += int(some.sum())
         return store
 
     def observable(self, name: str) -> np.ndarray | None:
@@ -132,6 +138,15 @@ class Analysis:
             return None
         near = drawn_by <= DRAWN_ALONG_MODES
         return None if near.all() or np.count_nonzero(near) < 2 else near
+
+    @property
+    def reaches(self) -> np.ndarray | None:
+        """(F,) bool: frames that were drawn to reach further; None: none was."""
+        drawn_by = self.observable("sampler")
+        if drawn_by is None:
+            return None
+        far: np.ndarray = drawn_by > DRAWN_ALONG_MODES
+        return far if far.any() else None
 
     @property
     def converged(self) -> np.ndarray | None:

@@ -46,12 +46,16 @@ WHITE = 100
 def flexibility_of_units(
     analysis: Analysis, runner: Runner
 ) -> Iterator[UnitFlexibility | Correlations | RigidDomains]:
-    """RMSF of the units with its error; correlations and domains of their sites."""
-    if len(analysis.frames) < 4:
+    """RMSF of the units with its error; correlations and domains of their sites.
+
+    Of the frames around the start alone, where others reach further.
+    """
+    near = analysis.around_start
+    if len(analysis.frames if near is None else analysis.frames[near]) < 4:
         raise ValueError("it needs at least 4 frames")
     units = analysis[Units]
     chosen = np.unique(np.concatenate([units.atoms, analysis.fitted.ix]))
-    moved = analysis.stored_positions(chosen)
+    moved = analysis.stored_positions(chosen, near)
     superpose_frames(moved, np.searchsorted(chosen, analysis.fitted.ix))
     moved = moved.of_atoms(np.searchsorted(chosen, units.atoms))
     found = flexibility(moved, units.unit, _frame_blocks(analysis))
@@ -73,8 +77,9 @@ def _frame_blocks(analysis: Analysis) -> list[np.ndarray]:
     """Blocks of frames that count as independent: the white ones of an ensemble, else stretches
     longer than the memory of the first three principal components."""
     if analysis.kind == ENSEMBLE:
-        numbers = analysis.frames if analysis.steps is None else analysis.steps
-        return numbered_blocks(np.asarray(numbers), WHITE)
+        numbers = np.asarray(analysis.frames if analysis.steps is None else analysis.steps)
+        near = analysis.around_start
+        return numbered_blocks(numbers if near is None else numbers[near], WHITE)
     components = analysis.get(Components)
     if components is None or components.stride > 1:
         return path_blocks(np.arange(len(analysis.frames), dtype=float))

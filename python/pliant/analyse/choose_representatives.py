@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,16 +15,18 @@ from pliant._core import InputError, OptionError
 from pliant._display import Displayed, Facts
 from pliant.analyse.analysis import AnalysisOptions
 from pliant.analyse.kind import ENSEMBLE
-from pliant.analyse.multi_model import write_models
+from pliant.analyse.multi_model import write_chosen
 from pliant.analyse.opened import opened
+from pliant.analyse.reference import reference_of
+from pliant.analyse.shapes.other_shapes import REMARK_OF_SHAPES, shape_groups
 from pliant.analysis.medoids import k_medoids, pairwise_rmsd
-from pliant.analysis.superposition import superpose_all
 from pliant.ensemble.frames import folder_of
 from pliant.ensemble.plan import PLAN, is_ensemble
 
 if TYPE_CHECKING:
     from pliant.analyse.analysis import Analysis
 
+REMARK = "chosen by k-medoids; populations are not claimed"
 #: of more frames than these so many are taken, evenly
 MOST_FRAMES = 3000
 
@@ -58,15 +60,19 @@ class Representatives(Displayed):
 @checked(count=whole(1))
 def representatives(
     path: str | os.PathLike[str],
-    count: int,
+    count: int | None = None,
     output: str | os.PathLike[str] | None = None,
     *,
     topology: str | os.PathLike[str] | None = None,
     select: str = "all",
     superpose: str | None = None,
+    shapes: bool = False,
     overwrite: bool = False,
 ) -> Representatives:
     """Chooses `count` frames by k-medoids on the RMSD of frames superposed pair by pair.
+
+    With `shapes`, one frame for each other shape that `analyse` finds in an ensemble of sampler
+    ``reach``, those furthest from the start first.
 
     Nothing is random: the same file gives the same frames. How many frames are nearest to each is
     no population: how often a shape occurs is not claimed.
@@ -75,7 +81,7 @@ def representatives(
     ----------
     path : str or path
         H5MD file, the folder of an ensemble, or any trajectory that MDAnalysis reads.
-    count : int
+    count : int, optional
         Frames to choose.
     output : str or path, optional
         PDB file with one model for each, superposed.
@@ -86,6 +92,8 @@ def representatives(
     superpose : str, optional
         Atoms that are superposed and compared. Default: CA and P atoms if they form chains, else
         all but hydrogens.
+    shapes : bool
+        Instead of `count` and `superpose`: one frame per shape.
     overwrite : bool
         Replace an existing output.
 
@@ -94,14 +102,28 @@ def representatives(
     InputError
         The file cannot be used, or the output exists.
     OptionError
-        There are fewer frames than asked for, or a selection is wrong.
+        There are fewer frames than asked for, no other shapes, or a selection is wrong.
     """
+    if shapes == (count is not None):
+        raise OptionError("-k, --shapes: expected one of the two")
+    if shapes and superpose is not None:
+        raise OptionError("--superpose: goes with -k, not with --shapes")
     if output is not None and Path(output).exists() and not overwrite:
         raise InputError(f"{os.fspath(output)}: exists; --overwrite replaces it")
     if is_ensemble(path):
         path = folder_of(Path(path)) / PLAN
     named = None if topology is None else os.fspath(topology)
     analysis = opened(AnalysisOptions(os.fspath(path), named, select, superpose))
+    analysis = analysis.having(reference_of(analysis)) if shapes else analysis
+    found, chosen = _one_per_shape(analysis) if count is None else _medoids(analysis, count)
+    if output is not None:
+        write_chosen(analysis, chosen, Path(output), REMARK_OF_SHAPES if shapes else REMARK)
+        found = replace(found, output=os.fspath(output))
+    return found
+
+
+def _medoids(analysis: Analysis, count: int) -> tuple[Representatives, np.ndarray]:
+    """What stands for all frames, and its places among those analysed."""
     notes = analysis.notes
     stride = -(-len(analysis.frames) // MOST_FRAMES)
     offered = len(analysis.frames[::stride])
@@ -114,9 +136,7 @@ def representatives(
     compared = np.concatenate(list(analysis.some_positions(analysis.fitted.ix)))[::stride]
     found = k_medoids(pairwise_rmsd(compared.astype(np.float64)), count)
     chosen = found.frames * stride
-    if output is not None:
-        _write(analysis, chosen, Path(output))
-    return Representatives(
+    representatives = Representatives(
         analysis.frames[chosen],
         np.bincount(found.owner, minlength=count),
         float(found.distance.mean()),
@@ -124,16 +144,24 @@ def representatives(
         len(compared),
         analysis.fitted_name,
         tuple(notes),
-        "" if output is None else os.fspath(output),
     )
+    return representatives, chosen
 
 
-def _write(analysis: Analysis, chosen: np.ndarray, output: Path) -> None:
-    atoms = analysis.atoms
-    both = np.union1d(atoms.ix, analysis.fitted.ix)
-    positions = np.array([analysis.positions(k)[both] for k in chosen])
-    moved = superpose_all(positions, np.searchsorted(both, analysis.fitted.ix))
-    remarks = ["chosen by k-medoids; populations are not claimed"]
-    remarks += [f"model {k + 1}: frame {analysis.frames[one]}" for k, one in enumerate(chosen)]
-    kept = moved[:, np.searchsorted(both, atoms.ix)]
-    write_models(output, atoms, kept, np.zeros(len(atoms)), remarks)
+def _one_per_shape(analysis: Analysis) -> tuple[Representatives, np.ndarray]:
+    """The same of each other shape."""
+    found = shape_groups(analysis)
+    if found is None or len(found[1].representatives) == 0:
+        raise OptionError("--shapes: there are no other shapes; see pliant sample --sampler reach")
+    groups = found[1]
+    distances = np.concatenate(groups.distances)
+    representatives = Representatives(
+        analysis.frames[groups.representatives],
+        np.array([len(members) for members in groups.members]),
+        float(distances.mean()),
+        float(distances.max()),
+        len(groups.compared),
+        "CA and P atoms",
+        tuple(analysis.notes),
+    )
+    return representatives, groups.representatives

@@ -31,25 +31,30 @@ Analyses a trajectory and writes figures (PNG), tables (CSV) and one page, repor
 opens in a browser without a network and shows the molecule moving.
 
 It shows how flexible each residue is, with an error; which parts move together; collective
-motions; contacts kept and lost; and whether the stereochemistry is sound: bond angles, chirality,
-planar groups, peptide bonds, Ramachandran, overlaps, and every bar (fixed distance) of every
-frame. It takes any trajectory that MDAnalysis reads. What cannot be computed from a file is left
-out, and the page says so. The folder also holds files for other programs: flexibility.csv,
-bfactors.pdb, modes.nmd (ProDy, VMD), ensemble.pdb with scripts for PyMOL and ChimeraX."""
+motions; what else the molecule could look like, if sampler reach drew the frames: shapes, what
+turned about which hinges, pockets that opened; contacts kept and lost; and whether the
+stereochemistry is sound: bond angles, chirality, planar groups, peptide bonds, Ramachandran,
+overlaps, and every bar (fixed distance) of every frame.
+
+It takes any trajectory that MDAnalysis reads. What cannot be computed from a file is left out,
+and the page says so. The folder also holds files for other programs: flexibility.csv,
+bfactors.pdb, modes.nmd (ProDy, VMD), shapes.pdb, ensemble.pdb with scripts for PyMOL and
+ChimeraX."""
 
 EPILOG = """\
 examples:
   pliant analyse caffeine.h5md
   pliant analyse adk.h5md -o adk-report --select "not name H*"
   pliant analyse adk.h5md --distance "resid 55" "resid 169"
+  pliant sample adk.pdb --sampler reach -o far.h5md && pliant analyse far.h5md
   pliant analyse run.xtc --topology run.pdb --superpose "name CA"
   pliant analyse many --workers 2          the folder of pliant ensemble
 
 For the folder of pliant ensemble, which may be larger than memory, it reports the flexibility of
 residues (with errors between walkers, or between frames of pliant sample), collective motions,
 contacts, clusters, and whether two halves of the walkers or frames agree. Torsions,
-stereochemistry, domains and report.html are left out. Only -o, --workers and the output options
-can be given.
+stereochemistry, domains, shapes and report.html are left out. Only -o, --workers and the output
+options can be given.
 
 MDAnalysis selections: "protein and name CA", "resid 10:50", "not name H*", "index 0:99".
 Exit code: 0 analysed (even if bars are beyond the tolerance: see the verdict, or --json),

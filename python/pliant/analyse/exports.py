@@ -12,7 +12,7 @@ import numpy as np
 
 from pliant.analyse.figures.style import DOMAIN_COLOURS
 from pliant.analyse.kind import ENSEMBLE
-from pliant.analyse.multi_model import write_models
+from pliant.analyse.multi_model import write_chosen, write_models
 from pliant.analyse.page.scene import units_of_atoms
 from pliant.analyse.parts import (
     Components,
@@ -21,6 +21,7 @@ from pliant.analyse.parts import (
     UnitFlexibility,
     Units,
 )
+from pliant.analyse.shapes.other_shapes import REMARK_OF_SHAPES, OtherShapes
 from pliant.analysis.frame_store import FrameStore
 from pliant.analysis.superposition import superpose_frames
 
@@ -39,10 +40,15 @@ def b_factors(rmsf: np.ndarray) -> np.ndarray:
 
 
 def save_exports(analysis: Analysis, folder: Path) -> list[Path]:
-    """Writes what the parts allow: bfactors.pdb, ensemble.pdb and scripts, modes.nmd."""
+    """Writes what the parts allow: bfactors.pdb, ensemble.pdb, scripts, shapes.pdb, modes.nmd."""
     written = []
     if UnitFlexibility in analysis and hasattr(analysis.universe.atoms, "names"):
         written += _write_ensemble(analysis, folder)
+    shapes = analysis.get(OtherShapes)
+    if shapes is not None and shapes.shapes:
+        path = folder / "shapes.pdb"
+        write_chosen(analysis, shapes.places, path, REMARK_OF_SHAPES)
+        written.append(path)
     if Components in analysis and hasattr(analysis.fitted, "names"):
         path = folder / "modes.nmd"
         with open(path, "w", encoding="utf-8") as file:

@@ -12,12 +12,27 @@ import numpy as np
 from pliant._core import InputError
 from pliant.analyse.names import chains_of, numbers_of
 from pliant.analysis.frame_store import FrameStore
+from pliant.analysis.superposition import superpose_all
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
 
+    from pliant.analyse.analysis import Analysis
+
 MOST_ATOMS = 99_999  #: whose numbers fit into their column
 ATOMS_AT_ONCE = 4096  #: whose lines are made
+
+
+def write_chosen(analysis: Analysis, chosen: np.ndarray, output: Path, remark: str) -> None:
+    """Writes frames (places among those analysed), superposed on their average, as models."""
+    atoms = analysis.atoms
+    both = np.union1d(atoms.ix, analysis.fitted.ix)
+    positions = np.array([analysis.positions(k)[both] for k in chosen])
+    moved = superpose_all(positions, np.searchsorted(both, analysis.fitted.ix))
+    remarks = [remark]
+    remarks += [f"model {k + 1}: frame {analysis.frames[one]}" for k, one in enumerate(chosen)]
+    kept = moved[:, np.searchsorted(both, atoms.ix)]
+    write_models(output, atoms, kept, np.zeros(len(atoms)), remarks)
 
 
 def write_models(

@@ -139,8 +139,8 @@ class AtomFluctuations(Part):
             notes.append("the average structure of the RMSF did not come to rest")
         if self.frames is not None:
             notes.append(
-                f"the RMSF is that of the {self.frames[0]} frames along modes; the other "
-                f"{self.frames[1] - self.frames[0]} reach further and say nothing of fluctuations"
+                f"fluctuations, correlations and domains are those of the {self.frames[0]} frames "
+                f"along modes; the other {self.frames[1] - self.frames[0]} reach further"
             )
         return tuple(notes)
 

@@ -20,7 +20,8 @@ frames are closest to each says nothing about populations: how often a shape occ
 
 EPILOG = """\
 examples:
-  pliant representatives ensemble.h5md -k 20 -o shapes.pdb
+  pliant representatives ensemble.h5md -k 20 -o twenty.pdb
+  pliant representatives ensemble.h5md --shapes -o shapes.pdb
   pliant representatives ensemble.h5md -k 10 -o site.pdb --superpose "name CA and resid 8:14 80:90"
   pliant representatives many -k 10 -o ten.pdb          the folder of pliant ensemble
   pliant representatives run.xtc --topology run.pdb -k 5 -o five.pdb
@@ -43,8 +44,11 @@ def _parser() -> Parser:
         help="trajectory of pliant sample or run (H5MD), the folder of an ensemble, or another\n"
         "program's trajectory",
     )
-    add("-k", dest="count", type=whole_number(1), required=True, metavar="K", help="how many")
-    add("-o", "--output", metavar="FILE", required=True, help="PDB file with K models")
+    which = parser.add_mutually_exclusive_group(required=True)
+    which.add_argument("-k", dest="count", type=whole_number(1), metavar="K", help="how many")
+    text = "one for each other shape in an ensemble of sampler reach (see pliant analyse)"
+    which.add_argument("--shapes", action="store_true", help=text)
+    add("-o", "--output", metavar="FILE", required=True, help="PDB file with a model for each")
     add("--topology", metavar="FILE", help="file of atoms, if FILE holds none (PDB, GRO, PSF ...)")
     add("--select", metavar="SELECTION", default="all", help="atoms to write (default: all)")
     add(
@@ -72,6 +76,7 @@ def _representatives(options: argparse.Namespace) -> int:
             topology=options.topology,
             select=options.select,
             superpose=options.superpose,
+            shapes=options.shapes,
             overwrite=options.overwrite,
         )
     if options.json:
@@ -82,7 +87,7 @@ def _representatives(options: argparse.Namespace) -> int:
     for text in found.notes:
         note(text)
     print(f"frames          {', '.join(map(str, found.frames))}")
-    print(f"stand for       {found.compared} frames, by RMSD of {found.superposed_on}")
+    print(f"stand for       {found.nearest.sum()} frames, by RMSD of {found.superposed_on}")
     print(
         f"distance        {found.mean_distance:.2f} Angstrom on average, "
         f"{found.largest_distance:.2f} at most"

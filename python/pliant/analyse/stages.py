@@ -14,6 +14,7 @@ from pliant.analyse import biology, motion
 from pliant.analyse.opened import opened
 from pliant.analyse.reference import reference_of
 from pliant.analyse.runner import Runner
+from pliant.analyse.shapes.other_shapes import other_shapes
 from pliant.analyse.units import units_of
 
 if TYPE_CHECKING:
@@ -60,4 +61,5 @@ STAGES: dict[str, Callable[[Analysis, Runner], Iterable[Part]]] = {
     "stereochemistry": biology.stereochemistry,
     "contacts": biology.contacts,
     "distances": biology.distances,
+    "shapes": other_shapes,
 }

@@ -75,9 +75,9 @@ def analyse(
     """Analyses a trajectory; writes figures, tables and a report page into a folder.
 
     Finds how flexible each residue is, with an error; which parts move together; collective
-    motions; contacts kept and lost; whether stereochemistry holds; RMSD, radius of gyration and
-    torsions. Measures every bar of every frame. What cannot be computed from a file is left out;
-    `report.analysis.skipped` says why.
+    motions; other shapes in an ensemble of sampler ``reach``; contacts kept and lost; whether
+    stereochemistry holds; RMSD, radius of gyration and torsions. Measures every bar of every frame.
+    What cannot be computed from a file is left out; `report.analysis.skipped` says why.
 
     Parameters
     ----------

@@ -22,6 +22,8 @@ from pliant.analyse.parts import (
     Torsions,
     UnitFlexibility,
 )
+from pliant.analyse.shapes.other_shapes import OtherShapes
+from pliant.analyse.shapes.shape_texts import shapes_json
 from pliant.analyse.verdicts import shape_rows, verdicts, whole
 
 if TYPE_CHECKING:
@@ -150,4 +152,5 @@ VALUES: dict[type[Part], Callable[[Analysis], Values]] = {
     Gyration: _gyration,
     Torsions: lambda analysis: {"rotatable_bonds": len(analysis[Torsions].measured.torsions)},
     Components: _components,
+    OtherShapes: shapes_json,
 }

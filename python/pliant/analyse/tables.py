@@ -38,6 +38,8 @@ from pliant.analyse.parts import (
     UnitFlexibility,
     Units,
 )
+from pliant.analyse.shapes.other_shapes import OtherShapes
+from pliant.analyse.shapes.shape_texts import frame_shapes, pocket_columns, shapes_columns
 
 if TYPE_CHECKING:
     from MDAnalysis import AtomGroup
@@ -72,6 +74,8 @@ def save_tables(analysis: Analysis, folder: Path) -> list[Path]:
         "contacts": (ContactFrequencies, contact_columns),
         "held_contacts": (Units, held_contact_columns),
         "stereochemistry": (Shapes, shape_columns),
+        "shapes": (OtherShapes, shapes_columns),
+        "shape_pockets": (OtherShapes, pocket_columns),
     }
     written = []
     for name, (needs, columns_of) in tables.items():
@@ -125,6 +129,7 @@ def frame_columns(analysis: Analysis) -> Columns:
     drawn_by = analysis.observable("sampler")
     if drawn_by is not None and drawn_by.any():
         columns["drawn_by"] = [DRAWN_BY[value] for value in drawn_by]
+    columns |= frame_shapes(analysis)
     if distance := analysis.get(Rmsd):
         columns["rmsd_angstrom"] = distance.fitted
         if distance.analysed is not None:

@@ -12,6 +12,7 @@ from pliant.analyse.amplitude import asked_amplitude
 from pliant.analyse.bar_verdict import Verdict, verdict
 from pliant.analyse.kind import ENSEMBLE, MEANING, PATH, TRANSITION
 from pliant.analyse.parts import ReferenceStructure, Shapes, UnitFlexibility
+from pliant.analyse.shapes.shape_texts import shapes_verdict
 from pliant.analysis.stereochemistry import TWISTED
 
 if TYPE_CHECKING:
@@ -112,7 +113,11 @@ def verdicts(analysis: Analysis) -> dict[str, Verdict]:
         "stereochemistry": _stereochemistry(analysis),
         "bars": verdict(analysis),
     }
-    more = {"amplitude": _amplitude(analysis), "draws": _draws(analysis)}
+    more = {
+        "other shapes": shapes_verdict(analysis),
+        "amplitude": _amplitude(analysis),
+        "draws": _draws(analysis),
+    }
     return made | {name: one for name, one in more.items() if one is not None}
 
 

@@ -119,7 +119,7 @@ def _least(sites: int) -> int:
 def _cut(tree: np.ndarray, sites: int, count: int, chains: np.ndarray) -> np.ndarray | None:
     """The first cut of the tree with `count` parts that are large enough; None without one."""
     for parts in range(count, min(sites, 8 * count) + 1):
-        labels = _smooth(fcluster(tree, parts, "maxclust"), chains)
+        labels = without_short_stretches(fcluster(tree, parts, "maxclust"), chains)
         names, sizes = np.unique(labels, return_counts=True)
         large = names[np.argsort(-sizes, kind="stable")][: np.count_nonzero(sizes >= _least(sites))]
         if len(large) >= count:
@@ -130,7 +130,7 @@ def _cut(tree: np.ndarray, sites: int, count: int, chains: np.ndarray) -> np.nda
     return None
 
 
-def _smooth(labels: np.ndarray, chains: np.ndarray) -> np.ndarray:
+def without_short_stretches(labels: np.ndarray, chains: np.ndarray) -> np.ndarray:
     """Short stretches between two of one part join it."""
     labels = labels.copy()
     edges = np.flatnonzero((labels[1:] != labels[:-1]) | (chains[1:] != chains[:-1])) + 1

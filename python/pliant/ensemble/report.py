@@ -19,7 +19,7 @@ from pliant.ensemble.sums import superposed
 
 #: What the report of one file has, and this one has not.
 LEFT_OUT = (
-    "torsions, stereochemistry, domains and the page: pliant analyse of a shard's file "
+    "torsions, stereochemistry, domains, shapes and the page: pliant analyse of a shard's file "
     "has them for its frames"
 )
 

@@ -12,7 +12,15 @@ from pliant.analyse.figures import flexibility_figures, mobility, series, torsio
 from pliant.analyse.figures.style import styled
 from pliant.analyse.kind import ENSEMBLE, PATH, TRANSITION
 from pliant.analyse.names import has_backbone
-from pliant.analyse.page.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
+from pliant.analyse.page.sections import (
+    CHEMISTRY,
+    COLLECTIVE,
+    EXACT,
+    FLEXIBLE,
+    OTHER,
+    SHAPES,
+    TOGETHER,
+)
 from pliant.analyse.parts import (
     Components,
     ContactFrequencies,
@@ -28,6 +36,8 @@ from pliant.analyse.parts import (
     Units,
     UnitsInComponents,
 )
+from pliant.analyse.shapes.other_shapes import OtherShapes
+from pliant.analyse.shapes.shape_pictures import shape_pictures
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -89,6 +99,13 @@ FIGURES = (
         "Dark to light as the run goes.",
         "Frames are independent: their even spread was an input, and says nothing about free "
         "energy.",
+    ),
+    FigureKind(
+        "shapes", OTHER, shape_pictures, OtherShapes,
+        "The frame that stands for each shape, in colour, superposed by its largest piece (blue) "
+        "on the start, in grey. Other colours are pieces that turned against it, dots are hinge "
+        "residues; seen along the axis of the largest turn. The bar is 10 Å.",
+        suits=lambda analysis: bool(analysis[OtherShapes].shapes),
     ),
     FigureKind(
         "contacts", CHEMISTRY, flexibility_figures.contacts, ContactFrequencies,

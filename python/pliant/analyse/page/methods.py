@@ -12,6 +12,23 @@ METHODS = (
     ("Domains", "Residues whose distances fluctuate least are put together (average linkage); a "
      "domain is added while it explains 8 % more of the fluctuation by moving rigidly; all must "
      "explain 30 %. Hinges are neighbours of two domains."),
+    ("Other shapes", "Frames drawn to reach further than those around the start, if their RMSD "
+     "from it (CA or P, superposed) is above 3 Å and above that of every frame around it. They are "
+     "put together (average linkage) while they are less apart than √2 of that limit, and further "
+     "until there are eight shapes at most; a frame that is like no other is no shape. The frame "
+     "shown is the medoid; the spread is the mean RMSD of the frames from it. What turned are "
+     "pieces that are rigid from the start to that frame (see Domains); angles are against the "
+     "largest. A contact is gone when the frame lets it go, or exceeds it by more than 0.1 Å."),
+    ("Known pairs", "How far apart two known structures of a protein are, for the 16 of 58 starts "
+     "whose network is as soft (1 / lowest eigenvalue of Kirchhoff's matrix of alpha carbons): the "
+     "quartiles. All are proteins that are known to move, so others may move less; of proteins "
+     "left out, 57 % lay between the quartiles; but this softness was chosen among 17 measures on "
+     "the same pairs. Of single chains only. It is a hint, no limit."),
+    ("Pockets", "Room for a sphere of 1.4 Å that none of 4 Å from outside comes within 2.4 Å of, "
+     "on a grid of 1 Å, between heavy atoms of protein and nucleic acids: of a closed cavity it "
+     "finds 94 to 97 % of the volume. Ligands and water count as empty; a cleft open to water is "
+     "no pocket. Listed is what has 100 Å³ more room beside its residues than at the start, and "
+     "more than the mean and two standard deviations of five frames around it."),
     ("Collectivity", "exp of the entropy of the residues' shares, over their number (Brueschweiler "
      "1995): 1 if all move equally."),
     ("Stereochemistry", "Up to 100 frames, spread over all. Bond angles against the start "

@@ -29,7 +29,7 @@ from pliant.analyse.page.html import (
 from pliant.analyse.page.methods import METHODS
 from pliant.analyse.page.page_tables import facts, tables, title
 from pliant.analyse.page.scene import scene
-from pliant.analyse.page.sections import SECTIONS
+from pliant.analyse.page.sections import SECTIONS, WIDE_SECTIONS
 from pliant.analyse.parts import Residuals
 from pliant.analyse.verdicts import verdicts, whole
 
@@ -137,7 +137,8 @@ def _sections(analysis: Analysis, figures: Sequence[tuple[FigureKind, Path]], dp
         ]
         if drawn or listed:
             content = "\n".join(drawn + listed)
-            parts.append(f'<h2>{section}</h2>\n<section class="figures">{content}</section>')
+            wide = " wide" if section in WIDE_SECTIONS else ""
+            parts.append(f'<h2>{section}</h2>\n<section class="figures{wide}">{content}</section>')
     return "\n".join(parts)
 
 

@@ -14,7 +14,15 @@ from pliant.analyse.bar_verdict import scientific, tolerance_text
 from pliant.analyse.figures.torsion_figures import most_mobile
 from pliant.analyse.kind import ENSEMBLE, TRANSITION
 from pliant.analyse.names import bar_labels, greek
-from pliant.analyse.page.sections import CHEMISTRY, COLLECTIVE, EXACT, FLEXIBLE, SHAPES, TOGETHER
+from pliant.analyse.page.sections import (
+    CHEMISTRY,
+    COLLECTIVE,
+    EXACT,
+    FLEXIBLE,
+    OTHER,
+    SHAPES,
+    TOGETHER,
+)
 from pliant.analyse.parts import (
     Components,
     ContactFrequencies,
@@ -30,6 +38,8 @@ from pliant.analyse.parts import (
     Units,
     UnitsInComponents,
 )
+from pliant.analyse.shapes.other_shapes import OtherShapes
+from pliant.analyse.shapes.shape_texts import NO_POPULATION, page_rows, pocket_rows
 from pliant.analyse.verdicts import shape_rows
 from pliant.analysis.collective import collectivity, moving_stretches, participation
 
@@ -115,7 +125,21 @@ def tables(analysis: Analysis) -> list[PageTable]:
         Residuals: _bar_table,
     }
     made = [make(analysis) for part, make in makers.items() if part in analysis]
+    if OtherShapes in analysis:
+        made += _other_tables(analysis)
     return [table for table in made if table.rows]
+
+
+def _other_tables(analysis: Analysis) -> list[PageTable]:
+    """The other shapes, and their pockets."""
+    rows = page_rows(analysis)
+    if not analysis[OtherShapes].looked_for:
+        return [PageTable(OTHER, "", ("frames", "other shapes"), rows)]
+    columns = ("how many", "frame shown", "RMSD (Å)", "spread (Å)", "turned", "contacts gone")
+    shapes = PageTable(OTHER, NO_POPULATION, ("frames are", *columns), rows)
+    headers = ("", "room (Å³)", "at the start", "around it", "lined by")
+    caption = "Pockets with more room than at the start"
+    return [shapes, PageTable(OTHER, caption, headers, pocket_rows(analysis))]
 
 
 def _flexible_table(analysis: Analysis) -> PageTable:

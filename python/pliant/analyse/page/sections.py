@@ -4,8 +4,11 @@
 FLEXIBLE = "What is flexible"
 TOGETHER = "What moves together"
 COLLECTIVE = "Collective motions"
+OTHER = "What else it could look like"
 CHEMISTRY = "Contacts and stereochemistry"
 SHAPES = "Shape"
 EXACT = "Exactness and effort"
 
-SECTIONS = (FLEXIBLE, TOGETHER, COLLECTIVE, CHEMISTRY, SHAPES, EXACT)
+#: sections whose figures and tables are as wide as the page
+WIDE_SECTIONS = (OTHER,)
+SECTIONS = (FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, CHEMISTRY, SHAPES, EXACT)
