@@ -71,9 +71,10 @@ const SampleField table[] = {
                  "residues, and up to 100 frames), torsions for small molecules",
       .choices = [] { return names_of(samplers()); },
       .kind = "sampler",
-      .in_python = "A name in ``samplers()``, or ``auto``: ``reach`` of proteins and nucleic acids\n"
-                   "(``modes`` of up to 40 residues, and of up to 100 frames), ``torsions`` of small\n"
-                   "molecules, which have no amplitude.",
+      .in_python =
+          "A name in ``samplers()``, or ``auto``: ``reach`` of proteins and nucleic acids\n"
+          "(``modes`` of up to 40 residues, and of up to 100 frames), ``torsions`` of small\n"
+          "molecules, which have no amplitude.",
       .automatic = automatic_sampler},
      at<&SampleOptions::sampler>},
     {{.name = "near_frames",

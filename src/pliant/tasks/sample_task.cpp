@@ -40,8 +40,10 @@ void choose_sampler(const SampleSubject& subject, SampleOptions& options) {
   options.near_frames = near_frames_of(options);
   if (!is_modes_alone(options)) return;
   if (!is_open)
-    options.log.warn("sampler reach: all frames are those of sampler modes; it turns domains in "
-                     "those from number " + std::to_string(options.near_frames) + " on");
+    options.log.warn(
+        "sampler reach: all frames are those of sampler modes; it turns domains in "
+        "those from number " +
+        std::to_string(options.near_frames) + " on");
   options.sampler = "modes";
   options.near_frames = 0;
 }

@@ -78,7 +78,8 @@ void find_axes(std::array<double, 9> turns, Hinge& hinge) {
 
 /// Of twelve proteins known open and closed, those that close had 0.3 to 1.7 contacts for a node of
 /// the surface of the smaller side (its nodes to the power of 2/3), those that open 1.6 to 3.6.
-double closed_share(const NetworkNodes& nodes, std::span<const std::uint32_t> sides, double smaller) {
+double closed_share(const NetworkNodes& nodes, std::span<const std::uint32_t> sides,
+                    double smaller) {
   constexpr double half_closed = 1.6;
   double contacts = 0.0;
   for_each_near(contact_distance, nodes, nodes.positions, [&](std::uint32_t i, std::uint32_t j) {

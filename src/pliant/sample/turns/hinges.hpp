@@ -15,11 +15,11 @@
 namespace pliant {
 
 struct Hinge {
-  std::uint32_t piece = 0;     ///< that turns
-  double weight = 0.0;         ///< square of the share of nodes on the smaller side
-  std::vector<Vec3> middles;   ///< of the links across it (Angstrom)
-  Vec3 centre;                 ///< mean of these; of all nodes where there are none
-  Vec3 line;                   ///< direction of the line through them; 0 for fewer than two
+  std::uint32_t piece = 0;    ///< that turns
+  double weight = 0.0;        ///< square of the share of nodes on the smaller side
+  std::vector<Vec3> middles;  ///< of the links across it (Angstrom)
+  Vec3 centre;                ///< mean of these; of all nodes where there are none
+  Vec3 line;                  ///< direction of the line through them; 0 for fewer than two
   /// Main axes of the turn in the modes, and their shares of its variance.
   std::array<Vec3, 3> axes;
   std::array<double, 3> softness{};

@@ -23,11 +23,10 @@ constexpr TurnWay closing[] = {
     {.share = 0.2, .power = 0.0, .best_of = 1, .contacts = 0.0},
 };
 constexpr TurnWay opening[] = {
-    {.share = 0.30, .power = -1.0, .best_of = 4, .contacts = 1.0},
-    {.share = 0.25, .power = -1.0, .best_of = 1, .contacts = 0.0},
-    {.share = 0.10, .power = -1.0, .best_of = 4, .contacts = -1.0},
-    {.share = 0.20, .power = 2.0, .best_of = 1, .contacts = 0.0},
-    {.share = 0.15, .power = 0.0, .best_of = 1, .contacts = 0.0},
+    {.share = 0.35, .power = 0.0, .best_of = 1, .contacts = 0.0},
+    {.share = 0.25, .power = 2.0, .best_of = 1, .contacts = 0.0},
+    {.share = 0.25, .power = -1.0, .best_of = 4, .contacts = 1.0},
+    {.share = 0.15, .power = -1.0, .best_of = 1, .contacts = 0.0},
 };
 /// Hinges that look open open further, and closed ones close further, in so many draws.
 constexpr double contrary = 0.15;
@@ -41,8 +40,8 @@ constexpr Pieces frames[] = {{0.6, 1}, {0.3, 2}, {0.1, 0}};
 
 // Angstrom, between alpha carbons
 constexpr double pivot_noise = 1.5;
-constexpr double widest_gap = 6.0;        // of a link: the torsions beside it can close that
-constexpr double near_distance = 4.0;     // of nodes that are no neighbours
+constexpr double widest_gap = 6.0;     // of a link: the torsions beside it can close that
+constexpr double near_distance = 4.0;  // of nodes that are no neighbours
 /// So many pairs, and as many for a hundred nodes, may come too near: they are pushed apart.
 constexpr double most_new_pairs = 2.0, most_new_pairs_a_node = 0.01;
 
@@ -118,7 +117,8 @@ const TurnWay& way_of(const Hinge& hinge, RandomSequence& draws) {
   const double opens = contrary + (1.0 - 2.0 * contrary) * hinge.closed;
   const std::span<const TurnWay> ways =
       draws.uniform() < opens ? std::span<const TurnWay>(opening) : closing;
-  return ways[choose(ways.size(), [&](std::size_t k) { return ways[k].share; }, draws)];
+  return ways[choose(
+      ways.size(), [&](std::size_t k) { return ways[k].share; }, draws)];
 }
 
 }  // namespace
@@ -135,7 +135,9 @@ TurnDraws::TurnDraws(const NetworkNodes& nodes, NetworkModes modes)
 DrawnTurns TurnDraws::draw(RandomSequence& draws) const {
   if (empty()) return {};
   const std::size_t pieces =
-      frames[choose(std::size(frames), [](std::size_t k) { return frames[k].share; }, draws)].count;
+      frames[choose(
+                 std::size(frames), [](std::size_t k) { return frames[k].share; }, draws)]
+          .count;
   double scale = 1.0;  // turns that are small enough are always possible
   for (int k = 0; k < most_halvings; ++k, scale *= 0.5) {
     DrawnTurns drawn =
@@ -164,7 +166,8 @@ DrawnTurns TurnDraws::draw_turns(std::size_t pieces, double scale, RandomSequenc
     std::vector<double> weights;
     for (const Hinge& hinge : tree.hinges) weights.push_back(hinge.weight);
     for (std::size_t turn = 0; turn < std::min(pieces, tree.hinges.size()); ++turn) {
-      const std::size_t at = choose(weights.size(), [&](std::size_t h) { return weights[h]; }, draws);
+      const std::size_t at = choose(
+          weights.size(), [&](std::size_t h) { return weights[h]; }, draws);
       weights[at] = 0.0;
       if (!add_turn(tree.hinges[at], scale, draws, drawn) && turn == 0) break;
     }
@@ -181,6 +184,7 @@ bool TurnDraws::add_turn(const Hinge& hinge, double scale, RandomSequence& draws
   double most = -std::numeric_limits<double>::infinity();
   for (int k = 0, found = 0; k < most_draws && found < way.best_of; ++k) {
     drawn.turns.push_back(turn_of(way, hinge, scale, draws));
+    if (drawn.turns.size() > 1) drawn.turns.back().angle *= draws.uniform();
     const std::vector<Vec3> at = moved(drawn);
     const PieceTurn turn = drawn.turns.back();
     drawn.turns.pop_back();

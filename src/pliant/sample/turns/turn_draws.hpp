@@ -23,10 +23,10 @@ struct DrawnTurns {
 
 /// One of the ways in which the turn of a piece is drawn.
 struct TurnWay {
-  double share;        ///< of all ways of hinges that are open, or closed
-  double power;        ///< axes are as frequent as they are soft, to this power; 0: at random
-  int best_of;         ///< of so many that are possible
-  double contacts;     ///< +1: the one with the most, -1: with the fewest contacts between nodes
+  double share;     ///< of all ways of hinges that are open, or closed
+  double power;     ///< axes are as frequent as they are soft, to this power; 0: at random
+  int best_of;      ///< of so many that are possible
+  double contacts;  ///< +1: the one with the most, -1: with the fewest contacts between nodes
 };
 
 class TurnDraws {
