@@ -14,6 +14,7 @@ _REFUSED = {
     "--shard": "the ensemble numbers its walkers itself",
     "--first-frame": "the ensemble numbers its frames itself",
     "--one-file": "each shard is one file in any case",
+    "--near-frames": "its frames are all of one sampler",
     "--threads": "--workers says how many processes share the shards",
     "--output": "",
     "--topology": "each shard holds its topology",

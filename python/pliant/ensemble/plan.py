@@ -87,6 +87,9 @@ class EnsemblePlan:
             if self.command == "run"
             else ["--first-frame", str(shard.first), "--frames", str(shard.size)]
         )
+        if self.command == "sample" and "--sampler" not in self.options:
+            # Of `reach` frames are of two kinds, and the ensemble's fluctuations are of all.
+            part += ["--near-frames", str(self.count)]
         own = ["--threads", "1", "--topology", "none", "--json", "--output", output]
         return [self.command, self.input, *words_of(self.options), *part, *own]
 

@@ -36,7 +36,10 @@ void choose_sampler(const SampleSubject& subject, SampleOptions& options) {
   if (options.frames == open_frames)
     options.frames = reaches ? 2 * usual_near_frames : SampleOptions{}.frames;
   check(options);
-  if (!reaches) return;
+  if (!reaches) {
+    options.near_frames = 0;
+    return;
+  }
   options.near_frames = near_frames_of(options);
   if (!is_modes_alone(options)) return;
   if (!is_open)
