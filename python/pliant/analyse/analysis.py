@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
+from pliant._drawn_by import DRAWN_ALONG_MODES
 from pliant.analyse.kind import ENSEMBLE, kind_of
 from pliant.analyse.parts import Part
 from pliant.analysis.frame_store import AT_ONCE_BYTES, FrameStore
@@ -20,10 +21,6 @@ if TYPE_CHECKING:
     from pliant.analysis.stored import StoredPositions
 
 AnyPart = TypeVar("AnyPart", bound=Part)
-
-
-#: in /observables/sampler: other (samplers that draw in one way), modes, wide modes, turns, ...
-DRAWN_ALONG_MODES = 1
 
 
 @dataclass(frozen=True)

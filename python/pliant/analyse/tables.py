@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant._csv_cells import harmless
+from pliant._drawn_by import DRAWN_BY
 from pliant.analyse.biology_tables import (
     contact_columns,
     correlation_columns,
@@ -109,10 +110,6 @@ def _cells(column: Any) -> list[Any]:
 RECORDED = tuple(
     "sweeps projections root_joint redraws contacts_held contacts_broken contacts_off".split()
 )
-
-
-#: what /observables/sampler says of a frame
-DRAWN_BY = ("other", "modes", "wide modes", "turns", "turns with modes")
 
 
 def frame_columns(analysis: Analysis) -> Columns:

@@ -14,6 +14,7 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import InputError
+from pliant._drawn_by import DRAWN_ALONG_MODES
 from pliant._hdf5.expansion import check_stored
 from pliant.ensemble.plan import refuse_ensemble
 
@@ -79,6 +80,18 @@ class Recording:
         """(F,) bool: what the file says of each frame; true where it does not say."""
         flags = self.observables.get("converged")
         return np.ones(self.frame_count, bool) if flags is None else flags.astype(bool)
+
+    @property
+    def around_start(self) -> np.ndarray:
+        """Numbers of the frames by which flexibility is computed, ascending.
+
+        All, but for an ensemble of sampler ``reach``: those drawn along the modes.
+        """
+        drawn_by = self.observables.get("sampler")
+        if drawn_by is None:
+            return np.arange(self.frame_count)
+        near = np.flatnonzero(drawn_by <= DRAWN_ALONG_MODES)
+        return near if len(near) > 1 else np.arange(self.frame_count)
 
     def bar_label(self, bar: int) -> str:
         """ "C1(0) - C2(1)": names and numbers (from 0) of both joints."""

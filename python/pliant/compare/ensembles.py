@@ -84,9 +84,17 @@ def _chosen(count: int, frames: int | str, atoms: int, path: str | os.PathLike[s
     return chosen
 
 
+def _chosen_of_ours(
+    recording: Recording, atoms: AtomGroup | np.ndarray, frames: int | str
+) -> np.ndarray:
+    """Among those around the start: others show what else it could be, not how flexible it is."""
+    near = recording.around_start
+    return near[_chosen(len(near), frames, len(atoms), recording.path)]
+
+
 def _read_ours(recording: Recording, atoms: AtomGroup, frames: int | str) -> np.ndarray:
     """In the precision in which they are stored, which MDAnalysis rounds."""
-    chosen = _chosen(recording.frame_count, frames, len(atoms), recording.path)
+    chosen = _chosen_of_ours(recording, atoms, frames)
     pieces = np.array_split(chosen, max(1, len(chosen) // 100))
     return np.concatenate([recording.positions(piece)[:, atoms.ix] for piece in pieces])
 
@@ -101,7 +109,7 @@ def read_trace(
     """
     from pliant.analysis.record import read_record
 
-    chosen = _chosen(recording.frame_count, frames, len(atoms), recording.path)
+    chosen = _chosen_of_ours(recording, atoms, frames)
     if len(chosen) < 2:
         raise InputError(f"{recording.path}: expected at least 2 frames, found {len(chosen)}")
     pieces = np.array_split(chosen, max(1, len(chosen) // 100))

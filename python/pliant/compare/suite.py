@@ -111,6 +111,7 @@ def compare(
         residues = _residues(recording, universe, *asked)
         on_stage("atoms")
         atoms, notes = _atoms(recording, universe, *asked, residues is None)
+        notes += _frames_left_out(recording)
         report = ComparisonReport(
             recording.path, [os.fspath(path) for path in paths], residues, atoms, notes
         )
@@ -120,6 +121,15 @@ def compare(
             on_stage("pictures")
             report.pictures = draw(report, pathlib.Path(pictures))
     return report
+
+
+def _frames_left_out(recording: Recording) -> list[str]:
+    near, count = len(recording.around_start), recording.frame_count
+    if near == count:
+        return []
+    return [
+        f"ours: the {near} of {count} frames that are around the start, not those that go further"
+    ]
 
 
 def _residues(

@@ -67,13 +67,13 @@ const SampleField table[] = {
      at<&SampleOptions::network>},
     {{.name = "sampler",
       .group = group,
-      .summary = "way to move; auto: reach for proteins and nucleic acids (modes for up to 40\n"
+      .summary = "way to move; auto: reach for proteins and nucleic acids (modes for up to 100\n"
                  "residues, and up to 100 frames), torsions for small molecules",
       .choices = [] { return names_of(samplers()); },
       .kind = "sampler",
       .in_python =
           "A name in ``samplers()``, or ``auto``: ``reach`` of proteins and nucleic acids\n"
-          "(``modes`` of up to 40 residues, and of up to 100 frames), ``torsions`` of small\n"
+          "(``modes`` of up to 100 residues, and of up to 100 frames), ``torsions`` of small\n"
           "molecules, which have no amplitude.",
       .automatic = automatic_sampler},
      at<&SampleOptions::sampler>},
