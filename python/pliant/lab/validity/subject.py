@@ -60,7 +60,9 @@ class Subject:
 
     def _draw(self, seed: int, amplitude: float) -> Drawn:
         began = time.process_time()
-        found = pliant.sample(self.model, self._frames, amplitude=amplitude, seed=seed)
+        found = pliant.sample(
+            self.model, self._frames, amplitude=amplitude, seed=seed, sampler="modes"
+        )
         seconds = time.process_time() - began
         return Drawn(
             np.array(found.positions[:, self.trace.atoms]),
