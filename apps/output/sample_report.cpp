@@ -76,8 +76,9 @@ void print_conformations(const Conformations& found) {
 
 void print_amplitude(const SampleSettings& settings, const SampleSummary& summary) {
   if (summary.near_frames < summary.frames)
-    fmt::print("                {} around the structure, as amplitude and RMSF are; {} go further\n",
-               summary.near_frames, summary.frames - summary.near_frames);
+    fmt::print(
+        "                {} around the structure, as amplitude and RMSF are; {} go further\n",
+        summary.near_frames, summary.frames - summary.near_frames);
   if (summary.near_frames == 0) return;
   if (summary.amplitude_asked > 0.0) {
     fmt::print("amplitude       asked {:.2f} A, reached {:.2f} A: an input, not a prediction\n",
@@ -128,8 +129,9 @@ void print_table(const SampleSettings& settings, const SampledSystem& system,
              settings.sample.seed);
   conformations ? print_conformations(*conformations) : print_amplitude(settings, summary);
   if (summary.near_frames > 0)
-    fmt::print("RMSF            {:.2f} A over atoms, superposed; {:.2f} A between halves of frames\n",
-             mean_of(summary.rmsf), mean_of(summary.rmsf_error));
+    fmt::print(
+        "RMSF            {:.2f} A over atoms, superposed; {:.2f} A between halves of frames\n",
+        mean_of(summary.rmsf), mean_of(summary.rmsf_error));
   fmt::print("drawn again     {} frames; {} more needed a second attempt\n", summary.redrawn,
              std::max<std::int64_t>(0, summary.rescued - summary.redrawn));
   print_worst(system, summary);

@@ -67,9 +67,10 @@ TEST(SampleTask, ProteinsAreReachedWithTwiceAsManyFrames) {
 TEST(SampleTask, FramesThatAreAllNearAreThoseOfModes) {
   SampleAsked piece = asked("auto", 50);
   piece.options.first_frame = 150;
-  EXPECT_EQ(test::error_text<OptionError>([&] { chosen(101, piece); }),
-            "sampler reach: frames that begin at 150 are a piece of an ensemble; give each piece the "
-            "same number of near frames");
+  EXPECT_EQ(
+      test::error_text<OptionError>([&] { chosen(101, piece); }),
+      "sampler reach: frames that begin at 150 are a piece of an ensemble; give each piece the "
+      "same number of near frames");
   piece.options.near_frames = 200;
   EXPECT_EQ(chosen(101, piece).sampler, "modes");
   piece.options.near_frames = 160;
