@@ -112,7 +112,7 @@ RECORDED = tuple(
 
 
 #: what /observables/sampler says of a frame
-DRAWN_BY = ("other", "modes", "wide modes", "turns", "turns with modes")
+DRAWN_BY = ("other", "modes", "wide modes", "turns", "turns with modes", "pocket")
 
 
 def frame_columns(analysis: Analysis) -> Columns:
