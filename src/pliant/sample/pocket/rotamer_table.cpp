@@ -191,7 +191,7 @@ std::string_view amino_acid_of(std::string_view residue) {
   return std::ranges::find(histidines, residue) == std::end(histidines) ? residue : "HIS";
 }
 
-std::span<const std::string_view> side_chain_atoms(std::string_view residue) {
+std::span<const std::string_view> atoms_along_side_chain(std::string_view residue) {
   const auto found = std::ranges::find(chains, residue, &SideChainAtoms::residue);
   if (found == std::end(chains)) return {};
   const auto end = std::ranges::find(found->atoms, std::string_view{});

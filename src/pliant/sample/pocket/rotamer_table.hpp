@@ -34,7 +34,7 @@ inline constexpr double rotamer_spread = 15.0;
 std::string_view amino_acid_of(std::string_view residue);
 
 /// N, CA, CB and so on; none for residues without torsions.
-std::span<const std::string_view> side_chain_atoms(std::string_view residue);
+std::span<const std::string_view> atoms_along_side_chain(std::string_view residue);
 
 /// The states of torsion `first` (0 with 1, 2, 3); none if there are none.
 std::span<const Rotamer> rotamers_of(std::string_view residue, std::size_t first);

@@ -92,7 +92,7 @@ SideChainMoves::SideChainMoves(const Framework& framework, const BodyPlan& plan,
   for (Joint k = 0; k < atoms.size(); ++k) of_residue[atoms.residue_of[k]].push_back(k);
   for (const std::uint32_t residue : place.residues) {
     const std::string_view name = amino_acid_of(atoms.residues[residue].name);
-    add(joints_along(atoms, of_residue[residue], side_chain_atoms(name)), name, turns);
+    add(joints_along(atoms, of_residue[residue], atoms_along_side_chain(name)), name, turns);
   }
   if (framework.sterics() == nullptr) return;
   rules_.emplace(framework);
