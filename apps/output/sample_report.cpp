@@ -114,8 +114,7 @@ std::vector<Json> numbers(const std::vector<double>& values) {
 std::vector<std::string> pocket_of(const SampleSettings& settings, const SampledSystem& system) {
   if (settings.sample.around.empty()) return {};
   const auto joints = select_joints(system.framework, settings.sample.around, "--around");
-  return pliant::names_of(pocket_around(system.framework, system.start, joints),
-                          system.framework);
+  return pliant::names_of(pocket_around(system.framework, system.start, joints), system.framework);
 }
 
 void print_table(const SampleSettings& settings, const SampledSystem& system,

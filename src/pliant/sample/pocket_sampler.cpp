@@ -11,7 +11,7 @@
 namespace pliant {
 namespace {
 
-constexpr int attempts_at_half = 2;   // after so many attempts in vain moves are half as large
+constexpr int attempts_at_half = 2;     // after so many attempts in vain moves are half as large
 constexpr int attempts_at_pocket = 12;  // after so many only the modes move
 
 /// (M) which nodes have joints of a place.

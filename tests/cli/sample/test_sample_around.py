@@ -58,9 +58,10 @@ def test_the_place_comes_nearer_to_a_known_state_than_by_modes(pliant, tmp_path)
 
     closed = mda.Universe(files.PDB_closed).select_atoms("backbone")
     goal = mda.Universe(files.PDB_small).select_atoms("backbone").positions.astype(float)
-    is_place = np.isin(np.arange(closed.n_atoms), np.flatnonzero(
-        [atom.resid in {*range(30, 68), *range(118, 161)} for atom in closed]
-    ))
+    is_place = np.isin(
+        np.arange(closed.n_atoms),
+        np.flatnonzero([atom.resid in {*range(30, 68), *range(118, 161)} for atom in closed]),
+    )
     nearest = {}
     for name, more in {"modes": ("--sampler", "modes"), "pocket": ("--around", PLACE)}.items():
         path = tmp_path / f"{name}.h5md"

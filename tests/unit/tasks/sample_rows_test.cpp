@@ -127,12 +127,11 @@ TEST(SampleRows, WhatFilesHoldChangesFramesOfSomeSampler) {
 /// A member more, and this does not compile: it needs a row, or a place among the last.
 TEST(SampleRows, EveryOptionHasOne) {
   SampleOptions options;
-  auto& [frames, first_frame, amplitude, seed, threads, network, sampler, near_frames,
-         around, around_joints, contact_energy, should_stop, log] = options;
-  const std::set<const void*> members{&frames,  &first_frame, &amplitude,
-                                      &seed,    &threads,     &network,
-                                      &sampler, &near_frames, &around,
-                                      &contact_energy};
+  auto& [frames, first_frame, amplitude, seed, threads, network, sampler, near_frames, around,
+         around_joints, contact_energy, should_stop, log] = options;
+  const std::set<const void*> members{&frames,  &first_frame,   &amplitude, &seed,
+                                      &threads, &network,       &sampler,   &near_frames,
+                                      &around,  &contact_energy};
   std::set<const void*> places;
   for (const SampleField& field : sample_fields()) places.insert(address_of(field.place(options)));
   EXPECT_EQ(places, members);
@@ -149,7 +148,8 @@ TEST(SampleRows, EachSaysWhatItIs) {
     const OptionPlace place = field.place(options);
     EXPECT_TRUE(names.insert(field.name).second);
     EXPECT_FALSE(field.summary.empty());
-    EXPECT_EQ(field.choices != nullptr || field.name == "around", std::holds_alternative<std::string*>(place));
+    EXPECT_EQ(field.choices != nullptr || field.name == "around",
+              std::holds_alternative<std::string*>(place));
     const bool is_share = field.range == Range::zero_to_one;
     EXPECT_EQ(field.unit.empty(), !std::holds_alternative<double*>(place) || is_share);
   }

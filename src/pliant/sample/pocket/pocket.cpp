@@ -37,7 +37,7 @@ std::vector<bool> near_residues(const AtomTable& atoms, std::span<const Vec3> st
 }  // namespace
 
 Pocket pocket_around(const Framework& framework, std::span<const Vec3> start,
-                   std::span<const Joint> selected) {
+                     std::span<const Joint> selected) {
   Pocket place{{}, std::vector<bool>(framework.joint_count(), framework.atoms() == nullptr)};
   if (framework.atoms() == nullptr) return place;
   const AtomTable& atoms = *framework.atoms();
@@ -47,8 +47,7 @@ Pocket pocket_around(const Framework& framework, std::span<const Vec3> start,
     if (is_amino_acid[atoms.residue_of[joint]]) is_taken[atoms.residue_of[joint]] = true;
   if (std::ranges::find(is_taken, true) == is_taken.end()) {
     is_taken = near_residues(atoms, start, selected);
-    for (std::size_t r = 0; r < is_taken.size(); ++r)
-      is_taken[r] = is_taken[r] && is_amino_acid[r];
+    for (std::size_t r = 0; r < is_taken.size(); ++r) is_taken[r] = is_taken[r] && is_amino_acid[r];
   }
   for (std::uint32_t r = 0; r < is_taken.size(); ++r)
     if (is_taken[r]) place.residues.push_back(r);
@@ -62,8 +61,7 @@ std::vector<std::string> names_of(const Pocket& place, const Framework& framewor
   std::vector<std::string> names;
   for (const std::uint32_t r : place.residues) {
     const Residue& at = framework.atoms()->residues[r];
-    names.push_back((at.chain.empty() ? "" : at.chain + ":") + at.name +
-                    std::to_string(at.number));
+    names.push_back((at.chain.empty() ? "" : at.chain + ":") + at.name + std::to_string(at.number));
     if (at.insertion_code != ' ') names.back() += at.insertion_code;
   }
   return names;

@@ -22,7 +22,7 @@ struct Pocket {
 /// atom near to one that is selected. No atoms: everything. `start` (N, Angstrom). Throws
 /// OptionError if no residue is near.
 Pocket pocket_around(const Framework& framework, std::span<const Vec3> start,
-                   std::span<const Joint> selected);
+                     std::span<const Joint> selected);
 
 /// The names of its residues: "A:LYS12".
 std::vector<std::string> names_of(const Pocket& place, const Framework& framework);

@@ -51,8 +51,8 @@ bool PocketTurns::parts_place(const DrawnTurns& drawn) const {
   const PieceTree& tree = *drawn.tree;
   std::vector<std::size_t> group(tree.piece_count(), 0);  // pieces that move together
   for (std::size_t p = 1; p < group.size(); ++p) {
-    const bool turns = std::ranges::any_of(
-        drawn.turns, [&](const PieceTurn& turn) { return turn.piece == p; });
+    const bool turns =
+        std::ranges::any_of(drawn.turns, [&](const PieceTurn& turn) { return turn.piece == p; });
     group[p] = turns ? p : group[static_cast<std::size_t>(tree.parent[p])];
   }
   return std::ranges::any_of(place_, [&](std::size_t node) {
@@ -84,8 +84,8 @@ std::optional<PocketTurns::Segment> PocketTurns::draw_segment(RandomSequence& dr
     --found.first;
   while (found.last - found.first < length && is_in_chain(found.last, node)) ++found.last;
   // A chain as a whole is no segment.
-  const bool is_linked = is_in_chain(found.last, node) ||
-                         (found.first > 0 && is_in_chain(found.first - 1, node));
+  const bool is_linked =
+      is_in_chain(found.last, node) || (found.first > 0 && is_in_chain(found.first - 1, node));
   if (found.last - found.first < shortest || !is_linked) return std::nullopt;
   return found;
 }
@@ -105,7 +105,7 @@ PieceTurn PocketTurns::turn_of(const Segment& segment, double scale, RandomSeque
   const Vec3 line = ends.back() - ends.front();
   const double length = norm(line);
   const Vec3 axis = length > 1e-9 ? (1.0 / length) * line + line_noise * normal_at_random(draws)
-                            : draws.direction();
+                                  : draws.direction();
   turn.axis = ((draws.uniform() < 0.5 ? -1.0 : 1.0) / norm(axis)) * axis;
   return turn;
 }

@@ -94,7 +94,8 @@ TEST(Pocket, FramesDependOnSeedAndNumberAlone) {
   SampleAsked piece = asked;
   piece.options.first_frame = 7;
   piece.options.frames = 5;
-  const std::vector<Vec3> last(all.end() - 5 * std::ptrdiff_t(peptide().positions.size()), all.end());
+  const std::vector<Vec3> last(all.end() - 5 * std::ptrdiff_t(peptide().positions.size()),
+                               all.end());
   EXPECT_TRUE(test::same_bits(positions_of(piece), last));
 }
 
