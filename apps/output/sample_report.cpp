@@ -9,7 +9,9 @@
 #include "command.hpp"
 #include "output/json.hpp"
 #include "pliant/base/printable.hpp"
+#include "pliant/molecule/selection.hpp"
 #include "pliant/sample/conformers/torsion_moves.hpp"
+#include "pliant/sample/pocket/pocket.hpp"
 #include "pliant/sample/samplers.hpp"
 
 namespace pliant::app {
@@ -118,6 +120,13 @@ std::vector<Json> numbers(const std::vector<double>& values) {
   return {values.begin(), values.end()};
 }
 
+/// The residues that frames of sampler pocket open or close.
+std::vector<std::string> pocket_of(const SampleSettings& settings, const SampledSystem& system) {
+  if (settings.sample.around.empty()) return {};
+  const auto joints = select_joints(system.framework, settings.sample.around, "--around");
+  return pliant::names_of(pocket_around(system.framework, system.start, joints), system.framework);
+}
+
 void print_table(const SampleSettings& settings, const SampledSystem& system,
                  const SampleSummary& summary) {
   fmt::print("model           {}: {} atoms, {} bars, {} contacts\n", system.kind,
@@ -128,12 +137,16 @@ void print_table(const SampleSettings& settings, const SampledSystem& system,
              settings.go_on.empty() ? "" : " added", settings.sample.sampler, network,
              settings.sample.seed);
   conformations ? print_conformations(*conformations) : print_amplitude(settings, summary);
+  if (const auto residues = pocket_of(settings, system); !residues.empty())
+    fmt::print("pocket          {} residues: {}\n", residues.size(), listed(residues));
   if (summary.near_frames > 0)
     fmt::print(
         "RMSF            {:.2f} A over atoms, superposed; {:.2f} A between halves of frames\n",
         mean_of(summary.rmsf), mean_of(summary.rmsf_error));
   fmt::print("drawn again     {} frames; {} more needed a second attempt\n", summary.redrawn,
              std::max<std::int64_t>(0, summary.rescued - summary.redrawn));
+  if (summary.mean_let_go > 0.0)
+    fmt::print("let go          {:.1f} contacts a frame\n", summary.mean_let_go);
   print_worst(system, summary);
   fmt::print("time            {:.2f} s; {:.2f} ms of one core per frame\n", summary.seconds,
              ms_a_frame(summary));
@@ -170,6 +183,8 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"amines", moving.amines},
                   {"amides", moving.amides},
                   {"loop_units", moving.loop_bodies},
+                  {"pocket", pocket_of(settings, system)},
+                  {"let_go_mean", summary.mean_let_go},
                   {"redrawn", summary.redrawn},
                   {"rescued", summary.rescued},
                   {"failed", summary.failed},

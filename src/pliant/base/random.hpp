@@ -27,6 +27,7 @@ enum class Domain : std::uint64_t {
   walk = 10,         ///< steps of a sampler that walks
   torsion = 11,      ///< torsions, rings and flexible loops of a sampled conformer
   turn = 12,         ///< which domains of a sampled frame turn, and how
+  pocket = 13,       ///< side chains and segments of a place in a sampled frame
 };
 
 /// Where a random number is used: all of its fields together make the draw.

@@ -18,8 +18,8 @@ std::string_view name(Stop stop) {
 }
 
 std::string_view name(DrawnBy drawn_by) {
-  constexpr std::string_view names[drawn_by_count] = {"other", "modes", "wide_modes", "turns",
-                                                      "turns_with_modes"};
+  constexpr std::string_view names[drawn_by_count] = {
+      "other", "modes", "wide_modes", "turns", "turns_with_modes", "pocket"};
   return names[static_cast<std::size_t>(drawn_by)];
 }
 

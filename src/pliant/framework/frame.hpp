@@ -28,11 +28,12 @@ enum class DrawnBy : std::uint8_t {
   wide_modes,        ///< likewise, twice as far
   turns,             ///< domains turned
   turns_with_modes,  ///< domains turned, with a draw of the modes inside them
+  pocket,            ///< a place opened or closed, with a draw of the modes
 };
 
-inline constexpr std::size_t drawn_by_count = 5;
+inline constexpr std::size_t drawn_by_count = 6;
 
-/// "other", "modes", "wide_modes", "turns", "turns_with_modes"
+/// "other", "modes", "wide_modes", "turns", "turns_with_modes", "pocket"
 std::string_view name(DrawnBy drawn_by);
 
 inline constexpr std::int64_t no_joint = -1;

@@ -10,6 +10,7 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/base/threads.hpp"
+#include "pliant/framework/measures/limit_counts.hpp"
 #include "pliant/framework/measures/residual.hpp"
 #include "pliant/sample/conformers/conformer_framework.hpp"
 #include "pliant/sample/frame_maker.hpp"
@@ -54,6 +55,7 @@ class Sampling {
         sampler_(find_sampler(options.sampler).make({framework, plan, start, nodes, options})),
         joint_of_node_(joints_nearest_to(nodes.positions)),
         sums_(start, joint_of_node_),
+        contacts_(framework.limits()),
         now_(start.begin(), start.end()),
         before_(now_) {
     const std::size_t threads = sampler_->is_walk() ? 1 : static_cast<std::size_t>(options.threads);
@@ -181,6 +183,7 @@ class Sampling {
     ++summary_.frames;
     summary_.rescued += made.is_rescued ? 1 : 0;
     summary_.mean_off_target += made.off_target;
+    summary_.mean_let_go += double(contacts_.off(made.limits_off));
     summary_.max_limit = std::max(summary_.max_limit, made.result.max_limit);
     summary_.max_overlap = std::max(summary_.max_overlap, made.result.max_overlap);
     summary_.max_closing = std::max(summary_.max_closing, made.result.max_closing);
@@ -205,6 +208,7 @@ class Sampling {
     const auto frames = double(std::max<std::int64_t>(summary_.frames, 1));
     summary_.mean_off_target /= frames;
     summary_.mean_steps /= frames;
+    summary_.mean_let_go /= frames;
     summary_.amplitude_asked =
         find_sampler(options_.sampler).has_amplitude && sampler_->has_amplitude()
             ? options_.amplitude
@@ -224,6 +228,7 @@ class Sampling {
   std::vector<MadeFrame> made_;
   std::vector<std::size_t> joint_of_node_;
   FluctuationSums sums_;
+  LimitCounter contacts_;
   std::vector<Vec3> now_, before_;  ///< of a walk; else both the start
   SampleSummary summary_;
 };

@@ -88,6 +88,16 @@ const SampleField table[] = {
           "the frames, in whole hundreds.",
       .most = most_frames},
      at<&SampleOptions::near_frames>},
+    {{.name = "around",
+      .group = group,
+      .summary = "open or close the place around these atoms (--sampler pocket): residues of\n"
+                 "proteins that are selected, or else (a ligand) within 6 Angstrom of them",
+      .kind = "SELECTION",
+      .in_python =
+          "Selection of atoms: frames open or close the place around them (sampler ``pocket``):\n"
+          "residues of proteins that are selected, or else (a ligand) within 6 Angstrom of them.",
+      .users = {.page = false}},
+     at<&SampleOptions::around>},
     {{.name = "contact_energy",
       .group = group,
       .summary = "of --sampler dilute, kcal/mol: it turns a contact of energy E off\n"
@@ -145,10 +155,13 @@ std::vector<NamedParameter> renewed(std::vector<NamedParameter> parameters) {
       if (double* number = std::get_if<double>(&value)) *number /= field.former.divisor;
     }
   }
-  // Files of 0.3.0 know no sampler that asks for it.
-  const auto is_near = [](const auto& row) { return row.first == "sample/near_frames"; };
-  if (std::none_of(parameters.begin(), parameters.end(), is_near))
-    parameters.emplace_back("sample/near_frames", std::int64_t{0});
+  // Files of 0.3.0 know no sampler that asks for these.
+  const NamedParameter added[] = {{"sample/near_frames", std::int64_t{0}},
+                                  {"sample/around", std::string()}};
+  for (const NamedParameter& one : added)
+    if (std::none_of(parameters.begin(), parameters.end(),
+                     [&](const auto& row) { return row.first == one.first; }))
+      parameters.push_back(one);
   return parameters;
 }
 

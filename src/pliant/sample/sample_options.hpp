@@ -6,6 +6,7 @@
 #include <functional>
 #include <limits>
 #include <string>
+#include <vector>
 
 #include "pliant/base/log.hpp"
 
@@ -29,6 +30,9 @@ struct SampleOptions {
   /// For `reach`: frames below this number are those of `modes`. 0: half of the frames, in whole
   /// blocks of 100 (see near_frames_of()).
   std::int64_t near_frames = 0;
+  /// Selection of atoms, for `pocket`: frames open or close the place around them; "": everywhere.
+  std::string around;
+  std::vector<std::uint32_t> around_joints;  ///< what `around` selects, ascending
   /// kcal/mol, for `dilute`: a contact of energy E is off with probability exp(-|E| / this).
   double contact_energy = 3.0;
   /// Called between batches of frames, which take up to about a second; true ends the sample.

@@ -28,6 +28,7 @@ struct SampleSummary {
   double max_overlap = 0.0;        ///< largest overlap of two joints (Angstrom)
   double max_closing = 0.0;        ///< largest move of a joint by the last steps that close loops
   double mean_off_target = 0.0;    ///< r.m.s. distance of joints from their targets
+  double mean_let_go = 0.0;        ///< contacts that are off in a frame
   double mean_steps = 0.0;         ///< steps in torsion space a frame
   std::vector<double> rmsf;        ///< (N) r.m.s. fluctuation of each joint about its mean, frames
                                    ///< superposed: whole turns and shifts are no fluctuation

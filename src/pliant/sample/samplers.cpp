@@ -13,6 +13,7 @@
 #include "pliant/sample/conformers/small_sterics.hpp"
 #include "pliant/sample/conformers/torsion_moves.hpp"
 #include "pliant/sample/modes_sampler.hpp"
+#include "pliant/sample/pocket_sampler.hpp"
 #include "pliant/sample/reach_sampler.hpp"
 #include "pliant/sample/sample_options.hpp"
 #include "pliant/sample/turns_sampler.hpp"
@@ -164,6 +165,8 @@ constexpr SamplerEntry table[] = {
     {"turns", "domains turned as wholes about the links that join them", make<TurnsSampler>},
     {"reach", "modes for the first half of the frames, then wide modes, and turns",
      make<ReachSampler>},
+    {"pocket", "side chains, segments and domains about one place (--around) opened or closed",
+     make<PocketSampler>},
     {"walk", "a random walk of residues with momentum (plain FRODA)", make<WalkSampler>},
     {"torsions", "conformers of small molecules: torsions, forms of rings, large rings closed",
      make<TorsionsSampler>, false}};

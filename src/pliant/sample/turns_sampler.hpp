@@ -32,9 +32,6 @@ class TurnsSampler final : public Sampler {
                 FrameRequest& request) const;
 
  private:
-  double length_of(const Course& course) const;
-  void let_go(FrameRequest& request) const;
-
   const Framework& framework_;
   std::span<const Vec3> start_;
   const NetworkNodes& nodes_;

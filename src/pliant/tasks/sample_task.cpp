@@ -6,7 +6,9 @@
 
 #include "pliant/base/error.hpp"
 #include "pliant/model/atoms/residue_nodes.hpp"
+#include "pliant/molecule/selection.hpp"
 #include "pliant/sample/conformers/conformer_framework.hpp"
+#include "pliant/sample/pocket/pocket.hpp"
 #include "pliant/sample/sample_fields.hpp"
 #include "pliant/sample/samplers.hpp"
 
@@ -29,9 +31,20 @@ bool is_modes_alone(const SampleOptions& options) {
   return options.near_frames >= options.first_frame + options.frames;
 }
 
+/// What `around` selects. Throws OptionError if that is no place in a protein.
+void find_place(const SampleSubject& subject, std::string_view dashes, SampleOptions& options) {
+  const std::string name = std::string(dashes) + "around";
+  options.around_joints = select_joints(subject.framework, options.around, name);
+  if (options.around.empty()) return;
+  if (options.sampler != "pocket")
+    throw OptionError(name + ": goes with sampler pocket, not with " + options.sampler);
+  pocket_around(subject.framework, subject.start, options.around_joints);
+}
+
 void choose_sampler(const SampleSubject& subject, SampleOptions& options) {
   const bool is_open = options.sampler == automatic_sampler;
-  if (is_open) options.sampler = usual_sampler(subject);
+  if (is_open)
+    options.sampler = options.around.empty() ? usual_sampler(subject) : std::string_view("pocket");
   const bool reaches = options.sampler == "reach";
   if (options.frames == open_frames)
     options.frames = reaches ? 2 * usual_near_frames : SampleOptions{}.frames;
@@ -55,6 +68,7 @@ SampleOptions completed(const SampleSubject& subject, const SampleAsked& asked) 
   SampleOptions options = asked.options;
   if (asked.amplitude) options.amplitude = asked.amplitude->value;
   choose_sampler(subject, options);
+  find_place(subject, asked.dashes, options);
   if (asked.amplitude && !find_sampler(options.sampler).has_amplitude)
     throw OptionError(std::string(asked.dashes) + "amplitude: sampler " + options.sampler +
                       " has none: how far torsions turn is drawn");
@@ -80,6 +94,7 @@ SampleTask::SampleTask(SampleSubject subject, const SampleAsked& asked)
 SampleTask::SampleTask(SampleSubject subject, const SampleOptions& recorded)
     : subject_(std::move(subject)), options_(recorded) {
   check(options_);
+  find_place(subject_, "", options_);
 }
 
 const Framework& SampleTask::framework() const {

@@ -97,7 +97,8 @@ TEST(RecordedSample, ATemperatureOfVersion030IsAnEnergyInKcal) {
       renewed({{"sample/seed", std::string("5")}, {"sample/temperature", 12.552}});
   EXPECT_EQ(read, (std::vector<NamedParameter>{{"sample/seed", std::string("5")},
                                                {"sample/contact_energy", 3.0},
-                                               {"sample/near_frames", std::int64_t{0}}}));
+                                               {"sample/near_frames", std::int64_t{0}},
+                                               {"sample/around", std::string()}}));
 }
 
 TEST(RecordedSample, FramesOfOtherBitsAreNotAddedTo) {

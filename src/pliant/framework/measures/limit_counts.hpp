@@ -66,6 +66,14 @@ class LimitCounter {
             std::ranges::count(found_, ContactState::off)};
   }
 
+  /// Number of contacts of which a limit is switched off.
+  std::int64_t off(LimitsOff off) {
+    found_.assign(things_, ContactState::held);
+    for (LimitIndex k = 0; k < limits_.size(); ++k)
+      if (is_off(off, k)) found_[thing_[k]] = ContactState::off;
+    return std::ranges::count(found_, ContactState::off);
+  }
+
   /// (size()) the state of each contact at the last count(), in the order of their first limits.
   std::span<const ContactState> states() const { return found_; }
 

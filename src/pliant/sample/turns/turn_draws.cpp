@@ -40,10 +40,6 @@ constexpr Pieces frames[] = {{0.6, 1}, {0.3, 2}, {0.1, 0}};
 
 // Angstrom, between alpha carbons
 constexpr double pivot_noise = 1.5;
-constexpr double widest_gap = 6.0;     // of a link: the torsions beside it can close that
-constexpr double near_distance = 4.0;  // of nodes that are no neighbours
-/// So many pairs, and as many for a hundred nodes, may come too near: they are pushed apart.
-constexpr double most_new_pairs = 2.0, most_new_pairs_a_node = 0.01;
 
 constexpr double largest_angle = 150.0 / 180.0 * std::numbers::pi;
 constexpr double share_along_line = 0.5;  // of turns about the line through the links
@@ -124,12 +120,11 @@ const TurnWay& way_of(const Hinge& hinge, RandomSequence& draws) {
 }  // namespace
 
 TurnDraws::TurnDraws(const NetworkNodes& nodes, NetworkModes modes)
-    : nodes_(nodes), modes_(std::move(modes)) {
+    : nodes_(nodes), modes_(std::move(modes)), limits_(nodes) {
   for (PieceTree& tree : find_pieces(nodes, modes_)) {
     std::vector<Hinge> hinges = hinges_of(nodes, tree, modes_);
     trees_.push_back({std::move(tree), std::move(hinges)});
   }
-  near_at_start_ = pairs_within(near_distance, nodes, nodes.positions);
 }
 
 DrawnTurns TurnDraws::draw(RandomSequence& draws) const {
@@ -188,7 +183,7 @@ bool TurnDraws::add_turn(const Hinge& hinge, double scale, RandomSequence& draws
     const std::vector<Vec3> at = moved(drawn);
     const PieceTurn turn = drawn.turns.back();
     drawn.turns.pop_back();
-    if (!is_possible(at)) continue;
+    if (!limits_.allow(at)) continue;
     ++found;
     const double score =
         way.best_of > 1 ? way.contacts * double(pairs_within(contact_distance, nodes_, at)) : 0.0;
@@ -204,7 +199,7 @@ bool TurnDraws::add_turn(const Hinge& hinge, double scale, RandomSequence& draws
 DrawnTurns TurnDraws::draw_along_modes(double scale, RandomSequence& draws) const {
   for (int k = 0; k < most_draws; ++k) {
     DrawnTurns drawn = turns_in_modes(scale, draws);
-    if (!drawn.turns.empty() && is_possible(moved(drawn))) return drawn;
+    if (!drawn.turns.empty() && limits_.allow(moved(drawn))) return drawn;
   }
   return {};
 }
@@ -240,21 +235,7 @@ DrawnTurns TurnDraws::turns_in_modes(double scale, RandomSequence& draws) const 
 }
 
 std::vector<Vec3> TurnDraws::moved(const DrawnTurns& drawn) const {
-  TurnCourse course(nodes_, *drawn.tree);
-  const auto motions = course.motions(drawn.turns, 1.0);
-  std::vector<Vec3> out;
-  for (std::size_t i = 0; i < motions.size(); ++i) out.push_back(motions[i](nodes_.positions[i]));
-  return out;
-}
-
-bool TurnDraws::is_possible(std::span<const Vec3> moved) const {
-  for (std::size_t i = 0; i + 1 < moved.size(); ++i) {
-    if (nodes_.chain[i] != nodes_.chain[i + 1]) continue;
-    const double before = distance(nodes_.positions[i], nodes_.positions[i + 1]);
-    if (std::abs(distance(moved[i], moved[i + 1]) - before) > widest_gap) return false;
-  }
-  const double most = most_new_pairs + most_new_pairs_a_node * double(moved.size());
-  return double(pairs_within(near_distance, nodes_, moved)) <= double(near_at_start_) + most;
+  return moved_nodes(nodes_, *drawn.tree, drawn.turns);
 }
 
 }  // namespace pliant

@@ -12,6 +12,7 @@
 #include "pliant/sample/turns/hinges.hpp"
 #include "pliant/sample/turns/pieces.hpp"
 #include "pliant/sample/turns/turn_course.hpp"
+#include "pliant/sample/turns/turn_limits.hpp"
 
 namespace pliant {
 
@@ -52,13 +53,12 @@ class TurnDraws {
   bool add_turn(const Hinge& hinge, double scale, RandomSequence& draws, DrawnTurns& drawn) const;
   DrawnTurns draw_along_modes(double scale, RandomSequence& draws) const;
   DrawnTurns turns_in_modes(double scale, RandomSequence& draws) const;
-  bool is_possible(std::span<const Vec3> moved) const;
   std::vector<Vec3> moved(const DrawnTurns& drawn) const;
 
   const NetworkNodes& nodes_;
   NetworkModes modes_;
   std::vector<Tree> trees_;
-  std::size_t near_at_start_ = 0;
+  TurnLimits limits_;
 };
 
 }  // namespace pliant

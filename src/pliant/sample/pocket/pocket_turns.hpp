@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+// Turns of pieces beside a place: segments of a chain that touch it, and domains that it lies
+// between.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "pliant/base/random.hpp"
+#include "pliant/sample/turns/turn_draws.hpp"
+#include "pliant/sample/turns/turn_limits.hpp"
+
+namespace pliant {
+
+/// The turns of one frame; tree is null if there are none.
+struct PocketTurned {
+  std::shared_ptr<const PieceTree> tree;
+  std::vector<PieceTurn> turns;
+};
+
+class PocketTurns {
+ public:
+  /// `nodes` must outlive it. `in_place` (M): which nodes are in the place.
+  PocketTurns(const NetworkNodes& nodes, const NetworkModes& modes, std::vector<bool> in_place);
+
+  /// Draws turns, by angles smaller by the factor `scale`. Several threads may call it at once.
+  PocketTurned draw(RandomSequence& draws, double scale) const;
+
+ private:
+  struct Segment {
+    std::size_t first = 0, last = 0;  ///< nodes [first, last)
+  };
+
+  PocketTurned draw_domains(RandomSequence& draws, double scale) const;
+  PocketTurned draw_segments(RandomSequence& draws, double scale) const;
+  std::optional<Segment> draw_segment(RandomSequence& draws) const;
+  bool add_turn(const Segment& segment, double scale, RandomSequence& draws,
+                PocketTurned& out) const;
+  PieceTurn turn_of(const Segment& segment, double scale, RandomSequence& draws) const;
+  bool parts_place(const DrawnTurns& drawn) const;
+  bool is_in_chain(std::size_t node, std::size_t of) const;
+
+  const NetworkNodes& nodes_;
+  TurnDraws domains_;
+  TurnLimits limits_;
+  std::vector<bool> in_place_;
+  std::vector<std::size_t> place_;  ///< its nodes that are in chains of several
+};
+
+}  // namespace pliant

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "pliant/sample/pocket_sampler.hpp"
+
+#include <utility>
+
+#include "pliant/base/random.hpp"
+#include "pliant/sample/network/network_modes.hpp"
+#include "pliant/sample/sample_options.hpp"
+#include "pliant/sample/turns/course_measures.hpp"
+
+namespace pliant {
+namespace {
+
+constexpr int attempts_at_half = 2;     // after so many attempts in vain moves are half as large
+constexpr int attempts_at_pocket = 12;  // after so many only the modes move
+
+/// (M) which nodes have joints of a place.
+std::vector<bool> nodes_in(const Pocket& place, const std::vector<std::uint32_t>& of_joint,
+                           std::size_t count) {
+  std::vector<bool> in_place(count, false);
+  for (std::size_t k = 0; k < of_joint.size(); ++k)
+    if (place.has_joint[k]) in_place[of_joint[k]] = true;
+  return in_place;
+}
+
+}  // namespace
+
+PocketSampler::PocketSampler(const SamplerSetting& setting)
+    : PocketSampler(setting, network_modes(setting.nodes, setting.options.network)) {}
+
+PocketSampler::PocketSampler(const SamplerSetting& setting, const NetworkModes& modes)
+    : framework_(setting.framework),
+      start_(setting.start),
+      nodes_(setting.nodes),
+      of_joint_(nodes_of_joints(setting.nodes, setting.start)),
+      place_(pocket_around(framework_, start_, setting.options.around_joints)),
+      turns_(nodes_, modes, nodes_in(place_, of_joint_, nodes_.positions.size())),
+      side_chains_(framework_, setting.plan, start_, place_),
+      modes_(setting, modes),
+      seed_(setting.options.seed) {}
+
+void PocketSampler::ask(std::int64_t frame, int, int attempt, std::span<const Vec3>,
+                        std::span<const Vec3>, FrameRequest& request) const {
+  RandomSequence draws({seed_, Domain::pocket, static_cast<std::uint64_t>(attempt),
+                        static_cast<std::uint64_t>(frame), 0});
+  std::vector<Vec3> moves(start_.size());
+  modes_.displace(frame, attempt, moves);
+  request.from.assign(start_.begin(), start_.end());
+  request.course = {};
+  request.drawn_by = DrawnBy::pocket;
+  PocketTurned turned;
+  if (attempt < attempts_at_pocket) {
+    const double scale = double(attempts_at_half) / double(attempts_at_half + attempt);
+    side_chains_.redraw(draws, scale * draws.uniform(), request.from);
+    turned = turns_.draw(draws, scale);
+  }
+  turn(turned, moves, request);
+}
+
+/// The way from where side chains were redrawn.
+void PocketSampler::turn(const PocketTurned& turned, const std::vector<Vec3>& moves,
+                         FrameRequest& request) const {
+  request.targets = request.from;
+  std::vector<Vec3> without_modes = request.from;
+  if (turned.tree == nullptr) {
+    for (std::size_t k = 0; k < moves.size(); ++k) request.targets[k] += moves[k];
+    return let_go(without_modes, request);
+  }
+  request.course.at = [this, turned, course = TurnCourse(nodes_, *turned.tree), moves,
+                       from = request.from](double share, std::span<Vec3> out) mutable {
+    const auto motions = course.motions(turned.turns, share);
+    for (std::size_t k = 0; k < out.size(); ++k)
+      out[k] = motions[of_joint_[k]](from[k] + share * moves[k]);
+  };
+  request.course.length = length_of(request.course, request.from);
+  request.course.at(1.0, request.targets);
+  TurnCourse course(nodes_, *turned.tree);
+  const auto motions = course.motions(turned.turns, 1.0);
+  for (std::size_t k = 0; k < without_modes.size(); ++k)
+    without_modes[k] = motions[of_joint_[k]](request.from[k]);
+  let_go(without_modes, request);
+}
+
+/// What redrawn side chains and turns would tear; of the place what the modes would tear, too.
+void PocketSampler::let_go(std::span<const Vec3> without_modes, FrameRequest& request) const {
+  request.limits_off = torn_limits(framework_, without_modes);
+  const std::vector<std::uint8_t> torn = torn_limits(framework_, request.targets);
+  const auto limits = framework_.limits();
+  for (std::size_t k = 0; k < torn.size(); ++k)
+    if (place_.has_joint[limits[k].a] || place_.has_joint[limits[k].b])
+      request.limits_off[k] |= torn[k];
+}
+
+}  // namespace pliant
