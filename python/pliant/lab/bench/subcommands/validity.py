@@ -31,8 +31,8 @@ def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
     add = parser.add_argument
     text = (
-        "groups: ubiquitin, hiv, adk_md, adk_closed, adk_open, pairs, crystals, clashes, cost "
-        "(default: all)"
+        "groups: ubiquitin, hiv, adk_md, adk_closed, adk_open, pairs, crystals, turns, clashes, "
+        "cost (default: all)"
     )
     add("--rows", metavar="NAME,...", type=console.words, default=(), help=text)
     text = "look for files in this folder and its subfolders first, then in packages"
