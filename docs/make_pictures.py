@@ -44,7 +44,7 @@ def make(folder: Path) -> None:
     run(folder, "compare", "ubiquitin.h5md", "2k39.pdb")
     draw_dilution(folder)
     adk = importlib.resources.files("MDAnalysisTests") / "data" / "adk_open.pdb"
-    run(folder, "sample", str(adk), "--sampler", "reach", "--frames", "400", "-o", "adk.h5md")
+    run(folder, "sample", str(adk), "-o", "adk.h5md")
     run(folder, "analyse", "adk.h5md", "-o", "adk", "--dpi", str(DPI))
 
 

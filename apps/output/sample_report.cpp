@@ -75,9 +75,18 @@ void print_conformations(const Conformations& found) {
 }
 
 void print_amplitude(const SampleSettings& settings, const SampleSummary& summary) {
-  fmt::print("amplitude       asked {:.2f} A, reached {:.2f} A: an input, not a prediction\n",
-             summary.amplitude_asked, summary.amplitude_reached);
-  fmt::print("                asked: {}\n", printable_name(settings.chosen_amplitude.reason));
+  if (summary.near_frames < summary.frames)
+    fmt::print("                {} around the structure, as amplitude and RMSF are; {} go further\n",
+               summary.near_frames, summary.frames - summary.near_frames);
+  if (summary.near_frames == 0) return;
+  if (summary.amplitude_asked > 0.0) {
+    fmt::print("amplitude       asked {:.2f} A, reached {:.2f} A: an input, not a prediction\n",
+               summary.amplitude_asked, summary.amplitude_reached);
+    fmt::print("                asked: {}\n", printable_name(settings.chosen_amplitude.reason));
+  } else {
+    fmt::print("amplitude       {:.2f} A: how far domains turn is drawn\n",
+               summary.amplitude_reached);
+  }
   fmt::print("                frames show what can move; how often they occur is not claimed\n");
 }
 
@@ -118,7 +127,8 @@ void print_table(const SampleSettings& settings, const SampledSystem& system,
              settings.go_on.empty() ? "" : " added", settings.sample.sampler, network,
              settings.sample.seed);
   conformations ? print_conformations(*conformations) : print_amplitude(settings, summary);
-  fmt::print("RMSF            {:.2f} A over atoms, superposed; {:.2f} A between halves of frames\n",
+  if (summary.near_frames > 0)
+    fmt::print("RMSF            {:.2f} A over atoms, superposed; {:.2f} A between halves of frames\n",
              mean_of(summary.rmsf), mean_of(summary.rmsf_error));
   fmt::print("drawn again     {} frames; {} more needed a second attempt\n", summary.redrawn,
              std::max<std::int64_t>(0, summary.rescued - summary.redrawn));
@@ -146,6 +156,7 @@ void print_json_of(const SampleSettings& settings, const SampledSystem& system,
                   {"sampler", settings.sample.sampler},
                   {"network", settings.sample.network},
                   {"frames", summary.frames},
+                  {"near_frames", summary.near_frames},
                   {"amplitude_asked", summary.amplitude_asked},
                   {"amplitude_reached", summary.amplitude_reached},
                   {"amplitude_is_input", true},

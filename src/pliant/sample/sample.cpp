@@ -188,7 +188,9 @@ class Sampling {
       summary_.max_residual = made.max_residual;
       summary_.worst_bar = made.worst_bar;
     }
-    if (is_near(number)) sums_.add(made.positions, number - options_.first_frame >= near() / 2);
+    if (!is_near(number)) return;
+    ++summary_.near_frames;
+    sums_.add(made.positions, number - options_.first_frame >= near() / 2);
   }
 
   /// Fluctuations are those of frames around the start: of `reach` its near ones.
@@ -204,7 +206,9 @@ class Sampling {
     summary_.mean_off_target /= frames;
     summary_.mean_steps /= frames;
     summary_.amplitude_asked =
-        find_sampler(options_.sampler).has_amplitude ? options_.amplitude : 0.0;
+        find_sampler(options_.sampler).has_amplitude && sampler_->has_amplitude()
+            ? options_.amplitude
+            : 0.0;
     summary_.rmsf = sums_.rmsf();
     summary_.rmsf_error = sums_.error();
     for (std::size_t joint : joint_of_node_)

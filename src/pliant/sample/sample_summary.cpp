@@ -22,7 +22,7 @@ std::string two_digits(double value) {
 }  // namespace
 
 void warn_of_amplitude(const SampleSummary& summary, const Log& log) {
-  if (summary.frames < 2 || !(summary.amplitude_reached < least_reached * summary.amplitude_asked))
+  if (summary.near_frames < 2 || !(summary.amplitude_reached < least_reached * summary.amplitude_asked))
     return;
   log.warn("frames reach an amplitude of " + two_digits(summary.amplitude_reached) + " of the " +
            two_digits(summary.amplitude_asked) +

@@ -33,6 +33,8 @@ class Sampler {
   virtual ~Sampler() = default;
   /// Whether a frame begins at the one before, not at the start.
   virtual bool is_walk() const { return false; }
+  /// Whether the amplitude says how far frames go.
+  virtual bool has_amplitude() const { return true; }
   /// Number of steps from the beginning of a frame to its end, each requested and resolved.
   virtual int steps_a_frame() const { return 1; }
   /// Fills `request` for step `step` of a frame. `attempt` is the number of failed attempts at it.

@@ -19,6 +19,8 @@ class TurnsSampler final : public Sampler {
   explicit TurnsSampler(const SamplerSetting& setting);
   TurnsSampler(const SamplerSetting& setting, const NetworkModes& modes);
 
+  bool has_amplitude() const override { return modes_ != nullptr; }
+
   /// Whether there are domains that can turn.
   bool empty() const { return draws_.empty(); }
 

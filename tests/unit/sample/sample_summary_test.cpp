@@ -41,6 +41,7 @@ TEST(SampleSummary, WarnsOfLessThanHalfOfTheAmplitude) {
   log.function = [&](Severity, std::string_view text) { said = text; };
   SampleSummary summary;
   summary.frames = 10;
+  summary.near_frames = summary.frames;
   summary.amplitude_asked = 1.4;
   summary.amplitude_reached = 0.71;
   warn_of_amplitude(summary, log);

@@ -43,6 +43,46 @@ TEST(SampleTask, ChoosesTheSampler) {
   EXPECT_EQ(&torsions.framework(), torsions.conformers());
 }
 
+/// Options of a molecule that counts so many residues.
+SampleOptions chosen(std::size_t residues, const SampleAsked& given) {
+  const MolecularModel peptide = test::model_of("cyclic_hexapeptide.pdb");
+  SampleSubject subject = subject_of(peptide);
+  subject.nodes.positions.resize(residues);
+  return SampleTask(subject, given).options();
+}
+
+TEST(SampleTask, ProteinsAreReachedWithTwiceAsManyFrames) {
+  SampleAsked open = asked("auto", open_frames);
+  EXPECT_EQ(chosen(100, open).sampler, "modes");
+  EXPECT_EQ(chosen(100, open).frames, 200);
+  const SampleOptions far = chosen(101, open);
+  EXPECT_EQ(far.sampler, "reach");
+  EXPECT_EQ(far.frames, 400);
+  EXPECT_EQ(far.near_frames, 200);
+  EXPECT_EQ(chosen(101, asked("auto", 100)).sampler, "modes") << "all 100 are near";
+  EXPECT_EQ(chosen(101, asked("auto", 101)).sampler, "reach");
+}
+
+// Pieces of an ensemble have frames of one kind, if they say so.
+TEST(SampleTask, FramesThatAreAllNearAreThoseOfModes) {
+  SampleAsked piece = asked("auto", 50);
+  piece.options.first_frame = 150;
+  EXPECT_EQ(test::error_text<OptionError>([&] { chosen(101, piece); }),
+            "sampler reach: frames that begin at 150 are a piece of an ensemble; give each piece the "
+            "same number of near frames");
+  piece.options.near_frames = 200;
+  EXPECT_EQ(chosen(101, piece).sampler, "modes");
+  piece.options.near_frames = 160;
+  EXPECT_EQ(chosen(101, piece).sampler, "reach");
+  std::string said;
+  piece = asked("reach", 100);
+  piece.options.log.function = [&](Severity, std::string_view text) { said = text; };
+  EXPECT_EQ(chosen(101, piece).sampler, "modes");
+  EXPECT_EQ(said,
+            "sampler reach: all frames are those of sampler modes; it turns domains in those from "
+            "number 100 on");
+}
+
 TEST(SampleTask, FramesAreThoseOfSample) {
   const MolecularModel butane = test::model_of("butane.sdf");
   const SampleTask task(subject_of(butane), asked("torsions"));

@@ -44,7 +44,7 @@ def cost_of(path: str | os.PathLike[str], frames: int) -> Cost:
     """Of ``pliant sample`` on one thread. Raises FileError with what it said if it fails."""
     with tempfile.TemporaryDirectory() as folder:
         words = [command_path(), "sample", os.fspath(path), "-o", os.path.join(folder, "x.h5md")]
-        words += ["--frames", str(frames), "--threads", "1", "--sampler", "modes", "--quiet"]
+        words += ["--frames", str(frames), "--sampler", "modes", "--threads", "1", "--quiet"]
         done = subprocess.run(
             [sys.executable, "-c", STARTER, *words], capture_output=True, text=True, check=True
         )
