@@ -89,7 +89,8 @@ def _chosen_of_ours(
 ) -> np.ndarray:
     """Among those around the start: others show what else it could be, not how flexible it is."""
     near = recording.around_start
-    return near[_chosen(len(near), frames, len(atoms), recording.path)]
+    chosen: np.ndarray = near[_chosen(len(near), frames, len(atoms), recording.path)]
+    return chosen
 
 
 def _read_ours(recording: Recording, atoms: AtomGroup, frames: int | str) -> np.ndarray:

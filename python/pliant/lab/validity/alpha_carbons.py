@@ -51,6 +51,19 @@ def amino_part(structure: Structure) -> Structure:
     return _atoms_of(structure, kept)
 
 
+def chain_part(structure: Structure, chain: str) -> Structure:
+    """A copy of one chain; the structure itself where none is named.
+
+    Raises InputError where there is no such chain.
+    """
+    if not chain:
+        return structure
+    kept = np.flatnonzero(np.asarray(structure.chains) == chain)
+    if len(kept) == 0:
+        raise InputError(f"{structure.source}: no chain is named '{chain}'")
+    return _atoms_of(structure, kept)
+
+
 def _atoms_of(structure: Structure, kept: np.ndarray) -> Structure:
     part = Structure(
         structure.positions[kept],

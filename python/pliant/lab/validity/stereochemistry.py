@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """What must not change in a frame, measured anew by NumPy and SciPy: nothing of the library's.
 
-Bars, least distances (the table of the page on models), chirality, omega, and the share of
-residues outside the Ramachandran contour that holds 99 % of well-ordered residues (S. C. Lovell et
-al., Proteins 50 (2003) 437, as MDAnalysis has it).
+Bars, least distances (the table of the page on models), chirality, omega, and the shares of
+residues outside the Ramachandran contour that holds 99 % of well-ordered residues, and of side
+chains outside that of chi1 and chi2 (Janin plot) that holds 98 % (S. C. Lovell et al., Proteins 50
+(2003) 437, as MDAnalysis has them).
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 import numpy as np
-from MDAnalysis.analysis.data.filenames import Rama_ref
+from MDAnalysis.analysis.data.filenames import Janin_ref, Rama_ref
 from scipy.ndimage import map_coordinates
 from scipy.spatial import cKDTree
 
@@ -41,6 +42,8 @@ ALLOWED_TURN = 5.0  #: degrees of omega
 LEAST_VOLUME = 0.5  #: of three bonds, Angstrom^3: what is flatter is no chiral centre
 OUTLIER_LEVEL = 1.0  #: of MDAnalysis' density: outside are 1 % of residues
 GRID = 4.0  #: degrees of that density, from -180
+CHI_GRID = 6.0  #: of that of chi1 and chi2, from 0
+GAMMA, DELTA = ("CG", "CG1"), ("CD", "CD1", "OD1", "ND1", "SD")
 
 
 @dataclass
@@ -60,6 +63,8 @@ class Stereochemistry:
     clashes: float = 0.0  #: of 1000 heavy atoms (``HeavyClashes``), mean over frames
     clashes_of_start: float = 0.0
     outliers_of_frames: list[float] = field(default_factory=list)
+    rotamers: float = 0.0  #: share of side chains with unusual chi1 and chi2, mean over frames
+    rotamers_of_start: float = 0.0
 
 
 class Checker:
@@ -78,6 +83,7 @@ class Checker:
         links = _links(structure, neighbours)
         self._omega = _omegas(links)
         self._phi_psi = _phi_psi(structure, links)
+        self._chi = _chis(structure)
 
     def look(self, frames: np.ndarray) -> Stereochemistry:
         """Frames (F, N, 3) Angstrom of the atoms of the model."""
@@ -88,6 +94,8 @@ class Checker:
             self._look_at(np.asarray(frame, dtype=float), found)
         found.outliers = float(np.mean(found.outliers_of_frames)) if len(frames) else 0.0
         found.clashes /= max(len(frames), 1)
+        found.rotamers_of_start = self._unusual_chis(self._start)
+        found.rotamers /= max(len(frames), 1)
         return found
 
     def _look_at(self, frame: np.ndarray, found: Stereochemistry) -> None:
@@ -102,14 +110,19 @@ class Checker:
         found.turned += int((turn > ALLOWED_TURN).sum())
         found.worst_turn = max(found.worst_turn, float(turn.max(initial=0.0)))
         found.outliers_of_frames.append(self._outliers(frame))
+        found.rotamers += self._unusual_chis(frame)
 
     def _outliers(self, positions: np.ndarray) -> float:
         if len(self._phi_psi) == 0:
             return 0.0
         phi, psi = (dihedrals(positions, self._phi_psi[:, k : k + 4]) for k in (0, 1))
-        places = [(psi + 180.0) / GRID, (phi + 180.0) / GRID]
-        density = map_coordinates(np.load(Rama_ref), places, order=1, mode="grid-wrap")
-        return float((density < OUTLIER_LEVEL).mean())
+        return _outside(Rama_ref, (psi + 180.0) / GRID, (phi + 180.0) / GRID)
+
+    def _unusual_chis(self, positions: np.ndarray) -> float:
+        if len(self._chi) == 0:
+            return 0.0
+        chi1, chi2 = (dihedrals(positions, self._chi[:, k : k + 4]) for k in (0, 1))
+        return _outside(Janin_ref, chi2 / CHI_GRID, chi1 / CHI_GRID)
 
 
 class _Nearness:
@@ -214,6 +227,27 @@ def _phi_psi(structure: Structure, links: list[tuple[int, ...]]) -> np.ndarray:
         if ca in before and str(structure.residue_names[ca]) not in ("GLY", "PRO"):
             rows.append([*before[ca], ca, c, n])
     return np.array(rows, dtype=np.int64).reshape(-1, 5)
+
+
+def _chis(structure: Structure) -> np.ndarray:
+    """Rows N, CA, CB, gamma, delta of side chains that have chi2, but not of proline."""
+    found: dict[int, dict[str, int]] = {}
+    for atom, name in enumerate(structure.names):
+        if str(structure.residue_names[atom]) != "PRO":
+            found.setdefault(int(structure.residue_of[atom]), {})[str(name)] = atom
+    rows = []
+    for atoms in found.values():
+        ends = [next((n for n in names if n in atoms), "") for names in (GAMMA, DELTA)]
+        row = [atoms.get(name) for name in ("N", "CA", "CB", *ends)]
+        if None not in row:
+            rows.append(row)
+    return np.array(rows, dtype=np.int64).reshape(-1, 5)
+
+
+def _outside(reference: str, *places: np.ndarray) -> float:
+    """Share of places on the grid of a density, which is periodic, outside its lowest contour."""
+    density = map_coordinates(np.load(reference), places, order=1, mode="grid-wrap")
+    return float((density < OUTLIER_LEVEL).mean())
 
 
 def dihedrals(positions: np.ndarray, rows: np.ndarray) -> np.ndarray:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 import numpy as np
 
 import pliant
-from pliant.lab.validity.alpha_carbons import Trace, amino_part, heavy_part, trace_of
+from pliant.lab.validity.alpha_carbons import Trace, amino_part, chain_part, heavy_part, trace_of
 from pliant.lab.validity.peers import Network, drawn_frames, network_of
 from pliant.lab.validity.references import read_quietly
 from pliant.lab.validity.stereochemistry import Checker, Stereochemistry
@@ -33,12 +33,20 @@ class Drawn:
 
 
 class Subject:
-    """The residues of a file that are amino acids. Nothing is random but by its seed."""
+    """The residues of a file, or of one chain, that are amino acids.
+
+    Nothing is random but by its seed.
+    """
 
     def __init__(
-        self, path: str | os.PathLike[str], frames: int, *, polar_hydrogens: bool = False
+        self,
+        path: str | os.PathLike[str],
+        frames: int,
+        *,
+        polar_hydrogens: bool = False,
+        chain: str = "",
     ) -> None:
-        part = amino_part(read_quietly(path))
+        part = chain_part(amino_part(read_quietly(path)), chain)
         with warnings.catch_warnings():
             warnings.simplefilter("ignore", pliant.PliantWarning)  # of chain breaks
             self.model = pliant.build_model(heavy_part(part) if polar_hydrogens else part)
@@ -47,22 +55,22 @@ class Subject:
         self.checker = Checker(self.model)
         self.looks: list[Stereochemistry] = []
         self._frames = frames
-        self._drawn: dict[tuple[int, float], Drawn] = {}
+        self._drawn: dict[tuple[int, float, str], Drawn] = {}
         self._networks: dict[str, Network] = {}
 
-    def ensemble(self, seed: int = 0, amplitude: float = AMPLITUDE) -> Drawn:
+    def ensemble(
+        self, seed: int = 0, amplitude: float = AMPLITUDE, sampler: str = "modes"
+    ) -> Drawn:
         """As many frames as asked for, made once, on one thread."""
-        key = (seed, amplitude)
+        key = (seed, amplitude, sampler)
         if key not in self._drawn:
-            self._drawn[key] = self._draw(seed, amplitude)
+            self._drawn[key] = self._draw(seed, amplitude, sampler)
             self.looks.append(self._drawn[key].look)
         return self._drawn[key]
 
-    def _draw(self, seed: int, amplitude: float) -> Drawn:
+    def _draw(self, seed: int, amplitude: float, sampler: str) -> Drawn:
         began = time.process_time()
-        found = pliant.sample(
-            self.model, self._frames, amplitude=amplitude, seed=seed, sampler="modes"
-        )
+        found = self._sample(self._frames, sampler, amplitude, seed)
         seconds = time.process_time() - began
         return Drawn(
             np.array(found.positions[:, self.trace.atoms]),
@@ -71,6 +79,14 @@ class Subject:
             found.failed,
             float(found.rmsf[self.trace.atoms].mean()),
             self.checker.look(found.positions),
+        )
+
+    def _sample(
+        self, frames: int, sampler: str, amplitude: float = AMPLITUDE, seed: int = 0
+    ) -> pliant.SampledEnsemble:
+        near = max(frames // 2, 1) if sampler == "reach" else 0
+        return pliant.sample(
+            self.model, frames, sampler=sampler, near_frames=near, amplitude=amplitude, seed=seed
         )
 
     def network(self, name: str) -> Network:
@@ -90,12 +106,13 @@ class Subject:
         )
         return self.checker.look(frames)
 
-    def seconds_a_frame(self) -> float:
+    def seconds_a_frame(self, sampler: str = "modes") -> float:
         """Processor time of a frame, without what comes before frames."""
-        return (self.ensemble().seconds - self.seconds_of_one()) / max(self._frames - 1, 1)
+        whole = self.ensemble(sampler=sampler).seconds
+        return (whole - self.seconds_of_one(sampler)) / max(self._frames - 1, 1)
 
-    def seconds_of_one(self) -> float:
+    def seconds_of_one(self, sampler: str = "modes") -> float:
         """Processor time of what comes before frames, and one frame."""
         began = time.process_time()
-        pliant.sample(self.model, 1)
+        self._sample(1, sampler)
         return time.process_time() - began

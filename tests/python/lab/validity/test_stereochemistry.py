@@ -13,6 +13,7 @@ pytest.importorskip("scipy")
 from pliant.lab.validity.alpha_carbons import amino_part  # noqa: E402
 from pliant.lab.validity.clashes import HeavyClashes  # noqa: E402
 from pliant.lab.validity.stereochemistry import Checker, dihedrals  # noqa: E402
+from scipy.spatial.transform import Rotation  # noqa: E402
 
 
 @pytest.fixture(scope="module")
@@ -144,3 +145,20 @@ def test_ramachandran_angles_are_those_of_mdanalysis(model):
     rows = checker._phi_psi
     phi, psi = (dihedrals(np.array(model.positions), rows[:, k : k + 4]) for k in (0, 1))
     np.testing.assert_allclose(np.stack([phi, psi], axis=1), angles, atol=1e-3)
+
+
+def test_a_side_chain_over_its_own_backbone_is_unusual(model, start):
+    """Leucine 35 with chi1 of 0: N and gamma eclipse each other."""
+    names = ("N", "CA", "CB", "CG")
+    chi1 = np.array([[atom(model, 35, name) for name in names]])
+    structure = model.structure
+    is_side = ~np.isin(structure.names, ("N", "HN", "CA", "HA", "CB", "C", "O"))
+    side = np.flatnonzero((structure.residue_ids == 35) & is_side)
+    alpha, beta = start[chi1[0, 1:3]]
+    axis = (beta - alpha) / np.linalg.norm(beta - alpha)
+    angle = -np.radians(dihedrals(start, chi1)[0])
+    turned = start.copy()
+    turned[side] = beta + Rotation.from_rotvec(angle * axis).apply(start[side] - beta)
+    assert dihedrals(turned, chi1)[0] == pytest.approx(0.0, abs=1e-6)
+    found = looked(model, turned)
+    assert 80 < 1 / (found.rotamers - found.rotamers_of_start) < 170  # side chains with chi2

