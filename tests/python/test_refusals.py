@@ -60,6 +60,7 @@ ROWS = [
     for call, names in ARGUMENTS.items()
     for name, kind in names.items()
     for value in UNFIT[kind]
+    if (call, name, value) != ("sample", "frames", None)  # the default, which sample chooses
 ]
 
 

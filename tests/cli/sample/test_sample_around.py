@@ -32,7 +32,7 @@ def test_it_says_what_the_place_is_and_goes_on(pliant, tmp_path):
         positions(tmp_path / "part.h5md"), positions(tmp_path / "whole.h5md")
     )
     with h5py.File(tmp_path / "whole.h5md") as file:
-        drawn_by = file["observables/trajectory/sampler/value"][:]
+        drawn_by = file["observables/sampler/value"][:]
     assert set(drawn_by) == {5}
 
 

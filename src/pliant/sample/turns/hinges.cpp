@@ -7,6 +7,7 @@
 
 #include "pliant/base/math/best_fit.hpp"
 #include "pliant/base/math/cell_list.hpp"
+#include "pliant/base/math/elementary.hpp"
 #include "pliant/sample/turns/screw.hpp"
 
 namespace pliant {
@@ -85,7 +86,7 @@ double closed_share(const NetworkNodes& nodes, std::span<const std::uint32_t> si
   for_each_near(contact_distance, nodes, nodes.positions, [&](std::uint32_t i, std::uint32_t j) {
     contacts += sides[i] != sides[j] ? 1.0 : 0.0;
   });
-  const double surface = std::cbrt(smaller * smaller);
+  const double surface = exact_bits_exp(2.0 / 3.0 * exact_bits_log(smaller));
   const double ratio = contacts / (half_closed * surface);
   const double fourth = ratio * ratio * ratio * ratio;
   return fourth / (1.0 + fourth);
