@@ -3,7 +3,20 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 #: Names by value; "other" are those of samplers that draw in one way.
 DRAWN_BY = ("other", "modes", "wide modes", "turns", "turns with modes", "pocket")
 #: Frames up to this value are around the start; others go further.
 DRAWN_ALONG_MODES = 1
+
+
+def around_start(drawn_by: np.ndarray | None) -> np.ndarray | None:
+    """(F,) bool: frames by which flexibility is computed; None: all.
+
+    An ensemble of sampler ``reach`` has others besides, which show where else it could be.
+    """
+    if drawn_by is None:
+        return None
+    near: np.ndarray = drawn_by <= DRAWN_ALONG_MODES
+    return None if near.all() or np.count_nonzero(near) < 2 else near

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, TypeVar
 
 import numpy as np
 
-from pliant._drawn_by import DRAWN_ALONG_MODES
+from pliant._drawn_by import DRAWN_ALONG_MODES, around_start
 from pliant.analyse.kind import ENSEMBLE, kind_of
 from pliant.analyse.parts import Part
 from pliant.analysis.frame_store import AT_ONCE_BYTES, FrameStore
@@ -130,11 +130,7 @@ class Analysis:
 
         An ensemble of sampler ``reach`` has others besides, which show where else it could be.
         """
-        drawn_by = self.observable("sampler")
-        if drawn_by is None:
-            return None
-        near = drawn_by <= DRAWN_ALONG_MODES
-        return None if near.all() or np.count_nonzero(near) < 2 else near
+        return around_start(self.observable("sampler"))
 
     @property
     def reaches(self) -> np.ndarray | None:

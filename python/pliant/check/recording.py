@@ -14,7 +14,7 @@ import numpy as np
 
 from pliant import _hdf5
 from pliant._core import InputError
-from pliant._drawn_by import DRAWN_ALONG_MODES
+from pliant._drawn_by import around_start
 from pliant._hdf5.expansion import check_stored
 from pliant.ensemble.plan import refuse_ensemble
 
@@ -87,11 +87,8 @@ class Recording:
 
         All, but for an ensemble of sampler ``reach``: those drawn along the modes.
         """
-        drawn_by = self.observables.get("sampler")
-        if drawn_by is None:
-            return np.arange(self.frame_count)
-        near = np.flatnonzero(drawn_by <= DRAWN_ALONG_MODES)
-        return near if len(near) > 1 else np.arange(self.frame_count)
+        near = around_start(self.observables.get("sampler"))
+        return np.arange(self.frame_count) if near is None else np.flatnonzero(near)
 
     def bar_label(self, bar: int) -> str:
         """ "C1(0) - C2(1)": names and numbers (from 0) of both joints."""

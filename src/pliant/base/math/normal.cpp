@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "pliant/base/math/normal.hpp"
 
+#include <array>
 #include <cmath>
 
 #include "pliant/base/math/elementary.hpp"
@@ -19,6 +20,12 @@ void fill_normal(RandomSequence& draws, std::span<double> out) {
     out[k] = u * scale;
     if (k + 1 < out.size()) out[k + 1] = v * scale;
   }
+}
+
+Vec3 normal_vector(RandomSequence& draws) {
+  std::array<double, 3> x{};
+  fill_normal(draws, x);
+  return {x[0], x[1], x[2]};
 }
 
 }  // namespace pliant

@@ -2,7 +2,6 @@
 #include "pliant/sample/pocket/pocket_turns.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -20,19 +19,13 @@ constexpr double largest_angle = 60.0 / 180.0 * std::numbers::pi;
 constexpr double line_noise = 0.15;  // of the axis through the ends of a segment, of length 1
 constexpr int draws_in_vain = 12;
 
-Vec3 normal_at_random(RandomSequence& draws) {
-  std::array<double, 3> x{};
-  fill_normal(draws, x);
-  return {x[0], x[1], x[2]};
-}
-
 }  // namespace
 
 PocketTurns::PocketTurns(const NetworkNodes& nodes, const NetworkModes& modes,
-                         std::vector<bool> in_place)
-    : nodes_(nodes), domains_(nodes, modes), limits_(nodes), in_place_(std::move(in_place)) {
-  for (std::size_t k = 0; k < in_place_.size(); ++k)
-    if (in_place_[k] && (is_in_chain(k + 1, k) || (k > 0 && is_in_chain(k - 1, k))))
+                         const std::vector<bool>& in_place)
+    : nodes_(nodes), domains_(nodes, modes), limits_(nodes) {
+  for (std::size_t k = 0; k < in_place.size(); ++k)
+    if (in_place[k] && (is_in_chain(k + 1, k) || (k > 0 && is_in_chain(k - 1, k))))
       place_.push_back(k);
 }
 
@@ -104,7 +97,7 @@ PieceTurn PocketTurns::turn_of(const Segment& segment, double scale, RandomSeque
   turn.angle = scale * largest_angle * draws.uniform();
   const Vec3 line = ends.back() - ends.front();
   const double length = norm(line);
-  const Vec3 axis = length > 1e-9 ? (1.0 / length) * line + line_noise * normal_at_random(draws)
+  const Vec3 axis = length > 1e-9 ? (1.0 / length) * line + line_noise * normal_vector(draws)
                                   : draws.direction();
   turn.axis = ((draws.uniform() < 0.5 ? -1.0 : 1.0) / norm(axis)) * axis;
   return turn;

@@ -23,7 +23,8 @@ struct PocketTurned {
 class PocketTurns {
  public:
   /// `nodes` must outlive it. `in_place` (M): which nodes are in the place.
-  PocketTurns(const NetworkNodes& nodes, const NetworkModes& modes, std::vector<bool> in_place);
+  PocketTurns(const NetworkNodes& nodes, const NetworkModes& modes,
+              const std::vector<bool>& in_place);
 
   /// Draws turns, by angles smaller by the factor `scale`. Several threads may call it at once.
   PocketTurned draw(RandomSequence& draws, double scale) const;
@@ -45,7 +46,6 @@ class PocketTurns {
   const NetworkNodes& nodes_;
   TurnDraws domains_;
   TurnLimits limits_;
-  std::vector<bool> in_place_;
   std::vector<std::size_t> place_;  ///< its nodes that are in chains of several
 };
 

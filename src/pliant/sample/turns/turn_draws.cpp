@@ -47,12 +47,6 @@ constexpr double line_noise = 0.25;
 constexpr int most_draws = 24, most_hinges = 5;  // in vain
 constexpr int most_halvings = 6;                 // of angles
 
-Vec3 normal_vector(RandomSequence& draws) {
-  std::array<double, 3> x{};
-  fill_normal(draws, x);
-  return {x[0], x[1], x[2]};
-}
-
 Vec3 unit(Vec3 x) {
   const double length = norm(x);
   return length > 1e-9 ? (1.0 / length) * x : Vec3{0, 0, 1};
@@ -67,11 +61,6 @@ std::size_t choose(std::size_t count, const Weight& weight, RandomSequence& draw
   std::size_t at = 0;
   while (at + 1 < count && (left -= weight(at)) >= 0.0) ++at;
   return at;
-}
-
-const Hinge& choose_hinge(std::span<const Hinge> hinges, RandomSequence& draws) {
-  return hinges[choose(
-      hinges.size(), [&](std::size_t k) { return hinges[k].weight; }, draws)];
 }
 
 /// Softness to the power of `power`, of 2, 4 or -1, by roots alone: their bits are the same
