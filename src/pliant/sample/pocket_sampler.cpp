@@ -48,7 +48,7 @@ void PocketSampler::ask(std::int64_t frame, int, int attempt, std::span<const Ve
   request.from.assign(start_.begin(), start_.end());
   request.course = {};
   request.drawn_by = DrawnBy::pocket;
-  PocketTurned turned;
+  DrawnTurns turned;
   if (attempt < attempts_at_pocket) {
     const double scale = double(attempts_at_half) / double(attempts_at_half + attempt);
     side_chains_.redraw(draws, scale * draws.uniform(), request.from);
@@ -58,7 +58,7 @@ void PocketSampler::ask(std::int64_t frame, int, int attempt, std::span<const Ve
 }
 
 /// The way from where side chains were redrawn.
-void PocketSampler::turn(const PocketTurned& turned, const std::vector<Vec3>& moves,
+void PocketSampler::turn(const DrawnTurns& turned, const std::vector<Vec3>& moves,
                          FrameRequest& request) const {
   request.targets = request.from;
   std::vector<Vec3> without_modes = request.from;
@@ -66,18 +66,10 @@ void PocketSampler::turn(const PocketTurned& turned, const std::vector<Vec3>& mo
     for (std::size_t k = 0; k < moves.size(); ++k) request.targets[k] += moves[k];
     return let_go(without_modes, request);
   }
-  request.course.at = [this, turned, course = TurnCourse(nodes_, *turned.tree), moves,
-                       from = request.from](double share, std::span<Vec3> out) mutable {
-    const auto motions = course.motions(turned.turns, share);
-    for (std::size_t k = 0; k < out.size(); ++k)
-      out[k] = motions[of_joint_[k]](from[k] + share * moves[k]);
-  };
-  request.course.length = length_of(request.course, request.from);
+  request.course = course_of(nodes_, of_joint_, turned, request.from, moves);
   request.course.at(1.0, request.targets);
-  TurnCourse course(nodes_, *turned.tree);
-  const auto motions = course.motions(turned.turns, 1.0);
-  for (std::size_t k = 0; k < without_modes.size(); ++k)
-    without_modes[k] = motions[of_joint_[k]](request.from[k]);
+  const std::vector<Vec3> still(moves.size());
+  course_of(nodes_, of_joint_, turned, request.from, still).at(1.0, without_modes);
   let_go(without_modes, request);
 }
 

@@ -25,8 +25,7 @@ class PocketSampler final : public Sampler {
            std::span<const Vec3> before, FrameRequest& request) const override;
 
  private:
-  void turn(const PocketTurned& turned, const std::vector<Vec3>& moves,
-            FrameRequest& request) const;
+  void turn(const DrawnTurns& turned, const std::vector<Vec3>& moves, FrameRequest& request) const;
   void let_go(std::span<const Vec3> without_modes, FrameRequest& request) const;
 
   const Framework& framework_;

@@ -45,14 +45,7 @@ void TurnsSampler::ask_with(std::vector<Vec3> displacements, std::int64_t frame,
   request.drawn_by = displacements.empty() ? DrawnBy::turns : DrawnBy::turns_with_modes;
   if (drawn.tree == nullptr) return;
   displacements.resize(start_.size());
-  request.course.at = [this, drawn, course = TurnCourse(nodes_, *drawn.tree),
-                       moves = std::move(displacements)](double share,
-                                                         std::span<Vec3> out) mutable {
-    const auto motions = course.motions(drawn.turns, share);
-    for (std::size_t k = 0; k < out.size(); ++k)
-      out[k] = motions[of_joint_[k]](start_[k] + share * moves[k]);
-  };
-  request.course.length = length_of(request.course, start_);
+  request.course = course_of(nodes_, of_joint_, drawn, request.targets, std::move(displacements));
   request.course.at(1.0, request.targets);
   request.limits_off = torn_limits(framework_, request.targets);  // of pieces that move apart
 }

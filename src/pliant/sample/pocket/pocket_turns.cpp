@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <numbers>
 #include <utility>
 
@@ -33,10 +34,10 @@ bool PocketTurns::is_in_chain(std::size_t node, std::size_t of) const {
   return node < nodes_.chain.size() && nodes_.chain[node] == nodes_.chain[of];
 }
 
-PocketTurned PocketTurns::draw(RandomSequence& draws, double scale) const {
+DrawnTurns PocketTurns::draw(RandomSequence& draws, double scale) const {
   const double kind = draws.uniform();
   if (kind < share_domains) return draw_domains(draws, scale);
-  return kind < share_domains + share_segments ? draw_segments(draws, scale) : PocketTurned{};
+  return kind < share_domains + share_segments ? draw_segments(draws, scale) : DrawnTurns{};
 }
 
 /// Whether nodes of the place are in pieces that turn against each other.
@@ -53,15 +54,13 @@ bool PocketTurns::parts_place(const DrawnTurns& drawn) const {
   });
 }
 
-PocketTurned PocketTurns::draw_domains(RandomSequence& draws, double scale) const {
+DrawnTurns PocketTurns::draw_domains(RandomSequence& draws, double scale) const {
   for (int k = 0; k < draws_in_vain && !domains_.empty(); ++k) {
     DrawnTurns drawn = domains_.draw(draws);
     if (drawn.tree == nullptr || !parts_place(drawn)) continue;
     const double share = scale * draws.uniform();
     for (PieceTurn& turn : drawn.turns) turn.angle *= share;
-    // The tree belongs to domains_.
-    return {std::shared_ptr<const PieceTree>(std::shared_ptr<void>(), drawn.tree),
-            std::move(drawn.turns)};
+    return drawn;
   }
   return draw_segments(draws, scale);
 }
@@ -97,14 +96,14 @@ PieceTurn PocketTurns::turn_of(const Segment& segment, double scale, RandomSeque
   turn.angle = scale * largest_angle * draws.uniform();
   const Vec3 line = ends.back() - ends.front();
   const double length = norm(line);
-  const Vec3 axis = length > 1e-9 ? (1.0 / length) * line + line_noise * normal_vector(draws)
-                                  : draws.direction();
+  const Vec3 axis =
+      length > 1e-9 ? (1.0 / length) * line + line_noise * normal_vector(draws) : draws.direction();
   turn.axis = ((draws.uniform() < 0.5 ? -1.0 : 1.0) / norm(axis)) * axis;
   return turn;
 }
 
 bool PocketTurns::add_turn(const Segment& segment, double scale, RandomSequence& draws,
-                           PocketTurned& out) const {
+                           DrawnTurns& out) const {
   PieceTree tree = *out.tree;
   const auto piece = static_cast<std::uint32_t>(tree.piece_count());
   const auto link = [&](std::size_t before) {
@@ -128,13 +127,13 @@ bool PocketTurns::add_turn(const Segment& segment, double scale, RandomSequence&
   return true;
 }
 
-PocketTurned PocketTurns::draw_segments(RandomSequence& draws, double scale) const {
+DrawnTurns PocketTurns::draw_segments(RandomSequence& draws, double scale) const {
   PieceTree all{std::vector<std::uint32_t>(nodes_.positions.size(), 0), {-1}, {}};
-  PocketTurned out{std::make_shared<const PieceTree>(std::move(all)), {}};
+  DrawnTurns out{std::make_shared<const PieceTree>(std::move(all)), {}};
   const std::size_t wanted = 1 + draws.below(most_segments);
   for (int k = 0; k < draws_in_vain && out.turns.size() < wanted; ++k)
     if (const auto segment = draw_segment(draws)) add_turn(*segment, scale, draws, out);
-  return out.turns.empty() ? PocketTurned{} : out;
+  return out.turns.empty() ? DrawnTurns{} : out;
 }
 
 }  // namespace pliant

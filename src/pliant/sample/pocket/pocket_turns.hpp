@@ -4,7 +4,6 @@
 #pragma once
 
 #include <cstdint>
-#include <memory>
 #include <optional>
 #include <vector>
 
@@ -14,12 +13,6 @@
 
 namespace pliant {
 
-/// The turns of one frame; tree is null if there are none.
-struct PocketTurned {
-  std::shared_ptr<const PieceTree> tree;
-  std::vector<PieceTurn> turns;
-};
-
 class PocketTurns {
  public:
   /// `nodes` must outlive it. `in_place` (M): which nodes are in the place.
@@ -27,18 +20,17 @@ class PocketTurns {
               const std::vector<bool>& in_place);
 
   /// Draws turns, by angles smaller by the factor `scale`. Several threads may call it at once.
-  PocketTurned draw(RandomSequence& draws, double scale) const;
+  DrawnTurns draw(RandomSequence& draws, double scale) const;
 
  private:
   struct Segment {
     std::size_t first = 0, last = 0;  ///< nodes [first, last)
   };
 
-  PocketTurned draw_domains(RandomSequence& draws, double scale) const;
-  PocketTurned draw_segments(RandomSequence& draws, double scale) const;
+  DrawnTurns draw_domains(RandomSequence& draws, double scale) const;
+  DrawnTurns draw_segments(RandomSequence& draws, double scale) const;
   std::optional<Segment> draw_segment(RandomSequence& draws) const;
-  bool add_turn(const Segment& segment, double scale, RandomSequence& draws,
-                PocketTurned& out) const;
+  bool add_turn(const Segment& segment, double scale, RandomSequence& draws, DrawnTurns& out) const;
   PieceTurn turn_of(const Segment& segment, double scale, RandomSequence& draws) const;
   bool parts_place(const DrawnTurns& drawn) const;
   bool is_in_chain(std::size_t node, std::size_t of) const;

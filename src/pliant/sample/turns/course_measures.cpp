@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace pliant {
 namespace {
@@ -11,6 +12,19 @@ constexpr double most_stretch = 1.0;  // Angstrom outside of an interval
 constexpr int measured_shares = 8;    // of a course, for its length
 
 }  // namespace
+
+Course course_of(const NetworkNodes& nodes, std::span<const std::uint32_t> of_joint,
+                 const DrawnTurns& turned, std::vector<Vec3> from, std::vector<Vec3> moves) {
+  Course course;
+  course.at = [of_joint, turned, turning = TurnCourse(nodes, *turned.tree), from,
+               moves = std::move(moves)](double share, std::span<Vec3> out) mutable {
+    const auto motions = turning.motions(turned.turns, share);
+    for (std::size_t k = 0; k < out.size(); ++k)
+      out[k] = motions[of_joint[k]](from[k] + share * moves[k]);
+  };
+  course.length = length_of(course, from);
+  return course;
+}
 
 double length_of(const Course& course, std::span<const Vec3> start) {
   std::vector<Vec3> before(start.begin(), start.end()), now(start.size());

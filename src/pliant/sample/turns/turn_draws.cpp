@@ -112,7 +112,7 @@ TurnDraws::TurnDraws(const NetworkNodes& nodes, NetworkModes modes)
     : nodes_(nodes), modes_(std::move(modes)), limits_(nodes) {
   for (PieceTree& tree : find_pieces(nodes, modes_)) {
     std::vector<Hinge> hinges = hinges_of(nodes, tree, modes_);
-    trees_.push_back({std::move(tree), std::move(hinges)});
+    trees_.push_back({std::make_shared<PieceTree>(std::move(tree)), std::move(hinges)});
   }
 }
 
@@ -146,7 +146,7 @@ const TurnDraws::Tree& TurnDraws::choose_tree(std::size_t pieces, RandomSequence
 DrawnTurns TurnDraws::draw_turns(std::size_t pieces, double scale, RandomSequence& draws) const {
   for (int k = 0; k < most_hinges; ++k) {
     const Tree& tree = choose_tree(pieces, draws);
-    DrawnTurns drawn{&tree.pieces, {}};
+    DrawnTurns drawn{tree.pieces, {}};
     std::vector<double> weights;
     for (const Hinge& hinge : tree.hinges) weights.push_back(hinge.weight);
     for (std::size_t turn = 0; turn < std::min(pieces, tree.hinges.size()); ++turn) {
@@ -201,13 +201,13 @@ DrawnTurns TurnDraws::turns_in_modes(double scale, RandomSequence& draws) const 
   fill_normal(draws, amplitudes);
   const std::vector<Vec3> moves = moves_along(modes_, amplitudes);
   std::vector<Screw> screws;
-  for (std::uint32_t p = 0; p < tree.pieces.piece_count(); ++p)
-    screws.push_back(screw_of(nodes_.positions, moves, tree.pieces.of_node, p));
-  DrawnTurns drawn{&tree.pieces, {}};
+  for (std::uint32_t p = 0; p < tree.pieces->piece_count(); ++p)
+    screws.push_back(screw_of(nodes_.positions, moves, tree.pieces->of_node, p));
+  DrawnTurns drawn{tree.pieces, {}};
   double most = 0.0;
   for (const Hinge& hinge : tree.hinges) {
     const Screw& own = screws[hinge.piece];
-    const Screw& parent = screws[static_cast<std::size_t>(tree.pieces.parent[hinge.piece])];
+    const Screw& parent = screws[static_cast<std::size_t>(tree.pieces->parent[hinge.piece])];
     const Vec3 turn = own.turn - parent.turn, shift = own.shift - parent.shift;
     const double length = norm(turn);
     if (!(length > 1e-9)) continue;

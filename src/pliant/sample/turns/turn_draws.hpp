@@ -3,6 +3,7 @@
 // sterics allow.
 #pragma once
 
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -18,7 +19,7 @@ namespace pliant {
 
 /// The turns of one frame; tree is null if there are none.
 struct DrawnTurns {
-  const PieceTree* tree = nullptr;
+  std::shared_ptr<const PieceTree> tree;
   std::vector<PieceTurn> turns;
 };
 
@@ -44,7 +45,7 @@ class TurnDraws {
 
  private:
   struct Tree {
-    PieceTree pieces;
+    std::shared_ptr<const PieceTree> pieces;
     std::vector<Hinge> hinges;
   };
 
