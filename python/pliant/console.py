@@ -4,14 +4,13 @@
 from __future__ import annotations
 
 import argparse
-import contextlib
 import importlib.util
 import json
 import math
 import os
 import shutil
 import sys
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any, NoReturn, TextIO
@@ -19,6 +18,7 @@ from typing import Any, NoReturn, TextIO
 import numpy as np
 
 from pliant import _progress
+from pliant._command_progress import progress as progress
 from pliant._core import Error, FileError, OptionError
 from pliant._extras import MissingPackageError, needed_by
 from pliant._said import warnings_shown_by
@@ -280,31 +280,3 @@ def note(text: str) -> None:
 def warn(text: str) -> None:
     """Says that something is not as expected, on stderr."""
     print(f"{_clear()}warning: {printable(text)}", file=sys.stderr)
-
-
-BAR = 24  #: characters of a progress bar
-
-
-@contextlib.contextmanager
-def progress(what: str, quiet: bool = False) -> Iterator[Callable[[int, int], None]]:
-    """Gives a function (done, total) that draws a bar over itself: on a terminal, in a notebook."""
-    shown = not quiet and sys.stderr.isatty()
-    bars: list[_progress.Bar | None] = []
-
-    def show(done: int, total: int) -> None:
-        if shown:
-            bar = "#" * (BAR * done // max(total, 1))
-            text = f"{what}: [{bar:.<{BAR}}] {done} / {total}"
-            print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)
-        elif not quiet and _progress.in_notebook():
-            bars[:] = bars or [_progress.begin(what, total)]
-            if bars[0] is not None:
-                bars[0].show(done)
-
-    try:
-        yield show
-    finally:
-        if shown:
-            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
-        for one in filter(None, bars):
-            one.close()

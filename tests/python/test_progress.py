@@ -183,3 +183,16 @@ def test_walkers_that_begin_are_shown(monkeypatch, bars):
     (bar,) = bars
     assert (bar.what, bar.total, bar.shown, bar.closed) == ("walkers begun", 5, [1, 2, 3, 4, 5], 1)
     assert sorted(seen) == [3, 4, 5, 6, 7]
+
+
+def test_long_work_without_a_terminal_says_now_and_then_how_far_it_is(monkeypatch, capsys):
+    from pliant import _command_progress
+
+    monkeypatch.setattr(_command_progress, "LINE_EVERY", 0.0)
+    with _command_progress.progress("structures", lines=True) as show:
+        show(1, 3)
+        show(1, 3)
+        show(3, 3)
+    with _command_progress.progress("structures") as show:
+        show(1, 3)
+    assert capsys.readouterr().err == "structures: 1 of 3\nstructures: 3 of 3\n"

@@ -11,6 +11,7 @@ from pliant._display import Displayed, Facts
 from pliant.check import contest as side_by_side
 from pliant.check.check_record import Remeasured
 from pliant.check.contest import Method
+from pliant.check.coverage import Coverage, coverage
 from pliant.check.findings import FAILED, Finding
 from pliant.check.force_field.minimised import ForceFieldReport
 from pliant.check.recording import Recording
@@ -37,10 +38,16 @@ class CheckReport(Displayed):
         """No finding failed. What OpenMM cannot do is not a failure of the trajectory."""
         return all(finding.status != FAILED for finding in self.findings)
 
+    @property
+    def covers(self) -> Coverage:
+        """Of which frames and which parts of the molecule the verdict speaks."""
+        return coverage(self.recording, self.force_field)
+
     def facts(self) -> Facts:
         """Each finding with what was measured."""
         checks = [(one.title, f"{one.status}, {one.measured or '-'}") for one in self.findings]
-        return [("file", self.recording.path), ("passed", "yes" if self.passed else "no"), *checks]
+        answer = "yes" if self.passed else "no"
+        return [("file", self.recording.path), ("passed", f"{answer}: {self.covers.text}"), *checks]
 
     def as_json(self) -> dict[str, Any]:
         """All of it as one JSON object."""
@@ -48,6 +55,7 @@ class CheckReport(Displayed):
         return {
             "file": recording.path,
             "passed": self.passed,
+            "covers": vars(self.covers),
             "pliant": _core.version(),
             "openmm": self.openmm_version,
             "atoms": recording.joint_count,

@@ -42,5 +42,5 @@ def note_on(whole: Sample, shown: Sample) -> list[str]:
         return []
     return [
         f"OpenMM's constraints were asked of the {len(shown.recording.bars)} bars that are bonds: "
-        f"to make itself ready for all {len(whole.recording.bars)} takes CCMA minutes"
+        f"CCMA would take minutes to set up all {len(whole.recording.bars)}"
     ]

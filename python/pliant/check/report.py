@@ -25,7 +25,14 @@ def time_text(seconds: float) -> str:
 def print_report(report: CheckReport) -> None:
     """Prints the report on stdout."""
     recording = report.recording
-    print(f"{printable_name(recording.path)}: {_headline(report)}\n")
+    print(f"{printable_name(recording.path)}: {_headline(report)}")
+    covers = report.covers
+    if covers.left_out:
+        print(
+            f"left out of the force field, which has no parameters for them: {covers.without}. "
+            "MD starts are of\nthe protein alone; what frames do near these is not checked."
+        )
+    print()
     _checks_table(report.findings).print()
     if report.methods:
         print()
@@ -108,9 +115,10 @@ def _residual_cell(residual: float) -> str:
 
 
 def conclusion(report: CheckReport) -> str:
-    """The last line."""
+    """The last line: the verdict, and what it covers."""
     failed = [finding.name for finding in report.findings if finding.status == FAILED]
     if failed:
         return f"failed: {', '.join(failed)}"
     cannot = sum(finding.status == CANNOT for finding in report.findings)
-    return "passed" + (f"; {cannot} checks are beyond OpenMM" if cannot else "")
+    beyond = f"; {cannot} checks are beyond OpenMM" if cannot else ""
+    return f"passed: {report.covers.text}{beyond}"

@@ -21,11 +21,11 @@ from pliant.check.check_record import Remeasured, check_record, remeasure
 from pliant.check.check_report import CheckReport
 from pliant.check.contest import DISPLACEMENTS, Contest
 from pliant.check.fewer_bars import for_constraints, note_on
-from pliant.check.force_field.minimise import Wanted, minimise_file, why_not_file
+from pliant.check.force_field.minimise import QUICK, THOROUGH, Wanted, minimise_file, why_not_file
 from pliant.check.force_field.verdicts import findings_of, skipped
 from pliant.check.recording import Recording, read_recording
 from pliant.check.sample import Sample, take_sample
-from pliant.console import progress
+from pliant.console import note, progress
 
 FRAMES = 20
 ENERGY_DISPLACEMENT = 0.1  #: Angstrom; of the copies whose energies are compared
@@ -50,9 +50,10 @@ def check(
     seed: int = 0,
     time_limit: float = TIME_LIMIT,
     force_field: bool | None = None,
-    starts: int | str = Wanted.starts,
-    long_starts: int = Wanted.long_starts,
-    md_steps: int = Wanted.md_steps,
+    thorough: bool = False,
+    starts: int | str | None = None,
+    long_starts: int | None = None,
+    md_steps: int | None = None,
     start: str | os.PathLike[str] | None = None,
     total_limit: float = Wanted.total_limit,
     picture: str | os.PathLike[str] | None = None,
@@ -65,10 +66,12 @@ def check(
     one broken bar, and its harmonic bonds must have the energy that Pliant computes. Then frames
     of a run are broken at random, and Pliant's techniques and OpenMM's CCMA repair the same ones.
 
-    Of an ensemble of a protein OpenMM minimises frames, the structure that the ensemble began with,
-    and frames of a short MD, all alike: amber14 and implicit water (OBC2), missing hydrogens
-    placed by rule. What comes out says whether MD may start from the frames. This takes minutes;
-    results do not depend on the number of cores.
+    Of an ensemble of a protein OpenMM minimises a few frames and the structure that the ensemble
+    began with, all alike: amber14 and implicit water (OBC2), missing hydrogens placed by rule. What
+    comes out says whether MD may start from these frames; `report.covers` says of which frames and
+    which parts of the molecule. With `thorough` there are more frames, some are minimised for
+    longer, and frames of a short MD stand beside them: that takes minutes. Results do not depend on
+    the number of cores.
 
     Parameters
     ----------
@@ -85,12 +88,15 @@ def check(
     force_field : bool, optional
         Whether OpenMM minimises frames; by default where the file is an ensemble of a protein, or
         `start` is given.
-    starts : int or "all"
-        Frames that are minimised for 100 steps, spread evenly.
-    long_starts : int
-        How many of these are minimised for 500 steps.
-    md_steps : int
-        Steps of 4 fs of the MD from the start structure; 0 for none.
+    thorough : bool
+        Look at 20 frames, minimise 3 of them for 500 steps, and make 250 steps of MD.
+    starts : int or "all", optional
+        Frames that are minimised for 100 steps, spread evenly. Default: 5 of a molecule of up to
+        2000 atoms, 3 of a larger one; 20 if `thorough`.
+    long_starts : int, optional
+        How many of these are minimised for 500 steps. Default: 0; 3 if `thorough`.
+    md_steps : int, optional
+        Steps of 4 fs of the MD from the start structure, 0 for none. Default: 0; 250 if `thorough`.
     start : str or path, optional
         The structure that the ensemble began with; by default the PDB beside the trajectory.
     total_limit : float
@@ -125,7 +131,15 @@ def check(
     sample = take_sample(recording, frames, remeasured.worst_frame(recording.converged))
     report = _ask_openmm(recording, sample, remeasured, displacements, seed, time_limit, quiet)
     report.findings.insert(0, check_record(recording, remeasured))
-    wanted = Wanted(starts, long_starts, md_steps, start, time_limit, total_limit)
+    usual = THOROUGH if thorough else QUICK
+    wanted = Wanted(
+        usual["starts"] if starts is None else starts,
+        usual["long_starts"] if long_starts is None else long_starts,
+        usual["md_steps"] if md_steps is None else md_steps,
+        start,
+        time_limit,
+        total_limit,
+    )
     if force_field is None and start is None:
         if recording.is_ensemble:
             _minimise_where_it_applies(report, wanted, quiet)
@@ -149,8 +163,9 @@ def _minimise_where_it_applies(report: CheckReport, wanted: Wanted, quiet: bool)
 
 
 def _minimise(report: CheckReport, wanted: Wanted, quiet: bool) -> None:
-    with progress("structures minimised by OpenMM", quiet) as show:
-        found = minimise_file(report.recording.path, wanted, show)
+    say = (lambda _: None) if quiet else note
+    with progress("structures minimised by OpenMM", quiet, lines=True) as show:
+        found = minimise_file(report.recording.path, wanted, show, say)
     report.force_field = found
     report.findings += skipped(found.why_not) if found.why_not else findings_of(found)
 

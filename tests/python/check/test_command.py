@@ -23,7 +23,7 @@ def test_a_good_trajectory_ends_with_0(path, capsys):
     assert main([path, "--no-picture", "--break", "0.05"]) == 0
     out = capsys.readouterr().out
     assert out.startswith(f"{path}: 6 frames, 9 atoms, 8 bars, tolerance 1e-06; 6 frames shown")
-    assert out.endswith("\npassed\n")
+    assert out.endswith("\npassed: bars of all 6 frames\n")
     for line in ("OpenMM leaves our frames where they are", "Pliant, default", "OpenMM, no angles"):
         assert line in out
 
@@ -73,6 +73,7 @@ NUMBER = (int, float, type(None))
 SCHEMA = {
     "file": str,
     "passed": bool,
+    "covers": {"frames": int, "md_starts": int, "left_out": dict},
     "pliant": str,
     "openmm": str,
     "atoms": int,

@@ -5,9 +5,10 @@ from __future__ import annotations
 
 import os
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from pathlib import Path
+from typing import TypedDict
 
 import numpy as np
 
@@ -19,21 +20,45 @@ from pliant.check.force_field.jobs import Bench, Progress, deadline_in
 from pliant.check.force_field.minimised import LONG, SHORT, ForceFieldReport, Minimised, handedness
 from pliant.check.force_field.molecule import Molecule, molecule_of, why_not
 from pliant.check.sample import NM, choose_frames
+from pliant.console import counted
+
+
+class Amounts(TypedDict):
+    """Of `Wanted`: frames, frames minimised for longer, steps of MD."""
+
+    starts: int | str | None
+    long_starts: int
+    md_steps: int
+
 
 MD_FRAMES = 3
 MD_STEP = 0.004  #: ps
+
+#: frames of a quick look, of a small protein and of a larger one: 20 to 40 s of one core up to 200
+#: residues
+QUICK_STARTS = (5, 3)
+SMALL = 2000  #: atoms
+
+
+#: what is minimised by default, and by a thorough check
+QUICK: Amounts = {"starts": None, "long_starts": 0, "md_steps": 0}
+THOROUGH: Amounts = {"starts": 20, "long_starts": 3, "md_steps": 250}
 
 
 @dataclass(frozen=True)
 class Wanted:
     """How much is minimised."""
 
-    starts: int | str = 20  #: frames minimised for 100 steps, spread evenly, or "all"
-    long_starts: int = 3  #: of these, minimised for 500
-    md_steps: int = 250  #: of 4 fs; 0 for no MD
+    starts: int | str | None = None  #: frames for 100 steps, spread evenly, or "all"; None: few
+    long_starts: int = 0  #: of these, minimised for 500
+    md_steps: int = 0  #: of 4 fs; 0 for no MD
     start: str | os.PathLike[str] | None = None  #: structure file; default: the PDB beside
     time_limit: float = 300.0  #: seconds of one job
     total_limit: float = 1200.0  #: seconds after which no structure is begun
+
+    def starts_of(self, atoms: int) -> int | str:
+        """`starts`, or as many as a quick look has for a molecule of so many atoms."""
+        return QUICK_STARTS[atoms > SMALL] if self.starts is None else self.starts
 
 
 def why_not_file(path: str) -> str:
@@ -72,8 +97,10 @@ def start_of(path: str, structure: Structure, named: str | os.PathLike[str] | No
     return np.array(other.positions)
 
 
-def minimise_file(path: str, wanted: Wanted, show: Progress) -> ForceFieldReport:
-    """Minimises frames of an H5MD file.
+def minimise_file(
+    path: str, wanted: Wanted, show: Progress, say: Callable[[str], None] = lambda _: None
+) -> ForceFieldReport:
+    """Minimises frames of an H5MD file; `say` is called with what is about to be done.
 
     Raises InputError as start_of does, and for a file without residues.
     """
@@ -83,9 +110,9 @@ def minimise_file(path: str, wanted: Wanted, show: Progress) -> ForceFieldReport
     if reason:
         raise InputError(f"{path}: the force field is for proteins: {reason}")
     start = start_of(path, structure, wanted.start)
-    numbers = choose_frames(len(reader), wanted.starts)
+    numbers = choose_frames(len(reader), wanted.starts_of(len(structure)))
     frames = np.array([reader.positions(int(k)) for k in numbers])
-    return minimise_frames(structure, start, frames, wanted, show, numbers)
+    return minimise_frames(structure, start, frames, wanted, show, numbers, say)
 
 
 def minimise_frames(
@@ -95,6 +122,7 @@ def minimise_frames(
     wanted: Wanted,
     show: Progress = lambda *_: None,
     numbers: np.ndarray | None = None,
+    say: Callable[[str], None] = lambda _: None,
 ) -> ForceFieldReport:
     """Minimises frames (F, N, 3) of a structure with bonds; start: (N, 3); Angstrom."""
     began = time.monotonic()
@@ -110,8 +138,11 @@ def minimise_frames(
         atoms=len(molecule.order),
         placed_hydrogens=molecule.placed,
         md_picoseconds=MD_STEP * wanted.md_steps,
+        long_starts=wanted.long_starts,
+        left_out=molecule.left_out,
         notes=molecule.notes,
     )
+    say(_plan(report))
     matched = bench.match()
     if matched.done:
         _Minimisation(report, molecule, bench, wanted).minimise(start, frames)
@@ -119,6 +150,15 @@ def minimise_frames(
         report.why_not = _short(matched)
     report.seconds = time.monotonic() - began
     return report
+
+
+def _plan(report: ForceFieldReport) -> str:
+    """What is about to be done, and to what."""
+    without = f", without {report.without}: no parameters" if report.left_out else ""
+    return (
+        f"OpenMM minimises the start and {counted(len(report.frames), 'frame')}, {report.atoms} atoms "
+        f"each{without}"
+    )
 
 
 def _short(outcome: Outcome) -> str:

@@ -52,9 +52,17 @@ class ForceFieldReport:
     atoms: int  #: with the hydrogens that were placed
     placed_hydrogens: int  #: of these, not in the file
     md_picoseconds: float  #: length of the MD
+    long_starts: int = 1  #: frames that were to be minimised for 500 steps
+    #: molecules or residues without a template, which were left out: how many of each name
+    left_out: dict[str, int] = field(default_factory=dict)
     seconds: float = 0.0  #: that all of it took
     notes: list[str] = field(default_factory=list)
     why_not: str = ""  #: why nothing was minimised; "" if it was
+
+    @property
+    def without(self) -> str:
+        """ "1 XK2, 2 CSO": what was left out; "" if nothing was."""
+        return ", ".join(f"{count} {name}" for name, count in sorted(self.left_out.items()))
 
     @property
     def usable(self) -> list[Minimised]:

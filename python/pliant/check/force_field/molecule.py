@@ -24,7 +24,8 @@ class Molecule:
     residue_of: np.ndarray  #: (M,)
     labels: list[str]  #: (R,) "A:LYS45"
     bonds: np.ndarray  #: (B, 2)
-    notes: list[str] = field(default_factory=list)  #: what was left out
+    left_out: dict[str, int] = field(default_factory=dict)  #: residues without a template, by name
+    notes: list[str] = field(default_factory=list)
 
     @property
     def placed(self) -> int:
@@ -73,7 +74,7 @@ def molecule_of(structure: Structure) -> Molecule:
     wanted = _wanted(kept, names, residue_names)
     missing = find_missing(wanted, elements, _neighbours(bonds, len(elements)))
     molecule = _ordered(structure, kept, missing, bonds, residue_of)
-    molecule.notes += _notes_on_left_out(structure, is_known)
+    molecule.left_out = _left_out(structure, is_known)
     molecule.notes += _notes_on_ends(molecule)
     return molecule
 
@@ -133,17 +134,10 @@ def _label(structure: Structure, atom: int) -> str:
     return f"{chain}:" * bool(chain) + f"{structure.residue_names[atom]}{number}"
 
 
-def _notes_on_left_out(structure: Structure, is_known: np.ndarray) -> list[str]:
+def _left_out(structure: Structure, is_known: np.ndarray) -> dict[str, int]:
     unknown = np.flatnonzero(~is_known)
     firsts = unknown[np.unique(np.asarray(structure.residue_of)[unknown], return_index=True)[1]]
-    others = Counter(str(structure.residue_names[atom]) for atom in firsts)
-    if not others:
-        return []
-    listed = ", ".join(f"{count} {name}" for name, count in sorted(others.items()))
-    return [
-        f"warning: left out of the force field, which has no template for them: {listed}; what "
-        "frames do near them is not checked"
-    ]
+    return dict(Counter(str(structure.residue_names[atom]) for atom in firsts))
 
 
 def _notes_on_ends(molecule: Molecule) -> list[str]:

@@ -1,0 +1,52 @@
+# SPDX-License-Identifier: MIT
+"""Progress of commands: a bar on terminals and in notebooks, lines elsewhere if work takes long."""
+
+from __future__ import annotations
+
+import contextlib
+import sys
+import time
+from collections.abc import Callable, Iterator
+
+from pliant._progress import WIDTH, Bar, begin, in_notebook
+
+LINE_EVERY = 10.0  #: seconds between lines of progress where there is no terminal
+
+
+@contextlib.contextmanager
+def progress(
+    what: str, quiet: bool = False, *, lines: bool = False
+) -> Iterator[Callable[[int, int], None]]:
+    """Gives a function (done, total) that draws a bar over itself: on a terminal, in a notebook.
+
+    Elsewhere nothing is drawn, or with `lines`, for work of minutes, a line now and then.
+    """
+    shown = not quiet and sys.stderr.isatty()
+    bars: list[Bar | None] = []
+    last, shown_done = time.monotonic(), -1
+
+    def show(done: int, total: int) -> None:
+        if shown:
+            bar = "#" * (WIDTH * done // max(total, 1))
+            text = f"{what}: [{bar:.<{WIDTH}}] {done} / {total}"
+            print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)
+        elif not quiet and in_notebook():
+            bars[:] = bars or [begin(what, total)]
+            if bars[0] is not None:
+                bars[0].show(done)
+        elif not quiet and lines:
+            say(done, total)
+
+    def say(done: int, total: int) -> None:
+        nonlocal last, shown_done
+        if time.monotonic() - last >= LINE_EVERY and done != shown_done:
+            last, shown_done = time.monotonic(), done
+            print(f"{what}: {done} of {total}", file=sys.stderr, flush=True)
+
+    try:
+        yield show
+    finally:
+        if shown:
+            print("\r\x1b[K", end="", file=sys.stderr, flush=True)
+        for one in filter(None, bars):
+            one.close()
