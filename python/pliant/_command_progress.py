@@ -8,7 +8,8 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 
-from pliant._progress import WIDTH, Bar, begin, in_notebook
+from pliant import _progress
+from pliant._progress import WIDTH, Bar
 
 LINE_EVERY = 10.0  #: seconds between lines of progress where there is no terminal
 
@@ -30,8 +31,8 @@ def progress(
             bar = "#" * (WIDTH * done // max(total, 1))
             text = f"{what}: [{bar:.<{WIDTH}}] {done} / {total}"
             print(f"\r{text}\x1b[K", end="", file=sys.stderr, flush=True)
-        elif not quiet and in_notebook():
-            bars[:] = bars or [begin(what, total)]
+        elif not quiet and _progress.in_notebook():
+            bars[:] = bars or [_progress.begin(what, total)]
             if bars[0] is not None:
                 bars[0].show(done)
         elif not quiet and lines:
