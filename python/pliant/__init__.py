@@ -124,9 +124,10 @@ if TYPE_CHECKING:
     from pliant.check import check
     from pliant.compare import compare
     from pliant.path import path
+    from pliant.study import study
 else:
     # Packages that are called; what they need beyond NumPy and h5py is imported when they are.
-    from pliant import analyse, check, compare, path
+    from pliant import analyse, check, compare, path, study
 
 __all__ = [
     "ContactKindEntry",
@@ -225,6 +226,7 @@ __all__ = [
     "run_ensemble",
     "sample",
     "samplers",
+    "study",
     "techniques",
     "techniques_for",
     "to_mdanalysis",

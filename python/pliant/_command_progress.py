@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import contextlib
+import importlib.util
 import sys
 import time
 from collections.abc import Callable, Iterator
@@ -51,3 +52,17 @@ def progress(
             print("\r\x1b[K", end="", file=sys.stderr, flush=True)
         for one in filter(None, bars):
             one.close()
+
+
+@contextlib.contextmanager
+def stages(quiet: bool) -> Iterator[Callable[[str], None]]:
+    """Gives a function that shows what is under way; only on a terminal, and with `rich`."""
+    if quiet or not sys.stderr.isatty() or not importlib.util.find_spec("rich"):
+        yield lambda name: None
+        return
+    from rich.console import Console
+    from rich.live import Live
+
+    # Without a thread of its own, which would keep the figures from being drawn in two processes.
+    with Live(console=Console(stderr=True), auto_refresh=False, transient=True) as line:
+        yield lambda name: line.update(f"{name} ...", refresh=True)

@@ -19,6 +19,7 @@ import numpy as np
 
 from pliant import _progress
 from pliant._command_progress import progress as progress
+from pliant._command_progress import stages as stages
 from pliant._core import Error, FileError, OptionError
 from pliant._extras import MissingPackageError, needed_by
 from pliant._said import warnings_shown_by

@@ -4,11 +4,9 @@
 from __future__ import annotations
 
 import argparse
-import contextlib
-import importlib.util
 import sys
 import warnings
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -22,6 +20,7 @@ from pliant.console import (
     print_json,
     printable_name,
     run_command,
+    stages,
     whole_number,
 )
 from pliant.ensemble.plan import is_ensemble
@@ -133,7 +132,7 @@ def _analyse_ensemble(options: argparse.Namespace) -> int:
             raise OptionError(f"--{option}: goes with one file, not with an ensemble")
     folder = folder_of(Path(options.file))
     output = Path(options.output or f"{folder.absolute().name}-report")
-    with _stages(options.quiet) as on_stage:
+    with stages(options.quiet) as on_stage:
         found = report_ensemble(folder, output, options.workers, options.dpi, on_stage)
     if options.json:
         print_json(found)
@@ -148,7 +147,7 @@ def _analyse(options: argparse.Namespace) -> int:
     # Imported here, so that --help and errors of usage are immediate.
     from pliant.analyse.suite import analyse
 
-    with warnings.catch_warnings(), _stages(options.quiet) as on_stage:
+    with warnings.catch_warnings(), stages(options.quiet) as on_stage:
         warnings.simplefilter("ignore")
         report = analyse(
             options.file,
@@ -173,20 +172,6 @@ def _analyse(options: argparse.Namespace) -> int:
     elif not options.quiet:
         _print_summary(summary)
     return EXIT_OK
-
-
-@contextlib.contextmanager
-def _stages(quiet: bool) -> Iterator[Callable[[str], None]]:
-    """Gives a function that shows what is under way; only on a terminal, and with `rich`."""
-    if quiet or not sys.stderr.isatty() or not importlib.util.find_spec("rich"):
-        yield lambda name: None
-        return
-    from rich.console import Console
-    from rich.live import Live
-
-    # Without a thread of its own, which would keep the figures from being drawn in two processes.
-    with Live(console=Console(stderr=True), auto_refresh=False, transient=True) as line:
-        yield lambda name: line.update(f"{name} ...", refresh=True)
 
 
 def _print_summary(summary: Mapping[str, Any]) -> None:

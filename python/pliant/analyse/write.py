@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from pliant._core import InputError
 from pliant.analyse.draw import Drawing
 from pliant.analyse.exports import save_exports
+from pliant.analyse.page.additions import NOTHING, Additions
 from pliant.analyse.page.page import write_page
 from pliant.analyse.tables import save_tables
 
@@ -22,10 +23,12 @@ def check_folder(folder: Path) -> None:
         raise InputError(f"{folder}: is a file, expected a folder for the results")
 
 
-def write_report(analysis: Analysis, folder: Path, dpi: int = 150) -> dict[str, Any]:
+def write_report(
+    analysis: Analysis, folder: Path, dpi: int = 150, more: Additions = NOTHING
+) -> dict[str, Any]:
     """Writes figures, tables, files for other programs and report.html; returns the paths of all.
 
-    Files of an earlier report are replaced.
+    Files of an earlier report are replaced. `more` is what the page has besides the analysis.
     """
     check_folder(folder)
     folder.mkdir(parents=True, exist_ok=True)
@@ -35,7 +38,7 @@ def write_report(analysis: Analysis, folder: Path, dpi: int = 150) -> dict[str, 
         figures = drawing.finish()
     report = folder / "report.html"
     pictures = [path for _, path in figures]
-    write_page(analysis, figures, [*exports, *tables, *pictures], report, dpi)
+    write_page(analysis, figures, [*more.files, *exports, *tables, *pictures], report, dpi, more)
     return {
         "report": str(report),
         "figures": [str(path) for path in pictures],

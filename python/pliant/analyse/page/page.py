@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, Any
 from pliant._core import techniques
 from pliant.analyse.figures.style import WIDE
 from pliant.analyse.kind import ENSEMBLE
+from pliant.analyse.page.additions import NOTHING, Additions
 from pliant.analyse.page.html import (
     disclosure,
     fact,
@@ -48,14 +49,19 @@ def write_page(
     files: Sequence[Path],
     path: Path,
     dpi: int,
+    more: Additions = NOTHING,
 ) -> None:
     """Writes the page. figures: [(FigureKind, PNG path)]; files: outputs to link to."""
-    text = page(analysis, figures, files, dpi)
+    text = page(analysis, figures, files, dpi, more)
     Path(path).write_text(text, encoding="utf-8")
 
 
 def page(
-    analysis: Analysis, figures: Sequence[tuple[FigureKind, Path]], files: Sequence[Path], dpi: int
+    analysis: Analysis,
+    figures: Sequence[tuple[FigureKind, Path]],
+    files: Sequence[Path],
+    dpi: int,
+    more: Additions = NOTHING,
 ) -> str:
     """The page as text."""
     javascript = viewer_script()
@@ -65,12 +71,12 @@ def page(
         title=escape(title(analysis)),
         subtitle=escape(_subtitle(analysis)),
         style=text_of("page.css"),
-        eyebrow="pliant analyse",
-        lead=_lead(analysis),
+        eyebrow=more.made_by,
+        lead=more.head() + _lead(analysis),
         viewer=viewer(shown is not None),
         facts="\n".join(fact(*row) for row in facts(analysis)),
         notes=_notes(analysis, shown),
-        sections=_sections(analysis, figures, dpi),
+        sections=_sections(analysis, figures, dpi, more),
         details=_details(analysis, files),
         footer=escape(f"pliant {version()} · MDAnalysis {metadata.version('MDAnalysis')}"),
         scripts=scripts(javascript, shown) if shown else "",
@@ -124,10 +130,12 @@ def _verdict(one: Verdict, failed: bool) -> str:
     )
 
 
-def _sections(analysis: Analysis, figures: Sequence[tuple[FigureKind, Path]], dpi: int) -> str:
+def _sections(
+    analysis: Analysis, figures: Sequence[tuple[FigureKind, Path]], dpi: int, more: Additions
+) -> str:
     """Each section that has anything: its heading, figures and tables."""
     parts = []
-    numbers = tables(analysis)
+    numbers = [*tables(analysis), *more.tables]
     for section in SECTIONS:
         drawn = [
             _figure(analysis, kind, png, dpi) for kind, png in figures if kind.section == section

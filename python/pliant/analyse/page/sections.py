@@ -6,9 +6,14 @@ TOGETHER = "What moves together"
 COLLECTIVE = "Collective motions"
 OTHER = "What else it could look like"
 CHEMISTRY = "Contacts and stereochemistry"
+ON_THE_WAY = "How it gets there"
 SHAPES = "Shape"
+STARTS = "Starting molecular dynamics"
 EXACT = "Exactness and effort"
 
 #: sections whose figures and tables are as wide as the page
 WIDE_SECTIONS = (OTHER,)
-SECTIONS = (FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, CHEMISTRY, SHAPES, EXACT)
+SECTIONS = (
+    *(FLEXIBLE, TOGETHER, COLLECTIVE, OTHER, ON_THE_WAY, CHEMISTRY, STARTS),
+    *(SHAPES, EXACT),
+)

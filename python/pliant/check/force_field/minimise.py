@@ -155,10 +155,8 @@ def minimise_frames(
 def _plan(report: ForceFieldReport) -> str:
     """What is about to be done, and to what."""
     without = f", without {report.without}: no parameters" if report.left_out else ""
-    return (
-        f"OpenMM minimises the start and {counted(len(report.frames), 'frame')}, {report.atoms} atoms "
-        f"each{without}"
-    )
+    frames = counted(len(report.frames), "frame")
+    return f"OpenMM minimises the start and {frames}, {report.atoms} atoms each{without}"
 
 
 def _short(outcome: Outcome) -> str:

@@ -1,0 +1,117 @@
+# SPDX-License-Identifier: MIT
+"""The answers of a study, each in a line: for the terminal and for the head of the page."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from pliant.analyse.parts import RigidDomains, Torsions, UnitFlexibility, Units
+from pliant.analyse.shapes.other_shapes import OtherShapes
+from pliant.analyse.shapes.shape_texts import turns_text
+from pliant.analyse.verdicts import whole
+from pliant.console import counted
+
+if TYPE_CHECKING:
+    from pliant.analyse.analysis import Analysis
+    from pliant.path.found import MolecularPath
+    from pliant.study.studied import Study
+
+MOST_NAMED = 5  #: residues, ligands or hinges that a line names
+
+
+def answers(study: Study) -> dict[str, str]:
+    """Question in a word -> its answer in a line."""
+    analysis = study.report.analysis
+    lines = {
+        "molecule": _molecule(analysis),
+        "left out": _listed(study.sampled.left_out) or "nothing",
+        "flexible": _flexible(analysis),
+        "together": _together(analysis),
+        "other shapes": _other_shapes(analysis),
+    }
+    if study.path is not None:
+        lines["path"] = _path(study.path, study.end)
+    lines["MD starts"] = _md_starts(study)
+    lines["verdict"] = whole(analysis).sentence
+    lines["page"] = str(study.page)
+    return lines
+
+
+def _molecule(analysis: Analysis) -> str:
+    units, atoms = analysis[Units], f"{len(analysis.universe.atoms):,} atoms"
+    if units.what == "atom":
+        return f"{atoms}, a small molecule: its frames are conformers"
+    names = sorted(set(units.chains[units.of_chain]) - {""})
+    chains = f", chain{'s' * (len(names) > 1)} {', '.join(names)}" if names else ""
+    others = [units.labels[k] for k in np.flatnonzero(~units.of_chain)]
+    beside = f"; beside them {_some(others)}" if others else ""
+    return f"{np.count_nonzero(units.of_chain)} residues{chains}, {atoms}{beside}"
+
+
+def _flexible(analysis: Analysis) -> str:
+    part, units = analysis.get(UnitFlexibility), analysis[Units]
+    if part is None or part.found.still:
+        return "nothing moves" if part else f"not known: {analysis.skipped.get('flexibility', '')}"
+    found = part.found
+    among = np.flatnonzero(units.of_chain) if units.of_chain.any() else np.arange(len(found.rmsf))
+    most = among[np.argsort(-found.rmsf[among], kind="stable")][:MOST_NAMED]
+    named = ", ".join(
+        f"{units.labels[k]} {found.rmsf[k]:.1f} ± {2 * found.error[k]:.1g}" for k in most
+    )
+    doubt = "" if found.converged else "; not converged"
+    return f"{named} Å; {found.rmsf[among].mean():.2f} Å on average{doubt}"
+
+
+def _together(analysis: Analysis) -> str:
+    if (torsions := analysis.get(Torsions)) and analysis[Units].what == "atom":
+        return f"{len(torsions.measured.torsions)} rotatable bonds, which turn on their own"
+    domains = analysis.get(RigidDomains)
+    if domains is None:
+        return "not known: too few residues, or nothing moves"
+    if domains.found.count < 2:
+        return "one piece: no domains that move against each other"
+    return f"{domains.found.count} domains"
+
+
+def _other_shapes(analysis: Analysis) -> str:
+    part = analysis.get(OtherShapes)
+    if part is None or part.groups is None:
+        return "none looked for: the frames were drawn around the start"
+    if not part.shapes:
+        return "none found: the frames far from the start are all unlike each other"
+    first = part.shapes[0]
+    furthest = f"the furthest {first.rmsd:.1f} Å away: {turns_text(analysis, first)}"
+    return f"{len(part.shapes)}, {furthest}"
+
+
+def _path(path: MolecularPath, end: str) -> str:
+    far, last = path.frames[0].to_end, path.frames[-1]
+    how = f"{last.lost} of {path.only_start} contacts lost, {last.made} of {path.only_end} made"
+    if path.arrived:
+        return f"found, {len(path.frames)} frames: {far:.1f} Å to {end}, {path.reached:.2f} Å left; {how}"
+    return (
+        f"not found: {path.reached:.1f} Å of {far:.1f} Å to {end} are left; pliant path --both "
+        "--backtrack tries other ways"
+    )
+
+
+def _md_starts(study: Study) -> str:
+    if study.check is None:
+        return f"not looked at: {study.why_no_check}"
+    return f"{'yes' if study.check.passed else 'no'}: {study.check.covers.text}"
+
+
+def _listed(counts: Mapping[str, int]) -> str:
+    """ "188 waters, 8 DMS": the most first, waters before."""
+    ordered = sorted(counts.items(), key=lambda item: (item[0] != "water", -item[1], item[0]))
+    return ", ".join(
+        counted(count, name) if name == "water" else f"{count} {name}" for name, count in ordered
+    )
+
+
+def _some(names: list[str]) -> str:
+    more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
+    return ", ".join(names[:MOST_NAMED]) + more

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+"""What a study found: the parts that its answers are made from, and the answers."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from pliant._display import Displayed, Facts
+from pliant.study.answers import answers
+
+if TYPE_CHECKING:
+    from pliant.analyse.choose_representatives import Representatives
+    from pliant.analyse.suite import AnalysisReport
+    from pliant.check.check_report import CheckReport
+    from pliant.path.found import MolecularPath
+    from pliant.study.sampled import Sampled
+
+
+@dataclass
+class Study(Displayed):
+    """An ensemble of a molecule, and what it answers."""
+
+    file: str
+    folder: Path
+    sampled: Sampled  #: the ensemble
+    report: AnalysisReport  #: its analysis
+    representatives: Representatives | None = None  #: None where there are too few frames
+    path: MolecularPath | None = None  #: to the other structure, if there is one
+    end: str = ""  #: the other structure
+    check: CheckReport | None = None  #: what OpenMM made of a few frames
+    why_no_check: str = ""  #: why OpenMM was not asked
+    outputs: dict[str, Any] = field(default_factory=dict)  #: paths of the files
+
+    @property
+    def page(self) -> Path:
+        """The report page."""
+        return self.folder / "report.html"
+
+    def answers(self) -> dict[str, str]:
+        """Question in a word -> its answer in a line, as `pliant study` prints them."""
+        return answers(self)
+
+    def facts(self) -> Facts:
+        """The answers."""
+        return list(self.answers().items())
+
+    def as_json(self) -> dict[str, Any]:
+        """All of it as one JSON object."""
+        return {
+            "file": self.file,
+            "answers": self.answers(),
+            "left_out": self.sampled.left_out,
+            "sample": self.sampled.facts,
+            "analysis": self.report.as_json(),
+            "representatives": self.representatives and self.representatives.as_json(),
+            "path": None if self.path is None else path_facts(self.path),
+            "check": None if self.check is None else self.check.as_json(),
+            "why_no_check": self.why_no_check,
+            "outputs": {name: str(path) for name, path in self.outputs.items()},
+        }
+
+
+def path_facts(path: MolecularPath) -> dict[str, Any]:
+    """How far a path came, and what had to give way."""
+    last = path.frames[-1]
+    return {
+        "arrived": path.arrived,
+        "rmsd_at_start": path.frames[0].to_end,
+        "rmsd_reached": path.reached,
+        "frames": len(path.frames),
+        "residues_matched": path.matched,
+        "contacts_held": path.held,
+        "contacts_lost": last.lost,
+        "contacts_made": last.made,
+        "notes": path.notes,
+    }

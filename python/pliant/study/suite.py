@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: MIT
+"""The stages of a study: sample, path, analyse, representatives, check, page."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from pliant._checked import SEED, checked, whole
+from pliant._core import Error, InputError, OptionError, PathOptions
+from pliant._extras import MissingPackageError, need
+from pliant._progress import Stages
+from pliant.analyse.analysis import AnalysisOptions
+from pliant.analyse.choose_representatives import representatives
+from pliant.analyse.stages import STAGES, analyse_trajectory
+from pliant.analyse.suite import DPI, AnalysisReport
+from pliant.analyse.write import check_folder, write_report
+from pliant.path import walk
+from pliant.study.sampled import sampled
+from pliant.study.studied import Study
+from pliant.study.study_page import additions
+
+if TYPE_CHECKING:
+    from pliant.analyse.choose_representatives import Representatives
+
+#: frames that stand for all, for docking or to look at
+REPRESENTATIVES = 20
+
+
+@checked(frames=whole(4), seed=SEED)
+def study(
+    file: str | os.PathLike[str],
+    end: str | os.PathLike[str] | None = None,
+    output: str | os.PathLike[str] | None = None,
+    *,
+    frames: int | None = None,
+    seed: int = 0,
+    keep: str = "",
+    check: bool = True,
+    overwrite: bool = False,
+    quiet: bool = True,
+    on_stage: Callable[[str], None] | None = None,
+) -> Study:
+    """Studies a molecule: which parts are flexible, what moves together, what else it looks like.
+
+    Does what ``pliant sample``, ``path``, ``analyse``, ``representatives`` and ``check`` do by
+    default, into one folder with one page. Of a molecule without residues, conformers are studied.
+
+    Parameters
+    ----------
+    file : str or path
+        PDB, mmCIF, XYZ or SDF file.
+    end : str or path, optional
+        Another structure of the same molecule, PDB or mmCIF: a path to it is found as well.
+    output : str or path, optional
+        Folder for the results. Default: the file's name with ``-study``, in the current folder.
+    frames : int, optional
+        Frames of the ensemble, at least 4. Default: as ``pliant sample``.
+    seed : int
+        Of the ensemble and the path.
+    keep : str
+        Additives of crystallisation to keep, by residue name, or ``all``: see ``sample``.
+    check : bool
+        Whether OpenMM, where it is installed, minimises a few frames of a protein.
+    overwrite : bool
+        Replace the results of an earlier study.
+    quiet : bool
+        Show no progress of the check.
+    on_stage : callable, optional
+        Called with the name of each stage as it begins. Default: a progress bar in notebooks and on
+        terminals.
+
+    Raises
+    ------
+    ImportError
+        MDAnalysis, matplotlib or SciPy is not installed; the message says how to install them.
+    InputError
+        A file cannot be used, or the results are there already; the message says why.
+    OptionError
+        An option is out of range.
+    """
+    need("pliant.study", "MDAnalysis", "matplotlib", "scipy", extra="analysis")
+    folder = Path(output) if output is not None else Path(f"{_stem(file)}-study")
+    _check_output(folder, overwrite)
+    folder.mkdir(parents=True, exist_ok=True)
+    task = _Task(file, end, folder, seed, check, quiet)
+    options = _sample_options(frames, seed, keep)
+    if on_stage is not None:
+        return task.studied(options, on_stage)
+    with Stages("studying", 6 + len(STAGES)) as stages:
+        return task.studied(options, stages)
+
+
+def _stem(file: str | os.PathLike[str]) -> str:
+    """ "4e43" of "4e43.pdb.gz"."""
+    return Path(file).name.removesuffix(".gz").removesuffix(".bz2").rpartition(".")[0] or "molecule"
+
+
+def _check_output(folder: Path, overwrite: bool) -> None:
+    check_folder(folder)
+    ensemble = folder / "ensemble.h5md"
+    if ensemble.exists() and not overwrite:
+        raise InputError(f"{ensemble}: exists; --overwrite replaces it")
+
+
+def _sample_options(frames: int | None, seed: int, keep: str) -> list[str]:
+    options = ["--seed", str(seed)]
+    options += [] if frames is None else ["--frames", str(frames)]
+    return options + ([] if not keep else ["--keep", keep])
+
+
+class _Task:
+    """The stages, in their order."""
+
+    def __init__(
+        self,
+        file: str | os.PathLike[str],
+        end: str | os.PathLike[str] | None,
+        folder: Path,
+        seed: int,
+        check: bool,
+        quiet: bool,
+    ) -> None:
+        self.file, self.end, self.folder = file, end, folder
+        self.seed, self.check, self.quiet = seed, check, quiet
+
+    def studied(self, options: Sequence[str], on_stage: Callable[[str], None]) -> Study:
+        on_stage("sampling")
+        ensemble = sampled(self.file, self.folder, options)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # `sampled` has said what there was to say
+            report = AnalysisReport(
+                analyse_trajectory(AnalysisOptions(str(ensemble.ensemble)), on_stage)
+            )
+            found = Study(os.fspath(self.file), self.folder, ensemble, report)
+            self._path(found, on_stage)
+            on_stage("representatives")
+            found.representatives = self._representatives(found)
+            self._check(found, on_stage)
+            on_stage("figures and page")
+            report.outputs = write_report(report.analysis, self.folder, DPI, additions(found))
+        return found
+
+    def _path(self, found: Study, on_stage: Callable[[str], None]) -> None:
+        if self.end is None:
+            return
+        on_stage("path")
+        output = self.folder / "path.h5md"
+        options = PathOptions(seed=self.seed)
+        found.path = walk.find(self.file, self.end, options, output, overwrite=True)
+        found.end = Path(self.end).name
+        found.outputs["path"] = output
+
+    def _representatives(self, found: Study) -> Representatives | None:
+        output, count = self.folder / "representatives.pdb", len(found.report.analysis.frames)
+        try:
+            chosen = representatives(
+                found.sampled.ensemble, min(REPRESENTATIVES, count), output, overwrite=True
+            )
+        except OptionError:
+            return None
+        found.outputs["representatives"] = output
+        return chosen
+
+    def _check(self, found: Study, on_stage: Callable[[str], None]) -> None:
+        from pliant.check.force_field.minimise import why_not_file
+
+        path = str(found.sampled.ensemble)
+        found.why_no_check = why_not_file(path) if self.check else "--no-check"
+        if found.why_no_check:
+            return
+        on_stage("MD starts")
+        try:
+            need("the check of MD starts", "openmm")
+            from pliant.check import check
+
+            found.check = check(path, quiet=self.quiet)
+        except (MissingPackageError, Error) as error:
+            found.why_no_check = str(error)
