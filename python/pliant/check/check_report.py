@@ -36,7 +36,12 @@ class CheckReport(Displayed):
     @property
     def passed(self) -> bool:
         """No finding failed. What OpenMM cannot do is not a failure of the trajectory."""
-        return all(finding.status != FAILED for finding in self.findings)
+        return not self.failed
+
+    @property
+    def failed(self) -> list[str]:
+        """Names of the findings that failed."""
+        return [finding.name for finding in self.findings if finding.status == FAILED]
 
     @property
     def covers(self) -> Coverage:

@@ -7,7 +7,7 @@ import math
 
 from pliant.check.check_report import CheckReport
 from pliant.check.contest import Method, Result
-from pliant.check.findings import CANNOT, FAILED, Finding
+from pliant.check.findings import CANNOT, Finding
 from pliant.check.force_field import text as force_field
 from pliant.console import Table, printable_name
 
@@ -116,9 +116,8 @@ def _residual_cell(residual: float) -> str:
 
 def conclusion(report: CheckReport) -> str:
     """The last line: the verdict, and what it covers."""
-    failed = [finding.name for finding in report.findings if finding.status == FAILED]
-    if failed:
-        return f"failed: {', '.join(failed)}"
+    if report.failed:
+        return f"failed: {', '.join(report.failed)}"
     cannot = sum(finding.status == CANNOT for finding in report.findings)
     beyond = f"; {cannot} checks are beyond OpenMM" if cannot else ""
     return f"passed: {report.covers.text}{beyond}"

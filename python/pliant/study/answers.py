@@ -25,16 +25,18 @@ MOST_NAMED = 5  #: residues, ligands or hinges that a line names
 def answers(study: Study) -> dict[str, str]:
     """Question in a word -> its answer in a line."""
     analysis = study.report.analysis
+    small = analysis[Units].what == "atom"
     lines = {
         "molecule": _molecule(analysis),
         "left out": _listed(study.sampled.left_out) or "nothing",
-        "flexible": _flexible(analysis),
-        "together": _together(analysis),
-        "other shapes": _other_shapes(analysis),
+        "flexible": _flexible(study),
+        "together": _rotatable(analysis) if small else _together(analysis),
+        "other shapes": _conformers(study) if small else _other_shapes(analysis),
     }
     if study.path is not None:
         lines["path"] = _path(study.path, study.end)
-    lines["MD starts"] = _md_starts(study)
+    if not small:
+        lines["MD starts"] = _md_starts(study)
     lines["verdict"] = whole(analysis).sentence
     lines["page"] = str(study.page)
     return lines
@@ -51,7 +53,8 @@ def _molecule(analysis: Analysis) -> str:
     return f"{np.count_nonzero(units.of_chain)} residues{chains}, {atoms}{beside}"
 
 
-def _flexible(analysis: Analysis) -> str:
+def _flexible(study: Study) -> str:
+    analysis = study.report.analysis
     part, units = analysis.get(UnitFlexibility), analysis[Units]
     if part is None or part.found.still:
         return "nothing moves" if part else f"not known: {analysis.skipped.get('flexibility', '')}"
@@ -62,12 +65,28 @@ def _flexible(analysis: Analysis) -> str:
         f"{units.labels[k]} {found.rmsf[k]:.1f} ± {2 * found.error[k]:.1g}" for k in most
     )
     doubt = "" if found.converged else "; not converged"
-    return f"{named} Å; {found.rmsf[among].mean():.2f} Å on average{doubt}"
+    mean = f"{found.rmsf[among].mean():.2f} Å on average"
+    if study.sampled.facts["amplitude_asked"] > 0:  # none of conformers
+        mean += ", which is an input"
+    return f"{named} Å ({mean}){doubt}"
+
+
+def _rotatable(analysis: Analysis) -> str:
+    torsions = analysis.get(Torsions)
+    return counted(len(torsions.measured.torsions), "rotatable bond") if torsions else "not known"
+
+
+def _conformers(study: Study) -> str:
+    frames, chosen = len(study.report.analysis.frames), study.representatives
+    if chosen is None or study.report.analysis[UnitFlexibility].found.still:
+        return f"none: all {frames} frames are alike"
+    return (
+        f"{frames} conformers; {len(chosen.frames)} stand for all, within "
+        f"{chosen.mean_distance:.1f} Å on average, {chosen.largest_distance:.1f} Å at most"
+    )
 
 
 def _together(analysis: Analysis) -> str:
-    if (torsions := analysis.get(Torsions)) and analysis[Units].what == "atom":
-        return f"{len(torsions.measured.torsions)} rotatable bonds, which turn on their own"
     domains = analysis.get(RigidDomains)
     if domains is None:
         return "not known: too few residues, or nothing moves"
@@ -91,7 +110,8 @@ def _path(path: MolecularPath, end: str) -> str:
     far, last = path.frames[0].to_end, path.frames[-1]
     how = f"{last.lost} of {path.only_start} contacts lost, {last.made} of {path.only_end} made"
     if path.arrived:
-        return f"found, {len(path.frames)} frames: {far:.1f} Å to {end}, {path.reached:.2f} Å left; {how}"
+        near = f"from {far:.1f} Å to {path.reached:.2f} Å from {end}"
+        return f"found, {near} in {len(path.frames)} frames; {how}"
     return (
         f"not found: {path.reached:.1f} Å of {far:.1f} Å to {end} are left; pliant path --both "
         "--backtrack tries other ways"
@@ -101,7 +121,13 @@ def _path(path: MolecularPath, end: str) -> str:
 def _md_starts(study: Study) -> str:
     if study.check is None:
         return f"not looked at: {study.why_no_check}"
-    return f"{'yes' if study.check.passed else 'no'}: {study.check.covers.text}"
+    covers, failed = study.check.covers, study.check.failed
+    if not covers.md_starts:
+        return "not known: OpenMM could not minimise a frame"
+    alone = f", of the protein alone, without {covers.without}" if covers.left_out else ""
+    answer = f"no ({', '.join(failed)})" if failed else "yes"
+    looked_at = f"{covers.md_starts} of {covers.frames} frames were looked at"
+    return f"{answer}, once minimised{alone}; {looked_at}"
 
 
 def _listed(counts: Mapping[str, int]) -> str:

@@ -7,6 +7,7 @@ import json
 import os
 import subprocess
 import sys
+import warnings
 from collections import Counter
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -57,9 +58,12 @@ def _last_line(errors: bytes | None) -> str:
 
 def _left_out(file: str | os.PathLike[str], ensemble: Path) -> dict[str, int]:
     """Residues of the file that are not in the ensemble, waters under one name."""
-    had, has = (Counter(_residues(one)) for one in (read(file), H5mdReader(ensemble).structure()))
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # `pliant sample` has said what there was to say
+        had, has = read(file), H5mdReader(ensemble).structure()
+    lacking = Counter(_residues(had)) - Counter(_residues(has))
     names = Counter[str]()
-    for (_, _, name), count in (had - has).items():
+    for (_, _, name), count in lacking.items():
         names["water" if name in WATERS else name] += count
     return dict(names)
 
