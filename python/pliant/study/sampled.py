@@ -53,7 +53,7 @@ def sampled(file: str | os.PathLike[str], folder: Path, options: Sequence[str]) 
 def _last_line(errors: bytes | None) -> str:
     """What a command said when it failed, without the name of the command."""
     lines = (errors or b"").decode(errors="replace").strip().splitlines()
-    return lines[-1].removeprefix("pliant sample: error: ") if lines else ""
+    return lines[-1].rpartition("error: ")[2] if lines else ""
 
 
 def _left_out(file: str | os.PathLike[str], ensemble: Path) -> dict[str, int]:

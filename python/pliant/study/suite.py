@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import os
 import warnings
 from collections.abc import Callable, Sequence
@@ -85,7 +86,6 @@ def study(
     need("pliant.study", "MDAnalysis", "matplotlib", "scipy", extra="analysis")
     folder = Path(output) if output is not None else Path(f"{_stem(file)}-study")
     _check_output(folder, overwrite)
-    folder.mkdir(parents=True, exist_ok=True)
     task = _Task(file, end, folder, seed, check, quiet)
     options = _sample_options(frames, seed, keep)
     if on_stage is not None:
@@ -129,7 +129,13 @@ class _Task:
 
     def studied(self, options: Sequence[str], on_stage: Callable[[str], None]) -> Study:
         on_stage("sampling")
-        ensemble = sampled(self.file, self.folder, options)
+        self.folder.mkdir(parents=True, exist_ok=True)
+        try:
+            ensemble = sampled(self.file, self.folder, options)
+        except Error:
+            with contextlib.suppress(OSError):  # it holds an earlier study
+                self.folder.rmdir()
+            raise
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")  # `sampled` has said what there was to say
             report = AnalysisReport(
