@@ -101,6 +101,7 @@ from pliant.adapters import (
     from_mdanalysis,
     from_openmm,
     from_rdkit,
+    from_smiles,
     to_mdanalysis,
 )
 from pliant.play.view import view
@@ -196,6 +197,7 @@ __all__ = [
     "from_mdanalysis",
     "from_openmm",
     "from_rdkit",
+    "from_smiles",
     "generate",
     "graph_classes",
     "lane_levels",

@@ -36,6 +36,7 @@ examples:
   pliant study protein.pdb
   pliant study open.pdb closed.pdb -o opening
   pliant study drug.sdf --frames 200
+  pliant study --smiles "CC(=O)Oc1ccccc1C(=O)O" -o aspirin
 """
 
 
@@ -43,10 +44,12 @@ def make_parser() -> console.Parser:
     """The options of pliant study."""
     parser = console.Parser("study", DESCRIPTION, EPILOG)
     add = parser.add_argument
-    add("file", metavar="FILE", help="molecule: PDB, mmCIF, XYZ or SDF")
+    add("file", metavar="FILE", nargs="?", help="molecule: PDB, mmCIF, XYZ or SDF")
     add("end", metavar="END", nargs="?", help="another structure of it, to find a path to")
     text = "folder for the results (default: FILE's name with -study)"
     add("-o", "--output", metavar="DIR", help=text)
+    text = "instead of FILE: a small molecule, which RDKit makes three-dimensional"
+    add("--smiles", metavar="TEXT", help=text)
     text = "frames of the ensemble (default: as pliant sample)"
     add("--frames", metavar="N", type=console.whole_number(4), help=text)
     add("--seed", metavar="N", type=console.whole_number(0), default=0, help="seed (default: 0)")
@@ -74,6 +77,7 @@ def _study(arguments: argparse.Namespace) -> int:
             arguments.file,
             arguments.end,
             arguments.output,
+            smiles=arguments.smiles,
             frames=arguments.frames,
             seed=arguments.seed,
             keep=arguments.keep,

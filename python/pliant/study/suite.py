@@ -14,6 +14,7 @@ from pliant._checked import SEED, checked, whole
 from pliant._core import Error, InputError, OptionError, PathOptions
 from pliant._extras import MissingPackageError, need
 from pliant._progress import Stages
+from pliant.adapters.smiles import embedded
 from pliant.analyse.analysis import AnalysisOptions
 from pliant.analyse.choose_representatives import representatives
 from pliant.analyse.stages import STAGES, analyse_trajectory
@@ -33,10 +34,11 @@ REPRESENTATIVES = 20
 
 @checked(frames=whole(4), seed=SEED)
 def study(
-    file: str | os.PathLike[str],
+    file: str | os.PathLike[str] | None = None,
     end: str | os.PathLike[str] | None = None,
     output: str | os.PathLike[str] | None = None,
     *,
+    smiles: str | None = None,
     frames: int | None = None,
     seed: int = 0,
     keep: str = "",
@@ -52,12 +54,14 @@ def study(
 
     Parameters
     ----------
-    file : str or path
+    file : str or path, optional
         PDB, mmCIF, XYZ or SDF file.
     end : str or path, optional
         Another structure of the same molecule, PDB or mmCIF: a path to it is found as well.
     output : str or path, optional
         Folder for the results. Default: the file's name with ``-study``, in the current folder.
+    smiles : str, optional
+        Instead of a file: a molecule that RDKit makes, see ``from_smiles``.
     frames : int, optional
         Frames of the ensemble, at least 4. Default: as ``pliant sample``.
     seed : int
@@ -84,8 +88,12 @@ def study(
         An option is out of range.
     """
     need("pliant.study", "MDAnalysis", "matplotlib", "scipy", extra="analysis")
+    if (file is None) == (smiles is None):
+        raise OptionError("FILE, --smiles: expected one of the two")
     folder = Path(output) if output is not None else Path(f"{_stem(file)}-study")
     _check_output(folder, overwrite)
+    if file is None:
+        file = _embedded(str(smiles), folder, seed)
     task = _Task(file, end, folder, seed, check, quiet)
     options = _sample_options(frames, seed, keep)
     if on_stage is not None:
@@ -94,8 +102,21 @@ def study(
         return task.studied(options, stages)
 
 
-def _stem(file: str | os.PathLike[str]) -> str:
+def _embedded(smiles: str, folder: Path, seed: int) -> Path:
+    """Writes the molecule into the folder."""
+    from rdkit.Chem import MolToMolFile
+
+    molecule = embedded(smiles, seed % 2**31)
+    folder.mkdir(parents=True, exist_ok=True)
+    file = folder / "molecule.sdf"
+    MolToMolFile(molecule, str(file))
+    return file
+
+
+def _stem(file: str | os.PathLike[str] | None) -> str:
     """ "4e43" of "4e43.pdb.gz"."""
+    if file is None:
+        return "smiles"
     return Path(file).name.removesuffix(".gz").removesuffix(".bz2").rpartition(".")[0] or "molecule"
 
 

@@ -127,3 +127,14 @@ def test_what_is_wrong_is_said_in_one_line(words, code, message, tmp_path, capsy
     assert ended == code
     assert capsys.readouterr().err.splitlines()[0] == f"pliant study: error: {message}"
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_smiles_is_studied(tmp_path, capsys):
+    pytest.importorskip("rdkit")
+    words = ["--smiles", "OCC(O)CO", "-o", str(tmp_path / "out"), "--frames", "20"]
+    assert main(words) == 0
+    assert answers(capsys.readouterr().out)["molecule"].startswith("14 atoms, a small molecule")
+    assert (tmp_path / "out" / "molecule.sdf").exists()
+    assert main(words[:1] + ["OCC(O)CO", str(MOLECULES / "aspirin.sdf")]) == 2
+    expected = "pliant study: error: FILE, --smiles: expected one of the two\n"
+    assert capsys.readouterr().err == expected

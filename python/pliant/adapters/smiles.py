@@ -1,0 +1,61 @@
+# SPDX-License-Identifier: MIT
+"""SMILES: a molecule drawn as text, made into a structure by RDKit."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from pliant._checked import checked, whole
+from pliant._core import InputError, Structure
+from pliant._extras import need
+from pliant.adapters.rdkit import from_rdkit
+
+if TYPE_CHECKING:
+    from rdkit.Chem import Mol
+
+
+@checked(seed=whole(0, 2**31 - 1))
+def from_smiles(smiles: str, seed: int = 0) -> Structure:
+    """Return the molecule of a SMILES as a structure: 3-D, with all its hydrogens.
+
+    RDKit makes it: ETKDGv3 (S. Wang et al., J. Chem. Inf. Model. 60 (2020) 2044), then a
+    minimisation by MMFF94s, or by UFF of atoms that MMFF94s does not know.
+
+    Parameters
+    ----------
+    smiles : str
+        Of one molecule, such as ``"CC(=O)Oc1ccccc1C(=O)O"``.
+    seed : int
+        Of the embedding.
+
+    Raises
+    ------
+    ImportError
+        RDKit is not installed; the message says how to install it.
+    InputError
+        Not a SMILES, several molecules, or no 3-D structure was found.
+    """
+    return from_rdkit(embedded(smiles, seed))
+
+
+def embedded(smiles: str, seed: int = 0) -> Mol:
+    """The RDKit molecule of `from_smiles`, with one conformer."""
+    need("a SMILES", "rdkit")
+    from rdkit import Chem, rdBase
+    from rdkit.Chem import rdDistGeom, rdForceFieldHelpers
+
+    with rdBase.BlockLogs():
+        parsed = Chem.MolFromSmiles(smiles)
+        if parsed is None or parsed.GetNumAtoms() == 0:
+            raise InputError(f"SMILES '{smiles}': expected a molecule, RDKit cannot read it")
+        if len(Chem.GetMolFrags(parsed)) > 1:
+            raise InputError(f"SMILES '{smiles}': expected one molecule, found several ('.')")
+        molecule = Chem.AddHs(parsed)
+        options = rdDistGeom.ETKDGv3()
+        options.randomSeed = seed + 1  # 0 is not a seed
+        if rdDistGeom.EmbedMolecule(molecule, options) != 0:
+            raise InputError(f"SMILES '{smiles}': RDKit found no 3-D structure")
+        if rdForceFieldHelpers.MMFFOptimizeMolecule(molecule, "MMFF94s", maxIters=2000) < 0:
+            rdForceFieldHelpers.UFFOptimizeMolecule(molecule, maxIters=2000)
+    molecule.SetProp("_Name", smiles)
+    return molecule
