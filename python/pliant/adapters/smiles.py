@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from pliant._checked import checked, whole
 from pliant._core import InputError, Structure
@@ -51,7 +51,7 @@ def embedded(smiles: str, seed: int = 0) -> Mol:
         if len(Chem.GetMolFrags(parsed)) > 1:
             raise InputError(f"SMILES '{smiles}': expected one molecule, found several ('.')")
         molecule = Chem.AddHs(parsed)
-        options = rdDistGeom.ETKDGv3()
+        options: Any = rdDistGeom.ETKDGv3()
         options.randomSeed = seed + 1  # 0 is not a seed
         if rdDistGeom.EmbedMolecule(molecule, options) != 0:
             raise InputError(f"SMILES '{smiles}': RDKit found no 3-D structure")
