@@ -168,6 +168,6 @@ def _hinges(domain: np.ndarray, chains: np.ndarray, share: np.ndarray) -> list[H
     for before, after in zip(held[:-1], held[1:], strict=True):
         one_chain = chains[before] == chains[after]
         if one_chain and domain[before] != domain[after] and after - before <= MOST_BETWEEN:
-            site = before + int(np.argmax(share[before : after + 1]))
+            site = int(before) + int(np.argmax(share[before : after + 1]))
             made.append(Hinge(int(before), int(after), site, float(share[site])))
     return made

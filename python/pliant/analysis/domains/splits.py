@@ -36,6 +36,10 @@ LEAST_SITES = 20
 LEAST_SHARE = 0.05
 
 _MOST_ROUNDS = 6
+#: frames that are multiplied at once, at most ...
+_AT_ONCE = 64
+#: ... and products: beyond some 260,000 OpenBLAS wakes its threads, which takes longer
+_PRODUCTS = 200_000
 
 
 def least_sites(sites: int) -> int:
@@ -48,8 +52,8 @@ class Sample:
     """Frames of n sites with weights, as a split needs them."""
 
     mean: np.ndarray  #: (n, 3) Angstrom
-    moves: np.ndarray  #: (F, 3n) from there
-    weights: np.ndarray  #: (F,) of the frames; they sum to 1
+    moves: np.ndarray  #: (F, 3n) from there; F is a multiple of _AT_ONCE
+    weights: np.ndarray  #: (F,) of the frames, 0 for those that fill up; they sum to 1
     changes: np.ndarray  #: (n (n - 1) / 2,) standard deviation of the distance of each two sites
     chains: np.ndarray  #: (n,) equal where sites are of one chain
 
@@ -99,8 +103,10 @@ class Frames:
     def sample(self, times: np.ndarray) -> Sample:
         """Each block as many times as `times` (B,) says."""
         part = (times / (times @ self._sizes)).astype(np.float32)
-        used = part[self._block] > 0
-        flat, weights = self._flat[used], part[self._block[used]]
+        used = np.flatnonzero(part[self._block])
+        filled = np.resize(used, -(-len(used) // _AT_ONCE) * _AT_ONCE)
+        flat, weights = self._flat[filled], part[self._block[filled]]
+        weights[len(used) :] = 0.0
         shift = weights @ flat
         first, second = (part @ sums for sums in self._sums)
         changes = np.sqrt(np.maximum(second - first * first, 0.0))
@@ -126,7 +132,7 @@ def rigid_bodies(sample: Sample) -> np.ndarray:
 
 
 def _split(sample: Sample, whole: np.ndarray, least_gain: float) -> list[np.ndarray]:
-    """Two bodies of a set of sites, or none if they move too little against each other."""
+    """Two bodies of a set of sites, or three; none if they move too little against each other."""
     least = least_sites(len(sample.mean))
     if len(whole) < 2 * least:
         return []
@@ -134,45 +140,53 @@ def _split(sample: Sample, whole: np.ndarray, least_gain: float) -> list[np.ndar
     within = left_within(part, np.arange(len(whole)))
     if within < least_gain or within <= 0:
         return []
-    halves = _halves(part, least)
-    left = sum(left_within(part, half) for half in halves)
-    if not halves or within - left < max(LEAST_RATIO**2 * left, least_gain):
-        return []
-    return [whole[half] for half in halves]
+    tree = linkage(part.changes, "average")
+    best: list[np.ndarray] = []
+    for count in (2, 3):  # of three in a row, two halves would share out the one between
+        parts = _parts(part, tree, count, least)
+        left = sum(left_within(part, one) for one in parts)
+        if not parts or within - left < max(LEAST_RATIO**2 * left, least_gain):
+            break
+        best, within = parts, left
+    return [whole[one] for one in best]
 
 
-def _halves(sample: Sample, least: int) -> list[np.ndarray]:
-    """Two bodies of all sites: those of the tree of changes of distances, then each site to the
-    body whose motion it follows better, it and its neighbours along the chain; or none."""
-    body = _first_halves(sample, least)
-    for _ in range(_MOST_ROUNDS if body.any() else 0):
+def _parts(sample: Sample, tree: np.ndarray, count: int, least: int) -> list[np.ndarray]:
+    """So many bodies of all sites: those of the tree of changes of distances, then each site to
+    the body whose motion it follows best, it and its neighbours along the chain; or none."""
+    body = _first_parts(tree, count, least)
+    bodies = range(count if body.max() == count - 1 else 0)
+    for _ in range(_MOST_ROUNDS if bodies else 0):
         off = [
             over_neighbours(left_over(sample, np.flatnonzero(body == k)), sample.chains)
-            for k in range(2)
+            for k in bodies
         ]
-        better = without_short_stretches((off[1] < off[0]).astype(np.int64), sample.chains)
+        better = without_short_stretches(np.argmin(off, axis=0), sample.chains)
         better = whole_ends(better, sample.chains)
-        if min(np.count_nonzero(better == k) for k in range(2)) < least:
+        if np.bincount(better, minlength=count).min() < least:
             return []
         if np.array_equal(better, body):
             break
         body = better
-    return [np.flatnonzero(body == k) for k in range(2)] if body.any() else []
+    return [np.flatnonzero(body == k) for k in bodies]
 
 
-def _first_halves(sample: Sample, least: int) -> np.ndarray:
-    """(n,) 1 for one of the two parts that average linkage of the changes of distances makes, once
-    branches of fewer than `least` sites are set aside; 0 for all where there are no two."""
-    tree = linkage(sample.changes, "average")
-    count = len(sample.mean)
-    sizes = np.concatenate([np.ones(count), tree[:, 3]])
-    body = np.zeros(count, dtype=np.int64)
-    node = 2 * count - 2
-    while node >= count:
-        node, smaller = sorted(tree[node - count, :2].astype(int), key=lambda k: -sizes[k])
-        if sizes[smaller] >= least:
-            body[_leaves(tree, smaller)] = 1
-            break
+def _first_parts(tree: np.ndarray, count: int, least: int) -> np.ndarray:
+    """(n,) the part of each site: the highest of the tree with `least` sites and more, up to so
+    many; -1 for the smaller branches that are set aside."""
+    sites = len(tree) + 1
+    sizes = np.concatenate([np.ones(sites), tree[:, 3]])
+    nodes: list[int] = [2 * sites - 2]
+    kept: list[int] = []  # no part of theirs is large enough
+    while nodes and len(nodes) + len(kept) < count:
+        node = nodes.pop(nodes.index(max(nodes)))  # the highest of the tree
+        below = [int(k) for k in tree[node - sites, :2] if sizes[int(k)] >= least]
+        nodes += below
+        if not below:
+            kept.append(node)
+    body = np.full(sites, -1)
+    for k, node in enumerate([*nodes, *kept]):
+        body[_leaves(tree, node)] = k
     return body
 
 
@@ -205,8 +219,18 @@ def left_over(sample: Sample, body: np.ndarray) -> np.ndarray:
     own = np.zeros_like(motions)
     own[:, body] = motions[:, body]
     flat, own = (one.reshape(6, -1).astype(np.float32) for one in (motions, own))
-    amounts = (sample.moves @ own.T) @ np.linalg.pinv(own @ own.T)  # (F, 6)
-    weighted = amounts * sample.weights[:, None]
-    along = weighted.T @ sample.moves  # (6, 3n)
-    left = sample.squares + np.sum(((weighted.T @ amounts) @ flat - 2.0 * along) * flat, axis=0)
+    moves = sample.moves.reshape(-1, _frames_at_once(sites), 3 * sites)
+    amounts = (moves @ own.T) @ np.linalg.pinv(own @ own.T)  # (parts, frames, 6)
+    weighted = amounts * sample.weights.reshape(*moves.shape[:2], 1)
+    along = np.sum(weighted.transpose(0, 2, 1) @ moves, axis=0)  # (6, 3n)
+    square = weighted.reshape(-1, 6).T @ amounts.reshape(-1, 6)
+    left = sample.squares + np.sum((square @ flat - 2.0 * along) * flat, axis=0)
     return np.asarray(left.reshape(sites, 3).sum(axis=1))
+
+
+def _frames_at_once(sites: int) -> int:
+    """A power of two up to _AT_ONCE."""
+    count = _AT_ONCE
+    while count > 1 and count * 18 * sites > _PRODUCTS:
+        count //= 2
+    return count
