@@ -143,37 +143,49 @@ def _split(sample: Sample, whole: np.ndarray, least_gain: float) -> list[np.ndar
     tree = linkage(part.changes, "average")
     best: list[np.ndarray] = []
     for count in (2, 3):  # of three in a row, two halves would share out the one between
-        parts = _parts(part, tree, count, least)
-        left = sum(left_within(part, one) for one in parts)
-        if not parts or within - left < max(LEAST_RATIO**2 * left, least_gain):
+        first = _first_parts(tree, count, least)
+        if best and not _explained(part, first, within, least_gain):
             break
-        best, within = parts, left
+        bodies = _bodies(part, first, least)
+        if not _explained(part, bodies, within, least_gain):
+            break
+        best = bodies
+        within = sum(left_within(part, one) for one in best)
     return [whole[one] for one in best]
 
 
-def _parts(sample: Sample, tree: np.ndarray, count: int, least: int) -> list[np.ndarray]:
-    """So many bodies of all sites: those of the tree of changes of distances, then each site to
-    the body whose motion it follows best, it and its neighbours along the chain; or none."""
-    body = _first_parts(tree, count, least)
-    bodies = range(count if body.max() == count - 1 else 0)
-    for _ in range(_MOST_ROUNDS if bodies else 0):
+def _explained(
+    sample: Sample, bodies: list[np.ndarray], within: float, least_gain: float
+) -> bool:
+    """Whether bodies explain enough of the fluctuation that was left without them."""
+    left = sum(left_within(sample, one) for one in bodies)
+    return len(bodies) > 1 and within - left >= max(LEAST_RATIO**2 * left, least_gain)
+
+
+def _bodies(sample: Sample, first: list[np.ndarray], least: int) -> list[np.ndarray]:
+    """Bodies of all sites, from a first guess: each site to the body whose motion it follows best,
+    it and its neighbours along the chain; none where one of them dwindles."""
+    body = np.full(len(sample.mean), -1)
+    for k, one in enumerate(first):
+        body[one] = k
+    for _ in range(_MOST_ROUNDS if len(first) > 1 else 0):
         off = [
             over_neighbours(left_over(sample, np.flatnonzero(body == k)), sample.chains)
-            for k in bodies
+            for k in range(len(first))
         ]
         better = without_short_stretches(np.argmin(off, axis=0), sample.chains)
         better = whole_ends(better, sample.chains)
-        if np.bincount(better, minlength=count).min() < least:
+        if np.bincount(better, minlength=len(first)).min() < least:
             return []
         if np.array_equal(better, body):
             break
         body = better
-    return [np.flatnonzero(body == k) for k in bodies]
+    return [np.flatnonzero(body == k) for k in range(len(first))]
 
 
-def _first_parts(tree: np.ndarray, count: int, least: int) -> np.ndarray:
-    """(n,) the part of each site: the highest of the tree with `least` sites and more, up to so
-    many; -1 for the smaller branches that are set aside."""
+def _first_parts(tree: np.ndarray, count: int, least: int) -> list[np.ndarray]:
+    """The highest parts of the tree with `least` sites and more, so many; none if there are fewer.
+    Smaller branches are set aside."""
     sites = len(tree) + 1
     sizes = np.concatenate([np.ones(sites), tree[:, 3]])
     nodes: list[int] = [2 * sites - 2]
@@ -184,10 +196,8 @@ def _first_parts(tree: np.ndarray, count: int, least: int) -> np.ndarray:
         nodes += below
         if not below:
             kept.append(node)
-    body = np.full(sites, -1)
-    for k, node in enumerate([*nodes, *kept]):
-        body[_leaves(tree, node)] = k
-    return body
+    parts = [np.sort(_leaves(tree, node)) for node in (*nodes, *kept)]
+    return parts if len(parts) == count else []
 
 
 def _leaves(tree: np.ndarray, node: int) -> list[int]:
