@@ -16,8 +16,8 @@ if TYPE_CHECKING:
     from pliant.analyse.analysis import Analysis
 
 RULE = (
-    f"Blocks of frames were drawn anew {RESAMPLES} times, and domains looked for in each draw. "
-    f"Shown is what is together in {100 * TOGETHER:.0f} % of the draws."
+    f"Domains were looked for in {RESAMPLES} resamples of the frames (blocks drawn with "
+    f"replacement). Shown is what is together in {100 * TOGETHER:.0f} % of them."
 )
 
 
@@ -28,21 +28,21 @@ def domain_verdict(analysis: Analysis) -> Verdict | None:
         return None
     found = part.found
     if found.count == 0:
-        why = f"The number of domains is {numbers_text(analysis)}. {RULE}"
+        why = f"Number of domains: {numbers_text(analysis)}. {RULE}"
         return Verdict("open", "No domains are shown: they do not repeat.", why)
     if found.count == 1:
-        one = "One piece: no two parts move against each other as far as they deform."
-        return Verdict("open", one, f"In {_percent(found.found[0])} of the draws. {RULE}")
+        one = "One piece: no two parts move against each other as rigid bodies."
+        return Verdict("open", one, f"In {_percent(found.found[0])} of the resamples. {RULE}")
     least = found.found.min()
-    share = "all" if least == 1.0 else f"at least {_percent(least)} of the"
-    sentence = f"{found.count} domains, each found in {share} draws of frames."
+    share = "all" if least == 1.0 else f"at least {_percent(least)} of"
+    sentence = f"{found.count} domains, each found in {share} {RESAMPLES} resamples of the frames."
     return Verdict("good", sentence, RULE)
 
 
 def numbers_text(analysis: Analysis) -> str:
-    """ "2 in 6 %, 3 in 94 % of the draws"."""
+    """ "2 in 6 %, 3 in 94 % of the resamples"."""
     counts = sorted(analysis[RigidDomains].found.counts.items())
-    return ", ".join(f"{number} in {_percent(share)}" for number, share in counts) + " of the draws"
+    return ", ".join(f"{number} in {_percent(share)}" for number, share in counts) + " of the resamples"
 
 
 def domain_rows(analysis: Analysis) -> list[Sequence[str]]:
