@@ -6,7 +6,6 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-
 from scipy.cluster.hierarchy import fcluster, linkage
 from scipy.spatial.distance import squareform
 
@@ -48,10 +47,10 @@ def rigid_turns(start: np.ndarray, end: np.ndarray, chains: np.ndarray) -> Rigid
     """Pieces of sites (n, 3), one a residue in the order of their chains, from start to end.
 
     At first sites whose distances change least are put together (average linkage); pieces are added
-    while each explains at least LEAST_GAIN of the motion. Then each site goes to the piece whose motion brings it and its
-    neighbours along the chain nearest to their places, until nothing changes. The angle is that of
-    the rotation that superposes a piece once the largest is superposed: cos(angle) = (trace(R) - 1)
-    / 2.
+    while each explains at least LEAST_GAIN of the motion. Then each site goes to the piece whose
+    motion brings it and its neighbours along the chain nearest to their places, until nothing
+    changes. The angle is that of the rotation that superposes a piece once the largest is
+    superposed: cos(angle) = (trace(R) - 1) / 2.
     """
     moved = Superposition(start, np.ones(len(start))).apply(end)
     piece = _best_pieces(start, moved, _first_pieces(np.stack([start, moved]), chains), chains)

@@ -5,13 +5,14 @@ import itertools
 import warnings
 
 import numpy as np
-import pliant
 import pytest
 from pliant.analysis.domains import find_domains
 from pliant.analysis.domains.find import APART, TOGETHER
 from pliant.analysis.domains.splits import Frames, left_over
 from pliant.analysis.superposition import superpose_all
 from scipy.spatial.transform import Rotation
+
+import pliant
 
 BODY = 40  #: sites of each body
 
@@ -90,7 +91,7 @@ def test_it_is_the_same_each_time_and_wherever_the_frames_lie():
     positions = bodies(drawn(60, 1, 8), 0.3)
     first, again = (find_domains(positions, one_chain(positions)) for _ in range(2))
     turn = Rotation.from_euler("xyz", [30, 40, 50], degrees=True)
-    moved = turn.apply(positions.reshape(-1, 3)).reshape(positions.shape) + [10, -20, 30]
+    moved = turn.apply(positions.reshape(-1, 3)).reshape(positions.shape) + 20.0
     elsewhere = find_domains(moved, one_chain(positions))
     for other in (again, elsewhere):
         np.testing.assert_array_equal(first.domain, other.domain)

@@ -56,7 +56,9 @@ def test_domains_are_listed_with_how_often_they_are_found(analysis):
     assert [row[0] for row in rows] == ["1", "2", "hinge", "how many"]
     assert [row[2] for row in rows] == ["100 %", "94 %", "80 %", ""]
     assert rows[3][1] == "2 in 94 %, 3 in 6 % of the resamples"
-    assert verdict.sentence == "2 domains, each found in at least 94 % of 50 resamples of the frames."
+    assert (
+        verdict.sentence == "2 domains, each found in at least 94 % of 50 resamples of the frames."
+    )
     assert values["domain_table"][1]["share"] == 0.94 and values["hinges"][0]["share"] == 0.8
     json.dumps(values["hinges"])
     none = np.full(count, LOOSE)

@@ -42,11 +42,14 @@ def domain_verdict(analysis: Analysis) -> Verdict | None:
 def numbers_text(analysis: Analysis) -> str:
     """ "2 in 6 %, 3 in 94 % of the resamples"."""
     counts = sorted(analysis[RigidDomains].found.counts.items())
-    return ", ".join(f"{number} in {_percent(share)}" for number, share in counts) + " of the resamples"
+    return (
+        ", ".join(f"{number} in {_percent(share)}" for number, share in counts)
+        + " of the resamples"
+    )
 
 
 def domain_rows(analysis: Analysis) -> list[Sequence[str]]:
-    """(what, residues, share) of each domain, each hinge and what is undecided; none for one piece."""
+    """(what, residues, share) of domains, hinges and what is undecided; none for one piece."""
     part = analysis[RigidDomains]
     found = part.found
     if found.count == 1:

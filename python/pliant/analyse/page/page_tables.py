@@ -161,9 +161,7 @@ def _flexible_table(analysis: Analysis) -> PageTable:
 
 def _domain_table(analysis: Analysis) -> PageTable:
     headers = ("domain", "residues", "found in")
-    return PageTable(
-        TOGETHER, "Domains that move as rigid bodies", headers, domain_rows(analysis)
-    )
+    return PageTable(TOGETHER, "Domains that move as rigid bodies", headers, domain_rows(analysis))
 
 
 def _component_table(analysis: Analysis) -> PageTable:

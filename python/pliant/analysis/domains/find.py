@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import itertools
 from dataclasses import dataclass
 
 import numpy as np
@@ -79,7 +80,9 @@ def find_domains(
     if blocks is None:
         blocks = np.array_split(np.arange(len(positions)), min(BLOCKS, len(positions)))
     step = -(-len(positions) // MOST_FRAMES)
-    frames = Frames(positions, chains, [block[:: max(1, min(step, len(block)))] for block in blocks])
+    frames = Frames(
+        positions, chains, [block[:: max(1, min(step, len(block)))] for block in blocks]
+    )
     random = np.random.default_rng(0)
     times = random.multinomial(len(blocks), np.full(len(blocks), 1 / len(blocks)), RESAMPLES)
     bodies = np.array([rigid_bodies(frames.sample(row)) for row in times])
@@ -165,7 +168,7 @@ def _hinges(domain: np.ndarray, chains: np.ndarray, share: np.ndarray) -> list[H
     """Between sites of one chain that are of different domains, with none of a third between."""
     held = np.flatnonzero(domain != LOOSE)
     made = []
-    for before, after in zip(held[:-1], held[1:], strict=True):
+    for before, after in itertools.pairwise(held):
         one_chain = chains[before] == chains[after]
         if one_chain and domain[before] != domain[after] and after - before <= MOST_BETWEEN:
             site = int(before) + int(np.argmax(share[before : after + 1]))

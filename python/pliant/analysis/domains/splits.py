@@ -21,11 +21,7 @@ import numpy as np
 from scipy.cluster.hierarchy import linkage
 from scipy.spatial.distance import pdist, squareform
 
-from pliant.analysis.domains.stretches import (
-    over_neighbours,
-    whole_ends,
-    without_short_stretches,
-)
+from pliant.analysis.domains.stretches import over_neighbours, whole_ends, without_short_stretches
 
 #: the halves of a split must move against each other by so much of what they deform (r.m.s.)
 LEAST_RATIO = 0.9
@@ -80,9 +76,7 @@ class Frames:
     positions: (F, n, 3) superposed, Angstrom; chains: (n,); blocks: arrays of frame numbers.
     """
 
-    def __init__(
-        self, positions: np.ndarray, chains: np.ndarray, blocks: list[np.ndarray]
-    ) -> None:
+    def __init__(self, positions: np.ndarray, chains: np.ndarray, blocks: list[np.ndarray]) -> None:
         mean = positions.mean(axis=0)
         self._mean = mean
         self._flat = (positions - mean).reshape(len(positions), -1).astype(np.float32)
@@ -154,9 +148,7 @@ def _split(sample: Sample, whole: np.ndarray, least_gain: float) -> list[np.ndar
     return [whole[one] for one in best]
 
 
-def _explained(
-    sample: Sample, bodies: list[np.ndarray], within: float, least_gain: float
-) -> bool:
+def _explained(sample: Sample, bodies: list[np.ndarray], within: float, least_gain: float) -> bool:
     """Whether bodies explain enough of the fluctuation that was left without them."""
     left = sum(left_within(sample, one) for one in bodies)
     return len(bodies) > 1 and within - left >= max(LEAST_RATIO**2 * left, least_gain)
@@ -212,6 +204,7 @@ def _leaves(tree: np.ndarray, node: int) -> list[int]:
 
 
 def left_within(sample: Sample, body: np.ndarray) -> float:
+    """Sum of the mean square fluctuations of the sites of a body within it."""
     return float(left_over(sample, body)[body].sum())
 
 
@@ -228,9 +221,9 @@ def left_over(sample: Sample, body: np.ndarray) -> np.ndarray:
         motions[3 + k, :, after] = -arms[:, last]
     own = np.zeros_like(motions)
     own[:, body] = motions[:, body]
-    flat, own = (one.reshape(6, -1).astype(np.float32) for one in (motions, own))
+    flat, fitted = (one.reshape(6, -1).astype(np.float32) for one in (motions, own))
     moves = sample.moves.reshape(-1, _frames_at_once(sites), 3 * sites)
-    amounts = (moves @ own.T) @ np.linalg.pinv(own @ own.T)  # (parts, frames, 6)
+    amounts = (moves @ fitted.T) @ np.linalg.pinv(fitted @ fitted.T)  # (parts, frames, 6)
     weighted = amounts * sample.weights.reshape(*moves.shape[:2], 1)
     along = np.sum(weighted.transpose(0, 2, 1) @ moves, axis=0)  # (6, 3n)
     square = weighted.reshape(-1, 6).T @ amounts.reshape(-1, 6)

@@ -15,7 +15,7 @@ SAME = 0.5
 def agreement(reported: np.ndarray, known: np.ndarray) -> float:
     """Share of the residues in reported domains that are in the known domain that goes with it.
 
-    Domains are matched one to one so that the most residues are; what has no partner counts against.
+    Domains are matched one to one so that most residues are; what has no partner counts against.
     """
     table = _shared(reported, known)
     rows, columns = linear_sum_assignment(-table)

@@ -81,9 +81,7 @@ def domains(
     return table
 
 
-def _each(
-    every: list[Direction], seeds: int, frames: int, processes: int
-) -> Iterable[Table]:
+def _each(every: list[Direction], seeds: int, frames: int, processes: int) -> Iterable[Table]:
     if processes == 1:
         return (_of_one(one, seeds, frames) for one in every)
     pool = ProcessPoolExecutor(processes)
@@ -112,9 +110,7 @@ def _row(direction: Direction, seeds: int, frames: int) -> Row:
     return row if direction.start == direction.goal else _compared(row, direction, model, reported)
 
 
-def _domains(
-    model: pliant.MolecularModel, trace: np.ndarray, frames: int, seed: int
-) -> np.ndarray:
+def _domains(model: pliant.MolecularModel, trace: np.ndarray, frames: int, seed: int) -> np.ndarray:
     """(n,) domain of each residue, as pliant analyse reports it."""
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", pliant.PliantWarning)

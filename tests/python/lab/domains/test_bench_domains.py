@@ -49,9 +49,11 @@ def test_the_ratio_is_large_for_rigid_halves_and_small_for_what_bends():
     start = 10 * random.standard_normal((60, 3, 3))
     first, second = np.arange(30), np.arange(30, 60)
     end = start.copy()
-    end[second] = Rotation.from_euler("z", 40, degrees=True).apply(
-        start[second].reshape(-1, 3)
-    ).reshape(30, 3, 3)
+    end[second] = (
+        Rotation.from_euler("z", 40, degrees=True)
+        .apply(start[second].reshape(-1, 3))
+        .reshape(30, 3, 3)
+    )
     assert ratio(start, end, first, second) > 1e4
     assert ratio(start, start + random.normal(0, 1, start.shape), first, second) < 0.5
 

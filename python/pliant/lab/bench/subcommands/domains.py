@@ -11,9 +11,9 @@ ORDER = 8
 SUMMARY = "whether reported domains repeat between seeds, and are those of known pairs"
 DESCRIPTION = """\
 Takes pairs of known structures of one protein. From each of the two, ensembles of several seeds are
-made (pliant sample --sampler modes), and domains found as pliant analyse reports them. No
-seed should contradict another, and the domains should be those that turn between the two structures
-by DynDom's criterion (Hayward and Berendsen 1998). Each pair is a subfolder of --data with two files
+made (pliant sample --sampler modes), and domains found as pliant analyse reports them. No seed
+should contradict another, and the domains should be those that turn between the two structures by
+DynDom's criterion (Hayward and Berendsen 1998). Each pair is a subfolder of --data with two files
 (PDB or mmCIF); those with a local.json are pockets, and left out."""
 EPILOG = """\
 examples:
