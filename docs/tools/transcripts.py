@@ -17,6 +17,7 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
+from importlib.util import find_spec
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -53,8 +54,12 @@ def blocks(text: str) -> Iterator[Block]:
 
 
 def fill(folder: Path) -> None:
-    """Puts into a folder what pages count on: `data`, and ubiquitin where it was fetched."""
+    """Puts into a folder what pages count on: `data`, ubiquitin where it was fetched, and adenylate
+    kinase where the tests of MDAnalysis are installed."""
     (folder / "data").symlink_to(ROOT / "data")
+    if tests := find_spec("MDAnalysisTests"):
+        kinase = Path(str(tests.origin)).parent / "data" / "adk_open.pdb"
+        (folder / kinase.name).symlink_to(kinase)
     for name, source in (("1ubi.pdb", "pdb1ubi.pdb"), ("2k39.pdb", "pdb2k39_ca.pdb")):
         if (STRUCTURES / source).exists():
             (folder / name).symlink_to(STRUCTURES / source)

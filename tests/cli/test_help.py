@@ -42,6 +42,7 @@ PAGES = {
     "pliant-bench-step": ["bench", "step", "--help"],
     "pliant-bench-validity": ["bench", "validity", "--help"],
     "pliant-bench-coverage": ["bench", "coverage", "--help"],
+    "pliant-bench-domains": ["bench", "domains", "--help"],
 }
 
 

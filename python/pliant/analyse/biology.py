@@ -39,6 +39,8 @@ if TYPE_CHECKING:
 LOOKED_AT = 100
 #: chains shorter than this have no domains
 LEAST_CHAIN = 20
+#: domains are of at most so many units; more are thinned along their chains
+MOST_DOMAIN_SITES = 500
 #: numbers of frames of `pliant sample` are white within blocks of so many
 WHITE = 100
 
@@ -65,12 +67,21 @@ def flexibility_of_units(
     every = np.arange(len(units.labels))[:: units.site_stride]
     yield Correlations(correlations(_sites(units, moved, every)))
     chain = np.flatnonzero(units.of_chain)
-    thinned = chain[:: units.site_stride]
-    if len(thinned) >= LEAST_CHAIN:
-        domains = find_domains(_sites(units, moved, thinned), units.chains[thinned])
-        of_unit = np.full(len(units.labels), LOOSE)
-        of_unit[chain] = np.repeat(domains.domain, units.site_stride)[: len(chain)]
-        yield RigidDomains(domains, of_unit)
+    if len(chain) >= LEAST_CHAIN:
+        yield _domains(analysis, moved, chain)
+
+
+def _domains(analysis: Analysis, moved: FrameStore, chain: np.ndarray) -> RigidDomains:
+    """Of units of chains, thinned where there are many."""
+    units = analysis[Units]
+    stride = -(-len(chain) // MOST_DOMAIN_SITES)
+    thinned = chain[::stride]
+    blocks = None if analysis.kind == ENSEMBLE else _frame_blocks(analysis)
+    found = find_domains(_sites(units, moved, thinned), units.chains[thinned], blocks)
+    of_unit, hinge_share = np.full(len(units.labels), LOOSE), np.zeros(len(units.labels))
+    of_unit[chain] = np.repeat(found.domain, stride)[: len(chain)]
+    hinge_share[chain] = np.repeat(found.hinge_share, stride)[: len(chain)]
+    return RigidDomains(found, thinned, of_unit, hinge_share)
 
 
 def _frame_blocks(analysis: Analysis) -> list[np.ndarray]:

@@ -46,6 +46,7 @@ def flexibility_columns(analysis: Analysis) -> dict[str, Any]:
         columns["b_estimate_over_mean"] = ["" if b != b else b for b in part.b_estimate.tolist()]
     if RigidDomains in analysis:
         columns["domain"] = analysis[RigidDomains].of_unit + 1  # 0: none
+        columns["hinge_share"] = analysis[RigidDomains].hinge_share
     if UnitsInComponents in analysis:
         moved, results = analysis[UnitsInComponents].units, analysis[Components].found
         share = participation(results.components[:MOTIONS])

@@ -184,7 +184,6 @@ def _print_summary(summary: Mapping[str, Any]) -> None:
         print(f"{name:<16}{one['text']}")
     rows = (
         ("flexibility", "flexibility_mean", "{:.3f} Angstrom, mean RMSF{error}"),
-        ("domains", "domains", "{}"),
         ("worst residual", "max_residual", "{:.2e} of the bar's length{rounding}"),
         ("sweeps per step", "sweeps_mean", "{:.1f} on average"),
         ("RMSD", "rmsd_max", "{:.3f} Angstrom at most"),

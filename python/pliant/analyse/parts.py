@@ -220,8 +220,16 @@ class Correlations(Part):
 class RigidDomains(Part):
     """Domains that move as rigid bodies."""
 
-    found: Domains  #: of every `site_stride`-th unit of a chain
+    found: Domains  #: of some units of chains, the sites
+    sites: np.ndarray  #: (s,) numbers of these units
     of_unit: np.ndarray  #: (n,) domain of each unit; LOOSE where it has none
+    hinge_share: np.ndarray  #: (n,) share of the resamples in which a unit is a hinge
+
+    def units_of(self, sites: np.ndarray) -> np.ndarray:
+        """Numbers of the units that some sites stand for."""
+        ends = np.append(self.sites[1:], self.sites[-1] + 1)
+        ranges = [np.arange(self.sites[k], ends[k]) for k in sites]
+        return np.concatenate(ranges) if ranges else np.zeros(0, dtype=np.int64)
 
 
 @dataclass(frozen=True)

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from pliant.analyse.bar_verdict import verdict
+from pliant.analyse.domains.domain_texts import domain_json
 from pliant.analyse.parts import (
     AtomFluctuations,
     Components,
@@ -70,11 +71,6 @@ def _flexibility(analysis: Analysis) -> Values:
         "halves_difference": found.difference,
         "converged": found.converged,
     }
-
-
-def _domains(analysis: Analysis) -> Values:
-    found = analysis[RigidDomains].found
-    return {"domains": found.count, "domains_explained": found.explained}
 
 
 def _shapes(analysis: Analysis) -> Values:
@@ -140,7 +136,7 @@ def _components(analysis: Analysis) -> Values:
 #: in the order of the object; a part that is missing gives nothing
 VALUES: dict[type[Part], Callable[[Analysis], Values]] = {
     UnitFlexibility: _flexibility,
-    RigidDomains: _domains,
+    RigidDomains: domain_json,
     Shapes: _shapes,
     Distances: _distances,
     Residuals: _residuals,

@@ -10,6 +10,7 @@ import numpy as np
 
 from pliant.analyse.amplitude import asked_amplitude
 from pliant.analyse.bar_verdict import Verdict, verdict
+from pliant.analyse.domains.domain_texts import domain_verdict
 from pliant.analyse.kind import ENSEMBLE, MEANING, PATH, TRANSITION
 from pliant.analyse.parts import ReferenceStructure, Shapes, UnitFlexibility
 from pliant.analyse.shapes.shape_texts import shapes_verdict
@@ -114,6 +115,7 @@ def verdicts(analysis: Analysis) -> dict[str, Verdict]:
         "bars": verdict(analysis),
     }
     more = {
+        "domains": domain_verdict(analysis),
         "other shapes": shapes_verdict(analysis),
         "amplitude": _amplitude(analysis),
         "draws": _draws(analysis),

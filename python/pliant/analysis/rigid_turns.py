@@ -6,12 +6,28 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
+from scipy.cluster.hierarchy import fcluster, linkage
+from scipy.spatial.distance import squareform
 
-from pliant.analysis.domains import LEAST_STRETCH, LOOSE, find_domains, without_short_stretches
-from pliant.analysis.superposition import Superposition
+from pliant.analysis.domains import LOOSE, distance_fluctuations
+from pliant.analysis.domains.stretches import (
+    LEAST_STRETCH,
+    over_neighbours,
+    whole_ends,
+    without_short_stretches,
+)
+from pliant.analysis.superposition import Superposition, superpose_all
 
-#: sites of a chain on either side that go with a site to one piece
-NEIGHBOURS = 2
+#: at most so many pieces are looked for
+MOST_PIECES = 6
+#: one more piece must explain this share of all motion beyond those before
+LEAST_GAIN = 0.08
+#: what explains less than this is no cut into pieces
+LEAST_EXPLAINED = 0.3
+#: a piece has at least so many sites, and this share of all
+LEAST_SITES = 10
+LEAST_SHARE = 0.05
+
 MOST_ROUNDS = 20
 
 
@@ -30,16 +46,14 @@ class RigidTurns:
 def rigid_turns(start: np.ndarray, end: np.ndarray, chains: np.ndarray) -> RigidTurns:
     """Pieces of sites (n, 3), one a residue in the order of their chains, from start to end.
 
-    The pieces are at first those of `find_domains` for the two structures: sites whose distances
-    change least are put together. Then each site goes to the piece whose motion brings it and its
-    neighbours along the chain nearest to their places, until nothing changes. The angle is that of
-    the rotation that superposes a piece once the largest is superposed: cos(angle) = (trace(R) - 1)
-    / 2.
+    At first sites whose distances change least are put together (average linkage); pieces are added
+    while each explains at least LEAST_GAIN of the motion. Then each site goes to the piece whose
+    motion brings it and its neighbours along the chain nearest to their places, until nothing
+    changes. The angle is that of the rotation that superposes a piece once the largest is
+    superposed: cos(angle) = (trace(R) - 1) / 2.
     """
     moved = Superposition(start, np.ones(len(start))).apply(end)
-    piece = _best_pieces(
-        start, moved, find_domains(np.stack([start, moved]), chains).domain, chains
-    )
+    piece = _best_pieces(start, moved, _first_pieces(np.stack([start, moved]), chains), chains)
     core = piece == 0
     moved = Superposition(start[core], np.ones(int(core.sum()))).apply(end, end[core])
     angles, axes, left = [], [], 0.0
@@ -67,9 +81,9 @@ def _best_pieces(
         off = []
         for own in (piece == name for name in names):
             moved = Superposition(end[own], np.ones(int(own.sum()))).apply(start, start[own])
-            off.append(_over_neighbours(np.sum((moved - end) ** 2, axis=1), chains))
+            off.append(over_neighbours(np.sum((moved - end) ** 2, axis=1), chains))
         better = names[np.argmin(off, axis=0)]
-        better = _whole_ends(without_short_stretches(better, chains), chains)
+        better = whole_ends(without_short_stretches(better, chains), chains)
         if np.array_equal(better, piece):
             break
         piece = better
@@ -77,25 +91,50 @@ def _best_pieces(
     return np.argsort(np.argsort(-sizes, kind="stable"), kind="stable")[number]
 
 
-def _over_neighbours(values: np.ndarray, chains: np.ndarray) -> np.ndarray:
-    """Mean over the sites of the chain that are at most NEIGHBOURS away."""
-    sums, counts = values.copy(), np.ones(len(values))
-    for apart in range(1, NEIGHBOURS + 1):
-        same = chains[apart:] == chains[:-apart]
-        sums[apart:] += np.where(same, values[:-apart], 0.0)
-        sums[:-apart] += np.where(same, values[apart:], 0.0)
-        counts[apart:] += same
-        counts[:-apart] += same
-    return np.asarray(sums / counts)
+def _first_pieces(positions: np.ndarray, chains: np.ndarray) -> np.ndarray:
+    """(n,) the piece of each site in structures (F, n, 3) that are superposed; LOOSE: none yet."""
+    sites = positions.shape[1]
+    best = np.zeros(sites, dtype=np.int64)
+    total = float(positions.var(axis=0).sum())
+    if sites < 2 * _least(sites) or total <= 0:
+        return best
+    tree = linkage(squareform(distance_fluctuations(positions), checks=False), "average")
+    explained = 0.0
+    for count in range(2, MOST_PIECES + 1):
+        cut = _cut(tree, sites, count, chains)
+        if cut is None:
+            break
+        share = 1.0 - _left_over(positions, cut) / total
+        if share < explained + LEAST_GAIN:
+            break
+        best, explained = cut, share
+    if explained < LEAST_EXPLAINED:
+        best = np.zeros(sites, dtype=np.int64)
+    return best
 
 
-def _whole_ends(piece: np.ndarray, chains: np.ndarray) -> np.ndarray:
-    """Short stretches at the ends of chains join the piece that follows them in the chain."""
-    piece = piece.copy()
-    edges = np.flatnonzero(chains[1:] != chains[:-1]) + 1
-    for chain in np.split(np.arange(len(piece)), edges):
-        for sites in (chain, chain[::-1]):
-            unlike = np.flatnonzero(piece[sites] != piece[sites[0]])
-            if len(unlike) and unlike[0] < LEAST_STRETCH:
-                piece[sites[: unlike[0]]] = piece[sites[unlike[0]]]
-    return piece
+def _least(sites: int) -> int:
+    return max(LEAST_SITES, int(LEAST_SHARE * sites))
+
+
+def _cut(tree: np.ndarray, sites: int, count: int, chains: np.ndarray) -> np.ndarray | None:
+    """The first cut of the tree with `count` parts that are large enough; None without one."""
+    for parts in range(count, min(sites, 8 * count) + 1):
+        labels = without_short_stretches(fcluster(tree, parts, "maxclust"), chains)
+        names, sizes = np.unique(labels, return_counts=True)
+        large = names[np.argsort(-sizes, kind="stable")][: np.count_nonzero(sizes >= _least(sites))]
+        if len(large) >= count:
+            domain = np.full(sites, LOOSE)
+            for k, name in enumerate(large[:count]):
+                domain[labels == name] = k
+            return domain
+    return None
+
+
+def _left_over(positions: np.ndarray, domain: np.ndarray) -> float:
+    """Fluctuation that is left within pieces, each superposed by itself; all of loose sites."""
+    rest = float(positions[:, domain == LOOSE].var(axis=0).sum())
+    for k in range(int(domain.max()) + 1):
+        own = superpose_all(positions[:, domain == k], iterations=3)
+        rest += float(own.var(axis=0).sum())
+    return rest

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""Flexibility with errors, correlations, domains, collective motions: against numpy and laws."""
+"""Flexibility with errors, correlations, collective motions: against numpy and laws."""
 
 import numpy as np
 import pytest
 from pliant.analysis.collective import collectivity, moving_stretches, participation
-from pliant.analysis.domains import correlations, distance_fluctuations, find_domains
+from pliant.analysis.domains import correlations, distance_fluctuations
 from pliant.analysis.flexibility import (
     equal_blocks,
     flexibility,
@@ -137,39 +137,6 @@ def test_small_changes_of_distances_are_those_that_numpy_measures():
     np.testing.assert_allclose(
         distance_fluctuations(positions), apart.std(axis=0), rtol=0.02, atol=1e-6
     )
-
-
-def two_bodies(frames=200, seed=1):
-    """Two rigid pieces of 40 sites, the second on a hinge at its first site."""
-    random = np.random.default_rng(seed)
-    first = np.stack([np.arange(40) * 1.5, 3 * np.sin(np.arange(40)), 3 * np.cos(np.arange(40))], 1)
-    second = first + np.array([60.0, 0.0, 0.0])
-    hinge = second[0]
-    made = []
-    for angle in random.normal(0, 0.2, frames):
-        bent = turned(second - hinge, [0, 0, 1], angle) + hinge
-        made.append(np.concatenate([first, bent]))
-    return np.array(made) + 0.05 * random.standard_normal((frames, 80, 3))
-
-
-def test_two_rigid_pieces_are_two_domains_with_the_hinge_between_them():
-    positions = superpose_all(two_bodies())
-    found = find_domains(positions, np.zeros(80, dtype=int))
-    assert found.count == 2
-    assert found.explained > 0.9
-    (hinge,) = found.hinges
-    assert abs(int(hinge[0]) - 39) <= 3
-    assert len(set(found.domain[:36])) == len(set(found.domain[44:])) == 1
-
-
-def test_noise_and_one_rigid_piece_have_no_domains():
-    random = np.random.default_rng(4)
-    shape = 10 * random.standard_normal((60, 3))
-    positions = superpose_all(shape + 0.3 * random.standard_normal((200, 60, 3)))
-    found = find_domains(positions, np.zeros(60, dtype=int))
-    assert (found.count, found.explained, len(found.hinges)) == (1, 0.0, 0)
-    still = np.array([shape] * 5)
-    assert find_domains(still, np.zeros(60, dtype=int)).count == 1
 
 
 def test_collectivity_of_all_and_of_one():

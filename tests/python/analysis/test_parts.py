@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Parts of an analysis: found by their types, and left out of the report where they are missing."""
 
+import json
 import os
 from dataclasses import replace
 
@@ -11,7 +12,9 @@ from pliant.analyse.figures import figures_of
 from pliant.analyse.page.page_tables import tables
 from pliant.analyse.parts import Components, RigidDomains, Rmsd, Torsions, Units
 from pliant.analyse.stages import analyse_trajectory
-from pliant.analysis.domains import Domains
+from pliant.analyse.summary import summary
+from pliant.analyse.verdicts import verdicts
+from pliant.analysis.domains import LOOSE, Domains, Hinge
 
 
 @pytest.fixture
@@ -33,12 +36,33 @@ def test_a_figure_needs_its_part(analysis, kind, figure):
         without[kind]
 
 
-def test_one_domain_alone_is_not_listed(analysis):
-    def captions(domain):
-        found = Domains(domain, 0.5, np.zeros((0, 2), dtype=int))
-        return [one.caption for one in tables(analysis.having(RigidDomains(found, domain)))]
-
-    one = np.zeros(len(analysis[Units].labels), dtype=int)
-    two = np.where(np.arange(len(one)) < 2, 1, 0)
+def test_domains_are_listed_with_how_often_they_are_found(analysis):
+    count = len(analysis[Units].labels)
     text = "Domains that move as rigid bodies"
-    assert text not in captions(one) and text in captions(two)
+
+    def made(domain, found, counts, hinges=(), undecided=()):
+        domains = Domains(domain, 0.5, np.array(found), counts, list(hinges), np.zeros(count),
+                          list(undecided))  # fmt: skip
+        part = RigidDomains(domains, np.arange(count), domain, np.zeros(count))
+        whole = analysis.having(part)
+        rows = [one.rows for one in tables(whole) if one.caption == text]
+        return rows, verdicts(whole)["domains"], summary(whole, {})
+
+    rows, verdict, values = made(np.zeros(count, dtype=int), [1.0], {1: 1.0})
+    assert rows == [] and verdict.sentence.startswith("One piece") and values["domains"] == 1
+    two = np.where(np.arange(count) < 2, 1, 0)
+    hinge = Hinge(1, 2, 1, 0.8)
+    (rows,), verdict, values = made(two, [1.0, 0.94], {2: 0.94, 3: 0.06}, [hinge])
+    assert [row[0] for row in rows] == ["1", "2", "hinge", "how many"]
+    assert [row[2] for row in rows] == ["100 %", "94 %", "80 %", ""]
+    assert rows[3][1] == "2 in 94 %, 3 in 6 % of the resamples"
+    assert (
+        verdict.sentence == "2 domains, each found in at least 94 % of 50 resamples of the frames."
+    )
+    assert values["domain_table"][1]["share"] == 0.94 and values["hinges"][0]["share"] == 0.8
+    json.dumps(values["hinges"])
+    none = np.full(count, LOOSE)
+    (rows,), verdict, values = made(none, [], {1: 0.6, 2: 0.4}, (), [(np.array([0, 1]), 0.4)])
+    assert [row[0] for row in rows] == ["undecided", "how many"] and rows[0][2] == "40 %"
+    assert verdict.kind == "open" and "do not repeat" in verdict.sentence
+    assert "1 in 60 %, 2 in 40 %" in verdict.details and values["domains"] == 0

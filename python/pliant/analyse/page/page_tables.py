@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from pliant.analyse.bar_verdict import scientific, tolerance_text
+from pliant.analyse.domains.domain_texts import domain_rows
 from pliant.analyse.figures.torsion_figures import most_mobile
 from pliant.analyse.kind import ENSEMBLE, TRANSITION
 from pliant.analyse.names import bar_labels, greek
@@ -88,7 +89,8 @@ def _flexible_facts(analysis: Analysis) -> list[tuple[str, str, str]]:
     if domains := analysis.get(RigidDomains):
         count, share = domains.found.count, 100 * domains.found.explained
         text = f"domains, which explain {share:.0f} % of the motion by moving rigidly"
-        rows.append((str(count), "", text if count > 1 else "piece: no domains were found"))
+        none = "domains that repeat", "piece: no domains were found"
+        rows.append((str(count), "", text if count > 1 else none[count]))
     if Components in analysis:
         share = 100 * analysis[Components].found.explained[0]
         rows.append((f"{share:.0f}", "%", "of the motion along one direction (PC1)"))
@@ -158,23 +160,8 @@ def _flexible_table(analysis: Analysis) -> PageTable:
 
 
 def _domain_table(analysis: Analysis) -> PageTable:
-    """The stretches of each domain; no rows where there is one domain alone."""
-    domains, units = analysis[RigidDomains], analysis[Units]
-    found = domains.found
-    if found.count < 2:
-        return PageTable(TOGETHER, "", (), ())
-    chain = np.flatnonzero(units.of_chain)[:: units.site_stride]
-    labels = [units.labels[k] for k in chain]
-    rows = []
-    for k in range(found.count):
-        sites = np.flatnonzero(domains.of_unit == k)
-        ends = (np.diff(sites) > 1) | (units.chains[sites[1:]] != units.chains[sites[:-1]])
-        parts = np.split(sites, np.flatnonzero(ends) + 1)
-        text = ", ".join(f"{units.labels[p[0]]} to {units.labels[p[-1]]}" for p in parts)
-        rows.append((f"{k + 1}", text))
-    hinges = ", ".join(f"{labels[a]}|{labels[b]}" for a, b in found.hinges)
-    rows.append(("hinges", hinges or "none within a chain"))
-    return PageTable(TOGETHER, "Domains that move as rigid bodies", ("domain", "residues"), rows)
+    headers = ("domain", "residues", "found in")
+    return PageTable(TOGETHER, "Domains that move as rigid bodies", headers, domain_rows(analysis))
 
 
 def _component_table(analysis: Analysis) -> PageTable:

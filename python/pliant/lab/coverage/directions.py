@@ -103,7 +103,7 @@ class Judge:
                 "have a backbone in both"
             )
         self.atoms = np.array([ours[key][0] for key in shared])  #: (R, 4) of the structure
-        self._goal = np.array([theirs[key][1] for key in shared])  # (R, 4, 3)
+        self.goal = np.array([theirs[key][1] for key in shared])  #: (R, 4, 3) of the other
         self._fit = _within(shared, direction.superposed)
         self._part = _within(shared, direction.measured)
 
@@ -115,7 +115,7 @@ class Judge:
         backbones = frames[:, self.atoms.ravel()]
         fit = (4 * self._fit[:, None] + np.arange(4)).ravel()
         part = (4 * self._part[:, None] + np.arange(4)).ravel()
-        goal = self._goal.reshape(-1, 3)
+        goal = self.goal.reshape(-1, 3)
         moved = agreement.superposed(backbones, goal, fit)[:, part]
         apart = np.linalg.norm(moved - goal[part], axis=2)
         if self.direction.measured is None:

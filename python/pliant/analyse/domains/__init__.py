@@ -1,0 +1,2 @@
+# SPDX-License-Identifier: MIT
+"""Domains that repeat: what the report says of them."""
