@@ -28,6 +28,7 @@ struct PlannedSample {
 H5mdHeader header_of(const SampleSettings& settings, const PlannedSample& planned) {
   H5mdHeader header = molecule_header(planned.model.structure);
   header.parameters = parameters_of(settings);
+  header.parameters.push_back(left_out_of(planned.model));
   header.inputs = sample_inputs(planned.task.start(), planned.task.nodes());
   return header;
 }

@@ -112,7 +112,8 @@ class ModelBuilder {
             std::move(positions),
             std::move(contacts_),
             std::move(ready_.steps),
-            std::move(ready_.missing)};
+            std::move(ready_.missing),
+            std::move(ready_.left_out)};
   }
 
  private:
@@ -154,7 +155,7 @@ class ModelBuilder {
     sterics.own = own_distances(joints, ready_.structure.positions);
     if (!sterics.own.empty())
       note("sterics: " + std::to_string(sterics.own.size()) +
-           " pairs are nearer than usual and keep their own distance");
+           " atom pairs are already closer than usual in the file; these distances are allowed");
     building_.sterics = std::make_shared<const Sterics>(std::move(sterics));
   }
 
@@ -214,6 +215,12 @@ std::vector<MolecularContact> contacts_for(const Preparation& ready, const Model
   if (options.contacts) return *options.contacts;
   if (!options.contacts_file.empty()) return read_contacts(options.contacts_file, ready.structure);
   return find_contacts(ready.structure, options, ready.floppy);
+}
+
+NamedParameter left_out_of(const MolecularModel& model) {
+  std::string text;
+  for (const std::string& one : model.left_out) text += (text.empty() ? "" : "; ") + one;
+  return {"model/left_out", text};
 }
 
 MolecularModel build_model(const Structure& structure, const ModelOptions& options) {
