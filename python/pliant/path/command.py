@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any
 
 from pliant import console
 from pliant._core import OptionError, PathOptions, path_rows, read
-from pliant._output_names import check_trajectory_name, is_pdb_name
+from pliant._output_names import check_trajectory_name
 from pliant._said import notes_shown_by
 
 if TYPE_CHECKING:
@@ -77,7 +77,7 @@ def make_parser() -> console.Parser:
     add = parser.add_argument
     add("start", metavar="START", help="PDB or mmCIF file to start from")
     add("end", metavar="END", help="PDB or mmCIF file of the same molecule, to go to")
-    add("-o", "--output", metavar="FILE", required=True, help="H5MD trajectory to write")
+    add("-o", "--output", metavar="FILE", required=True, help="H5MD trajectory or PDB file to write")
     console.add_rows(parser, path_rows(), {"backtrack": ATTEMPTS})
     add("--csv", metavar="FILE", help="also write the table of frames")
     add("--overwrite", action="store_true", help="replace existing outputs")
@@ -118,8 +118,6 @@ def _path(arguments: argparse.Namespace) -> int:
 
 def _check_outputs(arguments: argparse.Namespace) -> None:
     check_trajectory_name(arguments.output)
-    if is_pdb_name(arguments.output):
-        raise OptionError(f"--output {arguments.output}: expected a name that ends in .h5md")
     if arguments.csv and not Path(arguments.csv).resolve().parent.is_dir():
         raise OptionError(f"--csv {arguments.csv}: its directory does not exist")
     if arguments.csv and Path(arguments.csv).exists() and not arguments.overwrite:
@@ -154,7 +152,7 @@ def _print(path: MolecularPath, output: str) -> None:
     first, last = path.frames[0], path.frames[-1]
     worst = max(frame.max_residual for frame in path.frames)
     for note in path.notes:
-        print(f"note: {note}", file=sys.stderr)
+        console.note(note)
     what = "arrived" if path.arrived else "did not arrive"
     print(
         f"path            {what}: {first.to_end:.2f} A from the end at first, {last.to_end:.2f} now"

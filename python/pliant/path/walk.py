@@ -9,7 +9,16 @@ from collections.abc import Callable
 
 from pliant import _progress
 from pliant._checked import SEED, checked
-from pliant._core import H5mdRecorder, PathEnds, PathOptions, PathWalk, Structure, read
+from pliant._core import (
+    H5mdRecorder,
+    PathEnds,
+    PathOptions,
+    PathWalk,
+    PdbRecorder,
+    Structure,
+    read,
+)
+from pliant._output_names import is_pdb_name
 from pliant.path.found import MolecularPath
 
 __all__ = ["PathEnds", "PathOptions", "PathWalk", "find", "path"]
@@ -51,7 +60,8 @@ def path(
     seed : int
         Of the detours.
     output : str or path, optional
-        H5MD file to write frames to, when all are made; those that there are after Ctrl-C.
+        H5MD file to write frames to, or a PDB file with one model for each, when all are made;
+        those that there are after Ctrl-C.
     overwrite : bool
         Replace it.
 
@@ -89,8 +99,12 @@ def find(
     try:
         _go(walk, show)
     finally:  # after Ctrl-C what there is of the path is written as well
-        if recorder is not None:
+        if isinstance(recorder, PdbRecorder):
+            for frame in walk.positions():
+                recorder.record(frame)
+        elif recorder is not None:
             walk.record(recorder)
+        if recorder is not None:
             recorder.close()
     atoms, contacts = options.atoms, len(ends.model.contacts)
     made = ends.model, walk.positions(), walk.table(), ends.matched, atoms, contacts
@@ -115,7 +129,9 @@ def _go(walk: PathWalk, show: Callable[[int], None] | None) -> None:
 
 def _recorder(
     ends: PathEnds, options: PathOptions, output: str | os.PathLike[str], overwrite: bool
-) -> H5mdRecorder:
+) -> H5mdRecorder | PdbRecorder:
+    if is_pdb_name(output):
+        return PdbRecorder(os.fspath(output), ends.model.structure, overwrite=overwrite)
     end = {"path/end": os.path.basename(ends.source_of_end)}
     return H5mdRecorder(
         output,

@@ -125,6 +125,8 @@ def tables(analysis: Analysis) -> list[PageTable]:
         Residuals: _bar_table,
     }
     made = [make(analysis) for part, make in makers.items() if part in analysis]
+    if UnitFlexibility in analysis and analysis.kind != TRANSITION:
+        made.append(_ligand_table(analysis))
     if OtherShapes in analysis:
         made += _other_tables(analysis)
     return [table for table in made if table.rows]
@@ -144,10 +146,7 @@ def _other_tables(analysis: Analysis) -> list[PageTable]:
 
 def _flexible_table(analysis: Analysis) -> PageTable:
     found, units = analysis[UnitFlexibility].found, analysis[Units]
-    rows = [
-        (units.labels[k], f"{found.rmsf[k]:.3f}", f"± {2 * found.error[k]:.2g}")
-        for k in np.argsort(-found.rmsf, kind="stable")[:8]
-    ]
+    rows = _most_flexible(analysis, units.ranked)
     if analysis.kind == TRANSITION:
         caption = f"{units.what.capitalize()}s that move most on the way"
         return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)"), [row[:2] for row in rows])
@@ -155,6 +154,22 @@ def _flexible_table(analysis: Analysis) -> PageTable:
     if not found.converged:
         caption += " (not converged)"
     return PageTable(FLEXIBLE, caption, (units.what, "RMSF (Å)", "two errors"), rows)
+
+
+def _ligand_table(analysis: Analysis) -> PageTable:
+    """What is no residue of the chains, apart from them."""
+    rows = _most_flexible(analysis, ~analysis[Units].ranked)
+    return PageTable(FLEXIBLE, "Ligands", ("ligand", "RMSF (Å)", "two errors"), rows)
+
+
+def _most_flexible(analysis: Analysis, chosen: np.ndarray) -> list[tuple[str, ...]]:
+    """The units of a mask that fluctuate most."""
+    found, units = analysis[UnitFlexibility].found, analysis[Units]
+    order = np.argsort(-found.rmsf, kind="stable")
+    return [
+        (units.labels[k], f"{found.rmsf[k]:.3f}", f"± {2 * found.error[k]:.2g}")
+        for k in order[chosen[order]][:8]
+    ]
 
 
 def _domain_table(analysis: Analysis) -> PageTable:
